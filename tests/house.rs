@@ -127,11 +127,12 @@ const MADE: &str = "target";
 const CONNECTOR_ROOMS: [&str; 3] =
     ["crates/behaviour/src/connectors", "crates/engine/src/", "crates/sentences/src/does.rs"];
 /// Where devices may be named: their own files, the robots that have them, and what sentences say of each.
-const DEVICE_ROOMS: [&str; 5] = [
+const DEVICE_ROOMS: [&str; 6] = [
     "crates/robot/src/devices",
     "crates/nao/src/",
     "crates/simulation/src/",
     "crates/sentences/src/clauses.rs",
+    "crates/sentences/src/read/spoken.rs",
     "crates/sentences/src/words/",
 ];
 /// Files or folders in which one of them (none: any of them) is named all the same, and why.

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
+use wasm_bindgen_futures::JsFuture;
 use web_sys::{
     CanvasRenderingContext2d, Element, HtmlCanvasElement, HtmlTextAreaElement, ResizeObserver, Storage, Window,
 };
@@ -10,6 +11,16 @@ use web_sys::{
 /// The window; none in tests on the host.
 pub(crate) fn window() -> Option<Window> {
     if cfg!(target_arch = "wasm32") { web_sys::window() } else { None }
+}
+
+/// The text that the server has at an address; none if it has none, or is not there.
+pub(crate) async fn text_at(address: &str) -> Option<String> {
+    let answer = JsFuture::from(window()?.fetch_with_str(address)).await.ok()?;
+    let answer: web_sys::Response = answer.dyn_into().ok()?;
+    if !answer.ok() {
+        return None;
+    }
+    JsFuture::from(answer.text().ok()?).await.ok()?.as_string()
 }
 
 /// Calls `seen` whenever the element has another size, and once soon. It is watched as long as it is in the page, or until

@@ -120,12 +120,10 @@ async fn a_typed_sentence_is_shown_and_added_as_one() -> Outcome<()> {
     rests(&aiko, "Distance, stream").await?;
     aiko.key("Control+f").await?;
     aiko.until("document.activeElement.id === 'find'", "the field that finds has the keyboard").await?;
-    aiko.type_text("When the head is patted, the eyes turn green.").await?;
+    aiko.type_text("When the head is toched, the eyes turn green.").await?;
     aiko.find("button", "touched").await?;
-    aiko.until("document.querySelector('.mirror mark')?.textContent.includes('patted')", "what is not known is marked")
+    aiko.until("document.querySelector('.mirror mark')?.textContent.includes('toched')", "what is not known is marked")
         .await?;
-    aiko.until("document.querySelectorAll('.stream.ghost').length === 3", "a preview stands beside the graph").await?;
-    picture(&aiko, "typed").await?;
     aiko.key("Enter").await?;
     aiko.until(
         "document.querySelector('#find').value === 'When the head is touched, the eyes turn green.'",
@@ -133,6 +131,13 @@ async fn a_typed_sentence_is_shown_and_added_as_one() -> Outcome<()> {
     )
     .await?;
     aiko.until("!document.querySelector('.typed .doubt')", "nothing is in doubt").await?;
+    aiko.until("document.querySelectorAll('.stream.ghost').length === 3", "a preview stands beside the graph").await?;
+    aiko.until(
+        "document.querySelector('.understood').textContent === 'When the head is touched, the eyes turn green.'",
+        "what was understood is told",
+    )
+    .await?;
+    picture(&aiko, "typed").await?;
     aiko.key("Enter").await?;
     aiko.find("button", "Green eyes,*").await?;
     aiko.until(
@@ -143,6 +148,32 @@ async fn a_typed_sentence_is_shown_and_added_as_one() -> Outcome<()> {
     aiko.key("Escape").await?;
     aiko.press("button", "Undo").await?;
     aiko.until("document.querySelectorAll('[data-node]').length === 6", "one undo takes all of it back").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn what_is_said_in_other_words_is_understood_or_said_to_be_impossible() -> Outcome<()> {
+    let stage = stage!("spoken sentences");
+    let program = stage.wire.make("Spoken", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    rests(&aiko, "Distance, stream").await?;
+    aiko.key("Control+f").await?;
+    aiko.type_text("say 'well done' whenever somebody pats your head").await?;
+    aiko.until(
+        "document.querySelector('.understood')?.textContent === 'When the head is touched, the robot says “well done”.'",
+        "it is understood and told",
+    )
+    .await?;
+    aiko.key("Escape").await?;
+    aiko.key("Control+f").await?;
+    aiko.type_text("When the child cries, wave.").await?;
+    aiko.until(
+        "document.querySelector('.typed .doubt')?.textContent.startsWith('The robot cannot notice crying.')",
+        "what no sense tells is said",
+    )
+    .await?;
+    aiko.key("Enter").await?;
+    aiko.until("document.querySelector('#find').value === 'When the child cries, wave.'", "nothing is guessed").await?;
     aiko.no_errors()
 }
 

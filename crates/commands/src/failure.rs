@@ -44,6 +44,8 @@ pub(crate) enum Failure {
     Unopened(PathBuf, io::Error),
     /// This file could not be written.
     Unwritten(PathBuf, io::Error),
+    /// These words of a sentence are in doubt; none where something is missing.
+    InDoubt { words: String, suggestions: Vec<String>, why: Option<String> },
     /// What should go to standard output did not.
     UnwrittenOut(io::Error),
     /// What was done could not be told.

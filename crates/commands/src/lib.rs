@@ -1,6 +1,7 @@
 //! The front door: the command line of rrp. The program itself, with the page in it, is the crate `rrp`.
 
 mod bench;
+mod build;
 mod check;
 mod data_folder;
 mod devices;
@@ -53,6 +54,7 @@ enum What {
     Import(import::ImportArgs),
     Check(check::CheckArgs),
     Explain(explain::ExplainArgs),
+    Build(build::BuildArgs),
     Backup(keep::BackupArgs),
     Restore(keep::RestoreArgs),
     Migrate(keep::MigrateArgs),
@@ -83,6 +85,7 @@ const EXAMPLES: &str = "Examples:
   rrp devices                          what robots can sense and do
   rrp check tracking.xml               look what is wrong with a file
   rrp explain tracking.json            what it does, in plain sentences
+  rrp build \"When the head is touched, wave.\" > wave.json
   rrp backup monday.rrpbackup          keep everything in one file";
 
 /// Does what the words on the command line ask for and answers with the exit code; what cannot be read ends the process
@@ -104,6 +107,7 @@ pub fn run(page: Page) -> ExitCode {
         What::Import(args) => import::import(&args),
         What::Check(args) => check::check(&args),
         What::Explain(args) => explain::explain(&args),
+        What::Build(args) => build::build(&args),
         What::Backup(args) => ended(keep::backup(&args)),
         What::Restore(args) => ended(keep::restore(&args)),
         What::Migrate(args) => ended(keep::migrate(&args)),

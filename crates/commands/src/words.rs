@@ -69,6 +69,7 @@ impl fmt::Display for Failure {
             Self::Unopened(path, error) => write!(to, "{} could not be opened: {error}.", path.display()),
             Self::Unwritten(path, error) => write!(to, "{} could not be written: {error}.", path.display()),
             Self::UnwrittenOut(error) => write!(to, "The file could not be written: {error}."),
+            Self::InDoubt { words, suggestions, why } => in_doubt(words, suggestions, why.as_deref(), to),
             Self::Untold(error) => write!(to, "{error}"),
             Self::Unknown { wanted, names } => unknown(wanted, names, to),
             Self::Several { wanted, ids } => {
@@ -159,6 +160,21 @@ impl fmt::Display for Senseless {
             Self::NoSensor(stream) => write!(to, "{stream:?} is no sensor stream"),
         }
     }
+}
+
+fn in_doubt(words: &str, suggestions: &[String], why: Option<&str>, to: &mut fmt::Formatter) -> fmt::Result {
+    if words.is_empty() {
+        return write!(to, "Something is missing: say what happens and what the robot does then.");
+    }
+    write!(to, "“{words}” is not understood.")?;
+    if let Some(why) = why {
+        return write!(to, " {why}");
+    }
+    if suggestions.is_empty() {
+        return write!(to, " Say it in other words.");
+    }
+    let quoted: Vec<String> = suggestions.iter().map(|suggestion| format!("“{suggestion}”")).collect();
+    write!(to, " Is it {}?", quoted.join(" or "))
 }
 
 fn differences(all: &[Difference], to: &mut fmt::Formatter) -> fmt::Result {

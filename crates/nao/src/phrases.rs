@@ -80,7 +80,10 @@ mod tests {
             pieces("Hello Aiko. Shall we play with the red ball, or do you want to dance?", 200.0),
             ["Hello Aiko.", "Shall we play with", "the red ball,", "or do you want to dance?"]
         );
-        assert_eq!(pieces("こんにちは。いっしょにあそびましょう。", 100.0), ["こんにちは。", "いっしょにあそびましょう。"]);
+        assert_eq!(
+            pieces("こんにちは。いっしょにあそびましょう。", 100.0),
+            ["こんにちは。", "いっしょにあそびましょう。"]
+        );
     }
 
     #[test]

@@ -1,6 +1,10 @@
 //! What sentences say in one go, whatever the language: a sense with what is asked of it, an action with what it is given.
 //! The words stand in `words`; telling and reading both go by these lists, the first that fits is told.
 
+use crate::Language;
+use behaviour::Value;
+use robot::{Device, Param};
+
 /// A connector that belongs to a clause.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
@@ -164,4 +168,12 @@ pub(crate) fn distance_helper(unit: &str) -> &'static str {
 /// Whether a test of this sense and field goes by the distance that a helper makes of it.
 pub(crate) fn goes_by_distance(sense: &str, field: &str) -> bool {
     field.is_empty() && is_ball(sense)
+}
+
+/// What is chosen for a parameter when nobody says it in this language: words are heard in it.
+pub(crate) fn usual(device: &Device, param: &Param, language: Language) -> Value {
+    if device.name == "WordRecognized" && param.name == "language" && language == Language::Japanese {
+        return Value::text("Japanese");
+    }
+    param.default()
 }

@@ -14,6 +14,7 @@ mod numbers;
 mod pattern;
 mod read;
 mod sentence;
+mod speech;
 mod test;
 mod token;
 mod words;
@@ -22,7 +23,8 @@ pub use explain::explain;
 pub use language::{Language, NoLanguage};
 pub use read::{
     Doubt, Draft, DraftConnector, DraftStream, Reading, TEXT_MAX_CHARS, Understood, language_of, looks_like_sentence,
-    read,
+    read, read_speech,
 };
 pub use sentence::{Choice, Choosable, Literal, Number, Phrase, Piece, Sentence};
+pub use speech::Lexicon;
 pub use words::device_label;

@@ -8,13 +8,15 @@ mod matcher;
 mod meaning;
 mod names;
 mod parse;
+mod spoken;
 mod tree;
 
 pub use draft::{Doubt, Draft, DraftConnector, DraftStream, Reading, Understood};
 
 use crate::Language;
 use crate::clauses::CONVERSIONS;
-use crate::token::{Placed, tokens};
+use crate::speech::Lexicon;
+use crate::token::{Placed, Token, tokens};
 use behaviour::{Behaviour, Helper, Params, StreamKind, connectors, look_same};
 use build::{Act, Builder, Source};
 use doubts::Repaired;
@@ -80,12 +82,29 @@ fn outside_quotes(text: &str) -> impl Iterator<Item = char> {
 pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Option<&Behaviour>) -> Reading {
     let end = text.char_indices().nth(TEXT_MAX_CHARS).map_or(text.len(), |(at, _)| at);
     let known = &text[..end];
-    let Repaired { told, tokens, mut doubts } = doubts::repaired(known, tokens(known, language), language);
-    let mut builder = Builder::new(behaviour);
+    let repaired = doubts::repaired(known, tokens(known, language), language);
+    reading_of(repaired, text, end, language, helpers, behaviour)
+}
+
+/// What was read, of the first `end` bytes of a text.
+fn reading_of(
+    repaired: Repaired,
+    text: &str,
+    end: usize,
+    language: Language,
+    helpers: &[&Helper],
+    behaviour: Option<&Behaviour>,
+) -> Reading {
+    let Repaired { told, tokens, mut doubts } = repaired;
+    let mut builder = Builder::new(behaviour, language);
     told.iter().for_each(|sentence| builder.sentence(sentence));
-    doubts.extend(builder.unmeant.iter().map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new() }));
+    doubts.extend(builder.unmeant.iter().map(|span| Doubt {
+        range: bytes(&tokens, span),
+        suggestions: Vec::new(),
+        why: None,
+    }));
     if end < text.len() {
-        doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new() });
+        doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new(), why: None });
     }
     let mut reading = drafted(&builder, &tokens, Names::new(language, behaviour), behaviour);
     let missing = builder.nodes.iter().filter(|node| match &node.source {
@@ -99,9 +118,74 @@ pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Opti
         };
         (act.device.is_none() && !act.name.as_ref().is_some_and(is_there)).then_some(&act.span)
     }));
-    doubts.extend(missing.map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new() }));
+    doubts.extend(missing.map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new(), why: None }));
     doubts.sort_by_key(|doubt| doubt.range.start);
     doubts.dedup_by(|one, other| one.range == other.range);
+    reading.doubts = doubts;
+    reading
+}
+
+/// Reads what somebody says in their own words: sentences as [`crate::explain`] tells them are read as exactly that, all
+/// others by the words of `lexicon`. Bounds, `helpers` and `behaviour` are those of [`read`].
+///
+/// Nothing is guessed: a word that nobody knows is in doubt, and so is what is missing.
+#[must_use]
+pub fn read_speech(
+    text: &str,
+    language: Language,
+    lexicon: &Lexicon,
+    helpers: &[&Helper],
+    behaviour: Option<&Behaviour>,
+) -> Reading {
+    let end = text.char_indices().nth(TEXT_MAX_CHARS).map_or(text.len(), |(at, _)| at);
+    let known = &text[..end];
+    let exact = doubts::exact(known, tokens(known, language), language)
+        .filter(|exact| !exact.told.iter().any(tree::Told::is_guess));
+    if let Some(exact) = exact {
+        let told = reading_of(exact, text, end, language, helpers, behaviour);
+        if told.is_whole() {
+            return told;
+        }
+    }
+    let speech = crate::speech::understood(known, language, lexicon);
+    let tokens: Vec<Placed> = speech
+        .places
+        .iter()
+        .map(|range| Placed { token: Token::Sign(' '), range: range.clone(), is_doubtful: false })
+        .collect();
+    let mut doubts: Vec<Doubt> = speech
+        .doubts
+        .into_iter()
+        .map(|(range, suggestions, why)| Doubt {
+            range,
+            suggestions,
+            why: why.filter(|why| !why.is_empty()).map(str::to_owned),
+        })
+        .collect();
+    if end < text.len() {
+        doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new(), why: None });
+    }
+    let mut reading = Reading::default();
+    if doubts.is_empty() {
+        let mut builder = Builder::new(behaviour, language);
+        let mut making = spoken::Making::new(&mut builder, language);
+        making.rules(&speech.rules);
+        let failed = making.doubts;
+        doubts.extend(failed.iter().map(|span| Doubt {
+            range: bytes(&tokens, span),
+            suggestions: Vec::new(),
+            why: None,
+        }));
+        if builder.acts.is_empty() && doubts.is_empty() {
+            doubts.push(Doubt { range: text.len()..text.len(), suggestions: Vec::new(), why: None });
+        }
+        if doubts.is_empty() {
+            reading = drafted(&builder, &tokens, Names::new(language, behaviour), behaviour);
+        }
+    }
+    doubts.sort_by_key(|doubt| doubt.range.start);
+    doubts.dedup_by(|one, other| one.range == other.range);
+    reading.texts = speech.texts;
     reading.doubts = doubts;
     reading
 }

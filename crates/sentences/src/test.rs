@@ -33,7 +33,7 @@ impl Comparison {
         COMPARISONS[self as usize].2
     }
 
-    fn opposite(self) -> Self {
+    pub(crate) fn opposite(self) -> Self {
         match self {
             Self::Less => Self::AtLeast,
             Self::AtMost => Self::More,

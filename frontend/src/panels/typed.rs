@@ -2,6 +2,7 @@
 //! not understood is underlined, with what would be.
 
 mod drafted;
+mod lexicon;
 
 use super::hold::{Hold, hold};
 use super::inspector::kind_class;
@@ -10,7 +11,8 @@ use crate::browser;
 use crate::words;
 use behaviour::Helper;
 use leptos::prelude::*;
-use sentences::{Doubt, Reading, language_of, looks_like_sentence, read};
+use lexicon::Words;
+use sentences::{Doubt, Reading, explain, language_of, looks_like_sentence, read, read_speech};
 use std::ops::Range;
 use wasm_bindgen::JsCast;
 
@@ -56,7 +58,10 @@ pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>
     let reading = Memo::new(move |_| reading(desk, &typing.text.read()));
     let is_open = Memo::new(move |_| reading.read().is_some());
     let doubt = Memo::new(move |_| reading.read().as_ref().and_then(|reading| reading.doubts.first().cloned()));
-    let ready = Memo::new(move |_| reading.read().as_ref().is_some_and(is_whole));
+    let ready = Memo::new(move |_| reading.read().as_ref().is_some_and(Reading::is_whole));
+    let understood = Memo::new(move |_| {
+        reading.read().as_ref().map_or_else(String::new, |reading| told(desk, &typing.text.read(), reading))
+    });
     Effect::new(move |_| {
         typing.open.set(is_open.get());
         let desk = desk.desk();
@@ -65,6 +70,11 @@ pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>
             drafted::ghost(&reading.draft, &behaviour, &places, desk.document.in_view())
         });
         desk.document.ghost.set(shown);
+    });
+    Effect::new(move |_| {
+        if !is_open.get() {
+            lexicon::retry();
+        }
     });
     on_cleanup(move || {
         desk.desk().document.ghost.set(None);
@@ -100,9 +110,10 @@ pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>
         <Show when=move || is_open.get()>
             <Mirror typing reading />
             <div class="typed">
-                <div role="status">{move || doubt.get().map(|doubt| view! { <p class="doubt">{words::in_doubt(words_of(&typing.text.read(), &doubt.range), doubt.suggestions.is_empty())}</p> })}</div>
+                <div role="status">{move || doubt.get().map(|doubt| view! { <p class="doubt">{in_doubt(&typing.text.read(), &doubt)}</p> })}</div>
                 {move || doubt.get().map(|doubt| suggestions(doubt, take))}
                 <div class="would-add">
+                    {move || (!understood.read().is_empty()).then(|| view! { <p class="understood">{understood.get()}</p> })}
                     <p role="status"><WouldAdd reading /></p>
                     <span class="keys"><kbd>"Esc"</kbd>{words::esc_clears()}</span>
                     <button type="button" class="button primary" disabled=move || !ready.get() on:click=move |_| add()>{words::add_to_graph()}</button>
@@ -171,13 +182,30 @@ fn reading(desk: Hold, text: &str) -> Option<Reading> {
     let behaviour = desk.document.behaviour();
     desk.library.helpers.with(|helpers| {
         let helpers: Vec<&Helper> = helpers.iter().map(|(_, helper)| helper).collect();
-        Some(read(text, language_of(text), &helpers, Some(&behaviour)))
+        let language = language_of(text);
+        Some(match lexicon::words(language) {
+            Words::Here(lexicon) => read_speech(text, language, lexicon, &helpers, Some(&behaviour)),
+            Words::Come => Reading::default(),
+            Words::Lost => read(text, language, &helpers, Some(&behaviour)),
+        })
     })
 }
 
-/// Whether a reading can be added: nothing is in doubt, and something happens.
-fn is_whole(reading: &Reading) -> bool {
-    reading.doubts.is_empty() && !reading.draft.connectors.is_empty()
+/// What was understood, as it is told; nothing while something is in doubt.
+fn told(desk: Hold, text: &str, reading: &Reading) -> String {
+    if !reading.is_whole() {
+        return String::new();
+    }
+    desk.desk().library.helpers.with_untracked(|helpers| {
+        let helpers: Vec<&Helper> = helpers.iter().map(|(_, helper)| helper).collect();
+        let told = explain(&reading.draft.behaviour(), &helpers, &|_| None, language_of(text));
+        told.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
+    })
+}
+
+/// What is said of words in doubt: why they cannot be done, else what could be meant.
+fn in_doubt(text: &str, doubt: &Doubt) -> String {
+    doubt.why.clone().unwrap_or_else(|| words::in_doubt(words_of(text, &doubt.range), doubt.suggestions.is_empty()))
 }
 
 fn words_of(text: &str, range: &Range<usize>) -> String {

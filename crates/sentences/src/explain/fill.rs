@@ -2,6 +2,7 @@
 
 use super::Teller;
 use super::chain::Link;
+use crate::clauses::usual;
 use crate::does::{Calc, Does};
 use crate::fits::same;
 use crate::numbers;
@@ -30,7 +31,7 @@ impl Teller<'_> {
                 let param = device.params.iter().find(|param| param.name == hole)?;
                 let chosen = stream.params.get(hole).cloned().unwrap_or_else(|| param.default());
                 let piece = self.param(device, param, &chosen, id, fills.seen)?;
-                let is_default = same(&chosen, &param.default());
+                let is_default = same(&chosen, &usual(device, param, self.language));
                 // Nothing is told of a choice without a word.
                 let pieces = if piece.text().is_empty() { Vec::new() } else { vec![piece] };
                 Some(Filling { pieces, is_default })

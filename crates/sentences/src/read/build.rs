@@ -3,8 +3,9 @@
 use super::clauses::comparison;
 use super::meaning::{does_of, params, part_of, test, wanted_unit};
 use super::tree::{Action, Bound, Said, Span, Start, Told, Way};
+use crate::Language;
 use crate::carried::{Carried, Measure};
-use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance};
+use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance, usual};
 use crate::does::{Calc, Does};
 use behaviour::{Behaviour, Id, Params, StreamKind, Value, look_same};
 use robot::Device;
@@ -49,16 +50,18 @@ pub(super) struct Builder<'a> {
     pub(super) unmeant: Vec<Span>,
     /// The nodes that “otherwise” made: each follows its test, as one made by a button does.
     pub(super) otherwise: Vec<usize>,
+    language: Language,
     behaviour: Option<&'a Behaviour>,
     /// The connectors of the sentence before, in order.
-    before: Vec<usize>,
+    pub(super) before: Vec<usize>,
     /// The sense at the start of the sentence, if it is one.
     sense: Option<&'static str>,
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(behaviour: Option<&'a Behaviour>) -> Self {
+    pub(super) fn new(behaviour: Option<&'a Behaviour>, language: Language) -> Self {
         Self {
+            language,
             nodes: Vec::new(),
             acts: Vec::new(),
             unmeant: Vec::new(),
@@ -135,7 +138,7 @@ impl<'a> Builder<'a> {
     }
 
     /// What the last test of the sentence before keeps out.
-    fn otherwise(&mut self, span: &Span, chain: &mut Vec<usize>) -> usize {
+    pub(super) fn otherwise(&mut self, span: &Span, chain: &mut Vec<usize>) -> usize {
         let tests = |at: &usize| matches!(self.nodes[*at].source, Source::Made(Does::Keep(_) | Does::KeepBy(_), ..));
         let Some(place) = self.before.iter().rposition(tests) else {
             self.unmeant.push(span.clone());
@@ -161,7 +164,14 @@ impl<'a> Builder<'a> {
 
     fn sense(&mut self, name: &'static str, fixed: &[(&str, &str)], said: &Said) -> usize {
         let Ok(device) = robot::device(StreamKind::Sensor, name) else { return self.missing(name, &said.span) };
-        let params = params(device, fixed, said);
+        let mut params = params(device, fixed, said);
+        for param in device.params {
+            let is_said = said.hole(param.name).is_some() || fixed.iter().any(|(name, _)| *name == param.name);
+            let usual = usual(device, param, self.language);
+            if !is_said && usual != param.default() {
+                params.insert(param.name.to_owned(), usual);
+            }
+        }
         let source = Source::Sense(device, params);
         self.node(source, Carried::Sense(device.name), &said.span)
     }
@@ -181,7 +191,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The node of a source, which may be there already.
-    fn node(&mut self, source: Source, carried: Carried, span: &Span) -> usize {
+    pub(super) fn node(&mut self, source: Source, carried: Carried, span: &Span) -> usize {
         let known = self.nodes.iter().position(|node| node.source == source);
         known.unwrap_or_else(|| {
             self.nodes.push(Node { source, carried, span: span.clone() });
@@ -189,7 +199,7 @@ impl<'a> Builder<'a> {
         })
     }
 
-    fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
+    pub(super) fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
         let from = &self.nodes[inputs[0]].carried;
         let field = if let Does::Keep(test) = &does { test.field.as_deref() } else { None };
         let measured = match from.measure(field) {

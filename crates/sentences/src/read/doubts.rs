@@ -56,6 +56,15 @@ impl Read {
     }
 }
 
+/// Reads a text that is understood as it is, to its end.
+pub(super) fn exact(text: &str, tokens: Vec<Placed>, language: Language) -> Option<Repaired> {
+    if tokens.iter().any(|placed| matches!(placed.token, Token::Either(..))) {
+        return None;
+    }
+    let read = read(text, &tokens, language);
+    read.is_whole.then_some(Repaired { told: read.told, tokens, doubts: Vec::new() })
+}
+
 /// Reads a text; where it is not understood, with the best that could stand there.
 pub(super) fn repaired(text: &str, tokens: Vec<Placed>, language: Language) -> Repaired {
     let mut tokens = tokens;
@@ -67,7 +76,7 @@ pub(super) fn repaired(text: &str, tokens: Vec<Placed>, language: Language) -> R
         let is_at_end = at == tokens.len();
         let range = place(text, &tokens, at, length.unwrap_or(1));
         let suggestions = trials.iter().map(|trial| spaced(&trial.words, text, &range, language)).collect();
-        doubts.push(Doubt { range, suggestions });
+        doubts.push(Doubt { range, suggestions, why: None });
         let Some(best) = trials.into_iter().next() else { break };
         (tokens, read) = (best.tokens, best.read);
         // Only the next words are guessed, not the rest of the sentence.
@@ -84,7 +93,7 @@ fn in_two_ways(tokens: &mut [Placed]) -> Vec<Doubt> {
     for placed in tokens {
         if let Token::Either(one, other) = placed.token {
             let suggestions = [one, other].map(crate::numbers::written).into();
-            doubts.push(Doubt { range: placed.range.clone(), suggestions });
+            doubts.push(Doubt { range: placed.range.clone(), suggestions, why: None });
             *placed = Placed { token: Token::Number(one), range: placed.range.clone(), is_doubtful: true };
         }
     }

@@ -1,6 +1,6 @@
 //! What was read, as a graph that can be added to a behaviour.
 
-use behaviour::{Id, Operation, Params, StreamKind};
+use behaviour::{Behaviour, Connector, Id, Kind, Operation, Params, Record, RecordId, Stream, StreamKind};
 use serde::Serialize;
 use std::ops::Range;
 
@@ -14,6 +14,16 @@ pub struct Reading {
     pub understood: Vec<Understood>,
     /// What was not understood; the graph can be added if there is nothing here.
     pub doubts: Vec<Doubt>,
+    /// Words that were taken as a text though nobody quoted them, by their bytes.
+    pub texts: Vec<Range<usize>>,
+}
+
+impl Reading {
+    /// Whether it can be added: nothing is in doubt, and something happens.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.doubts.is_empty() && !self.draft.connectors.is_empty()
+    }
 }
 
 /// A graph that is not in a behaviour yet.
@@ -24,6 +34,30 @@ pub struct Draft {
     pub streams: Vec<DraftStream>,
     /// Its connectors in the order in which values go.
     pub connectors: Vec<DraftConnector>,
+}
+
+impl Draft {
+    /// The graph as a behaviour of its own, with ids in the order of its parts. What is called by its name only, and is of
+    /// no sense or action, is there as a stream without one.
+    #[must_use]
+    pub fn behaviour(&self) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        let ids: Vec<Id> = (1..=self.streams.len()).filter_map(|at| Id::new(&format!("s{at}")).ok()).collect();
+        for ((order, stream), id) in (1..).zip(&self.streams).zip(&ids) {
+            let (name, device, params) = (stream.name.clone(), stream.device.clone(), stream.params.clone());
+            let (kind, resources, priority, hold_ms) = (stream.kind, None, None, None);
+            let stream = Stream { kind, name, device, params, order, resources, priority, hold_ms };
+            behaviour.records.insert(RecordId::new(Kind::Stream, id), Record::Stream(stream));
+        }
+        for (order, connector) in (1..).zip(&self.connectors) {
+            let (Ok(id), Some(output)) = (Id::new(&format!("c{order}")), ids.get(connector.output)) else { continue };
+            let inputs = connector.inputs.iter().filter_map(|input| ids.get(*input).cloned()).collect();
+            let (operation, output) = (connector.operation.clone(), output.clone());
+            let connector = Connector { operation, inputs, output, order };
+            behaviour.records.insert(RecordId::new(Kind::Connector, &id), Record::Connector(connector));
+        }
+        behaviour
+    }
 }
 
 /// A stream of a draft.
@@ -78,4 +112,6 @@ pub struct Doubt {
     pub range: Range<usize>,
     /// What could stand there instead, at most three, the best one first; the draft has that one.
     pub suggestions: Vec<String>,
+    /// Why it cannot be done, and what can be; none if nobody knows what it means.
+    pub why: Option<String>,
 }

@@ -119,3 +119,29 @@ impl Said {
         params
     }
 }
+
+impl Told {
+    /// Whether some of it could be anything.
+    pub(super) fn is_guess(&self) -> bool {
+        self.way.is_guess() || self.action.iter().chain(&self.more).any(|action| action.said.is_guess())
+    }
+}
+
+impl Way {
+    fn is_guess(&self) -> bool {
+        let start = match &self.start {
+            Start::Sense(_, said) | Start::Named(said) => said.is_guess(),
+            Start::Asked(_, said, test) => said.is_guess() || test.iter().any(Said::is_guess),
+            Start::Any(ways) => ways.iter().any(Self::is_guess),
+            Start::Otherwise(_) => false,
+        };
+        let within = |said: &Said| {
+            said.holes.iter().any(|(_, bound)| match bound {
+                Bound::Ways(ways) => ways.iter().any(Self::is_guess),
+                Bound::Test(test) => test.iter().any(Said::is_guess),
+                _ => false,
+            })
+        };
+        start || self.steps.iter().any(|step| step.is_guess() || within(step))
+    }
+}

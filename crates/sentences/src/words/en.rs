@@ -44,7 +44,7 @@ pub(super) const WORDS: Words = Words {
 };
 
 const SHAPE: &[Rule] = &[
-    ("lead", &["when", "whenever", "if", "as soon as", "once", "while"]),
+    ("lead", &["when", "whenever", "if", "as soon as"]),
     ("close", &[""]),
     ("every", &["every {every}", "each {every}", "once every {every}", "once a {every}"]),
     ("otherwise", &["otherwise", "else", "if not"]),

@@ -7,5 +7,6 @@ mod dice;
 mod golden;
 mod graphs;
 mod pieces;
+mod speech;
 mod support;
 mod typed;

@@ -78,7 +78,7 @@ impl Library {
         let (library, me, address, name) =
             (self.clone(), self.tab.my_name(), file_address(id, "json"), words::copy_of(name));
         wasm_bindgen_futures::spawn_local(async move {
-            let copied = match read_text(&address).await {
+            let copied = match browser::text_at(&address).await {
                 Some(text) => bring(&JsValue::from_str(&named(&text, &name)), &me).await,
                 None => Err(NotBrought::Unreachable),
             };
@@ -160,16 +160,6 @@ fn named(text: &str, name: &str) -> String {
     let Some((end, _)) = end else { return text.to_owned() };
     let written = serde_json::to_string(name).unwrap_or_default();
     format!("{}{written}{}", &text[..start], &text[start + 1 + end + 1..])
-}
-
-/// The text that the server has at an address.
-pub(super) async fn read_text(address: &str) -> Option<String> {
-    let answer = JsFuture::from(browser::window()?.fetch_with_str(address)).await.ok()?;
-    let answer: web_sys::Response = answer.dyn_into().ok()?;
-    if !answer.ok() {
-        return None;
-    }
-    JsFuture::from(answer.text().ok()?).await.ok()?.as_string()
 }
 
 async fn post(file: &JsValue, by: &str) -> Option<(bool, String)> {

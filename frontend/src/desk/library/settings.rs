@@ -1,7 +1,7 @@
 //! Another name or other tags of a program in the library, whether it is open here or not.
 
 use super::Library;
-use super::files::{file_address, read_text};
+use super::files::file_address;
 use crate::desk::tab::new_id;
 use crate::link;
 use crate::link::NoAnswer;
@@ -94,7 +94,7 @@ impl Library {
         }
         let id = id.clone();
         wasm_bindgen_futures::spawn_local(async move {
-            let text = read_text(&file_address(&id, "json")).await;
+            let text = crate::browser::text_at(&file_address(&id, "json")).await;
             let head = text.and_then(|text| crate::json::read::<Head>(&text).ok());
             let Some(now) = head.map(|head| as_seen(head.settings(), seen)) else {
                 return then(Err(NoAnswer::Unreachable));

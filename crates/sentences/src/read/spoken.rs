@@ -1,0 +1,701 @@
+//! From what was said to the parts of a graph.
+
+use super::build::{Act as Built, Builder, Source};
+use super::tree::Span;
+use crate::Language;
+use crate::carried::Carried;
+use crate::clauses::{ACTIONS, distance_helper};
+use crate::does::{Calc, Does, Memory};
+use crate::speech::meaning::{Act, Body, Bound, Cond, Event, Of, Phase, Rule, Target, Times, Value, Who};
+use crate::speech::{ended, own_event};
+use crate::test::{Asks, Comparison, Test};
+use behaviour::{Params, StreamKind, Value as Constant};
+use robot::with_defaults;
+
+/// What was not seen for so long is not seen any more.
+const UNSEEN_MS: u64 = 1_000;
+
+/// A sense and what is made of it.
+struct Feed {
+    device: &'static str,
+    params: Vec<(&'static str, String)>,
+    steps: Vec<Does>,
+}
+
+/// Makes graphs of what was said. What cannot be one is in doubt.
+pub(super) struct Making<'b, 'a> {
+    pub(super) builder: &'b mut Builder<'a>,
+    pub(super) language: Language,
+    pub(super) doubts: Vec<Span>,
+    /// Of each rule: its event's node, and the nodes of its connectors.
+    rules: Vec<(usize, Vec<usize>)>,
+}
+
+/// The sense that feels touches there.
+fn touch(body: Body) -> &'static str {
+    match body {
+        Body::Head => "HeadTouch",
+        Body::Hand => "HandTouch",
+        Body::Foot => "Bumper",
+    }
+}
+
+fn feed(device: &'static str) -> Feed {
+    Feed { device, params: Vec::new(), steps: Vec::new() }
+}
+
+fn keep(field: &str, asks: Asks) -> Does {
+    Does::Keep(Test { field: (!field.is_empty()).then(|| field.to_owned()), asks })
+}
+
+fn truth(field: &str, is: bool) -> Does {
+    keep(field, Asks::Truth(is))
+}
+
+fn numbers(field: &str, bounds: Vec<(Comparison, f64)>) -> Does {
+    keep(field, Asks::Numbers(bounds))
+}
+
+fn number(value: f64) -> Does {
+    Does::Make(Calc::Number(value))
+}
+
+impl<'b, 'a> Making<'b, 'a> {
+    pub(super) fn new(builder: &'b mut Builder<'a>, language: Language) -> Self {
+        Self { builder, language, doubts: Vec::new(), rules: Vec::new() }
+    }
+
+    pub(super) fn rules(&mut self, rules: &[Rule]) {
+        for (at, rule) in rules.iter().enumerate() {
+            if self.rule(rule, at).is_none() {
+                self.doubts.push(rule.event.as_ref().map_or(rule.span.clone(), |event| event.span.clone()));
+                self.rules.push((usize::MAX, Vec::new()));
+            }
+        }
+    }
+
+    fn rule(&mut self, rule: &Rule, place: usize) -> Option<()> {
+        let mut chain = Vec::new();
+        let mut seen = None;
+        let mut start = if rule.otherwise {
+            let (_, before) = self.rules.get(place.checked_sub(1)?)?.clone();
+            if rule.event.is_some() || rule.every.is_some() {
+                return None;
+            }
+            self.builder.before = before;
+            let unmeant = self.builder.unmeant.len();
+            let at = self.builder.otherwise(&rule.span, &mut chain);
+            if self.builder.unmeant.len() > unmeant {
+                return None;
+            }
+            at
+        } else if rule.is_own {
+            return self.own(rule, place);
+        } else if let Some(event) = &rule.event {
+            // What lasts follows what it follows while something is so.
+            let follows = rule.acts.iter().find_map(|(_, act, _)| match act {
+                Act::Follow(..) => own_event(act),
+                _ => None,
+            });
+            if rule.lasts
+                && let Some(own) = follows
+            {
+                let own = Cond::of(own, rule.span.clone());
+                let at = self.event(&own, &mut chain, None)?;
+                self.state(at, event, &mut chain)?
+            } else {
+                let (first, rest) = moment_first(event, &rule.states);
+                let mut at = self.event_of_rule(first, rule, &mut chain)?;
+                seen = device_of(&first.what);
+                for state in rest {
+                    at = self.state(at, state, &mut chain)?;
+                }
+                at
+            }
+        } else {
+            let period = rule.every?;
+            if rule.acts.is_empty() {
+                return None;
+            }
+            let at =
+                self.sense(&Feed { params: vec![("period_ms", period.to_string())], ..feed("Tick") }, &rule.span)?;
+            let mut at = at;
+            for state in &rule.states {
+                at = self.state(at, state, &mut chain)?;
+            }
+            at
+        };
+        let event = start;
+        if let Some(period) = rule.at_most {
+            start = self.made(Does::Every(period), vec![start], &rule.span, &mut chain);
+        }
+        if rule.once {
+            start = self.made(Does::Remember(Memory::Ones), vec![start], &rule.span, &mut chain);
+            start = self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![start], &rule.span, &mut chain);
+        }
+        if let Some(until) = &rule.until {
+            start = self.until(start, until, &mut chain)?;
+        }
+        self.acts(rule, start, seen)?;
+        self.rules.push((event, chain));
+        if rule.lasts {
+            self.undo(rule)?;
+        }
+        Some(())
+    }
+
+    /// What was lit while something lasted goes out at its end.
+    fn undo(&mut self, rule: &Rule) -> Option<()> {
+        let lit = rule.acts.iter().any(|(_, act, _)| matches!(act, Act::Eyes(color) if *color != "off"));
+        let Some(event) = rule.event.as_ref().filter(|_| lit) else { return Some(()) };
+        let end = match &event.what {
+            // What is seen is over when it was not seen for a moment.
+            Event::Ball(_) | Event::Thing(_) => Cond { not: true, during: Some(UNSEEN_MS), ..event.clone() },
+            Event::Face(Who::Anybody) => Cond { not: true, ..event.clone() },
+            what => Cond { what: ended(what)?, ..event.clone() },
+        };
+        let mut chain = Vec::new();
+        let at = self.event(&end, &mut chain, None)?;
+        self.act(&Act::Eyes("off"), at, None, &rule.span)
+    }
+
+    /// Actions that go by senses of their own.
+    fn own(&mut self, rule: &Rule, place: usize) -> Option<()> {
+        let mut first = None;
+        for (later, act, span) in &rule.acts {
+            let what = own_event(act)?;
+            let cond = Cond::of(what, span.clone());
+            let mut chain = Vec::new();
+            let mut at = self.event(&cond, &mut chain, None)?;
+            if *later > 0 {
+                return None;
+            }
+            if let Some(period) = rule.every {
+                at = self.made(Does::Every(period), vec![at], span, &mut chain);
+            }
+            for state in &rule.states {
+                at = self.state(at, state, &mut chain)?;
+            }
+            if let Some(period) = rule.at_most {
+                at = self.made(Does::Every(period), vec![at], span, &mut chain);
+            }
+            if rule.once {
+                return None;
+            }
+            if let Some(until) = &rule.until {
+                at = self.until(at, until, &mut chain)?;
+            }
+            self.act(act, at, device_of(&cond.what), span)?;
+            first.get_or_insert((at, chain));
+        }
+        let _ = place;
+        self.rules.push(first?);
+        Some(())
+    }
+
+    fn until(&mut self, at: usize, until: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
+        let goes = self.made(number(0.0), vec![at], &until.span, chain);
+        let end = self.event(until, &mut Vec::new(), None)?;
+        let ends = self.made(number(1.0), vec![end], &until.span, chain);
+        let any = self.made(Does::Any, vec![goes, ends], &until.span, chain);
+        let so_far = self.made(Does::Remember(Memory::Largest), vec![any], &until.span, chain);
+        Some(self.made(numbers("", vec![(Comparison::Less, 1.0)]), vec![so_far], &until.span, chain))
+    }
+
+    /// The event of a rule, with how often it is looked at and counted.
+    fn event_of_rule(&mut self, event: &Cond, rule: &Rule, chain: &mut Vec<usize>) -> Option<usize> {
+        if event.within.is_some() {
+            let (asked, _) = *self.rules.get(rule.unanswered?)?;
+            if asked == usize::MAX || !event.not {
+                return None;
+            }
+            let answer = Cond { not: false, within: None, ..event.clone() };
+            let answered = self.event(&answer, &mut Vec::new(), None)?;
+            let asks = self.made(number(1.0), vec![asked], &event.span, chain);
+            let answers = self.made(number(0.0), vec![answered], &event.span, chain);
+            let any = self.made(Does::Any, vec![asks, answers], &event.span, chain);
+            let quiet = self.made(Does::Quiet(event.within?), vec![any], &event.span, chain);
+            return Some(self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![quiet], &event.span, chain));
+        }
+        let mut at = self.event(event, chain, rule.every)?;
+        if rule.counts {
+            at = self.made(Does::Remember(Memory::Ones), vec![at], &event.span, chain);
+        }
+        Some(at)
+    }
+
+    /// The node of something that happens.
+    fn event(&mut self, cond: &Cond, chain: &mut Vec<usize>, every: Option<u64>) -> Option<usize> {
+        if cond.within.is_some() {
+            return None;
+        }
+        let at = match &cond.what {
+            Event::Any(all) if !cond.not && cond.during.is_none() => {
+                let mut inputs = Vec::new();
+                for what in all {
+                    let one = Cond { what: what.clone(), times: None, ..cond.clone() };
+                    let at = self.event(&one, &mut Vec::new(), None)?;
+                    if !inputs.contains(&at) {
+                        inputs.push(at);
+                    }
+                }
+                self.made(Does::Any, inputs, &cond.span, chain)
+            }
+            Event::Any(_) => return None,
+            _ => {
+                let feed = self.feed(cond)?;
+                let mut at = self.sense(&feed, &cond.span)?;
+                if let Some(period) = every {
+                    at = self.made(Does::Every(period), vec![at], &cond.span, chain);
+                }
+                for does in feed.steps {
+                    at = self.made(does, vec![at], &cond.span, chain);
+                }
+                return Some(self.times(at, cond, chain));
+            }
+        };
+        let at = every.map_or(at, |period| self.made(Does::Every(period), vec![at], &cond.span, chain));
+        Some(self.times(at, cond, chain))
+    }
+
+    fn times(&mut self, at: usize, cond: &Cond, chain: &mut Vec<usize>) -> usize {
+        match cond.times {
+            None => at,
+            Some(Times::After(times)) => {
+                let count = self.made(Does::Remember(Memory::Ones), vec![at], &cond.span, chain);
+                self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
+            }
+            Some(Times::EachTime(times)) => {
+                let args = vec!["soFar".to_owned(), "value".to_owned()];
+                let body = format!("soFar % {times} + 1");
+                let memory = Memory::By(Calc::Written(args, body), Constant::Int(0));
+                let count = self.made(Does::Remember(memory), vec![at], &cond.span, chain);
+                self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
+            }
+        }
+    }
+
+    /// The sense of a condition and the steps after it.
+    fn feed(&self, cond: &Cond) -> Option<Feed> {
+        let quiet = |feed: Feed| {
+            let period = cond.during?;
+            Some(Feed { steps: vec![Does::Quiet(period)], ..feed })
+        };
+        let moment = cond.during.is_none();
+        match (&cond.what, cond.not) {
+            (Event::Touch(body, params, phase), not) => felt(*body, params, *phase, not, cond.during),
+            (Event::Button(label), false) if moment => {
+                let params = label.iter().map(|label| ("label", label.clone())).collect();
+                Some(Feed { params, ..feed("Button") })
+            }
+            (Event::Button(label), true) => {
+                let params = label.iter().map(|label| ("label", label.clone())).collect();
+                quiet(Feed { params, ..feed("Button") })
+            }
+            (Event::Ball(color), not) => {
+                let sense = if *color == "red" {
+                    feed("RedBall")
+                } else {
+                    Feed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
+                };
+                if not { quiet(sense) } else { moment.then_some(sense) }
+            }
+            (Event::Thing(color), not) => {
+                let sense = Feed { params: vec![("color", (*color).to_owned())], ..feed("Blob") };
+                if not { quiet(sense) } else { moment.then_some(sense) }
+            }
+            (Event::Face(Who::Anybody), true) => {
+                if moment {
+                    let steps = vec![numbers("count", vec![(Comparison::Less, 1.0)])];
+                    return Some(Feed { steps, ..feed("People") });
+                }
+                quiet(feed("FaceDetection"))
+            }
+            (Event::Face(who), false) if moment => {
+                let steps = match who {
+                    Who::Anybody => Vec::new(),
+                    Who::New => vec![truth("new", true)],
+                    Who::Known => vec![truth("new", false)],
+                    Who::Another => vec![Does::Changed(Some(Calc::Field("id".to_owned())))],
+                };
+                Some(Feed { steps, ..feed("FaceDetection") })
+            }
+            (Event::Mark(mark), false) if moment => {
+                let params = mark.iter().map(|mark| ("number", mark.to_string())).collect();
+                Some(Feed { params, ..feed("Landmark") })
+            }
+            (Event::Words(words), false) if moment => {
+                let language = match self.language {
+                    Language::English => "English",
+                    Language::Japanese => "Japanese",
+                };
+                let params = vec![("words", words.join(", ")), ("language", language.to_owned())];
+                Some(Feed { params, ..feed("WordRecognized") })
+            }
+            (Event::Noise, false) if moment => Some(feed("SoundLocated")),
+            (Event::Noise, true) => quiet(feed("SoundLocated")),
+            (Event::Falls, false) if moment => Some(feed("Fall")),
+            (Event::Up, false) if moment => Some(Feed {
+                params: vec![("release", "yes".to_owned())],
+                steps: vec![truth("", false)],
+                ..feed("Fall")
+            }),
+            (Event::Pose(_) | Event::Far(..) | Event::People(_) | Event::Charge(_) | Event::Joint(..), _) if moment => {
+                let (mut sense, test) = tested(cond)?;
+                sense.steps.extend(test);
+                Some(sense)
+            }
+            _ => None,
+        }
+    }
+
+    /// What comes while something is so.
+    fn state(&mut self, at: usize, cond: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
+        if cond.during.is_some() || cond.within.is_some() || cond.times.is_some() {
+            return None;
+        }
+        let (sense, test) = match (&cond.what, cond.not) {
+            (Event::Face(Who::Anybody), not) => {
+                let comparison = if not { Comparison::Less } else { Comparison::AtLeast };
+                (feed("People"), Some(numbers("count", vec![(comparison, 1.0)])))
+            }
+            (Event::Touch(device, params, Phase::Begins), false) if cond.lasts => {
+                let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
+                params.push(("release", "yes".to_owned()));
+                (Feed { device: touch(*device), params, steps: Vec::new() }, Some(truth("", true)))
+            }
+            _ => tested(cond)?,
+        };
+        let mut state = self.sense(&sense, &cond.span)?;
+        for does in sense.steps {
+            state = self.made(does, vec![state], &cond.span, &mut Vec::new());
+        }
+        if state == at {
+            return Some(self.made(test?, vec![at], &cond.span, chain));
+        }
+        let latest = self.made(Does::Latest(Calc::Last), vec![at, state], &cond.span, chain);
+        // The test is of what the state carries.
+        let carried = self.builder.nodes[state].carried.clone();
+        self.builder.nodes[latest].carried = carried;
+        let kept = self.made(test?, vec![latest], &cond.span, chain);
+        Some(kept)
+    }
+
+    fn sense(&mut self, feed: &Feed, span: &Span) -> Option<usize> {
+        let device = robot::device(StreamKind::Sensor, feed.device).ok()?;
+        let params = chosen(device, &feed.params)?;
+        Some(self.builder.node(Source::Sense(device, params), Carried::Sense(device.name), span))
+    }
+
+    fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
+        self.builder.made(does, inputs, span, chain)
+    }
+
+    fn acts(&mut self, rule: &Rule, at: usize, seen: Option<&'static str>) -> Option<()> {
+        for (later, act, span) in &rule.acts {
+            if rule.counts && matches!(act, Act::Say(_) | Act::Gesture(_)) {
+                // With every count.
+            }
+            let input = if *later > 0 { self.made(Does::Later(*later), vec![at], span, &mut Vec::new()) } else { at };
+            let changed = rule.counts || rule.once || rule.until.is_some();
+            let seen = if changed || !rule.states.is_empty() { None } else { seen };
+            if rule.counts && matches!(act, Act::SayValue(Value::It) | Act::Show(Value::It)) {
+                let device = if matches!(act, Act::SayValue(_)) { "SayInput" } else { "Print" };
+                self.put(device, &[], input, span)?;
+                continue;
+            }
+            self.act(act, input, seen, span)?;
+        }
+        Some(())
+    }
+
+    /// Does something whenever a value comes. `seen` is the sense that the value is still of.
+    fn act(&mut self, act: &Act, at: usize, seen: Option<&'static str>, span: &Span) -> Option<()> {
+        match act {
+            Act::Say(text) => self.put("SayParameter", &[("text", text)], at, span),
+            Act::SayValue(value) => {
+                let at = self.value(*value, at, seen, span)?;
+                self.put("SayInput", &[], at, span)
+            }
+            Act::Show(value) => {
+                let at = self.value(*value, at, seen, span)?;
+                self.put("Print", &[], at, span)
+            }
+            Act::Eyes(color) => self.put("EyeLedColor", &[("color", color)], at, span),
+            Act::Shine(part) => {
+                let at = self.made(number(*part), vec![at], span, &mut Vec::new());
+                self.put("EyeBrightness", &[], at, span)
+            }
+            Act::Nearer(of) => {
+                let wanted = match of {
+                    Of::Ball("red") => "RedBall",
+                    Of::Ball(_) => "ColorBall",
+                    Of::Person => "People",
+                    Of::Ahead(_) => "Sonar",
+                    Of::It => return None,
+                };
+                if seen != Some(wanted) {
+                    return None;
+                }
+                let near = match of {
+                    Of::Ball(_) => Some(Does::Make(Calc::Helper(distance_helper("m").to_owned()))),
+                    Of::Person => Some(Does::Make(Calc::Field("distance".to_owned()))),
+                    _ => None,
+                };
+                let mut at = at;
+                if *of == Of::Person {
+                    // Nobody has no distance.
+                    at = self.made(numbers("count", vec![(Comparison::AtLeast, 1.0)]), vec![at], span, &mut Vec::new());
+                }
+                if let Some(near) = near {
+                    at = self.made(near, vec![at], span, &mut Vec::new());
+                }
+                let bright = Does::Make(Calc::Helper("distance_to_brightness".to_owned()));
+                let at = self.made(bright, vec![at], span, &mut Vec::new());
+                self.put("EyeBrightness", &[], at, span)
+            }
+            Act::Follow(target, mode, effector) => {
+                let target = match target {
+                    Target::Ball => "RedBall",
+                    Target::Face => "Face",
+                    Target::It => return None,
+                };
+                self.put("Tracker", &[("target", target), ("mode", mode), ("effector", effector)], at, span)
+            }
+            Act::Gesture(gesture) => self.put("Animation", &[("animation", gesture)], at, span),
+            Act::Pose(posture) => self.put("Posture", &[("posture", posture)], at, span),
+            Act::Walk => {
+                let at = self.made(number(0.05), vec![at], span, &mut Vec::new());
+                self.put("Walk", &[], at, span)
+            }
+            Act::Move(joint, value) => {
+                let at = self.made(number(*value), vec![at], span, &mut Vec::new());
+                self.put("SetJointPosition", &[("joint", joint)], at, span)
+            }
+            Act::Play(sound) => self.put("Sound", &[("sound", sound)], at, span),
+            Act::PlayFile(file) => self.put("Sound", &[("sound", "file"), ("file", file)], at, span),
+            Act::Remember => self.put("RememberFace", &[], at, span),
+            Act::Nothing => Some(()),
+            Act::Color(_) | Act::Count(_) | Act::Again | Act::Not => None,
+        }
+    }
+
+    /// The node of a value that is said whenever something comes.
+    fn value(&mut self, value: Value, at: usize, seen: Option<&'static str>, span: &Span) -> Option<usize> {
+        let (device, does): (&'static str, Option<Does>) = match value {
+            Value::It => {
+                // Only what is a number or a text by itself can be said.
+                return matches!(seen, Some("Battery" | "Sonar" | "PostureChanged" | "Tick" | "JointPosition"))
+                    .then_some(at);
+            }
+            Value::People => ("People", Some(Does::Make(Calc::Field("count".to_owned())))),
+            Value::Charge => ("Battery", None),
+            Value::Name => ("FaceDetection", Some(Does::Make(Calc::Field("label".to_owned())))),
+            Value::Distance(Of::Ball(color)) => {
+                let helper = Does::Make(Calc::Helper(distance_helper("cm").to_owned()));
+                (if color == "red" { "RedBall" } else { "ColorBall" }, Some(helper))
+            }
+            Value::Distance(Of::Person) => ("People", Some(Does::Make(Calc::Field("distance".to_owned())))),
+            Value::Distance(Of::Ahead(_)) => ("Sonar", None),
+            Value::Distance(Of::It) | Value::Count => return None,
+            Value::Pose => ("PostureChanged", None),
+            Value::Word => ("WordRecognized", Some(Does::Make(Calc::Field("word".to_owned())))),
+            Value::Mark => ("Landmark", Some(Does::Make(Calc::Field("number".to_owned())))),
+        };
+        if seen == Some(device) {
+            return Some(does.map_or(at, |does| self.made(does, vec![at], span, &mut Vec::new())));
+        }
+        if matches!(device, "WordRecognized" | "ColorBall") {
+            return None;
+        }
+        let other = self.sense(&feed(device), span)?;
+        let other = does.map_or(other, |does| self.made(does, vec![other], span, &mut Vec::new()));
+        Some(self.made(Does::Latest(Calc::Last), vec![at, other], span, &mut Vec::new()))
+    }
+
+    fn put(&mut self, name: &str, params: &[(&'static str, &str)], input: usize, span: &Span) -> Option<()> {
+        let device = robot::device(StreamKind::Actuator, name).ok()?;
+        let given: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
+        let params = chosen(device, &given)?;
+        let fits = |fixed: &[(&str, &str)]| {
+            fixed.iter().all(|(name, wanted)| params.get(*name).and_then(Constant::as_text) == Some(wanted))
+        };
+        let clause = ACTIONS.iter().find(|clause| clause.device == name && fits(clause.fixed))?;
+        // Of actions with a number the clause with that.
+        let made = matches!(&self.builder.nodes.get(input)?.source, Source::Made(Does::Make(Calc::Number(_)), ..));
+        let clause = ACTIONS
+            .iter()
+            .find(|other| made && other.device == name && other.id.ends_with(".number"))
+            .unwrap_or(clause);
+        let same = |act: &Built| {
+            matches!(&act.device, Some((other, chosen, _)) if *other == device && *chosen == params)
+                && act.same_as.is_none()
+        };
+        let same_as = self.builder.acts.iter().rposition(same).filter(|_| false);
+        self.builder.acts.push(Built {
+            device: Some((device, params, clause)),
+            name: None,
+            same_as,
+            input,
+            span: span.clone(),
+        });
+        Some(())
+    }
+}
+
+/// The sense of a touch and what is asked of it.
+fn felt(
+    body: Body,
+    params: &[(&'static str, &'static str)],
+    phase: Phase,
+    not: bool,
+    during: Option<u64>,
+) -> Option<Feed> {
+    let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
+    let both = ("release", "yes".to_owned());
+    let steps = match (phase, not, during) {
+        (Phase::Begins, false, None) => vec![truth("", true)],
+        (Phase::Begins, false, Some(period)) => {
+            params.push(both);
+            vec![Does::Quiet(period), truth("", true)]
+        }
+        (Phase::Begins, true, Some(period)) => vec![Does::Quiet(period)],
+        (Phase::Ends, false, None) => {
+            params.push(both);
+            vec![truth("", false)]
+        }
+        _ => return None,
+    };
+    Some(Feed { device: touch(body), params, steps })
+}
+
+/// All parameters of a device, of which some are chosen; none if it has no such choice.
+fn chosen(device: &'static robot::Device, given: &[(&'static str, String)]) -> Option<Params> {
+    let mut params = Params::new();
+    for (name, value) in given {
+        let param = device.params.iter().find(|param| param.name == *name)?;
+        let value = match param.kind {
+            robot::ParamKind::Number { min, max, .. } => {
+                let number: f64 = value.parse().ok()?;
+                if number < min || number > max {
+                    return None;
+                }
+                Constant::Float(number)
+            }
+            robot::ParamKind::Choice(choices) => {
+                choices.iter().find(|(known, _)| known == value)?;
+                Constant::text(value)
+            }
+            robot::ParamKind::Text { max_chars, .. } => {
+                if value.chars().count() > max_chars {
+                    return None;
+                }
+                Constant::text(value)
+            }
+        };
+        params.insert((*name).to_owned(), value);
+    }
+    Some(with_defaults(device.params, &params))
+}
+
+/// What happens in a moment before what is so for a while.
+fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c Cond>) {
+    let lasts = |cond: &Cond| tested(cond).is_some() && cond.during.is_none();
+    if lasts(event)
+        && let Some(at) = states
+            .iter()
+            .position(|state| !lasts(state) && !matches!(state.what, Event::Face(Who::Anybody)) && !state.not)
+    {
+        let mut rest = vec![event];
+        rest.extend(states.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, state)| state));
+        return (&states[at], rest);
+    }
+    (event, states.iter().collect())
+}
+
+/// The sense of something that is measured, and the test of it.
+fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
+    let plain =
+        |bounds: &[Bound]| bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect::<Vec<_>>();
+    let is = !cond.not;
+    Some(match &cond.what {
+        Event::Pose(posture) => (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned())))),
+        Event::Far(of, bounds) if cond.not => {
+            let what = Event::Far(*of, opposite(bounds)?);
+            return tested(&Cond { what, not: false, ..cond.clone() });
+        }
+        Event::People(bounds) if cond.not => {
+            return tested(&Cond { what: Event::People(opposite(bounds)?), not: false, ..cond.clone() });
+        }
+        Event::Charge(bounds) if cond.not => {
+            return tested(&Cond { what: Event::Charge(opposite(bounds)?), not: false, ..cond.clone() });
+        }
+        _ if cond.not => return None,
+        Event::Far(of, bounds) => match of {
+            Of::Ball(color) => {
+                let mut sense = if *color == "red" {
+                    feed("RedBall")
+                } else {
+                    Feed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
+                };
+                let (unit, bounds) = in_unit(bounds)?;
+                sense.steps.push(Does::Make(Calc::Helper(distance_helper(unit).to_owned())));
+                (sense, (!bounds.is_empty()).then(|| numbers("", bounds)))
+            }
+            Of::Person => {
+                let bounds = in_metres(bounds);
+                (feed("People"), (!bounds.is_empty()).then(|| numbers("distance", bounds)))
+            }
+            Of::Ahead(side) => {
+                let sense = Feed { params: vec![("side", (*side).to_owned())], ..feed("Sonar") };
+                let bounds = in_metres(bounds);
+                (sense, (!bounds.is_empty()).then(|| numbers("", bounds)))
+            }
+            Of::It => return None,
+        },
+        Event::People(bounds) => (feed("People"), (!bounds.is_empty()).then(|| numbers("count", plain(bounds)))),
+        Event::Charge(bounds) => (feed("Battery"), (!bounds.is_empty()).then(|| numbers("", plain(bounds)))),
+        Event::Joint(joint, bounds) => {
+            let sense = Feed { params: vec![("joint", (*joint).to_owned())], ..feed("JointPosition") };
+            (sense, Some(numbers("", plain(bounds))))
+        }
+        _ => return None,
+    })
+}
+
+/// The bound that is so when this one is not.
+fn opposite(bounds: &[Bound]) -> Option<Vec<Bound>> {
+    let [(comparison, value, unit)] = bounds else { return None };
+    Some(vec![(comparison.opposite(), *value, unit)])
+}
+
+/// Bounds in metres.
+fn in_metres(bounds: &[Bound]) -> Vec<(Comparison, f64)> {
+    let metres = |(comparison, value, unit): &Bound| (*comparison, if *unit == "m" { *value } else { value / 100.0 });
+    bounds.iter().map(metres).collect()
+}
+
+/// Bounds in the unit that all of them have; metres if they differ.
+fn in_unit(bounds: &[Bound]) -> Option<(&'static str, Vec<(Comparison, f64)>)> {
+    let unit = bounds.first().map_or("m", |(.., unit)| *unit);
+    if bounds.iter().all(|(.., other)| *other == unit) {
+        return Some((unit, bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect()));
+    }
+    Some(("m", in_metres(bounds)))
+}
+
+/// The sense of an event whose values are as they came.
+fn device_of(event: &Event) -> Option<&'static str> {
+    Some(match event {
+        Event::Ball("red") => "RedBall",
+        Event::Ball(_) => "ColorBall",
+        Event::Face(_) => "FaceDetection",
+        Event::People(_) | Event::Far(Of::Person, _) => "People",
+        Event::Far(Of::Ahead(_), _) => "Sonar",
+        Event::Charge(_) => "Battery",
+        Event::Words(_) => "WordRecognized",
+        Event::Mark(_) => "Landmark",
+        Event::Pose(_) => "PostureChanged",
+        _ => return None,
+    })
+}

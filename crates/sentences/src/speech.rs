@@ -1,0 +1,179 @@
+//! What people say, understood: words by what they mean, clauses by what they tell, sentences by how clauses hang together.
+//!
+//! A text is cut into tokens, those into atoms with all that they may mean, those into clauses by a chart of what each of
+//! them costs. Every word is used, or is in doubt.
+
+mod act;
+mod assemble;
+mod atoms;
+mod clause;
+mod lexicon;
+pub(crate) mod meaning;
+mod segments;
+mod tokens;
+
+pub use lexicon::Lexicon;
+
+pub(crate) use assemble::{ended, own_event};
+
+use crate::Language;
+use assemble::Said;
+use atoms::{Atom, atoms};
+use meaning::{Body, Event, Phase, Rule};
+use std::ops::Range;
+use tokens::{What, tokens};
+
+/// What was said.
+#[derive(Debug, Default)]
+pub(crate) struct Speech {
+    pub(crate) rules: Vec<Rule>,
+    /// The bytes of each token.
+    pub(crate) places: Vec<Range<usize>>,
+    /// Words in doubt, by their bytes, with why and what could stand there instead.
+    pub(crate) doubts: Vec<(Range<usize>, Vec<String>, Option<&'static str>)>,
+    /// Words that are known, by their bytes.
+    known: Vec<Range<usize>>,
+    /// Words that were taken as a text.
+    pub(crate) texts: Vec<Range<usize>>,
+}
+
+/// The most tokens that are read.
+const TOKENS_MAX: usize = 400;
+
+/// Understands a text.
+pub(crate) fn understood(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
+    let mut speech = heard(text, language, lexicon);
+    suggest(text, language, lexicon, &mut speech);
+    speech
+}
+
+fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
+    let all = tokens(text, language);
+    let mut speech = Speech { places: all.iter().map(|token| token.range.clone()).collect(), ..Speech::default() };
+    let bytes = |span: &Range<usize>| {
+        let first = all.get(span.start).map_or(text.len(), |token| token.range.start);
+        let last = all.get(span.end.max(span.start + 1) - 1).map_or(first, |token| token.range.end);
+        first..last.max(first)
+    };
+    if all.len() > TOKENS_MAX {
+        speech.doubts.push((bytes(&(TOKENS_MAX..all.len())), Vec::new(), None));
+        return speech;
+    }
+    let source = |span: &Range<usize>| text.get(bytes(span)).unwrap_or_default().to_owned();
+    let mut said = Said::default();
+    let mut spans: Vec<(Range<usize>, Option<&'static str>)> = Vec::new();
+    let mut known: Vec<Range<usize>> = Vec::new();
+    let mut at = 0;
+    while at < all.len() {
+        let stops = |at: usize| matches!(all[at].what, What::Sign('.' | '!' | '?' | ';'));
+        let end = (at..all.len()).find(|end| stops(*end)).unwrap_or(all.len());
+        let part = atoms(&all, at, end, lexicon, language);
+        if !part.is_empty() {
+            said.spoken_of = spoken_of(&all[..end], lexicon, language, said.spoken_of);
+            let cover = segments::cover(&part, language, &source);
+            known.extend(part.iter().filter(|atom| !atom.is_unknown()).map(|atom| bytes(&atom.span)));
+            for doubt in cover.doubts {
+                spans.push((doubt.clone(), why(&part, &doubt, lexicon)));
+            }
+            speech.texts.extend(cover.texts.iter().map(bytes));
+            said.sentence(&cover.segments, &(at..end));
+        }
+        at = end + 1;
+    }
+    // What cannot be done is to blame before anything else.
+    if spans.iter().any(|(_, why)| why.is_some()) {
+        spans.retain(|(_, why)| why.is_some());
+    } else {
+        spans.extend(said.doubts.iter().cloned().map(|span| (span, None)));
+    }
+    speech.doubts = spans.iter().map(|(span, why)| (bytes(span), Vec::new(), *why)).collect();
+    if speech.doubts.is_empty() && (said.is_missing || said.rules.is_empty()) {
+        speech.doubts.push((text.len()..text.len(), Vec::new(), None));
+    }
+    speech.known = known;
+    speech.rules = said.rules;
+    speech
+}
+
+/// Why words in doubt cannot be done, if they mean something.
+fn why(atoms: &[Atom], span: &Range<usize>, lexicon: &Lexicon) -> Option<&'static str> {
+    let atom = atoms.iter().find(|atom| atom.span == *span)?;
+    let is_gap = atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
+    let sense = atom.of("gap").or_else(|| atom.of("vague")).filter(|_| is_gap);
+    match sense {
+        Some(sense) => Some(lexicon.gap(sense.arg).unwrap_or("")),
+        // A colour that no sense has.
+        None => atom.of("color").and_then(|_| lexicon.gap("eyes")),
+    }
+}
+
+/// The parts of the body that texts speak of: “touch my hand”.
+fn spoken_of(all: &[tokens::Token], lexicon: &Lexicon, language: Language, mut known: Vec<Event>) -> Vec<Event> {
+    for token in all {
+        let What::Quote(text) = &token.what else { continue };
+        let inside = tokens(text, language);
+        if inside.len() > TOKENS_MAX {
+            continue;
+        }
+        for atom in atoms(&inside, 0, inside.len(), lexicon, language) {
+            let device = match atom.of("part").map(|sense| sense.arg) {
+                Some("hand") => Body::Hand,
+                Some("head") => Body::Head,
+                Some("foot") => Body::Foot,
+                _ => continue,
+            };
+            let event = Event::Touch(device, Vec::new(), Phase::Begins);
+            if !known.contains(&event) {
+                known.push(event);
+            }
+        }
+    }
+    known
+}
+
+/// Suggests words for those that look like slips: those with which more of the rest is understood. Where slips were all
+/// that was wrong, only they stay in doubt.
+fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speech) {
+    const TRIED_MAX: usize = 12;
+    let mut tried = 0;
+    let mut mended = text.to_owned();
+    let mut left = speech.doubts.len();
+    for at in (0..speech.doubts.len()).rev() {
+        let (range, _, why) = speech.doubts[at].clone();
+        let Some(words) = text.get(range.clone()).filter(|words| why.is_none() && !words.is_empty()) else { continue };
+        if speech.known.contains(&range) {
+            continue;
+        }
+        let like = match language {
+            Language::English => lexicon.like(&words.to_lowercase()),
+            Language::Japanese => lexicon.inflected_like(words),
+        };
+        let mut good = Vec::new();
+        let mut best = left;
+        let mut best_text = None;
+        for word in like {
+            tried += 1;
+            if tried > TRIED_MAX {
+                break;
+            }
+            let mut other = mended.clone();
+            other.replace_range(range.clone(), &word);
+            let again = heard(&other, language, lexicon).doubts.len();
+            if again < left {
+                if again < best {
+                    (best, best_text) = (again, Some(other));
+                    good.insert(0, word);
+                } else {
+                    good.push(word);
+                }
+            }
+        }
+        if let Some(other) = best_text {
+            (mended, left) = (other, best);
+        }
+        speech.doubts[at].1 = good;
+    }
+    if left == 0 && speech.doubts.iter().any(|(_, good, _)| !good.is_empty()) {
+        speech.doubts.retain(|(_, good, _)| !good.is_empty());
+    }
+}

@@ -1,0 +1,538 @@
+//! What a clause means that tells what to do.
+
+use super::atoms::{Atom, Measure, Value as Said, form};
+use super::clause::{Bag, Meant, cond, gaps};
+use super::lexicon::End;
+use super::meaning::{Act, Of, Target, Value};
+
+/// How far a raised and a lowered arm stands, in radians, and an open and a closed hand.
+const RAISED: f64 = -1.0;
+const LOWERED: f64 = 1.4;
+
+/// What a clause says to do; several where one verb has several objects.
+pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
+    if atoms.is_empty() || atoms.len() > 60 {
+        return None;
+    }
+    let gaps = gaps(atoms);
+    if !gaps.is_empty() {
+        return Some(Meant { what: Vec::new(), left: gaps });
+    }
+    let mut bag = Bag::new(atoms);
+    let bag = &mut bag;
+    bag.take_all("adv", "eachtime");
+    bag.take_all("adv", "again");
+    bag.take_all("robot", "");
+    let denies = bag.take("not", "").is_some()
+        || atoms
+            .iter()
+            .any(|atom| atom.senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "do" | "pose")));
+    if denies {
+        // Only what was said to be done: its verb, perhaps with *it*.
+        let verb = bag.take("v", "").or_else(|| bag.take("do", "")).or_else(|| bag.take("pose", ""))?;
+        let _ = verb;
+        bag.take_all("it", "");
+        bag.take_all("part", "hand");
+        return Some(Meant { what: vec![Act::Not], left: bag.left() });
+    }
+    let acts = done(bag)?;
+    Some(Meant { what: acts, left: bag.left() })
+}
+
+/// Whether a clause begins as what to do does: with a plain verb, in English.
+pub(super) fn is_order(atoms: &[Atom]) -> bool {
+    let mut robot = false;
+    for atom in atoms {
+        if atom.is("robot", "") {
+            robot = true;
+            continue;
+        }
+        let verbs = atom.senses.iter().filter(|sense| matches!(sense.kind, "v" | "do" | "pose" | "gap"));
+        let mut any = false;
+        for sense in verbs {
+            any = true;
+            let keeps = sense.form.end == End::Ing;
+            if sense.form.end == End::Plain || (robot && sense.form.end == End::Third) || keeps {
+                return true;
+            }
+        }
+        if any {
+            return false;
+        }
+        let filler = ["void", "prep", "aux", "adv"].iter().any(|kind| atom.is(kind, ""));
+        if !filler {
+            return atom.is("adj", "brighter")
+                || atom.is("adj", "darker")
+                || atom.is("adj", "far")
+                || atom.is("cmp", "more")
+                || atom.is("adj", "near")
+                || atom.is("cmp", "less")
+                || atom.is("noun", "eyes")
+                || atom.is("part", "eyes")
+                || atom.is("color", "");
+        }
+    }
+    false
+}
+
+fn done(bag: &mut Bag) -> Option<Vec<Act>> {
+    if bag.has("adj", "brighter") || bag.has("adj", "darker") {
+        return nearer(bag).map(|act| vec![act]);
+    }
+    if let Some(at) = bag.find("v", "count") {
+        bag.use_up(at);
+        return count(bag, at).map(|act| vec![act]);
+    }
+    if let Some(at) = bag.find("v", "remember") {
+        bag.use_up(at);
+        for word in ["face", "name"] {
+            bag.take("noun", word);
+        }
+        bag.take_all("it", "");
+        bag.take_all("who", "");
+        bag.take_all("adj", "new");
+        return Some(vec![Act::Remember]);
+    }
+    if let Some(at) = bag.find("v", "say") {
+        bag.use_up(at);
+        return say(bag).map(|act| vec![act]);
+    }
+    if let Some(at) = bag.find("v", "display") {
+        bag.use_up(at);
+        if form(&bag.atoms[at], "v").end != End::Plain && bag.left().is_empty() {
+            return Some(vec![Act::Show(Value::It)]);
+        }
+        return value(bag).map(|value| vec![Act::Show(value)]);
+    }
+    if bag.has("part", "eyes") || bag.has("noun", "brightness") {
+        return eyes(bag);
+    }
+    if let Some(act) = follow(bag) {
+        return Some(vec![act]);
+    }
+    if let Some(act) = joint(bag) {
+        return Some(act);
+    }
+    if let Some((gesture, at)) = bag.arg("do") {
+        return gesture_of(bag, gesture, at).map(|act| vec![act]);
+    }
+    if let Some((pose, _)) = bag.arg("pose") {
+        bag.take_all("v", "turn");
+        return Some(vec![Act::Pose(pose)]);
+    }
+    if bag.take("v", "walk").is_some() {
+        bag.take_all("noun", "ahead");
+        bag.take_all("noun", "view");
+        return Some(vec![Act::Walk]);
+    }
+    if let Some(act) = sound(bag) {
+        return Some(vec![act]);
+    }
+    // *make them red*, *red*: of eyes before.
+    let turns = bag.take("v", "turn").is_some() || bag.take("v", "shine").is_some();
+    // *Turn them off*
+    if bag.has("v", "off") && bag.find("part", "").is_none() && !bag.has("noun", "") {
+        bag.take_all("v", "off");
+        bag.take_all("it", "");
+        return Some(vec![Act::Color("off")]);
+    }
+    if let Some((color, _)) = bag.arg("color") {
+        bag.take_all("it", "");
+        bag.take_all("noun", "colored");
+        return Some(vec![Act::Color(color)]);
+    }
+    if turns && bag.has("adj", "bright") {
+        bag.take_all("it", "");
+        return bright(bag).map(|act| vec![act]);
+    }
+    if bag.take("v", "again").is_some() {
+        return Some(vec![Act::Again]);
+    }
+    if bag.take("nothing.do", "").is_some() {
+        return Some(vec![Act::Nothing]);
+    }
+    None
+}
+
+fn sound(bag: &mut Bag) -> Option<Act> {
+    let beeps = bag.take("v", "beep").is_some();
+    let plays = ["play", "turn", "make"].iter().any(|verb| bag.has("v", verb));
+    let plays = plays && bag.has("noun", "sound");
+    if !beeps && !plays {
+        return None;
+    }
+    for verb in ["play", "turn", "make"] {
+        bag.take_all("v", verb);
+    }
+    bag.take_all("noun", "sound");
+    bag.take_all("noun", "file");
+    if let Some(file) = bag.quote() {
+        return Some(Act::PlayFile(file));
+    }
+    if bag.take("adj", "high").is_some() {
+        return Some(Act::Play("high"));
+    }
+    if bag.take("adj", "low").is_some() {
+        return Some(Act::Play("low"));
+    }
+    Some(Act::Play("beep"))
+}
+
+fn nearer(bag: &mut Bag) -> Option<Act> {
+    let darker = bag.take_all("adj", "darker");
+    bag.take_all("adj", "brighter");
+    bag.take_all("v", "dim");
+    let near = bag.take_all("adj", "near") | bag.take_all("cmp", "less") | bag.take_all("v", "approach");
+    let far = bag.take_all("adj", "far") | bag.take_all("cmp", "more");
+    if near == far || darker != far {
+        return None;
+    }
+    bag.take_all("cmp", "than");
+    bag.take("part", "eyes")?;
+    for verb in ["shine", "turn", "exist", "come", "go"] {
+        bag.take_all("v", verb);
+    }
+    bag.take_all("noun", "brightness");
+    bag.take_signs(',');
+    bag.take_all("adj", "bright");
+    if bag.take("noun", "ball").is_some() {
+        let color = bag.arg("color").map_or("red", |(color, _)| color);
+        return ["red", "green", "blue"].contains(&color).then_some(Act::Nearer(Of::Ball(color)));
+    }
+    if bag.take_all("who", "") | bag.take_all("noun", "face") {
+        return Some(Act::Nearer(Of::Person));
+    }
+    if bag.take("noun", "thing").is_some() {
+        bag.take_all("noun", "ahead");
+        return Some(Act::Nearer(Of::Ahead("nearest")));
+    }
+    bag.take_all("it", "");
+    Some(Act::Nearer(Of::It))
+}
+
+fn count(bag: &mut Bag, at: usize) -> Option<Act> {
+    bag.take_all("noun", "count");
+    bag.take_all("time", "");
+    // What is counted is said before or after the verb.
+    let rest: Vec<Atom> = (0..bag.atoms.len())
+        .filter(|other| *other != at && bag.is_free(*other))
+        .map(|other| bag.atoms[other].clone())
+        .collect();
+    let counted = cond(&rest)?;
+    if counted.left.is_empty() {
+        (0..bag.atoms.len()).for_each(|at| bag.use_up(at));
+    } else {
+        for (at, atom) in bag.atoms.iter().enumerate() {
+            if !counted.left.contains(&atom.span) {
+                bag.use_up(at);
+            }
+        }
+    }
+    Some(Act::Count(Box::new(counted.what)))
+}
+
+fn say(bag: &mut Bag) -> Option<Act> {
+    if let Some(text) = bag.quote() {
+        // To whom does not count: the robot says it aloud.
+        bag.take_all("who", "");
+        bag.take_all("noun", "word");
+        if text.is_empty() {
+            return None;
+        }
+        return Some(Act::Say(text));
+    }
+    bag.take_all("v", "exist");
+    // 数えて言う: what was counted.
+    let is_left_out = bag
+        .atoms
+        .iter()
+        .any(|atom| atom.of("v").is_some_and(|sense| sense.arg == "say" && sense.form.end != End::Plain));
+    if is_left_out && bag.left().is_empty() {
+        return Some(Act::SayValue(Value::It));
+    }
+    value(bag).map(Act::SayValue)
+}
+
+/// A value that a sense tells.
+fn value(bag: &mut Bag) -> Option<Value> {
+    if bag.take("noun", "battery").is_some() {
+        bag.take_all("noun", "level");
+        bag.take_all("v", "exist");
+        bag.take_all("adj", "full");
+        return Some(Value::Charge);
+    }
+    if bag.take("noun", "name").is_some() {
+        bag.take_all("it", "");
+        bag.take_all("who", "");
+        bag.take_all("poss", "");
+        return Some(Value::Name);
+    }
+    let far = bag.take_all("noun", "distance");
+    if far {
+        bag.take_all("adj", "far");
+        for verb in ["exist", "see"] {
+            bag.take_all("v", verb);
+        }
+        bag.take_all("adj", "away");
+        bag.take_all("robot", "");
+        bag.take_all("lead", "until");
+        if bag.take("noun", "ball").is_some() {
+            let color = bag.arg("color").map_or("red", |(color, _)| color);
+            return ["red", "green", "blue"].contains(&color).then_some(Value::Distance(Of::Ball(color)));
+        }
+        if bag.take_all("who", "") | bag.take_all("noun", "face") {
+            return Some(Value::Distance(Of::Person));
+        }
+        if bag.take_all("noun", "thing") | bag.take_all("noun", "ahead") {
+            bag.take_all("noun", "ahead");
+            return Some(Value::Distance(Of::Ahead("nearest")));
+        }
+        bag.take_all("it", "");
+        return Some(Value::Distance(Of::It));
+    }
+    if bag.take_all("noun", "posture") {
+        return Some(Value::Pose);
+    }
+    if bag.take_all("noun", "people") {
+        bag.take_all("noun", "view");
+        bag.take_all("who", "");
+        bag.take_all("v", "exist");
+        return Some(Value::People);
+    }
+    let counts = bag.take_all("noun", "count");
+    if counts && bag.take_all("noun", "mark") {
+        bag.take_all("v", "exist");
+        return Some(Value::Mark);
+    }
+    if counts && bag.take_all("who", "") {
+        for verb in ["exist", "see", "come"] {
+            bag.take_all("v", verb);
+        }
+        bag.take_all("robot", "");
+        bag.take_all("noun", "view");
+        return Some(Value::People);
+    }
+    if counts {
+        bag.take_all("it", "");
+        return Some(Value::Count);
+    }
+    if bag.take_all("noun", "word") {
+        for verb in ["hear", "say"] {
+            bag.take_all("v", verb);
+        }
+        bag.take_all("who", "");
+        bag.take_all("robot", "");
+        return Some(Value::Word);
+    }
+    bag.take("it", "that").map(|_| Value::It)
+}
+
+fn eyes(bag: &mut Bag) -> Option<Vec<Act>> {
+    bag.take_all("part", "eyes");
+    let bright = bag.take_all("noun", "brightness");
+    for verb in ["turn", "shine", "make", "come", "play", "set"] {
+        bag.take_all("v", verb);
+    }
+    bag.take_all("noun", "colored");
+    bag.take_all("noun", "light");
+    let dims = bag.take_all("v", "dim");
+    if bright || dims || bag.has("adj", "bright") {
+        return self::bright(bag).map(|act| vec![act]);
+    }
+    if bag.take_all("v", "off") {
+        return Some(vec![Act::Eyes("off")]);
+    }
+    let (color, _) = bag.arg("color")?;
+    Some(vec![Act::Eyes(color)])
+}
+
+fn bright(bag: &mut Bag) -> Option<Act> {
+    let part = bag.measure(|measure| match measure {
+        Measure::Share(value) if (0.0..=100.0).contains(&value) => Some(value / 100.0),
+        Measure::Number(value) if (0.0..=1.0).contains(&value) => Some(value),
+        _ => None,
+    });
+    if let Some((part, _)) = part {
+        bag.take_all("adj", "bright");
+        return Some(Act::Shine(part));
+    }
+    if bag.take_all("adj", "half") {
+        bag.take_all("adj", "bright");
+        return Some(Act::Shine(0.5));
+    }
+    let fully = bag.take_all("adj", "full");
+    bag.take_all("adj", "bright");
+    fully.then_some(Act::Shine(1.0))
+}
+
+fn follow(bag: &mut Bag) -> Option<Act> {
+    let points = bag.find("v", "point");
+    let walks = bag.find("v", "walk").or_else(|| bag.find("v", "approach")).or_else(|| bag.find("v", "go"));
+    let looks = bag.find("v", "follow").or_else(|| bag.find("v", "look"));
+    let at = points.or(looks).or(walks)?;
+    // The robot itself is pointed to by a gesture.
+    if points.is_some() && bag.has("noun", "self") {
+        bag.use_up(at);
+        bag.take("noun", "self");
+        return Some(Act::Gesture("Me"));
+    }
+    let has_target = bag.has("noun", "ball") || bag.has("noun", "face") || bag.has("who", "") || bag.has("it", "");
+    let lacks = |at: usize| bag.atoms[at].is("v", "follow") || bag.atoms[at].is("v", "approach");
+    let may_lack = (looks.is_some_and(lacks) || walks.is_some_and(lacks)) && points.is_none();
+    if !has_target && !may_lack {
+        return None;
+    }
+    bag.use_up(at);
+    for verb in ["follow", "look", "keep", "walk", "go", "point", "approach"] {
+        bag.take_all("v", verb);
+    }
+    let target = if bag.take("noun", "ball").is_some() {
+        bag.take("color", "red");
+        bag.take("noun", "colored");
+        Target::Ball
+    } else if bag.take_all("noun", "face") | bag.take_all("who", "") {
+        bag.take_all("who", "");
+        bag.take_all("poss", "");
+        Target::Face
+    } else {
+        bag.take_all("it", "");
+        Target::It
+    };
+    let nearest = bag.take_all("adj", "nearest") | bag.take_all("adj", "near");
+    let side = bag.arg("side").map(|(side, _)| side);
+    let arm = bag.arg_is("part", "arm") || (points.is_some() && bag.arg_is("part", "hand"));
+    let own_arm =
+        ["arm.left", "arm.right", "hand.left", "hand.right"].iter().find(|part| bag.take("part", part).is_some());
+    let side = side.or_else(|| own_arm.map(|part| if part.ends_with("left") { "left" } else { "right" }));
+    let arm = arm || own_arm.is_some();
+    let head = bag.take_all("part", "head") | bag.take_all("part", "eyes");
+    let body = bag.take_all("part", "body");
+    let effector = match (arm, side, nearest) {
+        (true, Some("left"), _) => "LArm",
+        (true, Some("right"), _) => "RArm",
+        (true, None, true) => "Nearest",
+        (true, None, false) => "Nearest",
+        (false, None, false) => {
+            if points.is_some() {
+                "Nearest"
+            } else {
+                "None"
+            }
+        }
+        _ => return None,
+    };
+    let moves = walks.is_some_and(|at| looks.is_none() || bag.atoms[at].is("v", "walk")) && points.is_none();
+    let mode = match (moves, body, head, effector) {
+        (true, false, _, _) => "Move",
+        (false, true, _, _) => "WholeBody",
+        (false, false, true, _) | (false, false, false, "None") => "Head",
+        (false, false, false, _) => "Arm",
+        (true, true, ..) => return None,
+    };
+    Some(Act::Follow(target, mode, effector))
+}
+
+/// Arms, hands and the head moved by themselves.
+fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
+    let verb =
+        ["open", "close", "raise", "lower", "put", "turn", "look"].into_iter().find(|verb| bag.has("v", verb))?;
+    let at = bag.find("v", verb)?;
+    if !bag.has("part", "") && verb != "look" {
+        return None;
+    }
+    let (part, _) = if verb == "look" && !bag.has("part", "head") { ("head", 0) } else { bag.arg("part")? };
+    let (part, own) = part.split_once('.').map_or((part, None), |(part, side)| (part, Some(side)));
+    bag.use_up(at);
+    let puts = part != "head" && matches!(verb, "put" | "turn");
+    let verb = match verb {
+        _ if puts && bag.take("dir", "up").is_some() => "raise",
+        _ if puts && bag.take("dir", "down").is_some() => "lower",
+        verb => verb,
+    };
+    let both = bag.take("adj", "both").is_some();
+    let side = own.or_else(|| bag.arg("side").map(|(side, _)| side));
+    let sides: Vec<&str> = match (part, side, both) {
+        ("hand" | "arm", Some("both"), _) | ("hand" | "arm", None, true) => vec!["left", "right"],
+        ("hand" | "arm", Some(side), false) => vec![side],
+        ("head", _, false) => vec![side.unwrap_or("")],
+        _ => return None,
+    };
+    let one = |side: &str| -> Option<Act> {
+        let left = side == "left";
+        match (part, verb) {
+            ("hand", "open") => Some(Act::Move(if left { "LHand" } else { "RHand" }, 1.0)),
+            ("hand", "close") => Some(Act::Move(if left { "LHand" } else { "RHand" }, 0.0)),
+            ("arm" | "hand", "raise") => {
+                Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, RAISED))
+            }
+            ("arm" | "hand", "lower") => {
+                Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, LOWERED))
+            }
+            _ => None,
+        }
+    };
+    if part != "head" {
+        return sides.into_iter().map(one).collect();
+    }
+    let angle = bag.measure(|measure| if let Measure::Angle(value) = measure { Some(value.abs()) } else { None });
+    let up = bag.take("dir", "up").is_some();
+    let down = !up && bag.take("dir", "down").is_some();
+    let ahead = bag.take_all("noun", "ahead");
+    let act = match (side, up, down, ahead, angle) {
+        (Some("left"), false, false, false, Some((angle, _))) => Act::Move("HeadYaw", angle),
+        (Some("right"), false, false, false, Some((angle, _))) => Act::Move("HeadYaw", -angle),
+        (None, true, false, false, Some((angle, _))) => Act::Move("HeadPitch", -angle),
+        (None, false, true, false, Some((angle, _))) => Act::Move("HeadPitch", angle),
+        (None, false, false, true, None) => Act::Move("HeadYaw", 0.0),
+        _ => return None,
+    };
+    Some(vec![act])
+}
+
+fn gesture_of(bag: &mut Bag, gesture: &'static str, at: usize) -> Option<Act> {
+    bag.take_all("do", gesture);
+    match gesture {
+        "Hey" => {
+            // It waves with its right arm.
+            if bag.has("part", "hand.left") || bag.has("part", "arm.left") {
+                return Some(Act::Gesture(gesture));
+            }
+            bag.take("side", "right");
+            for part in ["hand", "arm", "hand.right", "arm.right"] {
+                bag.take("part", part);
+            }
+            bag.take_all("who", "");
+            bag.take_all("it", "");
+            bag.take_all("noun", "hello");
+        }
+        "Yes" | "No" => {
+            bag.take("part", "head");
+        }
+        "Bow" => {
+            bag.take("part", "head");
+            bag.take_all("who", "");
+        }
+        _ => {}
+    }
+    let _ = at;
+    Some(Act::Gesture(gesture))
+}
+
+impl Bag<'_> {
+    /// Uses an atom that means this; whether there was one.
+    fn arg_is(&mut self, kind: &str, arg: &str) -> bool {
+        self.take(kind, arg).is_some()
+    }
+}
+
+/// The form in which a Japanese clause ends that tells what to do.
+pub(super) fn ends(atoms: &[Atom]) -> Option<End> {
+    let last = atoms.iter().rev().find(|atom| !atom.is("void", ""))?;
+    let kinds = ["v", "do", "pose", "gap"];
+    kinds.iter().find(|kind| last.is(kind, "")).map(|kind| form(last, kind).end)
+}
+
+/// Whether a text in an atom is quoted.
+pub(super) fn is_quote(atom: &Atom) -> bool {
+    matches!(atom.value, Said::Quote(_))
+}

@@ -1,0 +1,432 @@
+//! Clauses as rules: which condition is whose, what is done later, what “it” is.
+
+use super::meaning::{Act, Body, Cond, Event, Of, Phase, Rule, Span, Target, Times, Value, Who};
+use super::segments::{Lead, Segment, Then};
+use std::rc::Rc;
+
+/// What was said so far, as far as later words mean it.
+#[derive(Default)]
+pub(super) struct Said {
+    pub(super) rules: Vec<Rule>,
+    pub(super) doubts: Vec<Span>,
+    /// Whether what to do, or when, is missing.
+    pub(super) is_missing: bool,
+    seen: Option<Event>,
+    touched: Option<Event>,
+    last: Option<Event>,
+    counted: Option<Cond>,
+    did: Option<Act>,
+    /// Parts that texts speak of.
+    pub(super) spoken_of: Vec<Event>,
+}
+
+impl Said {
+    /// Adds a sentence.
+    pub(super) fn sentence(&mut self, segments: &[Segment], span: &Span) {
+        let mut rule = Rule { span: span.clone(), ..Rule::default() };
+        let mut later = 0;
+        let mut before: Option<&Segment> = None;
+        let mut goes_on = false;
+        let mut is_open = true;
+        let mut joined_or = false;
+        // Whether a condition stands after what is done.
+        let mut is_trailed = false;
+        for (at, segment) in segments.iter().enumerate() {
+            let rest = &segments[at + 1..];
+            match segment {
+                Segment::Sign | Segment::Nothing => continue,
+                Segment::Unclear | Segment::But => {}
+                Segment::And => goes_on |= at == 0,
+                Segment::Then => goes_on |= rule.acts.is_empty() && rule.event.is_none(),
+                Segment::Or => joined_or = true,
+                Segment::Otherwise => {
+                    self.next(&mut rule, span, goes_on);
+                    (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
+                }
+                Segment::Every(ms) => rule.every = Some(*ms),
+                Segment::AtMost(ms) if is_alone(&rule, rest) => {
+                    match self.rules.last_mut() {
+                        Some(last) => last.at_most = Some(*ms),
+                        None => rule.at_most = Some(*ms),
+                    }
+                    is_open = false;
+                }
+                Segment::AtMost(ms) => rule.at_most = Some(*ms),
+                Segment::Once => rule.once = true,
+                Segment::Later(ms, then) => {
+                    let first = rule.acts.is_empty();
+                    let is_next = first || comes_next(*then, before, rest);
+                    later += ms;
+                    if !is_next && let Some(last) = rule.acts.last_mut() {
+                        last.0 += ms;
+                    }
+                    if first && rule.event.is_none() {
+                        goes_on = true;
+                    }
+                }
+                Segment::Cond(lead, cond) => {
+                    let follows = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
+                    let restricts = matches!(lead, Lead::Until | Lead::Unless);
+                    let is_new = !rule.acts.is_empty() && rule.event.is_some() && follows && !restricts && !is_trailed;
+                    let is_next = !rule.acts.is_empty()
+                        && !restricts
+                        && follows
+                        && matches!(before, Some(Segment::And | Segment::But | Segment::Otherwise))
+                        && rule.event.is_some();
+                    if is_new || is_next {
+                        self.next(&mut rule, span, goes_on);
+                        (goes_on, later, is_trailed) = (false, 0, false);
+                    }
+                    let trailing = !rule.acts.is_empty();
+                    self.condition(&mut rule, *lead, cond, joined_or);
+                    joined_or = false;
+                    is_trailed |= trailing && !restricts;
+                }
+                Segment::Acts(acts, act_span) => {
+                    // One or the other: which?
+                    if std::mem::take(&mut joined_or) {
+                        self.doubts.push(act_span.clone());
+                    }
+                    goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
+                    if is_trailed {
+                        self.next(&mut rule, span, goes_on);
+                        (goes_on, later, is_trailed) = (false, 0, false);
+                    }
+                    self.acts(&mut rule, acts, act_span, later);
+                }
+            }
+            before = Some(segment);
+        }
+        if is_open || !rule.acts.is_empty() || rule.event.is_some() {
+            self.finish(rule, goes_on);
+        }
+    }
+
+    /// Begins the next rule of a sentence.
+    fn next(&mut self, rule: &mut Rule, span: &Span, goes_on: bool) {
+        self.finish(std::mem::replace(rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
+    }
+
+    fn condition(&mut self, rule: &mut Rule, lead: Lead, cond: &Rc<Cond>, or: bool) {
+        let mut cond = (**cond).clone();
+        if !self.resolve(&mut cond) {
+            self.doubts.push(cond.span.clone());
+            return;
+        }
+        self.note(&cond.what);
+        cond.lasts |= lead == Lead::While;
+        match lead {
+            Lead::Until if rule.until.is_none() => rule.until = Some(cond),
+            Lead::Until => self.doubts.push(cond.span.clone()),
+            Lead::Unless => {
+                cond.not = !cond.not;
+                rule.states.push(cond);
+            }
+            _ if or => {
+                let Some(event) = rule.event.as_mut().filter(|_| rule.states.is_empty()) else {
+                    self.doubts.push(cond.span.clone());
+                    return;
+                };
+                let plain =
+                    |cond: &Cond| !cond.not && cond.during.is_none() && cond.within.is_none() && cond.times.is_none();
+                if !plain(event) || !plain(&cond) {
+                    self.doubts.push(cond.span.clone());
+                    return;
+                }
+                event.what = match std::mem::replace(&mut event.what, Event::Noise) {
+                    Event::Any(mut all) => {
+                        all.push(cond.what);
+                        Event::Any(all)
+                    }
+                    Event::Words(mut all) if matches!(cond.what, Event::Words(_)) => {
+                        if let Event::Words(more) = cond.what {
+                            all.extend(more);
+                        }
+                        Event::Words(all)
+                    }
+                    one => Event::Any(vec![one, cond.what]),
+                };
+            }
+            _ if rule.event.is_none() => {
+                if cond.within.is_some() {
+                    let answers = cond.not && !self.rules.is_empty();
+                    if !answers {
+                        self.doubts.push(cond.span.clone());
+                    }
+                    rule.unanswered = Some(self.rules.len().wrapping_sub(1));
+                }
+                rule.event = Some(cond);
+            }
+            _ => rule.states.push(cond),
+        }
+        if lead == Lead::While
+            && let Some(event) = &mut rule.event
+            && rule.states.is_empty()
+            && event.times.is_none()
+        {
+            rule.lasts = true;
+        }
+    }
+
+    /// Puts what was said in the place of “it” and of what was left out; whether that is known.
+    fn resolve(&self, cond: &mut Cond) -> bool {
+        match &mut cond.what {
+            Event::ItSeen => match &self.seen {
+                Some(seen) => cond.what = seen.clone(),
+                None => return false,
+            },
+            Event::ItTouched => match (&self.touched, &self.spoken_of[..]) {
+                (Some(touched), _) => cond.what = touched.clone(),
+                (None, [part]) => cond.what = part.clone(),
+                _ => return false,
+            },
+            Event::Far(of, _) if *of == Of::It => match &self.seen {
+                Some(Event::Ball(color)) => *of = Of::Ball(color),
+                Some(Event::Face(_) | Event::People(_)) => *of = Of::Person,
+                Some(Event::Far(other, _)) => *of = *other,
+                _ => return false,
+            },
+            Event::Counted(number) => {
+                let Some(counted) = &self.counted else { return false };
+                let (times, span) = (Some(Times::After(*number)), cond.span.clone());
+                *cond = Cond { times, span, ..counted.clone() };
+            }
+            Event::Same(params, part) => {
+                let Some(Event::Touch(device, before, phase)) = &self.touched else { return false };
+                let device = match part.map(|part| part.split_once('.').map_or(part, |(part, _)| part)) {
+                    Some("head") => Body::Head,
+                    Some("hand") => Body::Hand,
+                    Some("foot") => Body::Foot,
+                    Some(_) => return false,
+                    None => *device,
+                };
+                let own = part.and_then(|part| part.split_once('.')).map(|(_, side)| side);
+                let mut chosen: Vec<(&'static str, &'static str)> = Vec::new();
+                let side = params.iter().find(|(name, _)| *name == "side").map(|(_, side)| *side).or(own);
+                let name = match device {
+                    Body::Hand => Some("hand"),
+                    Body::Foot => Some("foot"),
+                    Body::Head => None,
+                };
+                if let Some(side) = side {
+                    let Some(name) = name else { return false };
+                    chosen.push((name, side));
+                }
+                if let Some((_, place)) = params.iter().find(|(name, _)| *name == "part") {
+                    chosen.push(("part", place));
+                }
+                let _ = before;
+                cond.what = Event::Touch(device, chosen, *phase);
+            }
+            _ => {}
+        }
+        true
+    }
+
+    fn note(&mut self, event: &Event) {
+        self.last = Some(event.clone());
+        match event {
+            Event::Ball(_) | Event::Thing(_) | Event::Face(_) | Event::Mark(_) => self.seen = Some(event.clone()),
+            Event::Far(Of::Ball(color), _) => self.seen = Some(Event::Ball(color)),
+            Event::Far(Of::Person, _) | Event::People(_) => self.seen = Some(Event::Face(Who::Anybody)),
+            Event::Touch(..) => self.touched = Some(event.clone()),
+            Event::Words(_) => self.seen = self.seen.clone().or(Some(Event::Face(Who::Anybody))),
+            _ => {}
+        }
+    }
+
+    fn acts(&mut self, rule: &mut Rule, acts: &Rc<Vec<Act>>, span: &Span, later: u64) {
+        for act in acts.iter() {
+            let act = match act {
+                Act::Count(cond) => {
+                    let mut cond = (**cond).clone();
+                    if !self.resolve(&mut cond) || rule.event.is_some() || cond.times.is_some() {
+                        self.doubts.push(span.clone());
+                        continue;
+                    }
+                    self.note(&cond.what);
+                    self.counted = Some(cond.clone());
+                    rule.event = Some(cond);
+                    rule.counts = true;
+                    continue;
+                }
+                Act::Not => {
+                    rule.denied = true;
+                    continue;
+                }
+                Act::Again => match &self.did {
+                    Some(did) => did.clone(),
+                    None => {
+                        self.doubts.push(span.clone());
+                        continue;
+                    }
+                },
+                Act::Color(color) => match &self.did {
+                    Some(Act::Eyes(_) | Act::Shine(_)) => Act::Eyes(color),
+                    _ => {
+                        self.doubts.push(span.clone());
+                        continue;
+                    }
+                },
+                other => match self.named(other) {
+                    Some(named) => named,
+                    None => {
+                        self.doubts.push(span.clone());
+                        continue;
+                    }
+                },
+            };
+            match &act {
+                Act::Follow(Target::Ball, ..) => self.seen = Some(Event::Ball("red")),
+                Act::Follow(Target::Face, ..) => self.seen = Some(Event::Face(Who::Anybody)),
+                Act::Nearer(Of::Ball(color)) => self.seen = Some(Event::Ball(color)),
+                _ => {}
+            }
+            let act = match act {
+                Act::SayValue(Value::Count) | Act::Show(Value::Count) => {
+                    let moment = rule.event.as_ref().is_some_and(|event| {
+                        !event.not
+                            && matches!(
+                                event.what,
+                                Event::Touch(..) | Event::Button(_) | Event::Noise | Event::Words(_)
+                            )
+                    });
+                    if !rule.counts && !moment {
+                        self.doubts.push(span.clone());
+                        continue;
+                    }
+                    if !rule.counts {
+                        (rule.counts, self.counted) = (true, rule.event.clone());
+                    }
+                    if matches!(act, Act::Show(_)) { Act::Show(Value::It) } else { Act::SayValue(Value::It) }
+                }
+                other => other,
+            };
+            // Two of one kind at once: only the last would count.
+            let same = |one: &Act, other: &Act| {
+                matches!((one, other), (Act::Eyes(_), Act::Eyes(_)) | (Act::Pose(_), Act::Pose(_)))
+            };
+            if rule.acts.iter().any(|(at, other, _)| *at == later && same(&act, other)) {
+                self.doubts.push(span.clone());
+                continue;
+            }
+            self.did = Some(act.clone());
+            rule.acts.push((later, act, span.clone()));
+        }
+    }
+
+    /// An action with what “it” is in the place of “it”; none if nobody knows.
+    fn named(&self, act: &Act) -> Option<Act> {
+        let seen = self.seen.as_ref();
+        let of = || match seen {
+            Some(Event::Ball(color)) => Some(Of::Ball(color)),
+            Some(Event::Face(_)) => Some(Of::Person),
+            _ => None,
+        };
+        Some(match act {
+            Act::Follow(Target::It, mode, effector) => {
+                let target = match seen {
+                    Some(Event::Ball("red")) => Target::Ball,
+                    Some(Event::Face(_)) => Target::Face,
+                    _ => return None,
+                };
+                Act::Follow(target, mode, effector)
+            }
+            Act::Nearer(Of::It) => Act::Nearer(of()?),
+            Act::SayValue(Value::Distance(Of::It)) => Act::SayValue(Value::Distance(of()?)),
+            Act::Show(Value::Distance(Of::It)) => Act::Show(Value::Distance(of()?)),
+            other => other.clone(),
+        })
+    }
+
+    /// A rule is over.
+    fn finish(&mut self, mut rule: Rule, goes_on: bool) {
+        let is_empty = rule.acts.is_empty() && rule.event.is_none() && rule.states.is_empty() && rule.every.is_none();
+        if is_empty && !rule.otherwise {
+            if rule.at_most.is_some() || rule.once {
+                match self.rules.last_mut() {
+                    Some(last) => {
+                        last.at_most = last.at_most.or(rule.at_most);
+                        last.once |= rule.once;
+                    }
+                    None => self.is_missing = true,
+                }
+            }
+            return;
+        }
+        // ただし…とき…ない: what was said is not done then.
+        if rule.denied {
+            let conds: Vec<Cond> = rule.event.take().into_iter().chain(rule.states.drain(..)).collect();
+            let span = rule.span.clone();
+            match (self.rules.last_mut(), &conds[..]) {
+                (Some(last), [cond]) => {
+                    let mut cond = cond.clone();
+                    cond.not = !cond.not;
+                    last.states.push(cond);
+                }
+                _ => self.doubts.push(span),
+            }
+            return;
+        }
+        if rule.acts.is_empty() {
+            self.is_missing = true;
+            return;
+        }
+        let needs_event = rule.event.is_none() && rule.every.is_none() && !rule.otherwise;
+        if needs_event && goes_on && rule.until.is_none() && rule.states.is_empty() {
+            let Some(last) = self.rules.last_mut() else {
+                self.is_missing = true;
+                return;
+            };
+            let base = last.acts.last().map_or(0, |(later, ..)| *later);
+            last.acts.extend(rule.acts.into_iter().map(|(later, act, span)| (later + base, act, span)));
+            last.once |= rule.once;
+            return;
+        }
+        if needs_event && !rule.acts.iter().all(|(_, act, _)| own_event(act).is_some()) {
+            self.is_missing = true;
+            return;
+        }
+        if needs_event && rule.event.is_none() {
+            rule.is_own = true;
+        }
+        self.rules.push(rule);
+    }
+}
+
+/// Whether nothing else is said in a sentence.
+fn is_alone(rule: &Rule, rest: &[Segment]) -> bool {
+    let says = |segment: &Segment| matches!(segment, Segment::Acts(..) | Segment::Cond(..));
+    rule.acts.is_empty() && rule.event.is_none() && !rest.iter().any(says)
+}
+
+/// Whether a time is how much later the next action is.
+fn comes_next(then: Then, before: Option<&Segment>, rest: &[Segment]) -> bool {
+    let after_join = matches!(before, Some(Segment::And | Segment::Then | Segment::But) | None);
+    let follows = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
+    let parted = matches!(rest.first(), Some(Segment::Sign | Segment::And | Segment::Then | Segment::Cond(..)));
+    after_join || then == Then::Next || (then == Then::NextIfThere && follows && !parted)
+}
+
+/// What an action that needs no word for when goes by.
+pub(crate) fn own_event(act: &Act) -> Option<Event> {
+    match act {
+        Act::Follow(Target::Ball, ..) => Some(Event::Ball("red")),
+        Act::Follow(Target::Face, ..) => Some(Event::Face(Who::Anybody)),
+        Act::Nearer(Of::Ball(color)) => Some(Event::Ball(color)),
+        Act::Nearer(Of::Person) | Act::Show(Value::People) => Some(Event::People(Vec::new())),
+        Act::Show(Value::Distance(Of::Ball(color))) => Some(Event::Ball(color)),
+        Act::Show(Value::Distance(Of::Person)) => Some(Event::People(Vec::new())),
+        Act::Nearer(Of::Ahead(side)) => Some(Event::Far(Of::Ahead(side), Vec::new())),
+        Act::Show(Value::Charge) => Some(Event::Charge(Vec::new())),
+        Act::Show(Value::Distance(of)) => Some(Event::Far(*of, Vec::new())),
+        Act::Show(Value::Name) => Some(Event::Face(Who::Anybody)),
+        _ => None,
+    }
+}
+
+/// A touch that ends, of one that begins.
+pub(crate) fn ended(event: &Event) -> Option<Event> {
+    let Event::Touch(device, params, Phase::Begins) = event else { return None };
+    Some(Event::Touch(*device, params.clone(), Phase::Ends))
+}

@@ -1,0 +1,309 @@
+//! What a clause means that tells of something that happens: the order of its words does not count, but all of them do.
+
+mod measured;
+mod seen;
+mod touches;
+
+use super::atoms::{Atom, Measure, Value};
+use super::meaning::{Cond, Event, Span, Times};
+
+/// Atoms of which each is used once.
+pub(super) struct Bag<'a> {
+    pub(super) atoms: &'a [Atom],
+    used: u64,
+}
+
+/// What words mean alone: they may stand anywhere.
+const FILLERS: [(&str, &str); 5] = [("void", ""), ("prep", ""), ("aux", ""), ("p", ""), ("poss", "void")];
+
+impl<'a> Bag<'a> {
+    pub(super) fn new(atoms: &'a [Atom]) -> Self {
+        Self { atoms, used: 0 }
+    }
+
+    pub(super) fn is_free(&self, at: usize) -> bool {
+        self.used & (1 << at) == 0
+    }
+
+    pub(super) fn use_up(&mut self, at: usize) {
+        self.used |= 1 << at;
+    }
+
+    /// Where the first unused atom is that means this.
+    pub(super) fn find(&self, kind: &str, arg: &str) -> Option<usize> {
+        let fits = |at: &usize| {
+            let atom = &self.atoms[*at];
+            // *It* is the robot only where nothing else can be meant.
+            self.is_free(*at) && atom.is(kind, arg) && !(kind == "robot" && atom.is("it", ""))
+        };
+        (0..self.atoms.len()).find(fits)
+    }
+
+    /// Uses all signs of this kind.
+    pub(super) fn take_signs(&mut self, sign: char) {
+        for at in 0..self.atoms.len() {
+            if self.atoms[at].is_sign(sign) {
+                self.use_up(at);
+            }
+        }
+    }
+
+    pub(super) fn has(&self, kind: &str, arg: &str) -> bool {
+        self.find(kind, arg).is_some()
+    }
+
+    /// Uses the first atom that means this.
+    pub(super) fn take(&mut self, kind: &str, arg: &str) -> Option<usize> {
+        let at = self.find(kind, arg)?;
+        self.use_up(at);
+        Some(at)
+    }
+
+    /// Uses all atoms that mean this.
+    pub(super) fn take_all(&mut self, kind: &str, arg: &str) -> bool {
+        let mut any = false;
+        while self.take(kind, arg).is_some() {
+            any = true;
+        }
+        any
+    }
+
+    /// Uses the first atom of this kind; its argument and place.
+    pub(super) fn arg(&mut self, kind: &str) -> Option<(&'static str, usize)> {
+        let at = self.take(kind, "")?;
+        Some((self.atoms[at].of(kind)?.arg, at))
+    }
+
+    /// Uses the first measure of which something can be made.
+    pub(super) fn measure<T>(&mut self, made: impl Fn(Measure) -> Option<T>) -> Option<(T, usize)> {
+        let found = (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match self.atoms[at].value {
+            Value::Measure(measure) => Some((made(measure)?, at)),
+            _ => None,
+        })?;
+        self.use_up(found.1);
+        Some(found)
+    }
+
+    /// Uses the first quote.
+    pub(super) fn quote(&mut self) -> Option<String> {
+        let found =
+            (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match &self.atoms[at].value {
+                Value::Quote(text) => Some((at, text.clone())),
+                _ => None,
+            })?;
+        self.use_up(found.0);
+        Some(found.1)
+    }
+
+    /// The tokens of the atoms that nobody used and that mean something.
+    pub(super) fn left(&self) -> Vec<Span> {
+        let means = |at: &usize| {
+            let atom = &self.atoms[*at];
+            self.is_free(*at) && !FILLERS.iter().any(|(kind, arg)| atom.is(kind, arg))
+        };
+        (0..self.atoms.len()).filter(means).map(|at| self.atoms[at].span.clone()).collect()
+    }
+
+    pub(super) fn span(&self) -> Span {
+        let start = self.atoms.first().map_or(0, |first| first.span.start);
+        start..self.atoms.last().map_or(start, |last| last.span.end)
+    }
+}
+
+/// What a clause was understood as, and what of it was not.
+#[derive(Clone, Debug)]
+pub(super) struct Meant<T> {
+    pub(super) what: T,
+    pub(super) left: Vec<Span>,
+}
+
+/// What a clause tells of; none if it tells of nothing that could happen.
+pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
+    if atoms.is_empty() || atoms.len() > 60 {
+        return None;
+    }
+    let mut bag = Bag::new(atoms);
+    let bag = &mut bag;
+    // Senses of what is not there: the rest of the clause is not to blame.
+    let gaps = gaps(atoms);
+    if !gaps.is_empty() {
+        let cond = Cond::of(Event::Noise, bag.span());
+        return Some(Meant { what: cond, left: gaps });
+    }
+    bag.take_all("adv", "again");
+    bag.take_all("adv", "eachtime");
+    let within_at = bag.find("cmp", "atmost").filter(|_| {
+        atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))))
+            && !atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))))
+    });
+    let time = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None });
+    if time.is_some()
+        && let Some(at) = within_at
+    {
+        bag.use_up(at);
+    }
+    let is_within = time.is_some() && within_at.is_some();
+    bag.take("adj", "during");
+    if time.is_some() && !is_within {
+        bag.take("cmp", "more");
+        bag.take("cmp", "atleast");
+    }
+    let mut not = bag.take("not", "").is_some();
+    let mut over = bag.take("nolonger", "").is_some();
+    if bag.take("anymore", "").is_some() && not {
+        (over, not) = (true, false);
+    }
+    let mut lasts = bag.take("v", "keep").is_some();
+    let what = event(bag, &mut not, over, &mut lasts)?;
+    let times = times(bag);
+    let (during, within) = match time {
+        Some((ms, _)) if is_within => (None, Some(ms)),
+        Some((ms, _)) => (Some(ms), None),
+        None => (None, None),
+    };
+    let left = bag.left();
+    let lasts = lasts || atoms.iter().any(|atom| atom.is("aux", "be"));
+    Some(Meant { what: Cond { what, not, during, within, times, lasts, span: bag.span() }, left })
+}
+
+/// Words for what can neither be sensed nor done.
+pub(super) fn gaps(atoms: &[Atom]) -> Vec<Span> {
+    let is_gap =
+        |atom: &&Atom| !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
+    atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
+}
+
+fn times(bag: &mut Bag) -> Option<Times> {
+    let counts = |measure| match measure {
+        Measure::Times(times) if (1.0..=1_000.0).contains(&times) && times.fract() == 0.0 => Some(times as u32),
+        _ => None,
+    };
+    if let Some((nth, _)) = bag.arg("ord") {
+        let number = nth.parse().ok();
+        if bag.take("every", "").is_some() {
+            bag.take("time", "");
+            return number.map(Times::EachTime);
+        }
+        bag.take("time", "");
+        return number.map(Times::After);
+    }
+    // *Three touches*
+    let counted = (1..bag.atoms.len()).find_map(|at| match bag.atoms[at - 1].value {
+        Value::Measure(Measure::Number(number)) if bag.atoms[at].is("v", "") && bag.is_free(at - 1) => {
+            Some((at - 1, counts(Measure::Times(number))?))
+        }
+        _ => None,
+    });
+    if let Some((at, number)) = counted {
+        bag.use_up(at);
+        return Some(Times::After(number));
+    }
+    if let Some((times, _)) = bag.measure(counts) {
+        let each = bag.take("every", "").is_some();
+        return Some(if each { Times::EachTime(times) } else { Times::After(times) });
+    }
+    if let Some(("1" | "2", at)) = bag.arg("times") {
+        let twice = bag.atoms[at].is("times", "2");
+        return Some(Times::After(if twice { 2 } else { 1 }));
+    }
+    None
+}
+
+/// Something that can be sensed, of the words for it.
+fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<Event> {
+    // Nobody does it, or the verb says that it is not done.
+    let nobody = bag.take("none", "who").is_some();
+    let nothing = bag.take("none", "thing").is_some() || bag.take("none", "no").is_some();
+    let denies =
+        |atom: &Atom| atom.senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "adj" | "pose"));
+    *not |= nobody || nothing || (0..bag.atoms.len()).any(|at| bag.is_free(at) && denies(&bag.atoms[at]));
+    if let Some(touch) = touches::touch(bag, over, lasts) {
+        return touch;
+    }
+    let found = measured::measured(bag, not).or_else(|| seen::heard(bag, not));
+    found.or_else(|| body(bag)).or_else(|| seen::seen(bag, not, nobody, nothing))
+}
+
+/// What the robot's own body does.
+fn body(bag: &mut Bag) -> Option<Event> {
+    if bag.has("v", "fall") && !bag.has("noun", "battery") {
+        bag.take("v", "fall");
+        let up = bag.take("pose", "Stand").is_some() || bag.take("v", "rise").is_some();
+        bag.take("robot", "");
+        if !bag.has("who", "") {
+            bag.take("it", "");
+        }
+        return Some(if up { Event::Up } else { Event::Falls });
+    }
+    if bag.has("v", "rise") && bag.left().len() == 1 {
+        bag.take("v", "rise");
+        return Some(Event::Up);
+    }
+    // 座っているとき: the robot, if nobody is named.
+    let sits = bag.atoms.iter().any(|atom| atom.of("pose").is_some_and(|sense| sense.form.lasts));
+    let stirs = bag.has("v", "rise") || bag.has("pose", "");
+    let it = bag.find("it", "").filter(|_| stirs);
+    let is_robot = bag.has("robot", "") && stirs || it.is_some() || sits && !bag.has("who", "");
+    if !is_robot {
+        return None;
+    }
+    if let Some(it) = it {
+        bag.use_up(it);
+    }
+    bag.take_all("robot", "");
+    if bag.take("v", "rise").is_some() {
+        return Some(Event::Up);
+    }
+    let (pose, _) = bag.arg("pose")?;
+    if bag.atoms.iter().any(|atom| atom.is("adv", "again")) && pose == "Stand" {
+        return Some(Event::Up);
+    }
+    bag.take("v", "exist");
+    match pose {
+        "Stand" | "StandInit" => Some(Event::Pose("Standing")),
+        "Sit" => Some(Event::Pose("Sitting")),
+        "Crouch" => Some(Event::Pose("Crouching")),
+        _ => None,
+    }
+}
+
+/// Uses the words for somebody who does something.
+fn agent(bag: &mut Bag) {
+    while let Some(at) = bag.find("who", "").filter(|at| !bag.atoms[*at].is("num", "")) {
+        if bag.atoms[at].is("who", "robot") {
+            break;
+        }
+        bag.use_up(at);
+    }
+}
+
+/// A clause of which only the side or the part is said: *the right one*, 右手なら.
+pub(super) fn elliptic(atoms: &[Atom]) -> Option<Meant<Cond>> {
+    let mut bag = Bag::new(atoms);
+    if atoms.iter().any(|atom| atom.is("v", "")) {
+        return None;
+    }
+    let span = bag.span();
+    let cond = |what| Cond::of(what, span.clone());
+    let part = bag.arg("part").map(|(part, _)| part);
+    if let Some(what) = touches::same(&mut bag) {
+        let Event::Same(params, _) = what else { return None };
+        return Some(Meant { what: cond(Event::Same(params, part)), left: bag.left() });
+    }
+    if part.is_some() {
+        let part = part.filter(|_| true);
+        return Some(Meant { what: cond(Event::Same(Vec::new(), part)), left: bag.left() });
+    }
+    if let Some(quote) = bag.quote() {
+        return Some(Meant { what: cond(Event::Words(vec![quote])), left: bag.left() });
+    }
+    let number = bag.measure(|measure| match measure {
+        Measure::Number(value) | Measure::Times(value) if value >= 1.0 && value.fract() == 0.0 && value <= 1_000.0 => {
+            Some(value as u32)
+        }
+        _ => None,
+    });
+    let (number, _) = number?;
+    bag.take_all("v", "touch");
+    Some(Meant { what: cond(Event::Counted(number)), left: bag.left() })
+}

@@ -1,0 +1,254 @@
+//! What is measured: distances, numbers of people, charge and angles.
+
+use super::{Bag, agent, seen::color};
+use crate::speech::atoms::{Measure, Value};
+use crate::speech::meaning::{Bound, Event, Of};
+use crate::test::Comparison;
+
+/// A number of comparisons of what is measured, near and far without a number with these.
+fn bounds(
+    bag: &mut Bag,
+    vague: Option<[Bound; 2]>,
+    made: &dyn Fn(Measure) -> Option<(f64, &'static str)>,
+) -> Vec<Bound> {
+    let first = bag.measure(made);
+    let Some(((value, unit), _)) = first else {
+        let Some([near, far]) = vague else { return Vec::new() };
+        if bag.take_all("adj", "near") {
+            return vec![near];
+        }
+        return if bag.take_all("adj", "far") { vec![far] } else { Vec::new() };
+    };
+    let plain = |measure| match measure {
+        Measure::Number(value) => Some((value, unit)),
+        _ => None,
+    };
+    let pair = bag.has("cmp", "between") || bag.has("cmp", "to");
+    let second = bag.measure(made).or_else(|| if pair { bag.measure(plain) } else { None });
+    if let Some(((other, other_unit), _)) = second {
+        // 50センチ以上1メートル以下
+        let both = bag.has("cmp", "atleast") && bag.has("cmp", "atmost");
+        if both {
+            bag.take("cmp", "atleast");
+            bag.take("cmp", "atmost");
+        }
+        let is_between = both || bag.take("cmp", "between").is_some() || bag.take("cmp", "to").is_some();
+        bag.take_all("adj", "away");
+        bag.take("cmp", "to");
+        let (low, high) = if value * scale(unit) <= other * scale(other_unit) {
+            ((value, unit), (other, other_unit))
+        } else {
+            ((other, other_unit), (value, unit))
+        };
+        if is_between {
+            return vec![(Comparison::AtLeast, low.0, low.1), (Comparison::AtMost, high.0, high.1)];
+        }
+        return Vec::new();
+    }
+    let than = bag.take("cmp", "than").is_some();
+    let approaches = bag.take_all("v", "approach");
+    let comparison = if bag.take("cmp", "atmost").is_some() {
+        Some(Comparison::AtMost)
+    } else if bag.take("cmp", "atleast").is_some() {
+        Some(Comparison::AtLeast)
+    } else if bag.take("cmp", "less").is_some() {
+        Some(Comparison::Less)
+    } else if bag.take("cmp", "more").is_some() {
+        Some(Comparison::More)
+    } else if than && (approaches || bag.take("adj", "near").is_some() || bag.take("adj", "few").is_some()) {
+        Some(Comparison::Less)
+    } else if than && (bag.take("adj", "far").is_some() || bag.take("adj", "many").is_some()) {
+        Some(Comparison::More)
+    } else {
+        None
+    };
+    bag.take_all("adj", "near");
+    bag.take_all("adj", "away");
+    if matches!(comparison, Some(Comparison::More | Comparison::AtLeast)) {
+        bag.take_all("adj", "far");
+    }
+    comparison.map(|comparison| (comparison, value, unit)).into_iter().collect()
+}
+
+fn scale(unit: &str) -> f64 {
+    if unit == "m" { 100.0 } else { 1.0 }
+}
+
+fn length(measure: Measure) -> Option<(f64, &'static str)> {
+    if let Measure::Length(value, unit) = measure { Some((value, unit)) } else { None }
+}
+
+/// Distances, numbers of people, charge, angles.
+pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+    let has_length = bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))));
+    if bag.take("noun", "battery").is_some() {
+        return charge(bag, not);
+    }
+    if let Some(event) = angle(bag, not) {
+        return Some(event);
+    }
+    if !has_length && let Some(event) = people(bag, not) {
+        return event;
+    }
+    let compares = bag.has("adj", "near") || bag.has("adj", "far");
+    let approaches = bag.has("v", "approach");
+    if !(has_length || compares || approaches) {
+        return None;
+    }
+    let side = if bag.take("noun", "ahead").is_some() { Some("nearest") } else { None };
+    bag.take("noun", "distance");
+    let of = subject(bag, side)?;
+    bag.take_all("robot", "");
+    bag.take_all("noun", "ahead");
+    bag.take_all("noun", "view");
+    let vague = match of {
+        Of::Person => [(Comparison::Less, 1.0, "m"), (Comparison::More, 2.0, "m")],
+        _ => [(Comparison::Less, 50.0, "cm"), (Comparison::More, 100.0, "cm")],
+    };
+    if !has_length && !compares && bag.take("v", "approach").is_some() {
+        return Some(Event::Far(of, negated(vec![vague[0]], not)?));
+    }
+    for verb in ["exist", "come", "go", "fall", "see", "enter", "turn"] {
+        bag.take_all("v", verb);
+    }
+    let found = bounds(bag, Some(vague), &length);
+    if found.is_empty() {
+        return None;
+    }
+    Some(Event::Far(of, negated(found, not)?))
+}
+
+/// How full the battery is.
+fn charge(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+    let share = |measure| match measure {
+        Measure::Share(value) | Measure::Number(value) => Some((value, "%")),
+        _ => None,
+    };
+    bag.take("noun", "level");
+    bag.take("robot", "");
+    for verb in ["fall", "exist", "rise", "come", "turn", "go"] {
+        bag.take("v", verb);
+    }
+    let mut found = bounds(bag, None, &share);
+    if found.is_empty() && bag.take("adj", "half").is_some() {
+        let comparisons = [
+            ("less", Comparison::Less),
+            ("more", Comparison::More),
+            ("atmost", Comparison::AtMost),
+            ("atleast", Comparison::AtLeast),
+        ];
+        let said = comparisons.into_iter().find(|(word, _)| bag.take("cmp", word).is_some());
+        found.extend(said.map(|(_, comparison)| (comparison, 50.0, "%")));
+    }
+    if found.is_empty() && bag.take("adj", "low").is_some() {
+        found = vec![(Comparison::Less, 20.0, "%")];
+    } else {
+        bag.take_all("adj", "low");
+    }
+    (!found.is_empty()).then_some(Event::Charge(negated(found, not)?))
+}
+
+/// How far the head is turned.
+fn angle(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+    // *The head is turned 30 degrees to the left*
+    if bag.has("part", "head")
+        && bag.has("v", "turn")
+        && bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Angle(_))))
+    {
+        bag.take("part", "head");
+        bag.take_all("v", "turn");
+        agent(bag);
+        bag.take_all("robot", "");
+        let angle = |measure| if let Measure::Angle(value) = measure { Some(value) } else { None };
+        let (value, _) = bag.measure(angle)?;
+        let at_least = bag.take("cmp", "atleast").is_some();
+        bag.take("cmp", "more");
+        if bag.take("cmp", "than").is_some() {
+            bag.take("adj", "many");
+        }
+        let (side, _) = bag.arg("side")?;
+        let (comparison, value) = match (side, at_least) {
+            ("left", false) => (Comparison::More, value),
+            ("left", true) => (Comparison::AtLeast, value),
+            (_, false) => (Comparison::Less, -value),
+            (_, true) => (Comparison::AtMost, -value),
+        };
+        return Some(Event::Joint("HeadYaw", negated(vec![(comparison, value, "rad")], not)?));
+    }
+    None
+}
+
+/// How many people there are.
+fn people(bag: &mut Bag, not: &mut bool) -> Option<Option<Event>> {
+    let counts = |measure| match measure {
+        Measure::People(value) | Measure::Number(value) => Some((value, "")),
+        _ => None,
+    };
+    let has_count = bag.atoms.iter().any(|atom| {
+        matches!(atom.value, Value::Measure(Measure::People(_)))
+            || (matches!(atom.value, Value::Measure(Measure::Number(_)))
+                && bag.left().contains(&atom.span)
+                && bag.atoms.iter().any(|atom| atom.is("who", "") || atom.is("noun", "people"))
+                && !bag.has("noun", "mark"))
+    });
+    if has_count {
+        bag.take("noun", "count");
+        agent(bag);
+        bag.take_all("robot", "");
+        let mut found = bounds(bag, None, &counts);
+        if found.is_empty() {
+            // The number stands alone: so many, no more and no fewer.
+            let number = bag.atoms.iter().find_map(|atom| match atom.value {
+                Value::Measure(Measure::People(value) | Measure::Number(value)) => Some(value),
+                _ => None,
+            });
+            let Some(number) = number else { return Some(None) };
+            found = vec![(Comparison::Is, number, "")];
+        }
+        for verb in ["see", "exist", "come", "appear", "turn"] {
+            bag.take_all("v", verb);
+        }
+        bag.take_all("noun", "view");
+        bag.take_all("noun", "ahead");
+        bag.take_all("noun", "people");
+        return Some(negated(found, not).map(Event::People));
+    }
+    None
+}
+
+/// Comparisons that are not so.
+fn negated(bounds: Vec<Bound>, not: &mut bool) -> Option<Vec<Bound>> {
+    if !*not {
+        return Some(bounds);
+    }
+    *not = false;
+    let [(comparison, value, unit)] = bounds[..] else { return None };
+    Some(vec![(comparison.opposite(), value, unit)])
+}
+
+/// What is near or far.
+fn subject(bag: &mut Bag, ahead: Option<&'static str>) -> Option<Of> {
+    if bag.take("noun", "ball").is_some() {
+        bag.take("noun", "colored");
+        return Some(Of::Ball(color(bag)));
+    }
+    if bag.has("noun", "face") || bag.has("who", "") {
+        bag.take("noun", "face");
+        agent(bag);
+        return Some(Of::Person);
+    }
+    if bag.take("noun", "thing").is_some() {
+        return Some(Of::Ahead(ahead.unwrap_or("nearest")));
+    }
+    if bag.take("it", "").is_some() {
+        return Some(Of::It);
+    }
+    // Nothing is named: what was said last, in Japanese.
+    if bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "")) {
+        return None;
+    }
+    if ahead.is_some() {
+        return Some(Of::Ahead("nearest"));
+    }
+    Some(Of::It)
+}

@@ -1,0 +1,218 @@
+//! What is seen and heard.
+
+use super::{Bag, agent};
+use crate::speech::atoms::{Measure, form};
+use crate::speech::lexicon::End;
+use crate::speech::meaning::{Event, Who};
+
+/// What is heard: words, a sound, or none.
+pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+    let speaks = bag.find("v", "say").or_else(|| bag.find("v", "hear").filter(|_| !bag.has("noun", "sound")));
+    if let Some(at) = speaks
+        && let Some(words) = words(bag, at)
+    {
+        agent(bag);
+        bag.take_all("robot", "");
+        bag.take_all("noun", "toyou");
+        for verb in ["hear", "say", "make"] {
+            bag.take("v", verb);
+        }
+        return Some(Event::Words(words));
+    }
+    if bag.take("noun", "quiet").is_some() {
+        *not = true;
+        for verb in ["turn", "come", "exist", "shine", "go"] {
+            bag.take_all("v", verb);
+        }
+        bag.take_all("it", "");
+        return Some(Event::Noise);
+    }
+    if let Some(at) = bag.find("noun", "sound").or_else(|| bag.find("v", "clap")) {
+        bag.use_up(at);
+        bag.take_all("noun", "sound");
+        bag.take_all("v", "clap");
+        bag.take_all("noun", "hand.with");
+        if bag.atoms[at].is("v", "clap") {
+            bag.take("part", "hand");
+        }
+        bag.take_all("adj", "loud");
+        bag.take_all("poss", "own");
+        agent(bag);
+        bag.take_all("robot", "");
+        for verb in ["hear", "exist", "make", "come"] {
+            bag.take("v", verb);
+        }
+        return Some(Event::Noise);
+    }
+    None
+}
+
+/// The words that are heard.
+fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
+    // *Say “two”* is an order and tells of nobody who says it.
+    // The robot hears others, not itself.
+    let says = bag.atoms[verb].is("v", "say") && !bag.atoms[verb].is("v", "hear");
+    if says
+        && bag.has("robot", "")
+        && !bag.has("who", "") | bag.atoms.iter().any(|atom| atom.is("who", "you") && atom.is("robot", ""))
+    {
+        return None;
+    }
+    let orders = bag.atoms[verb].of("v").is_some_and(|sense| sense.form.end == End::Plain && sense.arg == "say");
+    if orders && !bag.atoms[..verb].iter().any(|atom| atom.is("who", "") || atom.is("none", "who")) {
+        return None;
+    }
+    let mut all = Vec::new();
+    while let Some(quote) = bag.quote() {
+        all.push(quote);
+    }
+    if !all.is_empty() {
+        bag.take_all("or", "");
+        bag.take_all("noun", "word");
+        bag.use_up(verb);
+        return Some(all);
+    }
+    None
+}
+
+/// What is seen.
+pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -> Option<Event> {
+    const VERBS: [&str; 9] = ["see", "exist", "come", "appear", "enter", "find", "leave", "know", "show"];
+    let found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
+    let is_be = bag.atoms.iter().any(|atom| atom.is("aux", "be"));
+    if found.is_empty() && !is_be && !nobody && !bag.has("adj", "known") {
+        return None;
+    }
+    // Somebody who sees something is not the robot: 子どもがボールを見たら.
+    let sees = (0..bag.atoms.len()).find(|at| bag.is_free(*at) && bag.atoms[*at].is("tv", ""));
+    if let Some(at) = sees
+        && !form(&bag.atoms[at], "tv").passive
+        && bag.atoms.windows(2).any(|pair| pair[0].is("who", "") && pair[1].is("p", "ga"))
+    {
+        return None;
+    }
+    // Somebody who sees something is not the robot.
+    if let (Some(at), Some(who)) = (bag.find("v", "see").or_else(|| bag.find("v", "find")), bag.find("who", "")) {
+        let active = !form(&bag.atoms[at], "v").passive;
+        let end = form(&bag.atoms[at], "v").end;
+        let english = matches!(end, End::Plain | End::Third | End::Ing | End::Past);
+        let robot_before = bag.find("robot", "").is_some_and(|robot| robot < at);
+        let is_passive = bag.atoms[..at].iter().any(|atom| atom.is("aux", "be")) && end == End::Past;
+        if english && active && who < at && !robot_before && !is_passive {
+            return None;
+        }
+    }
+    // *It sees …*: the robot.
+    if let Some(at) = bag.find("v", "see")
+        && let Some(it) = bag.find("it", "").filter(|it| *it < at && bag.atoms[*it].is("robot", ""))
+        && form(&bag.atoms[at], "v").end == End::Third
+    {
+        bag.use_up(it);
+    }
+    let has = |verb: &str| found.iter().any(|(known, _)| *known == verb);
+    if has("leave") {
+        let said = (0..bag.atoms.len()).any(|at| bag.atoms[at].sense("v", "leave").is_some_and(|sense| sense.form.not));
+        *not = nobody || (!*not || !said && nothing);
+    }
+    for (_, at) in &found {
+        bag.use_up(*at);
+    }
+    bag.take_all("noun", "view");
+    bag.take_all("noun", "ahead");
+    if !bag.has("who", "") || !found.is_empty() || is_be {
+        bag.take_all("robot", "");
+    }
+    if bag.take("noun", "ball").is_some() {
+        return ball(bag);
+    }
+    if bag.take("noun", "mark").is_some() {
+        return mark(bag);
+    }
+    if bag.has("color", "") && !bag.has("part", "") {
+        bag.take_all("noun", "thing");
+        bag.take_all("noun", "colored");
+        return Some(Event::Thing(color(bag)));
+    }
+    if bag.take("it", "").is_some() {
+        return Some(Event::ItSeen);
+    }
+    if let Some(person) = person(bag, nobody, has("know")) {
+        return person;
+    }
+    // Japanese leaves out what was said before.
+    let says_nothing = !bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "") || atom.is("color", ""));
+    (says_nothing && has("see")).then_some(Event::ItSeen)
+}
+
+/// A ball, or one of several.
+fn ball(bag: &mut Bag) -> Option<Event> {
+    bag.take("noun", "colored");
+    // *It is the ball that …*
+    bag.take("it", "");
+    let mut all = vec![Event::Ball(color(bag))];
+    while bag.has("or", "") && bag.has("color", "") {
+        bag.take("or", "");
+        bag.take("noun", "ball");
+        let at = bag.find("color", "")?;
+        let next = color(bag);
+        if bag.is_free(at) {
+            break;
+        }
+        all.push(Event::Ball(next));
+    }
+    if all.len() > 1 { Some(Event::Any(all)) } else { all.pop() }
+}
+
+/// A printed mark, or one of several.
+fn mark(bag: &mut Bag) -> Option<Event> {
+    let number = bag.measure(|measure| match measure {
+        Measure::Number(value) | Measure::Mark(value) if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 => {
+            Some(value as u32)
+        }
+        _ => None,
+    });
+    bag.take("noun", "count");
+    let mut all = vec![Event::Mark(number.map(|(number, _)| number))];
+    while bag.has("or", "") {
+        let more = bag.measure(|measure| match measure {
+            Measure::Number(value) | Measure::Mark(value)
+                if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 =>
+            {
+                Some(value as u32)
+            }
+            _ => None,
+        });
+        let Some((more, _)) = more else { break };
+        bag.take("or", "");
+        bag.take("noun", "mark");
+        all.push(Event::Mark(Some(more)));
+    }
+    if all.len() > 1 { Some(Event::Any(all)) } else { all.pop() }
+}
+
+/// Somebody: a face.
+fn person(bag: &mut Bag, nobody: bool, knows: bool) -> Option<Option<Event>> {
+    let new = bag.take_all("adj", "new");
+    let known = bag.take_all("adj", "known") || (knows && !new);
+    let another = bag.take_all("adj", "another") | bag.has("who", "else");
+    let is_person = bag.has("noun", "face") || bag.has("who", "") || nobody || new || known;
+    if is_person {
+        bag.take_all("noun", "face");
+        bag.take_all("robot", "");
+        agent(bag);
+        let who = match (new, known, another) {
+            (true, false, false) => Who::New,
+            (false, true, false) => Who::Known,
+            (false, false, true) => Who::Another,
+            (false, false, false) => Who::Anybody,
+            _ => return Some(None),
+        };
+        return Some(Some(Event::Face(who)));
+    }
+    None
+}
+
+/// The colour of what is seen, red if none is said; a colour that no sense has stays in doubt.
+pub(super) fn color(bag: &mut Bag) -> &'static str {
+    ["red", "green", "blue"].into_iter().find(|color| bag.take("color", color).is_some()).unwrap_or("red")
+}

@@ -1,0 +1,153 @@
+//! Touches: which part is touched, pressed, held or let go.
+
+use super::{Bag, agent};
+use crate::speech::atoms::{Value, form};
+use crate::speech::lexicon::End;
+use crate::speech::meaning::{Body, Event, Phase};
+
+/// What is touched; none if this tells of no touch, nothing inside if it tells of one that cannot be felt.
+pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Option<Event>> {
+    if let Some(button) = pressed(bag) {
+        return Some(Some(button));
+    }
+    if let Some(clap) = clapped(bag) {
+        return Some(Some(clap));
+    }
+    for verb in ["release", "touch", "press", "hold", "bump"] {
+        let Some(at) = bag.find("v", verb) else { continue };
+        if bag.has("part", "") || bag.has("it", "") || verb == "touch" || verb == "bump" {
+            return Some(by_verb(bag, verb, at, over, lasts));
+        }
+    }
+    None
+}
+
+fn pressed(bag: &mut Bag) -> Option<Event> {
+    let at = bag.find("v", "press").filter(|_| bag.has("noun", "button"))?;
+    bag.use_up(at);
+    bag.take("noun", "button");
+    agent(bag);
+    bag.take("robot", "");
+    let label =
+        bag.take("noun", "called").is_some() || bag.atoms.iter().any(|atom| matches!(atom.value, Value::Quote(_)));
+    Some(Event::Button(if label { bag.quote() } else { None }))
+}
+
+/// 手をたたいたら: it is heard.
+fn clapped(bag: &mut Bag) -> Option<Event> {
+    let at = (0..bag.atoms.len()).find(|at| bag.atoms[*at].is("v", "clap") && bag.atoms[*at].is("v", "touch"))?;
+    let parts = bag.atoms.iter().filter(|atom| atom.is("part", "")).count();
+    if form(&bag.atoms[at], "v").passive || !bag.has("part", "hand") || bag.has("side", "") || parts != 1 {
+        return None;
+    }
+    bag.use_up(at);
+    bag.take("part", "hand");
+    agent(bag);
+    Some(Event::Noise)
+}
+
+fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -> Option<Event> {
+    let form = form(&bag.atoms[at], "v");
+    bag.use_up(at);
+    bag.take_all("v", verb);
+    if verb == "release" {
+        // 頭から手が離れた: the hand is whose it is that touches.
+        if let (Some(first), Some(second)) = (bag.find("part", ""), bag.find("part", "hand"))
+            && first != second
+        {
+            bag.use_up(second);
+        }
+        bag.take("v", "touch");
+    }
+    *lasts |= form.lasts;
+    if bag.has("part", "") {
+        // Somebody's own head is no robot's.
+        let english = matches!(form.end, End::Plain | End::Third | End::Past | End::Ing);
+        let whose = bag.atoms[at + 1..].iter().any(|atom| atom.is("who", "") && !atom.is("part", ""));
+        if bag.has("poss", "own") || (english && !form.passive && whose) {
+            return None;
+        }
+    }
+    agent(bag);
+    bag.take_all("robot", "");
+    bag.take("none", "");
+    if matches!(verb, "bump" | "touch" | "press") {
+        bag.take_all("noun", "thing");
+        bag.take_all("noun", "wall");
+    }
+    if bag.has("part", "") {
+        return touched(bag, verb == "release" || over);
+    }
+    if bag.take("it", "").is_none() && (bag.has("noun", "one") || bag.has("side", "")) {
+        return same(bag);
+    }
+    // What was said last; if it was something else, that stays in doubt.
+    Some(Event::ItTouched)
+}
+
+/// A touch of the parts that the bag has.
+fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
+    let phase = if released { Phase::Ends } else { Phase::Begins };
+    let mut all = Vec::new();
+    let place = bag.arg("place").map(|(place, _)| place);
+    let mut side = bag.arg("side").map(|(side, _)| side);
+    let other_side = if side.is_some() { bag.arg("side").map(|(side, _)| side) } else { None };
+    bag.take("noun", "one");
+    while let Some((part, _)) = bag.arg("part") {
+        let own_side = part.split_once('.').map(|(_, side)| side);
+        let part = part.split_once('.').map_or(part, |(part, _)| part);
+        let side_of = own_side.or(side);
+        let chosen = |name: &'static str, value: Option<&'static str>| value.map(|value| (name, value));
+        let event = match part {
+            "head" => {
+                if side_of.is_some() {
+                    return None;
+                }
+                Event::Touch(Body::Head, chosen("part", place).into_iter().collect(), phase)
+            }
+            "hand" => {
+                let back = place.filter(|place| *place == "rear").map(|_| "back");
+                if place.is_some() && back.is_none() {
+                    return None;
+                }
+                let mut params: Vec<_> = chosen("hand", side_of).into_iter().collect();
+                params.extend(chosen("part", back));
+                Event::Touch(Body::Hand, params, phase)
+            }
+            "foot" if place.is_none() => Event::Touch(Body::Foot, chosen("foot", side_of).into_iter().collect(), phase),
+            _ => return None,
+        };
+        if !all.contains(&event) {
+            all.push(event);
+        }
+    }
+    if let (Some(other), [Event::Touch(device, params, phase)]) = (other_side, &all[..]) {
+        let mut params = params.clone();
+        for param in &mut params {
+            if Some(param.1) == side {
+                param.1 = other;
+            }
+        }
+        let both = Event::Touch(*device, params, *phase);
+        all.push(both);
+        side = None;
+    }
+    let _ = side;
+    if all.len() > 1 {
+        // Both at once cannot be told.
+        bag.take("or", "")?;
+        return Some(Event::Any(all));
+    }
+    all.pop()
+}
+
+/// The one of the other side.
+pub(super) fn same(bag: &mut Bag) -> Option<Event> {
+    bag.take("noun", "one");
+    let side = bag.arg("side").map(|(side, _)| side);
+    let place = bag.arg("place").map(|(place, _)| place);
+    let mut params = Vec::new();
+    params.extend(side.map(|side| ("side", side)));
+    params.extend(place.map(|place| ("part", place)));
+    (!params.is_empty()).then_some(Event::Same(params, None))
+}

@@ -1,0 +1,195 @@
+//! What speech means, before it is a graph: what happens, what is done, and how they hang together.
+
+use crate::test::Comparison;
+use std::ops::Range;
+
+/// Tokens of the text.
+pub(crate) type Span = Range<usize>;
+
+/// A comparison with a length, a share, an angle or a number, in the unit of it.
+pub(crate) type Bound = (Comparison, f64, &'static str);
+
+/// What happens, or is the case.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Cond {
+    pub(crate) what: Event,
+    /// Whether it does not.
+    pub(crate) not: bool,
+    /// For how long, in milliseconds.
+    pub(crate) during: Option<u64>,
+    /// Within which time after what was said before, in milliseconds.
+    pub(crate) within: Option<u64>,
+    /// How often it has to happen.
+    pub(crate) times: Option<Times>,
+    /// Whether it is said to last: *is touched*, 触っている.
+    pub(crate) lasts: bool,
+    pub(crate) span: Span,
+}
+
+impl Cond {
+    /// Something that happens, as plain as can be.
+    pub(crate) fn of(what: Event, span: Span) -> Self {
+        Self { what, not: false, during: None, within: None, times: None, lasts: false, span }
+    }
+}
+
+/// How often something has to happen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Times {
+    /// So often.
+    After(u32),
+    /// Each time it happened so often again.
+    EachTime(u32),
+}
+
+/// Something that can be sensed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Event {
+    /// What is touched, the choices of its sense, and whether it ends.
+    Touch(Body, Vec<(&'static str, &'static str)>, Phase),
+    Button(Option<String>),
+    /// A ball of a colour.
+    Ball(&'static str),
+    /// Something of a colour.
+    Thing(&'static str),
+    Face(Who),
+    Mark(Option<u32>),
+    /// How far something is.
+    Far(Of, Vec<Bound>),
+    People(Vec<Bound>),
+    Words(Vec<String>),
+    Noise,
+    Falls,
+    Up,
+    Charge(Vec<Bound>),
+    /// The posture, by its name among values.
+    Pose(&'static str),
+    Joint(&'static str, Vec<Bound>),
+    /// What was counted before is this.
+    Counted(u32),
+    /// One of several.
+    Any(Vec<Event>),
+    /// What was seen last.
+    ItSeen,
+    /// What was touched last.
+    ItTouched,
+    /// What was said last, with another side or part.
+    Same(Vec<(&'static str, &'static str)>, Option<&'static str>),
+}
+
+/// What feels touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Body {
+    Head,
+    Hand,
+    Foot,
+}
+
+/// A part of a touch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Phase {
+    Begins,
+    Ends,
+}
+
+/// Which face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Who {
+    Anybody,
+    New,
+    Known,
+    Another,
+}
+
+/// What is near or far.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Of {
+    Ball(&'static str),
+    Person,
+    Ahead(&'static str),
+    It,
+}
+
+/// What is done.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Act {
+    Say(String),
+    SayValue(Value),
+    Show(Value),
+    Eyes(&'static str),
+    /// A colour without the word for eyes, after other eyes.
+    Color(&'static str),
+    Shine(f64),
+    /// Brighter the nearer something is.
+    Nearer(Of),
+    Follow(Target, &'static str, &'static str),
+    Gesture(&'static str),
+    Pose(&'static str),
+    Walk,
+    Move(&'static str, f64),
+    Play(&'static str),
+    PlayFile(String),
+    Remember,
+    /// Counts what happens.
+    Count(Box<Cond>),
+    /// The same as the last one.
+    Again,
+    Nothing,
+    /// What was said is not done.
+    Not,
+}
+
+/// A value that is said or shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Value {
+    /// What comes.
+    It,
+    /// How often something came.
+    Count,
+    People,
+    Charge,
+    Name,
+    Distance(Of),
+    Pose,
+    Word,
+    Mark,
+}
+
+/// What is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    Ball,
+    Face,
+    It,
+}
+
+/// What is done when something happens.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Rule {
+    /// How often its event is looked at, in milliseconds.
+    pub(crate) every: Option<u64>,
+    /// What happens; none of what follows something by itself.
+    pub(crate) event: Option<Cond>,
+    /// What must be so then.
+    pub(crate) states: Vec<Cond>,
+    /// What ends it.
+    pub(crate) until: Option<Cond>,
+    /// Not more often than once in so many milliseconds.
+    pub(crate) at_most: Option<u64>,
+    pub(crate) once: bool,
+    /// Whether how often its event came is what is said.
+    pub(crate) counts: bool,
+    /// Whether it is so only as long as its event lasts.
+    pub(crate) lasts: bool,
+    /// Whether what it says is not done then.
+    pub(crate) denied: bool,
+    /// Whether its actions go by senses of their own.
+    pub(crate) is_own: bool,
+    /// What is done so many milliseconds later.
+    pub(crate) acts: Vec<(u64, Act, Span)>,
+    /// Whether it is for what the rule before keeps out.
+    pub(crate) otherwise: bool,
+    /// The rule before, which it waits for in vain: its event and the time.
+    pub(crate) unanswered: Option<usize>,
+    pub(crate) span: Span,
+}

@@ -1,0 +1,738 @@
+//! A sentence as clauses one after the other: the cheapest way to cover it, every atom once. What no clause can use costs
+//! most, and is in doubt.
+
+use super::act::{act, ends, is_order};
+use super::atoms::{Atom, Measure, Value};
+use super::clause::{Meant, cond, elliptic, gaps};
+use super::lexicon::End;
+use super::meaning::{Act, Cond, Span, Times};
+use crate::Language;
+use std::rc::Rc;
+
+/// A clause, or a word between clauses.
+#[derive(Clone, Debug)]
+pub(super) enum Segment {
+    Cond(Lead, Rc<Cond>),
+    /// What is done, and its tokens.
+    Acts(Rc<Vec<Act>>, Span),
+    /// How often, in milliseconds.
+    Every(u64),
+    AtMost(u64),
+    Once,
+    /// So many milliseconds later: what is done then, next or before.
+    Later(u64, Then),
+    /// Between clauses.
+    And,
+    Or,
+    Then,
+    But,
+    Otherwise,
+    Sign,
+    /// Means nothing here.
+    Nothing,
+    /// Words that nobody knows what to do with.
+    Unclear,
+}
+
+/// What is done so much later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Then {
+    /// What comes next: *wait 3 seconds, then …*
+    Next,
+    /// What comes right after, if something does; else what was said before.
+    NextIfThere,
+    Before,
+}
+
+/// How a clause is led in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lead {
+    When,
+    While,
+    Until,
+    Unless,
+    After,
+    /// It goes on with the one before.
+    None,
+}
+
+/// A way to cover a sentence.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cover {
+    pub(super) segments: Vec<Segment>,
+    pub(super) doubts: Vec<Span>,
+    /// Tokens that were taken as a text though nobody quoted them.
+    pub(super) texts: Vec<Span>,
+}
+
+/// What things cost.
+const CLAUSE: usize = 10;
+const WORD: usize = 2;
+const TEXT: usize = 6;
+const UNKNOWN: usize = 300;
+const LEFT: usize = 120;
+/// The most clauses that are tried in one sentence, and the longest one, in atoms.
+const TRIES_MAX: usize = 4_000;
+const CLAUSE_MAX: usize = 40;
+
+/// What came before, as far as it decides about what comes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Before {
+    Else,
+    Cond,
+    /// A condition and an *and* or *or*.
+    Joined,
+}
+
+const BEFORES: [Before; 3] = [Before::Else, Before::Cond, Before::Joined];
+
+/// An edge of the chart: where it leads, what it is, what it costs and leaves in doubt.
+struct Edge {
+    to: usize,
+    segment: Segment,
+    cost: usize,
+    doubts: Vec<Span>,
+    texts: Vec<Span>,
+    after: Before,
+}
+
+/// The cost from a place on, and the edge that begins there.
+type Step = (usize, Option<Rc<Edge>>);
+/// Atoms with a quote in them, the tokens of it, those of them in doubt, and what it costs.
+type Quoting = (Vec<Atom>, Vec<Span>, Vec<Span>, usize);
+
+struct Chart<'a> {
+    atoms: &'a [Atom],
+    language: Language,
+    /// The source of a span of tokens.
+    source: &'a dyn Fn(&Span) -> String,
+    tries: usize,
+}
+
+/// The cheapest cover of the atoms of a sentence.
+pub(super) fn cover(atoms: &[Atom], language: Language, source: &dyn Fn(&Span) -> String) -> Cover {
+    let mut chart = Chart { atoms, language, source, tries: 0 };
+    let count = atoms.len();
+    let mut best: Vec<[Option<Step>; 3]> = vec![[None, None, None]; count + 1];
+    best[count] = [Some((0, None)), Some((0, None)), Some((WORD, None))];
+    for at in (0..count).rev() {
+        let edges = chart.edges(at);
+        let edges: Vec<(bool, Rc<Edge>)> = edges.into_iter().map(|(needs, edge)| (needs, Rc::new(edge))).collect();
+        for (slot, before) in BEFORES.iter().enumerate() {
+            for (needs_joined, edge) in &edges {
+                if *needs_joined && *before != Before::Joined {
+                    continue;
+                }
+                let after = match (&edge.segment, before) {
+                    (Segment::And | Segment::Or, Before::Cond) => Before::Joined,
+                    (Segment::Sign | Segment::Nothing, before) => *before,
+                    _ => edge.after,
+                };
+                let next = BEFORES.iter().position(|known| *known == after).unwrap_or(0);
+                let Some((cost, _)) = &best[edge.to][next] else { continue };
+                let cost = cost + edge.cost;
+                if best[at][slot].as_ref().is_none_or(|(known, _)| cost < *known) {
+                    best[at][slot] = Some((cost, Some(Rc::clone(edge))));
+                }
+            }
+        }
+    }
+    let mut cover = Cover::default();
+    let (mut at, mut before) = (0, Before::Else);
+    while at < count {
+        let slot = BEFORES.iter().position(|known| *known == before).unwrap_or(0);
+        let Some((_, Some(edge))) = &best[at][slot] else { break };
+        before = match (&edge.segment, before) {
+            (Segment::And | Segment::Or, Before::Cond) => Before::Joined,
+            (Segment::Sign | Segment::Nothing, before) => before,
+            _ => edge.after,
+        };
+        cover.segments.push(edge.segment.clone());
+        cover.doubts.extend(edge.doubts.iter().cloned());
+        cover.texts.extend(edge.texts.iter().cloned());
+        at = edge.to;
+    }
+    cover
+}
+
+impl Chart<'_> {
+    fn edges(&mut self, at: usize) -> Vec<(bool, Edge)> {
+        let mut all: Vec<(bool, Edge)> = Vec::new();
+        let atom = &self.atoms[at];
+        let plain = |to: usize, segment: Segment, cost: usize| Edge {
+            to,
+            segment,
+            cost,
+            doubts: Vec::new(),
+            texts: Vec::new(),
+            after: Before::Else,
+        };
+        let doubtful = |to: usize, cost: usize, doubts: Vec<Span>| Edge { doubts, ..plain(to, Segment::Unclear, cost) };
+        if matches!(atom.value, Value::Sign(',' | ':' | ';' | '-' | '.')) {
+            all.push((false, plain(at + 1, Segment::Sign, 1)));
+            return all;
+        }
+        let words: [(&str, Segment); 5] = [
+            ("and", Segment::And),
+            ("or", Segment::Or),
+            ("then", Segment::Then),
+            ("but", Segment::But),
+            ("otherwise", Segment::Otherwise),
+        ];
+        for (kind, segment) in words {
+            if atom.is(kind, "") {
+                all.push((false, plain(at + 1, segment, WORD)));
+            }
+        }
+        if atom.is("void", "") || atom.is("polite", "") || atom.is("adv", "eachtime") {
+            all.push((false, plain(at + 1, Segment::Nothing, 3)));
+        }
+        // *NAO, …*
+        let next = if self.atoms.get(at + 1).is_some_and(|next| next.is("void", "")) { at + 2 } else { at + 1 };
+        if atom.is("robot", "") && self.atoms.get(next).is_some_and(|next| next.is_sign(',')) {
+            all.push((false, plain(next + 1, Segment::Nothing, 3)));
+        }
+        if atom.is("gap", "") || atom.is("vague", "") || atom.is("manner", "") {
+            all.push((false, doubtful(at + 1, LEFT, vec![atom.span.clone()])));
+        }
+        all.push((false, doubtful(at + 1, UNKNOWN, vec![atom.span.clone()])));
+        for (to, segment) in self.adverbials(at) {
+            all.push((false, plain(to, segment, CLAUSE / 2)));
+        }
+        if self.language == Language::English {
+            self.english(at, &mut all)
+        } else {
+            self.japanese(at, &mut all)
+        }
+        all
+    }
+
+    fn is(&self, at: usize, kind: &str, arg: &str) -> bool {
+        self.atoms.get(at).is_some_and(|atom| atom.is(kind, arg))
+    }
+
+    fn time(&self, at: usize) -> Option<u64> {
+        match self.atoms.get(at)?.value {
+            Value::Measure(Measure::Time(ms)) => Some(ms),
+            _ => None,
+        }
+    }
+
+    /// The first atom from here on that means something.
+    fn fillers(&self, at: usize) -> usize {
+        (at..).find(|at| !self.is(*at, "void", "") && !self.is(*at, "prep", "")).unwrap_or(at)
+    }
+
+    /// How often and how much later: no clauses of their own.
+    fn adverbials(&self, at: usize) -> Vec<(usize, Segment)> {
+        let atoms = self.atoms;
+        let is = |at: usize, kind: &str, arg: &str| self.is(at, kind, arg);
+        let time = |at: usize| self.time(at);
+        let fillers = |at: usize| self.fillers(at);
+        let mut found = Vec::new();
+        if is(at, "every", "")
+            && let Some(ms) = time(at + 1)
+        {
+            found.push((at + 2, Segment::Every(ms)));
+        }
+        if is(at, "cmp", "atmost")
+            && is(at + 1, "every", "")
+            && let Some(ms) = time(at + 2)
+        {
+            found.push((at + 3, Segment::AtMost(ms)));
+        }
+        // *Five seconds after …*
+        if let Some(ms) = time(at)
+            && is(at + 1, "lead", "after")
+            && self.language == Language::English
+        {
+            found.push((at + 1, Segment::Later(ms, Then::NextIfThere)));
+        }
+        if let Some(ms) = time(at) {
+            let next = fillers(at + 1);
+            if is(next, "every.after", "") {
+                found.push((next + 1, Segment::Every(ms)));
+            }
+            if is(next, "later", "") {
+                let end = fillers(next + 1);
+                found.push((next + 1, Segment::Later(ms, self.then(end))));
+            }
+            // 1分に1回まで
+            let one = |at: usize| {
+                is(at, "times", "1")
+                    || matches!(atoms.get(at).map(|atom| &atom.value), Some(Value::Measure(Measure::Times(times))) if *times == 1.0)
+            };
+            if is(next, "once", "") {
+                found.push((next + 1, Segment::AtMost(ms)));
+            }
+            if one(next) {
+                let mut end = next + 1;
+                let mut most = false;
+                while is(end, "only", "")
+                    || is(end, "cmp", "atmost")
+                    || is(end, "lead", "until")
+                    || is(end, "void", "")
+                    || is(end, "prep", "")
+                {
+                    most |= !is(end, "void", "") && !is(end, "prep", "");
+                    end += 1;
+                }
+                found.push((end, if most { Segment::AtMost(ms) } else { Segment::Every(ms) }));
+            }
+        }
+        if (is(at, "lead", "after") || is(at, "v", "wait") || is(at, "within", "in"))
+            && let Some(ms) = time(fillers(at + 1))
+        {
+            let end = fillers(at + 1) + 1;
+            let end = if is(end, "later", "") { end + 1 } else { end };
+            found.push((end, Segment::Later(ms, if is(at, "v", "wait") { Then::Next } else { self.then(end) })));
+        }
+        self.limits(at, &mut found);
+        found
+    }
+
+    /// How often at most.
+    fn limits(&self, at: usize, found: &mut Vec<(usize, Segment)>) {
+        let is = |at: usize, kind: &str, arg: &str| self.is(at, kind, arg);
+        let time = |at: usize| self.time(at);
+        let fillers = |at: usize| self.fillers(at);
+        // at most once a minute; once every minute
+        let most = is(at, "cmp", "atmost") || is(at, "only", "");
+        let start = if most { fillers(at + 1) } else { at };
+        if is(start, "times", "1") {
+            let next = fillers(start + 1);
+            let next = if is(next, "every", "") { next + 1 } else { next };
+            match time(next) {
+                Some(ms) if most => found.push((next + 1, Segment::AtMost(ms))),
+                Some(ms) => found.push((next + 1, Segment::Every(ms))),
+                None => {
+                    let end = if is(start + 1, "only", "") { start + 2 } else { start + 1 };
+                    found.push((end, Segment::Once));
+                }
+            }
+        }
+        if is(at, "once", "") {
+            found.push((at + 1, Segment::Once));
+        }
+    }
+
+    /// What is done later than a time that ends here.
+    fn then(&self, at: usize) -> Then {
+        match self.atoms.get(at) {
+            _ if self.language == Language::Japanese => Then::Next,
+            Some(next) if !matches!(next.value, Value::Sign(_)) || next.is_sign(',') => Then::NextIfThere,
+            _ => Then::Before,
+        }
+    }
+
+    fn is_boundary(&self, at: usize) -> bool {
+        let Some(atom) = self.atoms.get(at) else { return true };
+        let kinds = [
+            "and",
+            "or",
+            "then",
+            "but",
+            "otherwise",
+            "lead",
+            "every",
+            "once",
+            "only",
+            "times",
+            "polite",
+            "later",
+            "cmp",
+            "adv",
+            "manner",
+            "vague",
+            "gap",
+            "robot",
+            "void",
+        ];
+        matches!(atom.value, Value::Sign(_) | Value::Measure(_))
+            || kinds.iter().any(|kind| atom.is(kind, ""))
+            || is_order(&self.atoms[at..(at + 1).min(self.atoms.len())])
+            || atom.is("part", "eyes")
+            || atom.is("within", "")
+    }
+
+    fn english(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
+        let atom = &self.atoms[at];
+        let leads: Vec<Lead> =
+            atom.senses.iter().filter(|sense| sense.kind == "lead").map(|sense| lead(sense.arg)).collect();
+        let most = (at + CLAUSE_MAX).min(self.atoms.len());
+        let mut starts: Vec<(Lead, usize)> = leads.iter().map(|lead| (*lead, at + 1)).collect();
+        // *Every third time …*
+        if atom.is("every", "")
+            && self
+                .atoms
+                .get(at + 1)
+                .is_some_and(|next| next.is("ord", "") || matches!(next.value, Value::Measure(Measure::Times(_))))
+        {
+            starts.push((Lead::When, at));
+        }
+        for (lead, start) in &starts {
+            let start = *start;
+            for end in start + 1..=most {
+                if self.tries >= TRIES_MAX {
+                    return;
+                }
+                let opens = matches!(self.atoms[end - 1].value, Value::Sign(_));
+                if opens && self.atoms[end - 1].is_sign(',') {
+                    break;
+                }
+                if !self.is_boundary(end) {
+                    continue;
+                }
+                self.tries += 1;
+                if let Some(mut edge) = self.cond_edge(*lead, start, end, CLAUSE) {
+                    // *The first time …*
+                    if atom.is("lead", "first")
+                        && let Segment::Cond(lead, cond) = &edge.segment
+                    {
+                        let cond = Cond { times: Some(Times::After(1)), ..(**cond).clone() };
+                        edge.segment = Segment::Cond(*lead, Rc::new(cond));
+                    }
+                    all.push((false, edge));
+                }
+                let alone = matches!(lead, Lead::After | Lead::When | Lead::Until);
+                let edge = if alone { elliptic(&self.atoms[start..end]) } else { None };
+                if let Some(edge) = edge.filter(|meant| meant.left.is_empty()) {
+                    all.push((false, self.met(*lead, edge, end, CLAUSE + 5)));
+                }
+            }
+        }
+        // What goes on with the condition before.
+        for end in at + 1..=most {
+            if self.tries >= TRIES_MAX || self.atoms[end - 1].is_sign(',') {
+                break;
+            }
+            if !self.is_boundary(end) {
+                continue;
+            }
+            self.tries += 1;
+            if let Some(edge) = self.cond_edge(Lead::None, at, end, CLAUSE).filter(|edge| edge.doubts.is_empty()) {
+                all.push((true, edge));
+            }
+        }
+        if !leads.is_empty() && leads.len() == atom.senses.len() || !is_order(&self.atoms[at..most]) {
+            return;
+        }
+        let compares = |atom: &Atom| atom.is("adj", "near") || atom.is("cmp", "less") || atom.is("adj", "far");
+        let correlates = compares(atom) || self.atoms.get(at + 1).is_some_and(compares);
+        for end in at + 1..=most {
+            if self.tries >= TRIES_MAX || (self.atoms[end - 1].is_sign(',') && !correlates) {
+                break;
+            }
+            if !self.is_boundary(end) {
+                continue;
+            }
+            self.tries += 1;
+            if let Some(edge) = self.act_edge(at, end) {
+                all.push((false, edge));
+            }
+        }
+    }
+
+    fn met(&self, lead: Lead, meant: Meant<Cond>, end: usize, cost: usize) -> Edge {
+        let left = meant.left.len();
+        Edge {
+            to: end,
+            segment: Segment::Cond(lead, Rc::new(meant.what)),
+            cost: cost + LEFT * left,
+            doubts: meant.left,
+            texts: Vec::new(),
+            after: Before::Cond,
+        }
+    }
+
+    fn cond_edge(&self, lead: Lead, start: usize, end: usize, cost: usize) -> Option<Edge> {
+        let atoms = &self.atoms[start..end];
+        if atoms.is_empty() {
+            return None;
+        }
+        let mut best = cond(atoms).map(|meant| self.met(lead, meant, end, cost));
+        if let Some((heard, texts, price)) = self.heard(atoms)
+            && let Some(meant) = cond(&heard)
+        {
+            let mut edge = self.met(lead, meant, end, cost + price);
+            edge.texts = texts;
+            if best.as_ref().is_none_or(|best| edge.cost < best.cost) {
+                best = Some(edge);
+            }
+        }
+        best.or_else(|| {
+            // Nothing that happens: its unknown words, else all of it.
+            let unknown: Vec<Span> =
+                atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
+            let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
+            let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
+            let segment = Segment::Unclear;
+            Some(Edge { to: end, segment, cost, doubts, texts: Vec::new(), after: Before::Cond })
+        })
+    }
+
+    fn span(&self, start: usize, end: usize) -> Span {
+        self.atoms[start].span.start..self.atoms[end - 1].span.end
+    }
+
+    /// The words that somebody says, without quotes, as a quote.
+    fn heard(&self, atoms: &[Atom]) -> Option<(Vec<Atom>, Vec<Span>, usize)> {
+        if atoms.iter().any(super::act::is_quote) || !gaps(atoms).is_empty() {
+            return None;
+        }
+        let verb = atoms.iter().position(|atom| atom.is("v", "say") || atom.is("v", "hear"))?;
+        if atoms[verb].is("v", "hear") && atoms.iter().any(|atom| atom.is("noun", "sound")) {
+            return None;
+        }
+        let (from, to) = match self.language {
+            Language::English => {
+                let mut from = verb + 1;
+                let word = (from..atoms.len()).take(2).find(|at| atoms[*at].is("noun", "word"));
+                from = word.map_or(from, |at| at + 1);
+                while atoms.get(from).is_some_and(|atom| atom.is("noun", "word") || atom.is("prep", "to")) {
+                    from += 1;
+                }
+                let mut to = atoms.len();
+                // *Says hello to you*
+                if to >= 2 && to - from > 2 && atoms[to - 1].is("robot", "") && atoms[to - 2].is("prep", "to") {
+                    to -= 2;
+                }
+                if to >= 2 && to - from > 1 && atoms[to - 1].is("noun", "toyou") {
+                    to -= 1;
+                }
+                while to > from
+                    && (matches!(atoms[to - 1].value, Value::Measure(Measure::Time(_) | Measure::Times(_)))
+                        || ["cmp", "times", "adv", "within", "prep"].iter().any(|kind| atoms[to - 1].is(kind, "")))
+                {
+                    to -= 1;
+                }
+                (from, to)
+            }
+            Language::Japanese => {
+                let to = atoms[..verb].iter().rposition(|atom| atom.is("p", "to"))?;
+                let from =
+                    atoms[..to].iter().rposition(|atom| atom.is("p", "ga") || atom.is_sign(',')).map_or(0, |at| at + 1);
+                (from, to)
+            }
+        };
+        if from >= to {
+            return None;
+        }
+        let mut all = atoms[..from].to_vec();
+        let mut texts = Vec::new();
+        let mut start = from;
+        for at in from..=to {
+            let ends = at == to || atoms[at].is("or", "");
+            if !ends {
+                continue;
+            }
+            if start >= at || is_suspicious(&atoms[start..at]) {
+                return None;
+            }
+            let span = atoms[start].span.start..atoms[at - 1].span.end;
+            texts.push(span.clone());
+            all.push(Atom { span: span.clone(), senses: Vec::new(), value: Value::Quote((self.source)(&span)) });
+            if at < to {
+                all.push(atoms[at].clone());
+            }
+            start = at + 1;
+        }
+        all.extend_from_slice(&atoms[to..]);
+        Some((all, texts, TEXT * (to - from)))
+    }
+
+    fn act_edge(&self, start: usize, end: usize) -> Option<Edge> {
+        let atoms = &self.atoms[start..end];
+        let made = |meant: Meant<Vec<Act>>, cost: usize, texts: Vec<Span>| Edge {
+            to: end,
+            cost: CLAUSE + cost + LEFT * meant.left.len(),
+            segment: if meant.what.is_empty() {
+                Segment::Acts(Rc::new(vec![Act::Nothing]), self.span(start, end))
+            } else {
+                Segment::Acts(Rc::new(meant.what), self.span(start, end))
+            },
+            doubts: meant.left,
+            texts,
+            after: Before::Else,
+        };
+        let mut best = act(atoms).map(|meant| made(meant, 0, Vec::new()));
+        if let Some((said, texts, doubts, price)) = self.said(atoms)
+            && let Some(mut meant) = act(&said)
+        {
+            meant.left.extend(doubts);
+            let edge = made(meant, price, texts);
+            if best.as_ref().is_none_or(|best| edge.cost < best.cost) {
+                best = Some(edge);
+            }
+        }
+        best.or_else(|| {
+            let unknown: Vec<Span> =
+                atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
+            let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
+            let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
+            let acts = Segment::Acts(Rc::new(vec![Act::Nothing]), self.span(start, end));
+            Some(Edge { to: end, segment: acts, cost, doubts, texts: Vec::new(), after: Before::Else })
+        })
+    }
+
+    /// The words that the robot says, without quotes, as a quote; with those of them that look like no text.
+    fn said(&self, atoms: &[Atom]) -> Option<Quoting> {
+        if atoms.iter().any(super::act::is_quote) {
+            return None;
+        }
+        let verb = atoms.iter().position(|atom| atom.is("v", "say"))?;
+        let mut back = false;
+        let (from, to) = match self.language {
+            Language::English => {
+                let mut to = atoms.len();
+                let mut from = verb + 1;
+                while from < to && atoms[from].is("polite", "") {
+                    from += 1;
+                }
+                // Whom it is said to is no part of the text.
+                if to >= 3
+                    && to - from > 2
+                    && atoms[to - 1].is("who", "")
+                    && atoms[to - 2].is("void", "")
+                    && atoms[to - 3].is("prep", "to")
+                {
+                    to -= 3;
+                }
+                // *Say hello back*
+                if to - from == 2 && atoms[from].is("hi", "") && atoms[to - 1].is("place", "rear") {
+                    to -= 1;
+                    back = true;
+                }
+                (from, to)
+            }
+            Language::Japanese => (0, atoms[..verb].iter().rposition(|atom| atom.is("p", "to"))?),
+        };
+        if from >= to {
+            return None;
+        }
+        let text = &atoms[from..to];
+        let mut doubts: Vec<Span> = text
+            .iter()
+            .filter(|atom| {
+                ["manner", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
+                    || atom.is("adv", "again")
+            })
+            .map(|atom| atom.span.clone())
+            .collect();
+        if is_suspicious(text) {
+            doubts.push(atoms[from].span.start..atoms[to - 1].span.end);
+        }
+        let leads = |atom: &Atom| {
+            atom.is("lead", "")
+                || matches!(atom.value, Value::Sign(_))
+                || atom.is("otherwise", "")
+                || atom.is("every", "")
+        };
+        if self.language == Language::English && text.iter().any(leads) {
+            return None;
+        }
+        let span = atoms[from].span.start..atoms[to - 1].span.end;
+        let quote = Atom { span: span.clone(), senses: Vec::new(), value: Value::Quote((self.source)(&span)) };
+        let mut all = atoms[..from].to_vec();
+        all.push(quote);
+        all.extend_from_slice(&atoms[to + usize::from(back)..]);
+        Some((all, vec![span], doubts, TEXT * (to - from)))
+    }
+
+    fn japanese(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
+        let most = (at + CLAUSE_MAX).min(self.atoms.len());
+        for end in at + 1..=most {
+            // What comes after a condition is no part of it.
+            let is_over = end - 1 > at
+                && self.atoms[end - 2].senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba));
+            if self.tries >= TRIES_MAX || is_over {
+                return;
+            }
+            let last = &self.atoms[end - 1];
+            // A condition ends with a form or a word that leads on.
+            for (lead, cut, cost) in self.closings(at, end) {
+                self.tries += 1;
+                let each = last.senses.iter().any(|sense| sense.kind == "lead" && sense.arg == "each");
+                if let Some(mut edge) = self.cond_edge(lead, at, cut, cost) {
+                    if each
+                        && let Segment::Cond(lead, cond) = &edge.segment
+                        && let Some(Times::After(times)) = cond.times
+                    {
+                        let cond = Cond { times: Some(Times::EachTime(times)), ..(**cond).clone() };
+                        edge.segment = Segment::Cond(*lead, Rc::new(cond));
+                    }
+                    all.push((false, Edge { to: end, ..edge }));
+                }
+                if let Some(meant) = elliptic(&self.atoms[at..cut]).filter(|meant| meant.left.is_empty()) {
+                    all.push((false, self.met(lead, meant, end, CLAUSE + 5)));
+                }
+            }
+            let ends_act = ends(&self.atoms[at..end])
+                .is_some_and(|end| matches!(end, End::Dict | End::Te | End::Stem | End::Plain))
+                && !last.is("p", "");
+            let goes_on = self.atoms.get(end).is_some_and(|next| next.is("void", "req"));
+            if ends_act && !goes_on {
+                self.tries += 1;
+                if let Some(edge) = self.act_edge(at, end) {
+                    all.push((false, edge));
+                }
+            }
+        }
+    }
+
+    /// How a Japanese clause that ends here leads on, and where its own words end.
+    fn closings(&self, at: usize, end: usize) -> Vec<(Lead, usize, usize)> {
+        let mut found = Vec::new();
+        let last = &self.atoms[end - 1];
+        for sense in &last.senses {
+            if sense.kind == "lead" && end - 1 > at {
+                let before = &self.atoms[end - 2];
+                let verb = before.senses.iter().any(|sense| !matches!(sense.form.end, End::Te | End::Tara | End::Ba));
+                if verb || !before.senses.is_empty() {
+                    found.push((lead(sense.arg), end - 1, CLAUSE));
+                }
+            }
+            match sense.form.end {
+                End::Tara | End::Ba => found.push((Lead::When, end, CLAUSE)),
+                // It goes on: 押されて、…
+                End::Te | End::Stem if !matches!(sense.kind, "do" | "pose") => {
+                    found.push((Lead::When, end, CLAUSE + 8))
+                }
+                _ => {}
+            }
+        }
+        found.dedup();
+        found
+    }
+}
+
+fn lead(arg: &str) -> Lead {
+    match arg {
+        "while" => Lead::While,
+        "until" => Lead::Until,
+        "unless" => Lead::Unless,
+        "after" => Lead::After,
+        _ => Lead::When,
+    }
+}
+
+/// Whether words tell what to say rather than are it.
+fn is_suspicious(text: &[Atom]) -> bool {
+    let Some(first) = text.first() else { return true };
+    // *Hello and their name*, *so*
+    let tells = |kinds: &[&str], atom: &Atom| kinds.iter().any(|kind| atom.is(kind, ""));
+    let joins = text.windows(2).any(|pair| {
+        tells(&["and", "or"], &pair[0]) && (pair[1].is("void", "det") || tells(&["poss", "noun", "it", "wh"], &pair[1]))
+    });
+    if joins {
+        return true;
+    }
+    if first.is("hi", "") {
+        return false;
+    }
+    if text.iter().all(|atom| atom.is("void", "")) || first.is("wh", "") {
+        return true;
+    }
+    first.is("void", "det")
+        || ["poss", "noun", "it", "gap", "vague", "every", "num"].iter().any(|kind| first.is(kind, ""))
+}

@@ -1,0 +1,60 @@
+//! The words by which typed sentences are understood: those of one language, fetched when the first sentence in it is typed.
+
+use crate::browser;
+use leptos::prelude::*;
+use sentences::{Language, Lexicon};
+
+/// How it goes with the words of a language.
+#[derive(Clone, Copy)]
+pub(super) enum Words {
+    /// They are on their way.
+    Come,
+    Here(&'static Lexicon),
+    /// They could not be fetched; the next sentence asks again.
+    Lost,
+}
+
+#[derive(Clone, Default)]
+struct Shelf {
+    words: ArcRwSignal<Option<Words>>,
+}
+
+thread_local! {
+    static SHELVES: [Shelf; 2] = Default::default();
+}
+
+fn address(language: Language) -> &'static str {
+    match language {
+        Language::English => "./speech-en.txt",
+        Language::Japanese => "./speech-ja.txt",
+    }
+}
+
+/// The words of a language. Reactive: they come when they are here.
+pub(super) fn words(language: Language) -> Words {
+    let shelf = SHELVES.with(|shelves| shelves[usize::from(language == Language::Japanese)].clone());
+    if let Some(words) = shelf.words.get() {
+        return words;
+    }
+    if browser::window().is_none() {
+        return Words::Lost;
+    }
+    leptos::task::spawn_local(async move {
+        let text = browser::text_at(address(language)).await;
+        let words =
+            text.map_or(Words::Lost, |text| Words::Here(Box::leak(Box::new(Lexicon::read(text.leak(), language)))));
+        shelf.words.set(Some(words));
+    });
+    Words::Come
+}
+
+/// Asks again for words that could not be fetched.
+pub(super) fn retry() {
+    SHELVES.with(|shelves| {
+        for shelf in shelves {
+            if matches!(shelf.words.get_untracked(), Some(Words::Lost)) {
+                shelf.words.set(None);
+            }
+        }
+    });
+}
