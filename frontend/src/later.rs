@@ -78,6 +78,8 @@ pub(crate) struct Rest {
     pub(crate) minimap: fn() -> AnyView,
     /// Whose changes the robot does not use yet, and the button that lets it.
     pub(crate) apply: fn() -> AnyView,
+    /// What the robot's camera sees.
+    pub(crate) camera: fn() -> AnyView,
     /// Which robot is meant, while another one answers.
     pub(crate) stranger: fn() -> AnyView,
     /// What is known of a selected stream or connector, and what can be done with it.
@@ -125,6 +127,7 @@ fn rest() -> Result<Rest, NotLoaded> {
         carry: canvas::carry,
         minimap: canvas::minimap,
         apply: panels::apply,
+        camera: panels::camera,
         stranger: panels::stranger,
         selected: panels::selected,
     })

@@ -9,7 +9,9 @@ mod things;
 mod tools;
 
 use super::hold::hold;
+use crate::later::Later;
 use crate::words;
+pub(crate) use camera::camera;
 use leptos::prelude::*;
 use map::Map;
 use movable::Movable;
@@ -29,6 +31,7 @@ pub(crate) fn Room() -> impl IntoView {
         (true, Some(old)) => *old,
         _ => Map::of(&desk.desk().robots.scene.read()),
     });
+    let sees = Memo::new(move |_| desk.desk().robots.with_camera().is_some());
     let svg = NodeRef::<leptos::svg::Svg>::new();
     let hint =
         move || if desk.desk().robots.is_simulated() { words::room_hint() } else { words::room_of_real() }.to_owned();
@@ -54,12 +57,12 @@ pub(crate) fn Room() -> impl IntoView {
             </svg>
             <tools::Bubble />
         </section>
-        <camera::Camera />
         <Show when=move || desk.desk().robots.is_simulated()>
             <tools::Tools />
             <speak::Speak />
         </Show>
         <tools::Printed />
+        {move || sees.get().then(|| view! { <Later show=|rest| (rest.camera)() /> })}
     }
 }
 

@@ -44,11 +44,22 @@ fn tab(event: wasm_bindgen::JsValue) -> Option<KeyboardEvent> {
     (event.pressed() == "Tab" && alone && !event.default_prevented()).then_some(event)
 }
 
+/// What Tab reaches anywhere: what is drawn, as the balls of the room, and what opens.
+const REACHED: &str = "button, input, select, textarea, a[href], summary, [tabindex]";
+
 /// What follows Start in the right column, also while a program runs and Start cannot be pressed.
 fn after(start: &HtmlElement) -> Option<HtmlElement> {
     let column = start.closest(".right").ok().flatten()?;
+    let all = column.query_selector_all(REACHED).ok()?;
+    // Something drawn has what is asked of it here too.
+    let all = (0..all.length()).filter_map(|at| all.item(at)).map(JsCast::unchecked_into::<HtmlElement>);
     let follows = |element: &HtmlElement| {
         start.compare_document_position(element) & web_sys::Node::DOCUMENT_POSITION_FOLLOWING != 0
     };
-    focus::focusable(&column).into_iter().filter(follows).find(|element| element.tab_index() >= 0)
+    let is_reached = |element: &HtmlElement| {
+        element.tab_index() >= 0
+            && element.get_bounding_client_rect().width() > 0.0
+            && !element.matches(":disabled").unwrap_or(true)
+    };
+    all.filter(follows).find(is_reached)
 }

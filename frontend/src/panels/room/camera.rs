@@ -12,9 +12,13 @@ use leptos::prelude::*;
 /// Pause before a picture is asked for again that did not come, in milliseconds.
 const AGAIN_MS: i32 = 1_000;
 
-/// The switch for the camera, for who may run the robot, and the picture under it.
+/// The switch for the camera, for who may run the robot, and the picture under it, as a view.
+pub(crate) fn camera() -> AnyView {
+    view! { <Camera /> }.into_any()
+}
+
 #[component]
-pub(super) fn Camera() -> impl IntoView {
+fn Camera() -> impl IntoView {
     let desk = hold();
     let robot = Memo::new(move |_| desk.desk().robots.with_camera());
     let watched = Memo::new(move |_| desk.desk().robots.chosen.read().as_ref().is_some_and(|robot| robot.watched));
@@ -75,8 +79,16 @@ fn Picture(robot: Id) -> impl IntoView {
             words::camera_waits()
         }
     };
+    let picture = NodeRef::<leptos::html::Img>::new();
+    // Below the room there may be no place for it in view.
+    Effect::new(move |_| {
+        if let Some(picture) = picture.get() {
+            picture.scroll_into_view_with_bool(false);
+        }
+    });
     view! {
         <img
+            node_ref=picture
             class:waits=move || !comes.get()
             width="320"
             height="240"
