@@ -313,7 +313,8 @@ impl Acting {
             if let Some(wanted) = pause(true) {
                 attempt(&session, &wanted, CALL).await;
             }
-            for piece in phrases::pieces(&text, shared.state().voice_speed) {
+            let speed = shared.state().voice_speed;
+            for piece in phrases::pieces(&text, speed) {
                 if cut.load(Ordering::SeqCst) || shared.gate() != gate {
                     break;
                 }
