@@ -119,6 +119,8 @@ async fn one(network: &Network, optimised: Option<&Path>, bar: Bar, case: Case) 
         }
     }
     println!("{case:?}, strangers: {}", flood.end().await?);
+    // The next case has the same port.
+    server.kill9().await?;
     Ok(missed)
 }
 

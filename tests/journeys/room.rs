@@ -171,7 +171,7 @@ async fn one_looks_through_the_camera_and_everyone_is_told() -> Outcome<()> {
     // One after the other.
     let sources = format!("(window.seen = (window.seen ?? new Set()).add({picture}.currentSrc)).size > 2");
     aiko.until(&sources, "a third picture comes").await?;
-    aiko.find("img", "What the robot's camera sees now").await?;
+    aiko.find("image", "What the robot's camera sees now").await?;
     let told = "document.body.innerText.includes('Somebody looks through its camera.')";
     ben.until(told, "the other one is told").await?;
     aiko.press("button", "Look through its camera").await?;

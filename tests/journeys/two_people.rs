@@ -72,7 +72,7 @@ const PLACES: &[Where] = &[
         typed: NUMBER,
         save: "Enter",
         what: "filter",
-        removed: Removed::Asks,
+        removed: Removed::Stays,
     },
     Where {
         name: "the dialog of a connector",
@@ -296,7 +296,15 @@ impl Two<'_> {
             aiko.key(key).await?;
         }
         if let Some(button) = place.press {
-            aiko.press("button", button).await?;
+            // The panel at the right may have another one of that name.
+            let name = json!(button.trim_end_matches('*'));
+            let within = if button.ends_with('*') { "header" } else { "#stage" };
+            let press = format!(
+                "(() => {{ const all = [...document.querySelectorAll('{within} button')];
+                    const it = all.find(one => (one.ariaLabel ?? one.innerText).trim().startsWith({name}));
+                    it?.click(); return !!it; }})()"
+            );
+            self.aiko.until(&press, &format!("{}: {button}", place.name)).await?;
         }
         Ok(())
     }
@@ -332,12 +340,14 @@ impl Two<'_> {
     /// Waits until the server has what Aiko typed.
     async fn until_kept(&mut self, place: &Where, what: &str) -> Outcome<()> {
         let key = place.key()?;
+        // What a renamed stream is called there follows.
+        let typed = if key.kind == Kind::Connector { NUMBER } else { place.typed };
         let began = std::time::Instant::now();
         while began.elapsed() < PATIENCE {
             saved(self.aiko).await?;
             self.aiko.frames().await?;
             let now = self.now().await?.records;
-            if now.records.get(&key).is_some_and(|record| format!("{record:?}").contains(place.typed)) {
+            if now.records.get(&key).is_some_and(|record| format!("{record:?}").contains(typed)) {
                 return Ok(());
             }
         }
@@ -416,7 +426,6 @@ fn program_with(now: &Behaviour) -> Outcome<Behaviour> {
 }
 
 #[tokio::test]
-#[ignore = "not finished: the number in a sentence is not found as saved"]
 async fn what_one_types_into_nobody_else_changes_and_they_are_told_who_types() -> Outcome<()> {
     if !skip::ready("journey: two people, with a lock") {
         return Ok(());
@@ -428,6 +437,9 @@ async fn what_one_types_into_nobody_else_changes_and_they_are_told_who_types() -
         let record = place.key()?;
         two.reset().await?;
         agreed(two.tries(Event::Saves, &record).await?, place.name)?;
+        // She types over what she sees.
+        let now = two.now().await?.records;
+        shows(&aiko, &now, &record).await?;
         two.types(place).await?;
         two.ben.edited(&record, "Aiko").await?;
         for event in place.events() {
@@ -500,7 +512,16 @@ async fn comes_late(two: &mut Two<'_>, socket: &Switch<'_>, place: &Where, event
 async fn shows(aiko: &Page, now: &Behaviour, record: &RecordId) -> Outcome<()> {
     let words = match now.records.get(record) {
         Some(Record::Stream(stream)) => stream.name.clone(),
-        Some(Record::Connector(_)) => return saved(aiko).await,
+        Some(Record::Connector(connector)) => {
+            let procedure = connector.operation.procedure();
+            let number = procedure.and_then(|procedure| match procedure {
+                Procedure::Body { body, .. } => body.rsplit(' ').next().map(str::to_owned),
+                _ => None,
+            });
+            let number = number.ok_or("a test without a number")?.replace('.', "\\.");
+            let shown = format!("/(^|\\s){number}\\s/.test(document.querySelector('.told')?.innerText ?? '')");
+            return aiko.until(&shown, "what Ben did is in the sentence").await.map(drop);
+        }
         Some(Record::Note(note)) => note.text.clone(),
         Some(Record::Group(group)) => group.title.clone(),
         Some(Record::Settings(settings)) => settings.name.clone(),
@@ -510,7 +531,6 @@ async fn shows(aiko: &Page, now: &Behaviour, record: &RecordId) -> Outcome<()> {
 }
 
 #[tokio::test]
-#[ignore = "not finished: only the first cells of the table were seen to hold"]
 async fn who_types_without_a_lock_is_told_who_was_first_and_keeps_what_they_typed() -> Outcome<()> {
     if !skip::ready("journey: two people, without a lock") {
         return Ok(());

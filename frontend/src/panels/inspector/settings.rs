@@ -133,8 +133,9 @@ impl Fields {
     }
 
     fn take_back(self) {
+        let Some(named) = self.named.try_get_value() else { return };
         self.refusal.set(None);
-        self.name.set(self.named.get_value());
+        self.name.set(named);
         self.form.with_untracked(|form| form.iter().for_each(ParamForm::take_back));
     }
 
@@ -177,7 +178,9 @@ impl Fields {
     }
 
     fn save(self) {
-        if self.busy.get_value() && self.desk.desk().document.can_save() {
+        // A field that goes out of the page tells of its change once more, when these are gone: they were closed before.
+        let Some(busy) = self.busy.try_get_value() else { return };
+        if busy && self.desk.desk().document.can_save() {
             return self.again.set_value(true);
         }
         self.refusal.set(None);
