@@ -516,7 +516,7 @@ async fn shows(aiko: &Page, now: &Behaviour, record: &RecordId) -> Outcome<()> {
             let procedure = connector.operation.procedure();
             let number = procedure.and_then(|procedure| match procedure {
                 Procedure::Body { body, .. } => body.rsplit(' ').next().map(str::to_owned),
-                _ => None,
+                Procedure::Helper(_) => None,
             });
             let number = number.ok_or("a test without a number")?.replace('.', "\\.");
             let shown = format!("/(^|\\s){number}\\s/.test(document.querySelector('.told')?.innerText ?? '')");
