@@ -78,6 +78,8 @@ pub(crate) struct Rest {
     pub(crate) minimap: fn() -> AnyView,
     /// Whose changes the robot does not use yet, and the button that lets it.
     pub(crate) apply: fn() -> AnyView,
+    /// What may happen in the simulated room.
+    pub(crate) room_tools: fn() -> AnyView,
     /// What the robot's camera sees.
     pub(crate) camera: fn() -> AnyView,
     /// Which robot is meant, while another one answers.
@@ -127,6 +129,7 @@ fn rest() -> Result<Rest, NotLoaded> {
         carry: canvas::carry,
         minimap: canvas::minimap,
         apply: panels::apply,
+        room_tools: panels::room_tools,
         camera: panels::camera,
         stranger: panels::stranger,
         selected: panels::selected,

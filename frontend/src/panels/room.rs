@@ -12,6 +12,7 @@ use super::hold::hold;
 use crate::later::Later;
 use crate::words;
 pub(crate) use camera::camera;
+
 use leptos::prelude::*;
 use map::Map;
 use movable::Movable;
@@ -58,12 +59,20 @@ pub(crate) fn Room() -> impl IntoView {
             <tools::Bubble />
         </section>
         <Show when=move || desk.desk().robots.is_simulated()>
-            <tools::Tools />
-            <speak::Speak />
+            <Later show=|rest| (rest.room_tools)() />
         </Show>
         <tools::Printed />
         {move || sees.get().then(|| view! { <Later show=|rest| (rest.camera)() /> })}
     }
+}
+
+/// What may happen in the simulated room, as a view.
+pub(crate) fn room_tools() -> AnyView {
+    view! {
+        <tools::Tools />
+        <speak::Speak />
+    }
+    .into_any()
 }
 
 /// Which thing is held and where it is shown meanwhile, in metres.

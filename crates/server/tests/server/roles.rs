@@ -65,6 +65,8 @@ pub(crate) fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "addRobot", "robot": "other", "name": "Other"}), Operator),
         (json!({"is": "addRobot", "robot": "real", "name": "NAO", "real": {"address": "nao"}}), Host),
         (json!({"is": "renameRobot", "robot": "none", "name": "x"}), Operator),
+        (json!({"is": "reachRobot", "robot": "none", "real": {"address": "nao"}}), Host),
+        (json!({"is": "acceptRobot", "robot": "none", "found": {}}), Host),
         (json!({"is": "checkRobot", "real": {"address": "nao"}}), Host),
         (json!({"is": "findRobots"}), Host),
         (json!({"is": "controlRobot", "robot": "none", "control": "take"}), Operator),
