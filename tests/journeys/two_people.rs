@@ -539,7 +539,8 @@ async fn who_types_without_a_lock_is_told_who_was_first_and_keeps_what_they_type
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
     let mut two = two(&stage, &aiko).await?;
-    for place in PLACES {
+    // The name of the program is held with a lock only.
+    for place in PLACES.iter().filter(|place| place.removed != Removed::Never) {
         for event in place.events() {
             comes_late(&mut two, &socket, place, event).await?;
         }

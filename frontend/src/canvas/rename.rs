@@ -75,12 +75,16 @@ fn NameField(id: Id) -> impl IntoView {
     let (ended, types) = (session.clone(), session.clone());
     on_cleanup(move || session.end());
     let field = NodeRef::<leptos::html::Input>::new();
+    let first = name.clone();
     Effect::new(move |_| {
         if let Some(field) = field.get() {
-            // Its text is put into it after this.
+            // Its text is put into it after this; what somebody typed meanwhile stays.
+            let first = first.clone();
             let _ = request_animation_frame(move || {
                 let _ = field.focus();
-                field.select();
+                if field.value() == first {
+                    field.select();
+                }
             });
         }
     });
