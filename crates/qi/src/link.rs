@@ -120,11 +120,7 @@ impl Link {
         what: &str,
     ) -> Result<Answer, QiError> {
         let mut waiting = self.asked(target, flags, payload)?;
-        match timeout(within, waiting.answer()).await {
-            Ok(Some(answer)) => answer.settled(what),
-            Ok(None) => Err(self.disconnected()),
-            Err(_) => Err(QiError::Timeout { what: what.to_owned(), within }),
-        }
+        self.answered(&mut waiting, within, what).await
     }
 
     /// [`Link::call`] until somebody does not want it any more: then the peer is asked to cancel it, if it said that it can,
@@ -144,11 +140,7 @@ impl Link {
         let mut waiting = self.asked(target, flags, payload)?;
         let id = waiting.id();
         tokio::select! {
-            answer = timeout(within, waiting.answer()) => match answer {
-                Ok(Some(answer)) => answer.settled(what),
-                Ok(None) => Err(self.disconnected()),
-                Err(_) => Err(QiError::Timeout { what: what.to_owned(), within }),
-            },
+            answer = self.answered(&mut waiting, within, what) => answer,
             () = unwanted => {
                 if self.agreed().is_some_and(|agreed| agreed.cancelable) {
                     let target = Target { action: 0, ..target };
@@ -156,6 +148,15 @@ impl Link {
                 }
                 Err(QiError::Canceled { what: what.to_owned() })
             }
+        }
+    }
+
+    /// The answer to a call, as it settles.
+    async fn answered(&self, waiting: &mut Waiting<'_>, within: Duration, what: &str) -> Result<Answer, QiError> {
+        match timeout(within, waiting.answer()).await {
+            Ok(Some(answer)) => answer.settled(what),
+            Ok(None) => Err(self.disconnected()),
+            Err(_) => Err(QiError::Timeout { what: what.to_owned(), within }),
         }
     }
 
