@@ -462,13 +462,19 @@ impl Chart<'_> {
         }
         best.or_else(|| {
             // Nothing that happens: its unknown words, else all of it.
-            let unknown: Vec<Span> =
-                atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
-            let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
-            let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
+            let (doubts, cost) = self.doubted(start, end);
             let segment = Segment::Unclear;
             Some(Edge { to: end, segment, cost, doubts, texts: Vec::new(), after: Before::Cond })
         })
+    }
+
+    /// What is in doubt of atoms that mean nothing together, and its cost: the unknown ones, else all of them.
+    fn doubted(&self, start: usize, end: usize) -> (Vec<Span>, usize) {
+        let atoms = &self.atoms[start..end];
+        let unknown: Vec<Span> = atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
+        let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
+        let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
+        (doubts, cost)
     }
 
     fn span(&self, start: usize, end: usize) -> Span {
@@ -566,10 +572,7 @@ impl Chart<'_> {
             }
         }
         best.or_else(|| {
-            let unknown: Vec<Span> =
-                atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
-            let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
-            let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
+            let (doubts, cost) = self.doubted(start, end);
             let acts = Segment::Acts(Rc::new(vec![Act::Nothing]), self.span(start, end));
             Some(Edge { to: end, segment: acts, cost, doubts, texts: Vec::new(), after: Before::Else })
         })
