@@ -62,26 +62,30 @@ impl CameraView {
 
     /// Notes that somebody looks; the first one begins the thread.
     fn ask(self: &Arc<Self>, robot: &Id, feed: &Arc<StatusFeed>) {
-        if lock(&self.camera).is_none() || lock(&self.asked).replace(Instant::now()).is_some() {
+        if lock(&self.camera).is_none() {
             return;
         }
-        let (this, robot, feed) = (Arc::clone(self), robot.clone(), Arc::clone(feed));
+        let mut asked = lock(&self.asked);
+        if asked.replace(Instant::now()).is_some() {
+            return;
+        }
+        let (this, to, told) = (Arc::clone(self), robot.clone(), Arc::clone(feed));
         let thread = std::thread::Builder::new().name("camera".into());
         let spawned = thread.spawn(move || {
             priority::of_this_thread(Priority::Work);
-            feed.edit(&robot, |state| state.watched = true);
-            this.fetch();
-            feed.edit(&robot, |state| state.watched = false);
+            this.fetch(&to, &told);
         });
-        if spawned.is_err() {
-            *lock(&self.asked) = None;
+        if spawned.is_ok() {
+            feed.edit(robot, |state| state.watched = true);
+        } else {
+            *asked = None;
         }
     }
 
     /// Fetches pictures until nobody asked for a while.
-    fn fetch(&self) {
+    fn fetch(&self, robot: &Id, feed: &StatusFeed) {
         let mut last = 0;
-        while self.is_watched() {
+        while !self.ends(robot, feed) {
             // A robot that failed is made anew, and its camera with it.
             let camera = lock(&self.camera).clone();
             if let Some(camera) = camera {
@@ -95,20 +99,22 @@ impl CameraView {
             }
             std::thread::sleep(Duration::from_millis(EVERY_MS));
         }
+    }
+
+    /// Lets the camera go if nobody asked lately; true if so. Whoever asks meanwhile begins anew after that, so that what
+    /// everyone is told is true.
+    fn ends(&self, robot: &Id, feed: &StatusFeed) -> bool {
+        let mut asked = lock(&self.asked);
+        if asked.is_some_and(|at| at.elapsed() < Duration::from_millis(UNWATCHED_MS)) {
+            return false;
+        }
         if let Some(camera) = lock(&self.camera).as_ref() {
             camera.look(false);
         }
         self.newest.send_replace(None);
-    }
-
-    /// Whether somebody asked lately; if not, the next one begins anew.
-    fn is_watched(&self) -> bool {
-        let mut asked = lock(&self.asked);
-        let lately = asked.is_some_and(|at| at.elapsed() < Duration::from_millis(UNWATCHED_MS));
-        if !lately {
-            *asked = None;
-        }
-        lately
+        feed.edit(robot, |state| state.watched = false);
+        *asked = None;
+        true
     }
 }
 

@@ -46,7 +46,9 @@ pub(super) fn keep(shared: &Arc<RobotShared>, make: &Make) {
         let kept = catch_unwind(AssertUnwindSafe(|| {
             let (mut robot, ring) = (make(), Arc::clone(shared));
             robot.wake_with(Arc::new(move || ring.queue.sense()));
-            shared.camera.set(robot.camera());
+            let camera = robot.camera();
+            shared.feed.edit(&shared.robot, |state| state.camera = camera.is_some());
+            shared.camera.set(camera);
             RobotThread::new(shared, robot, Instant::now()).work();
         }));
         if kept.is_err() {
@@ -338,11 +340,10 @@ impl<'a> RobotThread<'a> {
             other => other,
         };
         let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
-        let (camera, identity, installed) =
-            (self.robot.camera().is_some(), self.robot.identity(), self.robot.installed());
+        let (identity, installed) = (self.robot.identity(), self.robot.installed());
         self.shared.feed.edit(&self.shared.robot, |state| {
             (state.health, state.lacking, state.condition) = (health, lacking, condition);
-            (state.camera, state.installed) = (camera, installed);
+            state.installed = installed;
             if identity.is_some() {
                 state.identity = identity;
             }
