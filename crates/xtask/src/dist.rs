@@ -111,11 +111,19 @@ pub(crate) fn sizes(folder: &Path, is_later: fn(&str) -> bool) -> Result<String,
     let sum = |wanted: &dyn Fn(&str) -> bool| -> u64 { files.iter().filter(|f| wanted(f.0)).map(|f| f.1).sum() };
     let whole = sum(&|name| !name.ends_with(".br") && !name.ends_with(".gz"));
     let code = sum(&|name| name.ends_with(".wasm"));
-    let first = sum(&|name| name.ends_with(".br") && !is_later(name));
+    // Words are fetched for one language at a time, and to understand what is typed.
+    let is_words = |name: &str| name.ends_with(".txt.br");
+    let first = sum(&|name| name.ends_with(".br") && !is_later(name) && !is_words(name));
     let later = sum(&|name| name.ends_with(".br") && is_later(name));
+    let words = sum(&is_words);
     let kb = |bytes: u64| bytes / 1_000;
     let travels = if first > 0 {
-        format!("; with brotli the first load is {} KB, and {} KB come later", kb(first), kb(later))
+        format!(
+            "; with brotli the first load is {} KB, {} KB come later, and {} KB are words of single languages",
+            kb(first),
+            kb(later),
+            kb(words)
+        )
     } else {
         String::new()
     };
