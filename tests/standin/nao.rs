@@ -8,7 +8,7 @@ use std::time::Duration;
 /// How long anything may take before a test gives up.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 /// Of everything that is asked again and again.
-const PAUSE: Duration = Duration::from_millis(20);
+pub(crate) const PAUSE: Duration = Duration::from_millis(20);
 
 /// A robot that is not one, and a session with it; it ends when this is dropped.
 pub(crate) struct Nao {

@@ -1,6 +1,6 @@
 //! What it senses, in the forms of NAOqi, and when.
 
-use crate::nao::{Nao, next, plain};
+use crate::nao::{Nao, PATIENCE, PAUSE, next, plain};
 use serde_json::{Value as Json, json};
 
 /// Whether a value has a form: a form is a word for a kind, or a list of forms; a list that ends in `…` may go on.
@@ -122,13 +122,12 @@ async fn a_pepper_has_its_sonars_in_its_base_and_wheels_that_are_no_joints() {
     let front = "Device/SubDeviceList/Platform/Front/Sonar/Sensor/Value";
     let memory = nao.service("ALMemory").await;
     let measured = async || plain(&memory.call("getData", &[front.into()]).await.unwrap()).as_f64().unwrap();
-    for _ in 0..200 {
-        if measured().await < 1.0 {
-            break;
+    let echo = async {
+        while (measured().await - 0.7).abs() >= 0.1 {
+            tokio::time::sleep(PAUSE).await;
         }
-        tokio::time::sleep(std::time::Duration::from_millis(20)).await;
-    }
-    assert!((measured().await - 0.7).abs() < 0.1);
+    };
+    tokio::time::timeout(PATIENCE, echo).await.expect("the box is measured");
     assert!(memory.call("getData", &["Device/SubDeviceList/US/Left/Sensor/Value".into()]).await.is_err());
 }
 

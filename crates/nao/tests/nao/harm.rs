@@ -2,7 +2,7 @@
 //! those of the stand-in, on the computer's monotonic clock.
 
 use crate::driver::Driver;
-use crate::peer::{PATIENCE, Peer};
+use crate::peer::{PATIENCE, PAUSE, Peer};
 use crate::proxy::{Cut, Proxy};
 use behaviour::Value;
 use robot::{Millis, Robot};
@@ -17,7 +17,6 @@ const DOES: &str = "RRP_HARM_DOES";
 const ROBOT: &str = "RRP_HARM_ROBOT";
 /// It is calm when it was quiet for so long, in milliseconds; pieces follow each other closer.
 const QUIET_MS: f64 = 1_500.0;
-const PAUSE: Duration = Duration::from_millis(20);
 
 /// What the robot does when the harm comes.
 #[derive(Clone, Copy, Debug)]

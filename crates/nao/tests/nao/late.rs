@@ -211,7 +211,5 @@ async fn a_gesture_ends_with_its_behaviour_and_a_robot_that_is_removed_leaves_no
     let both = |state: &Json| says(state, "subscribers", "ALRedBall") && says(state, "subscribers", "ALFace");
     driver.sees(&peer, "it looks for both", both).await;
     drop(driver);
-    while peer.state().await["subscribers"] != json!({}) {
-        tokio::time::sleep(std::time::Duration::from_millis(20)).await;
-    }
+    peer.until("nothing is measured any more", |state| state["subscribers"] == json!({})).await;
 }

@@ -9,6 +9,8 @@ use std::time::Duration;
 
 /// How long anything may take before a test gives up.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
+/// Pause between two looks at what it says.
+pub(crate) const PAUSE: Duration = Duration::from_millis(10);
 
 /// A robot that is not one; it ends when this is dropped.
 pub(crate) struct Peer {
@@ -60,6 +62,20 @@ impl Peer {
 
     pub(crate) async fn state(&self) -> Json {
         serde_json::from_str(&self.standin.call("state", &[]).await.unwrap().as_text().unwrap()).unwrap()
+    }
+
+    /// Waits until it is so.
+    pub(crate) async fn until(&self, what: &str, is_so: impl Fn(&Json) -> bool) -> Json {
+        let waiting = async {
+            loop {
+                let state = self.state().await;
+                if is_so(&state) {
+                    return state;
+                }
+                tokio::time::sleep(PAUSE).await;
+            }
+        };
+        tokio::time::timeout(PATIENCE, waiting).await.unwrap_or_else(|_| panic!("never: {what}"))
     }
 
     /// Every call of a method so far: its arguments.
