@@ -6,18 +6,17 @@ mod moving;
 
 use crate::deed::{Call, Deed};
 use crate::devices::eyes::shine;
-use crate::following::Target;
 use crate::lasting::{Lastings, Work};
 use crate::link::{CALL, call};
 use crate::phrases;
-use crate::shared::Shared;
+use crate::shared::{Shared, State};
 use crate::speech::Speech;
 use crate::targets::Targets;
 use crate::voicing::{self, Voicing};
 use futures_util::future::join_all;
 use moving::Moving;
 use qi::Session;
-use robot::{RobotFault, Use};
+use robot::{RobotFault, TrackTarget, Use};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -50,7 +49,7 @@ pub(crate) enum Done {
     /// With its number, and why it did not come about, if it did not.
     Lasted(String, u64, Option<RobotFault>),
     /// There is a new picture of what is followed.
-    Seen(Target),
+    Seen(TrackTarget),
 }
 
 /// Everything that is being done.
@@ -114,7 +113,8 @@ impl Acting {
             return;
         }
         match deed {
-            Deed::Eyes(_) | Deed::Glow(_) => self.shine(&deed),
+            Deed::Eyes(color) => self.shine(|state| state.eye_color = color),
+            Deed::Glow(brightness) => self.shine(|state| state.eye_brightness = brightness),
             Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
             Deed::Lasting { what, calls, end, within, moves: _ } => {
                 if what.starts_with(ANIMATION) {
@@ -144,13 +144,9 @@ impl Acting {
     }
 
     /// Colour and brightness together are one colour.
-    fn shine(&mut self, deed: &Deed) {
+    fn shine(&mut self, change: impl FnOnce(&mut State)) {
         let mut state = self.shared.state();
-        match deed {
-            Deed::Eyes(color) => state.eye_color = *color,
-            Deed::Glow(brightness) => state.eye_brightness = *brightness,
-            _ => {}
-        }
+        change(&mut state);
         state.eyes = state.eye_color.map(|part| part * state.eye_brightness);
         self.slots.insert("eyes", shine(state.eyes));
     }

@@ -9,7 +9,7 @@ use crate::acting::Done;
 use crate::devices::{Sense, at, within};
 use crate::legs::Speeds;
 use behaviour::Value;
-use robot::Use;
+use robot::{TrackMode, TrackTarget, Use};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -43,26 +43,9 @@ const BEND: f64 = 0.0349;
 /// What is followed, and how.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Track {
-    pub(crate) target: Target,
-    pub(crate) mode: Mode,
+    pub(crate) target: TrackTarget,
+    pub(crate) mode: TrackMode,
     pub(crate) arm: Arm,
-}
-
-/// A target, as it can be seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Target {
-    RedBall,
-    Face,
-}
-
-/// What follows besides an arm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
-    Head,
-    WholeBody,
-    Move,
-    /// Nothing: the arm alone points.
-    Arm,
 }
 
 /// Which arm points.
@@ -74,55 +57,33 @@ pub(crate) enum Arm {
     Nearest,
 }
 
-impl Target {
-    /// The sense of the catalogue that sees it, and what the robot has for that: its event and its service.
-    pub(crate) fn seen_by(self) -> (&'static str, &'static str, &'static str) {
-        match self {
-            Self::RedBall => ("RedBall", "redBallDetected", "ALRedBallDetection"),
-            Self::Face => ("FaceDetection", "FaceDetected", "ALFaceDetection"),
-        }
-    }
-
-    /// How wide it is, in metres.
-    fn width(self) -> f64 {
-        match self {
-            Self::RedBall => 0.06,
-            Self::Face => 0.15,
-        }
-    }
-
-    /// Its name for people.
-    fn words(self) -> &'static str {
-        match self {
-            Self::RedBall => "red ball",
-            Self::Face => "face",
-        }
+/// What sees a target: the sense of the catalogue, and what the robot has for that, its event and its service.
+pub(crate) fn seen_by(target: TrackTarget) -> (&'static str, &'static str, &'static str) {
+    match target {
+        TrackTarget::RedBall => ("RedBall", "redBallDetected", "ALRedBallDetection"),
+        TrackTarget::Face => ("FaceDetection", "FaceDetected", "ALFaceDetection"),
     }
 }
 
-impl Mode {
-    /// Whether it uses the legs.
-    pub(crate) fn walks(self) -> bool {
-        matches!(self, Self::WholeBody | Self::Move)
+/// How wide a target is, in metres.
+fn width(target: TrackTarget) -> f64 {
+    match target {
+        TrackTarget::RedBall => 0.06,
+        TrackTarget::Face => 0.15,
     }
 }
 
 impl Track {
     /// What it does, in the words of the simulated robot.
     pub(crate) fn words(&self) -> String {
-        let arm = match self.arm {
+        let side = match self.arm {
             Arm::None => "",
-            Arm::Left => "left arm",
-            Arm::Right => "right arm",
-            Arm::Nearest => "nearest arm",
+            Arm::Left => "left ",
+            Arm::Right => "right ",
+            Arm::Nearest => "nearest ",
         };
-        let body = match self.mode {
-            Mode::Head => "head",
-            Mode::WholeBody => "whole body",
-            Mode::Move => "walking",
-            Mode::Arm => arm,
-        };
-        format!("{} with {body}", self.target.words())
+        let side = if self.mode == TrackMode::Arm { side } else { "" };
+        format!("{} with {side}{}", self.target.words(), self.mode.words())
     }
 }
 
@@ -147,22 +108,22 @@ impl Follow {
         let (aside, far) = (y.atan2(x), x.hypot(y));
         let turn = (aside * TURN_GAIN).clamp(-TOP_RPS, TOP_RPS);
         match self.track.mode {
-            Mode::WholeBody => {
+            TrackMode::WholeBody => {
                 self.turning = aside.abs() > if self.turning { TURN_UNTIL } else { TURN_FROM };
                 [0.0, 0.0, if self.turning { turn } else { 0.0 }]
             }
-            Mode::Move => {
+            TrackMode::Move => {
                 let ahead = if aside.abs() < AHEAD { (far - NEAR_M).clamp(0.0, TOP_MPS) } else { 0.0 };
                 [ahead, 0.0, if aside.abs() < TURN_UNTIL { 0.0 } else { turn }]
             }
-            Mode::Head | Mode::Arm => [0.0; 3],
+            TrackMode::Head | TrackMode::Arm => [0.0; 3],
         }
     }
 
     /// Where the joints go that follow what is seen: the head, unless somebody else has it, and the arm.
     pub(crate) fn aims(&self, seen: &Seen, has_head: bool) -> Vec<(&'static str, f64)> {
         let mut aims = Vec::new();
-        if self.track.mode != Mode::Arm && has_head {
+        if self.track.mode != TrackMode::Arm && has_head {
             aims.extend([("HeadYaw", seen.look[0]), ("HeadPitch", seen.look[1])]);
         }
         let is_left = match self.track.arm {
@@ -217,18 +178,18 @@ impl Newest {
 
 /// A sense that no behaviour has: it looks for the target and rings when there is something new.
 pub(crate) struct Looking {
-    pub(crate) target: Target,
+    pub(crate) target: TrackTarget,
     pub(crate) newest: Newest,
     pub(crate) ring: mpsc::UnboundedSender<Done>,
 }
 
 impl Sense for Looking {
     fn keys(&self) -> Vec<&'static str> {
-        vec![self.target.seen_by().1]
+        vec![seen_by(self.target).1]
     }
 
     fn extractor(&self) -> Option<&'static str> {
-        Some(self.target.seen_by().2)
+        Some(seen_by(self.target).2)
     }
 
     fn read(&mut self, _: &str, value: &qi::Value, _: u64) -> Option<Value> {
@@ -240,10 +201,10 @@ impl Sense for Looking {
 }
 
 /// `[[s, us], [x, y, size, ...] or [face, ..., recognised], [the camera's place and turns in the torso's frame], ..., camera]`.
-fn seen(target: Target, value: &qi::Value) -> Option<Seen> {
+fn seen(target: TrackTarget, value: &qi::Value) -> Option<Seen> {
     let (x, y, half) = match target {
-        Target::RedBall => (at(value, &[1, 0])?, at(value, &[1, 1])?, at(value, &[1, 2])?),
-        Target::Face => {
+        TrackTarget::RedBall => (at(value, &[1, 0])?, at(value, &[1, 1])?, at(value, &[1, 2])?),
+        TrackTarget::Face => {
             let (_, faces) = within(value, &[1])?.items()?.split_last()?;
             let height = |face: &&qi::Value| at(face, &[0, 4]).unwrap_or_default();
             let face = faces.iter().max_by(|one, other| height(one).total_cmp(&height(other)))?;
@@ -256,7 +217,7 @@ fn seen(target: Target, value: &qi::Value) -> Option<Seen> {
         *part = at(value, &[2, number])?;
     }
     let tilt = if at(value, &[4]) == Some(1.0) { TILT[1] } else { TILT[0] };
-    let far = target.width() / 2.0 / half.sin();
+    let far = width(target) / 2.0 / half.sin();
     let way = [1.0, x.tan(), -y.tan()];
     let length = way.iter().map(|part| part * part).sum::<f64>().sqrt();
     let turned = turn(way.map(|part| part * far / length), [camera[3], camera[4], camera[5]]);
@@ -276,7 +237,7 @@ fn turn([x, y, z]: [f64; 3], [about_x, about_y, about_z]: [f64; 3]) -> [f64; 3] 
 
 #[cfg(test)]
 mod tests {
-    use super::{Arm, Follow, Mode, Seen, Target, Track, pointing, seen};
+    use super::{Arm, Follow, Seen, Track, TrackMode, TrackTarget, pointing, seen};
     use behaviour::Id;
     use qi::Value;
     use robot::Use;
@@ -297,15 +258,15 @@ mod tests {
         let pose = list(&[0.05, 0.0, 0.2, 0.0, 0.1 + 0.021, 0.5]);
         let value =
             Value::List(vec![list(&[0.0, 0.0]), list(&[0.0, 0.0, size, size]), pose.clone(), pose, Value::I32(0)]);
-        let Seen { place, look } = seen(Target::RedBall, &value).unwrap();
+        let Seen { place, look } = seen(TrackTarget::RedBall, &value).unwrap();
         assert!(near(look[0], 0.5) && near(look[1], 0.1), "{look:?}");
         let (sin, cos) = 0.5_f64.sin_cos();
         let flat = 0.6 * 0.121_f64.cos();
         assert!(near(place[0], 0.05 + flat * cos) && near(place[1], flat * sin), "{place:?}");
         assert!(near(place[2], 0.2 - 0.6 * 0.121_f64.sin()), "{place:?}");
         for odd in [Value::Unit, list(&[1.0]), Value::List(vec![Value::Unit; 5])] {
-            assert_eq!(seen(Target::RedBall, &odd), None);
-            assert_eq!(seen(Target::Face, &odd), None);
+            assert_eq!(seen(TrackTarget::RedBall, &odd), None);
+            assert_eq!(seen(TrackTarget::Face, &odd), None);
         }
     }
 
@@ -317,18 +278,18 @@ mod tests {
         assert!(pointing([0.5, -0.4, 0.1], false)[1].1 < -0.4);
         let user = Use { run: 1, stream: Id::new("a").unwrap() };
         let follow = |mode| {
-            Follow::new(user.clone(), Track { target: Target::RedBall, mode, arm: Arm::Nearest }, Instant::now())
+            Follow::new(user.clone(), Track { target: TrackTarget::RedBall, mode, arm: Arm::Nearest }, Instant::now())
         };
         let at = |x: f64, y: f64| Seen { place: [x, y, 0.0], look: [y.atan2(x), 0.0] };
-        let mut whole = follow(Mode::WholeBody);
+        let mut whole = follow(TrackMode::WholeBody);
         assert_eq!(whole.speeds(&at(1.0, 0.3)), [0.0; 3], "the head alone");
         assert!(whole.speeds(&at(1.0, 0.6))[2] > 0.3);
         assert!(whole.speeds(&at(1.0, 0.3))[2] > 0.3, "until it faces it");
         assert_eq!(whole.speeds(&at(1.0, 0.02)), [0.0; 3]);
-        let mut walking = follow(Mode::Move);
+        let mut walking = follow(TrackMode::Move);
         assert_eq!(walking.speeds(&at(0.3, 0.0)), [0.0; 3], "near enough");
         assert!(near(walking.speeds(&at(2.0, 0.0))[0], 0.06));
-        assert!(follow(Mode::Head).aims(&at(1.0, 0.2), false).iter().all(|(joint, _)| joint.starts_with('L')));
-        assert_eq!(follow(Mode::Arm).aims(&at(1.0, -0.2), true).len(), 5);
+        assert!(follow(TrackMode::Head).aims(&at(1.0, 0.2), false).iter().all(|(joint, _)| joint.starts_with('L')));
+        assert_eq!(follow(TrackMode::Arm).aims(&at(1.0, -0.2), true).len(), 5);
     }
 }

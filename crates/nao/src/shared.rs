@@ -15,7 +15,9 @@ const READINGS_MAX: usize = 4_096;
 /// Actions that did not come about, that may wait to be told; the oldest go first.
 const REFUSED_MAX: usize = 256;
 /// Why it is degraded while its link is slow.
-pub(crate) const SLOW: &str = "it answers slowly";
+const SLOW: &str = "it answers slowly";
+/// Why it is while its legs may still move.
+const LEGS: &str = "its legs did not answer to Stop; look whether it stands, and use its own button if it does not";
 /// How long a fall may take.
 const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
@@ -96,6 +98,10 @@ pub(crate) struct State {
     pub(crate) words: BTreeMap<Use, Vec<String>>,
     /// Whether anybody uses it.
     pub(crate) used: bool,
+    /// True while its link is slow.
+    is_slow: bool,
+    /// True while its legs have not answered to a Stop.
+    legs_silent: bool,
     /// Why senses do not work, by their use.
     silent: BTreeMap<Use, String>,
     /// Actions that did not come about, oldest first.
@@ -140,6 +146,8 @@ impl Default for State {
             voice_speed: USUAL_SPEED,
             words: BTreeMap::new(),
             used: false,
+            is_slow: false,
+            legs_silent: false,
             silent: BTreeMap::new(),
             refused: VecDeque::new(),
             readings: VecDeque::new(),
@@ -238,20 +246,37 @@ impl State {
             Some(why) => drop(self.silent.insert(user.clone(), why)),
             None => drop(self.silent.remove(user)),
         }
-        self.settle_health(false);
+        self.settle_health();
     }
 
-    /// Nothing is known of any sense any more.
-    pub(crate) fn forget_silent(&mut self) {
+    /// The link is slow, or is no more.
+    pub(crate) fn note_slow(&mut self, is_slow: bool) {
+        self.is_slow = is_slow;
+        self.settle_health();
+    }
+
+    /// The legs did not answer to a Stop, or did.
+    pub(crate) fn note_legs(&mut self, silent: bool) {
+        self.legs_silent = silent;
+        self.settle_health();
+    }
+
+    /// Nothing of the link that is gone is a reason any more.
+    pub(crate) fn forget_reasons(&mut self) {
+        (self.is_slow, self.legs_silent) = (false, false);
         self.silent.clear();
     }
 
-    /// Health is as its reasons are now: a slow link, or a sense that does not work.
-    pub(crate) fn settle_health(&mut self, slow: bool) {
+    /// Health is as its reasons are now, the gravest first.
+    fn settle_health(&mut self) {
         if !self.is_linked() {
             return;
         }
-        let why = if slow { Some(SLOW) } else { self.silent.values().next().map(String::as_str) };
+        let why = match () {
+            () if self.legs_silent => Some(LEGS),
+            () if self.is_slow => Some(SLOW),
+            () => self.silent.values().next().map(String::as_str),
+        };
         match (why, &self.health) {
             (Some(why), _) => self.health = Health::Degraded(why.to_owned()),
             (None, Health::Degraded(_)) => self.health = Health::Ready,
@@ -372,5 +397,28 @@ impl Shared {
 
     pub(crate) fn is_ended(&self) -> bool {
         self.ended.load(Ordering::SeqCst)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LEGS, State};
+    use robot::Health;
+
+    #[test]
+    fn health_is_as_its_reasons_are_until_they_are_gone() {
+        let mut state = State { health: Health::Ready, ..State::default() };
+        let degraded = |state: &State| match &state.health {
+            Health::Degraded(why) => why.clone(),
+            _ => String::new(),
+        };
+        state.note_legs(true);
+        state.note_slow(true);
+        assert_eq!(degraded(&state), LEGS);
+        // The next sign of life says nothing of the legs.
+        state.note_slow(false);
+        assert_eq!(degraded(&state), LEGS);
+        state.note_legs(false);
+        assert_eq!(state.health, Health::Ready);
     }
 }

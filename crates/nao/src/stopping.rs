@@ -14,7 +14,6 @@ use crate::status;
 use crate::targets::set_angles;
 use futures_util::{future::join_all, join};
 use qi::{Address, QiError, Session, Value};
-use robot::Health;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
@@ -25,8 +24,6 @@ const AGAIN_MS: u64 = 250;
 const PING_MS: u64 = 1_000;
 /// How often what did not answer is told again.
 const TRIES: usize = 5;
-/// Said when the walk cannot be known to have ended.
-const LEGS: &str = "its legs did not answer to Stop; look whether it stands, and use its own button if it does not";
 /// How long sitting down may take.
 const REST: Duration = Duration::from_secs(30);
 /// How fast joints go back to where they are, as a fraction of the top speed.
@@ -130,12 +127,7 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
         tracing::warn!(left = left.len(), legs, upper, "what does not answer is stopped again");
     }
     taken.is_over = true;
-    let mut state = shared.state();
-    if legs && state.is_linked() {
-        state.health = Health::Degraded(LEGS.to_owned());
-    } else if state.health == Health::Degraded(LEGS.to_owned()) {
-        state.health = Health::Ready;
-    }
+    shared.state().note_legs(legs);
     true
 }
 

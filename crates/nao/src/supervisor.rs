@@ -41,16 +41,8 @@ const SCAN_MS: u64 = 300;
 const LAST_STOP_MS: u64 = 1_000;
 
 /// The services that act.
-const ACTORS: [&str; 8] = [
-    "ALMotion",
-    "ALTracker",
-    "ALTextToSpeech",
-    "ALLeds",
-    "ALAudioPlayer",
-    "ALAnimationPlayer",
-    "ALRobotPosture",
-    "ALFaceDetection",
-];
+const ACTORS: [&str; 7] =
+    ["ALMotion", "ALTextToSpeech", "ALLeds", "ALAudioPlayer", "ALAnimationPlayer", "ALRobotPosture", "ALFaceDetection"];
 
 pub(crate) type Orders = mpsc::UnboundedReceiver<Order>;
 
@@ -149,7 +141,7 @@ fn lose(shared: &Shared, why: &str) {
     state.condition = robot::Condition::default();
     (state.stiff_legs, state.on_ground) = (None, None);
     state.subscribed.clear();
-    state.forget_silent();
+    state.forget_reasons();
     state.angles.clear();
     state.installed = Arc::default();
     (state.saying, state.tracking) = (String::new(), String::new());
@@ -208,7 +200,7 @@ async fn serve(
         Acting::new(session.clone(), Arc::clone(shared), done, Duration::from_millis(cycle), &settings.own_name);
     let turns = Turns::default();
     let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
-    let (mut controlled, life) = (None, Arc::new(Mutex::new(None)));
+    let (mut controlled, mut _blinking, life) = (None, None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
     voicing::put_back(session, shared).await;
@@ -238,7 +230,8 @@ async fn serve(
                     acting.act(gate, user, deed);
                 }
                 Some(Order::Control(Control::Blink)) => {
-                    tokio::spawn(identity::blink(session.clone(), Some(Arc::clone(shared))));
+                    // A sign that is asked for anew begins anew.
+                    _blinking = Some(Ended(tokio::spawn(identity::blink(session.clone(), Some(Arc::clone(shared))))));
                 }
                 Some(Order::Control(control)) => {
                     let life = Arc::clone(&life);
@@ -292,7 +285,7 @@ pub(crate) async fn ping(session: Session, shared: Arc<Shared>) {
             session.link().close();
             return;
         }
-        shared.state().settle_health(silent > DEGRADED_MS);
+        shared.state().note_slow(silent > DEGRADED_MS);
     }
 }
 

@@ -15,6 +15,7 @@ mod installed;
 mod params;
 mod parts;
 mod scene;
+mod tracking;
 mod types;
 
 pub use camera::{Camera, Picture};
@@ -34,6 +35,7 @@ pub use installed::{
 };
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
+pub use tracking::{TrackMode, TrackTarget};
 pub use types::device_type;
 
 use behaviour::{Id, Params, Value};

@@ -38,7 +38,7 @@ pub(crate) use posture::{Going, Kind};
 pub use sound::Played;
 pub(crate) use sound::Sounds;
 pub(crate) use touch::Pads;
-pub(crate) use tracker::{Follow, Point, Target};
+pub(crate) use tracker::{Follow, Point};
 pub(crate) use voice::Voice;
 pub(crate) use walk::Walking;
 

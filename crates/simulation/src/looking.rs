@@ -1,12 +1,12 @@
 //! The robot looks around: the largest ball of a colour and the largest face in view.
 
-use crate::devices::Target;
 use crate::math::Vector;
 use crate::nao::SimulatedNao;
 use crate::room::{HEAD_M, MARK_M};
 use crate::sight::{Round, Sighting, look};
 use crate::world::{ObstacleBody, World};
 use rapier3d::prelude::RigidBodyHandle;
+use robot::TrackTarget;
 
 /// Faces are found up to this distance in metres.
 const FACE_M: f32 = 3.0;
@@ -118,10 +118,10 @@ impl SimulatedNao {
     }
 
     /// A target of a tracker: what the camera reports, and where that is in the torso's frame in metres.
-    pub(crate) fn see_target(&mut self, target: Target) -> Option<(Sighting, Vector)> {
+    pub(crate) fn see_target(&mut self, target: TrackTarget) -> Option<(Sighting, Vector)> {
         let (seen, radius) = match target {
-            Target::RedBall => (self.see_ball("red")?.1, BALL_M),
-            Target::Face => (self.see_face()?.1, HEAD_M),
+            TrackTarget::RedBall => (self.see_ball("red")?.1, BALL_M),
+            TrackTarget::Face => (self.see_face()?.1, HEAD_M),
         };
         let in_room = self.body.camera().transform_point(seen.place(radius));
         Some((seen, self.body.torso().inverse_transform_point(in_room)))

@@ -3,11 +3,11 @@
 use super::Acting;
 use crate::body::top_speed;
 use crate::deed::Call;
-use crate::following::{Arm, Follow, HOLD, LOST, Looking, Mode, Newest, SPEED, Target, Track};
+use crate::following::{Arm, Follow, HOLD, LOST, Looking, Newest, SPEED, Track, seen_by};
 use crate::legs::{Legs, SILENT, Speeds, Stride, WITHIN};
 use crate::link::call;
 use crate::senses::{self, Turns};
-use robot::Use;
+use robot::{TrackMode, TrackTarget, Use};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -47,7 +47,7 @@ pub(super) struct Moving {
     follows: Vec<Follow>,
     /// Where the legs go after what is followed, and when that was seen.
     chase: Option<(Speeds, Instant)>,
-    looking: BTreeMap<Target, (Newest, DropGuard)>,
+    looking: BTreeMap<TrackTarget, (Newest, DropGuard)>,
     /// How often it began to look.
     looks: u64,
     /// Joints that one piece does not bring to where they are to be.
@@ -226,7 +226,7 @@ impl Acting {
             same.told = now;
             return;
         }
-        let has_head = |track: &Track| track.mode != Mode::Arm;
+        let has_head = |track: &Track| track.mode != TrackMode::Arm;
         let newer = |other: &Follow| {
             other.user == user
                 || has_head(track) && has_head(&other.track)
@@ -255,12 +255,12 @@ impl Acting {
         if self.moving.walk.is_none() {
             self.stride(Instant::now());
         }
-        let wanted: BTreeSet<Target> = self.moving.follows.iter().map(|follow| follow.track.target).collect();
+        let wanted: BTreeSet<TrackTarget> = self.moving.follows.iter().map(|follow| follow.track.target).collect();
         self.moving.looking.retain(|target, _| wanted.contains(target));
     }
 
     /// Looks for a target, as a sense of a behaviour does.
-    fn look_for(&mut self, target: Target, user: &Use) {
+    fn look_for(&mut self, target: TrackTarget, user: &Use) {
         if self.moving.looking.contains_key(&target) {
             return;
         }
@@ -268,7 +268,7 @@ impl Acting {
         let sense = Looking { target, newest: newest.clone(), ring: self.done.clone() };
         // Another one each time: the end of the last may still be on its way.
         self.moving.looks += 1;
-        let name = format!("{}/follow/{}-{}", self.own_name, target.seen_by().0, self.moving.looks);
+        let name = format!("{}/follow/{}-{}", self.own_name, seen_by(target).0, self.moving.looks);
         let (session, shared) = (self.session.clone(), Arc::clone(&self.shared));
         let task = senses::run(session, shared, Turns::default(), name, user.clone(), Box::new(sense), cancel.clone());
         tokio::spawn(task);
@@ -276,7 +276,7 @@ impl Acting {
     }
 
     /// There is a new picture: whoever follows goes on.
-    pub(super) fn seen(&mut self, target: Target) {
+    pub(super) fn seen(&mut self, target: TrackTarget) {
         let now = Instant::now();
         let Some(seen) = self.moving.looking.get(&target).and_then(|(newest, _)| newest.take()) else { return };
         let is_free = self.moving.taken.is_none_or(|at| now.duration_since(at) > TAKEN);

@@ -2,28 +2,23 @@
 
 use super::{Act, Driver, Opened};
 use crate::deed::Deed;
-use crate::following::{Arm, Mode, Target, Track};
+use crate::following::{Arm, Track, seen_by};
 use behaviour::Value;
-use robot::RobotFault;
+use robot::{RobotFault, TrackMode, TrackTarget};
 
 pub(super) const DRIVER: Driver = Driver {
     name: "Tracker",
     services: &["ALMemory", "ALMotion"],
     joints: &[],
     open: |chosen| {
-        let target = if chosen.is("target", "Face") { Target::Face } else { Target::RedBall };
-        let mode = match chosen.text("mode")? {
-            "WholeBody" => Mode::WholeBody,
-            "Move" => Mode::Move,
-            "Arm" => Mode::Arm,
-            _ => Mode::Head,
-        };
+        let target = TrackTarget::of(chosen.text("target")?)?;
+        let mode = TrackMode::of(chosen.text("mode")?)?;
         let arm = match chosen.text("effector")? {
             "LArm" => Some(Arm::Left),
             "RArm" => Some(Arm::Right),
             "Nearest" => Some(Arm::Nearest),
             "Value" => None,
-            _ if mode == Mode::Arm => None,
+            _ if mode == TrackMode::Arm => None,
             _ => Some(Arm::None),
         };
         Opened::act(Tracker { target, mode, arm })
@@ -31,8 +26,8 @@ pub(super) const DRIVER: Driver = Driver {
 };
 
 struct Tracker {
-    target: Target,
-    mode: Mode,
+    target: TrackTarget,
+    mode: TrackMode,
     /// None if the value names the arm.
     arm: Option<Arm>,
 }
@@ -48,6 +43,6 @@ impl Act for Tracker {
     }
 
     fn needs(&self) -> Option<&'static str> {
-        Some(self.target.seen_by().0)
+        Some(seen_by(self.target).0)
     }
 }

@@ -3,7 +3,7 @@
 mod follow;
 mod pointing;
 
-pub(crate) use follow::{Follow, Point, Target};
+pub(crate) use follow::{Follow, Point};
 
 use super::{Act, Chosen, Driver, Opened};
 use crate::body::Side;
@@ -13,9 +13,9 @@ use crate::nao::SimulatedNao;
 use crate::servo::STEP_S;
 use crate::sight::Sighting;
 use behaviour::Value;
-use follow::{Effector, HOLD_MS, Mode, Pictures};
+use follow::{Effector, HOLD_MS, Pictures};
 use pointing::{nearest, point, put_back};
-use robot::{RobotFault, Use};
+use robot::{RobotFault, TrackMode, TrackTarget, Use};
 
 pub(super) const DRIVER: Driver = Driver { name: "Tracker", open };
 
@@ -33,26 +33,21 @@ const AHEAD: f32 = 0.50;
 /// What it follows, and with what.
 #[derive(Debug)]
 struct Tracker {
-    target: Target,
-    mode: Mode,
+    target: TrackTarget,
+    mode: TrackMode,
     effector: Effector,
 }
 
 fn open(chosen: &Chosen) -> Option<Opened> {
-    let target = if chosen.is("target", "Face") { Target::Face } else { Target::RedBall };
-    let mode = match chosen.text("mode")? {
-        "Head" => Mode::Head,
-        "WholeBody" => Mode::WholeBody,
-        "Move" => Mode::Move,
-        _ => Mode::Arm,
-    };
+    let target = TrackTarget::of(chosen.text("target")?)?;
+    let mode = TrackMode::of(chosen.text("mode")?)?;
     let effector = match chosen.text("effector")? {
         "LArm" => Effector::Arm(Side::Left),
         "RArm" => Effector::Arm(Side::Right),
         "Nearest" => Effector::Nearest,
         "Value" => Effector::Value,
         // An arm tracker that names no arm takes the one its value names, else the nearest.
-        _ if mode == Mode::Arm => Effector::Value,
+        _ if mode == TrackMode::Arm => Effector::Value,
         _ => Effector::None,
     };
     Opened::act(Tracker { target, mode, effector })
@@ -82,9 +77,9 @@ impl Act for Tracker {
 
 impl SimulatedNao {
     /// A value came to a tracker: it follows from now on for the hold time.
-    fn engage(&mut self, user: &Use, settings: (Target, Mode, Effector), value: &Value) {
+    fn engage(&mut self, user: &Use, settings: (TrackTarget, TrackMode, Effector), value: &Value) {
         let (target, mode, effector) = settings;
-        if mode != Mode::Arm {
+        if mode != TrackMode::Arm {
             self.engage_head(user, target, mode);
         }
         match effector {
@@ -95,7 +90,7 @@ impl SimulatedNao {
         }
     }
 
-    fn engage_head(&mut self, user: &Use, target: Target, mode: Mode) {
+    fn engage_head(&mut self, user: &Use, target: TrackTarget, mode: TrackMode) {
         let until = self.now + HOLD_MS;
         let same = |follow: &&mut Follow| follow.user == *user && follow.target == target && follow.mode == mode;
         if let Some(follow) = self.follow.as_mut().filter(same) {
@@ -110,7 +105,7 @@ impl SimulatedNao {
         self.follow = Some(Follow { user: user.clone(), target, mode, until, pictures, turning: false });
     }
 
-    fn engage_arm(&mut self, user: &Use, target: Target, wish: Option<Side>) {
+    fn engage_arm(&mut self, user: &Use, target: TrackTarget, wish: Option<Side>) {
         let until = self.now + HOLD_MS;
         let same = |point: &&mut Point| point.user == *user && point.target == target && point.wish == wish;
         if let Some(point) = self.points.iter_mut().find(same) {
@@ -191,9 +186,9 @@ impl SimulatedNao {
         self.servo.aim(HEAD_PITCH, self.servo.now[HEAD_PITCH] + seen.y, HEAD_SPEED);
         let aside = libm::atan2f(place.y, place.x);
         match follow.mode {
-            Mode::Head | Mode::Arm => {}
-            Mode::WholeBody => self.turn_to(follow, aside),
-            Mode::Move => self.walk_to(aside, across(place)),
+            TrackMode::Head | TrackMode::Arm => {}
+            TrackMode::WholeBody => self.turn_to(follow, aside),
+            TrackMode::Move => self.walk_to(aside, across(place)),
         }
     }
 

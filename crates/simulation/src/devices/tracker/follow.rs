@@ -2,26 +2,10 @@
 
 use crate::body::Side;
 use crate::hash::{Digest, digest_use};
-use robot::Use;
+use robot::{TrackMode, TrackTarget, Use};
 
 /// A tracker follows for so long after a value, in milliseconds.
 pub(crate) const HOLD_MS: u64 = 1_000;
-
-/// What to follow.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Target {
-    RedBall,
-    Face,
-}
-
-/// With what besides an arm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
-    Head,
-    WholeBody,
-    Move,
-    Arm,
-}
 
 /// With which arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,8 +27,8 @@ pub(crate) struct Pictures {
 #[derive(Clone, Debug)]
 pub(crate) struct Follow {
     pub(crate) user: Use,
-    pub(crate) target: Target,
-    pub(crate) mode: Mode,
+    pub(crate) target: TrackTarget,
+    pub(crate) mode: TrackMode,
     pub(crate) until: u64,
     pub(crate) pictures: Pictures,
     /// Whether the whole body is turning.
@@ -55,19 +39,12 @@ pub(crate) struct Follow {
 #[derive(Clone, Debug)]
 pub(crate) struct Point {
     pub(crate) user: Use,
-    pub(crate) target: Target,
+    pub(crate) target: TrackTarget,
     pub(crate) wish: Option<Side>,
     /// The arm that points now.
     pub(crate) side: Option<Side>,
     pub(crate) until: u64,
     pub(crate) pictures: Pictures,
-}
-
-impl Mode {
-    /// Whether it also moves the legs.
-    pub(crate) fn walks(self) -> bool {
-        matches!(self, Self::WholeBody | Self::Move)
-    }
 }
 
 impl Pictures {
@@ -93,7 +70,7 @@ impl Follow {
     /// Adds the state.
     pub(crate) fn digest(&self, digest: &mut Digest) {
         digest_use(&self.user, digest);
-        digest.text(with(self.mode));
+        digest.text(self.mode.words());
         digest.text(self.target.words());
         digest.whole(self.until);
         digest.truth(self.turning);
@@ -102,7 +79,7 @@ impl Follow {
 
     /// What it does, in words.
     pub(crate) fn words(&self) -> String {
-        format!("{} with {}", self.target.words(), with(self.mode))
+        format!("{} with {}", self.target.words(), self.mode.words())
     }
 }
 
@@ -119,21 +96,5 @@ impl Point {
     /// What it does, in words.
     pub(crate) fn words(&self) -> String {
         format!("{} with {} arm", self.target.words(), self.side.or(self.wish).map_or("nearest", Side::word))
-    }
-}
-
-impl Target {
-    /// Its name for people.
-    fn words(self) -> &'static str {
-        if self == Self::RedBall { "red ball" } else { "face" }
-    }
-}
-
-fn with(mode: Mode) -> &'static str {
-    match mode {
-        Mode::Head => "head",
-        Mode::WholeBody => "whole body",
-        Mode::Move => "walking",
-        Mode::Arm => "arm",
     }
 }
