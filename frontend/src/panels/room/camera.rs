@@ -87,6 +87,7 @@ fn Picture(robot: Id) -> impl IntoView {
         }
     });
     view! {
+        <p class="camera-note">{says}</p>
         <img
             node_ref=picture
             class:waits=move || !comes.get()
@@ -97,6 +98,5 @@ fn Picture(robot: Id) -> impl IntoView {
             on:load=loaded
             on:error=failed
         />
-        <p class="camera-note">{says}</p>
     }
 }
