@@ -78,6 +78,8 @@ pub(crate) struct Rest {
     pub(crate) minimap: fn() -> AnyView,
     /// Whose changes the robot does not use yet, and the button that lets it.
     pub(crate) apply: fn() -> AnyView,
+    /// In the list of robots, who has this one and what its body does at a press.
+    pub(crate) robot_controls: fn() -> AnyView,
     /// What may happen in the simulated room.
     pub(crate) room_tools: fn() -> AnyView,
     /// What the robot's camera sees.
@@ -129,6 +131,7 @@ fn rest() -> Result<Rest, NotLoaded> {
         carry: canvas::carry,
         minimap: canvas::minimap,
         apply: panels::apply,
+        robot_controls: panels::robot_controls,
         room_tools: panels::room_tools,
         camera: panels::camera,
         stranger: panels::stranger,

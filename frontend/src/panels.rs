@@ -62,6 +62,7 @@ pub(crate) use palette::{Palette, lead_to_action};
 pub(crate) use problems::{ProblemLine, ProblemList, problems};
 pub(crate) use remove::RemoveButton;
 pub(crate) use right::RightColumn;
+pub(crate) use robots::robot_controls;
 pub(crate) use room::{camera, room_tools};
 pub(crate) use stranger::stranger;
 pub(crate) use teaching::{TourPlace, exercise, take_tour, tour};

@@ -6,7 +6,7 @@ use serde_json::json;
 use std::time::Duration;
 
 /// What a NAO has, of what we use.
-const SERVICES: [&str; 31] = [
+const SERVICES: [&str; 32] = [
     "ALAnimatedSpeech",
     "ALAnimationPlayer",
     "ALAudioDevice",
@@ -19,6 +19,7 @@ const SERVICES: [&str; 31] = [
     "ALBehaviorManager",
     "ALBodyTemperature",
     "ALColorBlobDetection",
+    "ALConnectionManager",
     "ALFaceDetection",
     "ALLandMarkDetection",
     "ALLeds",

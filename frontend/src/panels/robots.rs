@@ -5,6 +5,7 @@ use super::may::may_operate;
 use super::menu::{Menu, MenuItem};
 use super::robot_box::lamp_words;
 use crate::desk::Dialog;
+use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{ROBOTS_MAX, RobotState, Role, RunPhase};
@@ -55,12 +56,16 @@ fn Items() -> impl IntoView {
                 })}
             }
         }}
-        <Controls />
+        <Later show=|rest| (rest.robot_controls)() />
         {others}
     }
 }
 
-/// Who has the robot.
+/// Who has the robot, and what its body does at a press, as a view.
+pub(crate) fn robot_controls() -> AnyView {
+    view! { <Controls /> }.into_any()
+}
+
 #[component]
 fn Controls() -> impl IntoView {
     let desk = hold();
