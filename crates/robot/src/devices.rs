@@ -35,6 +35,8 @@ mod voice;
 mod walk;
 mod word_recognized;
 
+pub use tracker::{TrackMode, TrackTarget};
+
 use crate::{Device, Param, ParamKind, Shape};
 use behaviour::Unit;
 

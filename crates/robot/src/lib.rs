@@ -15,7 +15,6 @@ mod installed;
 mod params;
 mod parts;
 mod scene;
-mod tracking;
 mod types;
 
 pub use camera::{Camera, Picture};
@@ -24,6 +23,7 @@ pub use catalogue::{
 };
 pub use condition::{Condition, Control, Lacking, Life, Network};
 pub use describe::catalogue_lines;
+pub use devices::{TrackMode, TrackTarget};
 pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
 pub use helpers::{
@@ -35,7 +35,6 @@ pub use installed::{
 };
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
-pub use tracking::{TrackMode, TrackTarget};
 pub use types::device_type;
 
 use behaviour::{Id, Params, Value};

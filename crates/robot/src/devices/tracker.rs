@@ -1,5 +1,9 @@
 //! Following a ball or a face, as ALTracker does it.
 
+mod tracking;
+
+pub use tracking::{TrackMode, TrackTarget};
+
 use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::connectors::Carries;
 use behaviour::{Params, StreamKind, Value};
