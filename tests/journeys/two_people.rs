@@ -18,6 +18,7 @@ const NUMBER: &str = "0.35";
 const PATIENCE: std::time::Duration = std::time::Duration::from_secs(30);
 
 /// A place where one types: what it changes, how one comes to it, how what is typed is saved, and what it is about.
+#[derive(Clone, Copy)]
 struct Where {
     name: &'static str,
     record: &'static str,
@@ -539,8 +540,7 @@ async fn who_types_without_a_lock_is_told_who_was_first_and_keeps_what_they_type
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
     let mut two = two(&stage, &aiko).await?;
-    // The name of the program is held with a lock only.
-    for place in PLACES.iter().filter(|place| place.removed != Removed::Never) {
+    for place in PLACES {
         for event in place.events() {
             comes_late(&mut two, &socket, place, event).await?;
         }
@@ -606,6 +606,180 @@ async fn a_helper_that_a_colleague_edits_too_is_never_overwritten() -> Outcome<(
         dialog().press("button", "Remove").await?;
         aiko.gone("dialog", "Edit helper").await?;
         saved(&aiko).await?;
+    }
+    calm(&aiko)
+}
+
+/// Adds what the test keeps out: the head follows that, too.
+async fn add_otherwise(two: &mut Two<'_>) -> Outcome<()> {
+    let records = json!({
+        "stream/rest": { "stream": { "kind": "ordinary", "name": "Otherwise", "order": 7 } },
+        "connector/rest": { "connector": { "operation": { "filter": { "body": { "body": "distance >= 0.5" } } },
+            "inputs": ["distance"], "output": "rest", "order": 9 } },
+        "place/rest": { "place": { "x": 170.0, "y": 280.0 } },
+    });
+    for (key, record) in records.as_object().into_iter().flatten() {
+        two.first.records.insert(key.parse()?, serde_json::from_value(record.clone())?);
+    }
+    Ok(())
+}
+
+/// What a filter of the program asks now.
+fn asks(now: &Behaviour, connector: &str) -> Outcome<String> {
+    match now.connector(&id(connector)?).and_then(|one| one.operation.procedure()) {
+        Some(Procedure::Body { body, .. }) => Ok(body.clone()),
+        other => Err(format!("{connector} is {other:?}").into()),
+    }
+}
+
+impl Two<'_> {
+    /// Ben edits a filter; an otherwise follows, as it does in a page.
+    async fn edits(&mut self, connector: &str, body: &str) -> Outcome<Reply> {
+        let (now, change) = (self.now().await?.records, self.change()?);
+        let key = RecordId::new(Kind::Connector, &id(connector)?);
+        let mut record = now.records.get(&key).cloned().ok_or("no filter")?;
+        if let Record::Connector(one) = &mut record
+            && let Some(procedure) = one.operation.procedure_mut()
+        {
+            *procedure = Procedure::body(body);
+        }
+        let change = behaviour::with_otherwise(&now, change.put(&now, key, record));
+        self.propose(self.program.clone(), change).await
+    }
+
+    /// Waits until the server has both sides like this.
+    async fn both(&mut self, test: &str, rest: &str, what: &str) -> Outcome<()> {
+        let began = std::time::Instant::now();
+        let mut there = (String::new(), String::new());
+        while began.elapsed() < PATIENCE {
+            saved(self.aiko).await?;
+            self.aiko.frames().await?;
+            let now = self.now().await?.records;
+            there = (asks(&now, "near")?, asks(&now, "rest")?);
+            if there == (test.to_owned(), rest.to_owned()) {
+                return Ok(());
+            }
+        }
+        Err(format!("{what}: the two sides are {there:?}").into())
+    }
+}
+
+/// Two people at a test and at its otherwise: the two sides never overlap or leave a gap that nobody made.
+#[tokio::test]
+async fn an_otherwise_follows_whoever_is_first_and_nobody_who_types_at_it_loses_that() -> Outcome<()> {
+    if !skip::ready("journey: two people at an otherwise") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
+    let mut two = two(&stage, &aiko).await?;
+    add_otherwise(&mut two).await?;
+    two.reset().await?;
+    says(&aiko, "Otherwise").await?;
+    let test = &PLACES[0];
+    let rest = Where { record: "connector/rest", from: "[data-chip='rest']", ..PLACES[0] };
+
+    // Aiko types at the otherwise: who edits the test, which would change it, is told by name.
+    two.types(&rest).await?;
+    two.ben.edited(&rest.key()?, "Aiko").await?;
+    match two.edits("near", "distance < 0.6").await? {
+        Reply::No { no } => assert!(no.to_string().starts_with("Aiko is editing "), "{no}"),
+        other => return Err(format!("the test was edited: {other:?}").into()),
+    }
+    two.is_untouched(&rest).await?;
+    aiko.key("Escape").await?;
+    two.leaves().await?;
+    two.ben.freed(&rest.key()?).await?;
+    agreed(two.edits("near", "distance < 0.6").await?, "the test")?;
+    two.both("distance < 0.6", "distance >= 0.6", "Ben was first").await?;
+
+    // Aiko types at the test: its otherwise is what Ben makes of it.
+    two.reset().await?;
+    two.both("distance < 0.5", "distance >= 0.5", "as it was").await?;
+    two.types(test).await?;
+    two.ben.edited(&test.key()?, "Aiko").await?;
+    agreed(two.edits("rest", "distance > 0.9").await?, "the otherwise")?;
+    two.is_untouched(test).await?;
+    aiko.key(test.save).await?;
+    two.leaves().await?;
+    two.both("distance < 0.35", "distance > 0.9", "Ben has one of his own").await?;
+    two.ben.freed(&test.key()?).await?;
+
+    // Without a connection, at the test that Ben changes with its otherwise: both follow what Aiko keeps.
+    two.reset().await?;
+    two.both("distance < 0.5", "distance >= 0.5", "as it was").await?;
+    shows(&aiko, &two.now().await?.records, &test.key()?).await?;
+    socket.cut().await?;
+    says(&aiko, "Offline").await?;
+    two.types(test).await?;
+    aiko.key(test.save).await?;
+    two.leaves().await?;
+    agreed(two.edits("near", "distance < 0.7").await?, "the test")?;
+    socket.mend().await?;
+    aiko.find("dialog", "Ben changed this filter too").await?;
+    aiko.press("button", "Keep mine").await?;
+    aiko.gone("dialog", "Ben changed this filter too").await?;
+    two.both("distance < 0.35", "distance >= 0.35", "Aiko keeps hers").await?;
+
+    // Without a connection, at the test whose otherwise Ben makes one of his own: hers is saved, and his stays.
+    two.reset().await?;
+    two.both("distance < 0.5", "distance >= 0.5", "as it was").await?;
+    shows(&aiko, &two.now().await?.records, &test.key()?).await?;
+    socket.cut().await?;
+    says(&aiko, "Offline").await?;
+    two.types(test).await?;
+    aiko.key(test.save).await?;
+    two.leaves().await?;
+    agreed(two.edits("rest", "distance > 0.9").await?, "the otherwise")?;
+    socket.mend().await?;
+    two.both("distance < 0.35", "distance > 0.9", "each has their own").await?;
+    calm(&aiko)
+}
+
+/// What one changed without a connection, and a colleague is editing when the connection is back: it waits for them, and is
+/// neither lost nor put over what they save.
+#[tokio::test]
+async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
+    if !skip::ready("journey: two people, one offline and one editing") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
+    let mut two = two(&stage, &aiko).await?;
+    let place = &PLACES[0];
+    let record = place.key()?;
+    for saves in [false, true] {
+        two.reset().await?;
+        shows(&aiko, &two.now().await?.records, &record).await?;
+        socket.cut().await?;
+        says(&aiko, "Offline").await?;
+        two.types(place).await?;
+        aiko.key(place.save).await?;
+        two.leaves().await?;
+        let (behaviour, records) = (two.program.clone(), [record.clone()].into());
+        let Reply::Locked { grant } = two.ben.ask(Request::Lock { behaviour, records }).await? else {
+            return Err("Ben has no lock".into());
+        };
+        socket.mend().await?;
+        says(&aiko, "Ben is editing this. What you changed while you were offline is kept").await?;
+        says(&aiko, "All other changes saved").await?;
+        assert_eq!(asks(&two.now().await?.records, "near")?, "distance < 0.5");
+        let (behaviour, token) = (two.program.clone(), grant.token);
+        if saves {
+            let now = two.now().await?.records;
+            let change = made(two.change()?, &now, Event::Saves, &record, 0);
+            let (behaviour, tokens) = (behaviour.clone(), vec![token]);
+            agreed(two.ben.ask(Request::Propose { behaviour, change, tokens }).await?, "Ben saves")?;
+        }
+        agreed(two.ben.ask(Request::Unlock { behaviour, token }).await?, "Ben is done")?;
+        if saves {
+            aiko.find("dialog", "Ben changed this filter too").await?;
+            aiko.press("button", "Keep mine").await?;
+        }
+        two.until_kept(place, "Ben is done").await?;
+        two.ben.freed(&record).await?;
     }
     calm(&aiko)
 }

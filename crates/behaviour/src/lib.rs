@@ -64,7 +64,7 @@ pub use names::{
 };
 pub use numbered::numbered;
 pub use operation::{Operation, Parameters};
-pub use otherwise::{OTHERWISE, follows_test, is_otherwise, opposite, with_otherwise};
+pub use otherwise::{OTHERWISE, follows_test, is_otherwise, opposite, with_otherwise, without_late_followers};
 pub use problems::{Fix, FixKind, Problem, ProblemKind, fixes, fixes_seeing, near, problems, problems_seeing};
 pub use record::{
     Behaviour, Connector, Engine, Group, Helper, Note, Params, Place, Procedure, Record, Settings, Stream, StreamKind,

@@ -4,7 +4,9 @@
 //! store, comes back with an undo, and ends when a person gives the stream another name.
 
 use crate::names::tokens::{Kind, tokens};
-use crate::{Behaviour, Change, Connector, Id, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers};
+use crate::{
+    Behaviour, Change, Connector, Edit, Id, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers,
+};
 
 /// What the stream of such a test is called, in English and in Japanese.
 pub const OTHERWISE: [&str; 2] = ["Otherwise", "それ以外"];
@@ -118,8 +120,7 @@ pub fn follows_test(behaviour: &Behaviour, otherwise: &Connector) -> bool {
 /// the change edits itself, or that was none any more, stays.
 #[must_use]
 pub fn with_otherwise(behaviour: &Behaviour, change: Change) -> Change {
-    let edited =
-        |edit: &crate::Edit| edit.id.kind == RecordKind::Connector && edit.before.is_some() && edit.after.is_some();
+    let edited = |edit: &Edit| edit.id.kind == RecordKind::Connector && edit.before.is_some() && edit.after.is_some();
     if !change.edits.iter().any(edited) {
         return change;
     }
@@ -151,9 +152,37 @@ pub fn with_otherwise(behaviour: &Behaviour, change: Change) -> Change {
     following.into_iter().fold(change, |change, (id, record)| change.put(behaviour, id, record))
 }
 
+/// The change without otherwises that only followed a test which it edits, where somebody else changed them meanwhile: its
+/// author never touched them, so what became of them is nothing to ask about.
+#[must_use]
+pub fn without_late_followers(now: &Behaviour, change: Change) -> Change {
+    let (mut seen, mut after) = (now.clone(), now.clone());
+    seen.apply(&change.swapped(change.op.clone(), &change.label));
+    after.apply(&change);
+    let is_late = |edit: &Edit| now.records.get(&edit.id) != edit.before.as_ref();
+    // A follower is added after its test.
+    let follows = |(at, edit): (usize, &Edit)| {
+        let tests = &change.edits[..at];
+        tests
+            .iter()
+            .any(|test| are_twins(&seen, (&test.before, &edit.before)) && are_twins(&after, (&test.after, &edit.after)))
+    };
+    let stays = |(at, edit): &(usize, &Edit)| !(is_late(edit) && follows((*at, edit)));
+    let edits = change.edits.iter().enumerate().filter(stays).map(|(_, edit)| edit.clone()).collect();
+    Change { edits, ..change }
+}
+
+/// Whether two records are a test and its other side.
+fn are_twins(behaviour: &Behaviour, (test, otherwise): (&Option<Record>, &Option<Record>)) -> bool {
+    let (Some(Record::Connector(test)), Some(Record::Connector(otherwise))) = (test, otherwise) else { return false };
+    test.operation.spec() == otherwise.operation.spec()
+        && test.inputs == otherwise.inputs
+        && is_other_side(behaviour, test, otherwise)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{follows_test, is_otherwise, opposite, with_otherwise};
+    use super::{follows_test, is_otherwise, opposite, with_otherwise, without_late_followers};
     use crate::{
         Behaviour, Change, Connector, Id, Kind, Params, Procedure, Record, RecordId, Stream, StreamKind, connectors,
     };
@@ -251,6 +280,27 @@ mod tests {
         assert_eq!(body(&three, "other"), "distance >= 45");
         three.apply(&edited(&three, "test", "near", "distance < 60"));
         assert_eq!(body(&three, "other"), "distance >= 60");
+    }
+
+    #[test]
+    fn what_only_followed_is_no_conflict_of_its_author() {
+        let before = twins("Otherwise");
+        let mine = edited(&before, "test", "near", "distance < 45");
+        assert_eq!(without_late_followers(&before, mine.clone()), mine, "nobody was first");
+        let test_only = |change: &Change| change.edits.iter().map(|edit| edit.id.to_string()).collect::<Vec<_>>();
+        let mut theirs = before.clone();
+        theirs.apply(&edited(&before, "other", "far", "distance >= 60"));
+        let left = without_late_followers(&theirs, mine.clone());
+        assert_eq!(test_only(&left), ["connector/test"], "they have one of their own");
+        theirs = before.clone();
+        theirs.apply(&edited(&before, "test", "near", "distance < 70"));
+        let left = without_late_followers(&theirs, mine);
+        assert_eq!(test_only(&left), ["connector/test"], "they edited the test, and theirs follows");
+        // Who edits both is asked about both.
+        let both = edited(&before, "test", "near", "distance < 45");
+        let both = both.put(&before, key(Kind::Connector, "other"), filter("far", "distance >= 50"));
+        let known = both.edits.len();
+        assert_eq!(without_late_followers(&theirs, both).edits.len(), known);
     }
 
     #[test]

@@ -34,6 +34,18 @@ fn usual_data() -> Result<Option<PathBuf>, Failure> {
     usual(std::env::var_os("XDG_DATA_HOME"), std::env::var_os("HOME"))
 }
 
+/// Refuses a folder for what programs of this user remember (keys of running servers, the console's history) that would be
+/// another one from every place from which rrp is started.
+///
+/// # Errors
+/// `XDG_STATE_HOME` is a relative path.
+pub(crate) fn state_is_whole() -> Result<(), Failure> {
+    match std::env::var_os("XDG_STATE_HOME").filter(|folder| !folder.is_empty()).map(PathBuf::from) {
+        Some(folder) if !folder.is_absolute() => Err(Failure::RelativeState(folder)),
+        Some(_) | None => Ok(()),
+    }
+}
+
 /// From both variables. A relative path would be another folder from every place from which rrp is started.
 fn usual(xdg: Option<OsString>, home: Option<OsString>) -> Result<Option<PathBuf>, Failure> {
     let xdg = xdg.filter(|folder| !folder.is_empty()).map(|folder| ("XDG_DATA_HOME", PathBuf::from(folder), "rrp"));

@@ -26,6 +26,8 @@ pub(crate) enum Failure {
     NoHome,
     /// This variable says no whole path to the data.
     RelativeFolder(&'static str, PathBuf),
+    /// The folder of what programs remember is said by `XDG_STATE_HOME`, in a way that means another one from every place.
+    RelativeState(PathBuf),
     /// The store could not do it.
     Store(StoreError),
     /// A running server uses the store in this folder.

@@ -60,6 +60,17 @@ enum What {
     Migrate(keep::MigrateArgs),
 }
 
+impl What {
+    /// Whether it is a server, or may talk to one, by what is remembered of this user's servers.
+    fn uses_a_server(&self) -> bool {
+        let only_files = matches!(
+            self,
+            Self::Replay(_) | Self::Bench(_) | Self::Devices(_) | Self::Check(_) | Self::Explain(_) | Self::Build(_)
+        );
+        !only_files
+    }
+}
+
 /// Opens the operator's console on a running server.
 ///
 /// On a terminal it completes and remembers; else it reads a command a line and exits with 1 at the first refused one.
@@ -93,7 +104,13 @@ const EXAMPLES: &str = "Examples:
 ///
 /// The server shows `page`.
 pub fn run(page: Page) -> ExitCode {
-    match Line::parse().what {
+    let what = Line::parse().what;
+    if what.uses_a_server()
+        && let Err(failure) = data_folder::state_is_whole()
+    {
+        return failed(&[failure], 1);
+    }
+    match what {
         What::Serve(args) => serve::serve(args, page),
         What::Open(args) => ended(let_in::open(&args)),
         What::Invite(args) => ended(let_in::invite(args)),

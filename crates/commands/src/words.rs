@@ -53,6 +53,11 @@ impl fmt::Display for Failure {
                  --data DIR.",
                 folder.display()
             ),
+            Self::RelativeState(folder) => write!(
+                to,
+                "XDG_STATE_HOME is “{}”, which is no whole path, as it does not begin with /. Set it to one, or unset it.",
+                folder.display()
+            ),
             Self::Store(error) => write!(to, "{error}"),
             Self::Busy(folder) => {
                 write!(to, "A running rrp server uses {}. Stop it, then do this again.", folder.display())

@@ -155,5 +155,12 @@ fn a_folder_that_is_another_from_every_place_is_refused() {
     assert!(code == Some(1) && err.contains("HOME is empty."), "{err}");
     let (code, err) = export("share", "/nowhere");
     assert!(code == Some(1) && err.contains("XDG_DATA_HOME is “share”, which is no whole path"), "{err}");
+    for words in [&["serve", "--listen", "127.0.0.1:0"][..], &["shell"], &["invite", "--role", "viewer"]] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rrp"));
+        let done = command.args(words).env("XDG_STATE_HOME", "state").current_dir(folder.0.path()).output();
+        let done = done.expect("rrp starts");
+        let err = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.code() == Some(1) && err.contains("XDG_STATE_HOME is “state”"), "{words:?}: {err}");
+    }
     assert_eq!(std::fs::read_dir(folder.0.path()).expect("a folder").count(), 0, "nothing was made there");
 }

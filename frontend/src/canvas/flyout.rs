@@ -32,19 +32,19 @@ const FIELDS: [&str; 3] = [".flyout .stepper input", ".flyout select:enabled", "
 /// opens its dialog.
 pub(super) fn enter(desk: &Desk, id: &Id) {
     let (desk, what) = (desk.clone(), Selected::Connector(id.clone()));
-    once_here(move || enter_soon(desk, what, LOOKS_MAX));
+    let before = focus::Before::now();
+    once_here(move || enter_soon(desk, what, before, LOOKS_MAX));
 }
 
-fn enter_soon(desk: Desk, what: Selected, looks: u32) {
+fn enter_soon(desk: Desk, what: Selected, before: focus::Before, looks: u32) {
     browser::after(SOON_MS, move || {
         let is_still = desk.document.selected.with_untracked(|selected| *selected == Some(what.clone()));
-        if !is_still {
+        // Who came there faster types already, or has left again.
+        if !is_still || before.is_left() {
             return;
         }
         let field = FIELDS.iter().find_map(|field| element(field));
         match (field, element(".flyout .control")) {
-            // Who came there faster types already.
-            (Some(field), _) if focus::active().as_ref() == Some(&field) => {}
             (Some(field), _) => {
                 let _ = field.focus();
                 if let Some(number) = field.dyn_ref::<HtmlInputElement>() {
@@ -52,7 +52,7 @@ fn enter_soon(desk: Desk, what: Selected, looks: u32) {
                 }
             }
             (None, Some(_)) => edit(&desk, &what),
-            (None, None) if looks > 0 => enter_soon(desk, what, looks - 1),
+            (None, None) if looks > 0 => enter_soon(desk, what, before, looks - 1),
             (None, None) => {}
         }
     });

@@ -6,6 +6,7 @@ use crate::desk::{Desk, use_desk};
 use crate::escape;
 use crate::keys::Pressed;
 use crate::layout::{BOX, stream_width, text_width};
+use crate::panels::focus;
 use crate::words;
 use behaviour::{Id, Kind, NAME_MAX_CHARS, Place, RecordId, Stream};
 use leptos::prelude::*;
@@ -78,11 +79,12 @@ fn NameField(id: Id) -> impl IntoView {
     let first = name.clone();
     Effect::new(move |_| {
         if let Some(field) = field.get() {
-            // Its text is put into it after this; what somebody typed meanwhile stays.
+            // Its text is put into it after this; what somebody typed or chose in it meanwhile stays.
             let first = first.clone();
             let _ = request_animation_frame(move || {
+                let is_there = focus::is_at(&field);
                 let _ = field.focus();
-                if field.value() == first {
+                if !is_there && field.value() == first {
                     field.select();
                 }
             });

@@ -21,18 +21,28 @@ pub(crate) fn active() -> Option<HtmlElement> {
     document()?.active_element()?.dyn_into().ok()
 }
 
+/// Whether an element has the keyboard.
+pub(crate) fn is_at(element: &Element) -> bool {
+    active().is_some_and(|active| active.is_same_node(Some(element)))
+}
+
 /// Whether nothing has the keyboard.
 pub(crate) fn is_nowhere() -> bool {
     active().is_none_or(|active| active.tag_name() == "BODY")
 }
 
 /// Where the keyboard was when something was begun whose end comes a moment later.
-struct Before(Option<HtmlElement>);
+pub(crate) struct Before(Option<HtmlElement>);
 
 impl Before {
     /// Where it is now.
-    fn now() -> Self {
+    pub(crate) fn now() -> Self {
         Self(active())
+    }
+
+    /// Whether somebody left it since, though it is there still.
+    pub(crate) fn is_left(&self) -> bool {
+        self.0.as_ref().is_some_and(|before| before.is_connected() && !is_at(before))
     }
 
     /// Whether somebody went elsewhere since, out of the graph or into a field: people do not wait, and what they type

@@ -4,6 +4,7 @@ use crate::browser;
 use crate::desk::{Desk, EditSession, use_desk};
 use crate::escape;
 use crate::keys::Pressed;
+use crate::panels::focus;
 use crate::words;
 use behaviour::{Id, Kind, Note, RecordId};
 use leptos::prelude::*;
@@ -31,8 +32,11 @@ pub(crate) fn NoteField(
     let field = NodeRef::<leptos::html::Textarea>::new();
     Effect::new(move |_| {
         if let Some(field) = field.get() {
-            // Its text is put into it after this.
+            // Its text is put into it after this. Who came there faster keeps what they chose in it.
             let _ = request_animation_frame(move || {
+                if focus::is_at(&field) {
+                    return;
+                }
                 let _ = field.focus();
                 let end = field.value().encode_utf16().count() as u32;
                 let _ = field.set_selection_range(end, end);

@@ -31,6 +31,9 @@ pub(crate) struct Conflict {
     pub(crate) offline: bool,
     /// What others saved since, oldest first; nothing if that could not be found out.
     pub(super) theirs: Vec<Accepted>,
+    /// Whether it only waits until nobody is editing what it touches, and is proposed then as it is.
+    #[serde(default)]
+    pub(super) locked: bool,
     /// The change under way that puts one's own on top.
     pub(super) retry: Option<Id>,
     /// Somebody changed it once more while its author looked at both.
@@ -48,8 +51,17 @@ fn yes() -> bool {
 /// Whether a refused change is shown beside what others saved: one that makes or edits streams or connectors, or that words
 /// something anew, and comes too late. Moves and removals are small enough to be made anew.
 pub(super) fn is_shown_beside(change: &Change, no: &Refusal) -> bool {
-    let is_late = matches!(no, Refusal::Stale(_) | Refusal::MissingStream);
-    is_late && change.undoes.is_none() && change.edits.iter().any(|edit| is_about(edit) && edit.after.is_some())
+    matches!(no, Refusal::Stale(_) | Refusal::MissingStream) && is_worth_keeping(change)
+}
+
+/// Whether a refused change says or makes something that somebody would miss.
+pub(super) fn is_worth_keeping(change: &Change) -> bool {
+    change.undoes.is_none() && change.edits.iter().any(|edit| is_about(edit) && edit.after.is_some())
+}
+
+/// Whether something of what a change edits is another by now.
+pub(super) fn is_late(change: &Change, now: &Behaviour) -> bool {
+    change.edits.iter().any(|edit| now.records.get(&edit.id) != edit.before.as_ref())
 }
 
 fn is_part(id: &RecordId) -> bool {
@@ -177,7 +189,18 @@ impl Conflict {
         let parts = || mine.edits.iter().filter(|edit| is_about(edit));
         let late = parts().find(|edit| now.records.get(&edit.id) != edit.before.as_ref());
         let about = late.or_else(|| parts().next())?.id.clone();
-        Some(Self { behaviour, about, mine, made_ms, offline, theirs, retry: None, again: false, shown: false })
+        Some(Self {
+            behaviour,
+            about,
+            mine,
+            made_ms,
+            offline,
+            theirs,
+            locked: false,
+            retry: None,
+            again: false,
+            shown: false,
+        })
     }
 
     /// A later change of the same author joins in: it was made on top of this one, which nobody else ever had.
@@ -240,9 +263,9 @@ impl Conflict {
         self.retry.is_some()
     }
 
-    /// Whether it was not shown yet.
+    /// Whether it is to be decided and was not shown yet.
     pub(crate) fn waits_unseen(&self) -> bool {
-        !self.shown
+        !self.shown && !self.locked
     }
 
     /// A stream as the author of this change wants it, if it touches that.

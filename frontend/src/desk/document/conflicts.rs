@@ -1,12 +1,15 @@
 //! Refused changes that wait for their author: found out who was first, kept over reloads, marked, decided.
 
-use super::conflict::{CONFLICTS_MAX, Conflict, between, brought_back, is_shown_beside, since_seen};
-use super::queue::Waiting;
+use super::conflict::{
+    CONFLICTS_MAX, Conflict, between, brought_back, is_late, is_shown_beside, is_worth_keeping, since_seen,
+};
+use super::propose::OnAnswer;
+use super::queue::{Waiting, Way};
 use super::{Document, Mark};
 use crate::browser::Keep;
-use crate::desk::tab::{Dialog, set_if_new};
+use crate::desk::tab::{Dialog, new_id, set_if_new};
 use crate::{link, words};
-use behaviour::{Accepted, Behaviour, Change, Filled, Id, Kind, RecordId, Refusal};
+use behaviour::{Accepted, Behaviour, Change, Filled, Id, Kind, RecordId, Refusal, without_late_followers};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request};
 use std::collections::BTreeSet;
@@ -20,8 +23,19 @@ const PAGES_MAX: u32 = 8;
 type Then = Box<dyn FnOnce(Vec<Accepted>)>;
 
 impl Document {
-    /// A change came too late. It is found out who was first; then it is shown beside theirs, or `say` says who it was.
-    pub(super) fn came_late(&self, waiting: Waiting, no: Refusal, say: impl FnOnce(Refused) + 'static) {
+    /// A change came too late. If only otherwises were late that follow what it edits, it goes without them. Else it is
+    /// found out who was first; then it is shown beside theirs, or it is said who it was.
+    pub(super) fn came_late(&self, mut waiting: Waiting, no: Refusal, on_answer: OnAnswer) {
+        if self.is_open(&waiting.behaviour) {
+            let whole = waiting.change.edits.len();
+            waiting.change = self.with_confirmed(|now| without_late_followers(now, waiting.change.clone()));
+            let only_followers_were_late =
+                waiting.change.edits.len() < whole && self.with_confirmed(|now| !is_late(&waiting.change, now));
+            if only_followers_were_late {
+                let again = Change { op: new_id(), ..waiting.change };
+                return self.propose_and(again, on_answer);
+            }
+        }
         let document = self.clone();
         self.look_back(waiting.behaviour.clone(), waiting.revision, move |log| {
             let theirs = since_seen(log, &waiting.change);
@@ -31,7 +45,7 @@ impl Document {
             {
                 return;
             }
-            say(Refused::Change(no.clone()));
+            on_answer(Err(Refused::Change(no.clone())));
             if let (Refusal::Stale(what), Some(last)) = (&no, theirs.last()) {
                 document.tab.say(&words::was_first(&document.called(&last.change), what), true);
             }
@@ -92,6 +106,55 @@ impl Document {
         true
     }
 
+    /// A change touches what somebody is editing. One that was made without a connection, or that meets nothing but a lock
+    /// of this page from before, is kept until that is free; gives it back if it is no such change.
+    pub(super) fn waits_for_lock(&self, waiting: Waiting, by: &str) -> Option<Waiting> {
+        let is_others = untrack(|| self.is_edited_by_others(&waiting.change));
+        let is_kept = waiting.way == Way::Propose && is_worth_keeping(&waiting.change);
+        let mut all = self.conflicts.get_untracked();
+        if !is_kept || is_others && !waiting.offline || all.len() >= CONFLICTS_MAX {
+            return Some(waiting);
+        }
+        let (of, made, now) = (waiting.behaviour.clone(), (waiting.made_ms, waiting.offline), self.as_now());
+        let Some(new) = Conflict::of(of, waiting.change.clone(), made, Vec::new(), &now) else { return Some(waiting) };
+        all.push(Conflict { locked: true, ..new });
+        self.set_conflicts(all);
+        if is_others {
+            self.tab.say(&words::waits_until_free(by), true);
+        }
+        None
+    }
+
+    fn as_now(&self) -> Behaviour {
+        self.with_confirmed(Behaviour::clone)
+    }
+
+    fn is_edited_by_others(&self, change: &Change) -> bool {
+        let edited = self.edited_by_others();
+        change.edits.iter().any(|edit| edited.iter().any(|(record, _)| *record == edit.id))
+    }
+
+    /// Proposes what waited for locks that are free now.
+    pub(super) fn propose_what_is_free(&self) {
+        let mut all = self.conflicts.get_untracked();
+        let is_free = |conflict: &mut Conflict| {
+            conflict.locked
+                && self.is_open(&conflict.behaviour)
+                && !untrack(|| self.is_edited_by_others(&conflict.mine))
+        };
+        let free: Vec<Conflict> = all.extract_if(.., is_free).collect();
+        if free.is_empty() {
+            return;
+        }
+        self.set_conflicts(all);
+        for conflict in free {
+            let again = Change { op: new_id(), ..conflict.mine };
+            let tab = self.tab.clone();
+            let said = move |answer| tab.say_refusal(answer);
+            self.queue_made(conflict.behaviour, again, (conflict.made_ms, conflict.offline), said);
+        }
+    }
+
     /// The editor in which the change was made gives its place to the comparison.
     fn replace_its_editor(&self, conflict: &Conflict) {
         let output = |connector: &Id| {
@@ -118,6 +181,11 @@ impl Document {
         all.filter(|conflict| conflict.behaviour == open && conflict.retry.is_none()).collect()
     }
 
+    /// Those of them that their author can decide about now. Reactive.
+    fn undecided(&self) -> impl Iterator<Item = Conflict> + use<> {
+        self.conflicts_here().into_iter().filter(|conflict| !conflict.locked)
+    }
+
     /// One of them by the name of the change, also while it is put on top. Reactive.
     pub(crate) fn conflict(&self, op: &Id) -> Option<Conflict> {
         self.conflicts.get().into_iter().find(|conflict| conflict.mine.op == *op)
@@ -131,12 +199,12 @@ impl Document {
 
     /// The refused change that waits about a record. Reactive.
     pub(crate) fn conflict_about(&self, id: &Id) -> Option<Conflict> {
-        self.conflicts_here().into_iter().find(|conflict| conflict.about.id == *id)
+        self.undecided().find(|conflict| conflict.about.id == *id)
     }
 
     /// The next refused change that was not shown yet. Reactive.
     pub(crate) fn next_conflict(&self) -> Option<Id> {
-        let next = self.conflicts_here().into_iter().find(|conflict| !conflict.shown);
+        let next = self.undecided().find(|conflict| !conflict.shown);
         next.map(|conflict| conflict.mine.op)
     }
 

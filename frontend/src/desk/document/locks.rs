@@ -152,6 +152,7 @@ impl Document {
             let me = self.my_client();
             self.change_editing(|now| now.shown(&locks, me.as_ref()));
             set_if_new(&self.locks, locks);
+            self.propose_what_is_free();
         }
     }
 
@@ -176,6 +177,8 @@ impl Document {
         let record = self.edited(|now| now.record.clone()).filter(|_| self.edits_freely());
         let is_there = record.is_some_and(|record| self.with_confirmed(|whole| whole.records.contains_key(&record)));
         if is_there {
+            // What was typed meanwhile is sent with that lock.
+            self.change_editing(|now| now.writing = Writing::Opening);
             self.take_lock();
         }
     }

@@ -77,6 +77,20 @@ impl Document {
         self.queue_up(to, (change, Way::Propose), on_answer);
     }
 
+    /// Puts a change into the queue that was made at another time, perhaps without a connection.
+    pub(super) fn queue_made(
+        &self,
+        to: Id,
+        change: Change,
+        made: (f64, bool),
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) {
+        let op = change.op.clone();
+        self.queue_up(to, (change, Way::Propose), on_answer);
+        let revision = self.revision.get_untracked();
+        self.state().queue.made(&op, revision, made);
+    }
+
     /// Puts a change into the queue, to be asked for when its turn comes.
     pub(super) fn queue_up(
         &self,
@@ -92,7 +106,7 @@ impl Document {
             let offline = matches!(state.saves, SaveState::Lost(_));
             let room = state.queue.push(to.clone(), change, way);
             if room {
-                state.queue.made(revision, crate::browser::today_ms(), offline);
+                state.queue.made(&op, revision, (crate::browser::today_ms(), offline));
             }
             room
         };
@@ -161,9 +175,16 @@ impl Document {
             Err(no) => self.not_made(&waiting, no),
         }
         let on_answer = self.settle(&waiting.change);
+        let waiting = match &answer {
+            Err(Refused::Change(Refusal::Locked { by, .. })) => match self.waits_for_lock(waiting, by) {
+                Some(waiting) => waiting,
+                None => return self.pump(),
+            },
+            Ok(()) | Err(_) => waiting,
+        };
         match answer {
             Err(Refused::Change(no @ (Refusal::Stale(_) | Refusal::MissingStream))) if waiting.way == Way::Propose => {
-                self.came_late(waiting, no, move |no| on_answer(Err(no)));
+                self.came_late(waiting, no, on_answer);
             }
             answer => on_answer(answer),
         }

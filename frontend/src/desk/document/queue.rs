@@ -107,10 +107,10 @@ impl Queue {
         gone
     }
 
-    /// How and when the newest was made.
-    pub(super) fn made(&mut self, revision: u64, made_ms: f64, offline: bool) {
-        if let Some(newest) = self.waiting.back_mut() {
-            (newest.revision, newest.made_ms, newest.offline) = (revision, made_ms, offline);
+    /// How and when a change was made.
+    pub(super) fn made(&mut self, op: &Id, revision: u64, (made_ms, offline): (f64, bool)) {
+        if let Some(made) = self.waiting.iter_mut().find(|waiting| waiting.change.op == *op) {
+            (made.revision, made.made_ms, made.offline) = (revision, made_ms, offline);
         }
     }
 
