@@ -51,6 +51,30 @@ async fn one_stream_is_duplicated_cut_and_pasted_in_its_program() -> Outcome<()>
 }
 
 #[tokio::test]
+async fn a_whole_program_that_is_pasted_is_offered_to_be_opened() -> Outcome<()> {
+    let stage = stage!("paste a whole program");
+    let whole = stage.wire.make("Pasted", BALLS).await?;
+    let program = stage.wire.make("Seen", None).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    let paste = format!(
+        "(async () => {{ const file = await (await fetch('/api/behaviours/{whole}.xml')).text();
+        const data = new DataTransfer(); data.setData('text/plain', file);
+        document.querySelector('#stage').dispatchEvent(new ClipboardEvent('paste', {{ clipboardData: data, bubbles: true, cancelable: true }}));
+        return file.length; }})(), 0"
+    );
+    // Who leaves it goes on with what is there; who opens it has it as a program of its own.
+    for (button, name, count) in [("Leave it", "Seen", 0), ("Open it", "Pasted 2", 6)] {
+        aiko.eval(&paste).await?;
+        aiko.within("dialog", "Open what you pasted?").press("button", button).await?;
+        aiko.gone("dialog", "Open what you pasted?").await?;
+        are(&aiko, count).await?;
+        aiko.until(&format!("document.querySelector('header').innerText.includes({name:?})"), "its name").await?;
+    }
+    aiko.find("button", "Far ball, stream").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
 async fn a_double_click_renames_and_the_menu_key_opens_the_menu() -> Outcome<()> {
     let stage = stage!("double click");
     let program = stage.wire.make("Double", BALLS).await?;

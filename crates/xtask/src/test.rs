@@ -36,20 +36,18 @@ const WANTED_GIGABYTES: u32 = 9;
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("tools", find_tools_and_begin),
     ("a Neo4j for the tests", find_neo4j),
     ("libqi for the tests", find_libqi),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
     ("what we take from others", check_supply),
     ("the server and the tests", |run| run.cargo(&[&["test", "--no-run"], ALL_BUT_THIS.as_slice()].concat())),
-    ("the page and the optimised server", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
+    ("the page, the optimised server and a module", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
     ("hostile procedures, optimised", |run| run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())),
-    ("cargo test", |run| {
-        run.meanwhile = Some(begin_meanwhile(run.workspace)?);
-        run.tests(&[])
-    }),
-    ("cargo clippy and cargo doc", |run| run.meanwhile.take().map_or(Ok(()), Beside::wait)),
+    ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
+    ("cargo doc, and the tests of this program", check_documents_and_build_the_rest),
+    ("cargo test", |run| run.tests(&[])),
 ];
 
 /// A run through the checks, and what it found on the way.
@@ -60,8 +58,6 @@ struct Run<'a> {
     /// A Python that has the real libqi.
     libqi: Option<PathBuf>,
     beside: Option<Beside>,
-    /// What is checked and built while tests wait.
-    meanwhile: Option<Beside>,
     skipped: Vec<String>,
 }
 
@@ -99,7 +95,7 @@ pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
 
 impl<'a> Run<'a> {
     fn on(workspace: &'a Workspace) -> Self {
-        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, meanwhile: None, skipped: Vec::new() }
+        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, skipped: Vec::new() }
     }
 
     /// Where a part was made that `tests` need; without it they are skipped by name, but never in CI.
@@ -160,11 +156,16 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The page is built beside the other checks, and after it the server that carries it. What is installed comes meanwhile.
+/// The page is built beside the other checks, after it the server that carries it, and then what one of the tests would build
+/// alone. What is installed comes meanwhile.
 fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
     make_ready(run.workspace)?;
-    let optimised = run.workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
-    run.beside = Some(Beside::begin(vec![page::builder()?, optimised], run.workspace.target.join("beside.txt"))?);
+    let workspace = run.workspace;
+    let optimised = workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
+    let folder = workspace.target.join("tmp/wasm").display().to_string();
+    let module = workspace.cargo(&[MODULE.as_slice(), &["--target-dir", &folder]].concat());
+    let commands = vec![page::builder()?, optimised, module];
+    run.beside = Some(Beside::begin(commands, workspace.target.join("beside.txt"))?);
     find_tools(run)
 }
 
@@ -175,17 +176,12 @@ fn make_ready(workspace: &Workspace) -> Outcome<()> {
     fs::create_dir_all(&page).map_err(|error| format!("{} cannot be made: {error}.", page.display()))
 }
 
-/// Nothing else is compiled from here on, and many tests wait more than they work: meanwhile what one of them would build alone
-/// is built, then lints and what is documented are checked, and the tests of this program are built. The first has its own
-/// folder, so that the tests, which begin beside it, need not wait for who holds that of all others.
-fn begin_meanwhile(workspace: &Workspace) -> Outcome<Beside> {
-    let folder = workspace.target.join("tmp/wasm").display().to_string();
-    let module = workspace.cargo_at_leisure(&[MODULE.as_slice(), &["--target-dir", &folder]].concat());
-    let lints = workspace.cargo_at_leisure(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
-    let mut documents = workspace.cargo_at_leisure(&["doc", "--workspace", "--no-deps"]);
-    documents.env("RUSTDOCFLAGS", "-D warnings");
-    let ours = workspace.cargo_at_leisure(&[&["test", "--no-run"], THIS_AND_ITS_OWN.as_slice()].concat());
-    Beside::begin(vec![module, lints, documents, ours], workspace.target.join("meanwhile.txt"))
+/// Checks what is documented, and builds the tests of this program. Nothing is compiled once tests run: a browser that has to
+/// share two cores with a compiler is slower by chance.
+fn check_documents_and_build_the_rest(run: &mut Run) -> Outcome<()> {
+    let mut documents = run.workspace.cargo(&["doc", "--workspace", "--no-deps"]);
+    tools::run(documents.env("RUSTDOCFLAGS", "-D warnings"), "`cargo doc --workspace --no-deps`")?;
+    run.cargo(&[&["test", "--no-run"], THIS_AND_ITS_OWN.as_slice()].concat())
 }
 
 /// Looks for the browser and for what single tests need.

@@ -84,17 +84,7 @@ impl Workspace {
 
     /// Cargo, called in the root with `words`, free of what our own cargo left in the environment.
     pub(crate) fn cargo(&self, words: &[&str]) -> Command {
-        self.ours(Command::new(env::var_os("CARGO").unwrap_or("cargo".into())), words)
-    }
-
-    /// Cargo, called in the root with `words`, using what the rest of the computer leaves.
-    pub(crate) fn cargo_at_leisure(&self, words: &[&str]) -> Command {
-        let mut command = Command::new("nice");
-        command.args(["-n", "19"]).arg(env::var_os("CARGO").unwrap_or("cargo".into()));
-        self.ours(command, words)
-    }
-
-    fn ours(&self, mut command: Command, words: &[&str]) -> Command {
+        let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
         command.args(words).current_dir(&self.root);
         // What is built once has no use for what would make the next build quicker, and nobody steps through it: a panic says
         // its line without. That is gigabytes, and an eighth of the time to build the tests.
