@@ -123,9 +123,8 @@ const TOP: [&str; 13] = [
 /// Where cargo and the tests put what they make; never in a commit.
 const MADE: &str = "target";
 
-/// Where connectors may be named: their own files, the engine that runs them, and what sentences take them for.
-const CONNECTOR_ROOMS: [&str; 3] =
-    ["crates/behaviour/src/connectors", "crates/engine/src/", "crates/sentences/src/does.rs"];
+/// Where connectors may be named: their own files, and the engine that runs them.
+const CONNECTOR_ROOMS: [&str; 2] = ["crates/behaviour/src/connectors", "crates/engine/src/"];
 /// Where devices may be named: their own files, the robots that have them, and what sentences say of each.
 const DEVICE_ROOMS: [&str; 6] = [
     "crates/robot/src/devices",

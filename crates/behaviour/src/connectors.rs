@@ -16,8 +16,10 @@ pub mod subscribe;
 pub mod timestamp;
 pub mod with_latest;
 
+use crate::StreamKind;
 pub use crate::spec::{
-    Carries, GraphForm, Help, Icon, Inputs, Offered, PERIOD_MS, Passes, Procedural, ResultUse, Spec, Takes,
+    Carries, ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, PERIOD_MS, Passes, Procedural, ResultUse, Spec,
+    Takes,
 };
 
 /// All connectors, in the order in which people see them: that of the thesis, `merge` before `timestamp`.
@@ -40,6 +42,13 @@ pub const ALL: &[&Spec] = &[
 #[must_use]
 pub fn spec(word: &str) -> Option<&'static Spec> {
     ALL.iter().copied().find(|spec| spec.word == word)
+}
+
+/// The connector that a sentence with this meaning makes: of several the first, in the order of [`ALL`], that makes ordinary
+/// streams.
+#[must_use]
+pub fn with_meaning(meaning: ConnectorMeaning) -> Option<&'static Spec> {
+    ALL.iter().copied().find(|spec| spec.meaning == meaning && spec.ends == StreamKind::Ordinary)
 }
 
 /// The connector that leads a stream to an action of the robot.

@@ -19,6 +19,8 @@ pub struct Spec {
     pub says: &'static str,
     /// What comes of a value, in a few words: what stands beside its name where it is offered.
     pub brief: &'static str,
+    /// What it means in a sentence about a behaviour.
+    pub meaning: ConnectorMeaning,
     /// Its picture.
     pub icon: Icon,
     /// How many streams it takes from.
@@ -42,6 +44,33 @@ pub struct Spec {
     pub called: &'static [&'static str],
     /// How it works, for who wants to know more.
     pub help: Help,
+}
+
+/// What a connector does with values, as a sentence about a behaviour tells it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConnectorMeaning {
+    /// Makes a new value of each.
+    Makes,
+    /// Keeps the values that pass a test.
+    Keeps,
+    /// Passes on the newest value, once in every period.
+    Every,
+    /// Passes each value on after a period.
+    Later,
+    /// Passes on a value once nothing new has come for a period.
+    Settles,
+    /// Adds the time to each value.
+    Stamps,
+    /// Passes on the values that differ from the one before.
+    Changes,
+    /// Makes each result of a value and the result before.
+    Remembers,
+    /// Passes on every value of each input.
+    PassesOn,
+    /// Makes a value of the newest values of all inputs whenever one comes.
+    Together,
+    /// Makes a value of the newest values of all inputs when one comes on the first input.
+    Latest,
 }
 
 /// A picture of simple strokes.

@@ -44,20 +44,8 @@ impl fmt::Display for Failure {
             Self::Serve(error) => write!(to, "{error}"),
             Self::Listening(muddle) => write!(to, "{muddle}"),
             Self::NoHome => to.write_str("There is no home folder. Say where the data is with --data DIR."),
-            Self::RelativeFolder(name, folder) if folder.as_os_str().is_empty() => {
-                write!(to, "{name} is empty. Say where the data is with --data DIR, or set {name} to your folder.")
-            }
-            Self::RelativeFolder(name, folder) => write!(
-                to,
-                "{name} is “{}”, which is no whole path, as it does not begin with /. Set it to one, or say where the data is with \
-                 --data DIR.",
-                folder.display()
-            ),
-            Self::RelativeState(folder) => write!(
-                to,
-                "XDG_STATE_HOME is “{}”, which is no whole path, as it does not begin with /. Set it to one, or unset it.",
-                folder.display()
-            ),
+            Self::RelativeFolder(name, folder) => relative(name, folder, "say where the data is with --data DIR", to),
+            Self::RelativeState(folder) => relative("XDG_STATE_HOME", folder, "unset it", to),
             Self::Store(error) => write!(to, "{error}"),
             Self::Busy(folder) => {
                 write!(to, "A running rrp server uses {}. Stop it, then do this again.", folder.display())
@@ -180,6 +168,20 @@ fn in_doubt(words: &str, suggestions: &[String], why: Option<&str>, to: &mut fmt
     }
     let quoted: Vec<String> = suggestions.iter().map(|suggestion| format!("“{suggestion}”")).collect();
     write!(to, " Is it {}?", quoted.join(" or "))
+}
+
+/// A variable that names no whole path, and what to do instead of setting it to one.
+fn relative(name: &str, folder: &Path, instead: &str, to: &mut fmt::Formatter) -> fmt::Result {
+    if folder.as_os_str().is_empty() {
+        let mut letters = instead.chars();
+        let instead = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>();
+        return write!(to, "{name} is empty. {instead}, or set {name} to your folder.");
+    }
+    write!(
+        to,
+        "{name} is “{}”, which is no whole path, as it does not begin with /. Set it to one, or {instead}.",
+        folder.display()
+    )
 }
 
 fn differences(all: &[Difference], to: &mut fmt::Formatter) -> fmt::Result {

@@ -2,7 +2,7 @@
 
 use crate::body::{Part, free_names, parts, skeleton, text_literal};
 use crate::test::{Places, Test, field_of};
-use behaviour::connectors::spec;
+use behaviour::connectors::{ConnectorMeaning, with_meaning};
 use behaviour::{Operation, Parameters, Procedure, Value};
 
 /// What a connector does with its values.
@@ -102,18 +102,20 @@ impl Does {
         let calc =
             || procedure.map_or(Calc::Written(args.to_vec(), String::new()), |procedure| Calc::of(procedure, args));
         let several = || procedure.map_or_else(calc, |procedure| calc().or_written(procedure, args, true));
-        let does = match operation.word() {
-            "filter" => return keeps(procedure, args),
-            "map" => Self::Make(calc()),
-            "sample" => Self::Every(period),
-            "delay" => Self::Later(period),
-            "debounce" => Self::Quiet(period),
-            "timestamp" => Self::Stamp,
-            "distinct" => Self::Changed(procedure.map(|procedure| calc().or_written(procedure, args, false))),
-            "scan" => Self::Remember(Memory::of(procedure, args, operation.start())),
-            "combineLatest" => Self::Together(several()),
-            "withLatest" => Self::Latest(several()),
-            _ => Self::Any,
+        let does = match operation.spec().meaning {
+            ConnectorMeaning::Keeps => return keeps(procedure, args),
+            ConnectorMeaning::Makes => Self::Make(calc()),
+            ConnectorMeaning::Every => Self::Every(period),
+            ConnectorMeaning::Later => Self::Later(period),
+            ConnectorMeaning::Settles => Self::Quiet(period),
+            ConnectorMeaning::Stamps => Self::Stamp,
+            ConnectorMeaning::Changes => {
+                Self::Changed(procedure.map(|procedure| calc().or_written(procedure, args, false)))
+            }
+            ConnectorMeaning::Remembers => Self::Remember(Memory::of(procedure, args, operation.start())),
+            ConnectorMeaning::Together => Self::Together(several()),
+            ConnectorMeaning::Latest => Self::Latest(several()),
+            ConnectorMeaning::PassesOn => Self::Any,
         };
         (does, Vec::new())
     }
@@ -132,20 +134,20 @@ impl Does {
         if let Calc::Helper(name) = self.calc()? { Some(name) } else { None }
     }
 
-    /// The word of its connector in files.
-    pub(crate) fn word(&self) -> &'static str {
+    /// What its connector means.
+    pub(crate) fn meaning(&self) -> ConnectorMeaning {
         match self {
-            Self::Make(_) => "map",
-            Self::Keep(_) | Self::KeepBy(_) => "filter",
-            Self::Every(_) => "sample",
-            Self::Later(_) => "delay",
-            Self::Quiet(_) => "debounce",
-            Self::Stamp => "timestamp",
-            Self::Changed(_) => "distinct",
-            Self::Remember(_) => "scan",
-            Self::Any => "merge",
-            Self::Together(_) => "combineLatest",
-            Self::Latest(_) => "withLatest",
+            Self::Make(_) => ConnectorMeaning::Makes,
+            Self::Keep(_) | Self::KeepBy(_) => ConnectorMeaning::Keeps,
+            Self::Every(_) => ConnectorMeaning::Every,
+            Self::Later(_) => ConnectorMeaning::Later,
+            Self::Quiet(_) => ConnectorMeaning::Settles,
+            Self::Stamp => ConnectorMeaning::Stamps,
+            Self::Changed(_) => ConnectorMeaning::Changes,
+            Self::Remember(_) => ConnectorMeaning::Remembers,
+            Self::Any => ConnectorMeaning::PassesOn,
+            Self::Together(_) => ConnectorMeaning::Together,
+            Self::Latest(_) => ConnectorMeaning::Latest,
         }
     }
 
@@ -163,7 +165,7 @@ impl Does {
             Self::Changed(Some(calc)) => calc.procedure(args).into(),
             Self::Remember(memory) => memory.parameters(args),
         };
-        Some(spec(self.word())?.with(parameters))
+        Some(with_meaning(self.meaning())?.with(parameters))
     }
 
     /// What passes exactly what this keeps out, if it keeps something out and the grammar has words for it.

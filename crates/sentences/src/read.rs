@@ -232,7 +232,7 @@ fn drafted(builder: &Builder, tokens: &[Placed], mut names: Names, behaviour: Op
             }
             Source::Missing(_) => stream.doubtful = true,
             Source::Made(does, inputs, measured) => {
-                let spec = connectors::spec(does.word());
+                let spec = connectors::with_meaning(does.meaning());
                 let from = inputs.iter().map(|input| stream_names[*input].as_str());
                 let args = spec.map_or_else(Vec::new, |spec| spec.argument_names(from));
                 if let Some(operation) = does.operation(&args, *measured) {

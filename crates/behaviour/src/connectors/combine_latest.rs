@@ -1,6 +1,6 @@
 //! One value out of the newest values of several streams.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "combine",
     says: "Makes one value out of the newest values of several streams.",
     brief: "with another stream",
+    meaning: ConnectorMeaning::Together,
     icon: Icon {
         name: "combine",
         strokes: &["M9 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11", "M15 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11"],

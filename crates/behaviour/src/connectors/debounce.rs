@@ -1,6 +1,6 @@
 //! A value after which nothing else came for a while.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "settle",
     says: "Passes on a value once nothing new has come for a while.",
     brief: "when it has settled",
+    meaning: ConnectorMeaning::Settles,
     icon: Icon { name: "debounce", strokes: &["M3 12h3l2-6 3 12 2-6h8"] },
     inputs: Inputs::One,
     takes: Takes { period: Some("Nothing new for"), ..Takes::NOTHING },

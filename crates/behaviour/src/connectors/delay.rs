@@ -1,6 +1,6 @@
 //! Every value, a while later.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "delay",
     says: "Passes on every value a while later.",
     brief: "a while later",
+    meaning: ConnectorMeaning::Later,
     icon: Icon { name: "delay", strokes: &["M12 7v5l3 2", "M12 3a9 9 0 1 0 9 9", "M17 5h4v4"] },
     inputs: Inputs::One,
     takes: Takes { period: Some("Later by"), ..Takes::NOTHING },

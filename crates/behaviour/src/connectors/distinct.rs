@@ -1,6 +1,8 @@
 //! The values that differ from the one before.
 
-use super::{Carries, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
+use super::{
+    Carries, ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes,
+};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +13,7 @@ pub const SPEC: Spec = Spec {
     name: "changed",
     says: "Passes on a value only when it has changed.",
     brief: "only when it changes",
+    meaning: ConnectorMeaning::Changes,
     icon: Icon { name: "distinct", strokes: &["M4 9h16", "M4 15h16", "M15 5L9 19"] },
     inputs: Inputs::One,
     takes: Takes {

@@ -1,6 +1,8 @@
 //! The values that pass a test.
 
-use super::{Carries, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
+use super::{
+    Carries, ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes,
+};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +13,7 @@ pub const SPEC: Spec = Spec {
     name: "filter",
     says: "Keeps the values that pass a test.",
     brief: "keeps some",
+    meaning: ConnectorMeaning::Keeps,
     icon: Icon { name: "filter", strokes: &["M4 5h16l-6 7.5V19l-4-2.2v-4.3z"] },
     inputs: Inputs::One,
     takes: Takes {

@@ -1,6 +1,6 @@
 //! A new value out of each value.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "map",
     says: "Makes a new value out of each value.",
     brief: "makes another value",
+    meaning: ConnectorMeaning::Makes,
     icon: Icon {
         name: "map",
         strokes: &["M3 12h5", "M11 9a3 3 0 1 0 0 6a3 3 0 1 0 0-6", "M14 12h6", "M17.5 9l3 3l-3 3"],

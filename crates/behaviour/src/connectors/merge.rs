@@ -1,6 +1,6 @@
 //! Several streams as one.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "merge",
     says: "Joins several streams into one, as their values come.",
     brief: "with another stream",
+    meaning: ConnectorMeaning::PassesOn,
     icon: Icon { name: "merge", strokes: &["M6 4c0 5 6 4 6 9v7", "M18 4c0 5-6 4-6 9"] },
     inputs: Inputs::OneOrMore,
     takes: Takes::NOTHING,

@@ -1,6 +1,6 @@
 //! The newest value at a steady beat.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "sample",
     says: "Passes on the newest value at a steady beat.",
     brief: "every second",
+    meaning: ConnectorMeaning::Every,
     icon: Icon { name: "sample", strokes: &["M4 19h16", "M7 19v-6", "M12 19V6", "M17 19v-9"] },
     inputs: Inputs::One,
     takes: Takes { period: Some("One value every"), ..Takes::NOTHING },

@@ -1,6 +1,8 @@
 //! What a procedure makes of what it made before and the new value.
 
-use super::{Carries, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
+use super::{
+    Carries, ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes,
+};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +13,7 @@ pub const SPEC: Spec = Spec {
     name: "remember",
     says: "Remembers a result and makes the next one of it and each value.",
     brief: "counts, remembers",
+    meaning: ConnectorMeaning::Remembers,
     icon: Icon { name: "scan", strokes: &["M5 12a7 7 0 1 1 2 5", "M5 20v-4h4", "M12 8v4l3 2"] },
     inputs: Inputs::One,
     takes: Takes {

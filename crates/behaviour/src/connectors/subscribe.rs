@@ -1,6 +1,6 @@
 //! Values to an action of the robot.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "subscribe",
     says: "Hands each value to an action of the robot.",
     brief: "to an action",
+    meaning: ConnectorMeaning::PassesOn,
     icon: Icon { name: "subscribe", strokes: &["M12 4v11", "M7.5 11L12 15.5L16.5 11", "M5 20h14"] },
     inputs: Inputs::One,
     takes: Takes::NOTHING,

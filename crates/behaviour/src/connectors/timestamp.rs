@@ -1,6 +1,6 @@
 //! The time beside each value.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "timestamp",
     says: "Puts the time beside each value.",
     brief: "with the time",
+    meaning: ConnectorMeaning::Stamps,
     icon: Icon { name: "timestamp", strokes: &["M12 4a8 8 0 1 0 0 16a8 8 0 1 0 0-16", "M12 7.5V12l3 2"] },
     inputs: Inputs::One,
     takes: Takes::NOTHING,

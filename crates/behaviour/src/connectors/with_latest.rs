@@ -1,6 +1,6 @@
 //! What a procedure makes of each value and the newest of other streams.
 
-use super::{GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
+use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
 use crate::StreamKind;
 use crate::flow::Gives;
 use crate::marbles::{Example, Lane, Setting};
@@ -11,6 +11,7 @@ pub const SPEC: Spec = Spec {
     name: "with latest",
     says: "Combines each value with the newest values of other streams.",
     brief: "with another’s newest",
+    meaning: ConnectorMeaning::Latest,
     icon: Icon { name: "with-latest", strokes: &["M4 7h9", "M4 17h5a4 4 0 0 0 4-4V7", "M13 7h7", "M17 4l3 3-3 3"] },
     inputs: Inputs::TwoOrMore,
     takes: Takes {
