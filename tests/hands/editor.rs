@@ -60,8 +60,9 @@ async fn a_whole_program_that_is_pasted_is_offered_to_be_opened() -> Outcome<()>
         "(async () => {{ const file = await (await fetch('/api/behaviours/{whole}.xml')).text();
         const data = new DataTransfer(); data.setData('text/plain', file);
         document.querySelector('#stage').dispatchEvent(new ClipboardEvent('paste', {{ clipboardData: data, bubbles: true, cancelable: true }}));
-        return file.length; }})(), 0"
+        }})(), 0"
     );
+    aiko.find("heading", "Add a sense to begin").await?;
     // Who leaves it goes on with what is there; who opens it has it as a program of its own.
     for (button, name, count) in [("Leave it", "Seen", 0), ("Open it", "Pasted 2", 6)] {
         aiko.eval(&paste).await?;
