@@ -70,7 +70,7 @@ pub struct Node {
     pub id: i64,
     /// Its accessible name.
     pub name: String,
-    /// Whether it says that it is disabled.
+    /// True if it says that it is disabled.
     pub disabled: bool,
     /// All of it.
     pub rect: Rect,

@@ -34,7 +34,7 @@ pub struct Page {
     patience_ms: AtomicU64,
     /// Origins of servers of ours to which the browser is shown as the host's.
     in_already: Mutex<BTreeSet<String>>,
-    /// Whether Chromium's process that draws was started anew for this page.
+    /// True if Chromium's process that draws was started anew for this page.
     pub(crate) drawn_anew: AtomicBool,
 }
 

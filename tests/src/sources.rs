@@ -47,7 +47,7 @@ impl Source {
         self.path.rsplit('/').next().unwrap_or_default()
     }
 
-    /// Whether the whole file is for tests or benchmarks.
+    /// True if the whole file is for tests or benchmarks.
     pub fn is_test(&self) -> bool {
         let folder = self.path.split('/').any(|part| part == "tests" || part == "benches");
         folder || self.name() == "tests.rs" || self.name().ends_with("_tests.rs")

@@ -61,7 +61,7 @@ impl Wire {
         self.inside().watches.insert(session.to_owned(), watch);
     }
 
-    /// Whether Chromium has gone.
+    /// True if Chromium has gone.
     pub(crate) fn closed(&self) -> bool {
         self.inside().closed
     }

@@ -79,7 +79,7 @@ impl Fields {
         self.0.names.place(name).is_some()
     }
 
-    /// How many fields.
+    /// Returns the number of fields.
     #[must_use]
     #[inline]
     pub fn len(&self) -> usize {
@@ -169,7 +169,7 @@ impl Names {
         self.names.binary_search_by(|known| known.as_ref().cmp(name)).ok()
     }
 
-    /// How many names.
+    /// Returns the number of names.
     #[must_use]
     #[inline]
     pub fn len(&self) -> usize {

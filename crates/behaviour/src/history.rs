@@ -1,4 +1,4 @@
-//! Whether a history that comes from elsewhere, such as a backup, is one that rooms can have made.
+//! The check that a history from elsewhere, such as a backup, is one that rooms can have made.
 
 use crate::room::check_whole;
 use crate::rules;
@@ -34,7 +34,7 @@ impl Knowledge for Everything {
 }
 
 impl History {
-    /// That of the helper library, in which nothing else is.
+    /// Returns an empty history of the helper library, which holds nothing but helpers.
     #[must_use]
     pub fn of_the_library() -> Self {
         Self { is_library: true, ..Self::default() }
@@ -86,16 +86,16 @@ impl History {
     }
 }
 
-/// Who made a change and what it is called: rooms leave out what is not seen there, so that a text with control characters
-/// comes from elsewhere.
+/// Checks the author and the label of a change. Rooms leave out characters that are not seen, so that a text with
+/// control characters comes from elsewhere.
 fn check_said(change: &Change) -> Result<(), Refusal> {
     [&change.label, &change.author].into_iter().try_for_each(|text| check_person(text))
 }
 
-/// Whether somebody can be called so.
+/// Checks that a person can have this name.
 ///
 /// # Errors
-/// What is wrong with the name.
+/// Refuses a name that is too long or holds characters that are not seen there.
 pub fn check_person(name: &str) -> Result<(), Refusal> {
     if name.chars().count() > NAME_MAX_CHARS {
         return Err(Refusal::TooLong("This name".into(), NAME_MAX_CHARS));
@@ -141,7 +141,7 @@ mod tests {
         (RecordId::new(Kind::Connector, &id(&format!("{from}-{to}"))), Record::Connector(connector))
     }
 
-    /// What becomes of two streams when these records come too.
+    /// Makes two streams and then these records, and returns the refusal, if any.
     fn with(records: Vec<(RecordId, Record)>) -> Result<(), Refusal> {
         let mut history = History::default();
         let none = Behaviour::default();

@@ -79,7 +79,7 @@ impl<'de> Deserialize<'de> for Id {
     }
 }
 
-/// What a record is about.
+/// The kinds of records.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// The name and choices of the behaviour; there is one, with id `behaviour`.
@@ -119,9 +119,9 @@ impl Kind {
 /// Which record: its kind and its id, written `stream/3f2a`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RecordId {
-    /// What the record is about.
+    /// The kind of the record.
     pub kind: Kind,
-    /// Its id, unique within its kind and behaviour.
+    /// The id of the record, unique within its kind and behaviour.
     pub id: Id,
 }
 

@@ -26,17 +26,17 @@ const WAY: f64 = 40.0;
 /// Something that is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
-    /// How far it reaches to the left of its middle.
+    /// The distance from the middle to the left edge.
     pub left: f64,
-    /// How far it reaches to the right of its middle, with its value.
+    /// The distance from the middle to the right edge, with the value beside it.
     pub right: f64,
-    /// Whether it is an action: these stand in the last row.
+    /// True if it is an action: these stand in the last row.
     pub acts: bool,
     /// Where it stood, if somebody placed it.
     pub stood: Option<Place>,
 }
 
-/// How often a graph is arranged at most until that moves nothing any more.
+/// The most times that a graph is arranged until that moves nothing any more.
 const PASSES_MAX: usize = 8;
 
 /// A place for every shape: the middle of its top edge. `edges` lead from one number to another; `stage` is the width and

@@ -133,13 +133,13 @@ pub fn as_looks(name: &str) -> Cow<'_, str> {
     if name.is_ascii() { Cow::Borrowed(name) } else { Cow::Owned(composed(name)) }
 }
 
-/// Whether two names look the same.
+/// True if two names look the same.
 #[must_use]
 pub fn look_same(one: &str, other: &str) -> bool {
     as_looks(one) == as_looks(other)
 }
 
-/// Whether the letter may stand in a name of a procedure: `_`, and letters and digits of every script.
+/// True if the letter may stand in a name of a procedure: `_`, and letters and digits of every script.
 #[must_use]
 pub fn is_name_letter(letter: char) -> bool {
     is_word(letter)
@@ -174,7 +174,7 @@ fn is_keyword(name: &str) -> bool {
     RHAI_KEYWORDS.contains(&name)
 }
 
-/// Whether a letter is the first but for underscores, as names of procedures need it.
+/// True if a letter is the first but for underscores, as names of procedures need it.
 fn begins_with_letter(name: &str) -> bool {
     name.chars().find(|c| *c != '_').is_some_and(|first| first.is_xid_start())
 }
@@ -350,7 +350,7 @@ fn after_word(body: &str, start: usize) -> usize {
     body[start..].find(|c| !is_word(c)).map_or(body.len(), |length| start + length)
 }
 
-/// Whether a name may begin with it.
+/// True if a name may begin with it.
 fn is_name_start(c: char) -> bool {
     c == '_' || c.is_xid_start()
 }

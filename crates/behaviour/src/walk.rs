@@ -31,7 +31,7 @@ pub fn in_order(streams: usize, connectors: &[Ends]) -> Vec<usize> {
     order
 }
 
-/// How many connectors the longest way to each stream has; none for the streams in a circle or behind one.
+/// Returns the number of connectors on the longest way to each stream; none for the streams in a circle or behind one.
 #[must_use]
 pub fn ranks(streams: usize, connectors: &[Ends]) -> Vec<Option<usize>> {
     let (mut ranks, mut open) = (vec![0_usize; streams], vec![0_usize; streams]);

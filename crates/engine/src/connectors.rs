@@ -60,7 +60,7 @@ pub(crate) struct Choice {
     pub(crate) period_ms: u64,
     /// The value to start from; null if it takes none.
     pub(crate) start: Value,
-    /// Whether it has a procedure.
+    /// True if it has a procedure.
     pub(crate) has_procedure: bool,
 }
 

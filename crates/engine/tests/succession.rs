@@ -159,7 +159,7 @@ fn what_has_nothing_in_common_begins_anew_and_logical_time_goes_on() {
     }
 }
 
-/// Whether no frame is open at the swap.
+/// True if no frame is open at the swap.
 fn between(case: &Case) -> bool {
     let mut run = build(&case.file);
     play(&mut run, &case.trace[..case.cut], &case.file, &mut Vec::new());

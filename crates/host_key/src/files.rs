@@ -45,7 +45,7 @@ impl Published {
         Self { key: key.clone(), files }
     }
 
-    /// Whether a program of this user finds the key.
+    /// True if a program of this user finds the key.
     #[must_use]
     pub fn is_kept(&self) -> bool {
         !self.files.is_empty()

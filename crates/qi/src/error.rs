@@ -191,7 +191,7 @@ fn said(candidates: &[String]) -> String {
 }
 
 impl QiError {
-    /// Whether trying again later, unchanged, can help: the network and the peer may come back, a password or a
+    /// True if trying again later, unchanged, can help: the network and the peer may come back, a password or a
     /// certificate does not mend itself.
     pub fn retryable(&self) -> bool {
         match self {

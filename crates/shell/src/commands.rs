@@ -129,13 +129,13 @@ pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), NotDone> {
     }
 }
 
-/// Whether the name was typed out.
+/// True if the name was typed out.
 fn is_whole(command: &Command, typed: &[String]) -> bool {
     let words: Vec<_> = command.name.split(' ').collect();
     typed.len() >= words.len() && words.iter().zip(typed).all(|(word, typed)| word == typed)
 }
 
-/// Whether every typed word begins its word of the name, as far as both go.
+/// True if every typed word begins its word of the name, as far as both go.
 fn begins(command: &Command, typed: &[String]) -> bool {
     let mut pairs = command.name.split(' ').zip(typed);
     !typed.is_empty() && pairs.all(|(word, typed)| word.starts_with(typed.as_str()))

@@ -20,7 +20,7 @@ pub struct Console {
     pub(crate) stream: Option<Id>,
     /// The robot in use, if one was chosen.
     pub(crate) robot: Option<Id>,
-    /// Whether starts are recorded.
+    /// True if starts are recorded.
     pub(crate) records: bool,
     /// True once exit was typed.
     pub(crate) done: bool,

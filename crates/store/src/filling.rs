@@ -22,7 +22,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Whether a store with this mark may be filled from here.
+    /// True if a store with this mark may be filled from here.
     fn fits(&self, mark: &Self) -> bool {
         self.key == mark.key || mark.key.is_empty()
     }
@@ -61,7 +61,7 @@ impl Filling {
         &self.to
     }
 
-    /// Whether it had been begun before.
+    /// True if it had been begun before.
     #[must_use]
     pub fn goes_on(&self) -> bool {
         self.goes_on

@@ -113,7 +113,7 @@ pub fn folder_of(url: &str) -> Option<&Path> {
     (!folder.contains("://") && !folder.is_empty()).then(|| Path::new(folder))
 }
 
-/// Whether both are the same folder, however they are written.
+/// True if both are the same folder, however they are written.
 #[must_use]
 pub fn is_same_folder(one: &Path, other: &Path) -> bool {
     one == other || one.canonicalize().is_ok_and(|one| other.canonicalize().is_ok_and(|other| one == other))

@@ -84,7 +84,7 @@ fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
     })
 }
 
-/// Whether nothing could be opened because the disk is full, whatever SQLite calls it.
+/// True if nothing could be opened because the disk is full, whatever SQLite calls it.
 fn is_full(error: &StoreError, data_dir: &Path) -> bool {
     let room = || disk::has_room(data_dir, ROOM_MIN_BYTES);
     let has_none = || room().is_err_and(|error| error.kind() == std::io::ErrorKind::StorageFull);

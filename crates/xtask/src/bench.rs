@@ -112,7 +112,7 @@ fn from_npm(package: &str, folder: PathBuf) -> Outcome<PathBuf> {
     Ok(folder)
 }
 
-/// Whether a package.json is of that version.
+/// True if a package.json is of that version.
 fn is_installed(package: &Path, version: &str) -> bool {
     let said = std::fs::read_to_string(package).unwrap_or_default();
     said.contains(&format!("\"version\": \"{version}\""))

@@ -163,7 +163,7 @@ struct Stamp {
 }
 
 impl Stamp {
-    /// Whether `page` was made of the same input and is still whole.
+    /// True if `page` was made of the same input and is still whole.
     fn holds(&self, page: &Path) -> bool {
         let now = dist::listing(page).map(|files| self.words(&files));
         now.is_ok_and(|now| fs::read_to_string(&self.file).is_ok_and(|saved| saved == now))

@@ -43,7 +43,7 @@ fn develop(workspace: &Workspace) -> Outcome<PathBuf> {
     Ok(workspace.server())
 }
 
-/// Whether the server is to keep its programs in a Neo4j.
+/// True if the server is to keep its programs in a Neo4j.
 fn wants_neo4j(arguments: &[&str]) -> bool {
     let store = std::env::var("RRP_STORE").ok();
     let is_neo4j = |word: &str| ["bolt", "neo4j"].iter().any(|scheme| word.contains(scheme)) && word.contains("://");

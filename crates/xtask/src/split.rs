@@ -39,7 +39,7 @@ pub(crate) struct Pieces {
     loader: String,
 }
 
-/// Whether a file of the page is one that is loaded later.
+/// True if a file of the page is one that is loaded later.
 pub(crate) fn is_later(name: &str) -> bool {
     name.starts_with(LATER)
 }

@@ -110,7 +110,7 @@ impl Workspace {
     }
 }
 
-/// Whether this is a run that nobody watches, on a machine of its own.
+/// True if this is a run that nobody watches, on a machine of its own.
 pub(crate) fn in_ci() -> bool {
     env::var("CI").is_ok_and(|value| value == "true")
 }
@@ -122,7 +122,7 @@ pub(crate) fn free_gigabytes(folder: &Path) -> Option<f64> {
     Some(kilobytes / 1e6)
 }
 
-/// Whether a nested cargo must not see the variable `name`.
+/// True if a nested cargo must not see the variable `name`.
 fn is_outer(name: &str) -> bool {
     OUTER_NAMES.contains(&name) || OUTER_PREFIXES.iter().any(|prefix| name.starts_with(prefix))
 }
@@ -179,7 +179,7 @@ pub(crate) fn on_path(name: &str) -> Option<PathBuf> {
     env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(name)).find(|path| path.is_file())
 }
 
-/// Whether there is a font with Japanese letters, as far as `fc-list` knows them.
+/// True if there is a font with Japanese letters, as far as `fc-list` knows them.
 pub(crate) fn has_japanese_font() -> bool {
     said(Command::new("fc-list").args([":lang=ja", "family"])).is_some_and(|fonts| !fonts.is_empty())
 }

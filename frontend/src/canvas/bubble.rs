@@ -80,7 +80,7 @@ fn follow_height(root: NodeRef<leptos::html::Div>, high: ArcRwSignal<f64>) {
     });
 }
 
-/// Whether somebody who is building wants to be told at once.
+/// True if somebody who is building wants to be told at once.
 fn is_told_at_once(problem: &Problem) -> bool {
     use ProblemKind::{EmptyBody, FewInputs, NoInputs, NoSource, Unused};
     !matches!(problem.kind, Unused | NoSource | NoInputs | FewInputs(_) | EmptyBody)

@@ -29,7 +29,7 @@ pub(crate) struct Context {
     /// What it is about; none for the ground.
     pub(super) about: Option<Selected>,
     pub(super) on: On,
-    /// Whether a finger or pen rests there still: lifted, it presses what lies below it, which is then the menu.
+    /// True if a finger or pen rests there still: lifted, it presses what lies below it, which is then the menu.
     pub(super) by_finger: bool,
 }
 

@@ -23,7 +23,7 @@ impl Cells {
         Self { left: cell(start.x) - 1, top: cell(start.y) - 1, right: cell(end.x) + 1, bottom: cell(end.y) + 1 }
     }
 
-    /// Whether something touches these cells.
+    /// True if something touches these cells.
     pub(super) fn touch(&self, bounds: &Bounds) -> bool {
         cell(bounds.right) >= self.left
             && cell(bounds.left) <= self.right

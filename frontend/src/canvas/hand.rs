@@ -79,7 +79,7 @@ impl Hand {
         }
     }
 
-    /// Whether one pointer is down and has not moved.
+    /// True if one pointer is down and has not moved.
     pub(super) fn rests(&self) -> bool {
         matches!(self.grip, Grip::Pressed(..)) && self.pointers.len() == 1
     }
@@ -121,7 +121,7 @@ impl Hand {
         }
     }
 
-    /// Whether no pointer is down.
+    /// True if no pointer is down.
     pub(super) fn is_idle(&self) -> bool {
         self.pointers.is_empty()
     }

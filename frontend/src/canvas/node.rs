@@ -260,7 +260,7 @@ pub(super) fn problem_memo(stage: &Stage, at: RecordId) -> ArcMemo<Option<(Strin
     })
 }
 
-/// Whether a way ends at this stream and nobody is working on it. Reactive.
+/// True if a way ends at this stream and nobody is working on it. Reactive.
 fn is_left_over(desk: &Desk, id: &Id) -> bool {
     let goes_on = |connector: &Id| {
         let signals = desk.document.connector(connector);

@@ -244,7 +244,7 @@ pub(super) fn step(event: &KeyboardEvent, next: impl Fn(usize, usize) -> usize) 
     }
 }
 
-/// Whether the keyboard goes from inside a menu to elsewhere.
+/// True if the keyboard goes from inside a menu to elsewhere.
 pub(super) fn leaves_menu(event: &FocusEvent) -> bool {
     let menu = event.current_target().and_then(|menu| menu.dyn_into::<Node>().ok());
     let next = event.related_target().and_then(|next| next.dyn_into::<Node>().ok());

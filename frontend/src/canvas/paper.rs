@@ -53,7 +53,7 @@ impl Stage {
         self.paper.with(|paper| paper.map_or_else(Default::default, |paper| (size(paper.size.0), size(paper.size.1))))
     }
 
-    /// Whether things are drawn smaller than that; on paper details stay.
+    /// True if things are drawn smaller than that; on paper details stay.
     pub(super) fn is_below(&self, zoom: f64) -> bool {
         self.view.with(|view| view.zoom < zoom) && self.paper.with(Option::is_none)
     }

@@ -271,7 +271,7 @@ impl Pointers {
         }
     }
 
-    /// Whether a finger that rests on something chooses it too: something else is chosen.
+    /// True if a finger that rests on something chooses it too: something else is chosen.
     fn adds(&self, what: &Selected) -> bool {
         let chosen = self.desk.document.chosen();
         !chosen.is_empty() && !chosen.contains(what)

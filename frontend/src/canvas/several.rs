@@ -108,7 +108,7 @@ pub(crate) fn several() -> AnyView {
 struct Tool {
     icon: &'static str,
     label: &'static str,
-    /// Whether it changes the program.
+    /// True if it changes the program.
     edits: bool,
     act: fn(&Desk, &Stage),
 }

@@ -109,7 +109,7 @@ pub(crate) struct Stage {
     /// What of the canvas is in view, and whether the view rests.
     pub(super) cells: ArcMemo<Cells>,
     pub(super) rests: ArcRwSignal<bool>,
-    /// Whether everything is so small that nothing can be read.
+    /// True if everything is so small that nothing can be read.
     pub(super) is_tiny: ArcRwSignal<bool>,
     drawn: ArcMemo<Drawn>,
     chips: ArcMemo<Vec<Id>>,
@@ -539,12 +539,12 @@ fn is_selected(desk: &Desk, id: &Id) -> bool {
     desk.document.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id))
 }
 
-/// Whether the keyboard is nowhere that anything could be done with it.
+/// True if the keyboard is nowhere that anything could be done with it.
 fn is_lost() -> bool {
     focus::is_nowhere() || focus::active().is_some_and(|active| active.id() == "stage")
 }
 
-/// Whether the keyboard is where somebody does something by now.
+/// True if the keyboard is where somebody does something by now.
 fn is_elsewhere() -> bool {
     document().active_element().is_some_and(|active| active.closest(ELSEWHERE).ok().flatten().is_some())
 }

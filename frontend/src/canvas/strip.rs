@@ -212,11 +212,11 @@ fn on_stage(view: View, place: Place, width: f64, height: f64) -> Area {
 struct Others {
     streams: Vec<Bounds>,
     chips: Vec<Bounds>,
-    /// Whether a message stands at the bottom left of the stage.
+    /// True if a message stands at the bottom left of the stage.
     message: bool,
     /// How high the sentences at the top are.
     above: f64,
-    /// Whether the banner of a lost connection stands at the top.
+    /// True if the banner of a lost connection stands at the top.
     banner: bool,
 }
 

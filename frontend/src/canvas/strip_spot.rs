@@ -47,7 +47,7 @@ pub(super) struct Around {
     pub(super) over: Vec<Area>,
 }
 
-/// Whether a strip of that width at that corner covers a chip of what is selected, or lies under what stands over the stage.
+/// True if a strip of that width at that corner covers a chip of what is selected, or lies under what stands over the stage.
 pub(super) fn covers_chip((x, y): (f64, f64), around: &Around, width: f64) -> bool {
     let strip = Area { left: x, top: y, right: x + width, bottom: y + HEIGHT };
     around.chips.iter().chain(&around.over).any(|other| strip.shared(other) > 0.0)

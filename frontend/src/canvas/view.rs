@@ -42,7 +42,7 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// Whether they share more than an edge.
+    /// True if they share more than an edge.
     pub(super) fn holds(self, place: Place) -> bool {
         (self.left..=self.right).contains(&place.x) && (self.top..=self.bottom).contains(&place.y)
     }

@@ -31,7 +31,7 @@ pub(super) struct Wire {
     to: Place,
     /// Where it would end now.
     over: Option<WireEnd>,
-    /// Whether it hangs on a pointer that is down.
+    /// True if it hangs on a pointer that is down.
     pub(super) is_held: bool,
 }
 
@@ -133,7 +133,7 @@ impl Stage {
         }
     }
 
-    /// Whether a wire took a tap: on an end it ends there, elsewhere it goes back.
+    /// True if a wire took a tap: on an end it ends there, elsewhere it goes back.
     pub(super) fn tap_wire(&self, on: Option<&Id>) -> bool {
         let Some(wire) = self.wire.get_untracked() else { return false };
         match wire.ends.iter().find(|(end, _)| Some(end.id()) == on) {
@@ -143,7 +143,7 @@ impl Stage {
         true
     }
 
-    /// Whether the keyboard goes from the offer to the graph because a pointer is about to end the wire there.
+    /// True if the keyboard goes from the offer to the graph because a pointer is about to end the wire there.
     pub(super) fn may_end_wire(&self, event: &FocusEvent) -> bool {
         let next = event.related_target().and_then(|next| next.dyn_into::<Element>().ok());
         let on_graph = next.is_some_and(|next| next.closest("#stage").ok().flatten().is_some());

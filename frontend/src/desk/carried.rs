@@ -44,7 +44,7 @@ pub(crate) struct Carried {
     pub(crate) targets: Option<Arc<BTreeSet<Id>>>,
     /// The one of them that the pointer is over.
     pub(crate) over: Option<Id>,
-    /// Whether it could stand on free ground there.
+    /// True if it could stand on free ground there.
     pub(crate) fits: bool,
     from: Point,
     by_finger: bool,
@@ -62,7 +62,7 @@ pub(crate) enum Moved {
 }
 
 impl Item {
-    /// Whether it is led from a stream.
+    /// True if it is led from a stream.
     pub(crate) fn is_led(&self) -> bool {
         !matches!(self, Self::Sense(_))
     }
@@ -75,12 +75,12 @@ impl Carried {
         Self { item, pointer, phase, at, targets, over, fits: false, from: at, by_finger }
     }
 
-    /// Whether a finger took it.
+    /// True if a finger took it.
     pub(crate) fn is_by_finger(&self) -> bool {
         self.by_finger
     }
 
-    /// Whether it hangs on the pointer.
+    /// True if it hangs on the pointer.
     pub(crate) fn is_held(&self) -> bool {
         self.phase == Phase::Carried
     }

@@ -293,7 +293,7 @@ impl Document {
         look(&self.state().confirmed)
     }
 
-    /// Whether this behaviour is the open one.
+    /// True if this behaviour is the open one.
     pub(super) fn is_open(&self, id: &Id) -> bool {
         self.open.with_untracked(|open| open.as_ref() == Some(id))
     }

@@ -33,7 +33,7 @@ impl Desk {
         self.keep_my_name();
     }
 
-    /// Whether to ask what the others shall see: there are others, and nobody said it here. Reactive.
+    /// True if to ask what the others shall see: there are others, and nobody said it here. Reactive.
     pub(crate) fn asks_for_name(&self) -> bool {
         self.name_wanted.get() && !self.document.others().is_empty()
     }
@@ -93,7 +93,7 @@ fn my_name() -> String {
     })
 }
 
-/// Whether nobody here ever said a name, or was asked for it.
+/// True if nobody here ever said a name, or was asked for it.
 pub(super) fn is_name_wanted() -> bool {
     let number = |name: &str| name.strip_prefix(GUEST).is_some_and(|number| number.parse::<u8>().is_ok());
     Keep::Browser.get(ASKED_KEY).is_none() && number(&my_name())

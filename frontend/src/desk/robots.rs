@@ -38,7 +38,7 @@ pub(crate) struct Fields {
     pub(crate) chosen: ArcRwSignal<Option<RobotState>>,
     /// What runs on all robots and what ended lately.
     pub(crate) runs: ArcRwSignal<Vec<RunState>>,
-    /// Whether the next Start is recorded.
+    /// True if the next Start is recorded.
     pub(crate) records: ArcRwSignal<bool>,
     /// The recordings that are kept, as they were when somebody looked.
     pub(crate) recordings: ArcRwSignal<Vec<Recording>>,
@@ -47,7 +47,7 @@ pub(crate) struct Fields {
     pub(crate) failing: ArcRwSignal<Vec<failing::Failing>>,
     /// The connectors, and the streams with settings, that the robot does not use yet as they are now.
     pub(crate) unused: ArcRwSignal<BTreeSet<Id>>,
-    /// Whether there are values of a run, be it over or not.
+    /// True if there are values of a run, be it over or not.
     pub(crate) has_values: ArcRwSignal<bool>,
     /// `performance.now()`, renewed twice a second while the open behaviour runs; for "quiet for 3 s".
     pub(crate) clock: ArcRwSignal<f64>,

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use protocol::{Refused, Role};
 
 impl Tab {
-    /// Whether this person may do what needs that role. Reactive.
+    /// True if this person may do what needs that role. Reactive.
     pub(crate) fn may(&self, least: Role) -> bool {
         self.may_not(least).is_none()
     }

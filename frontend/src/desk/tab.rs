@@ -140,7 +140,7 @@ pub(crate) struct Fields {
     pub(crate) invitations: ArcRwSignal<Vec<Invitation>>,
     /// Why there will be no link again, once that is so.
     pub(crate) ended: ArcRwSignal<Option<LinkEnd>>,
-    /// Whether this person has not said yet what the others shall see as their name.
+    /// True if this person has not said yet what the others shall see as their name.
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
@@ -154,13 +154,13 @@ pub(crate) struct Fields {
     pub(crate) put_away: ArcRwSignal<Option<Id>>,
     /// At which step of the tour this person is, while they take it.
     pub(crate) tour: ArcRwSignal<Option<usize>>,
-    /// Whether the history is shown.
+    /// True if the history is shown.
     pub(crate) shows_history: ArcRwSignal<bool>,
-    /// Whether the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
+    /// True if the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
     pub(crate) to_graph: ArcRwSignal<bool>,
     /// The program that this tab asked to be removed, until that is answered.
     pub(super) removing: ArcRwSignal<Option<Id>>,
-    /// Whether the page is being printed: all of the graph is shown then.
+    /// True if the page is being printed: all of the graph is shown then.
     pub(crate) printing: ArcRwSignal<bool>,
 }
 
@@ -235,7 +235,7 @@ impl Tab {
     }
 }
 
-/// Whether what was refused may work in a moment.
+/// True if what was refused may work in a moment.
 pub(super) fn may_pass(no: &Refused) -> bool {
     matches!(no, Refused::Store(_) | Refused::TooFast | Refused::Change(Refusal::NotSaved(_)))
 }

@@ -9,9 +9,9 @@ use robot::{Param, ParamKind};
 pub(crate) struct ChipWords {
     pub(crate) word: String,
     pub(crate) detail: String,
-    /// Whether the detail is a name in words, and no code.
+    /// True if the detail is a name in words, and no code.
     pub(crate) plain: bool,
-    /// Whether something is compared with a number, behind which its unit may stand.
+    /// True if something is compared with a number, behind which its unit may stand.
     pub(crate) compares: bool,
 }
 

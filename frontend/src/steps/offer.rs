@@ -59,7 +59,7 @@ impl Offer {
         }
     }
 
-    /// Whether it can stand between a stream and what takes from it.
+    /// True if it can stand between a stream and what takes from it.
     fn fits_into_a_gap(&self) -> bool {
         match &self.step {
             Step::Helper(_) | Step::Converted(_, _, None) => true,

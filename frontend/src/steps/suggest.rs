@@ -118,7 +118,7 @@ fn fitting_helpers(helpers: &[Helper], carries: Carries, stream_name: &str, gets
     fitting.into_iter().map(|(_, _, name)| Step::Helper(name.to_owned())).collect()
 }
 
-/// Whether somebody said that a helper takes just such a value.
+/// True if somebody said that a helper takes just such a value.
 fn is_just_for(helper: &Helper, gets: &ValueType) -> bool {
     signature(helper).is_some_and(|wants| wants != ValueType::Any && wants.unit() == gets.unit())
 }

@@ -73,12 +73,12 @@ pub(crate) fn lead_to_helper(desk: &Desk, input: &Id, name: &str, spot: Spot) {
     take(desk, input, &Step::Helper(name.to_owned()), spot);
 }
 
-/// Whether a helper can make something of one stream alone.
+/// True if a helper can make something of one stream alone.
 pub(crate) fn takes_one(helper: &Helper) -> bool {
     helper.params.len() == 1
 }
 
-/// Whether a connector runs as it is, with what it begins with: chosen at a place of the graph, it is there at once, and
+/// True if a connector runs as it is, with what it begins with: chosen at a place of the graph, it is there at once, and
 /// its duration can be changed on it.
 fn is_chosen_at_once(spec: &Spec, spot: &Spot) -> bool {
     let asks = spec.takes.procedure.is_some_and(|takes| !takes.is_optional);

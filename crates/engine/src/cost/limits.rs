@@ -28,7 +28,7 @@ pub struct Limits {
     pub variables: usize,
     /// Closures in one procedure.
     pub functions: usize,
-    /// Whether procedures are compiled where that is possible; otherwise Rhai runs them all, with the same results.
+    /// True if procedures are compiled where that is possible; otherwise Rhai runs them all, with the same results.
     pub compiled: bool,
     /// How many times the values that one reading becomes, or one tick, may be handed to a connector. Beyond it the run
     /// ends, at the same value everywhere. A graph with more connectors than that may have each of them take one.

@@ -37,7 +37,7 @@ enum Use {
 pub(crate) struct VariableCost {
     /// Quarters of a step that each step counts.
     quarters: u64,
-    /// Whether a text may be gone through that a variable gave: its letters are taken one by one.
+    /// True if a text may be gone through that a variable gave: its letters are taken one by one.
     texts_go_through: bool,
     /// By variable, in the order of their names; each use once.
     uses: Vec<(ImmutableString, Vec<Use>)>,

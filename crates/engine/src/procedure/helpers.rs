@@ -94,7 +94,7 @@ impl Helpers {
         if self.callers.is_empty() { Ok(()) } else { check_closures(body, &self.callers) }
     }
 
-    /// Whether there is a helper for so many values.
+    /// True if there is a helper for so many values.
     fn takes(&self, name: &str, values: usize) -> bool {
         self.reach.get(name).is_some_and(|helper| helper.params == values)
     }

@@ -18,7 +18,7 @@ const HANDED_MAX: usize = 3;
 /// What looking for functions may take: Rhai looks for one that is not there twice as often for each further value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Search {
-    /// Whether errors are caught, so that it may happen again and again.
+    /// True if errors are caught, so that it may happen again and again.
     catches: bool,
     /// The most values that something is called with.
     values: usize,
@@ -33,7 +33,7 @@ impl Search {
         *self = Self { catches: self.catches | helper.catches, values: self.values.max(helper.values) };
     }
 
-    /// Whether it takes longer than steps have time for.
+    /// True if it takes longer than steps have time for.
     pub(crate) fn is_wide(self) -> bool {
         self.catches && self.values > Self::FREE_VALUES
     }

@@ -12,7 +12,7 @@ pub struct Handover {
 }
 
 impl Run {
-    /// Whether everything that was fed was carried. In frame mode readings wait for the end of their frame.
+    /// True if everything that was fed was carried. In frame mode readings wait for the end of their frame.
     #[must_use]
     pub fn is_between(&self) -> bool {
         match &self.mode {

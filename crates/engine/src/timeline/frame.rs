@@ -18,7 +18,7 @@ pub(crate) struct Frame {
     length: u64,
     /// The end of the first frame that still takes readings.
     open: u64,
-    /// Whether the open frame has anything to do.
+    /// True if the open frame has anything to do.
     fed: bool,
     readings: u64,
     /// For every stream its value in this frame.
@@ -52,7 +52,7 @@ impl Frame {
         }
     }
 
-    /// Whether readings wait for the open frame.
+    /// True if readings wait for the open frame.
     pub(crate) fn is_fed(&self) -> bool {
         self.fed
     }

@@ -133,7 +133,7 @@ impl Plan {
     }
 }
 
-/// Whether what a connector gives comes right after it: nothing else leads there, and nothing in between.
+/// True if what a connector gives comes right after it: nothing else leads there, and nothing in between.
 fn is_in_row(of: &ConnectorInfo) -> bool {
     of.gives != Gives::Later && of.inputs.len() == 1
 }

@@ -75,7 +75,7 @@ impl<I: Ix, T> IndexVec<I, T> {
         self.all.len()
     }
 
-    /// Whether there are none.
+    /// True if there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
@@ -188,7 +188,7 @@ impl<I: Ix> Pairs<I> {
         Some(self.all[place].1)
     }
 
-    /// Whether there is one for this number.
+    /// True if there is one for this number.
     #[must_use]
     pub fn contains_key(&self, at: &I) -> bool {
         self.get(*at).is_some()

@@ -114,7 +114,7 @@ impl Pending {
         locked(&self.0).waiting.len()
     }
 
-    /// Whether somebody waited for it.
+    /// True if somebody waited for it.
     pub(super) fn settle(&self, id: u32, answer: Answer) -> bool {
         let waiting = locked(&self.0).waiting.remove(&id);
         waiting.is_some_and(|waiting| waiting.send(answer).is_ok())

@@ -26,7 +26,7 @@ impl MemoryStore {
         self.kept().behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.checkpoints.remove(name).is_some())
     }
 
-    /// Whether there is such a name.
+    /// True if there is such a name.
     pub(crate) fn has_checkpoint(&self, behaviour: &Id, name: &str) -> bool {
         self.kept().behaviours.get(behaviour).is_some_and(|shelf| shelf.checkpoints.contains_key(name))
     }

@@ -22,7 +22,7 @@ pub(super) struct Readers {
 }
 
 struct Free {
-    /// Whether one connection has the database for itself, as the disk is full.
+    /// True if one connection has the database for itself, as the disk is full.
     alone: bool,
     connections: Vec<Connection>,
 }

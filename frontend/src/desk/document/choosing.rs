@@ -45,7 +45,7 @@ impl Document {
         self.choose(streams.chain(connectors).chain(notes).map(seen).collect());
     }
 
-    /// Whether something is chosen, alone or with others. Reactive.
+    /// True if something is chosen, alone or with others. Reactive.
     pub(crate) fn is_chosen(&self, what: &Selected) -> bool {
         self.selected.with(|selected| selected.as_ref() == Some(what))
             || self.several.with(|several| several.contains(what))

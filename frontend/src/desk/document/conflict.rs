@@ -27,7 +27,7 @@ pub(crate) struct Conflict {
     pub(crate) mine: Change,
     /// When that was, in milliseconds since 1970 by this computer's clock.
     pub(crate) made_ms: f64,
-    /// Whether it was made without a connection.
+    /// True if it was made without a connection.
     pub(crate) offline: bool,
     /// What others saved since, oldest first; nothing if that could not be found out.
     pub(super) theirs: Vec<Accepted>,
@@ -36,7 +36,7 @@ pub(crate) struct Conflict {
     /// Somebody changed it once more while its author looked at both.
     #[serde(skip)]
     pub(crate) again: bool,
-    /// Whether it was shown since it was refused; after a reload it only waits.
+    /// True if it was shown since it was refused; after a reload it only waits.
     #[serde(skip, default = "yes")]
     pub(super) shown: bool,
 }
@@ -45,7 +45,7 @@ fn yes() -> bool {
     true
 }
 
-/// Whether a refused change is shown beside what others saved: one that makes or edits streams or connectors, or that words
+/// True if a refused change is shown beside what others saved: one that makes or edits streams or connectors, or that words
 /// something anew, and comes too late. Moves and removals are small enough to be made anew.
 pub(super) fn is_shown_beside(change: &Change, no: &Refusal) -> bool {
     let is_late = matches!(no, Refusal::Stale(_) | Refusal::MissingStream);
@@ -56,7 +56,7 @@ fn is_part(id: &RecordId) -> bool {
     matches!(id.kind, Kind::Stream | Kind::Connector)
 }
 
-/// Whether a change with this edit can be what somebody typed: of a part, or of a text of its own.
+/// True if a change with this edit can be what somebody typed: of a part, or of a text of its own.
 fn is_about(edit: &Edit) -> bool {
     is_part(&edit.id)
         || matches!((edit.before.as_ref().map(wording), edit.after.as_ref().map(wording)), (Some(Some(seen)), Some(Some(mine))) if seen != mine)
@@ -190,7 +190,7 @@ impl Conflict {
         }
     }
 
-    /// Whether another change touches something of this one.
+    /// True if another change touches something of this one.
     pub(super) fn meets(&self, change: &Change) -> bool {
         let mine: BTreeSet<_> = self.mine.edits.iter().filter(|edit| is_about(edit)).map(|edit| &edit.id).filled();
         touched(change).any(|id| mine.contains(id))
@@ -204,7 +204,7 @@ impl Conflict {
         needs.filter(|id| !now.records.contains_key(id) && !made(id) && !dropped(id)).filled()
     }
 
-    /// Whether somebody removed what this change is about or rests on.
+    /// True if somebody removed what this change is about or rests on.
     pub(crate) fn is_removed(&self, now: &Behaviour) -> bool {
         !self.missing(now).is_empty()
     }
@@ -220,27 +220,27 @@ impl Conflict {
         Some((edit.before.as_ref(), edit.after.as_ref()))
     }
 
-    /// Whether it makes something that was not there before.
+    /// True if it makes something that was not there before.
     pub(crate) fn is_new(&self) -> bool {
         self.mine_of(&self.about).is_some_and(|(seen, _)| seen.is_none())
     }
 
-    /// Whether it edits a stream or connector.
+    /// True if it edits a stream or connector.
     pub(super) fn edits(&self, id: &Id) -> bool {
         touched(&self.mine).any(|edited| is_part(edited) && edited.id == *id)
     }
 
-    /// Whether a stream has to be there for it.
+    /// True if a stream has to be there for it.
     pub(super) fn rests_on(&self, stream: &Id) -> bool {
         needed(&self.mine).contains(&RecordId::new(Kind::Stream, stream))
     }
 
-    /// Whether it was put on top and is not answered yet.
+    /// True if it was put on top and is not answered yet.
     pub(crate) fn is_under_way(&self) -> bool {
         self.retry.is_some()
     }
 
-    /// Whether it was not shown yet.
+    /// True if it was not shown yet.
     pub(crate) fn waits_unseen(&self) -> bool {
         !self.shown
     }

@@ -85,17 +85,17 @@ impl Editing {
         Some(edit.after.as_ref())
     }
 
-    /// Whether somebody else may write, so that one only reads here.
+    /// True if somebody else may write, so that one only reads here.
     pub(super) fn reads(&self) -> bool {
         matches!(self.writing, Writing::No(_))
     }
 
-    /// Whether it was one's own until nothing was typed for long, and nobody else took it since.
+    /// True if it was one's own until nothing was typed for long, and nobody else took it since.
     pub(super) fn is_free_again(&self) -> bool {
         matches!(&self.writing, Writing::No(Reading { by: None, was_own: true, .. }))
     }
 
-    /// Whether what others save is shown here as it comes, so that nobody has to be told.
+    /// True if what others save is shown here as it comes, so that nobody has to be told.
     pub(super) fn only_reads(&self) -> bool {
         matches!(&self.writing, Writing::No(reading) if !reading.was_own)
     }
@@ -108,7 +108,7 @@ impl Editing {
         }
     }
 
-    /// Whether there is a lock for what is edited, which is the one's own now.
+    /// True if there is a lock for what is edited, which is the one's own now.
     pub(super) fn granted(&mut self, grant: &Grant) -> bool {
         let is_mine = grant.records.contains(&self.record);
         if is_mine && self.token() != Some(grant.token) {

@@ -33,7 +33,7 @@ impl Document {
         }
     }
 
-    /// Whether a group is seen as a box here. Reactive.
+    /// True if a group is seen as a box here. Reactive.
     pub(crate) fn is_folded(&self, id: &Id) -> bool {
         let opened = self.unfolded_here.with(|opened| opened.contains(id));
         !opened && self.group(id).is_some_and(|signals| signals.record.with(|group| group.folded))

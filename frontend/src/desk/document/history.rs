@@ -11,9 +11,9 @@ const LINES_MAX: usize = 5_000;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct History {
     lines: BTreeMap<u64, HistoryLine>,
-    /// Whether there are older ones than these.
+    /// True if there are older ones than these.
     pub(crate) more: bool,
-    /// Whether the server has told the newest ones.
+    /// True if the server has told the newest ones.
     pub(crate) is_read: bool,
 }
 
@@ -72,7 +72,7 @@ impl History {
     }
 }
 
-/// Whether a change is one's own.
+/// True if a change is one's own.
 pub(super) fn is_mine(line: &HistoryLine, me: &Id) -> bool {
     line.by.as_ref() == Some(me)
 }

@@ -184,7 +184,7 @@ impl Document {
         self.edited(|now| now.writing == Writing::Free).unwrap_or_default()
     }
 
-    /// Whether this change is about what is typed into here, and the lock of that is asked for and not answered yet.
+    /// True if this change is about what is typed into here, and the lock of that is asked for and not answered yet.
     pub(super) fn awaits_lock(&self, next: Option<&Waiting>) -> bool {
         let awaits = |now: &Editing, next: &Waiting| {
             now.writing == Writing::Opening && now.behaviour == next.behaviour && now.made_by(&next.change).is_some()
@@ -277,7 +277,7 @@ impl Document {
     }
 }
 
-/// Whether something is counted down.
+/// True if something is counted down.
 fn counts(editing: &Editing) -> bool {
     match &editing.writing {
         Writing::Own(own) => own.free_ms.is_some(),

@@ -107,7 +107,7 @@ impl Document {
         self.measure(id, &[]).0
     }
 
-    /// Whether the lengths of the open program are in centimetres, all that are known. Reactive.
+    /// True if the lengths of the open program are in centimetres, all that are known. Reactive.
     pub(crate) fn in_centimetres(&self) -> bool {
         self.types.with(|types| {
             let has = |unit: Unit| types.values().any(|kind| measures(kind, unit));
@@ -132,7 +132,7 @@ impl Document {
     }
 }
 
-/// Whether some number in values of a kind is in that unit.
+/// True if some number in values of a kind is in that unit.
 fn measures(kind: &ValueType, unit: Unit) -> bool {
     match kind {
         ValueType::Record(fields) => fields.values().any(|kind| measures(kind, unit)),

@@ -85,7 +85,7 @@ impl Part {
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// Whether something that was chosen is in it: a connector is only with the stream that it leads to.
+    /// True if something that was chosen is in it: a connector is only with the stream that it leads to.
     pub(crate) fn holds(&self, what: &Selected) -> bool {
         self.records.records.contains_key(&what.record())
     }
@@ -117,7 +117,7 @@ impl Part {
         (self, new)
     }
 
-    /// Whether there is nothing in it.
+    /// True if there is nothing in it.
     pub(crate) fn is_empty(&self) -> bool {
         self.records.streams().next().is_none() && self.records.notes().next().is_none()
     }

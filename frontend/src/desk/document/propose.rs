@@ -191,12 +191,12 @@ impl Document {
         on_answer.unwrap_or_else(|| Box::new(move |answer| tab.say_refusal(answer)))
     }
 
-    /// Whether what is proposed can be saved now.
+    /// True if what is proposed can be saved now.
     pub(crate) fn can_save(&self) -> bool {
         self.state().saves.can_save()
     }
 
-    /// Whether nothing waits to be saved.
+    /// True if nothing waits to be saved.
     pub(in crate::desk) fn is_saved(&self) -> bool {
         self.state().queue.len() == 0
     }

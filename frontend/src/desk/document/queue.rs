@@ -15,7 +15,7 @@ pub(super) struct Waiting {
     pub(super) change: Change,
     #[serde(default)]
     pub(super) way: Way,
-    /// Whether the server may have it.
+    /// True if the server may have it.
     #[serde(default)]
     sent: bool,
     /// The revision that its author had then.
@@ -24,7 +24,7 @@ pub(super) struct Waiting {
     /// When it was made, in milliseconds since 1970 by this computer's clock.
     #[serde(default)]
     pub(super) made_ms: f64,
-    /// Whether it was made without a connection.
+    /// True if it was made without a connection.
     #[serde(default)]
     pub(super) offline: bool,
 }
@@ -70,7 +70,7 @@ impl Queue {
         self.waiting.len()
     }
 
-    /// Whether there was room.
+    /// True if there was room.
     pub(super) fn push(&mut self, behaviour: Id, change: Change, way: Way) -> bool {
         let room = self.waiting.len() < WAITING_MAX;
         if room {

@@ -85,7 +85,7 @@ impl Document {
         }
     }
 
-    /// Whether older changes may tell what can be taken back.
+    /// True if older changes may tell what can be taken back.
     fn seeks_own_change(&self) -> bool {
         self.undoable.with_untracked(Option::is_none) && self.history.with_untracked(History::len) < UNDO_LOOKS_AT
     }

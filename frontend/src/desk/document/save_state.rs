@@ -59,12 +59,12 @@ impl SaveState {
         }
     }
 
-    /// Whether what is proposed can be saved now.
+    /// True if what is proposed can be saved now.
     pub(super) fn can_save(&self) -> bool {
         matches!(self, Self::Ready | Self::CatchingUp)
     }
 
-    /// Whether changes are shown before they are saved: only where the page says that they wait.
+    /// True if changes are shown before they are saved: only where the page says that they wait.
     pub(super) fn shows_waiting(&self) -> bool {
         !matches!(self, Self::Connecting | Self::Ready)
     }

@@ -175,7 +175,7 @@ impl Document {
     }
 }
 
-/// Whether this version is one of the two.
+/// True if this version is one of the two.
 fn is_of(comparing: &Comparing, revision: u64) -> bool {
     comparing.was == revision || comparing.with == Version::At(revision)
 }

@@ -113,7 +113,7 @@ impl Robots {
         self.chosen.read().as_ref().map_or(Health::Connecting, |robot| robot.health.clone())
     }
 
-    /// Whether its room can be played with. Reactive.
+    /// True if its room can be played with. Reactive.
     pub(crate) fn is_simulated(&self) -> bool {
         self.chosen.read().as_ref().is_some_and(|robot| robot.address.is_none())
     }

@@ -16,7 +16,7 @@ impl Robots {
         running
     }
 
-    /// Whether what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
+    /// True if what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
     pub(crate) fn runs_older(&self, run: &RunState) -> bool {
         self.document.fingerprint.get() != run.fingerprint
     }

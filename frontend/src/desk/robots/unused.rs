@@ -126,7 +126,7 @@ fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id
     connectors.chain(streams).filled()
 }
 
-/// Whether a robot would do otherwise with the one than with the other.
+/// True if a robot would do otherwise with the one than with the other.
 pub(super) fn is_another(was: Option<&Record>, is: Option<&Record>) -> bool {
     match (was, is) {
         (Some(Record::Connector(was)), Some(Record::Connector(is))) => !runs_alike(was, is),

@@ -25,7 +25,7 @@ pub(super) struct Length {
     pub(super) params: usize,
     /// Helpers that it calls.
     calls: Vec<usize>,
-    /// Whether it may call any other helper, by a text.
+    /// True if it may call any other helper, by a text.
     names_others: bool,
 }
 
