@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::error::QiError;
 
-/// How a peer is spoken to.
+/// The transport on which a peer is spoken to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Scheme {
     /// `tcp`: as it is.
@@ -17,7 +17,7 @@ pub enum Scheme {
 /// Where a peer is.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Address {
-    /// How it is spoken to.
+    /// The transport on which it is spoken to.
     pub scheme: Scheme,
     /// A name or an address; an IPv6 address without its brackets.
     pub host: String,

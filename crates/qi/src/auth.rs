@@ -17,7 +17,7 @@ const GREETING: Target = Target { service: 0, object: 0, action: 0 };
 const STATE: &str = "__qi_auth_state";
 const STATE_CONTINUE: u32 = 2;
 const STATE_DONE: u32 = 3;
-/// How often a peer may ask for one more step.
+/// The most times that a peer may ask for one more step.
 const STEPS_MAX: usize = 3;
 
 /// User and password. Their text is in no error and no log.
@@ -44,7 +44,7 @@ pub enum Generation {
     Authenticate,
 }
 
-/// What both ends agreed on.
+/// The result of the handshake, on which both ends agreed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Agreed {
     /// Which kind of hello it was.
@@ -59,7 +59,7 @@ pub struct Agreed {
     pub new_token: Option<String>,
 }
 
-/// What we can do. `MetaObjectCache` would change how objects are written.
+/// Returns our capabilities. `MetaObjectCache` would change how objects are written.
 fn ours() -> Vec<(&'static str, Value)> {
     let can = [
         ("ClientServerSocket", true),

@@ -10,7 +10,7 @@ use crate::signature::Signature;
 use crate::value::{ObjectRef, Value, encode_arguments};
 use crate::wire::FLAG_DYNAMIC;
 
-/// How long a call may take unless something else is said.
+/// The longest time of a call unless something else is said.
 pub const CALL_WITHIN: Duration = Duration::from_secs(2);
 /// Objects of a service that are not the service itself begin here, and live until they are terminated.
 const FIRST_TEMPORARY: u32 = 2;
@@ -37,7 +37,7 @@ impl Object {
     /// The object at a place, which is asked what it can do.
     ///
     /// # Errors
-    /// What can go wrong with a call.
+    /// Fails as any call can.
     pub async fn at(link: Link, service: u32, object: u32, name: &str, within: Duration) -> Result<Self, QiError> {
         let target = Target { service, object, action: META_OBJECT };
         let answer = link.call(target, 0, object.to_le_bytes().to_vec(), within, "metaObject").await?;
@@ -60,7 +60,7 @@ impl Object {
         })
     }
 
-    /// What it can do.
+    /// Returns the methods, signals and properties of the object.
     pub fn meta(&self) -> &MetaObject {
         &self.meta
     }
@@ -201,7 +201,7 @@ impl Object {
     }
 }
 
-/// What the peer keeps for us until it is told that nobody needs it.
+/// An object that the peer keeps for us until it is told that nobody needs it.
 #[derive(Debug)]
 struct GivenOut {
     link: Link,

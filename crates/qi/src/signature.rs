@@ -56,7 +56,7 @@ pub enum Signature {
     VarArgs(Box<Signature>),
 }
 
-/// What a tuple and its fields are called.
+/// The names of a tuple and its fields.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Names {
     /// Of the tuple.

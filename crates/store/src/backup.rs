@@ -43,7 +43,7 @@ pub enum BackupError {
     Same,
 }
 
-/// What is wrong with a line of a backup.
+/// The flaws of a line of a backup.
 #[derive(Debug, Error)]
 pub enum Flaw {
     /// It does not begin as a backup does.
@@ -67,10 +67,10 @@ pub enum Flaw {
     /// It stands behind the last line.
     #[error("It comes after the end.")]
     AfterEnd,
-    /// Its behaviour was there before.
+    /// The behaviour was there before.
     #[error("The same behaviour was there before.")]
     Twice,
-    /// Its change does not fit what a record, which people call so, was before.
+    /// The change does not fit what a record, which people call so, was before.
     #[error("It does not fit what {0} was before.")]
     Stale(String),
     /// Nobody can have put it into the bin like that.
@@ -82,12 +82,12 @@ pub enum Flaw {
     /// A revision cannot have got this name.
     #[error("Nobody can have named a version so: {0}")]
     Named(Refusal),
-    /// Its change breaks a rule.
+    /// The change breaks a rule.
     #[error("No room would have made this change: {0}")]
     Refused(Refusal),
 }
 
-/// How much was done.
+/// The numbers of behaviours and changes that were done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counted {
     /// Behaviours, also those in the bin, and the library.
@@ -112,7 +112,7 @@ pub type Progress<'p> = &'p (dyn Fn(Counted, u64) + Send + Sync);
 /// [`Store::next_epoch`].
 ///
 /// # Errors
-/// What the store or `put` fails with.
+/// Fails if the store or `put` does.
 pub async fn backup<F, W>(
     store: &dyn Store,
     epoch: u64,

@@ -3,7 +3,7 @@
 use crate::{StoreError, json};
 use behaviour::Checkpoint;
 
-/// Whether a store can keep it.
+/// Checks that a store can keep it.
 pub(crate) fn check(checkpoint: &Checkpoint) -> Result<(), StoreError> {
     json::check_time(checkpoint.at_ms)
 }

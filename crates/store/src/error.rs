@@ -56,7 +56,7 @@ pub enum StoreError {
 /// Why a change cannot be kept.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unkept {
-    /// Its time is later than any that is kept.
+    /// The time is later than any that is kept.
     #[error("its time is too far in the future")]
     TooLate,
     /// This record is not of the kind that its id says.

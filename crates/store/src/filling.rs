@@ -70,7 +70,7 @@ impl Filling {
     /// Takes the mark away: all of it is there.
     ///
     /// # Errors
-    /// What the store fails with; then it is still marked.
+    /// Fails if the store does; then it is still marked.
     pub async fn end(self) -> Result<(), StoreError> {
         let mut ended = self.to.end_filling().await;
         if ended.as_ref().is_err_and(StoreError::is_open) {

@@ -1,4 +1,4 @@
-//! What the library page asks: which behaviours, in which order, from where on.
+//! The questions of the library page: which behaviours, in which order, from where on.
 
 use crate::Listed;
 use behaviour::library::{Cursor, Place, Sort};
@@ -24,7 +24,7 @@ pub struct Query {
     pub sort: Sort,
     /// After which line the page begins.
     pub after: Option<Cursor>,
-    /// How many lines, at most [`PAGE_MAX_LINES`].
+    /// The most lines that are wanted, at most [`PAGE_MAX_LINES`].
     pub most: u32,
 }
 
@@ -68,11 +68,11 @@ fn place_of(line: &Listed) -> Cursor {
 /// A page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listing {
-    /// Its lines.
+    /// The lines of the page.
     pub lines: Vec<Listed>,
     /// Where the next page begins, if there is one.
     pub next: Option<Cursor>,
-    /// How many behaviours are in that place altogether, whatever the query asks.
+    /// The number of behaviours in that place altogether, whatever the query asks.
     pub total: u64,
 }
 

@@ -9,7 +9,7 @@ use crate::value::{Value, fit};
 pub struct Chosen<'a> {
     /// Which one.
     pub method: &'a MetaMethod,
-    /// How well they fit, all together; see [`crate::fit`].
+    /// The score of the fit of all arguments together; see [`crate::fit`].
     pub score: u32,
 }
 

@@ -13,7 +13,7 @@ use crate::error::{Cause, QiError, Stage};
 use crate::link::Link;
 use crate::tls::{self, Fingerprint};
 
-/// How many addresses of a name are tried.
+/// The most addresses of a name that are tried.
 const ADDRESSES_MAX: usize = 8;
 
 /// A link that is logged in.

@@ -9,10 +9,10 @@ use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::net::TcpListener;
 use tokio_rustls::TlsAcceptor;
 
-/// What a fake peer does otherwise than a plain new one.
+/// The differences of a fake peer from a plain new one.
 #[derive(Clone, Default)]
 pub(crate) struct Manner {
-    /// As NAOqi 2.1: a message with capabilities, no service 0, six fields.
+    /// Speaks as NAOqi 2.1: a message with capabilities, no service 0, six fields.
     pub(crate) is_old: bool,
     /// Every byte in a packet of its own.
     pub(crate) is_slow: bool,

@@ -1,4 +1,4 @@
-//! What a file is, as far as its beginning tells: whoever chose another one is told so before its inside is judged.
+//! The kind of a file, as far as its beginning tells: whoever chose another one is told so before its inside is judged.
 
 use super::text::text_of;
 use super::xml::first_name;
@@ -14,13 +14,13 @@ const LOOKED_AT_BYTES: usize = 64 << 10;
 pub enum Kind {
     /// Not text at all: a picture, an archive, and others that say by their first bytes what they are.
     Binary(&'static str),
-    /// What a run did, `rrp-recording`.
+    /// A recording of a run, `rrp-recording`.
     Recording,
     /// Readings to replay, one a line.
     Readings,
     /// All programs of a server, `rrp-backup`.
     Backup,
-    /// What was copied on the canvas, `rrp-part`.
+    /// A part that was copied on the canvas, `rrp-part`.
     Part,
     /// A page of the web, often the one around the file that was meant.
     WebPage,
@@ -73,7 +73,7 @@ impl fmt::Display for Kind {
 }
 
 impl Kind {
-    /// That it is no program, and what to do.
+    /// Says that it is no program, and what to do.
     pub(super) fn no_program(self) -> String {
         match self {
             Self::WebPage => {
@@ -268,7 +268,7 @@ mod tests {
     use super::Kind;
     use crate::files::{look, samples::templates};
 
-    /// What is said of a file, without its place.
+    /// Returns what is said of a file, without its place.
     fn said(bytes: &[u8]) -> String {
         let looked = look(bytes);
         assert!(looked.file.is_none());

@@ -30,7 +30,7 @@ pub(super) enum Line {
     Removed {
         /// When, in milliseconds since 1970.
         at_ms: u64,
-        /// Who said so.
+        /// The name of the person who said so.
         by: String,
     },
     /// It came back from the bin.
@@ -42,7 +42,7 @@ pub(super) enum Line {
         /// Which.
         name: String,
     },
-    /// How often a server started; in a file of its own.
+    /// The number of times that a server started; in a file of its own.
     Epoch(u64),
 }
 
@@ -55,13 +55,13 @@ pub(super) enum Strange {
     /// It is none of our lines.
     #[error("{0}")]
     Form(#[from] serde_json::Error),
-    /// Its change does not come after the one before it; with its revision.
+    /// The change does not come after the one before it; with its revision.
     #[error("revision {0} does not follow")]
     Order(u64),
     /// The name that it gives or takes cannot be given or taken there.
     #[error("{0:?} cannot be named so")]
     Name(String),
-    /// Its change cannot be made.
+    /// The change cannot be made.
     #[error("{0}")]
     Refused(#[from] StoreError),
 }
@@ -71,7 +71,7 @@ pub(super) struct Logs {
     folder: PathBuf,
     /// Why nothing more can be written, once a line could not be taken back.
     broken: Option<StoreError>,
-    /// How much room there must be until the disk is not full any more, in bytes.
+    /// The free space in bytes that ends a full disk.
     wants_bytes: usize,
 }
 

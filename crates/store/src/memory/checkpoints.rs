@@ -4,7 +4,7 @@ use super::MemoryStore;
 use behaviour::{Checkpoint, Id};
 
 impl MemoryStore {
-    /// What [`crate::Store::keep_checkpoint`] would answer, and whether it would be new.
+    /// Returns the answer that [`crate::Store::keep_checkpoint`] would give, and whether it would be new.
     pub(crate) fn judge_checkpoint(&self, behaviour: &Id, wanted: &Checkpoint) -> (bool, bool) {
         let kept = self.kept();
         let Some(shelf) = kept.behaviours.get(behaviour) else { return (false, false) };

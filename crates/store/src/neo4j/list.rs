@@ -72,7 +72,7 @@ fn order(query: &Query, at_ms: &str) -> (String, String) {
     }
 }
 
-/// How many there are altogether. Neo4j keeps a count for every label, and the bin is small.
+/// Returns the query for the number of all. Neo4j keeps a count for every label, and the bin is small.
 fn total(place: Place) -> &'static str {
     match place {
         Place::Here => "CALL () { MATCH (p:Listed) RETURN count(p) AS total }",

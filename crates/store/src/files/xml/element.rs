@@ -7,7 +7,7 @@ use crate::files::tree::TOO_MANY;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-/// How deep elements may lie in each other.
+/// The greatest depth to which elements may lie in each other.
 const DEPTH_MAX: usize = 8;
 /// Elements in one file; what the rules allow has fewer.
 const ELEMENTS_MAX: usize = 100_000;
