@@ -20,7 +20,7 @@ pub(crate) use event::Event;
 pub(crate) use frame::Frame;
 pub(crate) use memory::RunMemory;
 
-/// What a run tells its caller, in order.
+/// The events that a run tells its caller, in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Emission<'a> {
     /// A value on a stream.
@@ -38,7 +38,7 @@ pub enum Emission<'a> {
         at: Millis,
         /// The connector.
         connector: ConnectorIx,
-        /// What went wrong.
+        /// The fault of the call.
         error: &'a CallFault,
         /// True if the caller's interrupt ended the procedure.
         deadline: bool,

@@ -22,7 +22,7 @@ use tokio_util::sync::CancellationToken;
 
 /// Clients that come in at once.
 const COMING_MAX: usize = 32;
-/// How long clients may take, after the last edit, to know all of them.
+/// The longest time for clients, after the last edit, to know all of them.
 const CALM: Duration = Duration::from_secs(30);
 /// Between two looks whether they do.
 const LOOK_MS: u64 = 20;
@@ -35,7 +35,7 @@ pub struct Load {
     watch: Watch,
 }
 
-/// How far a load is. A clone is of the same.
+/// The progress of a load. A clone is of the same.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
     acknowledged: Arc<AtomicU64>,
@@ -81,7 +81,7 @@ impl Load {
         Self { editors_url: editors_url.to_owned(), ..self }
     }
 
-    /// How far it is.
+    /// Returns the progress.
     #[must_use]
     pub fn watch(&self) -> Watch {
         self.watch.clone()

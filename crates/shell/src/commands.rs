@@ -1,4 +1,5 @@
-//! What can be typed: one file a command, with its name, words, help and code. To add one, add a file and its word.
+//! The commands that can be typed: one file each, with its name, words, help and code. To add one, add a file and its
+//! word.
 
 mod accept_robot;
 mod add_robot;
@@ -98,11 +99,11 @@ pub(crate) const ALL: &[&Command] = &[
 
 /// Something that can be typed.
 pub(crate) struct Command {
-    /// Its name: `show out ops`.
+    /// The name of the command: `show out ops`.
     pub(crate) name: &'static str,
-    /// What follows the name, as help shows it.
+    /// The words that follow the name, as help shows them.
     pub(crate) words: &'static str,
-    /// What it does.
+    /// The sentence that says what the command does.
     pub(crate) help: &'static str,
     /// Does it with what follows the name.
     pub(crate) run: for<'a> fn(&'a mut Console, &'a str) -> Doing<'a>,

@@ -11,7 +11,7 @@ pub(crate) enum NotDone {
     NoCommand(String),
     /// Several commands begin like what was typed.
     SeveralCommands {
-        /// What was typed.
+        /// The text that was typed.
         typed: String,
         /// The names of these commands.
         names: Vec<&'static str>,
@@ -40,7 +40,7 @@ pub(crate) enum NotDone {
     NoNewName,
     /// It is said neither up nor down.
     NoWay,
-    /// What is called so cannot be moved further.
+    /// The thing of this name cannot be moved further.
     There(String),
     /// It is said neither on nor off.
     NeitherOnNorOff,
@@ -54,20 +54,20 @@ pub(crate) enum NotDone {
     NoExample(serde_json::Error),
 }
 
-/// What the server was asked for.
+/// The answer for which the server was asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Answer {
-    /// What runs.
+    /// The runs.
     Runs,
     /// Actions.
     Actions,
     /// Programs.
     Programs,
-    /// Who uses a helper.
+    /// The users of a helper.
     Uses,
     /// The recordings.
     Recordings,
-    /// Whether a robot can be reached.
+    /// The check that a robot can be reached.
     Check,
     /// Robots in the network.
     Found,
@@ -78,23 +78,23 @@ pub(crate) enum Answer {
 pub(crate) enum NotFound {
     /// No name was typed.
     Nameless {
-        /// What kind of thing is looked for.
+        /// The kind of thing that is looked for.
         what: &'static str,
         /// The names of all there are.
         names: Vec<String>,
     },
     /// Several things fit.
     Several {
-        /// What was typed.
+        /// The text that was typed.
         wanted: String,
         /// The names of those that fit.
         names: Vec<String>,
     },
     /// Nothing fits.
     Unknown {
-        /// What kind of thing is looked for.
+        /// The kind of thing that is looked for.
         what: &'static str,
-        /// What was typed.
+        /// The text that was typed.
         wanted: String,
         /// The names of all there are.
         names: Vec<String>,

@@ -17,7 +17,7 @@ const PROMPT: &str = "rrp> ";
 
 type Lines = Editor<Known, DefaultHistory>;
 
-/// What completion knows: commands, programs and streams.
+/// The names that completion knows: commands, programs and streams.
 struct Known(Vec<String>);
 
 impl Helper for Known {}

@@ -5,7 +5,7 @@ use crate::arbitration::Claim;
 use crate::arbitration::holds::{Hold, Holds};
 use robot::{Millis, Use};
 
-/// Who holds which part of the robot.
+/// The streams that hold the parts of the robot.
 #[derive(Clone, Debug, Default)]
 pub struct Precedence {
     holds: Holds<Use>,

@@ -28,7 +28,7 @@ pub enum BodyFault {
     Misuse(Place, Misuse),
 }
 
-/// What no procedure may do. [`std::fmt::Display`] says it in a few English words.
+/// The things that no procedure may do. [`std::fmt::Display`] says each in a few English words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Misuse {
     /// Using the function of this name.

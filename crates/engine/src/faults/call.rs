@@ -42,7 +42,7 @@ pub enum CallFault {
     Interrupted,
     /// It takes more steps than it may.
     Steps,
-    /// Its calls are nested too deep.
+    /// The calls of the procedure are nested too deep.
     Nested,
     /// A text, list or object became too large.
     TooLarge,
@@ -50,7 +50,7 @@ pub enum CallFault {
     Variables,
     /// Anything else, as Rhai says it.
     Rhai(String),
-    /// What it made cannot flow.
+    /// The value that it made cannot flow.
     Value(ValueFault),
     /// It broke Rhai.
     Broken,

@@ -22,11 +22,11 @@ pub enum Reason {
     FrameLength,
     /// The connector of this word takes another number of inputs.
     Inputs {
-        /// Its word in files.
+        /// The connector's word in files.
         word: &'static str,
-        /// How many it takes.
+        /// The number of inputs that it takes.
         takes: Inputs,
-        /// How many it has.
+        /// The number of inputs that it has.
         gets: usize,
     },
     /// It has this input twice.
@@ -45,27 +45,27 @@ pub enum Reason {
     Circle,
     /// It names this helper, which is not there.
     NoHelper(String),
-    /// Its helper takes another number of values.
+    /// The helper takes another number of values.
     HelperInputs {
         /// The helper.
         helper: String,
-        /// How many values it takes.
+        /// The number of values that the helper takes.
         takes: usize,
-        /// How many it would get.
+        /// The number of values that it would get.
         gets: usize,
     },
     /// It names more or fewer arguments than its procedure has.
     Arguments {
-        /// How many it names.
+        /// The number of arguments that it names.
         names: usize,
-        /// How many inputs it has.
+        /// The number of inputs that it has.
         inputs: usize,
     },
     /// Another helper has this name too.
     NameTwice,
     /// The helper of this name calls itself, perhaps through others.
     CallsItself(String),
-    /// Its procedure cannot run.
+    /// The procedure of the connector cannot run.
     Body(BodyFault),
 }
 

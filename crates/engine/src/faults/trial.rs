@@ -7,9 +7,9 @@ use super::{BodyFault, CallFault, Fault};
 pub enum TrialFault {
     /// It has another number of arguments than of inputs.
     Inputs {
-        /// How many arguments it has.
+        /// The number of arguments that it has.
         takes: usize,
-        /// How many inputs it would get.
+        /// The number of inputs that it would get.
         gets: usize,
     },
     /// These helpers cannot run.

@@ -27,7 +27,7 @@ pub(crate) struct Frame {
     schedule: Schedule,
     /// The connectors by rank and place.
     order: Vec<ConnectorIx>,
-    /// What the frame says, in order.
+    /// The emissions of the frame, in order.
     said: Vec<Said>,
 }
 
@@ -184,7 +184,7 @@ impl Frame {
         self.now[stream] = Some(made);
     }
 
-    /// What it remembers.
+    /// Returns the memory of the run.
     pub(crate) fn memory(&self, core: &Core) -> RunMemory {
         let waiting = self.now.enumerate().filter_map(|(at, carried)| Some((at, carried.clone()?))).collect();
         let open = self.open - self.length + 1;

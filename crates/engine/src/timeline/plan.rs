@@ -39,7 +39,7 @@ pub(crate) struct Plan {
 #[derive(Clone, Copy)]
 struct Row {
     first: u32,
-    /// How many there are, without the end.
+    /// The number of steps, without the end.
     turns: u32,
 }
 
@@ -74,7 +74,7 @@ impl Plan {
         self.rows[stream].first as usize
     }
 
-    /// How many steps that row has.
+    /// Returns the number of steps in that row.
     #[inline(always)]
     pub(crate) fn turns(&self, stream: StreamIx) -> u32 {
         self.rows[stream].turns

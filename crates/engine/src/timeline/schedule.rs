@@ -7,7 +7,7 @@ use std::collections::BinaryHeap;
 
 /// The connectors that will give something by themselves; others would be asked in vain.
 pub(crate) struct Schedule {
-    /// What was said of any connector, by instant, rank and place. The first holds still, others perhaps not.
+    /// The due times that were told, by instant, rank and place. The first holds still, others perhaps not.
     order: BinaryHeap<Reverse<(Millis, usize, ConnectorIx)>>,
     /// For every connector when it is due, and its rank.
     due: IndexVec<ConnectorIx, Option<(Millis, usize)>>,

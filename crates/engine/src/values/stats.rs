@@ -1,4 +1,4 @@
-//! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
+//! The counts of a run, for the live view: plain arrays by index, read at any moment.
 
 use super::in_place::{Number, Output, copy, put_number};
 use super::index::{ConnectorIx, IndexVec, StreamIx};
@@ -16,10 +16,10 @@ pub struct Stats {
     pub connectors: IndexVec<ConnectorIx, ConnectorStats>,
 }
 
-/// What one stream carried.
+/// The counts of one stream.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StreamStats {
-    /// How many values.
+    /// The number of values.
     pub count: u64,
     /// When the last one came.
     at: Millis,
@@ -27,14 +27,14 @@ pub struct StreamStats {
     value: Value,
 }
 
-/// What one connector did.
+/// The counts of one connector.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ConnectorStats {
-    /// How many values it gave.
+    /// The number of values that it gave.
     pub fired: u64,
-    /// How many values it dropped by a fault.
+    /// The number of values that it dropped by a fault.
     pub faults: u64,
-    /// How many of the last calls in a row the caller's interrupt ended.
+    /// The number of last calls in a row that the caller's interrupt ended.
     pub deadlines_in_a_row: u32,
     /// The last fault.
     pub last_fault: Option<Box<LastFault>>,
@@ -45,7 +45,7 @@ pub struct ConnectorStats {
 pub struct LastFault {
     /// When.
     pub at: Millis,
-    /// What went wrong.
+    /// The fault of the call.
     pub error: CallFault,
     /// The values the procedure got, in the order of the inputs.
     pub inputs: Vec<Value>,

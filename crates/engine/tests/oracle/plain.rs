@@ -1,4 +1,4 @@
-//! What both slow engines share: calling Rhai plainly, the rank of a connector, what is said.
+//! The common parts of both slow engines: calling Rhai plainly, the rank of a connector, what is said.
 
 use behaviour::{BehaviourFile, FileConnector, FileHelper, Value};
 use rhai::{Dynamic, Engine, Map, Scope};

@@ -35,7 +35,7 @@ fn line(robot: &RobotState, running: &[RunState]) -> String {
     format!("{} ({})", robot.name, words.join(", "))
 }
 
-/// What an operator looks at before starting something.
+/// Returns the words on a robot's condition that an operator reads before starting something.
 fn condition(of: &Condition) -> Vec<String> {
     let mut words = Vec::new();
     words.extend(of.battery.map(|percent| format!("battery {percent} %")));
