@@ -9,9 +9,9 @@ use serde_json::{Value, json};
 
 use crate::{Outcome, Page, Trouble};
 
-/// How long two frames may take; many times what a busy machine needs.
+/// The longest time of two frames; many times what a busy machine needs.
 const FRAMES: Duration = Duration::from_secs(10);
-/// How long a page is looked at that draws nothing.
+/// The time for which a page is looked at that draws nothing.
 const LOOK: Duration = Duration::from_secs(5);
 const TWO: &str = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
 
@@ -63,7 +63,7 @@ impl Page {
         found.ok_or_else(|| Trouble::of("Chromium names no process that draws", &asked))
     }
 
-    /// What the page does that gives no picture: whether its scripts run, and how busy its process is.
+    /// Describes a page that gives no picture: whether its scripts run, and how busy its process is.
     pub(crate) async fn stuck(&self, scripts: bool) -> String {
         let scripts = if scripts { "its scripts run" } else { "its scripts do not run" };
         let began = Instant::now();

@@ -18,17 +18,17 @@ const UNTIL_MAX_MS: u64 = 600_000;
 /// The number of the one run.
 const RUN: u64 = 1;
 
-/// What people do, each with its time.
+/// The edits that people make in the scene, each with its time.
 pub type Script = [(Millis, SceneEdit)];
 
-/// What happened.
+/// The report of a rehearsal.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// What the behaviour told its actions, in order.
+    /// The commands that the behaviour told its actions, in order.
     pub commands: Vec<Told>,
-    /// What went wrong, in order: procedures that failed and commands that the robot dropped.
+    /// The faults, in order: procedures that failed and commands that the robot dropped.
     pub troubles: Vec<(Millis, String)>,
-    /// What the robot said.
+    /// The sentences that the robot said.
     pub spoken: Vec<Spoken>,
     /// The room every tenth of a second, from 0 on.
     pub scenes: Vec<Scene>,

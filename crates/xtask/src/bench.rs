@@ -12,7 +12,7 @@ const RXJS: &str = "rxjs@7.8.2";
 const NODE_RED: &str = "node-red@4.1.15";
 const RXPY: &str = "reactivex==6.1.0";
 
-/// What measures the threads.
+/// The test that measures the threads.
 const MEASURE_THREADS: &str = "robots::tests::threads::hand_overs";
 
 /// Measures rooms with many people, bad networks, kills, guessed links and floods of strangers on the optimised server, which is

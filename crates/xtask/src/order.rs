@@ -23,7 +23,7 @@ pub(crate) fn alike_together(code: &[u8]) -> Outcome<Vec<u8>> {
 
 /// The new order of the functions.
 struct Order {
-    /// How many functions are imported: these stay where they are, before all others.
+    /// The number of imported functions: these stay where they are, before all others.
     imported: u32,
     /// Of the others, which one stands at each place.
     at: Vec<u32>,
@@ -52,7 +52,7 @@ impl Order {
         Ok(Self { imported, at, place })
     }
 
-    /// What stands in a section, in the new order.
+    /// Returns the entries of a section in the new order.
     fn ordered<T: Clone>(&self, all: &[T]) -> Vec<T> {
         self.at.iter().map(|of| all[*of as usize].clone()).collect()
     }

@@ -31,7 +31,7 @@ const ERASED: &str = "--cfg erase_components";
 const SMALL: &str = "-C no-prepopulate-passes -C passes=cgscc(inline,function-attrs,function(sroa,early-cse,simplifycfg,\
                      instcombine<no-verify-fixpoint>,memcpyopt,simplifycfg)),deadargelim,globaldce,mergefunc";
 
-/// How much work goes into the page.
+/// The amount of work that goes into the page.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub(crate) enum Mode {
     /// Optimised and compressed, as people get it.

@@ -11,7 +11,7 @@ use crate::tools::{self, Outcome, Workspace};
 
 /// The package that people run: the one that carries the page.
 const PROGRAM: &str = "rrp";
-/// How it is built: optimised where values pass, as little as may be elsewhere.
+/// The profile that it is built with: optimised where values pass, as little as may be elsewhere.
 pub(crate) const PROFILE: &str = "serve";
 /// Leaves out what speaks to a Neo4j, a thirtieth of all that is compiled: who starts here keeps programs in a folder.
 pub(crate) const WITHOUT_NEO4J: &str = "--no-default-features";

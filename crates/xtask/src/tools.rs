@@ -17,7 +17,7 @@ pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 const CHROMIUM_NAMES: [&str; 4] = [WITHOUT_WINDOWS, "chromium", "chromium-browser", "google-chrome"];
 const WITHOUT_WINDOWS: &str = "chromium-headless-shell";
 
-/// What an outer cargo sets for its child and what would confuse a nested one.
+/// The variables that an outer cargo sets for its child and that would confuse a nested one.
 const OUTER_NAMES: [&str; 16] = [
     "CARGO_BUILD_RUSTFLAGS",
     "CARGO_BUILD_TARGET",
@@ -115,7 +115,7 @@ pub(crate) fn in_ci() -> bool {
     env::var("CI").is_ok_and(|value| value == "true")
 }
 
-/// How many gigabytes are free on the disk that holds `folder`, where `df` can tell.
+/// Returns the free gigabytes on the disk that holds `folder`, where `df` can tell.
 pub(crate) fn free_gigabytes(folder: &Path) -> Option<f64> {
     let printed = said(Command::new("df").args(["-P", "-k"]).arg(folder))?;
     let kilobytes: f64 = printed.lines().nth(1)?.split_whitespace().nth(3)?.parse().ok()?;
@@ -136,7 +136,7 @@ pub(crate) fn run(command: &mut Command, what: &str) -> Outcome<()> {
     }
 }
 
-/// What `command` prints, trimmed, when it succeeds.
+/// Returns the output of `command`, trimmed, when it succeeds.
 pub(crate) fn said(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;

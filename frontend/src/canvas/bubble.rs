@@ -1,4 +1,4 @@
-//! What is wrong with what is selected, or what has just become wrong, said beside it with what mends it. Problems that
+//! The problem of what is selected, or one that has just come about, said beside it with its fixes. Problems that
 //! everything has while it is being built (nothing leads to it yet) stay in the list.
 
 use super::Stage;
@@ -13,7 +13,7 @@ use crate::words;
 use behaviour::{Id, Problem, ProblemKind};
 use leptos::prelude::*;
 
-/// Its size, about so high until it is known, and its distance from what it is about, in pixels.
+/// The bubble's size, about so high until it is known, and its distance from what it is about, in pixels.
 const SIZE: (f64, f64) = (268.0, 96.0);
 const NEAR: f64 = 14.0;
 

@@ -26,7 +26,7 @@ const GONE_MS: i32 = 40;
 pub(crate) struct Context {
     /// Where it was asked for on the stage, in pixels.
     pub(super) at: Point,
-    /// What it is about; none for the ground.
+    /// The thing that the menu is about; none for the ground.
     pub(super) about: Option<Selected>,
     pub(super) on: On,
     /// True if a finger or pen rests there still: lifted, it presses what lies below it, which is then the menu.

@@ -16,7 +16,7 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// What a stage of that size shows.
+    /// Returns the cells that a stage of that size shows.
     pub(super) fn in_view(view: View, size: (f64, f64)) -> Self {
         let start = view.to_canvas((0.0, 0.0));
         let end = view.to_canvas(size);
@@ -36,7 +36,7 @@ fn cell(at: f64) -> i32 {
     (at / CELL).floor() as i32
 }
 
-/// What is drawn now: all that is seen and, until the gesture rests, what was drawn before and still exists.
+/// Returns what is drawn now: all that is seen and, until the gesture rests, what was drawn before and still exists.
 pub(super) fn drawn<T: Clone + Ord>(all: &[T], seen: impl Fn(&T) -> bool, before: &[T], rests: bool) -> Vec<T> {
     if rests || before.is_empty() {
         return all.iter().filter(|item| seen(item)).cloned().collect();

@@ -9,7 +9,7 @@ use behaviour::{Connector, Id};
 use leptos::prelude::*;
 use std::collections::{BTreeSet, HashMap};
 
-/// What others have selected, and what they edit.
+/// The things that others have selected, and those that they edit.
 type Others = (ArcRwSignal<Vec<(Id, u8, String)>>, ArcRwSignal<HashMap<Id, Edited>>);
 
 /// True if a connector takes from one of these streams or leads to one.

@@ -5,7 +5,7 @@ use crate::layout::{BOX, STREAM_HEIGHT};
 use behaviour::{Connector, Id, Place};
 use leptos::prelude::*;
 
-/// How far from the middle of a box an edge may reach it, in canvas units.
+/// The greatest distance from the middle of a box at which an edge may reach it, in canvas units.
 const REACH: f64 = 96.0;
 
 /// Which end of a connector.

@@ -177,7 +177,7 @@ fn FoldedBox(id: Id) -> impl IntoView {
     .into_any()
 }
 
-/// How many there are of a kind of stream.
+/// The number of streams of one kind.
 type Count = (StreamKind, usize);
 
 fn counts_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Vec<Count>> {
@@ -251,7 +251,7 @@ fn ring_memo(stage: &Stage, id: &Id, inside: &ArcMemo<Inside>) -> ArcMemo<Ringed
     })
 }
 
-/// Whether a connector inside has just fired.
+/// Returns true while a connector inside has just fired.
 fn fires_memo(desk: &Desk, stage: &Stage, inside: &ArcMemo<Inside>) -> ArcMemo<bool> {
     let (desk, running, inside) = (desk.clone(), stage.running.clone(), inside.clone());
     ArcMemo::new(move |_| {
@@ -264,7 +264,8 @@ fn fires_memo(desk: &Desk, stage: &Stage, inside: &ArcMemo<Inside>) -> ArcMemo<b
     })
 }
 
-/// How often its liveliest stream carries values now, else for how long all of them are quiet; nothing without a run.
+/// Returns how often its liveliest stream carries values now, else for how long all of them are quiet; nothing without
+/// a run.
 fn now_memo(desk: &Desk, stage: &Stage, members: &ArcMemo<Vec<Id>>) -> ArcMemo<String> {
     let (desk, running, members) = (desk.clone(), stage.running.clone(), members.clone());
     ArcMemo::new(move |_| {

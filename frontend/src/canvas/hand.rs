@@ -1,4 +1,4 @@
-//! What fingers, pens and mice mean: pressing, dragging a stream, panning, pinching. Pure, so that it is tested.
+//! The meaning of fingers, pens and mice: pressing, dragging a stream, panning, pinching. Pure, so that it is tested.
 
 use behaviour::Id;
 
@@ -8,7 +8,7 @@ const STILL: f64 = 5.0;
 /// A point of the stage, in pixels.
 pub(super) type Point = (f64, f64);
 
-/// What a pointer went down on.
+/// The thing on which a pointer went down.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Target {
     /// A stream, or what else can be dragged: a note, the title of a group or its box.
@@ -20,7 +20,7 @@ pub(super) enum Target {
     Other,
 }
 
-/// What is to be done.
+/// The act that is to be done.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Act {
     Nothing,

@@ -16,7 +16,7 @@ use protocol::Role;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, FocusOptions, HtmlElement};
 
-/// So near to an edge its plus appears, in pixels.
+/// The distance from an edge at which its plus appears, in pixels.
 const NEAR: f64 = 12.0;
 /// Half of its height, in canvas units.
 const HALF: f64 = 12.0;

@@ -1,4 +1,4 @@
-//! What the parts of the canvas share: the view, what is drawn, who selected what.
+//! The state that the parts of the canvas share: the view, what is drawn, who selected what.
 
 use super::TINY;
 use super::bounds::{aside_bounds, bounds, box_bounds, chip_bounds, connector_bounds};
@@ -34,7 +34,7 @@ const REVEAL_MARGIN: f64 = 16.0;
 const STRIP: f64 = 66.0;
 /// A moment for what was opened to be in the page, and for a dialog to go, in milliseconds.
 const OPENED_MS: i32 = 80;
-/// How long the view glides, in milliseconds, and a little more.
+/// The time that the view glides, in milliseconds, and a little more.
 const GLIDE_MS: i32 = 200;
 
 /// Where the keyboard stays when a program has been opened.
@@ -57,23 +57,23 @@ pub(crate) struct Stage {
     /// The open group that it would be in if it were dropped now.
     pub(super) joining: ArcRwSignal<Option<Id>>,
     pub(super) running: ArcMemo<bool>,
-    /// Whether what leads nowhere may be blamed: it runs, or nothing else is missing.
+    /// True if what leads nowhere may be blamed: it runs, or nothing else is missing.
     pub(super) finished: ArcMemo<bool>,
-    /// Who else selected what: what, their colour, their name.
+    /// The selections of others: the thing, their colour, their name.
     pub(super) others: ArcRwSignal<Vec<(Id, u8, String)>>,
-    /// What somebody else is editing, and where that leads to.
+    /// The things that somebody else is editing, and where they lead to.
     pub(super) edited: ArcRwSignal<HashMap<Id, Edited>>,
     /// The view moves by itself and slowly.
     pub(super) glides: ArcRwSignal<bool>,
-    /// What the strip keeps clear of: streams, in canvas units.
+    /// The shapes that the strip keeps clear of: streams, in canvas units.
     pub(super) shapes: ArcMemo<Vec<(Id, Bounds)>>,
     /// The wire that is being drawn.
     pub(super) wire: ArcRwSignal<Option<Wire>>,
-    /// What streams and chips look at of it, or of what is carried.
+    /// The part of it, or of what is carried, that streams and chips look at.
     pub(super) targets: ArcMemo<Option<Targets>>,
-    /// What is offered where a wire was dropped, or on an edge.
+    /// The steps that are offered where a wire was dropped, or on an edge.
     pub(super) offering: ArcRwSignal<Option<Offering>>,
-    /// What the badge was pressed of: its problem is told.
+    /// The thing whose badge was pressed: its problem is told.
     pub(super) asked_about: ArcRwSignal<Option<Id>>,
     /// The menu that is open.
     pub(super) context: ArcRwSignal<Option<Context>>,
@@ -86,27 +86,27 @@ pub(crate) struct Stage {
     pub(super) renaming: ArcRwSignal<Option<Id>>,
     /// The note that is written.
     pub(super) noting: ArcRwSignal<Option<Noting>>,
-    /// What of the notes and groups the keyboard comes to.
+    /// The note or group to which the keyboard comes.
     pub(super) aside: ArcRwSignal<Option<Id>>,
-    /// What gets the keyboard as soon as it is drawn.
+    /// The thing that gets the keyboard as soon as it is drawn.
     pub(super) wanted: ArcRwSignal<Option<Id>>,
     /// The lasso that is drawn, in canvas units.
     pub(super) lasso: ArcRwSignal<Option<Bounds>>,
     /// Where the pointer is over the canvas.
     pub(super) pointer: ArcRwSignal<Option<Place>>,
-    /// How much the sentences take at the top, once that is known, in pixels.
+    /// The height of the sentences at the top, once that is known, in pixels.
     pub(super) above: ArcRwSignal<Option<f64>>,
     /// Where the strip of what is selected stands, while it is there.
     pub(super) strip: ArcRwSignal<Option<Area>>,
-    /// What was shown when the program was opened.
+    /// The view that was shown when the program was opened.
     pub(super) opened: ArcRwSignal<Option<View>>,
-    /// What screen readers hear of a wire.
+    /// The words about a wire that screen readers hear.
     pub(super) said: ArcRwSignal<String>,
-    /// How the graph lies on paper, while it is printed.
+    /// The place of the graph on paper, while it is printed.
     pub(super) paper: ArcMemo<Option<Paper>>,
-    /// How wide the live value of a stream may be; nothing while there are no values.
+    /// The width that the live value of each stream may have; nothing while there are no values.
     rooms: ArcMemo<HashMap<Id, f64>>,
-    /// What of the canvas is in view, and whether the view rests.
+    /// The cells of the canvas that are in view, and whether the view rests.
     pub(super) cells: ArcMemo<Cells>,
     pub(super) rests: ArcRwSignal<bool>,
     /// True if everything is so small that nothing can be read.
@@ -118,7 +118,7 @@ pub(crate) struct Stage {
     pub(super) desk: Desk,
 }
 
-/// What is in the page now.
+/// The things that are in the page now.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Drawn {
     streams: Vec<Id>,
@@ -349,7 +349,7 @@ impl Stage {
         chips.iter().filter(|chip| touches(chip)).filter_map(|chip| chip_bounds(desk, chip)).collect()
     }
 
-    /// How wide the live value of a stream may be.
+    /// Returns the width that the live value of a stream may have.
     pub(super) fn room(&self, id: &Id) -> ArcMemo<f64> {
         let (rooms, id) = (self.rooms.clone(), id.clone());
         ArcMemo::new(move |_| rooms.with(|rooms| rooms.get(&id).copied().unwrap_or(VALUE_ROOM)))
@@ -442,7 +442,7 @@ impl Stage {
         }
     }
 
-    /// What is opened is shown whole if it can be read then; so is what was empty or became empty.
+    /// Shows whole what is opened, if it can be read then; so it does with what was empty or became empty.
     pub(super) fn follow_open(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
         let ids = desk.document.stream_ids.clone();
@@ -496,7 +496,7 @@ impl Stage {
         }
     }
 
-    /// What is selected comes into view; the others are told; a lost keyboard comes along.
+    /// Brings what is selected into view and tells the others; a lost keyboard comes along.
     pub(super) fn follow_selection(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
         Effect::new(move |_| {
@@ -553,7 +553,7 @@ fn is_elsewhere() -> bool {
 struct Everything {
     /// The first stream, else the first note.
     first: Bounds,
-    /// What surrounds all of it: streams with their values, chips, notes and groups.
+    /// The bounds of all of it: streams with their values, chips, notes and groups.
     all: Bounds,
     /// Each of them, without its value.
     parts: Vec<Bounds>,

@@ -27,7 +27,7 @@ pub(super) struct Wire {
     ends: Arc<[(WireEnd, Joining)]>,
     /// The ids of those.
     ids: Arc<BTreeSet<Id>>,
-    /// Its loose end, in canvas units.
+    /// The loose end of the wire, in canvas units.
     to: Place,
     /// Where it would end now.
     over: Option<WireEnd>,
@@ -35,7 +35,7 @@ pub(super) struct Wire {
     pub(super) is_held: bool,
 }
 
-/// What of a wire streams and chips look at: while its loose end only moves, it stays the same.
+/// The part of a wire that streams and chips look at: while its loose end only moves, it stays the same.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Targets {
     /// Where the wire comes from; what is carried comes from no stream.
@@ -44,7 +44,7 @@ pub(super) struct Targets {
     over: Option<Id>,
 }
 
-/// What streams and chips look at of the wire that is drawn, or of what is carried from the list.
+/// Returns what streams and chips look at of the wire that is drawn, or of what is carried from the list.
 pub(super) fn targets_memo(
     wire: ArcRwSignal<Option<Wire>>,
     carried: ArcRwSignal<Option<Carried>>,
@@ -87,7 +87,7 @@ impl Stage {
         }
     }
 
-    /// Its loose end follows a pointer.
+    /// Moves the loose end of the wire after a pointer.
     pub(super) fn move_wire(&self, at: Point, over: Option<&Id>) {
         if self.offering.with_untracked(Option::is_some) || self.wire.with_untracked(Option::is_none) {
             return;
@@ -213,7 +213,7 @@ impl Stage {
         self.said.set(said);
     }
 
-    /// Whether the wire comes out of a stream. Reactive.
+    /// Returns true while the wire comes out of a stream. Reactive.
     pub(super) fn wire_source(&self, id: &Id) -> ArcMemo<bool> {
         let (targets, id) = (self.targets.clone(), id.clone());
         ArcMemo::new(move |_| {
@@ -221,7 +221,7 @@ impl Stage {
         })
     }
 
-    /// Whether something may be the end of the wire, and whether it would be now. Reactive.
+    /// Tells if something may be the end of the wire, and if it would be now. Reactive.
     pub(super) fn wire_target(&self, id: &Id) -> ArcMemo<Option<bool>> {
         let (targets, id) = (self.targets.clone(), id.clone());
         ArcMemo::new(move |_| {
@@ -251,7 +251,7 @@ fn stream_name(desk: &Desk, id: &Id) -> String {
         .unwrap_or_default()
 }
 
-/// What comes of it, in words.
+/// Says what comes of it.
 fn tip(desk: &Desk, (end, how): &(WireEnd, Joining)) -> String {
     let target = match end {
         WireEnd::Stream(id) => stream_name(desk, id),
@@ -332,14 +332,14 @@ pub(super) fn Handles() -> impl IntoView {
     }
 }
 
-/// What there is to hear of a wire.
+/// Says to screen readers what there is to hear of a wire.
 #[component]
 pub(super) fn WireWords() -> impl IntoView {
     let said = expect_context::<Stage>().said;
     view! { <p class="sr" role="status">{move || said.get()}</p> }
 }
 
-/// What lies under a point of the window that a wire could end at, and whether that is free ground.
+/// Returns what lies under a point of the window that a wire could end at, and whether that is free ground.
 pub(super) fn under(x: f32, y: f32) -> (Option<Id>, bool) {
     let Some(found) = document().element_from_point(x, y) else { return (None, false) };
     let marked = ["data-node", "data-chip"].into_iter().find_map(|mark| {

@@ -1,4 +1,4 @@
-//! How large what stands beside the graph is: notes, and groups that are folded to a box.
+//! The size of what stands beside the graph: notes, and groups that are folded to a box.
 
 use super::{STREAM_HEIGHT, text_width};
 use behaviour::Place;

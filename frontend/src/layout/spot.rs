@@ -7,17 +7,18 @@ use super::{
 use behaviour::{Behaviour, Connector, Filled, Graph, Id, Place, Stream, StreamKind};
 use std::collections::BTreeMap;
 
-/// How many spots are tried to the sides before the next level is.
+/// The number of spots that are tried to the sides before the next level is.
 const SIDE_STEPS: i32 = 24;
-/// How far a step leads, and how many to the right are tried before any to the left where siblings stand at the left.
+/// The length of a step, and the number to the right that are tried before any to the left where siblings stand at the
+/// left.
 const STEP: f64 = 60.0;
 const RIGHT_STEPS: i32 = 14;
-/// How many are tried to the sides in the row of the actions, and how far that may be below the next row.
+/// The number that are tried to the sides in the row of the actions, and how far that may be below the next row.
 const IN_ROW_STEPS: i32 = 9;
 const ACTIONS_FAR: f64 = 2.0 * LEVEL;
 /// From the middle of one sensor to the middle of the next, at least.
 const SENSOR_STEP: f64 = 340.0;
-/// How many stand in a row while there is nothing that could tidy.
+/// The number that stand in a row while there is nothing that could tidy.
 const IN_A_ROW: usize = 6;
 
 /// Room that something takes.
@@ -58,7 +59,7 @@ impl Room {
     }
 }
 
-/// How wide a stream is, and the widest of the chips that lead to it (0 without any).
+/// The width of a stream, and of the widest of the chips that lead to it (0 without any).
 #[derive(Clone, Copy, Debug)]
 struct Size {
     stream: f64,
@@ -72,8 +73,8 @@ impl Size {
     }
 }
 
-/// How far a stream reaches to the left and to the right of its middle when all is tidy: with its live value, and with the
-/// chips that lead to it, which stand beside each other where several lead to an action.
+/// Returns how far a stream reaches to the left and to the right of its middle when all is tidy: with its live value,
+/// and with the chips that lead to it, which stand beside each other where several lead to an action.
 pub(super) fn reach<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> (f64, f64) {
     let chips: Vec<f64> = into.map(|connector| chip_width(&chip_words(connector))).collect();
     let chip = if stream.kind == StreamKind::Actuator {
@@ -128,7 +129,7 @@ enum Side {
 }
 
 impl Side {
-    /// How many steps to the right of the wanted spot are tried, one after the other.
+    /// Returns the steps to the right of the wanted spot that are tried, one after the other.
     fn steps(self, most: i32) -> impl Iterator<Item = f64> {
         let first = if self == Self::RightFirst { 0..most.min(RIGHT_STEPS) } else { 0..0 };
         let both = (0..most).flat_map(|step| if step == 0 { vec![0] } else { vec![step, -step] });

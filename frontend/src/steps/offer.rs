@@ -36,7 +36,7 @@ impl Offer {
         Self { step, icon, label }
     }
 
-    /// What it does.
+    /// Returns the sentence that says what the step does.
     pub(crate) fn says(&self) -> String {
         match &self.step {
             Step::Helper(name) => format!("{} ({name})", words::connector_word(connectors::to_new_value().name)),
@@ -47,7 +47,7 @@ impl Offer {
         }
     }
 
-    /// What comes of it, in a few words beside its label.
+    /// Returns a few words on the result, which stand beside the label.
     pub(crate) fn brief(&self) -> String {
         match &self.step {
             Step::Helper(_) => words::connector_word(connectors::to_new_value().name).to_owned(),
@@ -70,7 +70,7 @@ impl Offer {
     }
 }
 
-/// How a helper is called, by its name.
+/// Returns the words for a helper, by its name.
 fn called(name: &str, helpers: &[Helper]) -> String {
     helpers.iter().find(|helper| helper.name == name).map_or_else(|| name.to_owned(), words::helper_name_of)
 }

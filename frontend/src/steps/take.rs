@@ -85,7 +85,7 @@ fn is_chosen_at_once(spec: &Spec, spot: &Spot) -> bool {
     *spot != Spot::Below && !asks && !spec.acts() && spec.inputs.least() == 1
 }
 
-/// What the stream is called that a connector makes of this one.
+/// Names the stream that a connector makes of this one.
 fn name_of(desk: &Desk, input: &Id, spec: &Spec) -> String {
     let name = desk.document.stream(input).map(|signals| signals.record.with_untracked(|stream| stream.name.clone()));
     let inputs: Vec<String> = name.into_iter().collect();
@@ -96,7 +96,7 @@ fn new_output(desk: &Desk, base: &str, device: Option<&str>, params: Params) -> 
     Output::New { name: desk.document.name_for(base), device: device.map(str::to_owned), params }
 }
 
-/// What is done with the answer: a refusal is said, and what was made may ask for its settings.
+/// Handles the answer: a refusal is said, and what was made may ask for its settings.
 fn answered(desk: &Desk, then_edit: bool) -> impl FnOnce(Result<(), Refused>) + 'static {
     let after = desk.clone();
     move |answer| {

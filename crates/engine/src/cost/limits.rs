@@ -30,8 +30,9 @@ pub struct Limits {
     pub functions: usize,
     /// True if procedures are compiled where that is possible; otherwise Rhai runs them all, with the same results.
     pub compiled: bool,
-    /// How many times the values that one reading becomes, or one tick, may be handed to a connector. Beyond it the run
-    /// ends, at the same value everywhere. A graph with more connectors than that may have each of them take one.
+    /// The most times that the values that one reading becomes, or one tick, may be handed to a connector. Beyond it
+    /// the run ends, at the same value everywhere. A graph with more connectors than that may have each of them take
+    /// one.
     pub handed: u64,
     /// Asked now and then while a procedure runs; true ends it. The caller's wall deadline and Stop.
     pub interrupt: Option<Rc<dyn Fn() -> bool>>,
