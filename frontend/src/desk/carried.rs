@@ -1,4 +1,4 @@
-//! What a hand takes out of the left list, on its way to the graph. Pure, so that it is tested.
+//! The things that a hand takes out of the left list, on their way to the graph. Pure, so that it is tested.
 
 use behaviour::{Helper, Id};
 use robot::Device;
@@ -13,7 +13,7 @@ const STILL_FINGER: f64 = 10.0;
 /// A point of the window, in pixels.
 type Point = (f64, f64);
 
-/// What can be taken out of the list.
+/// The things that can be taken out of the list.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Item {
     Sense(&'static Device),
@@ -21,7 +21,7 @@ pub(crate) enum Item {
     Helper(Helper),
 }
 
-/// How far it is.
+/// The stage of the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {
     /// Pressed; nobody knows yet whether that is all.
@@ -50,7 +50,7 @@ pub(crate) struct Carried {
     by_finger: bool,
 }
 
-/// What a move of the pointer means.
+/// The meaning of a move of the pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Moved {
     Nothing,

@@ -1,4 +1,4 @@
-//! What this person may do. The server decides; the page says it before somebody tries.
+//! The rights of this person. The server decides; the page says it before somebody tries.
 
 use super::tab::Tab;
 use crate::words;

@@ -1,4 +1,4 @@
-//! What belongs to this tab alone: how the link is, who sits here, the open dialog and the last sentence.
+//! The state of this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
 use super::{Carried, Gap, Pasted, Spot};
 use crate::link::{self, NoAnswer};
@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// When something that could not be done just now is asked again.
 pub(super) const AGAIN_MS: i32 = 1_000;
 
-/// How the link to the server is.
+/// The state of the link to the server.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LinkState {
     #[default]
@@ -36,7 +36,7 @@ pub(crate) enum LinkEnd {
 pub(crate) enum Choice {
     /// An action for this stream.
     Action(Id),
-    /// What stands between a stream and a connector that takes from it.
+    /// The gap between a stream and a connector that takes from it.
     Into(Gap),
     /// Where the values of this stream shall go too.
     Ends(Id),
@@ -78,7 +78,7 @@ pub(crate) enum Dialog {
     Stimulate(Id),
     /// A change of one's own, by its name, beside what somebody else saved.
     Conflict(Id),
-    /// What waits to be sent.
+    /// The changes that wait to be sent.
     Waiting,
     /// All problems.
     Problems,
@@ -94,7 +94,7 @@ pub(crate) enum Dialog {
     RemoveRobot,
     /// Having the robot that this tab looks at forget faces.
     ForgetFaces,
-    /// What others see as one's name.
+    /// The name that others see.
     MyName,
     /// Everyone who is here.
     People,
@@ -127,14 +127,14 @@ pub(crate) struct Gone {
 #[derive(Clone, Default)]
 pub(crate) struct Tab(Arc<Fields>);
 
-/// What the page shows of the tab.
+/// The state of the tab that the page shows.
 #[derive(Default)]
 pub(crate) struct Fields {
     pub(crate) online: ArcRwSignal<LinkState>,
     /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
     pub(crate) unheard: ArcRwSignal<Option<u32>>,
     pub(crate) me: ArcRwSignal<Option<Person>>,
-    /// What this person may do, once the server said so.
+    /// The role of this person, once the server said so.
     pub(crate) role: ArcRwSignal<Option<Role>>,
     /// The invitations, newest first; only who may invite hears of them.
     pub(crate) invitations: ArcRwSignal<Vec<Invitation>>,
@@ -144,11 +144,11 @@ pub(crate) struct Fields {
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
-    /// What only screen readers are told, as everybody else sees it.
+    /// The words that only screen readers are told, as everybody else sees it.
     pub(crate) whisper: ArcRwSignal<String>,
     /// A choice that is to be offered where the graph is shown.
     pub(crate) asked: ArcRwSignal<Option<Choice>>,
-    /// What a hand takes out of the left list.
+    /// The thing that a hand takes out of the left list.
     pub(crate) carried: ArcRwSignal<Option<Carried>>,
     /// The program of which the exercise is put away.
     pub(crate) put_away: ArcRwSignal<Option<Id>>,
@@ -187,7 +187,7 @@ impl Tab {
         self.notice.set(Some(Notice { number, text: text.to_owned(), bad, gone }));
     }
 
-    /// What was said of a link that was there is not true any more.
+    /// Forgets good news of a link that was there, as they are not true any more.
     pub(super) fn forget_good_news(&self) {
         if self.notice.with_untracked(|notice| notice.as_ref().is_some_and(|notice| !notice.bad)) {
             self.notice.set(None);
@@ -247,8 +247,8 @@ pub(super) fn set_if_new<T: PartialEq + Send + Sync + 'static>(signal: &ArcRwSig
     }
 }
 
-/// What `compute` gives, as a signal that tells only of other values. Thousands may follow it: a memo would ask each of them
-/// anew whenever something changes that it is made of.
+/// Returns the result of `compute` as a signal that tells only of other values. Thousands may follow it: a memo would
+/// ask each of them anew whenever something changes that it is made of.
 pub(crate) fn settled<T: PartialEq + Send + Sync + 'static>(
     compute: impl Fn() -> T + Send + Sync + 'static,
 ) -> ArcRwSignal<T> {

@@ -1,4 +1,4 @@
-//! What is chosen, one thing or several, and what is done with all of it.
+//! The things that are chosen, one or several, and what is done with all of them.
 
 use super::gestures::short;
 use super::{Document, LineUp, Part, Selected, grouping, several};
@@ -51,7 +51,7 @@ impl Document {
             || self.several.with(|several| several.contains(what))
     }
 
-    /// What is chosen, one or several.
+    /// Returns what is chosen, one or several.
     pub(crate) fn chosen(&self) -> BTreeSet<Selected> {
         let several = self.several.get_untracked();
         if several.is_empty() { self.selected.get_untracked().into_iter().collect() } else { several }

@@ -10,9 +10,9 @@ use behaviour::{
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// How many refused changes wait for their author at most.
+/// The most refused changes that wait for their author.
 pub(super) const CONFLICTS_MAX: usize = 20;
-/// How many changes of others are kept with one of them.
+/// The most changes of others that are kept with one of them.
 const THEIRS_MAX: usize = 30;
 /// All of them together, in bytes; the newest is kept whatever it takes.
 const THEIRS_MAX_BYTES: usize = 128 << 10;
@@ -21,15 +21,15 @@ const THEIRS_MAX_BYTES: usize = 128 << 10;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Conflict {
     pub(super) behaviour: Id,
-    /// What it is about: the first thing in it that somebody else touched.
+    /// The record that it is about: the first thing in it that somebody else touched.
     pub(crate) about: RecordId,
-    /// As its author made it.
+    /// The change as its author made it.
     pub(crate) mine: Change,
     /// When that was, in milliseconds since 1970 by this computer's clock.
     pub(crate) made_ms: f64,
     /// True if it was made without a connection.
     pub(crate) offline: bool,
-    /// What others saved since, oldest first; nothing if that could not be found out.
+    /// The changes that others saved since, oldest first; nothing if that could not be found out.
     pub(super) theirs: Vec<Accepted>,
     /// The change under way that puts one's own on top.
     pub(super) retry: Option<Id>,
@@ -62,7 +62,7 @@ fn is_about(edit: &Edit) -> bool {
         || matches!((edit.before.as_ref().map(wording), edit.after.as_ref().map(wording)), (Some(Some(seen)), Some(Some(mine))) if seen != mine)
 }
 
-/// What people wrote in a record that is no part of the graph.
+/// Returns the text that people wrote in a record that is no part of the graph.
 pub(crate) fn wording(record: &Record) -> Option<&str> {
     match record {
         Record::Note(note) => Some(&note.text),
@@ -104,7 +104,7 @@ fn touched(change: &Change) -> impl Iterator<Item = &RecordId> {
     change.edits.iter().map(|edit| &edit.id)
 }
 
-/// What a change is about or rests on: what it edits, and the ends of its connectors.
+/// Returns what a change is about or rests on: what it edits, and the ends of its connectors.
 fn needed(change: &Change) -> BTreeSet<RecordId> {
     let edited = change.edits.iter().filter(|edit| is_about(edit)).map(|edit| edit.id.clone());
     edited.chain(change.edits.iter().filter_map(|edit| edit.after.as_ref()).flat_map(ends)).filled()
@@ -121,7 +121,8 @@ fn ends(record: &Record) -> Vec<RecordId> {
     }
 }
 
-/// What of these is gone, put back as it was: whole changes that removed it, taken back as far as they still stand.
+/// Returns the program with what of these is gone put back as it was: whole changes that removed it, taken back as far
+/// as they still stand.
 pub(super) fn brought_back(
     now: &Behaviour,
     log: &[Accepted],
@@ -196,7 +197,7 @@ impl Conflict {
         touched(change).any(|id| mine.contains(id))
     }
 
-    /// What this change rests on and is gone.
+    /// Returns the records that this change rests on and that are gone.
     fn missing(&self, now: &Behaviour) -> BTreeSet<RecordId> {
         let made = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.before.is_none());
         let dropped = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.after.is_none());

@@ -5,7 +5,7 @@ use crate::live::{LiveConnector, LiveStream};
 use behaviour::{Connector, Group, Id, Kind, Note, Operation, Params, Place, RecordId, Stream};
 use leptos::prelude::{ArcMemo, ArcRwSignal};
 
-/// How saving goes; the number counts changes that wait.
+/// The state of saving; the number counts changes that wait.
 #[expect(clippy::enum_variant_names, reason = "saving is saved, saving, offline or away")]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Saving {
@@ -27,7 +27,7 @@ pub(crate) enum Selected {
 }
 
 impl Selected {
-    /// Its id.
+    /// Returns the id of what is selected.
     pub(crate) fn id(&self) -> &Id {
         match self {
             Self::Stream(id) | Self::Connector(id) | Self::Note(id) | Self::Group(id) => id,
@@ -53,7 +53,7 @@ pub(crate) struct Lit {
     pub(crate) connectors: Vec<Id>,
 }
 
-/// What is marked on a part of the behaviour, as long as this tab has something of it that nobody else has.
+/// The mark of a part of the behaviour, as long as this tab has something of it that nobody else has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     /// A change waits to be sent.

@@ -11,7 +11,7 @@ use leptos::prelude::*;
 use protocol::{LockShown, Refused, Reply, Request};
 use std::collections::BTreeSet;
 
-/// How often typing is told, in milliseconds.
+/// The least time between two messages that somebody types, in milliseconds.
 const TYPING_MS: f64 = 1_000.0;
 
 /// Somebody else who is editing something.
@@ -44,7 +44,7 @@ impl Fields {
 }
 
 impl Document {
-    /// What others are editing, each with who does. Reactive.
+    /// Returns what others are editing, each with who does. Reactive.
     pub(crate) fn edited_by_others(&self) -> Vec<(RecordId, Editor)> {
         let me = self.tab.me.with(|me| me.as_ref().map(|me| me.client.clone()));
         let people = self.people.get();
@@ -58,7 +58,7 @@ impl Document {
         records.collect()
     }
 
-    /// Who else is editing a record. Reactive.
+    /// Returns the other person who is editing a record. Reactive.
     pub(crate) fn editor_of(&self, record: &RecordId) -> Option<Editor> {
         self.edited_by_others().into_iter().find(|(edited, _)| edited == record).map(|(_, editor)| editor)
     }

@@ -1,4 +1,4 @@
-//! What the server knows of the open program beyond its records: what mends a problem, and what streams carry.
+//! The server's knowledge of the open program beyond its records: what mends a problem, and what streams carry.
 
 use super::Document;
 use crate::desk::tab::{new_id, set_if_new};
@@ -84,7 +84,7 @@ impl Document {
         });
     }
 
-    /// What only the values of a run tell, beside what is known without them.
+    /// Hears what only the values of a run tell, beside what is known without them.
     fn hear_hints(&self, hints: &[Problem]) {
         let known = self.problems.get_untracked();
         let new: Vec<_> = hints.iter().filter(|hint| !known.contains(hint)).cloned().collect();

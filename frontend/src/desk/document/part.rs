@@ -10,11 +10,11 @@ use behaviour::{
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How the text of a part of a program begins to be one.
+/// The mark at the beginning of the text of a part of a program.
 const FORMAT: &str = "rrp-part/1";
 /// The largest text that is put in, in bytes.
 const TEXT_MAX_BYTES: usize = 200 << 10;
-/// How far the places are from each other that are tried for a copy, and how many to the right and down.
+/// The distance between the places that are tried for a copy, and the number of them to the right and down.
 const STEP: f64 = 60.0;
 const STEPS_MAX: i32 = 40;
 
@@ -80,7 +80,7 @@ impl Part {
         crate::json::read::<Self>(text).ok().filter(|part| part.format == FORMAT)
     }
 
-    /// As a text.
+    /// Returns the part as a text.
     pub(crate) fn text(&self) -> String {
         serde_json::to_string(self).unwrap_or_default()
     }
@@ -189,7 +189,7 @@ impl Part {
         (change, made)
     }
 
-    /// How far it is to where its middle is at a place, and its top.
+    /// Returns the shift that brings its middle and its top to a place.
     pub(super) fn to(&self, at: Place) -> (f64, f64) {
         let rooms = self.rooms();
         let places = rooms.iter().map(|(place, _)| place);
@@ -245,7 +245,7 @@ impl Part {
     }
 }
 
-/// What a helper is called among others, if one of them does the same, whatever is said of it; by its own name first.
+/// Returns the name of a helper among others, if one of them does the same, whatever is said of it; its own name first.
 fn name_in(helper: &Helper, all: &[Helper]) -> Option<String> {
     let is_same = |other: &&Helper| {
         let named = Helper { name: other.name.clone(), says: other.says.clone(), ..helper.clone() };

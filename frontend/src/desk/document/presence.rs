@@ -7,7 +7,7 @@ use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Area, Person, Pointer, Request};
 
-/// How often others are told where this person is at most, in milliseconds.
+/// The least time between two messages that tell others where this person is, in milliseconds.
 const PRESENCE_MS: f64 = 50.0;
 
 /// Where this person is, and what the others know of it.
@@ -22,7 +22,7 @@ pub(super) struct Presence {
 }
 
 impl Presence {
-    /// What part of the canvas is in view.
+    /// Returns the part of the canvas that is in view.
     pub(super) fn in_view(&self) -> Option<Area> {
         self.view
     }
@@ -78,7 +78,8 @@ impl Document {
         }
     }
 
-    /// Who follows somebody tells what that one sees: so two who follow each other stay where they are.
+    /// Tells others where this person is. One who follows somebody tells what that one sees: so two who follow each
+    /// other stay where they are.
     fn tell_presence(&self) {
         let followed = untrack(|| self.followed());
         let selected = self.selected.with_untracked(|selected| selected.as_ref().map(Selected::id).cloned());
@@ -137,7 +138,7 @@ impl Document {
         })
     }
 
-    /// Who is followed and not among these any more is followed no longer, which is said.
+    /// Stops following a person who is not among these any more, and says so.
     pub(super) fn follow_on(&self, people: &[Person]) {
         let following = self.following.get_untracked();
         let is_gone = |client: &Id| people.iter().all(|person| person.client != *client);

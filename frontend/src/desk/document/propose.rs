@@ -25,7 +25,7 @@ const TOO_FAST_MS: i32 = 400;
 pub(super) type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
 
 thread_local! {
-    /// Who wants to know what became of a change; nobody after a reload.
+    /// The callbacks that want to know what became of a change; nobody after a reload.
     static ON_ANSWER: RefCell<HashMap<Id, OnAnswer>> = RefCell::default();
 }
 
@@ -232,7 +232,7 @@ impl Document {
         }
     }
 
-    /// What waits for a behaviour that is gone is answered with that.
+    /// Drops the changes that wait for a behaviour which is gone, and says so.
     pub(super) fn forget_waiting(&self, behaviour: &Id) {
         let lost = self.state().queue.touched(behaviour).len();
         self.state().queue.forget(behaviour);
@@ -301,7 +301,7 @@ impl Document {
     }
 }
 
-/// How the server is asked for what waits.
+/// Returns the request for a change that waits.
 fn request(waiting: Waiting, tokens: Vec<Token>) -> Request {
     let Waiting { behaviour, change, way, .. } = waiting;
     let op = change.op.clone();

@@ -20,14 +20,14 @@ pub(crate) enum WireEnd {
 }
 
 impl WireEnd {
-    /// Its id.
+    /// Returns the id of the end.
     pub(crate) fn id(&self) -> &Id {
         match self {
             Self::Stream(id) | Self::Connector(id) => id,
         }
     }
 
-    /// What it is on the graph.
+    /// Returns the end as something that can be selected on the graph.
     pub(crate) fn selected(&self) -> Selected {
         match self {
             Self::Stream(id) => Selected::Stream(id.clone()),
@@ -36,7 +36,7 @@ impl WireEnd {
     }
 }
 
-/// What comes of a wire that ends there.
+/// The outcome of a wire that ends there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Joining {
     /// The action is told these values too.
@@ -158,8 +158,8 @@ pub(super) fn with_inputs(behaviour: &Behaviour, connector: &Connector, inputs: 
     taken
 }
 
-/// What a stream carries already, and the new values, both on it: into the merge that feeds it, or into a new one behind
-/// the connector that feeds it.
+/// Puts what a stream carries already, and the new values, both on it: into the merge that feeds it, or into a new one
+/// behind the connector that feeds it.
 fn merged(
     behaviour: &Behaviour,
     places: &BTreeMap<Id, Place>,

@@ -21,7 +21,7 @@ pub(super) fn without(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selec
     without_empty(behaviour, change)
 }
 
-/// How things are lined up.
+/// The ways to line things up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineUp {
     /// Beside each other, at the height of the topmost.

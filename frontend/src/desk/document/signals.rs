@@ -46,7 +46,8 @@ impl Document {
         self.laid_out.notify();
     }
 
-    /// So wide and high is what of the stage is free: the next layout fits it. What stands already stays.
+    /// Tells the width and height of the stage that are free: the next layout fits it. A stream that stands already
+    /// stays.
     pub(crate) fn tell_stage(&self, free: (f64, f64)) {
         self.state().stage = free;
     }
