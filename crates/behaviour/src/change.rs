@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Edit {
-    /// Which record.
+    /// The id of the record that changes.
     pub id: RecordId,
     /// The record before the change; none if it was not there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -27,7 +27,7 @@ pub struct Change {
     pub author: String,
     /// A label of a few words that says the effect: "Rename Red Ball".
     pub label: String,
-    /// When it was made, in milliseconds since 1970, as the server's clock had it on arrival.
+    /// The time when it was made, in milliseconds since 1970, as the server's clock had it on arrival.
     pub at_ms: u64,
     /// The id of the person, which stays when their name does not. The server says it, whatever its sender wrote; none in
     /// changes that nobody can take back as their own, such as those of older versions.

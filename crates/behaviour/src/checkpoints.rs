@@ -18,7 +18,7 @@ pub struct Checkpoint {
     pub name: String,
     /// The name of the person who named the revision.
     pub by: String,
-    /// When it was named, in milliseconds since 1970.
+    /// The time when it was named, in milliseconds since 1970.
     pub at_ms: u64,
 }
 

@@ -51,7 +51,7 @@ pub struct BehaviourFile {
     /// The creation numbers of streams and connectors, by id, where they are not their position in the file.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub order: BTreeMap<String, i64>,
-    /// Where things stand, by id.
+    /// The places of things on the canvas, by id.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub layout: BTreeMap<String, Place>,
 }
@@ -171,7 +171,7 @@ pub struct FileNote {
     /// The name of the person who wrote it last.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub by: Option<String>,
-    /// When it was written last, in milliseconds since 1970.
+    /// The time when it was written last, in milliseconds since 1970.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<u64>,
 }

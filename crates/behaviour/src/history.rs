@@ -10,8 +10,8 @@ use crate::{
 
 /// A behaviour as its changes make it from nothing, one after the other, each decided about as a room would have.
 ///
-/// Which devices there are and what a procedure may say is not asked: that was decided when the change was made, and may have
-/// been decided otherwise since. What is wrong there is shown as a problem, to be mended.
+/// The devices that there are and the rules of procedures are not asked: they were decided about when the change was
+/// made, and perhaps otherwise since. A fault in them is shown as a problem, to be mended.
 #[derive(Clone, Debug, Default)]
 pub struct History {
     behaviour: Behaviour,
@@ -43,7 +43,7 @@ impl History {
     /// Makes the next change.
     ///
     /// # Errors
-    /// Why it cannot have been made; then this history is of no more use.
+    /// Refuses a change that no room can have made; then this history is of no more use.
     pub fn take(&mut self, change: &Change) -> Result<(), Refusal> {
         if !self.seen.insert(change.op.clone()) {
             return Err(Refusal::Malformed(format!("the change {} twice", change.op)));

@@ -1,4 +1,4 @@
-//! Where things of a graph stand: parts in layers, values flowing down, and the parts in rows that fit a stage.
+//! The layout of a graph: parts in layers, values flowing down, and the parts in rows that fit a stage.
 //!
 //! Only sizes, edges and earlier places are handed in, so the page and the pictures of the library lay out alike. What stood
 //! left of its sibling stays left of it: people find their programs by where things are.
@@ -32,7 +32,7 @@ pub struct Shape {
     pub right: f64,
     /// True if it is an action: these stand in the last row.
     pub acts: bool,
-    /// Where it stood, if somebody placed it.
+    /// The place where it stood, if somebody put it there.
     pub stood: Option<Place>,
 }
 

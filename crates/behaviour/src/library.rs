@@ -4,7 +4,7 @@
 use crate::{Id, RecordId};
 use serde::{Deserialize, Serialize};
 
-/// Where to look.
+/// The places to look in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Place {
@@ -30,7 +30,7 @@ pub enum Sort {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Cursor {
-    /// When it was changed (in the bin: removed), in milliseconds since 1970.
+    /// The time when it was changed (in the bin: removed), in milliseconds since 1970.
     pub changed_ms: u64,
     /// The last line's name, in the form in which names are ordered.
     pub name_key: String,
@@ -57,7 +57,7 @@ pub struct Used {
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Driver {
-    /// Which.
+    /// The id of the behaviour.
     pub behaviour: Id,
     /// The name of the behaviour.
     pub name: String,
@@ -101,7 +101,7 @@ impl Tagged {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Similar {
-    /// Which.
+    /// The id of the behaviour.
     pub behaviour: Id,
     /// The name of the behaviour.
     pub name: String,

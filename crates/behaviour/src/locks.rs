@@ -52,13 +52,13 @@ pub struct Grant {
     pub records: BTreeSet<RecordId>,
 }
 
-/// Why a lock was not given. Nothing of the set is locked then.
+/// The reasons why a lock was not given. Nothing of the set is locked then.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Denied {
     /// Somebody is editing one of the records, or their change of it is being saved.
     Held {
-        /// Which record.
+        /// The record that is busy.
         record: RecordId,
         /// The name of the person who has it.
         by: String,
@@ -97,10 +97,10 @@ pub struct Held<'a> {
 struct Lock {
     holder: Holder,
     records: BTreeSet<RecordId>,
-    /// When its holder last did something.
+    /// The time when its holder last did something.
     active_ms: u64,
     was_warned: bool,
-    /// When the link of its holder ended.
+    /// The time when the link of its holder ended.
     left_ms: Option<u64>,
     /// It ends as soon as nothing of it is being saved.
     ending: Option<Why>,
@@ -129,7 +129,7 @@ pub struct Locks {
     by_record: Lookup<RecordId, u64>,
     /// By the names of the changes.
     saving: Vec<(Id, Saving)>,
-    /// Which clients were told *not yet* for which records.
+    /// The clients that were told *not yet*, with the records.
     refused: Vec<((Id, RecordId), PutOff)>,
     /// Grows whenever who holds what changes.
     version: u64,

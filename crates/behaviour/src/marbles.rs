@@ -51,7 +51,7 @@ pub struct Lane(pub &'static str, pub &'static str);
 /// A value at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Marble {
-    /// When, in milliseconds.
+    /// The time, in milliseconds.
     pub at_ms: u64,
     /// The value as it is written.
     pub text: &'static str,

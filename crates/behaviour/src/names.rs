@@ -89,7 +89,7 @@ pub fn argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Ve
     stream_names.into_iter().map(|name| used.first_free(argument_name(name, is_word))).collect()
 }
 
-/// The same names as they were before letters of every script stayed: `距離` was `x__`.
+/// Returns the names as they were before letters of every script stayed: `距離` was `x__`.
 fn ascii_argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut used = Used::default();
@@ -293,7 +293,7 @@ pub(crate) fn replace_whole(body: &str, old: &str, new: &str, times: usize) -> O
     (places.len() == times).then(|| replaced(body, places.into_iter().map(new)))
 }
 
-/// Where `body` spells an argument another way (`redball` for `redBall`), as `(as written, as it should be)`.
+/// Finds where `body` spells an argument another way (`redball` for `redBall`), as `(as written, as it should be)`.
 #[must_use]
 pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)> {
     let mut found = Vec::new();
@@ -332,12 +332,12 @@ pub fn rename_helpers(body: &str, names: &BTreeMap<String, String>) -> String {
     replaced(body, uses(body).into_iter().filter_map(new))
 }
 
-/// Where `body` calls something, `distance(ball)`, or points to it, `Fn("distance")`.
+/// Finds where `body` calls something, `distance(ball)`, or points to it, `Fn("distance")`.
 fn uses(body: &str) -> Vec<Range<usize>> {
     places(body, Meaning::Function)
 }
 
-/// Where values from outside stand.
+/// Finds where values from outside stand.
 fn outer(body: &str) -> Vec<Range<usize>> {
     places(body, Meaning::Outer)
 }

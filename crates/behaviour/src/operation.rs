@@ -50,7 +50,7 @@ impl Operation {
         Self { spec, parameters }
     }
 
-    /// Which connector it is.
+    /// Returns the kind of connector.
     #[must_use]
     pub fn spec(&self) -> &'static Spec {
         self.spec

@@ -61,7 +61,7 @@ pub enum ProblemKind {
     Helper {
         /// The helper.
         helper: String,
-        /// Why not.
+        /// The reason why it cannot run.
         reason: String,
     },
     /// A body that cannot run; with the reason.
@@ -155,7 +155,7 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
     problems_seeing(behaviour, helpers, knowledge, &Seen::new())
 }
 
-/// The same, where values of which nobody knows the kind are of the kind that was seen last.
+/// Returns the problems, where values of which nobody knows the kind are of the kind that was seen last.
 #[must_use]
 pub fn problems_seeing(
     behaviour: &Behaviour,

@@ -113,7 +113,7 @@ impl Helper {
     }
 }
 
-/// Where something stands on the canvas: the middle of its top edge for streams and folded groups, in canvas units.
+/// A place on the canvas: the middle of the top edge for streams and folded groups, in canvas units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
@@ -132,7 +132,7 @@ pub struct Note {
     /// The name of who wrote it last; empty if nobody knows.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub by: String,
-    /// When it was written last, in milliseconds since 1970; 0 if nobody knows.
+    /// The time when it was written last, in milliseconds since 1970; 0 if nobody knows.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub at_ms: u64,
 }

@@ -85,7 +85,7 @@ pub trait Knowledge {
 /// Returns the kind that a helper makes of arguments of these kinds, if one of that name has so many parameters.
 pub type Call<'a> = &'a dyn Fn(&str, &[ValueType]) -> Option<ValueType>;
 
-/// Why a change was not made. [`std::fmt::Display`] says it in one English sentence.
+/// The reasons why a change was not made. [`std::fmt::Display`] says each in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Refusal {

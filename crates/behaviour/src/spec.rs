@@ -25,7 +25,7 @@ pub struct Spec {
     pub inputs: Inputs,
     /// The parts of a parameter that can be chosen for it.
     pub takes: Takes,
-    /// Where it ends: in ordinary streams, or in actuator streams.
+    /// The kind of stream in which it ends: ordinary or actuator.
     pub ends: StreamKind,
     /// The number of values that it gives for those that it takes.
     pub gives: Gives,
@@ -33,7 +33,7 @@ pub struct Spec {
     pub passes: Passes,
     /// The form in which a graph database keeps it.
     pub graph: GraphForm,
-    /// When it is offered as the next step of a stream.
+    /// The streams for which it is offered as the next step.
     pub offered: Offered,
     /// Patterns for the name of the stream that it makes, until somebody types a name: the first of these whose holes
     /// can all be filled is taken; if none can, the name has to be asked for. `{input}` is the name of its first input,
@@ -138,7 +138,7 @@ pub struct GraphForm {
     pub label: &'static str,
 }
 
-/// When a connector is offered as the next step of a stream.
+/// The conditions under which a connector is offered as the next step of a stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Offered {
     /// Before anything else, for streams that carry one of these.
@@ -157,7 +157,7 @@ impl Offered {
 /// The kind of values that a stream carries, as far as one can tell before it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carries {
-    /// Where a ball is and how large it looks.
+    /// A ball: its place and its size as it looks.
     Ball,
     /// A face.
     Face,
@@ -178,7 +178,7 @@ pub enum Carries {
 pub struct Help {
     /// The sentence that says what it does.
     pub does: &'static str,
-    /// When to use it.
+    /// The sentence that says when to use it.
     pub when: &'static str,
     /// Two or three examples, which the engine is held to.
     pub examples: &'static [Example],

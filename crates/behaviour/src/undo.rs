@@ -13,7 +13,7 @@ pub const UNDO_MAX: usize = 100;
 const UNDO: &str = "Undo: ";
 const REDO: &str = "Redo: ";
 
-/// Which change made a record what it is. Revision 0 is from before the log.
+/// The change that made a record what it is. Revision 0 is from before the log.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Version {
     revision: u64,

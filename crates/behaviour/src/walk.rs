@@ -1,6 +1,6 @@
 //! The walk along the values: connectors in an order in which each comes after those that it takes from.
 
-/// Where a connector begins and ends. Streams are numbers here.
+/// The inputs and the output of a connector. Streams are numbers here.
 pub type Ends<'a> = (&'a [usize], usize);
 
 /// The connectors between so many streams in an order in which values flow, by their places. Those that stand in a

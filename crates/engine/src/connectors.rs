@@ -75,7 +75,7 @@ pub(crate) trait Connector {
     /// The fault that dropped a value; already counted.
     fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>>;
 
-    /// When it gives something by itself next, if it will.
+    /// Returns the time when it gives something by itself next, if it will.
     fn due(&self) -> Option<Millis> {
         None
     }

@@ -120,7 +120,7 @@ impl Run {
         stats.streams[stream].last().map(|(_, value)| value).filter(|_| fired)
     }
 
-    /// Why it ended by itself, if it did.
+    /// Returns the reason why it ended by itself, if it did.
     #[must_use]
     pub fn ended(&self) -> Option<End> {
         self.core.end

@@ -25,7 +25,7 @@ pub(crate) use memory::RunMemory;
 pub enum Emission<'a> {
     /// A value on a stream.
     Value {
-        /// When, in logical time.
+        /// The logical time.
         at: Millis,
         /// The stream.
         stream: StreamIx,
@@ -34,7 +34,7 @@ pub enum Emission<'a> {
     },
     /// A procedure dropped a value.
     Fault {
-        /// When, in logical time.
+        /// The logical time.
         at: Millis,
         /// The connector.
         connector: ConnectorIx,

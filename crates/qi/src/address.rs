@@ -1,4 +1,4 @@
-//! Where a peer is: `tcp://HOST:PORT` or `tcps://HOST:PORT`.
+//! The address of a peer: `tcp://HOST:PORT` or `tcps://HOST:PORT`.
 
 use std::fmt;
 use std::str::FromStr;
@@ -14,7 +14,7 @@ pub enum Scheme {
     Tcps,
 }
 
-/// Where a peer is.
+/// The address of a peer.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Address {
     /// The transport on which it is spoken to.

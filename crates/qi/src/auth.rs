@@ -35,7 +35,7 @@ impl fmt::Debug for Credentials {
     }
 }
 
-/// Which kind of hello a peer knows.
+/// The kinds of hello that peers know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Generation {
     /// NAOqi 2.1 (2014): a message of its own, no login.
@@ -47,7 +47,7 @@ pub enum Generation {
 /// The result of the handshake, on which both ends agreed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Agreed {
-    /// Which kind of hello it was.
+    /// The kind of hello that it was.
     pub generation: Generation,
     /// Objects carry a uid.
     pub object_uid: bool,

@@ -36,7 +36,7 @@ impl std::fmt::Display for Stage {
     }
 }
 
-/// Why a stage of connecting failed.
+/// The reasons why a stage of connecting failed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Cause {
     /// The system says so: refused, unreachable, reset.
@@ -78,7 +78,7 @@ pub enum Cause {
     Call(Box<QiError>),
 }
 
-/// Why a link is over.
+/// The reasons why a link is over.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Ending {
     /// The peer closed it.

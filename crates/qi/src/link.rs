@@ -221,7 +221,7 @@ impl Link {
         self.shared().end(Ending::Here);
     }
 
-    /// Why the link is over, if it is.
+    /// Returns the reason why the link is over, if it is.
     pub fn ending(&self) -> Option<Ending> {
         self.shared().ended.borrow().clone()
     }

@@ -1,4 +1,4 @@
-//! Why bytes are not what they claim to be, and why a value cannot be written as a type.
+//! The reasons why bytes are not what they claim to be, and why a value cannot be written as a type.
 
 /// The flaws of bytes that came from a peer.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -48,7 +48,7 @@ pub enum Malformed {
     Signature {
         /// The signature, at most 80 bytes of it.
         text: String,
-        /// Where reading it ended, in bytes.
+        /// The byte at which reading it ended.
         at: usize,
     },
     /// A value of a type that has no written form: `X`.
@@ -56,7 +56,7 @@ pub enum Malformed {
     Unreadable,
 }
 
-/// Why a value cannot be written as a type.
+/// The reasons why a value cannot be written as a type.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unfit {
     /// Another kind of value than the type wants.

@@ -35,7 +35,7 @@ const LINKS_MAX: usize = 16;
 pub struct Options {
     /// User and password, where the peer wants them.
     pub credentials: Option<Credentials>,
-    /// Which certificate is accepted behind `tcps`.
+    /// The certificates that are accepted behind `tcps`.
     pub trust: Trust,
     /// The longest time of each stage of connecting.
     pub stage_within: Duration,

@@ -54,7 +54,7 @@ impl FromStr for Fingerprint {
     }
 }
 
-/// Which certificate is accepted.
+/// The certificates that are accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Trust {
     /// Whichever is shown: the first time. Keep its fingerprint and trust only that one later.

@@ -68,7 +68,8 @@ pub enum Value {
     Object(Arc<ObjectRef>),
 }
 
-/// Where an object is and what it can do. [`crate::Object::from_value`] makes something callable of it.
+/// A reference to an object: where it is and what it can do. [`crate::Object::from_value`] makes something callable of
+/// it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectRef {
     /// The methods, signals and properties of the object.

@@ -23,7 +23,8 @@ pub const BACKUP_FORMAT: &str = "rrp-backup/1";
 /// Changes that are fetched at once.
 const PAGE_CHANGES: u32 = 256;
 
-/// Why a backup, a restore or a migration did not come to its end. What was done stays; done again, it goes on.
+/// The reasons why a backup, a restore or a migration did not come to its end. What was done stays; done again, it goes
+/// on.
 #[derive(Debug, Error)]
 pub enum BackupError {
     /// The store could not do it.
@@ -101,7 +102,7 @@ pub struct Counted {
 pub(crate) struct Shelf {
     id: Id,
     revision: u64,
-    /// When and by whom it went to the bin.
+    /// The time when it went to the bin, and the name of the person who put it there.
     removed: Option<(u64, String)>,
 }
 

@@ -23,7 +23,7 @@ pub const RUNS: u64 = 12;
 /// Runs the whole suite, with this many runs of chance at its end; `make` gives a new empty store at each call.
 ///
 /// # Panics
-/// Where the store breaks the contract.
+/// Panics where the store breaks the contract.
 pub async fn check<F>(make: impl Fn() -> F, runs: u64)
 where
     F: Future<Output = Arc<dyn Store>>,

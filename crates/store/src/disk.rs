@@ -98,7 +98,7 @@ pub(crate) fn told(path: &Path, error: &io::Error) -> StoreError {
 /// Checks that so many bytes can be written into a folder now.
 ///
 /// # Errors
-/// Why not.
+/// Returns the reason why they cannot.
 pub(crate) fn has_room(folder: &Path, bytes: usize) -> io::Result<()> {
     let path = folder.join(ROOM);
     let tried = create(&path).and_then(|file| fill(file, bytes));

@@ -12,7 +12,7 @@ const FILE: &str = "filling.json";
 /// The mark that a restore of an older rrp left in the folder of a store, or beside it.
 const OLDER: &str = "rrp.restoring";
 
-/// Where a store is filled from.
+/// The source from which a store is filled.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
     /// Tells it from every other one.

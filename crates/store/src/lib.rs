@@ -1,5 +1,5 @@
-//! Where behaviours are kept: one trait, the embedded SQLite store, Neo4j, a folder of files, a store in memory, and
-//! the contract that all keep.
+//! Stores of behaviours: one trait, the embedded SQLite store, Neo4j, a folder of files, a store in memory, and the
+//! contract that all keep.
 //!
 //! The contract in short. A change is saved under the next revision of its behaviour or not at all; it is durable
 //! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once, and never with other edits. After an error the
@@ -141,7 +141,7 @@ pub trait Store: Send + Sync {
     /// The number of the last server start is at least this from now on; durable when it answers.
     async fn raise_epoch(&self, least: u64) -> Result<(), StoreError>;
 
-    /// Where it is being filled from, if that has begun and not ended: then only a part is in it.
+    /// Returns the source from which it is being filled, if that has begun and not ended: then only a part is in it.
     async fn filling(&self) -> Result<Option<Source>, StoreError>;
 
     /// Marks it as being filled from there, unless it is marked already; gives the mark that it has then, and is durable when
@@ -196,7 +196,7 @@ pub struct Loaded {
     pub behaviour: Behaviour,
     /// The number of changes ever made.
     pub revision: u64,
-    /// When it went to the bin, if it is there.
+    /// The time when it went to the bin, if it is there.
     pub removed_ms: Option<u64>,
 }
 
@@ -209,7 +209,7 @@ pub struct Listed {
     pub name: String,
     /// The number of changes ever made.
     pub revision: u64,
-    /// When it was last changed (in the bin: removed), in milliseconds since 1970.
+    /// The time when it was last changed (in the bin: removed), in milliseconds since 1970.
     pub changed_ms: u64,
     /// The name of the person who did that.
     pub by: String,

@@ -9,10 +9,10 @@ pub const PAGE_MAX_LINES: u32 = 1_000;
 /// The most bytes of a behaviour that are searched; what comes later is not found. An index of Neo4j takes no more.
 const SEARCH_MAX_BYTES: usize = 24_000;
 
-/// Which behaviours.
+/// A question for behaviours.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
-    /// Where to look.
+    /// The place to look in.
     pub place: Place,
     /// Words that must all occur, in any case, anywhere in [`search_text`]; empty for everything.
     pub words: String,
@@ -70,7 +70,7 @@ fn place_of(line: &Listed) -> Cursor {
 pub struct Listing {
     /// The lines of the page.
     pub lines: Vec<Listed>,
-    /// Where the next page begins, if there is one.
+    /// The line after which the next page begins, if there is one.
     pub next: Option<Cursor>,
     /// The number of behaviours in that place altogether, whatever the query asks.
     pub total: u64,

@@ -216,7 +216,7 @@ impl FileConnector {
     /// Reads the operation of the connector.
     ///
     /// # Errors
-    /// Why it is no connector.
+    /// Returns the flaw if it is no connector.
     pub fn operation(&self) -> Result<Operation, FlawKind> {
         let word = &self.operation;
         let spec = connectors::spec(word).ok_or_else(|| FlawKind::NoConnector(word.clone()))?;

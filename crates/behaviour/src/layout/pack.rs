@@ -9,7 +9,7 @@ const WIDTHS: usize = 48;
 /// beside that.
 const STACKED: f64 = 1.4;
 
-/// Where a part stands, and how much lower its actions.
+/// The corner of a part, and how much lower its actions stand.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Corner {
     pub(super) x: f64,

@@ -10,7 +10,7 @@ const SWEEPS: usize = 6;
 /// More rows than this times its members are not filled up with what keeps the ways of edges free.
 const FILLED_MAX: usize = 8;
 
-/// Where a shape stands in its part.
+/// The place of a shape in its part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
     pub(super) shape: usize,
@@ -184,7 +184,7 @@ impl Part {
     }
 }
 
-/// Where everything stands from left to right.
+/// Places everything from left to right.
 fn across(ordered: &[Vec<usize>], reaches: &[Vec<Reach>], neighbours: &[Vec<Vec<usize>>; 2]) -> Vec<f64> {
     let mut x = vec![0.0; neighbours[0].len()];
     let mut draw = |row: usize, side: usize| {

@@ -40,7 +40,7 @@ pub enum Asked {
     Yours,
     /// The holder said *not yet* a moment ago.
     TooSoon {
-        /// When to ask again.
+        /// The time when they may ask again.
         again_ms: u64,
     },
     /// The most people are waiting for it already.
@@ -52,9 +52,9 @@ pub enum Asked {
 pub(super) struct PutOff {
     /// Under which lock.
     counter: u64,
-    /// When they asked first.
+    /// The time when they asked first.
     since_ms: u64,
-    /// When they may ask again.
+    /// The time when they may ask again.
     again_ms: u64,
 }
 
@@ -70,9 +70,9 @@ impl PutOff {
 pub(super) struct Ask {
     pub(super) asker: Holder,
     record: RecordId,
-    /// When it was first put before the holder, also if that one said *not yet* since.
+    /// The time when it was first put before the holder, also if that one said *not yet* since.
     since_ms: u64,
-    /// When silence means yes.
+    /// The time when silence means yes.
     pub(super) by_ms: u64,
     /// The holder said yes.
     agreed: bool,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Events that wait to be fetched; the oldest go first, as who holds what can always be looked up.
 const NEWS_MAX: usize = 4_096;
 
-/// Why a lock ended.
+/// The reasons why a lock ended.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Why {
@@ -44,7 +44,7 @@ pub enum LockEvent {
     Denied {
         /// The person who asked.
         to: Holder,
-        /// Why not.
+        /// The reason why it was not given.
         denied: Denied,
     },
     /// A lock ended. For who held it.
@@ -53,7 +53,7 @@ pub enum LockEvent {
         holder: Holder,
         /// The lock, whose token is void now.
         grant: Grant,
-        /// Why.
+        /// The reason why it ended.
         why: Why,
     },
     /// Somebody asks for it: silence until `by_ms` means yes. For its holder.
@@ -98,7 +98,7 @@ pub enum LockEvent {
         record: RecordId,
         /// The name of the holder who says so.
         by: String,
-        /// When they may ask again.
+        /// The time when they may ask again.
         again_ms: u64,
     },
     /// The link of its holder ended, and it is kept for them.
@@ -116,7 +116,7 @@ pub enum LockEvent {
         holder: Holder,
         /// The lock.
         token: Token,
-        /// When it will be free, unless they do something.
+        /// The time when it will be free, unless they do something.
         free_ms: u64,
     },
 }

@@ -34,7 +34,7 @@ impl Lock {
 }
 
 impl Locks {
-    /// When something happens next by time alone, as the clock now stands; perhaps at once.
+    /// Returns the time of the next event by time alone, as the clock now stands; perhaps at once.
     #[must_use]
     pub fn due(&self) -> Option<u64> {
         self.next().map(|(at_ms, ..)| at_ms)

@@ -67,7 +67,7 @@ pub(super) fn read(body: &str) -> Read {
     reader.read
 }
 
-/// Where a word stands.
+/// The surroundings of a word.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Inside {
     Brackets,

@@ -86,7 +86,7 @@ pub fn fixes(
     fixes_seeing(problem, behaviour, (helpers, &Seen::new()), knowledge, new_id)
 }
 
-/// The same with the library and what was seen last, for a problem that was found with both.
+/// Returns the fixes with the library and what was seen last, for a problem that was found with both.
 pub fn fixes_seeing(
     problem: &Problem,
     behaviour: &Behaviour,
@@ -153,7 +153,7 @@ impl<'a> Fixer<'a, '_> {
         self.other_helpers(id, source, |gives| *gives != ValueType::Any && wants.takes(gives) == Fit::Good)
     }
 
-    /// The same connector with each helper that takes what comes, and gives what fits.
+    /// Offers the connector with each other helper that takes what comes, and gives what fits.
     fn other_helpers(&mut self, id: &Id, connector: &Connector, fits: impl Fn(&ValueType) -> bool) -> Vec<Fix> {
         let Some(Procedure::Helper(now)) = connector.operation.procedure() else { return Vec::new() };
         let arguments = self.around.inference.arguments(self.around.behaviour, connector);

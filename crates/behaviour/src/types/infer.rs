@@ -21,7 +21,7 @@ pub fn infer(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowled
     infer_seeing(behaviour, helpers, knowledge, &Seen::new())
 }
 
-/// The same, where what nobody knows is of the kind that was seen last.
+/// Infers the kinds, where what nobody knows is of the kind that was seen last.
 #[must_use]
 pub fn infer_seeing(
     behaviour: &Behaviour,
@@ -65,7 +65,7 @@ impl<'a> Inference<'a> {
         Self::seeing(behaviour, helpers, knowledge, &Seen::new())
     }
 
-    /// The same, where what nobody knows is of the kind that was seen last.
+    /// Infers the kinds, where what nobody knows is of the kind that was seen last.
     #[must_use]
     pub fn seeing(behaviour: &'a Behaviour, helpers: &[&'a Helper], knowledge: &'a dyn Knowledge, seen: &Seen) -> Self {
         let or_seen = |id: &Id, of: ValueType| match of {

@@ -1,4 +1,4 @@
-//! Which of several behaviours on one robot may move a part of it: if they disagree, the upper one wins. A pure
+//! The precedence among several behaviours on one robot over its parts: if they disagree, the upper one wins. A pure
 //! function of the commands and of the order that people gave the behaviours.
 
 use crate::arbitration::Claim;
@@ -11,7 +11,7 @@ pub struct Precedence {
     holds: Holds<Use>,
 }
 
-/// Why a command was refused.
+/// The reason why a command was refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HeldBy {
     /// The part of the robot.

@@ -112,7 +112,7 @@ impl Context {
     /// Calls the procedure of a connector with these values, without counting.
     ///
     /// # Errors
-    /// Why it makes nothing.
+    /// Returns the fault if it makes no value.
     pub(super) fn made(&mut self, connector: ConnectorIx, inputs: &[&Value]) -> Result<Value, Box<CallFault>> {
         let procedure = self.procedures[connector].as_mut();
         procedure.map_or(Ok(Value::Null), |procedure| procedure.call(&self.engine, inputs))

@@ -143,7 +143,7 @@ impl VariableCost {
         self.quarters = self.quarters.saturating_add(steps.saturating_mul(PLAIN_QUARTERS));
     }
 
-    /// Where a variable is, or belongs.
+    /// Returns the place of a variable; the error is where it belongs.
     fn place(&self, name: &str) -> Result<usize, usize> {
         self.uses.binary_search_by(|(known, _)| known.as_str().cmp(name))
     }

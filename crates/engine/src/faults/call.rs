@@ -1,9 +1,10 @@
-//! Why a connector makes no value of one that it took.
+//! The reasons why a connector makes no value of one that it took.
 
 use super::{BodyFault, ValueKind};
 use behaviour::Value;
 
-/// Why a connector dropped a value. [`std::fmt::Display`] says it, and what to do about it, in a few English words.
+/// The reasons why a connector dropped a value. [`std::fmt::Display`] says each, and what to do about it, in a few
+/// English words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CallFault {
     /// It went wrong in the helper of this name.
@@ -62,7 +63,8 @@ pub enum CallFault {
     Waiting,
 }
 
-/// Why a value of a procedure cannot flow. [`std::fmt::Display`] says it, and what to do about it, in a few English words.
+/// The reasons why a value of a procedure cannot flow. [`std::fmt::Display`] says each, and what to do about it, in a
+/// few English words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ValueFault {
     /// The names of its fields are too long together.

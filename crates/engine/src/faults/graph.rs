@@ -1,4 +1,4 @@
-//! Why a behaviour, or a part of it, cannot run or goes no further.
+//! The reasons why a behaviour, or a part of it, cannot run or goes no further.
 
 use super::BodyFault;
 use behaviour::FlawKind;
@@ -9,11 +9,12 @@ use behaviour::connectors::Inputs;
 pub struct Fault {
     /// The stream, connector or helper.
     pub id: String,
-    /// Why it is refused.
+    /// The reason why it is refused.
     pub reason: Reason,
 }
 
-/// Why a part of a behaviour is refused. [`std::fmt::Display`] says it in a few English words, without a dot at the end.
+/// The reasons why a part of a behaviour is refused. [`std::fmt::Display`] says each in a few English words, without a
+/// dot at the end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// The file is wrong there.
@@ -69,8 +70,8 @@ pub enum Reason {
     Body(BodyFault),
 }
 
-/// Why a run ended by itself although nobody stopped it. [`std::fmt::Display`] says it, and what to do about it, without
-/// a dot at the end.
+/// The reasons why a run ended by itself although nobody stopped it. [`std::fmt::Display`] says each, and what to do
+/// about it, without a dot at the end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RunFault {
     /// One reading, or one tick, became too many values at the stream of this name.

@@ -1,8 +1,8 @@
-//! Why a body that is tried makes no value.
+//! The reasons why a body that is tried makes no value.
 
 use super::{BodyFault, CallFault, Fault};
 
-/// Why a body that is tried makes no value. [`std::fmt::Display`] says it in a few English words.
+/// The reasons why a body that is tried makes no value. [`std::fmt::Display`] says each in a few English words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TrialFault {
     /// It has another number of arguments than of inputs.

@@ -130,7 +130,7 @@ impl Functions {
     /// The body with all helpers within reach.
     ///
     /// # Errors
-    /// Why Rhai cannot read them.
+    /// Returns the reason why Rhai cannot read them.
     pub(crate) fn joined(&self, engine: &Engine, body: AST) -> Result<AST, BodyFault> {
         if self.texts.is_empty() {
             return Ok(body);

@@ -26,7 +26,7 @@ pub fn check_body(arguments: &[String], body: &str) -> Result<(), BodyFault> {
 /// Returns the value that a body makes of some inputs, for the preview beside the editor.
 ///
 /// # Errors
-/// Why not, if it is no procedure or faults on these inputs.
+/// Returns the reason if it is no procedure or faults on these inputs.
 pub fn try_body(
     helpers: &[FileHelper],
     arguments: &[String],

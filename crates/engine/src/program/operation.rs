@@ -14,7 +14,7 @@ impl Declared {
     /// Reads a connector.
     ///
     /// # Errors
-    /// Why it is none.
+    /// Returns the flaw if it is none.
     pub(super) fn of(connector: &FileConnector) -> Result<Self, FlawKind> {
         let operation = connector.operation()?;
         if operation.period_ms() == Some(0) {

@@ -16,7 +16,7 @@ pub(crate) struct Budget {
     stop: Option<Rc<dyn Fn() -> bool>>,
 }
 
-/// Why values go no further.
+/// The reasons why values go no further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Spent {
     /// The caller stopped the run.

@@ -16,7 +16,7 @@ pub(crate) struct Core {
     pub(crate) context: Context,
     /// The budget of values.
     pub(crate) budget: Budget,
-    /// Why it goes no further, once it does not.
+    /// The reason why it goes no further, once it does not.
     pub(crate) end: Option<End>,
 }
 

@@ -8,7 +8,7 @@ use crate::values::in_place::Number;
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::flow::Gives;
 
-/// Where to go on once a connector gave a value.
+/// The step with which to go on once a connector gave a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Next {
     /// At the next step.

@@ -1,4 +1,4 @@
-//! When connectors give something by themselves: by instant, rank and place.
+//! The schedule of connectors that give something by themselves: by instant, rank and place.
 
 use crate::values::{ConnectorIx, IndexVec};
 use robot::Millis;
@@ -47,7 +47,7 @@ impl Schedule {
         self.order.peek().map(|Reverse((at, _, connector))| (*at, *connector))
     }
 
-    /// When a connector is due, if it will be.
+    /// Returns the time when a connector is due, if it will be.
     pub(crate) fn due(&self, connector: ConnectorIx) -> Option<Millis> {
         self.due[connector].map(|(at, _)| at)
     }

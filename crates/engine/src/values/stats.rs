@@ -21,7 +21,7 @@ pub struct Stats {
 pub struct StreamStats {
     /// The number of values.
     pub count: u64,
-    /// When the last one came.
+    /// The time when the last one came.
     at: Millis,
     /// The last one; null before the first.
     value: Value,
@@ -43,7 +43,7 @@ pub struct ConnectorStats {
 /// A fault and what caused it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LastFault {
-    /// When.
+    /// The time of the fault.
     pub at: Millis,
     /// The fault of the call.
     pub error: CallFault,

@@ -26,7 +26,8 @@ pub enum Keep {
 pub struct Event {
     /// The values of the event.
     pub arguments: Vec<Value>,
-    /// When it arrived here. Peers do not keep the order of events strictly; where a value has a time of its own, that counts.
+    /// The time when it arrived here. Peers do not keep the order of events strictly; where a value has a time of its
+    /// own, that counts.
     pub at: Instant,
 }
 

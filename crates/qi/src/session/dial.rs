@@ -19,7 +19,7 @@ const ADDRESSES_MAX: usize = 8;
 /// A link that is logged in.
 pub(super) struct Dialled {
     pub(super) link: Link,
-    /// Where it leads.
+    /// The address to which it leads.
     pub(super) peer: IpAddr,
     pub(super) fingerprint: Option<Fingerprint>,
 }

@@ -13,7 +13,7 @@ const AT_ONCE: usize = 16;
 /// The last change of each behaviour that a store has.
 pub(super) type Heads = BTreeMap<Id, Committed>;
 
-/// Where two stores differ.
+/// A difference between two stores.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
     /// The behaviour.
@@ -177,7 +177,7 @@ async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Resu
     Ok(())
 }
 
-/// Where two stores differ: in revision, records, history, named versions or bin of a behaviour.
+/// Returns the differences between two stores: in revision, records, history, named versions or bin of a behaviour.
 ///
 /// # Errors
 /// Fails if a store does.

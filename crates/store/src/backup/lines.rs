@@ -30,7 +30,7 @@ pub(super) enum Line {
     End { behaviours: u64, changes: u64, sum: String },
 }
 
-/// When and by whom a behaviour went to the bin.
+/// The time when a behaviour went to the bin, and the person who put it there.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(super) struct Removed {

@@ -46,7 +46,7 @@ impl Import {
     }
 }
 
-/// Why a file cannot be imported; said with the id of what it is about first, `id: reason`.
+/// The reasons why a file cannot be imported; said with the id of what it is about first, `id: reason`.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unfit {
     /// A helper of this name calls itself, also through others.

@@ -6,7 +6,7 @@ use super::place::Lines;
 /// The text of a file: UTF-8, with or without a byte order mark.
 ///
 /// # Errors
-/// Where it is none, and how to save it.
+/// Returns the place where it is none, and how to save it.
 pub fn text_of(bytes: &[u8]) -> Result<&str, FileFault> {
     if is_utf16(bytes) {
         let reason = "This text is UTF-16. Save the file as UTF-8.".to_owned();

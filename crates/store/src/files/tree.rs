@@ -12,7 +12,7 @@ pub(super) const NODES_MAX: usize = 250_000;
 /// The sentence about a file that has more.
 pub(super) const TOO_MANY: &str = "The file has more things in it than a program may have. Split it into several.";
 
-/// Why a text is no number.
+/// The reasons why a text is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub(super) enum NoNumber {
     /// It is none at all.

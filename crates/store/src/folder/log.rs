@@ -28,7 +28,7 @@ pub(super) enum Line {
     /// It went to the bin.
     #[serde(rename_all = "camelCase")]
     Removed {
-        /// When, in milliseconds since 1970.
+        /// The time, in milliseconds since 1970.
         at_ms: u64,
         /// The name of the person who said so.
         by: String,
@@ -39,14 +39,14 @@ pub(super) enum Line {
     Named(Checkpoint),
     /// A name went.
     Unnamed {
-        /// Which.
+        /// The name of the version.
         name: String,
     },
     /// The number of times that a server started; in a file of its own.
     Epoch(u64),
 }
 
-/// Why a line of a file is not one that was written there.
+/// The reasons why a line of a file is not one that was written there.
 #[derive(Debug, Error)]
 pub(super) enum Strange {
     /// It is no text.
@@ -69,7 +69,7 @@ pub(super) enum Strange {
 /// The files of a folder.
 pub(super) struct Logs {
     folder: PathBuf,
-    /// Why nothing more can be written, once a line could not be taken back.
+    /// The reason why nothing more can be written, once a line could not be taken back.
     broken: Option<StoreError>,
     /// The free space in bytes that ends a full disk.
     wants_bytes: usize,
@@ -92,7 +92,7 @@ impl Logs {
         Ok(logs)
     }
 
-    /// Where they are.
+    /// Returns the folder of the files.
     pub(super) fn folder(&self) -> &Path {
         &self.folder
     }

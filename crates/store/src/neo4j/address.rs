@@ -1,4 +1,4 @@
-//! Where a Neo4j is and who we are there, from its address.
+//! The address of a Neo4j: where it is and who we are there.
 
 use crate::StoreError;
 use std::fmt;
@@ -23,7 +23,7 @@ pub(super) struct Address {
     pub(super) server: String,
     /// The user that we are.
     pub(super) user: String,
-    /// And how we prove it.
+    /// The password by which we prove it.
     pub(super) password: String,
     /// The database, if it is not the default one.
     pub(super) database: Option<String>,

@@ -10,7 +10,7 @@ use std::time::Duration;
 /// this attempt had found.
 const PASSING: [&str; 2] = ["Neo.ClientError.Statement.EntityNotFound", "Neo.ClientError.Transaction.Outdated"];
 
-/// Why an attempt failed.
+/// The reasons why an attempt failed.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Fault {
     /// Undone by Neo4j; it may go well the next time. With the reason.

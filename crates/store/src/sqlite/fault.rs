@@ -8,7 +8,7 @@ use std::path::Path;
 /// Extended result codes that SQLite gives when the disk is full while it sizes its shared memory.
 const IOERR_SHMSIZE: i32 = 10 | (19 << 8);
 
-/// Why a piece of work in the database failed.
+/// The reasons why a piece of work in the database failed.
 #[derive(Debug)]
 pub(super) enum Fault {
     /// SQLite says so.

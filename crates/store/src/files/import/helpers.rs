@@ -8,7 +8,7 @@ use behaviour::{
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap, HashSet};
 
-/// Where the helpers of a file went.
+/// The places to which the helpers of a file went.
 pub(super) struct Shelved {
     /// Name in the file to name in the library.
     pub(super) names: BTreeMap<String, String>,

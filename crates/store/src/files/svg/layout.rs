@@ -1,4 +1,4 @@
-//! Where everything stands in the drawing: as people placed it; what has no place stands in layers, values flowing down.
+//! The places in the drawing: as people placed things; what has no place stands in layers, values flowing down.
 
 use super::shapes::{chip_width, one_line, wide};
 use behaviour::layout::{LEVEL, STREAM_HEIGHT as HEIGHT, Shape, arranged};

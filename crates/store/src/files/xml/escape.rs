@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Why a text of XML stands for nothing.
+/// The reasons why a text of XML stands for nothing.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub(in crate::files) enum Senseless {
     /// A reference to no character that may stand there; with its beginning.
