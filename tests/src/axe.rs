@@ -10,7 +10,7 @@ const AXE: &str = include_str!("../vendor/axe.min.js");
 /// The rules whose answer hangs on colours.
 const COLOURS: &str = "['color-contrast', 'link-in-text-block']";
 
-/// Which of its rules axe is asked. Those about colours are half of its work.
+/// The rules that axe is asked. Those about colours are half of its work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rules {
     /// Every rule.

@@ -121,7 +121,7 @@ impl Page {
         self.patiently(&format!("no {role} \"{name}\" in view"), look).await
     }
 
-    /// Where the one element with this role and name is, in the window.
+    /// Returns the box of the one element with this role and name, in the window.
     pub async fn boxed(&self, role: &str, name: &str) -> Outcome<Rect> {
         Ok(self.find(role, name).await?.rect)
     }

@@ -19,7 +19,7 @@ impl Page {
     /// Waits until the page has drawn two frames, so that everything before is in view.
     ///
     /// # Errors
-    /// When nothing is drawn: with whether the page's scripts run, and how busy its process is.
+    /// Fails if nothing is drawn: with whether the page's scripts run, and how busy its process is.
     pub async fn frames(&self) -> Outcome<()> {
         if self.draws().await? {
             return Ok(());

@@ -181,7 +181,7 @@ impl Page {
         self.touch("touchEnd", &[]).await
     }
 
-    /// The same, lifted at full speed.
+    /// Drags with one finger, and lifts it at full speed.
     pub async fn flick(&self, from: (f64, f64), to: (f64, f64), steps: u32) -> Outcome<()> {
         self.push(from, to, steps).await?;
         self.touch("touchEnd", &[]).await

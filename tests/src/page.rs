@@ -254,7 +254,7 @@ impl Page {
         Trouble(format!("{}: {sentence} ({picture}){complaints}", self.name))
     }
 
-    /// Where the picture of a failure is put: `target/journeys/<test>-<person>.png`.
+    /// Returns the file of the picture of a failure: `target/journeys/<test>-<person>.png`.
     pub fn failure_path(&self) -> PathBuf {
         paths::target().join("journeys").join(format!("{}.png", self.name))
     }

@@ -39,7 +39,7 @@ pub struct Report {
 /// A value for an action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
-    /// When.
+    /// The time of the value.
     pub at: Millis,
     /// The id of the actuator stream.
     pub stream: String,
@@ -51,7 +51,7 @@ pub struct Told {
 /// same report.
 ///
 /// # Errors
-/// Why the behaviour cannot run on this robot, or what in the script cannot be done.
+/// Fails if the behaviour cannot run on this robot, or if something in the script cannot be done.
 pub fn rehearse(file: &BehaviourFile, seed: u64, script: &Script, until: Millis) -> Outcome<Report> {
     rehearse_blind(file, seed, script, &[], until)
 }
@@ -62,7 +62,7 @@ pub type Blind = [Range<u64>];
 /// Runs a behaviour as [`rehearse`] does, with times in which the robot finds no face.
 ///
 /// # Errors
-/// Why the behaviour cannot run on this robot, or what in the script cannot be done.
+/// Fails if the behaviour cannot run on this robot, or if something in the script cannot be done.
 pub fn rehearse_blind(
     file: &BehaviourFile,
     seed: u64,

@@ -245,7 +245,7 @@ fn function(code: &str, start: usize) -> Option<Function> {
     real.then(|| Function { name, line: counts(&code[..start]), lines: counts(whole) })
 }
 
-/// Where `word` stands in `code` as a whole word; `word` may hold more than letters.
+/// Returns the places where `word` stands in `code` as a whole word; `word` may hold more than letters.
 pub fn words<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = usize> {
     code.match_indices(word).map(|(at, _)| at).filter(move |at| {
         let before = code[..*at].chars().next_back();

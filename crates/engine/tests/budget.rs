@@ -1,4 +1,4 @@
-//! Where values multiply, a run ends at the same value everywhere, and Stop ends it before.
+//! Tests where values multiply: a run ends at the same value everywhere, and Stop ends it before.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 use behaviour::{BehaviourFile, Value};

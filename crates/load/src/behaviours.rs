@@ -43,7 +43,7 @@ pub(crate) fn op(run: &str, client: usize, edits: u64, due_us: u64) -> Id {
     named(&format!("load-{run}-{client}-{edits}-{due_us}"))
 }
 
-/// When an edit of this run was due.
+/// Returns the time when an edit of this run was due.
 pub(crate) fn due_us(run: &str, change: &Change) -> Option<u64> {
     let parts = change.op.as_str().strip_prefix("load-")?.strip_prefix(run)?.strip_prefix('-')?;
     parts.rsplit('-').next()?.parse().ok()

@@ -20,7 +20,7 @@ pub enum Wrong {
         behaviour: Id,
         /// At which revision.
         revision: u64,
-        /// Which revision the server has.
+        /// The revision that the server has.
         wanted: u64,
     },
     /// An edit that was acknowledged is not there, or another one is that nobody made.
@@ -45,7 +45,7 @@ pub enum Wrong {
     Refused {
         /// Of which client.
         client: usize,
-        /// Why.
+        /// The refusal.
         no: Box<Refused>,
     },
     /// Nobody knows what became of an edit: no answer came in time.

@@ -32,7 +32,7 @@ pub(crate) struct Course {
     /// The behaviours.
     pub(crate) behaviours: Vec<Id>,
     pub(crate) watch: Watch,
-    /// When the first edit is due: known once all clients are there.
+    /// The time when the first edit is due: known once all clients are there.
     pub(crate) began: OnceLock<Instant>,
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Editor {
     number: usize,
     link: Option<Link>,
     again: Option<Credential>,
-    /// When its link ends without a word, in microseconds.
+    /// The times when its link ends without a word, in microseconds.
     kills_us: VecDeque<u64>,
     pub(crate) tally: Tally,
 }

@@ -130,7 +130,7 @@ impl Load {
     }
 }
 
-/// When the link of which client ends without a word.
+/// Chooses the times when the link of each client ends without a word.
 fn kills(plan: &Plan) -> Vec<VecDeque<u64>> {
     let mut dice = Dice::of(plan.seed, 0);
     let mut kills: Vec<VecDeque<u64>> = vec![VecDeque::new(); plan.clients];
@@ -177,7 +177,7 @@ fn stalled(url: &str, plan: &Plan, behaviours: &[Id], cut_off: &Arc<AtomicU64>) 
     Ok(tasks)
 }
 
-/// Where a server is, from its address.
+/// Reads the place of a server from its address.
 fn address(url: &str) -> Result<SocketAddr, Trouble> {
     let bare = url.trim_start_matches("http://").trim_end_matches('/');
     let none = |error: std::net::AddrParseError| NoLink::NoServer { url: url.to_owned(), error: error.to_string() };

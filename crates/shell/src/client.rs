@@ -16,7 +16,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::AbortHandle;
 
-/// Where a server is when nobody says otherwise.
+/// The address of a server when nobody says otherwise.
 pub const DEFAULT_URL: &str = "http://127.0.0.1:7130/";
 
 /// The longest time of an answer.
@@ -26,7 +26,7 @@ const SLOWER_MS: u64 = 100;
 /// The longest wait for something awaited.
 const AWAITED_MS: u64 = 20_000;
 
-/// Why something asked was not done.
+/// The reasons why something asked was not done.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trouble {
     /// The server said no.
@@ -35,7 +35,7 @@ pub enum Trouble {
     Link(NoLink),
 }
 
-/// Why a link to a server failed. [`std::fmt::Display`] says it in one English sentence.
+/// The reasons why a link to a server failed. [`std::fmt::Display`] says each in one English sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoLink {
     /// There is no server at this address.
@@ -73,7 +73,7 @@ pub enum NoLink {
     Restart,
     /// The client took too slowly what it was told.
     TooSlow,
-    /// The same client has another link.
+    /// Another link of this client took its place.
     Replaced,
     /// The server ended it; with the reason it gives.
     EndedBecause(String),
@@ -180,7 +180,7 @@ impl Client {
         self.lines.send(Line { ask, request, waiting }).await.map_err(|_| self.ended())
     }
 
-    /// Why the link ended, if it did.
+    /// Returns the reason why the link ended, if it did.
     #[must_use]
     pub fn why_ended(&self) -> Option<NoLink> {
         self.link.ended()

@@ -1,8 +1,8 @@
-//! Why a line that was typed is not obeyed. What is said about it stands in `words.rs`.
+//! The reasons why a line that was typed is not obeyed. The sentences about them stand in `words.rs`.
 
 use crate::Trouble;
 
-/// Why a line that was typed is not obeyed.
+/// The reasons why a line that was typed is not obeyed.
 #[derive(Debug)]
 pub(crate) enum NotDone {
     /// The server did not do it.
@@ -73,7 +73,7 @@ pub(crate) enum Answer {
     Found,
 }
 
-/// Why no one thing is meant by a name.
+/// The reasons why no one thing is meant by a name.
 #[derive(Debug)]
 pub(crate) enum NotFound {
     /// No name was typed.

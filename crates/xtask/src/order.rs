@@ -10,7 +10,8 @@ use wasmparser::{
 
 use crate::tools::Outcome;
 
-/// The same code with its functions in another order. Generic code is compiled for many types, and what comes of it mostly
+/// Returns the code with its functions in another order. Generic code is compiled for many types, and what comes of it
+/// mostly
 /// ends alike; a compressor finds it best where it stands close by.
 pub(crate) fn alike_together(code: &[u8]) -> Outcome<Vec<u8>> {
     let ordered = Order::of(code).map_err(Error::from).and_then(|mut order| {
@@ -27,7 +28,7 @@ struct Order {
     imported: u32,
     /// Of the others, which one stands at each place.
     at: Vec<u32>,
-    /// Where each of them stands.
+    /// The place of each of them.
     place: Vec<u32>,
 }
 

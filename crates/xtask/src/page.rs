@@ -22,8 +22,8 @@ const NAME: &str = "app";
 /// Raised when this program writes something else for the same input.
 const FORMAT: u32 = 6;
 
-/// Where cargo reads flags of the compiler for the page, and the flag that keeps the type of a view from growing with all
-/// that is in it: a sixth of the page's bytes, and half of the time to compile it.
+/// The variable in which cargo reads flags of the compiler for the page, and the flag that keeps the type of a view
+/// from growing with all that is in it: a sixth of the page's bytes, and half of the time to compile it.
 const FLAGS: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS";
 const ERASED: &str = "--cfg erase_components";
 /// The passes of LLVM that make the page small, in place of all that it has for the sake of speed too: three tenths less of the

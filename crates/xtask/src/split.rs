@@ -21,7 +21,7 @@ const LINK: &str = "./later.js";
 const MAIN: &str = "main.wasm";
 /// The beginning of the names of later pieces, as they are cut.
 const CUT: &str = "split_";
-/// And as people get them, after the word in the attribute in `frontend/src/later.rs`.
+/// The beginning as people get them, after the word in the attribute in `frontend/src/later.rs`.
 const LATER: &str = "later-";
 
 /// Marks functions in whose place wasm-bindgen puts an import. They have to stay in the first piece; what cuts the code

@@ -3,7 +3,7 @@
 use crate::dist::Files;
 use crate::tools::Outcome;
 
-/// Where the small files are, below the static files.
+/// The folder of the small files, below the static files.
 const FOLDER: &str = "styles/";
 /// The one file that they become, so that the first load is one request for all of them.
 const SHEET: &str = "page.css";

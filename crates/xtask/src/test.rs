@@ -103,7 +103,7 @@ impl<'a> Run<'a> {
         Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, meanwhile: None, skipped: Vec::new() }
     }
 
-    /// Where a part was made that `tests` need; without it they are skipped by name, but never in CI.
+    /// Returns the place of a part that `tests` need; without it they are skipped by name, but never in CI.
     fn made(&mut self, made: Outcome<PathBuf>, part: &str, tests: &str) -> Outcome<Option<PathBuf>> {
         match made {
             Ok(place) => {

@@ -1,4 +1,4 @@
-//! Where things are, how other programs are called, and how a missing tool is found or installed.
+//! The places of things, the calls of other programs, and how a missing tool is found or installed.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -174,7 +174,7 @@ pub(crate) fn ensure_chromium() -> Option<PathBuf> {
     CHROMIUM_NAMES.iter().find_map(|name| on_path(name))
 }
 
-/// Where PATH has a program of that name.
+/// Finds a program of that name on PATH.
 pub(crate) fn on_path(name: &str) -> Option<PathBuf> {
     env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(name)).find(|path| path.is_file())
 }

@@ -145,7 +145,7 @@ fn rival(problem: &Problem) -> Option<String> {
     }
 }
 
-/// Where the stream of that name is.
+/// Returns the bounds of the stream of that name.
 fn rival_bounds(desk: &Desk, stage: &Stage, name: &str) -> Option<Bounds> {
     let is_it = |id: &Id| {
         desk.document.stream(id).is_some_and(|stream| stream.record.with_untracked(|stream| stream.name == name))

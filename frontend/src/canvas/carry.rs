@@ -124,7 +124,7 @@ impl Stage {
         self.phase() == Some(Phase::Carried)
     }
 
-    /// Which press this is, to know it again.
+    /// Returns the press as it is, to know it again.
     fn pressed_at(&self) -> Option<Carried> {
         self.desk.carried.get_untracked()
     }

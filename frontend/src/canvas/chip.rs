@@ -15,7 +15,7 @@ use crate::words;
 use behaviour::{Connector, Id, Kind, Place, ProblemKind, RecordId};
 use leptos::prelude::*;
 
-/// Where a connector runs.
+/// The way of a connector on the canvas.
 #[derive(Clone, Debug, PartialEq)]
 struct Way {
     inputs: Vec<Place>,
@@ -36,7 +36,7 @@ impl Way {
     }
 }
 
-/// Where a connector runs now, as a path without a head.
+/// Returns the way of a connector now, as a path without a head.
 pub(super) fn way_of(desk: &Desk, id: &Id) -> Option<String> {
     let record = desk.document.connector(id)?.record.get_untracked();
     untrack(|| way(desk, &record)).map(|way| way.path(false))
@@ -318,7 +318,7 @@ pub(super) fn path_of(desk: &Desk, connector: &Connector) -> Option<String> {
     way(desk, connector).map(|way| way.path(false))
 }
 
-/// Where the chip of a connector is, if it is seen. Reactive.
+/// Returns the place of a connector's chip, if it is seen. Reactive.
 pub(super) fn chip_of(desk: &Desk, connector: &Connector) -> Option<Place> {
     way(desk, connector).and_then(|way| way.chip)
 }

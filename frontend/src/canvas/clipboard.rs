@@ -88,7 +88,7 @@ pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
 }
 
 impl Stage {
-    /// Where what is pasted goes: under the pointer, else into the middle of what is seen.
+    /// Returns the place for what is pasted: under the pointer, else in the middle of what is seen.
     fn paste_place(&self) -> Place {
         let (middle, view) = (self.size.get_untracked(), self.view.get_untracked());
         self.pointer.get_untracked().unwrap_or_else(|| view.to_canvas((middle.0 / 2.0, middle.1 / 3.0)))

@@ -24,7 +24,7 @@ const GONE_MS: i32 = 40;
 /// An open menu.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Context {
-    /// Where it was asked for on the stage, in pixels.
+    /// The place on the stage where it was asked for, in pixels.
     pub(super) at: Point,
     /// The thing that the menu is about; none for the ground.
     pub(super) about: Option<Selected>,

@@ -1,4 +1,5 @@
-//! Which streams and connectors are drawn: those in or near the view, by coarse cells, so that small pans change nothing.
+//! The choice of streams and connectors that are drawn: those in or near the view, by coarse cells, so that small pans
+//! change nothing.
 
 use super::view::{Bounds, View};
 use behaviour::Filled;

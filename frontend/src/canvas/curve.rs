@@ -1,4 +1,4 @@
-//! Where connectors run: the chip between its streams and the curves through it.
+//! The ways of connectors: the chip between its streams and the curves through it.
 
 use crate::layout::{CHIP_HEIGHT, GAP, STREAM_HEIGHT};
 use behaviour::{Place, StreamKind};
@@ -13,9 +13,9 @@ const UNDER: f64 = 32.0;
 /// The least distance of a chip from a stream.
 const NEAR: f64 = 16.0;
 
-/// Where a chip stands: the middle of its top edge. Half way above its stream; on the way to an action that is far down,
-/// under what it comes from, so that the edge runs straight from there. `aside` is how far it stands aside where several
-/// lead to that action; then there is room below it for the bend.
+/// Returns the place of a chip: the middle of its top edge. It is half way above its stream; on the way to an action
+/// that is far down, under what it comes from, so that the edge runs straight from there. `aside` is how far it stands
+/// aside where several lead to that action; then there is room below it for the bend.
 pub(super) fn chip_place(inputs: &[Place], output: Place, output_kind: StreamKind, aside: Option<f64>) -> Place {
     let x = output.x + aside.unwrap_or_default();
     if inputs.is_empty() {
@@ -64,7 +64,7 @@ pub(super) fn ways(inputs: &[Place], chip: Place, output: Place) -> String {
     path
 }
 
-/// The same with a small head at the end.
+/// Returns the curves through a chip, with a small head at the end.
 pub(super) fn curves(inputs: &[Place], chip: Place, output: Place) -> String {
     let mut path = ways(inputs, chip, output);
     head(&mut path, output);
@@ -85,7 +85,7 @@ pub(super) fn straight_ways(inputs: &[Place], output: Place) -> String {
     path
 }
 
-/// The same with a small head at the end, if there are any.
+/// Returns the curves without a chip, with a small head at the end, if there are any.
 pub(super) fn straight(inputs: &[Place], output: Place) -> String {
     let mut path = straight_ways(inputs, output);
     if !inputs.is_empty() {

@@ -83,7 +83,7 @@ fn is_there(desk: &Desk, id: &RecordId) -> bool {
     }
 }
 
-/// Where things stand now, else where they stood.
+/// The places where things stand now, else where they stood.
 struct Places<'a> {
     desk: &'a Desk,
     behaviour: &'a Behaviour,

@@ -47,7 +47,8 @@ fn members_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Id>> {
     ArcMemo::new(move |_| desk.document.members(&id))
 }
 
-/// Where the frame of a group is. How wide its streams are is looked up only when that changes, so that a drag adds little.
+/// Returns the frame of a group. The width of its streams is looked up only when that changes, so that a drag adds
+/// little.
 fn frame_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Option<Bounds>> {
     let (desk, members) = (desk.clone(), members.clone());
     let sizes = ArcMemo::new(move |_| {

@@ -72,7 +72,7 @@ fn bring_into_view(stage: &Stage, desk: &Desk) {
     });
 }
 
-/// Where a connector of the preview runs.
+/// The way of a connector of the preview.
 struct Way {
     path: String,
     chip: Place,

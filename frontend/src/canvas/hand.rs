@@ -13,7 +13,7 @@ pub(super) type Point = (f64, f64);
 pub(super) enum Target {
     /// A stream, or what else can be dragged: a note, the title of a group or its box.
     Stream(Id),
-    /// Where the wires of a stream begin.
+    /// The place where the wires of a stream begin.
     Handle(Id),
     /// Free ground, with the key that chooses more.
     Ground,

@@ -12,7 +12,7 @@ use protocol::Role;
 /// A note that is written.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Noting {
-    /// Which one; none for a new one.
+    /// The id of the note; none for a new one.
     pub(super) id: Option<Id>,
     /// The middle of its top edge.
     pub(super) at: Place,

@@ -27,7 +27,7 @@ const EDGE: f64 = 8.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Offering {
     input: Id,
-    /// Where the menu opens, in canvas units.
+    /// The place where the menu opens, in canvas units.
     at: Place,
     spot: Spot,
     /// Only actions are asked for.

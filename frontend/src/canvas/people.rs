@@ -1,4 +1,4 @@
-//! Where the others' hands are.
+//! The hands of the others.
 
 use super::Stage;
 use crate::browser;

@@ -386,7 +386,7 @@ fn marked(target: &Element, with: &str) -> Option<Id> {
     Id::new(&found.get_attribute(with)?).ok()
 }
 
-/// Where on the stage.
+/// Returns the place of an event on the stage.
 fn at(event: &MouseEvent) -> Point {
     let stage = event.current_target().and_then(|stage| stage.dyn_into::<Element>().ok());
     let origin = stage.map(|stage| stage.get_bounding_client_rect());

@@ -37,7 +37,7 @@ const OPENED_MS: i32 = 80;
 /// The time that the view glides, in milliseconds, and a little more.
 const GLIDE_MS: i32 = 200;
 
-/// Where the keyboard stays when a program has been opened.
+/// The elements where the keyboard stays when a program has been opened.
 const ELSEWHERE: &str = "input, textarea, select, [role=menu], .sense-card, .tour, [data-node], [data-chip], .strip, \
     .flyout, .offer, .told, .right";
 
@@ -92,11 +92,11 @@ pub(crate) struct Stage {
     pub(super) wanted: ArcRwSignal<Option<Id>>,
     /// The lasso that is drawn, in canvas units.
     pub(super) lasso: ArcRwSignal<Option<Bounds>>,
-    /// Where the pointer is over the canvas.
+    /// The place of the pointer over the canvas.
     pub(super) pointer: ArcRwSignal<Option<Place>>,
     /// The height of the sentences at the top, once that is known, in pixels.
     pub(super) above: ArcRwSignal<Option<f64>>,
-    /// Where the strip of what is selected stands, while it is there.
+    /// The area of the strip of what is selected, while it is there.
     pub(super) strip: ArcRwSignal<Option<Area>>,
     /// The view that was shown when the program was opened.
     pub(super) opened: ArcRwSignal<Option<View>>,
@@ -323,7 +323,7 @@ impl Stage {
         self.glide(self.revealing(shown, REVEAL_MARGIN));
     }
 
-    /// Where a chip is.
+    /// Returns the bounds of a chip.
     pub(super) fn chip_bounds(&self, id: &Id) -> Option<Bounds> {
         chip_bounds(&self.desk, id)
     }
@@ -335,7 +335,7 @@ impl Stage {
         }
     }
 
-    /// Where the chips are that lead to a stream or, unless `into`, that touch it at all.
+    /// Returns the bounds of the chips that lead to a stream or, unless `into`, that touch it at all.
     pub(super) fn chips_at(&self, id: &Id, into: bool) -> Vec<Bounds> {
         let desk = &self.desk;
         let touches = |chip: &Id| {
@@ -355,7 +355,7 @@ impl Stage {
         ArcMemo::new(move |_| rooms.with(|rooms| rooms.get(&id).copied().unwrap_or(VALUE_ROOM)))
     }
 
-    /// Where a chip can say something without covering anything, and how wide that may be.
+    /// Returns the side on which a chip can say something without covering anything, and how wide that may be.
     pub(super) fn side_of_chip(&self, id: &Id) -> ArcMemo<Option<(Side, f64)>> {
         let (desk, shapes, id) = (self.desk.clone(), self.shapes.clone(), id.clone());
         ArcMemo::new(move |_| {
@@ -627,7 +627,7 @@ fn drawn_memo(desk: Desk, cells: ArcMemo<Cells>, rests: ArcRwSignal<bool>) -> Ar
     })
 }
 
-/// Where streams stand, as of the last drop; nothing moves along with the hand.
+/// Returns the bounds of streams, as of the last drop; nothing moves along with the hand.
 fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id, Bounds)>> {
     ArcMemo::new(move |before: Option<&Vec<(Id, Bounds)>>| {
         desk.document.revision.track();

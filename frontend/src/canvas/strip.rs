@@ -221,7 +221,7 @@ struct Others {
 }
 
 impl Others {
-    /// Where that is on a stage of this size.
+    /// Returns where they are on a stage of this size.
     fn seen(&self, view: View, size: (f64, f64)) -> Around {
         let area = |bounds: &Bounds| {
             let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
@@ -246,7 +246,7 @@ impl Others {
     }
 }
 
-/// Where the streams are that are not the one with this id, and the chips at that one.
+/// Returns the bounds of the streams that are not the one with this id, and of the chips at that one.
 fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
     let (stage, desk, id) = (stage.clone(), desk.clone(), id.clone());
     ArcMemo::new(move |_| {

@@ -1,4 +1,4 @@
-//! Where the strip goes: close to what is selected, off its value, off other streams where there is room. Pure.
+//! The spot of the strip: close to what is selected, off its value, off other streams where there is room. Pure.
 
 /// The strip's height and the room it keeps from the edges of the stage and from what is selected, in pixels.
 pub(super) const HEIGHT: f64 = 56.0;

@@ -164,7 +164,7 @@ impl View {
         Self { x: middle(area.x, area.width, size.0), y: middle(area.y, area.height, size.1), zoom }
     }
 
-    /// Where an empty canvas begins: its origin near the top, in the middle.
+    /// Returns the view of an empty canvas: its origin near the top, in the middle.
     pub(super) fn home(size: (f64, f64)) -> Self {
         Self { x: size.0 / 2.0, y: FIT_MARGIN + FIT_LOWER, zoom: 1.0 }
     }

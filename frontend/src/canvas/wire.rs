@@ -23,13 +23,13 @@ use web_sys::{Element, FocusEvent, KeyboardEvent};
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Wire {
     pub(super) from: Id,
-    /// Where it may end, from top to bottom, and what comes of it.
+    /// The ends at which it may arrive, from top to bottom, and what comes of each.
     ends: Arc<[(WireEnd, Joining)]>,
     /// The ids of those.
     ids: Arc<BTreeSet<Id>>,
     /// The loose end of the wire, in canvas units.
     to: Place,
-    /// Where it would end now.
+    /// The end at which it would arrive now.
     over: Option<WireEnd>,
     /// True if it hangs on a pointer that is down.
     pub(super) is_held: bool,
@@ -38,7 +38,7 @@ pub(super) struct Wire {
 /// The part of a wire that streams and chips look at: while its loose end only moves, it stays the same.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Targets {
-    /// Where the wire comes from; what is carried comes from no stream.
+    /// The stream that the wire comes from; what is carried comes from no stream.
     from: Option<Id>,
     ids: Arc<BTreeSet<Id>>,
     over: Option<Id>,
@@ -233,7 +233,7 @@ impl Stage {
     }
 }
 
-/// Where a wire arrives: the middle of the top edge.
+/// Returns the place where a wire arrives: the middle of the top edge.
 fn end_place(desk: &Desk, end: &WireEnd) -> Option<Place> {
     match end {
         WireEnd::Stream(id) => Some(desk.document.stream(id)?.place.get_untracked()),
@@ -293,7 +293,7 @@ pub(super) fn WireLine() -> impl IntoView {
     }
 }
 
-/// Where wires begin: at the lower edge of the stream that is selected, pointed at, or has the keyboard.
+/// Shows where wires begin: at the lower edge of the stream that is selected, pointed at, or has the keyboard.
 #[component]
 pub(super) fn Handles() -> impl IntoView {
     let stage = expect_context::<Stage>();

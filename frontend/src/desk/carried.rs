@@ -38,7 +38,7 @@ pub(crate) struct Carried {
     pub(crate) item: Item,
     pub(crate) pointer: i32,
     pub(crate) phase: Phase,
-    /// Where the pointer is.
+    /// The place of the pointer.
     pub(crate) at: Point,
     /// The streams that it can be led from; none for what needs no stream.
     pub(crate) targets: Option<Arc<BTreeSet<Id>>>,

@@ -126,7 +126,7 @@ pub(crate) struct Fields {
     pub(crate) history: ArcRwSignal<History>,
     /// The versions that have a name.
     pub(crate) versions: ArcRwSignal<Vec<Checkpoint>>,
-    /// Which versions are looked at here, and how they differ once both are there.
+    /// The versions that are looked at here, and their differences once both are there.
     pub(crate) comparing: ArcRwSignal<Option<Comparing>>,
     pub(crate) compared: ArcRwSignal<Option<Arc<Compared>>>,
     /// Tells when the open behaviour was laid out after it was shown.
@@ -148,7 +148,7 @@ struct State {
     connectors: BTreeMap<Id, ConnectorSignals>,
     notes: BTreeMap<Id, NoteSignals>,
     groups: BTreeMap<Id, GroupSignals>,
-    /// Where streams and notes stand that nobody placed.
+    /// The places of streams and notes that nobody placed.
     fallback: BTreeMap<Id, Place>,
     /// Lays out a behaviour in which nobody placed anything; comes later.
     tidy: Option<Tidy>,
@@ -160,12 +160,12 @@ struct State {
     mine: undo::Mine,
     /// A page of the history is asked for.
     reads_history: bool,
-    /// Which behaviour this tab wants to have open.
+    /// The behaviour that this tab wants to have open.
     wanted: Option<Id>,
     presence: presence::Presence,
     /// The number of editors that were opened in this tab.
     editors: u32,
-    /// When typing was told last.
+    /// The time when typing was told last.
     typed_ms: f64,
 }
 

@@ -57,7 +57,7 @@ pub(crate) struct Fields {
 /// The state that is not shown itself.
 #[derive(Default)]
 struct State {
-    /// Which robot this tab wants to look at, if somebody chose.
+    /// The robot that this tab wants to look at, if somebody chose.
     wanted: Option<Id>,
     /// The robot whose room and values the server tells.
     watched: Option<Id>,

@@ -11,12 +11,12 @@ impl Tab {
         self.may_not(least).is_none()
     }
 
-    /// Why this person may not do what needs that role, if so. Reactive.
+    /// Says why this person may not do what needs that role, if so. Reactive.
     pub(crate) fn may_not(&self, least: Role) -> Option<&'static str> {
         self.role.get().filter(|role| *role < least).map(words::may_not)
     }
 
-    /// Why not, for who tries all the same.
+    /// Returns the refusal, for who tries all the same.
     pub(in crate::desk) fn refusal(&self, least: Role) -> Option<Refused> {
         untrack(|| self.may_not(least)).map(|_| Refused::Role(least))
     }

@@ -10,7 +10,7 @@ use protocol::{Invitation, Person, Refused, Reply, Request, Role};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// When something that could not be done just now is asked again.
+/// The time until something that could not be done just now is asked again.
 pub(super) const AGAIN_MS: i32 = 1_000;
 
 /// The state of the link to the server.
@@ -22,7 +22,7 @@ pub(crate) enum LinkState {
     Offline,
 }
 
-/// Why there will be no link again.
+/// The reasons why there will be no link again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LinkEnd {
     /// The invitation ended by which this person came.
@@ -38,7 +38,7 @@ pub(crate) enum Choice {
     Action(Id),
     /// The gap between a stream and a connector that takes from it.
     Into(Gap),
-    /// Where the values of this stream shall go too.
+    /// The streams to which the values of this stream shall go too.
     Ends(Id),
     /// From where this stream gets its values.
     Sources(Id),
@@ -138,7 +138,7 @@ pub(crate) struct Fields {
     pub(crate) role: ArcRwSignal<Option<Role>>,
     /// The invitations, newest first; only who may invite hears of them.
     pub(crate) invitations: ArcRwSignal<Vec<Invitation>>,
-    /// Why there will be no link again, once that is so.
+    /// The reason why there will be no link again, once that is so.
     pub(crate) ended: ArcRwSignal<Option<LinkEnd>>,
     /// True if this person has not said yet what the others shall see as their name.
     pub(crate) name_wanted: ArcRwSignal<bool>,

@@ -86,7 +86,7 @@ pub(super) fn reach<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connecto
     (half.max(half_chip), (half + TIDY_VALUE_ROOM).max(half_chip))
 }
 
-/// Where a new stream goes that takes from `inputs` through `connector`.
+/// Returns the place for a new stream that takes from `inputs` through `connector`.
 pub(crate) fn free_spot(
     behaviour: &Behaviour,
     places: &BTreeMap<Id, Place>,
@@ -111,7 +111,7 @@ pub(crate) fn free_spot(
         .unwrap_or_else(|| beside(&taken, wanted, size, side))
 }
 
-/// Where the rightmost of what comes from the same streams stands.
+/// Returns the place of the rightmost of what comes from the same streams.
 fn last_sibling(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, connector: &Connector) -> Option<f64> {
     let siblings = behaviour.connectors().filter(|(_, other)| {
         other.output != connector.output && other.inputs.iter().any(|input| connector.inputs.contains(input))
@@ -154,7 +154,7 @@ fn in_row(taken: &[Room], wanted: Place, from: f64, size: Size, side: Side) -> O
     side.steps(IN_ROW_STEPS).map(|step| Place { x: wanted.x + step * STEP, ..wanted }).find(is_free)
 }
 
-/// Where a new sensor goes: in the top row, to the right of the others.
+/// Returns the place for a new sensor: in the top row, to the right of the others.
 pub(crate) fn free_sensor_spot(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, stream: &Stream) -> Place {
     let top = places.values().map(|place| place.y).fold(f64::MAX, f64::min);
     let y = if places.is_empty() { 0.0 } else { top };

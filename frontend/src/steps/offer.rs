@@ -100,7 +100,7 @@ pub(crate) fn after(desk: &Desk, id: &Id, in_gap: bool) -> Vec<Offer> {
     offers
 }
 
-/// The same with all helpers and actions, for who looks for something by its name.
+/// Returns the offers with all helpers and actions, for who looks for something by its name.
 pub(crate) fn everything(desk: &Desk, id: &Id, in_gap: bool) -> Vec<Offer> {
     let mut offers = after(desk, id, in_gap);
     let all = helpers(desk);

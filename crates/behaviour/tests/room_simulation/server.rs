@@ -423,7 +423,7 @@ impl Server {
         self.work()
     }
 
-    /// When it wants to do something next.
+    /// Returns the time when it wants to do something next.
     pub(crate) fn due_ms(&self) -> u64 {
         let locks = self.locks.due().filter(|_| !self.is(Mutant::LocksNeverExpire));
         locks.unwrap_or(u64::MAX).min(self.ping_ms)

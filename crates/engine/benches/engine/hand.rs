@@ -1,4 +1,4 @@
-//! The same graphs by hand: typed closures that call each other directly, the limit.
+//! The graphs by hand: typed closures that call each other directly, the limit.
 
 use crate::graphs::Way;
 use std::cell::Cell;

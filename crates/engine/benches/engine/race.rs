@@ -146,7 +146,7 @@ fn outputs_of_cycle(graph: &Graph) -> u64 {
     heard(&playing.run) - before
 }
 
-/// The same, where whole and measured numbers are one kind.
+/// True if both are equal, where whole and measured numbers are one kind.
 fn is_same(one: &Json, other: &Json) -> bool {
     match (one, other) {
         (Json::Number(one), Json::Number(other)) => one.as_f64() == other.as_f64(),

@@ -19,7 +19,7 @@ use std::time::Duration;
 const DEADLINE_MS: u64 = 20;
 /// The longest stall of a procedure that the limit of steps ends.
 const STEPS_BAR_MS: u64 = 2;
-/// The same where only the deadline does.
+/// The longest stall of a procedure that only the deadline ends.
 const DEADLINE_BAR_MS: u64 = 30;
 /// All scripts run one after the other, this often; the middle run of each counts. Runs in a row would share what disturbs one.
 const ROUNDS: usize = 15;

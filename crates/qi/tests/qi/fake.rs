@@ -16,11 +16,11 @@ pub(crate) struct Manner {
     pub(crate) is_old: bool,
     /// Every byte in a packet of its own.
     pub(crate) is_slow: bool,
-    /// Where it says that `Thing` is; nothing: where it is.
+    /// The addresses that it tells for `Thing`; without any its own.
     pub(crate) endpoints: Vec<String>,
     /// The password of `nao`.
     pub(crate) password: Option<String>,
-    /// Where its log in stops: says nothing at all.
+    /// Says nothing at all where its log in stops.
     pub(crate) is_silent: bool,
     /// Says this instead of anything of the protocol.
     pub(crate) garbage: Option<Vec<u8>>,

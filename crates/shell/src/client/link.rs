@@ -53,7 +53,7 @@ impl Link {
         self.mirrors.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Why the link ended.
+    /// Returns the reason why the link ended.
     pub(super) fn ended(&self) -> Option<NoLink> {
         self.ended.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }

@@ -55,7 +55,7 @@ fn condition(of: &Condition) -> Vec<String> {
     words
 }
 
-/// Which body: "“Momo”, a NAO, number #0344".
+/// Says which body it is: "“Momo”, a NAO, number #0344".
 pub(super) fn who(identity: &Identity) -> String {
     let kind = if identity.body.is_empty() { "robot" } else { &identity.body };
     let name = if identity.name.is_empty() { "without a name" } else { &identity.name };

@@ -7,7 +7,7 @@ use behaviour::{Behaviour, Helper, Id, Kind, Place, Record, RecordId};
 use leptos::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where a part of a program is put.
+/// The place where a part of a program is put.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Put {
     /// There.

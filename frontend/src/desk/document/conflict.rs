@@ -25,7 +25,7 @@ pub(crate) struct Conflict {
     pub(crate) about: RecordId,
     /// The change as its author made it.
     pub(crate) mine: Change,
-    /// When that was, in milliseconds since 1970 by this computer's clock.
+    /// The time when that was, in milliseconds since 1970 by this computer's clock.
     pub(crate) made_ms: f64,
     /// True if it was made without a connection.
     pub(crate) offline: bool,

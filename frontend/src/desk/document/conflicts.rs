@@ -295,7 +295,7 @@ impl Document {
     }
 }
 
-/// Where the unsaved text about something is kept.
+/// Returns the key under which the unsaved text about something is kept.
 pub(crate) fn draft_key(about: &Id) -> String {
     format!("rrp.draft.{about}")
 }

@@ -38,7 +38,7 @@ pub(crate) struct Own {
     pub(crate) asker: Option<String>,
     /// It was kept from them for a minute, and is handed over now.
     pub(crate) is_last: bool,
-    /// When it will be free for others, as nothing was typed for long.
+    /// The time when it will be free for others, as nothing was typed for long.
     pub(crate) free_ms: Option<f64>,
 }
 

@@ -76,7 +76,7 @@ impl Document {
         self.state().presence.in_view()
     }
 
-    /// Where the streams of the open program stand on this page.
+    /// Returns the places of the open program's streams on this page.
     pub(crate) fn places(&self) -> BTreeMap<Id, Place> {
         self.behaviour_and_places().1
     }

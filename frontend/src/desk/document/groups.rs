@@ -211,7 +211,7 @@ impl Document {
         GroupSignals { record, place, at }
     }
 
-    /// Which groups there are, and what is not seen for them.
+    /// Reads which groups there are, and what is not seen for them.
     pub(super) fn refresh_groups(&self) {
         let ids = self.state().groups.keys().cloned().collect();
         set_if_new(&self.group_ids, ids);

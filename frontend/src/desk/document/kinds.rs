@@ -90,9 +90,9 @@ pub(crate) struct NoteSignals {
 #[derive(Clone)]
 pub(crate) struct GroupSignals {
     pub(crate) record: ArcRwSignal<Group>,
-    /// Where its box was put; nothing if it stands in the middle of its streams.
+    /// The place where its box was put; nothing if it stands in the middle of its streams.
     pub(crate) place: ArcRwSignal<Option<Place>>,
-    /// Where its box is, folded or not: the middle of its top edge. Nothing if its streams are gone.
+    /// The place of its box, folded or not: the middle of its top edge. Nothing if its streams are gone.
     pub(crate) at: ArcMemo<Option<Place>>,
 }
 
@@ -105,7 +105,7 @@ pub(crate) struct ConnectPlan {
     pub(crate) spot: Spot,
 }
 
-/// Where a new connector with its new stream goes.
+/// The place of a new connector with its new stream.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) enum Spot {
     /// Below what it takes from, where there is room.
@@ -117,7 +117,7 @@ pub(crate) enum Spot {
     Into(Gap),
 }
 
-/// Where a new connector leads.
+/// The stream to which a new connector leads.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Output {
     /// To a new stream: ordinary without a device, an actuator with one.

@@ -18,7 +18,7 @@ const TYPING_MS: f64 = 1_000.0;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Editor {
     pub(crate) name: String,
-    /// Which of the eight colours for people.
+    /// The number of the colour, of the eight for people.
     pub(crate) color: u8,
 }
 

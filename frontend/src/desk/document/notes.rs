@@ -67,7 +67,7 @@ impl Document {
         set_if_new(&self.note_ids, ids);
     }
 
-    /// Where a note stands; one that nobody placed stands left of the graph.
+    /// Returns the place of a note; one that nobody placed stands left of the graph.
     pub(super) fn note_place(&self, id: &Id) -> Place {
         let mut state = self.state();
         if let Some(place) = state.saved_place(id) {
@@ -82,7 +82,7 @@ impl Document {
         place
     }
 
-    /// Where a new note goes that nobody places: left of the graph, below the notes that are there.
+    /// Returns the place of a new note that nobody places: left of the graph, below the notes that are there.
     pub(crate) fn place_for_note(&self) -> Place {
         let state = self.state();
         state.left_of_graph(state.notes.len())

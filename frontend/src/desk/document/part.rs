@@ -90,8 +90,8 @@ impl Part {
         self.records.records.contains_key(&what.record())
     }
 
-    /// The same for a library: what that knows under another name is used under that, and what it has under the same name
-    /// with another meaning gets a free one. And the helpers that it is to get.
+    /// Fits the part to a library: a helper that the library knows under another name is used under that, and one whose
+    /// name it has with another meaning gets a free one. Returns with it the helpers that the library is to get.
     pub(super) fn for_library(mut self, known: &[Helper]) -> (Self, Vec<Helper>) {
         let mut new: Vec<Helper> = Vec::new();
         let mut names = BTreeMap::new();
@@ -217,7 +217,7 @@ impl Part {
         ways.into_iter().find(is_free).unwrap_or((right, 0.0))
     }
 
-    /// Where its streams and notes stand, and the room that they take.
+    /// Returns the places of its streams and notes, and the room that they take.
     fn rooms(&self) -> Vec<(Place, Room)> {
         rooms(&self.records, |id| self.records.place(id))
     }
@@ -282,8 +282,8 @@ impl Room {
     }
 }
 
-/// Where the streams and notes of a behaviour stand, and the room that they take: a stream with its value and the chip
-/// above it.
+/// Returns the places of a behaviour's streams and notes, and the room that they take: a stream with its value and the
+/// chip above it.
 fn rooms(behaviour: &Behaviour, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Place, Room)> {
     let room = |place: Place, half: f64, (above, right, below): (f64, f64, f64)| Room {
         left: place.x - half,

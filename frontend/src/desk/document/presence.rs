@@ -10,12 +10,12 @@ use protocol::{Area, Person, Pointer, Request};
 /// The least time between two messages that tell others where this person is, in milliseconds.
 const PRESENCE_MS: f64 = 50.0;
 
-/// Where this person is, and what the others know of it.
+/// The place of this person, and what the others know of it.
 #[derive(Default)]
 pub(super) struct Presence {
     pointer: Option<Pointer>,
     view: Option<Area>,
-    /// When the others were told last, and what.
+    /// The time when the others were told last, and what.
     told_ms: f64,
     told: Option<(Option<Pointer>, Option<Id>, Option<Area>)>,
     is_planned: bool,
@@ -28,7 +28,7 @@ impl Presence {
     }
 }
 
-/// Where somebody who is followed is.
+/// The place of somebody who is followed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Followed {
     pub(crate) view: Option<Area>,
@@ -129,7 +129,7 @@ impl Document {
         followed
     }
 
-    /// Where the followed person is. Reactive.
+    /// Returns the place of the followed person. Reactive.
     pub(crate) fn followed(&self) -> Option<Followed> {
         let client = self.following.get()?;
         self.people.with(|people| {

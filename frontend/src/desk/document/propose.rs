@@ -17,9 +17,9 @@ const QUEUE_KEY: &str = "rrp.waiting";
 /// The largest change, so that it fits in a message with what surrounds it.
 const CHANGE_MAX_BYTES: usize = protocol::MESSAGE_MAX_BYTES - 1_024;
 
-/// When a change that could not be saved is sent again.
+/// The time until a change that could not be saved is sent again.
 const STALLED_MS: i32 = 2_000;
-/// When a change that came too fast is sent again.
+/// The time until a change that came too fast is sent again.
 const TOO_FAST_MS: i32 = 400;
 
 pub(super) type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;

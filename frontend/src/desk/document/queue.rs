@@ -21,7 +21,7 @@ pub(super) struct Waiting {
     /// The revision that its author had then.
     #[serde(default)]
     pub(super) revision: u64,
-    /// When it was made, in milliseconds since 1970 by this computer's clock.
+    /// The time when it was made, in milliseconds since 1970 by this computer's clock.
     #[serde(default)]
     pub(super) made_ms: f64,
     /// True if it was made without a connection.

@@ -10,7 +10,7 @@ use behaviour::{
 };
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where a wire out of a stream may end.
+/// The things at which a wire out of a stream may end.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum WireEnd {
     /// A stream: an action takes its values too, an ordinary stream is fed by it.
@@ -60,7 +60,8 @@ pub(crate) struct Gap {
     pub(crate) input: Id,
 }
 
-/// Where a wire out of `from` may end, and what comes of it, in the order of the file: streams, then connectors.
+/// Returns the ends that a wire out of `from` may have, and what comes of each, in the order of the file: streams, then
+/// connectors.
 pub(crate) fn wire_ends(behaviour: &Behaviour, from: &Id) -> Vec<(WireEnd, Joining)> {
     if behaviour.stream(from).is_none_or(|stream| stream.kind == StreamKind::Actuator) {
         return Vec::new();

@@ -11,7 +11,7 @@ pub(crate) struct Sign {
     pub(crate) name: String,
     /// Two letters, or a letter and a number; nobody else here has them.
     pub(crate) letters: String,
-    /// Which of the eight colours for people.
+    /// The number of the colour, of the eight for people.
     pub(crate) color: u8,
 }
 

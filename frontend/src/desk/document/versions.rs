@@ -18,7 +18,7 @@ pub(crate) enum Version {
     Now,
 }
 
-/// Which versions are looked at.
+/// The versions that are looked at.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Comparing {
     /// The one that was chosen.

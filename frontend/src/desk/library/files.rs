@@ -28,7 +28,7 @@ struct Refused {
     error: String,
 }
 
-/// Why a file did not become a program.
+/// The reasons why a file did not become a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum NotBrought {
     /// It is larger than any that the server takes.
@@ -41,7 +41,7 @@ pub(crate) enum NotBrought {
     Refused(String),
 }
 
-/// Where a behaviour is to be had as a file.
+/// Returns the address at which a behaviour is to be had as a file.
 pub(crate) fn file_address(id: &Id, ending: &str) -> String {
     format!("/api/behaviours/{id}.{ending}")
 }

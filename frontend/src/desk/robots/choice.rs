@@ -118,7 +118,7 @@ impl Robots {
         self.chosen.read().as_ref().is_some_and(|robot| robot.address.is_none())
     }
 
-    /// Which robot it is, if people may look through a camera of it. Reactive.
+    /// Returns the robot, if people may look through a camera of it. Reactive.
     pub(crate) fn with_camera(&self) -> Option<Id> {
         self.chosen.read().as_ref().filter(|robot| robot.camera).map(|robot| robot.robot.clone())
     }

@@ -1,4 +1,4 @@
-//! Which connectors of the run fail, and how often.
+//! The connectors of the run that fail, and how often.
 
 use super::Robots;
 use super::unused::Before;
@@ -16,7 +16,7 @@ pub(crate) struct Failing {
     /// The words on its chip, in the version that runs.
     pub(crate) name: String,
     pub(crate) count: u64,
-    /// Why it failed last, in a sentence.
+    /// The reason why it failed last, in a sentence.
     pub(crate) why: String,
 }
 
