@@ -43,7 +43,7 @@ impl Page {
         }
     }
 
-    /// True if a script of the page is run now, within a while.
+    /// True if a script of the page runs within a while.
     pub(crate) async fn scripts_run(&self) -> bool {
         tokio::time::timeout(LOOK, self.eval("1")).await.is_ok_and(|answer| answer.is_ok())
     }

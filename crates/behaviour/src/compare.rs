@@ -9,13 +9,13 @@ use std::collections::BTreeSet;
 /// of a new thing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Comparison {
-    /// There now and not before.
+    /// The records that are there now and were not before.
     pub new: BTreeSet<RecordId>,
-    /// There before and now, and something else.
+    /// The records that are there before and now, and differ.
     pub changed: BTreeSet<RecordId>,
-    /// There before and not now.
+    /// The records that were there before and are not now.
     pub removed: BTreeSet<RecordId>,
-    /// Streams that are there before and now and stand elsewhere.
+    /// The streams that are there before and now and stand elsewhere.
     pub moved: BTreeSet<Id>,
 }
 

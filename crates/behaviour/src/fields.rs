@@ -39,7 +39,7 @@ enum Values {
 }
 
 thread_local! {
-    /// In the order of the names.
+    /// All sets of names, in the order of the names.
     static SHAPES: RefCell<Vec<Names>> = const { RefCell::new(Vec::new()) };
 }
 

@@ -104,9 +104,9 @@ impl<'a> Graph<'a> {
 
 /// A graph in numbers.
 struct Wires<'a> {
-    /// By their ids.
+    /// The streams by their ids.
     streams: Vec<&'a Id>,
-    /// In file order: what they take from and what they give to.
+    /// The connectors in file order: what they take from and what they give to.
     connectors: Vec<(Vec<usize>, usize)>,
 }
 

@@ -12,11 +12,12 @@ use crate::Place;
 
 /// The height of a stream, in canvas units.
 pub const STREAM_HEIGHT: f64 = 48.0;
-/// From the top of a stream to the top of the next one below.
+/// The distance from the top of a stream to the top of the next one below.
 pub const LEVEL: f64 = 120.0;
-/// Between neighbours.
+/// The distance between neighbours.
 pub const GAP: f64 = 24.0;
-/// Between two parts without a connection, to the side and down; above a part there may be the chips of nothing.
+/// The distance between two parts without a connection, to the side and down; above a part there may be the chips of
+/// nothing.
 pub const PARTS_APART: (f64, f64) = (40.0, 48.0);
 /// Kept between the last row of others and actions that several connectors lead to, for the bends of these.
 const BENDS: f64 = 40.0;

@@ -22,7 +22,7 @@ pub enum Sort {
     /// Last changed (in the bin: removed) first, then by id from the end.
     #[default]
     Changed,
-    /// By name in lower case, then by id.
+    /// Name in lower case first, then id.
     Name,
 }
 

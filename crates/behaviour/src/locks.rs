@@ -120,14 +120,14 @@ struct Saving {
 #[derive(Clone, Debug)]
 pub struct Locks {
     epoch: u64,
-    /// Of the newest lock.
+    /// The counter of the newest lock.
     counter: u64,
-    /// Never goes back.
+    /// The time of the last call, in milliseconds; never goes back.
     now_ms: u64,
-    /// By the counters of their tokens.
+    /// The locks by the counters of their tokens.
     held: BTreeMap<u64, Lock>,
     by_record: Lookup<RecordId, u64>,
-    /// By the names of the changes.
+    /// The changes that are being saved, by their names.
     saving: Vec<(Id, Saving)>,
     /// The clients that were told *not yet*, with the records.
     refused: Vec<((Id, RecordId), PutOff)>,
@@ -159,7 +159,7 @@ impl Locks {
         Ok(self.give(holder, records))
     }
 
-    /// Gives a lock back. It ends once what was edited under it is saved. Says whether there was such a lock.
+    /// Gives a lock back. It ends once what was edited under it is saved. Returns true if there was such a lock.
     pub fn release(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
         let Some(lock) = self.of(session, token) else { return false };

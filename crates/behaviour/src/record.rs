@@ -117,7 +117,7 @@ impl Helper {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
-    /// To the right.
+    /// The distance to the right of the origin.
     pub x: f64,
     /// Downwards.
     pub y: f64,
@@ -258,7 +258,7 @@ impl Record {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Behaviour {
-    /// By id.
+    /// All records by id.
     pub records: BTreeMap<RecordId, Record>,
 }
 

@@ -19,7 +19,7 @@ const ANSWERED_MAX: usize = 1_024;
 pub struct Room {
     behaviour: Behaviour,
     revision: u64,
-    /// Of the behaviour, so that a change costs what it touches.
+    /// The size of the behaviour, kept so that a change costs what it touches.
     size: Size,
     answered: Lookup<Id, Answer>,
     answered_order: VecDeque<Id>,

@@ -71,7 +71,7 @@ struct Amount {
 }
 
 impl Size {
-    /// Of all records.
+    /// Returns the size of all records.
     pub(crate) fn of(behaviour: &Behaviour) -> Self {
         let mut size = Self::default();
         behaviour.records.iter().for_each(|(id, record)| size.add(id, record));
@@ -117,12 +117,12 @@ impl Size {
         }
     }
 
-    /// Of everything.
+    /// Returns the bytes of everything.
     pub(crate) fn bytes(&self) -> usize {
         self.helpers.bytes + self.behaviour_bytes()
     }
 
-    /// Everything but helpers, which live in the library.
+    /// Returns the bytes of everything but helpers, which live in the library.
     fn behaviour_bytes(&self) -> usize {
         let all = [self.settings, self.streams, self.connectors, self.places, self.notes, self.groups];
         all.iter().map(|amount| amount.bytes).sum()

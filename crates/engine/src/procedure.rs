@@ -38,7 +38,7 @@ struct Interpreted {
     names: Vec<String>,
     body: Box<str>,
     functions: Rc<Functions>,
-    /// Nothing if it certainly ends within the limit of steps.
+    /// The cost of the body's variables; none if it certainly ends within the limit of steps.
     cost: Option<Rc<VariableCost>>,
     /// Made when it is first needed: a run keeps thousands of bodies that the first tier answers for.
     parsed: Option<Box<Parsed>>,

@@ -128,7 +128,7 @@ impl Link {
     /// and its answer is not waited for. What a method makes of that is the peer's.
     ///
     /// # Errors
-    /// Those of [`Link::call`]; [`QiError::Canceled`] if it was not wanted any more.
+    /// Fails as [`Link::call`] does; with [`QiError::Canceled`] if it was not wanted any more.
     pub async fn call_until(
         &self,
         target: Target,

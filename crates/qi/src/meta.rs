@@ -29,7 +29,7 @@ pub struct MetaSignal {
     pub uid: u32,
     /// The name of the signal or property.
     pub name: String,
-    /// Of a signal the types of what its events carry, a tuple; of a property the type of its value.
+    /// The type: of a signal the types of what its events carry, a tuple; of a property the type of its value.
     pub signature: Signature,
 }
 

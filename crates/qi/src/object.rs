@@ -93,7 +93,7 @@ impl Object {
     /// [`Object::call`] with another limit for this one call.
     ///
     /// # Errors
-    /// Those of [`Object::call`].
+    /// Fails as [`Object::call`] does.
     pub async fn call_within(&self, name: &str, arguments: &[Value], within: Duration) -> Result<Value, QiError> {
         let (method, flags, payload) = self.written(name, arguments)?;
         let what = format!("{}.{name}", self.name);
@@ -104,7 +104,7 @@ impl Object {
     /// [`Object::call_within`] until somebody does not want it any more: then the peer is asked to cancel it, if it can.
     ///
     /// # Errors
-    /// Those of [`Object::call`]; [`QiError::Canceled`] if it was not wanted any more.
+    /// Fails as [`Object::call`] does; with [`QiError::Canceled`] if it was not wanted any more.
     pub async fn call_until(
         &self,
         name: &str,
@@ -122,7 +122,7 @@ impl Object {
     /// Calls a method that gives out an object.
     ///
     /// # Errors
-    /// Those of [`Object::call`], [`QiError::Unexpected`] if it gives out something else.
+    /// Fails as [`Object::call`] does; with [`QiError::Unexpected`] if it gives out something else.
     pub async fn call_object(&self, name: &str, arguments: &[Value]) -> Result<Self, QiError> {
         let value = self.call(name, arguments).await?;
         let object = Self::from_value(&self.link, &value, self.within);

@@ -152,7 +152,7 @@ impl Session {
     /// Listens to services that come: their number and name.
     ///
     /// # Errors
-    /// Those of [`Object::subscribe`].
+    /// Fails as [`Object::subscribe`] does.
     pub async fn added(&self) -> Result<Subscription, QiError> {
         self.0.directory.subscribe("serviceAdded", Keep::All(CHANGES_MAX)).await
     }
@@ -160,7 +160,7 @@ impl Session {
     /// Listens to services that go: their number and name.
     ///
     /// # Errors
-    /// Those of [`Object::subscribe`].
+    /// Fails as [`Object::subscribe`] does.
     pub async fn removed(&self) -> Result<Subscription, QiError> {
         self.0.directory.subscribe("serviceRemoved", Keep::All(CHANGES_MAX)).await
     }

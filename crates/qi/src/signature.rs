@@ -59,9 +59,9 @@ pub enum Signature {
 /// The names of a tuple and its fields.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Names {
-    /// Of the tuple.
+    /// The name of the tuple.
     pub name: String,
-    /// Of its fields, in their order.
+    /// The names of its fields, in their order.
     pub fields: Vec<String>,
 }
 

@@ -168,7 +168,7 @@ async fn named(store: &dyn Store, shelf: &Shelf) -> Result<Vec<Checkpoint>, Stor
     Ok(named)
 }
 
-/// Everything that the store holds, the library first, then in order of id.
+/// Returns everything that the store holds, the library first, then in order of id.
 pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<Shelf>, StoreError> {
     let mut all = Vec::new();
     for place in [Place::Here, Place::Bin] {

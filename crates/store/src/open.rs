@@ -23,7 +23,7 @@ pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
 /// Opens a store by its address, for a command: its answers are waited for longer than people in a page would.
 ///
 /// # Errors
-/// Those of [`open_url`].
+/// Fails as [`open_url`] does.
 pub async fn open_url_to_work(url: &str) -> Result<Arc<dyn Store>, StoreError> {
     whole(opened(url, Some(WORK_MAX)).await?).await
 }

@@ -16,9 +16,9 @@ pub struct Query {
     pub place: Place,
     /// Words that must all occur, in any case, anywhere in [`search_text`]; empty for everything.
     pub words: String,
-    /// Only those that this person made.
+    /// The person whose behaviours alone are asked for.
     pub owner: Option<String>,
-    /// Only those that have this tag.
+    /// The tag that the behaviours must have.
     pub tag: Option<String>,
     /// The order.
     pub sort: Sort,

@@ -11,8 +11,7 @@ use wasmparser::{
 use crate::tools::Outcome;
 
 /// Returns the code with its functions in another order. Generic code is compiled for many types, and what comes of it
-/// mostly
-/// ends alike; a compressor finds it best where it stands close by.
+/// mostly ends alike; a compressor finds it best where it stands close by.
 pub(crate) fn alike_together(code: &[u8]) -> Outcome<Vec<u8>> {
     let ordered = Order::of(code).map_err(Error::from).and_then(|mut order| {
         let mut module = Module::new();

@@ -72,7 +72,8 @@ fn deny(workspace: &Workspace, program: &PathBuf, words: &[&str]) -> Outcome<()>
     tools::run(&mut command, &format!("`{PROGRAM} {}`", words.join(" ")))
 }
 
-/// True if the newest advisories are here now. A network that swallows everything is not waited for.
+/// Fetches the newest advisories. Returns true if they are here now; a network that swallows everything is not waited
+/// for.
 fn can_fetch(workspace: &Workspace, program: &PathBuf) -> bool {
     let mut fetch = Command::new(program);
     fetch.args(["fetch", "db"]).current_dir(&workspace.root).stdout(Stdio::null()).stderr(Stdio::null());

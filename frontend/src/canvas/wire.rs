@@ -133,7 +133,8 @@ impl Stage {
         }
     }
 
-    /// True if a wire took a tap: on an end it ends there, elsewhere it goes back.
+    /// Takes a tap while a wire is drawn: on an end it ends there, elsewhere it goes back. Returns true if there was a
+    /// wire.
     pub(super) fn tap_wire(&self, on: Option<&Id>) -> bool {
         let Some(wire) = self.wire.get_untracked() else { return false };
         match wire.ends.iter().find(|(end, _)| Some(end.id()) == on) {

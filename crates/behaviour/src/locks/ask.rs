@@ -110,7 +110,7 @@ impl Locks {
         self.waits(counter, before)
     }
 
-    /// The holder says yes to who asked first: it goes to them once what was edited under it is saved. Says whether
+    /// The holder says yes to who asked first: it goes to them once what was edited under it is saved. Returns true if
     /// anybody asked.
     pub fn say_yes(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
@@ -127,8 +127,8 @@ impl Locks {
         self.forget_asks_that(|ask| ask.asker.session == session && ask.record == *record)
     }
 
-    /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. A minute
-    /// after somebody asked first it counts no more. Says whether it counted.
+    /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. A
+    /// minute after somebody asked first it counts no more. Returns true if it counted.
     pub fn say_not_yet(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
         let now_ms = self.now_ms;
@@ -224,7 +224,7 @@ impl Locks {
         self.forget_asks_that(|ask| ask.asker.session == session);
     }
 
-    /// Some ask no more; holders who were asked are told, and hear who asked next. Says whether there were any.
+    /// Forgets questions; holders who were asked are told, and hear who asked next. Returns true if there were any.
     fn forget_asks_that(&mut self, is_gone: impl Fn(&Ask) -> bool) -> bool {
         let (mut gone, mut first) = (false, Vec::new());
         for (counter, lock) in &mut self.held {

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 /// The most actions that are compared with each other.
 const FIGHTERS_MAX: usize = 32;
-/// Of a combination of more streams nothing is said.
+/// The most streams of a combination of which something is said.
 const COMBINED_MAX: usize = 8;
 
 /// An action that may be in the way of another.

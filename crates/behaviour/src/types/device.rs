@@ -9,7 +9,7 @@ pub struct DeviceType {
     pub value: ValueType,
     /// The pace of its values, or the time that one of them keeps it busy.
     pub pace: Pace,
-    /// For a sense that tells two moments apart: whether it also tells that something ended.
+    /// True if a sense that tells two moments apart also tells that something ended.
     pub tells_end: bool,
     /// The parts of the robot that it uses.
     pub claims: Claims,

@@ -12,7 +12,7 @@ const READ_MAX_BYTES: usize = 256 << 10;
 const HELPERS_MAX_DEPTH: usize = 4;
 /// The most answers about helpers that are kept.
 const KNOWN_MAX: usize = 1_000;
-/// Of a procedure with more arguments nothing is told.
+/// The most arguments of a procedure of which something is told.
 const ARGUMENTS_MAX: usize = 32;
 
 /// The kind of value on every stream; of an action, what it takes.

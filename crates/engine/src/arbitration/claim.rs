@@ -12,7 +12,7 @@ pub struct Claim {
     pub resources: Vec<String>,
     /// Higher wins.
     pub priority: i64,
-    /// For how long a command holds, in milliseconds.
+    /// The time for which a command holds, in milliseconds.
     pub hold_ms: u64,
 }
 

@@ -18,7 +18,7 @@ pub struct HeldBy {
     pub part: String,
     /// The stream that holds it.
     pub by: Use,
-    /// Until when, unless it commands again.
+    /// The time until which it holds, unless it commands again.
     pub until: Millis,
 }
 

@@ -13,7 +13,7 @@ pub struct Syntax {
 }
 
 impl Syntax {
-    /// Of a text with these arguments.
+    /// Takes the error of a text with these arguments.
     pub(crate) fn of(error: ParseError, arguments: &[String]) -> Self {
         Self { error, arguments: arguments.to_vec() }
     }

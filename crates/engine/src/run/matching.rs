@@ -9,9 +9,9 @@ use behaviour::{Lookup, LookupSet};
 /// Streams and connectors that keep what they remember when one version of a behaviour follows another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Matching {
-    /// By stream of the old version, the stream of the new one.
+    /// The stream of the new version, by stream of the old one.
     pub streams: Pairs<StreamIx>,
-    /// By connector of the old version, the connector of the new one.
+    /// The connector of the new version, by connector of the old one.
     pub connectors: Pairs<ConnectorIx>,
 }
 

@@ -23,7 +23,7 @@ pub(crate) struct Frame {
     readings: u64,
     /// For every stream its value in this frame.
     now: IndexVec<StreamIx, Option<Carried>>,
-    /// By the end of the frame that has the instant.
+    /// The connectors that are due, by the end of the frame that has the instant.
     schedule: Schedule,
     /// The connectors by rank and place.
     order: Vec<ConnectorIx>,

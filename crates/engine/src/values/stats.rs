@@ -10,9 +10,9 @@ use std::mem::{replace, swap};
 /// Counts and last values of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stats {
-    /// By stream.
+    /// The counts by stream.
     pub streams: IndexVec<StreamIx, StreamStats>,
-    /// By connector.
+    /// The counts by connector.
     pub connectors: IndexVec<ConnectorIx, ConnectorStats>,
 }
 

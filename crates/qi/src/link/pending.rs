@@ -114,7 +114,7 @@ impl Pending {
         locked(&self.0).waiting.len()
     }
 
-    /// True if somebody waited for it.
+    /// Hands the answer to whom it waits for. Returns true if somebody did.
     pub(super) fn settle(&self, id: u32, answer: Answer) -> bool {
         let waiting = locked(&self.0).waiting.remove(&id);
         waiting.is_some_and(|waiting| waiting.send(answer).is_ok())

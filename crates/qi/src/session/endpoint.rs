@@ -40,9 +40,9 @@ impl ServiceInfo {
 /// The way to a service.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Choice {
-    /// By the link that the directory is reached by.
+    /// The link by which the directory is reached.
     SameLink,
-    /// By a link of its own.
+    /// A link of its own to this address.
     Dial(Address),
     /// None that is allowed.
     Nowhere,

@@ -156,7 +156,7 @@ fn beginning(bytes: &[u8]) -> &[u8] {
     &bytes[..end]
 }
 
-/// By the first element, or by what is said before it.
+/// Finds the kind of markup by the first element, or by what is said before it.
 fn of_markup(text: &str) -> Option<Kind> {
     if text.get(..14).is_some_and(|first| first.eq_ignore_ascii_case("<!doctype html")) {
         return Some(Kind::WebPage);
@@ -165,7 +165,7 @@ fn of_markup(text: &str) -> Option<Kind> {
     of_element(name.rsplit(':').next().unwrap_or_default())
 }
 
-/// Of other elements the name is told by who reads the whole.
+/// Finds the kind by the first element. The name of another element is told by who reads the whole.
 fn of_element(name: &str) -> Option<Kind> {
     match name.to_ascii_lowercase().as_str() {
         "html" | "head" | "body" => Some(Kind::WebPage),
@@ -176,7 +176,7 @@ fn of_element(name: &str) -> Option<Kind> {
     }
 }
 
-/// By the names in the first object of it: a program is never a list, and has some of its own fields.
+/// Finds the kind of JSON by the names in its first object: a program is never a list, and has some of its own fields.
 fn of_json(text: &str) -> Option<Kind> {
     if text.starts_with("{\\rtf") {
         return Some(Kind::RichText);
@@ -246,7 +246,7 @@ impl<'t> Visitor<'t> for Names<'_> {
     }
 }
 
-/// By the first lines of other text.
+/// Finds the kind by the first lines of other text.
 fn of_text(text: &str) -> Option<Kind> {
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
     let first = lines.next()?;

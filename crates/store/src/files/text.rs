@@ -19,7 +19,7 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, FileFault> {
     Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
 
-/// By its byte order mark, or by its first letter, beside which there is a zero.
+/// True if the text is UTF-16, by its byte order mark, or by its first letter, beside which there is a zero.
 fn is_utf16(bytes: &[u8]) -> bool {
     match *bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,

@@ -29,8 +29,8 @@ impl Part {
     }
 }
 
-/// In this order. Touched connectors go, whatever they were, and come back as what they are now; nodes that
-/// behaviours share are made in one order and linked only where that changes, or else they would deadlock.
+/// The parts of a save, in this order. Touched connectors go, whatever they were, and come back as what they are now;
+/// nodes that behaviours share are made in one order and linked only where that changes, or else they would deadlock.
 const PARTS: [Part; 12] = [
     Part { each_type: RELATIONSHIP_GOES, ..part(&["connectors"], CONNECTORS_GO) },
     part(&["gone_streams"], STREAMS_GO),

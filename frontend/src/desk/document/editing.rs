@@ -108,7 +108,7 @@ impl Editing {
         }
     }
 
-    /// True if there is a lock for what is edited, which is the one's own now.
+    /// Takes a lock that is for what is edited. Returns true if it is one's own now.
     pub(super) fn granted(&mut self, grant: &Grant) -> bool {
         let is_mine = grant.records.contains(&self.record);
         if is_mine && self.token() != Some(grant.token) {

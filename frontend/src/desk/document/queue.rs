@@ -70,7 +70,7 @@ impl Queue {
         self.waiting.len()
     }
 
-    /// True if there was room.
+    /// Adds a change to the end of the queue. Returns true if there was room.
     pub(super) fn push(&mut self, behaviour: Id, change: Change, way: Way) -> bool {
         let room = self.waiting.len() < WAITING_MAX;
         if room {

@@ -35,7 +35,7 @@ impl Document {
         EditSession { document: self.clone(), record, begun: Arc::default() }
     }
 
-    /// True if somebody else is editing a record, which is said then; `what` is what people call it. Not reactive.
+    /// Says that somebody else is editing a record; `what` is what people call it. Returns true if so. Not reactive.
     pub(crate) fn says_busy(&self, record: &RecordId, what: &str) -> bool {
         let editor = untrack(|| self.editor_of(record));
         let busy = editor.map(|editor| Refusal::Locked { what: what.to_owned(), by: editor.name });

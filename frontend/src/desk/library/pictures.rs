@@ -63,7 +63,7 @@ impl Library {
 }
 
 impl WantedPictures {
-    /// True if somebody has to ask soon.
+    /// Puts a picture on the list of those to be asked for. Returns true if somebody has to ask soon.
     fn want(&mut self, of: PictureOf) -> bool {
         if !self.asked.insert((of.behaviour.to_string(), of.revision)) {
             return false;

@@ -7,8 +7,7 @@ use crate::{
 };
 
 /// The distance from a stream to the next row of the canvas: `LEVEL` of the page's layout, which stands on this crate.
-/// With
-/// less than two of them between its neighbours, a new stream and the connectors beside it would cover each other.
+/// With less than two of them between its neighbours, a new stream and the connectors beside it would cover each other.
 const LEVEL: f64 = 140.0;
 
 /// A change of a behaviour.

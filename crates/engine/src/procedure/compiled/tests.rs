@@ -18,7 +18,7 @@ use rhai::Engine;
 
 /// Random procedures in one run of the tests.
 const BODIES: u64 = 12_000;
-/// On how many random inputs each runs.
+/// The number of random inputs on which each runs.
 const CALLS: u64 = 5;
 
 struct Bench {
