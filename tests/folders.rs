@@ -100,7 +100,7 @@ fn every_folder_says_what_it_is_for() -> Outcome<()> {
     none("folders without a first sentence", &wrong)
 }
 
-/// What uses what.
+/// The uses between modules: each with the ones that it uses.
 type Graph = BTreeMap<String, BTreeSet<String>>;
 
 /// For each folder or file at the top of a crate, which its code calls `inside`, what else of it its product code names,

@@ -98,13 +98,13 @@ const IMPURE: [&str; 6] = ["std::time::Instant", "Instant::now", "SystemTime", "
 const ORDERED: [&str; 4] = ["behaviour", "engine", "sentences", "simulation"];
 const UNORDERED: [&str; 2] = ["HashMap", "HashSet"];
 const LOOKUP: &str = "crates/behaviour/src/lookup.rs";
-/// What would show it.
+/// The ways to go through a map, which would show the order of hashes.
 const GOES_THROUGH: [&str; 6] = [".iter(", ".into_iter(", ".keys(", ".values(", ".drain(", "IntoIterator for"];
 /// Functions of the standard library that differ between machines; `libm` does not.
 const TRIGONOMETRY: [&str; 8] =
     [".sin()", ".cos()", ".tan()", ".asin()", ".acos()", ".atan()", ".atan2(", ".sin_cos()"];
 
-/// What the root of the repository holds, besides hidden files.
+/// The entries of the root of the repository, besides hidden files.
 const TOP: [&str; 13] = [
     "CHANGELOG.md",
     "Cargo.lock",
@@ -149,6 +149,30 @@ const COMMON_DEVICES: [&str; 5] = ["Button", "Lights", "People", "Voice", "Walk"
 
 /// The longest function, in lines. A ratchet: it may only go down.
 const FUNCTION_MAX: usize = 90;
+
+/// First words that turn a sentence of a doc comment into a noun clause, without a named subject and an early verb.
+const VERBLESS: [&str; 5] = ["What", "Who", "How", "Whether", "Its"];
+/// Files and folders of whose doc comments no line begins with one of these words.
+const PLAIN: [&str; 16] = [
+    "crates/behaviour/",
+    "crates/engine/",
+    "crates/host_key/",
+    "crates/load/",
+    "crates/qi/",
+    "crates/shell/",
+    "crates/store/",
+    "crates/xtask/",
+    "frontend/src/canvas",
+    "frontend/src/desk",
+    "frontend/src/layout",
+    "frontend/src/steps",
+    "tests/folders.rs",
+    "tests/house.rs",
+    "tests/scripts.rs",
+    "tests/src/",
+];
+/// The most such lines in all other files. A ratchet: it may only go down.
+const VERBLESS_MAX: usize = 2187;
 
 #[test]
 fn rooms_use_only_the_rooms_below_them() -> Outcome<()> {
@@ -276,6 +300,31 @@ fn functions_stay_short() -> Outcome<()> {
 }
 
 #[test]
+fn docs_name_their_subject() -> Outcome<()> {
+    let files = everything()?;
+    let unused = PLAIN.iter().filter(|plain| !files.iter().any(|file| file.path.starts_with(**plain)));
+    none("plain files or folders are not there", &unused.collect::<Vec<_>>())?;
+    let all = files.iter().flat_map(|file| verbless(&file.text).map(move |line| (file, line)));
+    let (wrong, others): (Vec<_>, Vec<_>) =
+        all.partition(|(file, _)| PLAIN.iter().any(|plain| file.path.starts_with(plain)));
+    let wrong = wrong.iter().map(|(file, (number, line))| format!("{}:{number}: {line}", file.path));
+    none("lines of docs begin without their subject and verb", &wrong.collect::<Vec<_>>())?;
+    assert!(
+        others.len() <= VERBLESS_MAX,
+        "{} lines of docs begin so elsewhere, at most {VERBLESS_MAX} may",
+        others.len()
+    );
+    Ok(())
+}
+
+#[test]
+fn lines_of_docs_without_a_verb_are_found() {
+    let text = "//! What it does.\n/// Its name.\n// Who\n/// Whatever.\nlet a = 1; /// How\n    /// Whether it is.\n";
+    let found: Vec<(usize, &str)> = verbless(text).collect();
+    assert_eq!(found, [(1, "//! What it does."), (2, "/// Its name."), (6, "/// Whether it is.")]);
+}
+
+#[test]
 fn connectors_are_named_in_their_rooms_only() -> Outcome<()> {
     let elsewhere = connectors_elsewhere()?.into_iter().filter(|named| !named.is_excused());
     none("connectors are named outside their rooms", &elsewhere.map(|named| named.to_string()).collect::<Vec<_>>())
@@ -379,9 +428,21 @@ fn mentions(rooms: &[&str], phrases: &[&str]) -> Outcome<Vec<String>> {
     Ok(found)
 }
 
-/// Whether `line` says `phrase`: a method anywhere, anything else as a whole word.
+/// True if `line` says `phrase`: a method anywhere, anything else as a whole word.
 fn says(line: &str, phrase: &str) -> bool {
     if phrase.starts_with('.') { line.contains(phrase) } else { sources::words(line, phrase).next().is_some() }
+}
+
+/// The lines of doc comments in `text` that begin with one of [`VERBLESS`], each with its number from 1.
+fn verbless(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    text.lines().map(str::trim).enumerate().filter(|(_, line)| is_verbless(line)).map(|(at, line)| (at + 1, line))
+}
+
+/// True if `line` is of a doc comment and begins with one of [`VERBLESS`].
+fn is_verbless(line: &str) -> bool {
+    let said = line.strip_prefix("/// ").or_else(|| line.strip_prefix("//! "));
+    let first = said.and_then(|said| said.split(|letter: char| !letter.is_alphanumeric()).next());
+    first.is_some_and(|word| VERBLESS.contains(&word))
 }
 
 /// Each of our packages with the packages that its product code uses.
@@ -396,7 +457,7 @@ fn rooms() -> Outcome<BTreeMap<String, BTreeSet<String>>> {
     Ok(list(&metadata["packages"]).iter().map(|package| (text(&package["name"]), uses(package))).collect())
 }
 
-/// What a package needs to run or to build; needs of its tests alone are left out.
+/// Returns the needs of a package to run or to build; needs of its tests alone are left out.
 fn uses(package: &Value) -> BTreeSet<String> {
     let needs = list(&package["dependencies"]).iter().filter(|need| need["kind"] != "dev");
     needs.map(|need| text(&need["name"])).collect()

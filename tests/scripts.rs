@@ -14,7 +14,7 @@ const YOUNGER_THAN_ES5: [&str; 17] = [
     "**", "`", "#",
 ];
 
-/// What stop.js may use of a browser: there in Internet Explorer 10, or asked for before it is used.
+/// The names of a browser that stop.js may use: there in Internet Explorer 10, or asked for before they are used.
 const OLD: [&str; 46] = [
     "Infinity",
     "XMLHttpRequest",
@@ -63,10 +63,11 @@ const OLD: [&str; 46] = [
     "type",
     "value",
 ];
-/// What it uses where it is there: in a `try` of its own, or left by us.
+/// The names that it uses where they are there: in a `try` of its own, or left by us.
 const TRIED: [&str; 6] = ["fetch", "ok", "then", "rrpBegan", "rrpHeard", "window"];
 
-/// What boot.js uses that some browser got since 2015, and since when. Everything else it uses is listed as old.
+/// The names that boot.js uses and some browser got since 2015, and since when. Everything else it uses is listed as
+/// old.
 const SINCE: [(&str, Versions); 11] = [
     ("??", [(80, 0), (72, 0), (13, 4)]),
     ("?.", [(80, 0), (74, 0), (13, 4)]),
@@ -83,7 +84,7 @@ const SINCE: [(&str, Versions); 11] = [
     ("catch", [(66, 0), (58, 0), (11, 1)]),
     ("light-dark", [(123, 0), (120, 0), (17, 5)]),
 ];
-/// What boot.js uses that all browsers have had since 2015.
+/// The names that boot.js uses and all browsers have had since 2015.
 const USUAL: [&str; 66] = [
     "AbortSignal",
     "CompileError",
@@ -221,7 +222,7 @@ fn read(path: &str) -> Outcome<String> {
     Ok(std::fs::read_to_string(root().join(path))?)
 }
 
-/// What a script asks of the browser: names of members and of what it does not make itself.
+/// Returns what a script asks of the browser: names of members and of what it does not make itself.
 fn used(tokens: &[String]) -> BTreeSet<String> {
     let own = declared(tokens);
     let is_word = |token: &str| token.chars().next().is_some_and(|c| c.is_alphabetic() || c == '_' || c == '$');
@@ -320,7 +321,7 @@ fn tokens(source: &str) -> Vec<String> {
     found
 }
 
-/// How long a text is with the sign that ends it.
+/// Returns the length of a text with the sign that ends it.
 fn ending(text: &str, sign: char) -> usize {
     let mut is_escaped = false;
     for (at, letter) in text.char_indices() {

@@ -206,7 +206,8 @@ fn keep_keyboard(desk: &Desk) {
     });
 }
 
-/// How much larger texts are than usual, so that they can be read from further away; the style says by how much. Reactive.
+/// Returns how much larger texts are than usual, so that they can be read from further away; the style says by how
+/// much. Reactive.
 fn text_sizes(stage: &Stage) -> impl Fn() -> Option<&'static str> + Send + Sync + Clone + use<> {
     let view = stage.view.clone();
     let size = |zoom: f64| TEXT_SIZES.iter().find(|(below, _)| zoom < *below).map(|(_, size)| *size);
@@ -222,25 +223,25 @@ fn read_size(stage: &Stage) -> impl Fn() -> String + Send + Sync + Clone + use<>
     move || format!("{:.1}px", halves.get() / 2.0)
 }
 
-/// Whether there is so much that it is shown once more in small.
+/// Returns true while there is so much that it is shown once more in small.
 fn large_memo(desk: &Desk) -> ArcMemo<bool> {
     let ids = desk.document.stream_ids.clone();
     ArcMemo::new(move |_| ids.with(Vec::len) >= minimap::FROM)
 }
 
-/// Whether two versions are compared.
+/// Returns true while two versions are compared.
 fn compares_memo(desk: &Desk) -> ArcMemo<bool> {
     let compared = desk.document.compared.clone();
     ArcMemo::new(move |_| compared.with(Option::is_some))
 }
 
-/// Whether a program is open.
+/// Returns true while a program is open.
 fn open_memo(desk: &Desk) -> ArcMemo<bool> {
     let open = desk.document.open.clone();
     ArcMemo::new(move |_| open.with(Option::is_some))
 }
 
-/// Whether what is chosen has its tools beside it: several things, a note or a group.
+/// Returns true while what is chosen has its tools beside it: several things, a note or a group.
 fn has_tools(desk: &Desk) -> ArcMemo<bool> {
     let (several, alone) = (desk.document.several.clone(), desk.document.selected.clone());
     ArcMemo::new(move |_| {
@@ -276,7 +277,7 @@ fn Asides() -> impl IntoView {
     }
 }
 
-/// What a typed sentence would add, while one is typed.
+/// Shows what a typed sentence would add, while one is typed.
 #[component]
 fn Preview() -> impl IntoView {
     let ghost = use_desk().document.ghost.clone();
@@ -284,7 +285,7 @@ fn Preview() -> impl IntoView {
     move || previews.get().then(|| view! { <Later show=|rest| (rest.ghost)() /> })
 }
 
-/// What belongs to what is selected, once something is.
+/// Shows what belongs to what is selected, once something is.
 #[component]
 fn Suggested() -> impl IntoView {
     let selected = use_desk().document.selected.clone();
@@ -299,7 +300,7 @@ fn Told() -> impl IntoView {
     move || open.get().then(|| view! { <Later show=|rest| (rest.told)() /> })
 }
 
-/// What is carried here from the left list, if the second piece is there to hear of it.
+/// Shows what is carried here from the left list, if the second piece is there to hear of it.
 #[component]
 fn Carried() -> impl IntoView {
     let carried = use_desk().carried.clone();

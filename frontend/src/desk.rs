@@ -37,7 +37,7 @@ use tab::Tab;
 #[derive(Clone)]
 pub(crate) struct Desk {
     tab: Tab,
-    /// What is open here: its records, what is chosen in it, edits and how saving them goes.
+    /// The document that is open here: its records, what is chosen in it, edits and how saving them goes.
     pub(crate) document: Document,
     /// The programs, templates and helpers that there are.
     pub(crate) library: Library,
@@ -45,7 +45,7 @@ pub(crate) struct Desk {
     pub(crate) robots: Robots,
 }
 
-/// What belongs to the tab is reached without saying so.
+/// Reaches the tab's state without naming the tab.
 impl Deref for Desk {
     type Target = Tab;
     fn deref(&self) -> &Tab {
@@ -94,13 +94,13 @@ impl Desk {
         }
     }
 
-    /// Whether there is a change to take back, or a program that was removed just now. Reactive.
+    /// True if there is a change to take back, or a program that was removed just now. Reactive.
     pub(crate) fn can_undo(&self) -> bool {
         let is_gone = self.document.open.read().is_none() && self.library.gone.read().is_some();
         is_gone || self.document.undoable.read().is_some()
     }
 
-    /// Whether there is something to work with: a program, or the library. Reactive.
+    /// True if there is something to work with: a program, or the library. Reactive.
     pub(crate) fn is_usable(&self) -> bool {
         self.document.open.read().is_some()
             || !self.library.programs.read().is_empty()

@@ -33,7 +33,7 @@ const TIDY_VALUE_ROOM: f64 = 96.0;
 /// The grid things snap to, so that what looks aligned is aligned.
 pub(crate) const GRID: f64 = 10.0;
 
-/// How wide a stream is.
+/// Returns the width of a stream.
 pub(crate) fn stream_width(stream: &Stream) -> f64 {
     let name = name_width(&stream.name, 15);
     let second = text_width(&what_it_is(stream), 12);
@@ -47,7 +47,7 @@ fn even(width: f64) -> f64 {
     (width / 2.0).ceil() * 2.0
 }
 
-/// How wide a chip is.
+/// Returns the width of a chip.
 pub(crate) fn chip_width(words: &ChipWords) -> f64 {
     let detail = &words.detail;
     let detail = if words.plain { text_width(detail, 12) } else { detail.chars().map(code_width).sum::<f64>() };
@@ -59,7 +59,7 @@ pub(crate) fn chip_width(words: &ChipWords) -> f64 {
 /// Kept for the unit behind a number: it is known only later, and nothing moves then.
 const UNIT_ROOM: f64 = 22.0;
 
-/// How wide a letter of code is at 12 pixels.
+/// Returns the width of a letter of code at 12 pixels.
 fn code_width(c: char) -> f64 {
     if (c as u32) < 0x1100 { 7.3 } else { 12.5 }
 }

@@ -1,4 +1,4 @@
-//! What a person may do next with a stream: what is likely, how it is called on buttons, and what taking it does.
+//! The next steps of a person with a stream: what is likely, how it is called on buttons, and what taking it does.
 
 mod known;
 mod offer;

@@ -10,19 +10,20 @@ const AXE: &str = include_str!("../vendor/axe.min.js");
 /// The rules whose answer hangs on colours.
 const COLOURS: &str = "['color-contrast', 'link-in-text-block']";
 
-/// Which of its rules axe is asked. Those about colours are half of its work.
+/// The rules that axe is asked. Those about colours are half of its work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rules {
     /// Every rule.
     All,
-    /// What another theme can break: contrast, and links that only their colour tells from the text around them.
+    /// The rules that another theme can break: contrast, and links that only their colour tells from the text around
+    /// them.
     Colours,
-    /// What no theme changes: names, roles, order.
+    /// The rules that no theme changes: names, roles, order.
     AllButColours,
 }
 
 impl Rules {
-    /// As axe takes it among its options.
+    /// Returns the option as axe takes it.
     fn option(self) -> String {
         match self {
             Rules::All => "{}".to_owned(),
@@ -41,7 +42,7 @@ pub struct Violation {
     pub rule: String,
     /// `minor`, `moderate`, `serious` or `critical`.
     pub impact: String,
-    /// What the rule asks for.
+    /// The demand of the rule.
     pub help: String,
     /// CSS selectors of the elements, each with the reason.
     pub nodes: Vec<String>,

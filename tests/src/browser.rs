@@ -15,9 +15,9 @@ use crate::watch::Watch;
 use crate::wire::Wire;
 use crate::{Outcome, Trouble, paths};
 
-/// How long Chromium may take to start.
+/// The longest time for Chromium to start.
 const START: Duration = Duration::from_secs(60);
-/// How long it may take to close what a test had open.
+/// The longest time to close what a test had open.
 const CLEAR: Duration = Duration::from_secs(10);
 
 const FLAGS: [&str; 18] = [
@@ -75,7 +75,7 @@ impl Browser {
         self.open(context["browserContextId"].as_str().unwrap_or_default(), name).await
     }
 
-    /// How many people are in it.
+    /// Returns the number of people in it.
     pub async fn people(&self) -> Outcome<usize> {
         Ok(people(&self.wire).await?.len())
     }
@@ -100,7 +100,7 @@ impl Browser {
     }
 }
 
-/// What the tests before left is closed here and not when the next test begins: nothing of it may run beside others.
+/// Closes what the tests before left, here and not when the next test begins: nothing of it may run beside others.
 impl Drop for Browser {
     fn drop(&mut self) {
         let Some(process) = self.process.take() else { return };

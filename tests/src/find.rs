@@ -21,7 +21,7 @@ const COVER: &str = "function (x, y) {
     return 'it is covered by ' + top.cloneNode(false).outerHTML.slice(0, 160);
 }";
 
-/// What an element says: the value of a field, else its visible text.
+/// Returns the text of an element: the value of a field, else its visible text.
 const TEXT: &str = "function () {
     const element = this.nodeType === Node.TEXT_NODE ? this.parentElement : this;
     const field = element.matches('input, textarea, select, output');
@@ -68,9 +68,9 @@ impl Rect {
 pub struct Node {
     /// Chromium's number for the element (`backendNodeId`).
     pub id: i64,
-    /// Its accessible name.
+    /// The accessible name of the element.
     pub name: String,
-    /// Whether it says that it is disabled.
+    /// True if it says that it is disabled.
     pub disabled: bool,
     /// All of it.
     pub rect: Rect,
@@ -78,7 +78,7 @@ pub struct Node {
     pub point: (f64, f64),
 }
 
-/// What to look inside of, by role and name: a dialog, a toolbar. None is all of the page.
+/// The element to look inside of, by role and name: a dialog, a toolbar. None is all of the page.
 pub(crate) type Inside<'a> = Option<(&'a str, &'a str)>;
 
 impl Page {
@@ -96,7 +96,7 @@ impl Page {
         Ok(nodes)
     }
 
-    /// How many visible elements have this role and name, now.
+    /// Counts the visible elements that have this role and name, now.
     pub async fn count(&self, role: &str, name: &str) -> Outcome<usize> {
         Ok(self.find_all(role, name).await?.len())
     }
@@ -121,12 +121,12 @@ impl Page {
         self.patiently(&format!("no {role} \"{name}\" in view"), look).await
     }
 
-    /// Where the one element with this role and name is, in the window.
+    /// Returns the box of the one element with this role and name, in the window.
     pub async fn boxed(&self, role: &str, name: &str) -> Outcome<Rect> {
         Ok(self.find(role, name).await?.rect)
     }
 
-    /// What the one element with this role and name says: a field's value, else its visible text.
+    /// Returns the text of the one element with this role and name: a field's value, else its visible text.
     pub async fn text(&self, role: &str, name: &str) -> Outcome<String> {
         self.text_in(None, role, name).await
     }

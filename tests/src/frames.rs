@@ -9,9 +9,9 @@ use serde_json::{Value, json};
 
 use crate::{Outcome, Page, Trouble};
 
-/// How long two frames may take; many times what a busy machine needs.
+/// The longest time of two frames; many times what a busy machine needs.
 const FRAMES: Duration = Duration::from_secs(10);
-/// How long a page is looked at that draws nothing.
+/// The time for which a page is looked at that draws nothing.
 const LOOK: Duration = Duration::from_secs(5);
 const TWO: &str = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
 
@@ -19,7 +19,7 @@ impl Page {
     /// Waits until the page has drawn two frames, so that everything before is in view.
     ///
     /// # Errors
-    /// When nothing is drawn: with whether the page's scripts run, and how busy its process is.
+    /// Fails if nothing is drawn: with whether the page's scripts run, and how busy its process is.
     pub async fn frames(&self) -> Outcome<()> {
         if self.draws().await? {
             return Ok(());
@@ -43,7 +43,7 @@ impl Page {
         }
     }
 
-    /// Whether a script of the page is run now, within a while.
+    /// True if a script of the page runs within a while.
     pub(crate) async fn scripts_run(&self) -> bool {
         tokio::time::timeout(LOOK, self.eval("1")).await.is_ok_and(|answer| answer.is_ok())
     }
@@ -63,7 +63,7 @@ impl Page {
         found.ok_or_else(|| Trouble::of("Chromium names no process that draws", &asked))
     }
 
-    /// What the page does that gives no picture: whether its scripts run, and how busy its process is.
+    /// Describes a page that gives no picture: whether its scripts run, and how busy its process is.
     pub(crate) async fn stuck(&self, scripts: bool) -> String {
         let scripts = if scripts { "its scripts run" } else { "its scripts do not run" };
         let began = Instant::now();

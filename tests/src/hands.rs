@@ -1,4 +1,4 @@
-//! What a person does to a page: pressing, typing, dragging, touching, pinching.
+//! The gestures of a person on a page: pressing, typing, dragging, touching, pinching.
 
 use serde_json::{Value, json};
 use std::time::Duration;
@@ -10,7 +10,7 @@ use crate::{Outcome, Trouble};
 /// A place in the window, in CSS pixels.
 pub(crate) type Point = (f64, f64);
 
-/// How far around a place the same thing is hit.
+/// Measures how far around a place the same thing is hit.
 const AROUND: &str = "((x, y) => {
     const of = element => element?.closest('button, a, input, select, textarea, label, [role=button], [role=menuitem], [role=img]');
     const own = of(document.elementFromPoint(x, y));
@@ -25,7 +25,7 @@ const AROUND: &str = "((x, y) => {
 
 /// In how many moves two fingers pinch.
 const PINCH_STEPS: u32 = 10;
-/// How long a finger rests before it is lifted, so that nothing goes on gliding.
+/// The time for which a finger rests before it is lifted, so that nothing goes on gliding.
 const RESTS: Duration = Duration::from_millis(120);
 
 impl Page {
@@ -60,7 +60,8 @@ impl Page {
         self.tap_at(at).await
     }
 
-    /// How wide and high it is where a finger hits it, once it rests in view; 89 CSS pixels are not told from more.
+    /// Returns its width and height where a finger hits it, once it rests in view; 89 CSS pixels are not told from
+    /// more.
     pub async fn hit_size(&self, role: &str, name: &str) -> Outcome<(f64, f64)> {
         let at = self.reach(role, name).await?;
         self.hit_size_at(at).await
@@ -180,7 +181,7 @@ impl Page {
         self.touch("touchEnd", &[]).await
     }
 
-    /// The same, lifted at full speed.
+    /// Drags with one finger, and lifts it at full speed.
     pub async fn flick(&self, from: (f64, f64), to: (f64, f64), steps: u32) -> Outcome<()> {
         self.push(from, to, steps).await?;
         self.touch("touchEnd", &[]).await

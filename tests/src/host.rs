@@ -1,4 +1,4 @@
-//! What shows to a server that a test is its host, over HTTP and in a browser.
+//! The proof to a server that a test is its host, over HTTP and in a browser.
 
 use crate::{Outcome, Trouble};
 use std::net::SocketAddr;

@@ -1,4 +1,4 @@
-//! What the tests of the whole house share: a real browser with people in it, a real server, and the sources.
+//! The common base of the tests of the whole house: a real browser with people in it, a real server, and the sources.
 //!
 //! ```no_run
 //! # async fn journey() -> house::Outcome<()> {

@@ -15,9 +15,9 @@ use crate::{Outcome, Trouble, host, paths};
 
 /// Between two looks at the page.
 const LOOK: Duration = Duration::from_millis(25);
-/// How long a page may take for anything, unless a test says otherwise.
+/// The longest time of a page for anything, unless a test says otherwise.
 const PATIENCE: Duration = Duration::from_secs(30);
-/// How long the picture of a failure may take.
+/// The longest time for the picture of a failure.
 const PICTURE: Duration = Duration::from_secs(20);
 
 /// A page in the browser, with the person's name for failures.
@@ -34,7 +34,7 @@ pub struct Page {
     patience_ms: AtomicU64,
     /// Origins of servers of ours to which the browser is shown as the host's.
     in_already: Mutex<BTreeSet<String>>,
-    /// Whether Chromium's process that draws was started anew for this page.
+    /// True if Chromium's process that draws was started anew for this page.
     pub(crate) drawn_anew: AtomicBool,
 }
 
@@ -254,7 +254,7 @@ impl Page {
         Trouble(format!("{}: {sentence} ({picture}){complaints}", self.name))
     }
 
-    /// Where the picture of a failure is put: `target/journeys/<test>-<person>.png`.
+    /// Returns the file of the picture of a failure: `target/journeys/<test>-<person>.png`.
     pub fn failure_path(&self) -> PathBuf {
         paths::target().join("journeys").join(format!("{}.png", self.name))
     }
@@ -271,7 +271,7 @@ impl Page {
         Ok(std::fs::write(path, bytes)?)
     }
 
-    /// What the page reported so far: exceptions, console errors, failed loads, forbidden content.
+    /// Returns the errors that the page reported so far: exceptions, console errors, failed loads, forbidden content.
     pub fn errors(&self) -> Vec<String> {
         self.watch.errors()
     }
@@ -286,7 +286,7 @@ impl Page {
         self.no_errors_but(&[])
     }
 
-    /// As `no_errors`, but errors that contain one of the `known` words are fine.
+    /// Checks as `no_errors` does, but errors that contain one of the `known` words are fine.
     pub fn no_errors_but(&self, known: &[&str]) -> Outcome<()> {
         let mut errors = self.watch.errors();
         errors.retain(|error| !known.iter().any(|word| error.contains(word)));
@@ -296,7 +296,7 @@ impl Page {
         }
     }
 
-    /// What was fetched since the last `goto`.
+    /// Returns the traffic since the last `goto`.
     pub fn network(&self) -> Traffic {
         self.watch.traffic()
     }
@@ -326,7 +326,7 @@ fn test_name(person: &str) -> String {
     format!("{thread}-{person}").chars().map(plain).collect()
 }
 
-/// What JavaScript takes for true.
+/// True if JavaScript takes the value for true.
 pub(crate) fn truthy(value: &Value) -> bool {
     match value {
         Value::Null => false,

@@ -1,4 +1,4 @@
-//! Where the repository, its built parts and the browser are.
+//! The places of the repository, its built parts and the browser.
 
 use std::env;
 use std::path::{Path, PathBuf};

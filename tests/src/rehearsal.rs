@@ -18,17 +18,17 @@ const UNTIL_MAX_MS: u64 = 600_000;
 /// The number of the one run.
 const RUN: u64 = 1;
 
-/// What people do, each with its time.
+/// The edits that people make in the scene, each with its time.
 pub type Script = [(Millis, SceneEdit)];
 
-/// What happened.
+/// The report of a rehearsal.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// What the behaviour told its actions, in order.
+    /// The commands that the behaviour told its actions, in order.
     pub commands: Vec<Told>,
-    /// What went wrong, in order: procedures that failed and commands that the robot dropped.
+    /// The faults, in order: procedures that failed and commands that the robot dropped.
     pub troubles: Vec<(Millis, String)>,
-    /// What the robot said.
+    /// The sentences that the robot said.
     pub spoken: Vec<Spoken>,
     /// The room every tenth of a second, from 0 on.
     pub scenes: Vec<Scene>,
@@ -39,7 +39,7 @@ pub struct Report {
 /// A value for an action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
-    /// When.
+    /// The time of the value.
     pub at: Millis,
     /// The id of the actuator stream.
     pub stream: String,
@@ -51,7 +51,7 @@ pub struct Told {
 /// same report.
 ///
 /// # Errors
-/// Why the behaviour cannot run on this robot, or what in the script cannot be done.
+/// Fails if the behaviour cannot run on this robot, or if something in the script cannot be done.
 pub fn rehearse(file: &BehaviourFile, seed: u64, script: &Script, until: Millis) -> Outcome<Report> {
     rehearse_blind(file, seed, script, &[], until)
 }
@@ -62,7 +62,7 @@ pub type Blind = [Range<u64>];
 /// Runs a behaviour as [`rehearse`] does, with times in which the robot finds no face.
 ///
 /// # Errors
-/// Why the behaviour cannot run on this robot, or what in the script cannot be done.
+/// Fails if the behaviour cannot run on this robot, or if something in the script cannot be done.
 pub fn rehearse_blind(
     file: &BehaviourFile,
     seed: u64,

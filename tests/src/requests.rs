@@ -26,7 +26,7 @@ impl Page {
         self.call("Fetch.continueRequest", json!({ "requestId": request })).await.map(drop)
     }
 
-    /// Whether the file that is held back was asked for.
+    /// True if the file that is held back was asked for.
     pub fn waits_for(&self, name: &str) -> bool {
         self.watch().held(name).is_some()
     }

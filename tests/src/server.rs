@@ -10,11 +10,11 @@ use tokio::process::{Child, ChildStdout, Command};
 
 use crate::{Outcome, Trouble, paths};
 
-/// How long the server may take to start or to end.
+/// The longest time for the server to start or to end.
 const PATIENCE: Duration = Duration::from_secs(30);
 /// Between two looks at the log.
 const LOOK: Duration = Duration::from_millis(25);
-/// What the server prints once it accepts connections.
+/// The words that the server prints once it accepts connections.
 const READY: &str = "rrp is ready: ";
 /// Lines of the log shown in a failure.
 const LOG_LINES: usize = 30;
@@ -34,12 +34,13 @@ impl Server {
         Server::start_with(dir, &[]).await
     }
 
-    /// As `start`, with more words for `rrp serve`; with `--store` among them the folder is the one beside that store.
+    /// Starts it as `start` does, with more words for `rrp serve`; with `--store` among them the folder is the one
+    /// beside that store.
     pub async fn start_with(dir: &Path, arguments: &[&str]) -> Outcome<Server> {
         Server::start_binary(&paths::server(), dir, arguments).await
     }
 
-    /// As `start_with`, with another binary than the one that was built last.
+    /// Starts it as `start_with` does, with another binary than the one that was built last.
     pub async fn start_binary(binary: &Path, dir: &Path, arguments: &[&str]) -> Outcome<Server> {
         std::fs::create_dir_all(dir)?;
         let (binary, data) = (binary.to_path_buf(), dir.to_path_buf());

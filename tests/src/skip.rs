@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 
 use crate::paths;
 
-/// Whether the browser and the server's binary are here, so that the journey `part` can run.
+/// True if the browser and the server's binary are here, so that the journey `part` can run.
 ///
 /// # Panics
 /// When one is missing and `CI` is `true`, where nothing may be skipped, or when the server is missing
@@ -15,7 +15,7 @@ pub fn ready(part: &str) -> bool {
     served(part) && ready_browser(part)
 }
 
-/// Whether the server's binary alone is here.
+/// True if the server's binary alone is here.
 ///
 /// # Panics
 /// When it is missing and `CI` is `true`, or although `cargo xtask test` has just built it.
@@ -26,7 +26,7 @@ pub fn served(part: &str) -> bool {
     proceed(part, missing)
 }
 
-/// Whether the server's binary alone is here, for tests without a browser.
+/// True if the server's binary alone is here, for tests without a browser.
 ///
 /// # Panics
 /// When it is missing and `CI` is `true`.
@@ -35,7 +35,7 @@ pub fn built(part: &str) -> bool {
     possible(part, (!server.is_file()).then(|| format!("the server is not built at {}", server.display())))
 }
 
-/// Whether nothing is `missing`, for tests that need something of their own.
+/// True if nothing is `missing`, for tests that need something of their own.
 ///
 /// # Panics
 /// When something is and `CI` is `true`.
@@ -43,7 +43,7 @@ pub fn possible(part: &str, missing: Option<String>) -> bool {
     proceed(part, missing)
 }
 
-/// Whether the browser alone is here, for tests that bring their own page.
+/// True if the browser alone is here, for tests that bring their own page.
 ///
 /// # Panics
 /// When it is missing and `CI` is `true`.
@@ -52,7 +52,7 @@ pub fn ready_browser(part: &str) -> bool {
     proceed(part, missing)
 }
 
-/// Whether the browser, the server's binary and a font with Japanese letters are here, to look at the page in Japanese.
+/// True if the browser, the server's binary and a font with Japanese letters are here, to look at the page in Japanese.
 ///
 /// # Panics
 /// When one is missing and `CI` is `true`.
@@ -63,7 +63,7 @@ pub fn ready_in_japanese(part: &str) -> bool {
     ready(part) && proceed(part, missing)
 }
 
-/// Whether the optimised server is built, and this is Linux, which tells what a process takes of the memory.
+/// True if the optimised server is built, and this is Linux, which tells what a process takes of the memory.
 ///
 /// # Panics
 /// When it is missing and `CI` is `true`.
@@ -76,7 +76,7 @@ pub fn optimised(part: &str) -> bool {
         )
 }
 
-/// Whether this is Linux, for tests that change what the system answers to the server.
+/// True if this is Linux, for tests that change what the system answers to the server.
 ///
 /// # Panics
 /// When it is not and `CI` is `true`.

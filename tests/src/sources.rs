@@ -6,16 +6,16 @@ use crate::Outcome;
 
 /// One Rust file.
 pub struct Source {
-    /// Its path below the root, with `/` between the parts.
+    /// The path below the root, with `/` between the parts.
     pub path: String,
-    /// Its text as it is.
+    /// The text as it is.
     pub text: String,
 }
 
 /// A function of a file.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Function {
-    /// Its name.
+    /// The name of the function.
     pub name: String,
     /// The line on which it begins, from 1.
     pub line: usize,
@@ -47,7 +47,7 @@ impl Source {
         self.path.rsplit('/').next().unwrap_or_default()
     }
 
-    /// Whether the whole file is for tests or benchmarks.
+    /// True if the whole file is for tests or benchmarks.
     pub fn is_test(&self) -> bool {
         let folder = self.path.split('/').any(|part| part == "tests" || part == "benches");
         folder || self.name() == "tests.rs" || self.name().ends_with("_tests.rs")
@@ -74,10 +74,10 @@ impl Source {
     }
 }
 
-/// What stands for every letter of a literal; no source has it.
+/// The mark that stands for every letter of a literal; no source has it.
 const LITERAL: char = '\u{e000}';
 
-/// What is between the marks of a literal.
+/// Returns the text between the marks of a literal.
 fn content(literal: &str) -> String {
     let inside =
         |end: char| literal.split_once(end).and_then(|(_, rest)| rest.rsplit_once(end)).map(|(inside, _)| inside);
@@ -117,7 +117,7 @@ fn masked(text: &str, literal: char) -> String {
     out
 }
 
-/// How many bytes at the start of `rest` are a comment or a literal.
+/// Counts the bytes at the start of `rest` that are a comment or a literal.
 fn blank(rest: &str, in_word: bool) -> usize {
     if rest.starts_with("//") {
         return rest.find('\n').unwrap_or(rest.len());
@@ -245,7 +245,7 @@ fn function(code: &str, start: usize) -> Option<Function> {
     real.then(|| Function { name, line: counts(&code[..start]), lines: counts(whole) })
 }
 
-/// Where `word` stands in `code` as a whole word; `word` may hold more than letters.
+/// Returns the places where `word` stands in `code` as a whole word; `word` may hold more than letters.
 pub fn words<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = usize> {
     code.match_indices(word).map(|(at, _)| at).filter(move |at| {
         let before = code[..*at].chars().next_back();

@@ -40,7 +40,7 @@ impl StandIn {
         }
     }
 
-    /// Where it is: `127.0.0.1:PORT`.
+    /// Returns the address: `127.0.0.1:PORT`.
     #[must_use]
     pub fn address(&self) -> &str {
         &self.address

@@ -14,9 +14,9 @@ use tokio::process::{Child, Command};
 
 use crate::{Outcome, Trouble, paths};
 
-/// How long the server may take to start or to end.
+/// The longest time for the server to start or to end.
 const PATIENCE: Duration = Duration::from_secs(30);
-/// What the server prints once it accepts connections.
+/// The words that the server prints once it accepts connections.
 const READY: &str = "rrp is ready: ";
 
 /// A way in which a terminal belongs to the server.

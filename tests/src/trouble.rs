@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What went wrong, as a sentence.
+/// A failure, as a sentence.
 pub struct Trouble(pub String);
 
 /// A result with a sentence for an error.

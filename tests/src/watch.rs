@@ -1,4 +1,4 @@
-//! What a page did behind its test's back: errors it reported and what it fetched.
+//! The watch over a page behind its test's back: errors it reported and what it fetched.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -8,7 +8,7 @@ use serde_json::Value;
 /// Errors kept for one page; later ones are only counted away.
 const ERRORS_MAX: usize = 200;
 
-/// What a page fetched since its last `goto`.
+/// The traffic of a page since its last `goto`.
 #[derive(Clone, Default, Debug, PartialEq, Eq)]
 pub struct Traffic {
     /// Requests sent, with redirects, without `data:` and `blob:`.
@@ -147,7 +147,7 @@ fn is_error(kind: &Value) -> bool {
     matches!(kind.as_str(), Some("error" | "assert"))
 }
 
-/// What an exception says, with its stack where there is one.
+/// Returns the message of an exception, with its stack where there is one.
 pub(crate) fn exception(details: &Value) -> String {
     let said = details["exception"]["description"].as_str().or(details["exception"]["value"].as_str());
     let text = said.or(details["text"].as_str()).unwrap_or("an exception without words");

@@ -16,7 +16,7 @@ use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
 use crate::watch::Watch;
 use crate::{Outcome, Trouble};
 
-/// How long Chromium may take for one call.
+/// The longest time of Chromium for one call.
 const CALL: Duration = Duration::from_secs(60);
 /// Calls that may wait to be written.
 const QUEUE: usize = 64;
@@ -61,7 +61,7 @@ impl Wire {
         self.inside().watches.insert(session.to_owned(), watch);
     }
 
-    /// Whether Chromium has gone.
+    /// True if Chromium has gone.
     pub(crate) fn closed(&self) -> bool {
         self.inside().closed
     }

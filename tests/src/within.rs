@@ -24,40 +24,40 @@ impl Within<'_> {
         Some((self.role, self.name))
     }
 
-    /// As [`Page::find`].
+    /// Finds as [`Page::find`] does.
     pub async fn find(&self, role: &str, name: &str) -> Outcome<Node> {
         self.page.find_in(self.inside(), role, name).await
     }
 
-    /// As [`Page::find_all`].
+    /// Finds as [`Page::find_all`] does.
     pub async fn find_all(&self, role: &str, name: &str) -> Outcome<Vec<Node>> {
         self.page.find_all_in(self.inside(), role, name).await
     }
 
-    /// As [`Page::text`].
+    /// Reads as [`Page::text`] does.
     pub async fn text(&self, role: &str, name: &str) -> Outcome<String> {
         self.page.text_in(self.inside(), role, name).await
     }
 
-    /// As [`Page::press`].
+    /// Presses as [`Page::press`] does.
     pub async fn press(&self, role: &str, name: &str) -> Outcome<()> {
         let at = self.page.reach_in(self.inside(), role, name).await?;
         self.page.press_at(at).await
     }
 
-    /// As [`Page::tap`].
+    /// Taps as [`Page::tap`] does.
     pub async fn tap(&self, role: &str, name: &str) -> Outcome<()> {
         let at = self.page.reach_in(self.inside(), role, name).await?;
         self.page.tap_at(at).await
     }
 
-    /// As [`Page::hit_size`].
+    /// Measures as [`Page::hit_size`] does.
     pub async fn hit_size(&self, role: &str, name: &str) -> Outcome<(f64, f64)> {
         let at = self.page.reach_in(self.inside(), role, name).await?;
         self.page.hit_size_at(at).await
     }
 
-    /// As [`Page::fill`].
+    /// Fills as [`Page::fill`] does.
     pub async fn fill(&self, role: &str, name: &str, text: &str) -> Outcome<()> {
         self.press(role, name).await?;
         self.page.key("Control+a").await?;

@@ -35,7 +35,7 @@ impl Room {
     /// of it is there. A position comes back only with what stands there.
     ///
     /// # Errors
-    /// What stands in the way of all of it.
+    /// Returns the refusal that stands in the way, if nothing at all can come back.
     pub fn bring_back(
         &self,
         removal: &Change,
@@ -66,7 +66,7 @@ impl Room {
         change.put(self.behaviour(), id.clone(), record.clone())
     }
 
-    /// Whether what stands at a position is there, or comes back too.
+    /// True if what stands at a position is there, or comes back too.
     fn has_ground(&self, change: &Change, id: &RecordId) -> bool {
         let stands = |id: &RecordId| matches!(id.kind, Kind::Stream | Kind::Connector | Kind::Note | Kind::Group);
         let mut all = self.behaviour().records.keys().chain(change.edits.iter().map(|edit| &edit.id));
@@ -74,7 +74,7 @@ impl Room {
     }
 }
 
-/// What a change took away, as people call it: “Distance”, the map.
+/// Names the thing that a change took away, as people call it: “Distance”, the map; none if it took several streams.
 #[must_use]
 pub fn what_went(removal: &Change) -> Option<String> {
     let gone = removal.edits.iter().filter(|edit| edit.after.is_none()).filter_map(|edit| edit.before.as_ref());

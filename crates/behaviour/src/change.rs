@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Edit {
-    /// Which record.
+    /// The id of the record that changes.
     pub id: RecordId,
-    /// What it was.
+    /// The record before the change; none if it was not there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub before: Option<Record>,
-    /// What it is now.
+    /// The record after the change; none if it is gone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub after: Option<Record>,
 }
@@ -23,11 +23,11 @@ pub struct Edit {
 pub struct Change {
     /// Names this change for ever: sent twice, it is applied once.
     pub op: Id,
-    /// Who made it.
+    /// The name of the person who made it.
     pub author: String,
-    /// What it does, in a few words: "Rename Red Ball".
+    /// A label of a few words that says the effect: "Rename Red Ball".
     pub label: String,
-    /// When it was made, in milliseconds since 1970, as the server's clock had it on arrival.
+    /// The time when it was made, in milliseconds since 1970, as the server's clock had it on arrival.
     pub at_ms: u64,
     /// The id of the person, which stays when their name does not. The server says it, whatever its sender wrote; none in
     /// changes that nobody can take back as their own, such as those of older versions.
@@ -36,7 +36,7 @@ pub struct Change {
     /// The change that this one takes back; if that took one back itself, this one does it again.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub undoes: Option<Id>,
-    /// What it touches; each record at most once.
+    /// The edits of this change; each record occurs at most once.
     pub edits: Vec<Edit>,
 }
 
@@ -73,8 +73,8 @@ impl Change {
         self
     }
 
-    /// Whether it does the same as another one; when it was made, by whom and what it is called is not asked, as the server
-    /// says some of that.
+    /// True if both make the same edits and take back the same change. Author, time and label are not compared, as the
+    /// server sets some of them.
     #[must_use]
     pub fn does_as(&self, other: &Self) -> bool {
         self.edits == other.edits && self.undoes == other.undoes

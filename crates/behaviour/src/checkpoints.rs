@@ -16,9 +16,9 @@ pub struct Checkpoint {
     pub revision: u64,
     /// Unique among the checkpoints of the behaviour.
     pub name: String,
-    /// Who named it.
+    /// The name of the person who named the revision.
     pub by: String,
-    /// When it was named, in milliseconds since 1970.
+    /// The time when it was named, in milliseconds since 1970.
     pub at_ms: u64,
 }
 
@@ -44,7 +44,7 @@ impl Checkpoints {
     /// Names a revision, of `newest` that there are. Spaces around the name are left out. Gives what is to be kept.
     ///
     /// # Errors
-    /// What is wrong with the name, or that there are too many.
+    /// Refuses an unfit name, a revision that is not there yet, and names beyond the most that are kept.
     pub fn add(&mut self, newest: u64, wanted: Checkpoint) -> Result<Checkpoint, Refusal> {
         if wanted.revision > newest {
             return Err(Refusal::Malformed(format!("there is no revision {} yet", wanted.revision)));

@@ -1,24 +1,25 @@
-//! How two versions of a behaviour differ: what is new, what is another, what went and what only stands elsewhere.
+//! The differences between two versions of a behaviour: new, changed, removed and only moved records.
 
 use crate::{Behaviour, Filled, Id, Kind, Record, RecordId};
 use std::collections::BTreeSet;
 
 /// The differences between two versions, as people count them.
 ///
-/// What leads a value to a new action belongs to the action and is not counted beside it; nor is where a new thing stands.
+/// A connector that leads a value to a new action belongs to the action and is not counted beside it; nor is the place
+/// of a new thing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Comparison {
-    /// There now and not before.
+    /// The records that are there now and were not before.
     pub new: BTreeSet<RecordId>,
-    /// There before and now, and something else.
+    /// The records that are there before and now, and differ.
     pub changed: BTreeSet<RecordId>,
-    /// There before and not now.
+    /// The records that were there before and are not now.
     pub removed: BTreeSet<RecordId>,
-    /// Streams that are there before and now and stand elsewhere.
+    /// The streams that are there before and now and stand elsewhere.
     pub moved: BTreeSet<Id>,
 }
 
-/// What became of something.
+/// The kind of difference between two versions of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Difference {
     /// It is new.
@@ -30,7 +31,7 @@ pub enum Difference {
 }
 
 impl Comparison {
-    /// What changed from `was` to `is`.
+    /// Compares the version `was` with the version `is`.
     #[must_use]
     pub fn between(was: &Behaviour, is: &Behaviour) -> Self {
         let counts = |id: &&RecordId| id.kind != Kind::Place;
@@ -51,7 +52,7 @@ impl Comparison {
         }
     }
 
-    /// What became of a record, if anything.
+    /// Returns the difference of one record; none if both versions have it alike.
     #[must_use]
     pub fn of(&self, id: &RecordId) -> Option<Difference> {
         let sets =
@@ -59,14 +60,14 @@ impl Comparison {
         sets.into_iter().find(|(set, _)| set.contains(id)).map(|(_, difference)| difference)
     }
 
-    /// Whether both do the same; things may stand elsewhere.
+    /// True if both do the same; things may stand elsewhere.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.new.is_empty() && self.changed.is_empty() && self.removed.is_empty()
     }
 }
 
-/// Whether this is a connector that only leads to an action which comes or goes with it.
+/// True if this is a connector that only leads to an action which comes or goes with it.
 fn is_part_of_action(behaviour: &Behaviour, id: &RecordId, with: &BTreeSet<RecordId>) -> bool {
     match behaviour.records.get(id) {
         Some(Record::Connector(connector)) => {

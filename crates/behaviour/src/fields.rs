@@ -39,7 +39,7 @@ enum Values {
 }
 
 thread_local! {
-    /// In the order of the names.
+    /// All sets of names, in the order of the names.
     static SHAPES: RefCell<Vec<Names>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -79,7 +79,7 @@ impl Fields {
         self.0.names.place(name).is_some()
     }
 
-    /// How many fields.
+    /// Returns the number of fields.
     #[must_use]
     #[inline]
     pub fn len(&self) -> usize {
@@ -169,7 +169,7 @@ impl Names {
         self.names.binary_search_by(|known| known.as_ref().cmp(name)).ok()
     }
 
-    /// How many names.
+    /// Returns the number of names.
     #[must_use]
     #[inline]
     pub fn len(&self) -> usize {

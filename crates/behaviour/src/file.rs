@@ -27,7 +27,7 @@ pub struct BehaviourFile {
     /// The kind of robot, `nao` if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robot: Option<String>,
-    /// How time runs, `event` if absent.
+    /// The way in which time runs, `event` if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub engine: Option<Engine>,
     /// The exercise it was begun as.
@@ -38,9 +38,9 @@ pub struct BehaviourFile {
     pub tags: Vec<String>,
     /// The helpers it uses.
     pub helpers: Vec<FileHelper>,
-    /// Its streams.
+    /// The streams of the behaviour.
     pub streams: Vec<FileStream>,
-    /// Its connectors; their order is part of the meaning.
+    /// The connectors of the behaviour; their order is part of the meaning.
     pub connectors: Vec<FileConnector>,
     /// The notes on the canvas.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -51,7 +51,7 @@ pub struct BehaviourFile {
     /// The creation numbers of streams and connectors, by id, where they are not their position in the file.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub order: BTreeMap<String, i64>,
-    /// Where things stand, by id.
+    /// The places of things on the canvas, by id.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub layout: BTreeMap<String, Place>,
 }
@@ -86,19 +86,19 @@ fn mean(body: &mut String, arguments: &[String]) {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FileHelper {
-    /// Its name.
+    /// The name of the helper.
     pub name: String,
-    /// Its parameters.
+    /// The names of the helper's parameters.
     pub params: Vec<String>,
-    /// Its procedure.
+    /// The procedure of the helper, as text.
     pub body: String,
-    /// What it is for.
+    /// The sentence that says what the helper is for.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub says: String,
-    /// What it takes for each parameter, as far as somebody said so.
+    /// The declared kind of each parameter in order; none was declared for those that are missing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub takes: Vec<Declared>,
-    /// What it gives, if somebody said so.
+    /// The declared kind of the result, if somebody said so.
     #[serde(default, skip_serializing_if = "Declared::is_auto")]
     pub gives: Declared,
 }
@@ -107,13 +107,13 @@ pub struct FileHelper {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct FileStream {
-    /// Its id.
+    /// The id of the stream.
     pub id: String,
     /// Sensor, ordinary or actuator.
     pub kind: StreamKind,
-    /// Its name.
+    /// The name of the stream.
     pub name: String,
-    /// Its device.
+    /// The name of the stream's device, if it has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub device: Option<String>,
     /// The device's parameters.
@@ -122,7 +122,7 @@ pub struct FileStream {
     /// The parts of the body it uses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub resources: Option<Vec<String>>,
-    /// Who wins: higher first.
+    /// The priority of an action when two want one part of the body: the higher one wins.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub priority: Option<i64>,
     /// For how long a command holds, in milliseconds.
@@ -134,7 +134,7 @@ pub struct FileStream {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct FileConnector {
-    /// Its id.
+    /// The id of the connector.
     pub id: String,
     /// The connector's word.
     #[serde(rename = "type")]
@@ -164,14 +164,14 @@ pub struct FileConnector {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FileNote {
-    /// Its id.
+    /// The id of the note.
     pub id: String,
-    /// Its text.
+    /// The text of the note.
     pub text: String,
-    /// Who wrote it last.
+    /// The name of the person who wrote it last.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub by: Option<String>,
-    /// When it was written last, in milliseconds since 1970.
+    /// The time when it was written last, in milliseconds since 1970.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<u64>,
 }
@@ -180,9 +180,9 @@ pub struct FileNote {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FileGroup {
-    /// Its id.
+    /// The id of the group.
     pub id: String,
-    /// Its title.
+    /// The title of the group.
     pub title: String,
     /// The streams in it, by id. Some may be gone.
     pub streams: Vec<String>,

@@ -1,8 +1,9 @@
-//! How many values one value becomes: where ways of the same stream come together again and again, they multiply.
+//! The number of values that one value becomes: where ways of the same stream come together again and again, they
+//! multiply.
 
 use crate::walk::{Ends, in_order};
 
-/// So many times the values that one reading becomes may be handed to a connector, all in all.
+/// The most times that values made of one reading may be handed to connectors, all in all.
 pub const HANDED_MAX: u64 = 100_000;
 
 /// A connector, as far as it matters for the number of values. Streams are numbers here.
@@ -12,11 +13,11 @@ pub struct Link<'a> {
     pub inputs: &'a [usize],
     /// The stream it gives to.
     pub output: usize,
-    /// What it gives for a value that it takes.
+    /// The values that the connector gives for one that it takes.
     pub gives: Gives,
 }
 
-/// What a connector gives for each value that it takes.
+/// The number of values that a connector gives for each one that it takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gives {
     /// One value.
@@ -31,7 +32,7 @@ pub enum Gives {
 #[derive(Clone, Debug)]
 pub struct Flow<'a> {
     streams: usize,
-    /// What stands in a circle, or behind one, is left out.
+    /// The connectors in the order of their values, without those in a circle or behind one.
     links: Vec<Link<'a>>,
 }
 
@@ -45,7 +46,8 @@ impl<'a> Flow<'a> {
     }
 
     /// For every stream how many times connectors are handed a value because of one value on it, in one instant.
-    /// What may give a value counts as if it always did, unless only what is `certain` counts.
+    /// A connector that may give a value counts as if it always did; if `certain`, only those count that surely give
+    /// one.
     #[must_use]
     pub fn handed(&self, certain: bool) -> Vec<u64> {
         let mut handed = vec![0_u64; self.streams];

@@ -52,7 +52,8 @@ impl<'a> Graph<'a> {
         reached
     }
 
-    /// How many connectors the longest way to each stream has, by id; none of the streams in a circle or behind one.
+    /// Returns the number of connectors on the longest way to each stream, by id, without streams in a circle or behind
+    /// one.
     #[must_use]
     pub fn ranks(&self, behaviour: &'a Behaviour) -> Vec<(&'a Id, usize)> {
         let wires = self.wires(behaviour.streams().map(|(id, _)| id).collect());
@@ -103,9 +104,9 @@ impl<'a> Graph<'a> {
 
 /// A graph in numbers.
 struct Wires<'a> {
-    /// By their ids.
+    /// The streams by their ids.
     streams: Vec<&'a Id>,
-    /// In file order: what they take from and what they give to.
+    /// The connectors in file order: what they take from and what they give to.
     connectors: Vec<(Vec<usize>, usize)>,
 }
 

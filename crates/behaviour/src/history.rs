@@ -1,4 +1,4 @@
-//! Whether a history that comes from elsewhere, such as a backup, is one that rooms can have made.
+//! The check that a history from elsewhere, such as a backup, is one that rooms can have made.
 
 use crate::room::check_whole;
 use crate::rules;
@@ -10,8 +10,8 @@ use crate::{
 
 /// A behaviour as its changes make it from nothing, one after the other, each decided about as a room would have.
 ///
-/// Which devices there are and what a procedure may say is not asked: that was decided when the change was made, and may have
-/// been decided otherwise since. What is wrong there is shown as a problem, to be mended.
+/// The devices that there are and the rules of procedures are not asked: they were decided about when the change was
+/// made, and perhaps otherwise since. A fault in them is shown as a problem, to be mended.
 #[derive(Clone, Debug, Default)]
 pub struct History {
     behaviour: Behaviour,
@@ -34,7 +34,7 @@ impl Knowledge for Everything {
 }
 
 impl History {
-    /// That of the helper library, in which nothing else is.
+    /// Returns an empty history of the helper library, which holds nothing but helpers.
     #[must_use]
     pub fn of_the_library() -> Self {
         Self { is_library: true, ..Self::default() }
@@ -43,7 +43,7 @@ impl History {
     /// Makes the next change.
     ///
     /// # Errors
-    /// Why it cannot have been made; then this history is of no more use.
+    /// Refuses a change that no room can have made; then this history is of no more use.
     pub fn take(&mut self, change: &Change) -> Result<(), Refusal> {
         if !self.seen.insert(change.op.clone()) {
             return Err(Refusal::Malformed(format!("the change {} twice", change.op)));
@@ -86,16 +86,16 @@ impl History {
     }
 }
 
-/// Who made a change and what it is called: rooms leave out what is not seen there, so that a text with control characters
-/// comes from elsewhere.
+/// Checks the author and the label of a change. Rooms leave out characters that are not seen, so that a text with
+/// control characters comes from elsewhere.
 fn check_said(change: &Change) -> Result<(), Refusal> {
     [&change.label, &change.author].into_iter().try_for_each(|text| check_person(text))
 }
 
-/// Whether somebody can be called so.
+/// Checks that a person can have this name.
 ///
 /// # Errors
-/// What is wrong with the name.
+/// Refuses a name that is too long or holds characters that are not seen there.
 pub fn check_person(name: &str) -> Result<(), Refusal> {
     if name.chars().count() > NAME_MAX_CHARS {
         return Err(Refusal::TooLong("This name".into(), NAME_MAX_CHARS));
@@ -141,7 +141,7 @@ mod tests {
         (RecordId::new(Kind::Connector, &id(&format!("{from}-{to}"))), Record::Connector(connector))
     }
 
-    /// What becomes of two streams when these records come too.
+    /// Makes two streams and then these records, and returns the refusal, if any.
     fn with(records: Vec<(RecordId, Record)>) -> Result<(), Refusal> {
         let mut history = History::default();
         let none = Behaviour::default();

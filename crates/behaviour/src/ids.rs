@@ -12,7 +12,7 @@ pub const LIBRARY: &str = "library";
 /// The longest id, in characters.
 pub(crate) const ID_MAX_CHARS: usize = 64;
 
-/// Why a text is no id. [`std::fmt::Display`] says it in a few English words.
+/// The reasons why a text is no id. [`std::fmt::Display`] says each in a few English words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BadId {
     /// This text is empty, longer than 64 characters or has a character outside the set.
@@ -79,7 +79,7 @@ impl<'de> Deserialize<'de> for Id {
     }
 }
 
-/// What a record is about.
+/// The kinds of records.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// The name and choices of the behaviour; there is one, with id `behaviour`.
@@ -90,7 +90,7 @@ pub enum Kind {
     Stream,
     /// A connector.
     Connector,
-    /// Where a stream, connector, note or folded group stands; it has the id of what it places.
+    /// The place of a stream, connector, note or folded group; it has the id of what it places.
     Place,
     /// A note on the canvas.
     Note,
@@ -116,12 +116,12 @@ impl Kind {
     }
 }
 
-/// Which record: its kind and its id, written `stream/3f2a`.
+/// The key of a record: its kind and its id, written `stream/3f2a`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RecordId {
-    /// What the record is about.
+    /// The kind of the record.
     pub kind: Kind,
-    /// Its id, unique within its kind and behaviour.
+    /// The id of the record, unique within its kind and behaviour.
     pub id: Id,
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// How long something lasts, in the unit in which people say it: `1 second`, `0.5 seconds`, `2 minutes`, `40 ms`.
+/// A duration in the unit in which people say it: `1 second`, `0.5 seconds`, `2 minutes`, `40 ms`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lasting {
     /// Whole minutes.
@@ -14,7 +14,7 @@ pub enum Lasting {
 }
 
 impl Lasting {
-    /// How so many milliseconds are said.
+    /// Chooses the unit in which so many milliseconds are said.
     #[must_use]
     pub fn of(ms: u64) -> Self {
         match ms {

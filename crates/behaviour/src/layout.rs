@@ -1,4 +1,4 @@
-//! Where things of a graph stand: parts in layers, values flowing down, and the parts in rows that fit a stage.
+//! The layout of a graph: parts in layers, values flowing down, and the parts in rows that fit a stage.
 //!
 //! Only sizes, edges and earlier places are handed in, so the page and the pictures of the library lay out alike. What stood
 //! left of its sibling stays left of it: people find their programs by where things are.
@@ -12,11 +12,12 @@ use crate::Place;
 
 /// The height of a stream, in canvas units.
 pub const STREAM_HEIGHT: f64 = 48.0;
-/// From the top of a stream to the top of the next one below.
+/// The distance from the top of a stream to the top of the next one below.
 pub const LEVEL: f64 = 120.0;
-/// Between neighbours.
+/// The distance between neighbours.
 pub const GAP: f64 = 24.0;
-/// Between two parts without a connection, to the side and down; above a part there may be the chips of nothing.
+/// The distance between two parts without a connection, to the side and down; above a part there may be the chips of
+/// nothing.
 pub const PARTS_APART: (f64, f64) = (40.0, 48.0);
 /// Kept between the last row of others and actions that several connectors lead to, for the bends of these.
 const BENDS: f64 = 40.0;
@@ -26,17 +27,17 @@ const WAY: f64 = 40.0;
 /// Something that is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
-    /// How far it reaches to the left of its middle.
+    /// The distance from the middle to the left edge.
     pub left: f64,
-    /// How far it reaches to the right of its middle, with its value.
+    /// The distance from the middle to the right edge, with the value beside it.
     pub right: f64,
-    /// Whether it is an action: these stand in the last row.
+    /// True if it is an action: these stand in the last row.
     pub acts: bool,
-    /// Where it stood, if somebody placed it.
+    /// The place where it stood, if somebody put it there.
     pub stood: Option<Place>,
 }
 
-/// How often a graph is arranged at most until that moves nothing any more.
+/// The most times that a graph is arranged until that moves nothing any more.
 const PASSES_MAX: usize = 8;
 
 /// A place for every shape: the middle of its top edge. `edges` lead from one number to another; `stage` is the width and

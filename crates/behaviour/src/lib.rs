@@ -1,4 +1,4 @@
-//! What people make: behaviours as records, changes to them, the rules, and the room that decides.
+//! The things that people make: behaviours as records, changes to them, the rules, and the room that decides.
 //!
 //! No clock, no random id, no input or output and no procedure language live here: time and ids are handed in,
 //! so the same code decides in the server, in the page and in a test.

@@ -1,10 +1,10 @@
-//! What a library of behaviours is asked and tells: where to look, in which order, and what behaviours have to do with
-//! each other. Stores answer with it and the page asks with it, so there is one shape of each.
+//! Questions to a library of behaviours and its answers: where to look, in which order, and how behaviours relate to
+//! each other. Stores answer with these types and the page asks with them, so there is one shape of each.
 
 use crate::{Id, RecordId};
 use serde::{Deserialize, Serialize};
 
-/// Where to look.
+/// The places to look in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Place {
@@ -22,7 +22,7 @@ pub enum Sort {
     /// Last changed (in the bin: removed) first, then by id from the end.
     #[default]
     Changed,
-    /// By name in lower case, then by id.
+    /// Name in lower case first, then id.
     Name,
 }
 
@@ -30,11 +30,11 @@ pub enum Sort {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Cursor {
-    /// When it was changed (in the bin: removed), in milliseconds since 1970.
+    /// The time when it was changed (in the bin: removed), in milliseconds since 1970.
     pub changed_ms: u64,
-    /// Its name as names are ordered.
+    /// The last line's name, in the form in which names are ordered.
     pub name_key: String,
-    /// Its id.
+    /// The last line's id.
     pub id: Id,
 }
 
@@ -44,7 +44,7 @@ pub struct Cursor {
 pub struct Used {
     /// The behaviour with the connector, or the library of helpers.
     pub behaviour: Id,
-    /// What to call the user: the behaviour's name, or in the library the other helper's name.
+    /// The name to show for the user: the behaviour's name, or in the library the other helper's name.
     pub name: String,
     /// The connector, or the other helper.
     pub record: RecordId,
@@ -57,9 +57,9 @@ pub struct Used {
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Driver {
-    /// Which.
+    /// The id of the behaviour.
     pub behaviour: Id,
-    /// Its name.
+    /// The name of the behaviour.
     pub name: String,
     /// The names of the sensor streams that lead to the action, in order of name.
     pub sensors: Vec<String>,
@@ -73,7 +73,7 @@ pub struct Contested {
     pub actuator: String,
     /// Some of the behaviours, id and name; at most [`Contested::SHOWN_MAX`].
     pub behaviours: Vec<(Id, String)>,
-    /// How many there are altogether.
+    /// The number of all such behaviours, also those that are not named.
     pub count: u64,
 }
 
@@ -88,7 +88,7 @@ impl Contested {
 pub struct Tagged {
     /// The tag.
     pub tag: String,
-    /// How many behaviours outside the bin.
+    /// The number of behaviours outside the bin that have it.
     pub count: u64,
 }
 
@@ -101,10 +101,10 @@ impl Tagged {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Similar {
-    /// Which.
+    /// The id of the behaviour.
     pub behaviour: Id,
-    /// Its name.
+    /// The name of the behaviour.
     pub name: String,
-    /// How many different senses and actions both use.
+    /// The number of different senses and actions that both use.
     pub shared: u32,
 }

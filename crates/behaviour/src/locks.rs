@@ -1,4 +1,5 @@
-//! Who is editing what: the locks of one open behaviour. They are for people; data is kept whole by comparing (`room.rs`).
+//! The locks of one open behaviour, which show who is editing what. They are for people; data is kept whole by
+//! comparing (`room.rs`).
 //!
 //! Pure: the server hands in its monotonic clock with every call, and asks [`Locks::due`] when to call [`Locks::tick`].
 //! A lock never ends while an edit made under it is being saved, so who gets it next sees that edit first.
@@ -29,7 +30,7 @@ pub struct Holder {
     pub session: u64,
     /// The client, which keeps its id when its link is made anew.
     pub client: Id,
-    /// What others call them.
+    /// The name that others see.
     pub name: String,
 }
 
@@ -47,19 +48,19 @@ pub struct Token {
 pub struct Grant {
     /// Goes with every edit made under the lock.
     pub token: Token,
-    /// What it covers.
+    /// The records that the lock covers.
     pub records: BTreeSet<RecordId>,
 }
 
-/// Why a lock was not given. Nothing of the set is locked then.
+/// The reasons why a lock was not given. Nothing of the set is locked then.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Denied {
     /// Somebody is editing one of the records, or their change of it is being saved.
     Held {
-        /// Which record.
+        /// The record that is busy.
         record: RecordId,
-        /// Who.
+        /// The name of the person who has it.
         by: String,
     },
     /// A position, or nothing at all, has no lock.
@@ -68,7 +69,7 @@ pub enum Denied {
     TooMany,
 }
 
-/// What comes with a change to show that its sender may touch what is locked.
+/// The proof that comes with a change that its sender may touch what is locked.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Presented {
     /// The client it came from, by whichever of its links; none for what is no client: a request over HTTP, an import,
@@ -81,13 +82,13 @@ pub struct Presented {
 /// One lock as others see it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Held<'a> {
-    /// Its token.
+    /// The token of the lock.
     pub token: Token,
-    /// Who holds it.
+    /// The person who holds the lock.
     pub holder: &'a Holder,
-    /// What it covers.
+    /// The records that the lock covers.
     pub records: &'a BTreeSet<RecordId>,
-    /// Whether the link of its holder ended, and it is kept for a moment.
+    /// True if the link of its holder ended, and it is kept for a moment.
     pub is_kept: bool,
 }
 
@@ -96,14 +97,14 @@ pub struct Held<'a> {
 struct Lock {
     holder: Holder,
     records: BTreeSet<RecordId>,
-    /// When its holder last did something.
+    /// The time when its holder last did something.
     active_ms: u64,
     was_warned: bool,
-    /// When the link of its holder ended.
+    /// The time when the link of its holder ended.
     left_ms: Option<u64>,
     /// It ends as soon as nothing of it is being saved.
     ending: Option<Why>,
-    /// Who wants it; only the first one is put before its holder.
+    /// The people who want it, first come first; only the first one is put before its holder.
     asks: VecDeque<Ask>,
 }
 
@@ -119,16 +120,16 @@ struct Saving {
 #[derive(Clone, Debug)]
 pub struct Locks {
     epoch: u64,
-    /// Of the newest lock.
+    /// The counter of the newest lock.
     counter: u64,
-    /// Never goes back.
+    /// The time of the last call, in milliseconds; never goes back.
     now_ms: u64,
-    /// By the counters of their tokens.
+    /// The locks by the counters of their tokens.
     held: BTreeMap<u64, Lock>,
     by_record: Lookup<RecordId, u64>,
-    /// By the names of the changes.
+    /// The changes that are being saved, by their names.
     saving: Vec<(Id, Saving)>,
-    /// Which clients were told *not yet* for which records.
+    /// The clients that were told *not yet*, with the records.
     refused: Vec<((Id, RecordId), PutOff)>,
     /// Grows whenever who holds what changes.
     version: u64,
@@ -158,7 +159,7 @@ impl Locks {
         Ok(self.give(holder, records))
     }
 
-    /// Gives a lock back. It ends once what was edited under it is saved. Says whether there was such a lock.
+    /// Gives a lock back. It ends once what was edited under it is saved. Returns true if there was such a lock.
     pub fn release(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
         let Some(lock) = self.of(session, token) else { return false };
@@ -167,7 +168,7 @@ impl Locks {
         true
     }
 
-    /// Its holder does something in its editor, such as typing. Says whether there is such a lock.
+    /// Notes that the holder does something in the editor, such as typing. Returns true if there is such a lock.
     pub fn touch(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
         let now_ms = self.now_ms;
@@ -259,11 +260,11 @@ impl Locks {
         self.advance(now_ms);
     }
 
-    /// Whether every record that a change touches is free or locked by what was presented, else the first other one and
-    /// who is editing it. Positions are never locked.
+    /// Checks that every record which a change touches is free or locked by what was presented. Positions are never
+    /// locked.
     ///
     /// # Errors
-    /// That record and its holder.
+    /// Returns the first other record and the person who is editing it.
     pub fn check<'a>(&'a self, change: &'a Change, presented: &Presented) -> Result<(), (&'a RecordId, &'a Holder)> {
         let other = lockable(change).find_map(|record| {
             let counter = *self.by_record.get(record)?;
@@ -274,7 +275,7 @@ impl Locks {
         other.map_or(Ok(()), Err)
     }
 
-    /// Who is editing a record.
+    /// Returns the person who is editing a record, if any.
     #[must_use]
     pub fn holder(&self, record: &RecordId) -> Option<&Holder> {
         self.by_record.get(record).map(|counter| &self.held[counter].holder)
@@ -326,7 +327,7 @@ impl Locks {
         })
     }
 
-    /// Who locked a record, or who else's change of it is being saved.
+    /// Returns the name of another person who locked a record, or whose change of it is being saved.
     fn busy(&self, client: &Id, record: &RecordId) -> Option<&str> {
         let mut others =
             self.saving.iter().map(|(_, saving)| saving).filter(|saving| saving.client.as_ref() != Some(client));

@@ -19,19 +19,19 @@ impl<K: Eq + Hash, V> Lookup<K, V> {
         Self::default()
     }
 
-    /// How many keys there are.
+    /// Returns the number of keys.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether there are no keys.
+    /// True if there are no keys.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// What is there under a key.
+    /// Returns the value under a key.
     #[must_use]
     pub fn get<Q: Eq + Hash + ?Sized>(&self, key: &Q) -> Option<&V>
     where
@@ -40,7 +40,7 @@ impl<K: Eq + Hash, V> Lookup<K, V> {
         self.0.get(key)
     }
 
-    /// What is there under a key, to be changed.
+    /// Returns the value under a key, to be changed.
     pub fn get_mut<Q: Eq + Hash + ?Sized>(&mut self, key: &Q) -> Option<&mut V>
     where
         K: Borrow<Q>,
@@ -48,7 +48,7 @@ impl<K: Eq + Hash, V> Lookup<K, V> {
         self.0.get_mut(key)
     }
 
-    /// Whether there is something under a key.
+    /// True if there is something under a key.
     #[must_use]
     pub fn contains_key<Q: Eq + Hash + ?Sized>(&self, key: &Q) -> bool
     where
@@ -124,7 +124,7 @@ impl<K: Eq + Hash> LookupSet<K> {
         Self::default()
     }
 
-    /// Whether something is in it.
+    /// True if something is in it.
     #[must_use]
     pub fn contains<Q: Eq + Hash + ?Sized>(&self, one: &Q) -> bool
     where
@@ -133,7 +133,7 @@ impl<K: Eq + Hash> LookupSet<K> {
         self.0.contains_key(one)
     }
 
-    /// Whether there is nothing.
+    /// True if there is nothing.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -3,19 +3,19 @@
 /// One example. The lanes are all as long as the example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Example {
-    /// What it shows, in a sentence.
+    /// The sentence that says what the example shows.
     pub title: &'static str,
     /// The input streams, in order.
     pub given: &'static [Lane],
-    /// What is chosen for the connector.
+    /// The settings of the connector.
     pub setting: Setting,
     /// The output stream.
     pub then: Lane,
-    /// How long it takes, in milliseconds.
+    /// The length of the example, in milliseconds.
     pub until_ms: u64,
 }
 
-/// What is chosen for a connector in an example.
+/// The settings of a connector in an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Setting {
     /// A procedure, or an empty text.
@@ -51,7 +51,7 @@ pub struct Lane(pub &'static str, pub &'static str);
 /// A value at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Marble {
-    /// When, in milliseconds.
+    /// The time, in milliseconds.
     pub at_ms: u64,
     /// The value as it is written.
     pub text: &'static str,

@@ -89,7 +89,7 @@ pub fn argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Ve
     stream_names.into_iter().map(|name| used.first_free(argument_name(name, is_word))).collect()
 }
 
-/// The same names as they were before letters of every script stayed: `距離` was `x__`.
+/// Returns the names as they were before letters of every script stayed: `距離` was `x__`.
 fn ascii_argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut used = Used::default();
@@ -133,13 +133,13 @@ pub fn as_looks(name: &str) -> Cow<'_, str> {
     if name.is_ascii() { Cow::Borrowed(name) } else { Cow::Owned(composed(name)) }
 }
 
-/// Whether two names look the same.
+/// True if two names look the same.
 #[must_use]
 pub fn look_same(one: &str, other: &str) -> bool {
     as_looks(one) == as_looks(other)
 }
 
-/// Whether the letter may stand in a name of a procedure: `_`, and letters and digits of every script.
+/// True if the letter may stand in a name of a procedure: `_`, and letters and digits of every script.
 #[must_use]
 pub fn is_name_letter(letter: char) -> bool {
     is_word(letter)
@@ -174,7 +174,7 @@ fn is_keyword(name: &str) -> bool {
     RHAI_KEYWORDS.contains(&name)
 }
 
-/// Whether a letter is the first but for underscores, as names of procedures need it.
+/// True if a letter is the first but for underscores, as names of procedures need it.
 fn begins_with_letter(name: &str) -> bool {
     name.chars().find(|c| *c != '_').is_some_and(|first| first.is_xid_start())
 }
@@ -293,7 +293,7 @@ pub(crate) fn replace_whole(body: &str, old: &str, new: &str, times: usize) -> O
     (places.len() == times).then(|| replaced(body, places.into_iter().map(new)))
 }
 
-/// Where `body` spells an argument another way (`redball` for `redBall`), as `(as written, as it should be)`.
+/// Finds where `body` spells an argument another way (`redball` for `redBall`), as `(as written, as it should be)`.
 #[must_use]
 pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)> {
     let mut found = Vec::new();
@@ -332,12 +332,12 @@ pub fn rename_helpers(body: &str, names: &BTreeMap<String, String>) -> String {
     replaced(body, uses(body).into_iter().filter_map(new))
 }
 
-/// Where `body` calls something, `distance(ball)`, or points to it, `Fn("distance")`.
+/// Finds where `body` calls something, `distance(ball)`, or points to it, `Fn("distance")`.
 fn uses(body: &str) -> Vec<Range<usize>> {
     places(body, Meaning::Function)
 }
 
-/// Where values from outside stand.
+/// Finds where values from outside stand.
 fn outer(body: &str) -> Vec<Range<usize>> {
     places(body, Meaning::Outer)
 }
@@ -350,7 +350,7 @@ fn after_word(body: &str, start: usize) -> usize {
     body[start..].find(|c| !is_word(c)).map_or(body.len(), |length| start + length)
 }
 
-/// Whether a name may begin with it.
+/// True if a name may begin with it.
 fn is_name_start(c: char) -> bool {
     c == '_' || c.is_xid_start()
 }

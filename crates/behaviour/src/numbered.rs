@@ -1,4 +1,4 @@
-//! What something is called if the name that is wanted is taken.
+//! Names with numbers, for when the wanted name is taken.
 
 /// A name as it is wanted, then with the numbers from 2, each after `between`: `Ball`, `Ball 2`, `Ball 3` and so on.
 pub fn numbered(wanted: &str, between: &str) -> impl Iterator<Item = String> {

@@ -1,4 +1,4 @@
-//! What one connector of a behaviour does: which connector it is, and what was chosen for it.
+//! The operation of one connector of a behaviour: which connector it is, and what was chosen for it.
 
 use crate::connectors::{self, Spec};
 use crate::{Procedure, Value};
@@ -7,7 +7,7 @@ use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
-/// What was chosen for a connector: the parts of its parameter.
+/// The choices for a connector: the parts of its parameter.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parameters {
     /// A procedure.
@@ -38,7 +38,7 @@ impl From<Procedure> for Parameters {
     }
 }
 
-/// What a connector does: its [`Spec`], with exactly those parts of a parameter that it takes.
+/// The operation of a connector: its [`Spec`], with exactly those parts of a parameter that it takes.
 #[derive(Clone, PartialEq)]
 pub struct Operation {
     spec: &'static Spec,
@@ -50,7 +50,7 @@ impl Operation {
         Self { spec, parameters }
     }
 
-    /// Which connector it is.
+    /// Returns the kind of connector.
     #[must_use]
     pub fn spec(&self) -> &'static Spec {
         self.spec
@@ -88,7 +88,7 @@ impl Operation {
         self.parameters.period_ms
     }
 
-    /// What was chosen, as texts: the value to start from, the body or the helper's name, the duration in words.
+    /// Returns the choices as texts: the value to start from, the body or the helper's name, the duration in words.
     #[must_use]
     pub fn chosen(&self) -> Vec<String> {
         let Parameters { procedure, period_ms, start } = &self.parameters;

@@ -8,14 +8,14 @@ use crate::{
     Behaviour, Change, Connector, Edit, Id, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers,
 };
 
-/// What the stream of such a test is called, in English and in Japanese.
+/// The default names of such a test's stream, in English and in Japanese.
 pub const OTHERWISE: [&str; 2] = ["Otherwise", "それ以外"];
 
 /// Signs that compare, each with the one that is true when it is false.
 const OPPOSITES: [(&str, &str); 6] =
     [(" < ", " >= "), (" > ", " <= "), (" <= ", " > "), (" >= ", " < "), (" == ", " != "), (" != ", " == ")];
 
-/// Whether a stream is called “Otherwise”, perhaps with a number.
+/// True if a stream is called “Otherwise”, perhaps with a number.
 #[must_use]
 pub fn is_otherwise(name: &str) -> bool {
     let rest = OTHERWISE.iter().find_map(|word| name.trim().strip_prefix(word));
@@ -38,7 +38,7 @@ pub fn opposite(body: &str) -> String {
     }
 }
 
-/// Whether no bracket is closed in it that is not opened in it.
+/// True if no bracket is closed in it that is not opened in it.
 fn is_one_whole(body: &str) -> bool {
     let mut open = 0_i64;
     tokens(body).iter().all(|token| {
@@ -73,12 +73,12 @@ pub(crate) fn test_of<'b>(behaviour: &'b Behaviour, otherwise: &Connector) -> Op
     }
 }
 
-/// What an otherwise asks as the other side of a test; none where that is not written yet.
+/// Returns the procedure of an otherwise, as the other side of a test; none while the test is not written.
 pub(crate) fn other_side(behaviour: &Behaviour, test: &Connector, otherwise: &Connector) -> Option<String> {
     Some(opposite(&asks(behaviour, test, otherwise)?))
 }
 
-/// What a test asks, in the names of an otherwise.
+/// Returns the condition of a test, in the names of an otherwise.
 fn asks(behaviour: &Behaviour, test: &Connector, otherwise: &Connector) -> Option<String> {
     let names = behaviour.arguments(otherwise);
     match test.operation.procedure()? {
@@ -88,7 +88,7 @@ fn asks(behaviour: &Behaviour, test: &Connector, otherwise: &Connector) -> Optio
     }
 }
 
-/// Whether an otherwise passes just what a test keeps out, as far as can be read.
+/// True if an otherwise passes just what a test keeps out, as far as can be read.
 pub(crate) fn is_other_side(behaviour: &Behaviour, test: &Connector, otherwise: &Connector) -> bool {
     let Some(asked) = asks(behaviour, test, otherwise) else { return true };
     match otherwise.operation.procedure() {
@@ -110,7 +110,7 @@ fn plain(body: &str) -> String {
     }
 }
 
-/// Whether this connector, as it is now or is to be, follows a test.
+/// True if this connector, as it is now or is to be, follows a test.
 #[must_use]
 pub fn follows_test(behaviour: &Behaviour, otherwise: &Connector) -> bool {
     test_of(behaviour, otherwise).is_some_and(|(_, test)| is_other_side(behaviour, test, otherwise))
@@ -172,7 +172,7 @@ pub fn without_late_followers(now: &Behaviour, change: Change) -> Change {
     Change { edits, ..change }
 }
 
-/// Whether two records are a test and its other side.
+/// True if two records are a test and its other side.
 fn are_twins(behaviour: &Behaviour, (test, otherwise): (&Option<Record>, &Option<Record>)) -> bool {
     let (Some(Record::Connector(test)), Some(Record::Connector(otherwise))) = (test, otherwise) else { return false };
     test.operation.spec() == otherwise.operation.spec()

@@ -1,5 +1,5 @@
-//! What is still missing before a behaviour can run, and what is probably not meant. Problems never stop editing; what
-//! blocks stops Start, the rest are hints.
+//! Problems: something that is missing before a behaviour can run, or that is probably not meant. Problems never stop
+//! editing; those that block stop Start, the rest are hints.
 
 mod around;
 mod fix;
@@ -26,15 +26,15 @@ use serde::{Deserialize, Serialize};
 pub struct Problem {
     /// The element.
     pub at: RecordId,
-    /// What a person calls it: the stream's name, or the connector's word.
+    /// The name that a person uses for it: the stream's name, or the connector's word.
     pub name: String,
-    /// What is wrong.
+    /// The kind of problem.
     pub kind: ProblemKind,
     /// True if Start must wait until it is mended.
     pub blocks: bool,
 }
 
-/// What is wrong.
+/// The kinds of problems.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum ProblemKind {
@@ -50,9 +50,9 @@ pub enum ProblemKind {
     HelperInputs {
         /// The helper.
         helper: String,
-        /// How many values it takes.
+        /// The number of values that the helper takes.
         takes: usize,
-        /// How many it would get.
+        /// The number of values that it would get.
         gets: usize,
     },
     /// A helper without a procedure.
@@ -61,7 +61,7 @@ pub enum ProblemKind {
     Helper {
         /// The helper.
         helper: String,
-        /// Why not.
+        /// The reason why it cannot run.
         reason: String,
     },
     /// A body that cannot run; with the reason.
@@ -114,14 +114,14 @@ pub enum ProblemKind {
     },
     /// A body that compares an object with a number, or reckons with it: that is always false, or fails.
     ObjectAsNumber {
-        /// What the body calls it.
+        /// The name of the object in the body.
         name: String,
     },
     /// A test that stores a value with `=`, where it is to compare.
     Stores,
     /// A test that gives neither true nor false.
     NoAnswer {
-        /// What it gives.
+        /// The kind of value that the test gives.
         gives: ValueType,
     },
     /// A test called “Otherwise” that is no more the other side of its test.
@@ -133,11 +133,11 @@ pub enum ProblemKind {
     },
     /// A body that divides whole numbers and loses what is left over.
     WholeDivision {
-        /// As it is written.
+        /// The division, as it is written.
         written: String,
-        /// What it gives.
+        /// The whole number that it gives.
         gives: i64,
-        /// What is probably meant.
+        /// The division that is probably meant.
         meant: String,
     },
     /// A body that uses a name which means nothing, and is nearly one that does.
@@ -155,7 +155,7 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
     problems_seeing(behaviour, helpers, knowledge, &Seen::new())
 }
 
-/// The same, where values of which nobody knows the kind are of the kind that was seen last.
+/// Returns the problems, where values of which nobody knows the kind are of the kind that was seen last.
 #[must_use]
 pub fn problems_seeing(
     behaviour: &Behaviour,
@@ -255,7 +255,7 @@ fn connector_problem(around: &Around, connector: &Connector) -> Option<(ProblemK
     missing.map(|kind| (kind, true)).or_else(|| Some((hint(around, connector)?, false)))
 }
 
-/// What is probably not meant.
+/// Returns the first hint about a connector: something that is probably not meant.
 fn hint(around: &Around, connector: &Connector) -> Option<ProblemKind> {
     let unfit = |(at, wants, fit): (usize, ValueType, Fit)| match fit {
         Fit::Good => None,
@@ -275,7 +275,8 @@ fn hint(around: &Around, connector: &Connector) -> Option<ProblemKind> {
     fits().or_else(|| slip(around, connector)).or_else(stale)
 }
 
-/// What runs and cannot be meant: a test without an answer, and whole numbers that lose what is left over.
+/// Returns a slip that runs and cannot be meant: a test without an answer, or whole numbers that lose what is left
+/// over.
 fn slip(around: &Around, connector: &Connector) -> Option<ProblemKind> {
     if stores(around, connector).is_some() {
         return Some(ProblemKind::Stores);

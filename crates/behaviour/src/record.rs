@@ -38,7 +38,7 @@ pub struct Stream {
     /// The parts of the body it uses; none means what the catalogue says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub resources: Option<Vec<String>>,
-    /// Who wins when two want one part of the body: higher first.
+    /// The priority when two actions want one part of the body: the higher one wins.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub priority: Option<i64>,
     /// For how long a command holds its parts of the body, in milliseconds.
@@ -74,7 +74,7 @@ impl Procedure {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Connector {
-    /// What it does.
+    /// The operation of the connector, with its settings.
     pub operation: Operation,
     /// The streams it takes from, in order.
     pub inputs: Vec<Id>,
@@ -94,30 +94,30 @@ pub struct Helper {
     pub params: Vec<String>,
     /// A Rhai expression or block over the parameters.
     pub body: String,
-    /// What it is for, in a sentence.
+    /// The sentence that says what the helper is for.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub says: String,
-    /// What it takes for each parameter in order, as far as somebody said so; of those that are missing nobody did.
+    /// The declared kind of each parameter in order; none was declared for those that are missing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub takes: Vec<Declared>,
-    /// What it gives, if somebody said so.
+    /// The declared kind of the result, if somebody said so.
     #[serde(default, skip_serializing_if = "Declared::is_auto")]
     pub gives: Declared,
 }
 
 impl Helper {
-    /// What somebody said that it takes for the parameter at this place.
+    /// Returns the declared kind of the parameter at this place.
     #[must_use]
     pub fn taken(&self, at: usize) -> Declared {
         self.takes.get(at).copied().unwrap_or_default()
     }
 }
 
-/// Where something stands on the canvas: the middle of its top edge for streams and folded groups, in canvas units.
+/// A place on the canvas: the middle of the top edge for streams and folded groups, in canvas units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
-    /// To the right.
+    /// The distance to the right of the origin.
     pub x: f64,
     /// Downwards.
     pub y: f64,
@@ -127,12 +127,12 @@ pub struct Place {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Note {
-    /// Its text.
+    /// The text of the note.
     pub text: String,
     /// The name of who wrote it last; empty if nobody knows.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub by: String,
-    /// When it was written last, in milliseconds since 1970; 0 if nobody knows.
+    /// The time when it was written last, in milliseconds since 1970; 0 if nobody knows.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub at_ms: u64,
 }
@@ -150,7 +150,7 @@ impl Note {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Group {
-    /// What people call it; others may have the same title.
+    /// The title that people gave; others may have the same one.
     pub title: String,
     /// The streams in it, each in no other group. Some may be gone: a removed stream that comes back is in it again.
     pub streams: BTreeSet<Id>,
@@ -170,7 +170,7 @@ fn is_false(truth: &bool) -> bool {
     !truth
 }
 
-/// How time runs in a behaviour.
+/// The ways in which time runs in a behaviour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Engine {
@@ -193,7 +193,7 @@ pub struct Settings {
     pub name: String,
     /// The kind of robot it is made for: `nao`.
     pub robot: String,
-    /// How time runs.
+    /// The way in which time runs.
     #[serde(default)]
     pub engine: Engine,
     /// Short words by which it is found in the library, each once; at most [`crate::TAGS_MAX`].
@@ -239,7 +239,7 @@ pub enum Record {
 }
 
 impl Record {
-    /// What kind it is.
+    /// Returns the kind of the record.
     #[must_use]
     pub fn kind(&self) -> Kind {
         match self {
@@ -258,7 +258,7 @@ impl Record {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Behaviour {
-    /// By id.
+    /// All records by id.
     pub records: BTreeMap<RecordId, Record>,
 }
 

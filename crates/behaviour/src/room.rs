@@ -11,7 +11,7 @@ use crate::{
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
-/// How many answered changes a room remembers, to answer one sent twice; the store remembers all.
+/// The number of answered changes that a room remembers, to answer one sent twice; the store remembers all.
 const ANSWERED_MAX: usize = 1_024;
 
 /// A behaviour, its revision and what was answered lately.
@@ -19,13 +19,13 @@ const ANSWERED_MAX: usize = 1_024;
 pub struct Room {
     behaviour: Behaviour,
     revision: u64,
-    /// Of the behaviour, so that a change costs what it touches.
+    /// The size of the behaviour, kept so that a change costs what it touches.
     size: Size,
     answered: Lookup<Id, Answer>,
     answered_order: VecDeque<Id>,
 }
 
-/// What a change was answered for good.
+/// The final answer to a change.
 #[derive(Clone, Debug)]
 enum Answer {
     /// It is this revision.
@@ -33,7 +33,7 @@ enum Answer {
     Refused(Refusal),
 }
 
-/// What becomes of a proposed change.
+/// The decision of a room about a proposed change.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Decision {
     /// Save it as this revision, then commit it.
@@ -64,7 +64,7 @@ impl Room {
         Self { behaviour, revision, size, answered: Lookup::new(), answered_order: VecDeque::new() }
     }
 
-    /// Whether changes that make a behaviour from nothing, one after the other, keep the rules.
+    /// Checks that changes which make a behaviour from nothing, one after the other, keep the rules.
     ///
     /// # Errors
     /// The first refusal.
@@ -86,14 +86,14 @@ impl Room {
         &self.behaviour
     }
 
-    /// How large its records are together, in bytes: at most 8 MiB unless an older version made it, and never less than
+    /// Returns the size of all records in bytes: at most 8 MiB unless an older version made it, and never less than
     /// they take in a message or file.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.size.bytes()
     }
 
-    /// Its revision: the number of changes ever made.
+    /// Returns the revision: the number of changes ever made.
     #[must_use]
     pub fn revision(&self) -> u64 {
         self.revision
@@ -135,11 +135,11 @@ impl Room {
         }
     }
 
-    /// Whether the locks let a change in; one that was answered before passes, to be answered so again. Cheap, so that it
-    /// can be asked where locks are given, and the rest decided elsewhere.
+    /// Checks that the locks let a change in. One that was answered before passes, to be answered so again. Cheap, so
+    /// that it can be asked where locks are given, and the rest decided elsewhere.
     ///
     /// # Errors
-    /// What is locked, and by whom.
+    /// Refuses with the locked record and the name of the person who holds it.
     pub fn check_locks(&self, change: &Change, presented: &Presented, locks: &Locks) -> Result<(), Refusal> {
         if self.answered.contains_key(&change.op) {
             return Ok(());
@@ -150,13 +150,13 @@ impl Room {
         })
     }
 
-    /// What a person calls a record: “Distance”, this filter, the name or settings.
+    /// Returns the name that a person uses for a record: “Distance”, this filter, the name or settings.
     #[must_use]
     pub fn name_of(&self, id: &RecordId) -> String {
         self.call(id, None)
     }
 
-    /// How a change of this name was answered lately, if it was.
+    /// Returns the decision about the change named `op`, if it was answered lately.
     #[must_use]
     pub fn answer(&self, op: &Id) -> Option<Decision> {
         self.answered.get(op).map(|answer| match answer {
@@ -181,7 +181,7 @@ impl Room {
         rules::check(&after, change, &self.size, knowledge)
     }
 
-    /// What a person calls a record, as it is now or as they saw it.
+    /// Returns the name that a person uses for a record, as it is now or as they saw it.
     pub(crate) fn call(&self, id: &RecordId, seen: Option<&Record>) -> String {
         let record = self.behaviour.records.get(id).or(seen);
         match record {

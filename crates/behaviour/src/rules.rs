@@ -30,21 +30,21 @@ pub const EDITS_MAX: usize = 10_000;
 /// The durations a connector may have, in milliseconds.
 pub const RATE_MS: RangeInclusive<u64> = 1..=3_600_000;
 
-/// What the rules ask of rooms they may not know: the catalogue of devices and the procedure language.
+/// The questions of the rules to rooms they may not know: the catalogue of devices and the procedure language.
 pub trait Knowledge {
-    /// Whether the device exists for that kind of stream and takes these parameters; else a sentence.
+    /// Checks that the device exists for that kind of stream and takes these parameters.
     ///
     /// # Errors
     /// A sentence for the person.
     fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String>;
 
-    /// Whether the body is one that can run with these arguments; else a sentence with its place.
+    /// Checks that the body can run with these arguments; a refusal says the place of the mistake.
     ///
     /// # Errors
     /// A sentence for the person.
     fn body(&self, arguments: &[String], body: &str) -> Result<(), String>;
 
-    /// What a device gives or takes with these parameters, and how; nothing by default.
+    /// Returns the kind of a device's values with these parameters, and its pace; nothing by default.
     fn device_type(&self, _kind: StreamKind, _device: &str, _params: &Params) -> DeviceType {
         DeviceType::default()
     }
@@ -55,7 +55,7 @@ pub trait Knowledge {
         ValueType::Any
     }
 
-    /// What a helper was declared to take and give; nothing by default.
+    /// Returns the declared signature of a helper; nothing by default.
     fn signature(&self, _helper: &Helper) -> Option<Signature> {
         None
     }
@@ -66,7 +66,7 @@ pub trait Knowledge {
         None
     }
 
-    /// What a stream is called that a helper of this name makes, if not by its name; nothing by default.
+    /// Returns the name for a stream that a helper of this name makes, if it is not the helper's; nothing by default.
     fn stream_of(&self, _helper: &str) -> Option<&'static str> {
         None
     }
@@ -82,10 +82,10 @@ pub trait Knowledge {
     }
 }
 
-/// What a helper makes of arguments of these kinds, if there is one of that name with so many parameters.
+/// Returns the kind that a helper makes of arguments of these kinds, if one of that name has so many parameters.
 pub type Call<'a> = &'a dyn Fn(&str, &[ValueType]) -> Option<ValueType>;
 
-/// Why a change was not made. [`std::fmt::Display`] says it in one English sentence.
+/// The reasons why a change was not made. [`std::fmt::Display`] says each in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Refusal {
@@ -93,14 +93,14 @@ pub enum Refusal {
     Stale(String),
     /// Somebody is editing one of these records.
     Locked {
-        /// What a person calls it.
+        /// The name that a person uses for it.
         what: String,
         /// The name of who is editing it.
         by: String,
     },
     /// Somebody changed this since, so it cannot be taken back.
     ChangedSince {
-        /// What a person calls it.
+        /// The name that a person uses for it.
         what: String,
         /// The name of who changed it.
         by: String,
@@ -180,8 +180,8 @@ pub enum Refusal {
     NotSaved(String),
 }
 
-/// Whether `after` keeps the rules, given that `change` led to it from what had the size `before`. What is cheap to know
-/// comes first.
+/// Checks that `after` keeps the rules, given that `change` led to it from what had the size `before`. The cheap rules
+/// come first.
 ///
 /// # Errors
 /// The first broken rule.
@@ -397,8 +397,8 @@ fn check_helper_names(after: &Behaviour, change: &Change) -> Result<(), Refusal>
     })
 }
 
-/// Whether no name that the change gives looks like another one. Two that did so before older versions knew stay, until
-/// somebody changes one.
+/// Checks that no name which the change gives looks like another one. Two that look alike since an older version stay,
+/// until somebody changes one.
 fn look_unique<'a>(
     names: impl Iterator<Item = &'a str>,
     change: &Change,

@@ -1,4 +1,4 @@
-//! How large records are, so that the whole stays within what messages, files and backups carry.
+//! The size of records, so that the whole stays within what messages, files and backups carry.
 //!
 //! A size is never smaller than what the record takes in any of its written forms (messages, JSON, XML), so what keeps
 //! the bounds can be sent, exported and imported again. It depends on nothing but the record, and the size of a whole is
@@ -26,7 +26,7 @@ pub const ENTRIES_MAX: usize = 40_000;
 /// Places in one behaviour: one for each stream, connector, note and group.
 pub const PLACES_MAX: usize = crate::STREAMS_MAX + crate::CONNECTORS_MAX + NOTES_MAX + GROUPS_MAX;
 
-/// What a character takes at most that JSON or XML write in a longer way.
+/// The most bytes of a character that JSON or XML escape.
 const ESCAPED_BYTES: usize = 8;
 /// A file's own words and its sections.
 const SETTINGS_BYTES: usize = 1_024;
@@ -47,10 +47,10 @@ const NUMBER_BYTES: usize = 25;
 const MARKS_BYTES: usize = 20;
 /// The ids that a copy gets: an import must not fail because they are longer than those in the file.
 const NEW_ID_BYTES: usize = 32;
-/// How often an id stands in a file: at its thing, its order and its place.
+/// The number of times that an id stands in a file: at its thing, its order and its place.
 const ID_TIMES: usize = 3;
 
-/// How much a behaviour or library holds.
+/// The size of a behaviour or library, in counts and bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Size {
     helpers: Amount,
@@ -71,7 +71,7 @@ struct Amount {
 }
 
 impl Size {
-    /// Of all records.
+    /// Returns the size of all records.
     pub(crate) fn of(behaviour: &Behaviour) -> Self {
         let mut size = Self::default();
         behaviour.records.iter().for_each(|(id, record)| size.add(id, record));
@@ -117,12 +117,12 @@ impl Size {
         }
     }
 
-    /// Of everything.
+    /// Returns the bytes of everything.
     pub(crate) fn bytes(&self) -> usize {
         self.helpers.bytes + self.behaviour_bytes()
     }
 
-    /// Everything but helpers, which live in the library.
+    /// Returns the bytes of everything but helpers, which live in the library.
     fn behaviour_bytes(&self) -> usize {
         let all = [self.settings, self.streams, self.connectors, self.places, self.notes, self.groups];
         all.iter().map(|amount| amount.bytes).sum()
@@ -132,7 +132,8 @@ impl Size {
         self.streams.entries + self.connectors.entries
     }
 
-    /// Whether this fits. What is too large already, made by an older version, may become smaller or stay.
+    /// Checks that this size fits. A whole that is too large already, made by an older version, may become smaller or
+    /// stay.
     ///
     /// # Errors
     /// The first bound that is passed.
@@ -160,7 +161,7 @@ impl Size {
     }
 }
 
-/// What one record takes at most in a message or a file, in bytes.
+/// Returns the most bytes that one record takes in a message or a file.
 #[must_use]
 pub fn record_bytes(id: &RecordId, record: &Record) -> usize {
     let own = match record {
@@ -175,7 +176,7 @@ pub fn record_bytes(id: &RecordId, record: &Record) -> usize {
     own + ID_TIMES * id_bytes(&id.id)
 }
 
-/// How many entries the lists of a stream or connector have.
+/// Counts the entries in the lists of a stream or connector.
 fn entries(record: &Record) -> usize {
     match record {
         Record::Stream(stream) => {
@@ -202,7 +203,7 @@ fn value_entries(value: &Value) -> usize {
 }
 
 impl Edit {
-    /// What the edit takes at most in a message, in bytes.
+    /// Returns the most bytes that the edit takes in a message.
     #[must_use]
     pub fn bytes(&self) -> usize {
         let records = [&self.before, &self.after].into_iter().flatten();
@@ -211,7 +212,7 @@ impl Edit {
 }
 
 impl Change {
-    /// What the change takes at most in a message, in bytes.
+    /// Returns the most bytes that the change takes in a message.
     #[must_use]
     pub fn bytes(&self) -> usize {
         let names = [Some(&self.op), self.by.as_ref(), self.undoes.as_ref()].into_iter().flatten();

@@ -1,4 +1,4 @@
-//! What there is to say about a connector: its words, its ends, its parameter, how it is kept, and its help.
+//! The description of a connector: its words, its ends, its parameter, its form in a store, and its help.
 
 use crate::flow::Gives;
 use crate::marbles::Example;
@@ -11,42 +11,42 @@ pub const PERIOD_MS: u64 = 1_000;
 /// A connector, declared once: whatever shows, checks, keeps or explains connectors is drawn from this.
 #[derive(Clone, Copy)]
 pub struct Spec {
-    /// Its word in files, as the thesis writes it.
+    /// The connector's word in files, as the thesis writes it.
     pub word: &'static str,
-    /// What people call it.
+    /// The connector's name for people.
     pub name: &'static str,
-    /// What it does, in a sentence.
+    /// The sentence that says what the connector does.
     pub says: &'static str,
-    /// What comes of a value, in a few words: what stands beside its name where it is offered.
+    /// A few words on the result, which stand beside the name where the connector is offered.
     pub brief: &'static str,
-    /// What it means in a sentence about a behaviour.
+    /// The connector's part in a sentence about a behaviour.
     pub meaning: ConnectorMeaning,
-    /// Its picture.
+    /// The picture of the connector.
     pub icon: Icon,
-    /// How many streams it takes from.
+    /// The number of streams that it takes from.
     pub inputs: Inputs,
-    /// What is chosen for it.
+    /// The parts of a parameter that can be chosen for it.
     pub takes: Takes,
-    /// Where it ends: in ordinary streams, or in actuator streams.
+    /// The kind of stream in which it ends: ordinary or actuator.
     pub ends: StreamKind,
-    /// How many values it gives for those that it takes.
+    /// The number of values that it gives for those that it takes.
     pub gives: Gives,
-    /// What it passes on.
+    /// The values that it passes on: its own or those that came.
     pub passes: Passes,
-    /// How a graph database keeps it.
+    /// The form in which a graph database keeps it.
     pub graph: GraphForm,
-    /// When it is offered as the next step of a stream.
+    /// The streams for which it is offered as the next step.
     pub offered: Offered,
-    /// What the stream is called that it makes, until somebody types a name: the first of these whose holes can all be
-    /// filled; if none can, the name has to be asked for. `{input}` is the name of its first input, `{others}` are those
-    /// of the others, `{helper}` is its helper, `{body}` its short body, `{period}` its duration (`2 s`) and `{every}` how
-    /// often that is (`every 2 s`).
+    /// Patterns for the name of the stream that it makes, until somebody types a name: the first of these whose holes
+    /// can all be filled is taken; if none can, the name has to be asked for. `{input}` is the name of its first input,
+    /// `{others}` are those of the others, `{helper}` is its helper, `{body}` its short body, `{period}` its duration
+    /// (`2 s`) and `{every}` the same as a rate (`every 2 s`).
     pub called: &'static [&'static str],
-    /// How it works, for who wants to know more.
+    /// The longer explanation, for people who want to know more.
     pub help: Help,
 }
 
-/// What a connector does with values, as a sentence about a behaviour tells it.
+/// A connector's part in a sentence about a behaviour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConnectorMeaning {
     /// Makes a new value of each.
@@ -76,13 +76,13 @@ pub enum ConnectorMeaning {
 /// A picture of simple strokes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Icon {
-    /// Its name in the icon set.
+    /// The icon's name in the icon set.
     pub name: &'static str,
-    /// Its strokes on a field of 24, as paths of SVG.
+    /// The icon's strokes on a field of 24, as paths of SVG.
     pub strokes: &'static [&'static str],
 }
 
-/// How many streams a connector takes from.
+/// The number of streams that a connector takes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inputs {
     /// Exactly one.
@@ -94,20 +94,20 @@ pub enum Inputs {
 }
 
 impl Inputs {
-    /// How many there are at least before it can run.
+    /// Returns the least number of streams before the connector can run.
     #[must_use]
     pub fn least(self) -> usize {
         if self == Self::TwoOrMore { 2 } else { 1 }
     }
 
-    /// Whether there may be several.
+    /// True if there may be several.
     #[must_use]
     pub fn are_many(self) -> bool {
         self != Self::One
     }
 }
 
-/// What is chosen for a connector: the parts of its parameter.
+/// The parts of a parameter that a connector takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Takes {
     /// A procedure.
@@ -126,15 +126,15 @@ impl Takes {
 /// The procedure of a connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Procedural {
-    /// What its result is for.
+    /// The use of its result.
     pub result: ResultUse,
-    /// Whether the connector also works without one.
+    /// True if the connector also works without one.
     pub is_optional: bool,
     /// Arguments before those that are named after the inputs.
     pub before: &'static [&'static str],
 }
 
-/// What the result of a procedure is for.
+/// The use that is made of a procedure's result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ResultUse {
     /// It is passed on.
@@ -145,10 +145,10 @@ pub enum ResultUse {
     Key,
 }
 
-/// What a connector passes on.
+/// The values that a connector passes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Passes {
-    /// What its procedure makes.
+    /// The result of its procedure.
     Result,
     /// The value as it came, from its first input or from any.
     Same,
@@ -156,7 +156,8 @@ pub enum Passes {
     Other,
 }
 
-/// How a graph database keeps a connector; the thesis (5.2.4) draws those between two streams as relationships.
+/// The form in which a graph database keeps a connector; the thesis (5.2.4) draws those between two streams as
+/// relationships.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GraphForm {
     /// The type of the relationship between its two streams. None if it is always a node of its own; with a helper or
@@ -166,7 +167,7 @@ pub struct GraphForm {
     pub label: &'static str,
 }
 
-/// When a connector is offered as the next step of a stream.
+/// The conditions under which a connector is offered as the next step of a stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Offered {
     /// Before anything else, for streams that carry one of these.
@@ -182,10 +183,10 @@ impl Offered {
     pub const ALWAYS: Self = Self { first_for: &[], always: true };
 }
 
-/// What a stream carries, as far as one can tell before it runs.
+/// The kind of values that a stream carries, as far as one can tell before it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carries {
-    /// Where a ball is and how large it looks.
+    /// A ball: its place and its size as it looks.
     Ball,
     /// A face.
     Face,
@@ -204,9 +205,9 @@ pub enum Carries {
 /// The help of a connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Help {
-    /// What it does.
+    /// The sentence that says what it does.
     pub does: &'static str,
-    /// When to use it.
+    /// The sentence that says when to use it.
     pub when: &'static str,
     /// Two or three examples, which the engine is held to.
     pub examples: &'static [Example],
@@ -226,13 +227,13 @@ impl Spec {
         Operation::of(self, Parameters { procedure, period_ms, start })
     }
 
-    /// Whether its duration is a beat: it counts again and again.
+    /// True if its duration is a beat: it counts again and again.
     #[must_use]
     pub fn beats(&self) -> bool {
         self.called.iter().any(|name| name.contains("{every}"))
     }
 
-    /// Its duration in words: `every 1 second` of a beat, else `1 second`.
+    /// Says a duration of this connector in words: `every 1 second` of a beat, else `1 second`.
     #[must_use]
     pub fn lasts(&self, ms: u64) -> String {
         let lasting = Lasting::of(ms);
@@ -250,7 +251,7 @@ impl Spec {
         lacks.into_iter().find(|(_, lacks)| *lacks).map(|(part, _)| part)
     }
 
-    /// Whether a part of a parameter that is given here has no place in this connector.
+    /// True if a part of a parameter that is given here has no place in this connector.
     #[must_use]
     pub fn refuses(&self, given: &Parameters) -> bool {
         (given.procedure.is_some() && self.takes.procedure.is_none())
@@ -265,13 +266,13 @@ impl Spec {
         procedure.iter().copied().chain(period).chain(self.takes.start.map(|_| "start"))
     }
 
-    /// Whether its procedure only says if the value passes.
+    /// True if its procedure only says if the value passes.
     #[must_use]
     pub fn is_test(&self) -> bool {
         self.takes.procedure.is_some_and(|takes| takes.result == ResultUse::Test)
     }
 
-    /// Whether it leads to the robot's actions.
+    /// True if it leads to the robot's actions.
     #[must_use]
     pub fn acts(&self) -> bool {
         self.ends == StreamKind::Actuator
@@ -295,7 +296,7 @@ impl Spec {
         crate::in_names_of_today(body, &self.before().iter().copied().chain(inputs).collect::<Vec<_>>())
     }
 
-    /// How many arguments its procedure has with so many inputs.
+    /// Returns the number of arguments of its procedure with so many inputs.
     #[must_use]
     pub fn argument_count(&self, inputs: usize) -> usize {
         self.before().len() + inputs

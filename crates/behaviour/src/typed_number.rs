@@ -90,7 +90,7 @@ fn digits(chars: &mut Peekable<CharIndices>) -> Option<String> {
     Some(digits).filter(|digits| !digits.is_empty())
 }
 
-/// What digits with separators between them mean.
+/// Reads digits with separators between them; returns both meanings if there are two.
 fn meant(parts: &[String], between: &[char]) -> Option<TypedNumber> {
     let whole = || parts.concat().parse().ok().map(TypedNumber::Is);
     let decimal = || {

@@ -1,5 +1,5 @@
-//! What kind of value a stream carries: its shape, and the unit of its numbers. A type never stops anything; it is what
-//! hints and fixes are made of, and what is not known is [`ValueType::Any`].
+//! The kinds of values that streams carry: the shape, and the unit of the numbers. A type never stops anything; hints
+//! and fixes are made of it, and an unknown one is [`ValueType::Any`].
 
 mod declared;
 mod device;
@@ -15,11 +15,11 @@ use crate::{Filled, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// How deep types are told: what lies deeper is [`ValueType::Any`].
+/// The depth to which types are told: anything deeper is [`ValueType::Any`].
 pub const TYPE_MAX_DEPTH: usize = 6;
-/// How many parts of a type are told, all in all: the rest is [`ValueType::Any`].
+/// The most parts of a type that are told, all in all: the rest is [`ValueType::Any`].
 pub const TYPE_MAX_PARTS: usize = 128;
-/// How many fields of an object are told: an object with more of them is [`ValueType::Any`].
+/// The most fields of an object that are told: an object with more of them is [`ValueType::Any`].
 pub const TYPE_MAX_FIELDS: usize = 32;
 
 /// The kind of a value.
@@ -33,7 +33,7 @@ pub enum ValueType {
     Truth,
     /// A number.
     Number {
-        /// What it is measured in, if that is known.
+        /// The unit of the number, if that is known.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         unit: Option<Unit>,
         /// Between which numbers it lies, both included, if that is known.
@@ -50,7 +50,7 @@ pub enum ValueType {
     Nothing,
 }
 
-/// Whether a value of one kind will do where another kind is wanted.
+/// The answer to whether a value of one kind will do where another kind is wanted.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fit {
     /// It will, or nothing speaks against it.
@@ -121,7 +121,7 @@ impl ValueType {
         }
     }
 
-    /// What is true of a value that is either of this kind or of another.
+    /// Returns the kind of a value that is either of this kind or of another.
     #[must_use]
     pub fn or(&self, other: &Self) -> Self {
         match (self, other) {
@@ -139,7 +139,7 @@ impl ValueType {
         }
     }
 
-    /// Whether a value of kind `gets` will do where this kind is wanted. Doubt speaks for it.
+    /// Tells if a value of kind `gets` will do where this kind is wanted. Doubt speaks for it.
     #[must_use]
     pub fn takes(&self, gets: &Self) -> Fit {
         match (self, gets) {
@@ -192,12 +192,12 @@ fn worst(mut all: impl Iterator<Item = Fit>) -> Fit {
     found
 }
 
-/// What a helper is made for: the kinds of its parameters in order, and of what it gives.
+/// The signature of a helper: the kinds of its parameters in order, and of its result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signature {
     /// One for each parameter.
     pub takes: Vec<ValueType>,
-    /// What it gives.
+    /// The kind of the result.
     pub gives: ValueType,
 }
 

@@ -13,7 +13,7 @@ pub const UNDO_MAX: usize = 100;
 const UNDO: &str = "Undo: ";
 const REDO: &str = "Redo: ";
 
-/// Which change made a record what it is. Revision 0 is from before the log.
+/// The change that made a record what it is. Revision 0 is from before the log.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Version {
     revision: u64,
@@ -28,7 +28,7 @@ struct Step {
     left: BTreeMap<RecordId, Version>,
 }
 
-/// What one person can take back and do again; the newest is last.
+/// The changes that one person can take back and do again; the newest is last.
 #[derive(Clone, Debug, Default)]
 struct Steps {
     done: Vec<Step>,
@@ -43,7 +43,7 @@ pub struct UndoLog {
 }
 
 impl UndoLog {
-    /// What the changes of a log say, the oldest first.
+    /// Reads the changes of a log, the oldest first.
     #[must_use]
     pub fn of<'a>(log: impl IntoIterator<Item = &'a Committed>) -> Self {
         let mut read = Self::default();
@@ -79,7 +79,7 @@ impl UndoLog {
     /// The change named `op` that takes back the last change of `by` which is not taken back yet, as a whole.
     ///
     /// # Errors
-    /// Who changed something of it since, or that there is none.
+    /// Refuses if there is none, or if somebody changed something of it since; the refusal names them.
     pub fn undo(&self, by: &Id, op: Id, room: &Room) -> Result<Change, Refusal> {
         let last = self.people.get(by).and_then(|steps| steps.done.last());
         self.opposite(last, op, UNDO, room)
@@ -88,7 +88,7 @@ impl UndoLog {
     /// The change named `op` that does again what `by` took back last and did nothing new since.
     ///
     /// # Errors
-    /// Who changed something of it since, or that there is none.
+    /// Refuses if there is none, or if somebody changed something of it since; the refusal names them.
     pub fn redo(&self, by: &Id, op: Id, room: &Room) -> Result<Change, Refusal> {
         let last = self.people.get(by).and_then(|steps| steps.undone.last());
         self.opposite(last, op, REDO, room)

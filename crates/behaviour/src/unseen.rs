@@ -27,7 +27,8 @@ pub fn without_control(text: &str, line_end: char) -> Cow<'_, str> {
     Cow::Owned(kept.filter(|c| !is_control(*c)).collect())
 }
 
-/// What ends a line in other programs: vertical tab, form feed, next line, line and paragraph separator.
+/// True if the character ends a line in other programs: vertical tab, form feed, next line, line and paragraph
+/// separator.
 fn is_line_end(c: char) -> bool {
     matches!(c, '\u{b}' | '\u{c}' | '\u{85}' | '\u{2028}' | '\u{2029}')
 }

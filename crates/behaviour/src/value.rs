@@ -194,7 +194,7 @@ impl<'de> Visitor<'de> for AnyValue {
     }
 }
 
-/// How a value is written for a person or for Rhai: `0.5`, `"red"`, `#{x: 0.1, y: 0.0}`.
+/// Writes a value for a person or for Rhai: `0.5`, `"red"`, `#{x: 0.1, y: 0.0}`.
 impl fmt::Display for Value {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {

@@ -1,6 +1,6 @@
 //! The walk along the values: connectors in an order in which each comes after those that it takes from.
 
-/// Where a connector begins and ends. Streams are numbers here.
+/// The inputs and the output of a connector. Streams are numbers here.
 pub type Ends<'a> = (&'a [usize], usize);
 
 /// The connectors between so many streams in an order in which values flow, by their places. Those that stand in a
@@ -31,7 +31,7 @@ pub fn in_order(streams: usize, connectors: &[Ends]) -> Vec<usize> {
     order
 }
 
-/// How many connectors the longest way to each stream has; none for the streams in a circle or behind one.
+/// Returns the number of connectors on the longest way to each stream; none for the streams in a circle or behind one.
 #[must_use]
 pub fn ranks(streams: usize, connectors: &[Ends]) -> Vec<Option<usize>> {
     let (mut ranks, mut open) = (vec![0_usize; streams], vec![0_usize; streams]);

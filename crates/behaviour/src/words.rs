@@ -89,7 +89,7 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// How many fields of an object a sentence names.
+/// The most fields of an object that a sentence names.
 const FIELDS_SAID_MAX: usize = 4;
 
 impl fmt::Display for ValueType {

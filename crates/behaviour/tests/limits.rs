@@ -77,7 +77,7 @@ fn refusal(decision: Decision) -> Refusal {
     refusal
 }
 
-/// As many large notes as there must be to pass the bound.
+/// Makes as many large notes as there must be to pass the bound.
 fn too_many_notes() -> Behaviour {
     let text = "n".repeat(4_000);
     of((0..BEHAVIOUR_MAX_BYTES / 4_000 + 1).map(|at| (key(Kind::Note, at), note(&text))))

@@ -1,4 +1,4 @@
-//! Who may move which part of the robot: what a stream claims, and who keeps it.
+//! The precedence of streams over parts of the robot: what a stream claims, and who keeps it.
 
 mod claim;
 mod holds;

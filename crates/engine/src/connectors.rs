@@ -1,4 +1,4 @@
-//! What connectors do with values, one file a connector: in event mode, in frame mode, and when one run follows another.
+//! The work of connectors, one file a connector: in event mode, in frame mode, and when one run follows another.
 
 mod combine_latest;
 mod context;
@@ -43,24 +43,24 @@ const ALL: &[&Kind] = &[
 
 /// A kind of connector, as the engine runs it.
 pub(crate) struct Kind {
-    /// Its word in files.
+    /// The connector's word in files.
     word: &'static str,
-    /// What event mode does when one of its inputs has a value: [`Op::Take`], unless measuring says otherwise.
+    /// The step of event mode when one of its inputs has a value: [`Op::Take`], unless measuring says otherwise.
     pub(crate) op: Op,
     /// Makes one, with what was chosen for it.
     pub(crate) make: fn(&Choice) -> Box<dyn Connector>,
 }
 
-/// What was chosen for a connector, besides its procedure.
+/// The choices for a connector, besides its procedure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Choice {
-    /// How many streams it takes from.
+    /// The number of streams that it takes from.
     pub(crate) inputs: usize,
     /// The duration in milliseconds, 1 or more, if it takes one.
     pub(crate) period_ms: u64,
     /// The value to start from; null if it takes none.
     pub(crate) start: Value,
-    /// Whether it has a procedure.
+    /// True if it has a procedure.
     pub(crate) has_procedure: bool,
 }
 
@@ -75,17 +75,17 @@ pub(crate) trait Connector {
     /// The fault that dropped a value; already counted.
     fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>>;
 
-    /// When it gives something by itself next, if it will.
+    /// Returns the time when it gives something by itself next, if it will.
     fn due(&self) -> Option<Millis> {
         None
     }
 
-    /// What it gives then, in both modes. From then on it is due later, or not at all.
+    /// Gives the value that is due then, in both modes. From then on it is due later, or not at all.
     fn tick(&mut self) -> Option<Carried> {
         None
     }
 
-    /// What it remembers.
+    /// Returns the memory of the connector.
     fn memory(&self) -> Memory {
         Memory::default()
     }

@@ -1,4 +1,4 @@
-//! What one step of a procedure costs, and how much one call or one instant may use.
+//! The cost of one step of a procedure, and the bounds of one call or one instant.
 
 pub(crate) mod callers;
 pub(crate) mod limits;

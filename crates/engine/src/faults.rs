@@ -1,4 +1,4 @@
-//! Why a behaviour is refused, and what goes wrong while it runs: as data, and in words for people.
+//! The reasons why a behaviour is refused, and the faults while it runs: as data, and in words for people.
 
 mod body;
 mod call;

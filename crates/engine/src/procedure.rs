@@ -38,13 +38,13 @@ struct Interpreted {
     names: Vec<String>,
     body: Box<str>,
     functions: Rc<Functions>,
-    /// Nothing if it certainly ends within the limit of steps.
+    /// The cost of the body's variables; none if it certainly ends within the limit of steps.
     cost: Option<Rc<VariableCost>>,
     /// Made when it is first needed: a run keeps thousands of bodies that the first tier answers for.
     parsed: Option<Box<Parsed>>,
 }
 
-/// What Rhai has read, with one slot per argument.
+/// A procedure that Rhai has read, with one slot per argument.
 struct Parsed {
     ast: AST,
     slots: Scope<'static>,
@@ -64,7 +64,7 @@ impl Procedure {
         Ok(Self { compiled, interpreted: Box::new(interpreted) })
     }
 
-    /// Its one operation, if the first tier knows and it is no more than that.
+    /// Returns the one operation of the procedure, if the first tier knows and it is no more than that.
     pub(crate) fn short(&self) -> Option<Short> {
         self.compiled.as_ref()?.short()
     }
@@ -81,13 +81,13 @@ impl Procedure {
         self.compiled.as_ref().is_some_and(|compiled| compiled.object(inputs, spare))
     }
 
-    /// Whether it finds the inputs true, if the first tier knows.
+    /// Tells if the procedure finds the inputs true; none unless the first tier knows.
     #[inline]
     pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {
         self.compiled.as_ref()?.truth(inputs)
     }
 
-    /// What the procedure makes of the inputs.
+    /// Calls the procedure with the inputs: the first tier if it can, else Rhai.
     pub(crate) fn call(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<CallFault>> {
         let compiled = self.compiled.as_ref().and_then(|compiled| compiled.call(inputs));
         compiled.map_or_else(|| self.interpret(engine, inputs), Ok)
@@ -99,7 +99,7 @@ impl Procedure {
         self.compiled.is_some()
     }
 
-    /// What Rhai makes of the inputs.
+    /// Calls the procedure with the inputs in Rhai.
     pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<CallFault>> {
         let Interpreted { names, parsed, cost, .. } =
             self.interpreted.ready(engine).map_err(|fault| CallFault::Unread(Box::new(fault)))?;

@@ -1,4 +1,4 @@
-//! What runs: a behaviour read once, as numbers, checked and with its procedures compiled.
+//! A program to run: a behaviour read once, as numbers, checked and with its procedures compiled.
 
 mod model;
 mod operation;
@@ -18,7 +18,7 @@ pub use validity::validate;
 /// A behaviour that can run.
 pub struct Program {
     pub(crate) graph: Graph,
-    /// How time runs.
+    /// The way in which time runs.
     pub(crate) mode: Engine,
     pub(crate) engine: rhai::Engine,
     pub(crate) procedures: IndexVec<ConnectorIx, Option<Procedure>>,

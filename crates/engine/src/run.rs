@@ -120,13 +120,13 @@ impl Run {
         stats.streams[stream].last().map(|(_, value)| value).filter(|_| fired)
     }
 
-    /// Why it ended by itself, if it did.
+    /// Returns the reason why it ended by itself, if it did.
     #[must_use]
     pub fn ended(&self) -> Option<End> {
         self.core.end
     }
 
-    /// What went wrong if it ended by itself and nobody stopped it.
+    /// Returns the fault of a run that ended by itself, without being stopped.
     #[must_use]
     pub fn fault(&self) -> Option<RunFault> {
         match self.core.end? {
@@ -135,7 +135,7 @@ impl Run {
         }
     }
 
-    /// What it counted so far.
+    /// Returns the counts of the run so far.
     #[must_use]
     pub fn stats(&self) -> &Stats {
         &self.core.context.stats

@@ -20,12 +20,12 @@ pub(crate) use event::Event;
 pub(crate) use frame::Frame;
 pub(crate) use memory::RunMemory;
 
-/// What a run tells its caller, in order.
+/// The events that a run tells its caller, in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Emission<'a> {
     /// A value on a stream.
     Value {
-        /// When, in logical time.
+        /// The logical time.
         at: Millis,
         /// The stream.
         stream: StreamIx,
@@ -34,11 +34,11 @@ pub enum Emission<'a> {
     },
     /// A procedure dropped a value.
     Fault {
-        /// When, in logical time.
+        /// The logical time.
         at: Millis,
         /// The connector.
         connector: ConnectorIx,
-        /// What went wrong.
+        /// The fault of the call.
         error: &'a CallFault,
         /// True if the caller's interrupt ended the procedure.
         deadline: bool,

@@ -1,4 +1,4 @@
-//! Where values multiply, a run ends at the same value everywhere, and Stop ends it before.
+//! Tests where values multiply: a run ends at the same value everywhere, and Stop ends it before.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 use behaviour::{BehaviourFile, Value};
@@ -8,7 +8,7 @@ use serde_json::json;
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// So many diamonds in a row: each stream goes two ways, by these two bodies, that a merge leads together again.
+/// Makes so many diamonds in a row: each stream goes two ways, by these two bodies, that a merge leads together again.
 fn diamonds(many: usize, first: &str, bodies: [&str; 2], mode: &serde_json::Value) -> BehaviourFile {
     let stream = |id: String, kind: &str| json!({"id": id, "kind": kind, "name": format!("Merged {id}")});
     let mut streams = vec![stream("ball".into(), "sensor"), stream("m0".into(), "ordinary")];
@@ -43,7 +43,7 @@ fn build(file: &BehaviourFile, limits: Limits) -> Run {
     Run::build(file, limits).map_err(|faults| faults[0].to_string()).unwrap()
 }
 
-/// How many values a reading and the time until 100 ms gave, and which were the last two.
+/// Returns the number of values that a reading and the time until 100 ms gave, and the last two.
 fn play(run: &mut Run) -> (u64, [String; 2]) {
     let (mut count, mut last) = (0, [String::new(), String::new()]);
     let mut hear = |emission: Emission| {

@@ -97,7 +97,7 @@ fn join(all: &[&str]) -> String {
     all.join(",")
 }
 
-/// What is said, save of streams that lead nowhere.
+/// Returns the problems, save of streams that lead nowhere.
 fn said((behaviour, helpers): &(Behaviour, Vec<Helper>)) -> Vec<Problem> {
     let all = problems(behaviour, &helpers.iter().collect::<Vec<_>>(), &Known);
     all.into_iter().filter(|problem| problem.kind != ProblemKind::Unused).collect()
@@ -229,7 +229,7 @@ fn an_object_for_a_number_gets_a_helper_between() {
     assert!(said(&spoken).iter().any(|problem| matches!(problem.kind, ProblemKind::WrongType { .. })));
 }
 
-/// What somebody said of a helper counts as what is known of a shipped one.
+/// The declaration of a helper by a person counts as much as the knowledge of a shipped one.
 #[test]
 fn a_helper_of_ones_own_is_known_as_it_was_declared() {
     let streams = join(&[BALL, &ordinary("d", "Distance"), &ordinary("b", "Brightness"), EYES]);
@@ -257,7 +257,7 @@ fn a_helper_of_ones_own_is_known_as_it_was_declared() {
     assert_eq!(types[&id("b")], ValueType::in_unit(Unit::Fraction));
 }
 
-/// What nobody can tell before is told once it was seen.
+/// A kind that nobody can tell before is told once it was seen.
 #[test]
 fn what_was_seen_tells_what_nobody_knew() {
     let streams = join(&[&ordinary("text", "Words"), &ordinary("b", "Brightness"), BALL, EYES]);
@@ -446,7 +446,7 @@ fn a_filter_that_can_never_answer_is_told_before_start() {
     }
 }
 
-/// What each fix of the problem of the filter writes.
+/// Returns what each fix of the problem of the filter writes.
 fn written(body: &str) -> Vec<String> {
     let (behaviour, helpers) = tested(body);
     let library: Vec<&Helper> = helpers.iter().collect();

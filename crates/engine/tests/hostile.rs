@@ -22,7 +22,7 @@ fn run(body: &str, limits: &Limits) -> Result<Value, String> {
     try_body(&[], &["x".to_owned()], body, &[Value::Int(1)], limits).map_err(|fault| fault.to_string())
 }
 
-/// What is wrong with the verdict on a body, if anything. How deep a value gets is asked without a limit of steps.
+/// Says what is wrong with the verdict on a body, if anything. The depth of a value is asked without a limit of steps.
 fn judge(body: &str, verdict: &Verdict) -> Option<String> {
     let operations = if scripts::is_nested(body) { u64::MAX } else { Limits::default().operations };
     let (checked, made) = (check_body(&["x".to_owned()], body), run(body, &Limits { operations, ..Limits::default() }));
@@ -60,7 +60,7 @@ fn the_callers_word_ends_every_script() {
     });
 }
 
-/// What is wrong with how a body ends when the caller says so, if anything.
+/// Says what is wrong with the end of a body when the caller ends it, if anything.
 fn outlasts(body: &str, verdict: Verdict) -> Option<String> {
     let asked = Rc::new(Cell::new(0));
     let counter = asked.clone();
@@ -188,7 +188,7 @@ fn alone(connector: &serde_json::Value, mode: &serde_json::Value, compiled: bool
     Run::build(&file, Limits { compiled, ..Limits::default() }).map_err(|faults| faults[0].to_string()).unwrap()
 }
 
-/// What comes out of a run that is handed so many values, one every 10 ms, and the faults.
+/// Returns the values and the faults of a run that is handed so many values, one every 10 ms.
 fn hand(run: &mut Run, values: impl Iterator<Item = Value>) -> (Vec<Value>, Vec<String>) {
     let (mut made, mut faults) = (Vec::new(), Vec::new());
     let (a, b) = (run.stream_index("a").unwrap(), run.stream_index("b").unwrap());

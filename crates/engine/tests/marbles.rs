@@ -26,7 +26,7 @@ fn an_example_that_is_wrong_would_be_seen() {
     assert_ne!(play(spec, &other), play(spec, &example));
 }
 
-/// What comes out of the connector, with its times.
+/// Returns the values that come out of the connector, with their times.
 fn play(spec: &Spec, example: &Example) -> Vec<(u64, Value)> {
     let mut run = Run::build(&file(spec, example), Limits::default()).unwrap_or_else(|faults| panic!("{}", faults[0]));
     let output = run.stream_index("out").unwrap();
@@ -76,7 +76,7 @@ fn file(spec: &Spec, example: &Example) -> BehaviourFile {
     serde_json::from_value(file).unwrap()
 }
 
-/// What a marble stands for: a number, true or false, else a word.
+/// Returns the value that a marble stands for: a number, true or false, else a word.
 fn value(marble: Marble) -> Value {
     let plain = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::text(text));
     match marble.parts() {

@@ -22,7 +22,7 @@ use robot::Millis;
 
 const CASES: u64 = 400;
 
-/// What the product says.
+/// Returns the emissions of the product.
 fn product(file: &BehaviourFile, trace: &[Reading], until: u64, limits: Limits) -> Vec<Said> {
     let mut run = Run::build(file, limits).map_err(|faults| faults[0].to_string()).unwrap();
     let mut said = Vec::new();

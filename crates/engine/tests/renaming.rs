@@ -101,7 +101,7 @@ fn helpers(names: &BTreeMap<String, String>) -> Vec<FileHelper> {
     HELPERS.iter().zip(bodies).map(helper).collect()
 }
 
-/// What it gives, as text; of faults, that there is one: their words may name names.
+/// Returns the result as text; of faults only that there is one: their words may name names.
 fn given(names: &BTreeMap<String, String>, arguments: &[String], body: &str) -> Option<String> {
     let values = [Value::from(1_i64), Value::from("kite")];
     try_body(&helpers(names), arguments, body, &values, &Limits::default()).ok().map(|value| value.to_string())

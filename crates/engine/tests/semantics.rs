@@ -39,7 +39,7 @@ fn graph(text: &str) -> BehaviourFile {
     serde_json::from_value(file).unwrap()
 }
 
-/// What a run says: `time stream=value` or `time connector!`.
+/// Returns the emissions of a run: `time stream=value` or `time connector!`.
 fn said(run: &mut Run, act: impl FnOnce(&mut Run, &mut dyn FnMut(Emission))) -> String {
     let streams: Vec<_> = run.streams().iter().map(|stream| stream.id.clone()).collect();
     let connectors: Vec<_> = run.connectors().iter().map(|connector| connector.id.clone()).collect();

@@ -148,7 +148,7 @@ fn a_ready_made_list_in_a_loop_costs_by_its_length() {
     assert!(costs.is_sorted_by(|less, more| less < more), "{costs:?}");
 }
 
-/// What runs once is not charged, whatever its size: most procedures have no loop at all.
+/// A part that runs once is not charged, whatever its size: most procedures have no loop at all.
 #[test]
 fn a_procedure_that_certainly_ends_pays_for_functions_only() {
     for body in

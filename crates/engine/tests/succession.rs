@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 
 const CASES: u64 = 300;
 
-/// What was said, with ids, since indices differ between versions.
+/// An emission with ids, since indices differ between versions.
 #[derive(Clone, Debug, PartialEq)]
 enum Said {
     Value(u64, String, Value),
@@ -108,7 +108,7 @@ fn frame(chance: &mut Chance) -> Engine {
     Engine::Frame { frame_ms: 1 + chance.below(60) }
 }
 
-/// What one run from beginning to end says.
+/// Returns the emissions of one run from beginning to end.
 fn whole(file: &BehaviourFile, case: &Case) -> (Run, Vec<Said>) {
     let (mut run, mut said) = (build(file), Vec::new());
     play(&mut run, &case.trace, &case.file, &mut said);
@@ -159,7 +159,7 @@ fn what_has_nothing_in_common_begins_anew_and_logical_time_goes_on() {
     }
 }
 
-/// Whether no frame is open at the swap.
+/// True if no frame is open at the swap.
 fn between(case: &Case) -> bool {
     let mut run = build(&case.file);
     play(&mut run, &case.trace[..case.cut], &case.file, &mut Vec::new());

@@ -17,7 +17,7 @@ pub struct Published {
     files: Vec<PathBuf>,
 }
 
-/// Where the key of the server at this address is kept.
+/// Returns the files in which the key of the server at this address is kept.
 pub(crate) fn of(address: SocketAddr, data: Option<&Path>) -> Vec<PathBuf> {
     let listed = servers().map(|servers| servers.join(name(address)));
     data.map(|data| data.join(FILE)).into_iter().chain(listed).collect()
@@ -45,7 +45,7 @@ impl Published {
         Self { key: key.clone(), files }
     }
 
-    /// Whether a program of this user finds the key.
+    /// True if a program of this user finds the key.
     #[must_use]
     pub fn is_kept(&self) -> bool {
         !self.files.is_empty()

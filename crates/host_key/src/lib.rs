@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// The file in a server's data folder.
 const FILE: &str = "rrp.host.json";
-/// Where all running servers of a user are listed, below the folder of what programs of this user remember.
+/// The folder that lists all running servers of a user, below the folder of what programs of this user remember.
 const SERVERS: &str = "rrp/servers";
 
 /// The name of the header of a request that shows a key.
@@ -20,7 +20,7 @@ pub const HEADER: &str = "authorization";
 /// A key, and the server at whose address it counts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct HostKey {
-    /// Where the server listens for this computer.
+    /// The address at which the server listens for this computer.
     pub address: SocketAddr,
     /// The secret.
     pub key: String,

@@ -15,12 +15,12 @@ pub(crate) fn named(text: &str) -> Id {
     Id::new(text).expect("an id")
 }
 
-/// What a client's note says after so many edits.
+/// Makes the note of a client after so many edits.
 pub(crate) fn text(client: usize, edits: u64) -> Record {
     Record::Note(Note::new(format!("Edit {edits} of client {client}, as long as notes of people are.")))
 }
 
-/// How often the note of a client was edited, as the note says.
+/// Returns the number of edits of a client's note, as the note says.
 pub(crate) fn edits(record: &Record) -> Option<u64> {
     let Record::Note(Note { text, .. }) = record else { return None };
     text.strip_prefix("Edit ")?.split(' ').next()?.parse().ok()
@@ -43,7 +43,7 @@ pub(crate) fn op(run: &str, client: usize, edits: u64, due_us: u64) -> Id {
     named(&format!("load-{run}-{client}-{edits}-{due_us}"))
 }
 
-/// When an edit of this run was due.
+/// Returns the time when an edit of this run was due.
 pub(crate) fn due_us(run: &str, change: &Change) -> Option<u64> {
     let parts = change.op.as_str().strip_prefix("load-")?.strip_prefix(run)?.strip_prefix('-')?;
     parts.rsplit('-').next()?.parse().ok()

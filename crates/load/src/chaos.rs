@@ -13,12 +13,12 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::task::JoinSet;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
-/// What is carried at once, in bytes.
+/// The most bytes that are carried at once.
 const PIECE_BYTES: usize = 16 << 10;
 /// Of so many pieces some are treated badly.
 const OF: u64 = 10_000;
 
-/// How often what happens to a link, of ten thousand pieces that it carries.
+/// The faults of a link, each as a count of ten thousand pieces that it carries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
     /// Pieces that come late.
@@ -33,7 +33,7 @@ pub struct Faults {
     pub silences: u64,
 }
 
-/// How often what happened.
+/// The number of times that each fault happened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Happened {
     /// Links that were made.
@@ -90,7 +90,7 @@ impl KeyOfServer {
     }
 }
 
-/// What becomes of a piece.
+/// The fate of a piece.
 enum Fate {
     Pass,
     Late(Duration),
@@ -134,7 +134,7 @@ impl Proxy {
         Ok(Self { address, counts, calm, _until: until.drop_guard() })
     }
 
-    /// Its address, as that of a server.
+    /// Returns the address, as that of a server.
     #[must_use]
     pub fn url(&self) -> String {
         format!("http://{}/", self.address)
@@ -145,7 +145,7 @@ impl Proxy {
         self.calm.cancel();
     }
 
-    /// What happened until now.
+    /// Returns the faults that happened until now.
     #[must_use]
     pub fn happened(&self) -> Happened {
         let of = |count: &AtomicU64| count.load(Ordering::Relaxed);
@@ -273,7 +273,8 @@ mod tests {
     use tokio::io::{AsyncReadExt, AsyncWriteExt};
     use tokio::net::{TcpListener, TcpStream};
 
-    /// What comes back of a thousand bytes through a proxy before somebody who says them again, and how the link ended.
+    /// Returns the number of bytes that come back of a thousand through a proxy before somebody who says them again,
+    /// and the proxy.
     async fn echo(faults: Faults) -> (usize, Proxy) {
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
         let target = listener.local_addr().unwrap();

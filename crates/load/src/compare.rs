@@ -1,4 +1,4 @@
-//! Whether all have the same in the end, byte by byte, and nothing that was acknowledged is lost.
+//! The test that all have the same in the end, byte by byte, and nothing that was acknowledged is lost.
 
 use behaviour::{Behaviour, Id};
 use protocol::Refused;
@@ -14,38 +14,38 @@ pub type Known = BTreeMap<Id, (u64, Vec<u8>)>;
 pub enum Wrong {
     /// Somebody has something else than the server.
     Differs {
-        /// Who.
+        /// The one who has it so.
         who: String,
         /// In which behaviour.
         behaviour: Id,
         /// At which revision.
         revision: u64,
-        /// Which revision the server has.
+        /// The revision that the server has.
         wanted: u64,
     },
     /// An edit that was acknowledged is not there, or another one is that nobody made.
     Lost {
         /// Of which client.
         client: usize,
-        /// How many of its edits were acknowledged.
+        /// The number of edits that were acknowledged.
         acknowledged: u64,
-        /// How many there are.
+        /// The number of edits that are there.
         there: u64,
     },
     /// There are more or fewer changes than were acknowledged.
     Changes {
         /// In which behaviour.
         behaviour: Id,
-        /// Its revision.
+        /// The revision that is there.
         revision: u64,
-        /// What it should be.
+        /// The revision that should be there.
         wanted: u64,
     },
     /// An edit was refused.
     Refused {
         /// Of which client.
         client: usize,
-        /// Why.
+        /// The refusal.
         no: Box<Refused>,
     },
     /// Nobody knows what became of an edit: no answer came in time.
@@ -73,12 +73,12 @@ impl fmt::Display for Wrong {
     }
 }
 
-/// What a behaviour is in bytes.
+/// Returns a behaviour as bytes.
 pub(crate) fn bytes(records: &Behaviour) -> Vec<u8> {
     serde_json::to_vec(records).unwrap_or_default()
 }
 
-/// What differs between what somebody has and what they should.
+/// Returns the difference between what somebody has and what they should.
 pub(crate) fn differs(who: &str, has: &Mirror, known: &Known) -> Option<Wrong> {
     let (wanted, wanted_bytes) = known.get(&has.behaviour)?;
     let is_same = has.revision == *wanted && bytes(&has.records) == *wanted_bytes;

@@ -16,14 +16,14 @@ use tokio::sync::mpsc;
 use tokio::task::JoinHandle;
 use tokio::time::Instant;
 
-/// How long an edit may be sent again until nobody waits for it any more.
+/// The time for which an edit is sent again until nobody waits for it any more.
 const PATIENCE: Duration = Duration::from_secs(90);
 /// Before what could not be is tried again.
 const AGAIN_MS: u64 = 20;
 /// A link that ends without a word does so within this after an edit was sent, in microseconds.
 const KILL_WITHIN_US: u64 = 4_000;
 
-/// What all clients share.
+/// The state that all clients share.
 pub(crate) struct Course {
     pub(crate) plan: Plan,
     pub(crate) url: String,
@@ -32,7 +32,7 @@ pub(crate) struct Course {
     /// The behaviours.
     pub(crate) behaviours: Vec<Id>,
     pub(crate) watch: Watch,
-    /// When the first edit is due: known once all clients are there.
+    /// The time when the first edit is due: known once all clients are there.
     pub(crate) began: OnceLock<Instant>,
 }
 
@@ -42,7 +42,7 @@ impl Course {
     }
 }
 
-/// What one client went through.
+/// The record of what one client went through.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tally {
     /// From when an edit was due until its sender was told that it is saved.
@@ -64,7 +64,7 @@ pub(crate) struct Editor {
     number: usize,
     link: Option<Link>,
     again: Option<Credential>,
-    /// When its link ends without a word, in microseconds.
+    /// The times when its link ends without a word, in microseconds.
     kills_us: VecDeque<u64>,
     pub(crate) tally: Tally,
 }
@@ -92,7 +92,7 @@ impl Editor {
         &self.course.behaviours[self.course.plan.behaviour_of(self.number)]
     }
 
-    /// What it has of its behaviour.
+    /// Returns its mirror of its behaviour.
     pub(crate) fn replica(&self) -> Option<Mirror> {
         self.link.as_ref()?.client.open()
     }

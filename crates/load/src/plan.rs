@@ -1,6 +1,6 @@
-//! What a load is: who does what, how fast and for how long.
+//! The plan of a load: who does what, how fast and for how long.
 
-/// What a load is.
+/// The plan of a load.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plan {
     /// Clients that edit, each its own note of one behaviour.
@@ -15,7 +15,7 @@ pub struct Plan {
     pub kills: usize,
     /// For how long edits are made, in seconds.
     pub seconds: u64,
-    /// What chance is made of.
+    /// The seed of chance.
     pub seed: u64,
 }
 

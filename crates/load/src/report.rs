@@ -1,4 +1,4 @@
-//! What a load showed.
+//! The report of a load.
 
 use crate::compare::{Known, Wrong};
 use crate::editor::Tally;
@@ -10,10 +10,10 @@ use std::time::Duration;
 /// Things that are wrong which are shown; of more only how many there are.
 const WRONG_SHOWN_MAX: usize = 20;
 
-/// What a load showed. [`std::fmt::Display`] says it in a few lines.
+/// The report of a load. [`std::fmt::Display`] says it in a few lines.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// What was done.
+    /// The plan that was done.
     pub plan: Plan,
     /// From when an edit was due until its sender was told that it is saved.
     pub echo: Times,
@@ -21,17 +21,17 @@ pub struct Report {
     pub spread: Times,
     /// Edits that are saved.
     pub acknowledged: u64,
-    /// How long it took until the last was.
+    /// The time until the last was.
     pub took: Duration,
     /// Edits that had to be sent again.
     pub again: u64,
     /// Links that were made anew.
     pub links: u64,
-    /// How often the server cut off a client that read nothing.
+    /// The number of times that the server cut off a client that read nothing.
     pub cut_off: u64,
     /// The behaviours as they are in the end.
     pub known: Known,
-    /// What must not be; empty if all is well.
+    /// The faults that must not be; empty if all is well.
     pub wrong: Vec<Wrong>,
 }
 

@@ -22,7 +22,7 @@ use tokio_util::sync::CancellationToken;
 
 /// Clients that come in at once.
 const COMING_MAX: usize = 32;
-/// How long clients may take, after the last edit, to know all of them.
+/// The longest time for clients, after the last edit, to know all of them.
 const CALM: Duration = Duration::from_secs(30);
 /// Between two looks whether they do.
 const LOOK_MS: u64 = 20;
@@ -35,7 +35,7 @@ pub struct Load {
     watch: Watch,
 }
 
-/// How far a load is. A clone is of the same.
+/// The progress of a load. A clone is of the same.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
     acknowledged: Arc<AtomicU64>,
@@ -81,7 +81,7 @@ impl Load {
         Self { editors_url: editors_url.to_owned(), ..self }
     }
 
-    /// How far it is.
+    /// Returns the progress.
     #[must_use]
     pub fn watch(&self) -> Watch {
         self.watch.clone()
@@ -130,7 +130,7 @@ impl Load {
     }
 }
 
-/// When the link of which client ends without a word.
+/// Chooses the times when the link of each client ends without a word.
 fn kills(plan: &Plan) -> Vec<VecDeque<u64>> {
     let mut dice = Dice::of(plan.seed, 0);
     let mut kills: Vec<VecDeque<u64>> = vec![VecDeque::new(); plan.clients];
@@ -177,7 +177,7 @@ fn stalled(url: &str, plan: &Plan, behaviours: &[Id], cut_off: &Arc<AtomicU64>) 
     Ok(tasks)
 }
 
-/// Where a server is, from its address.
+/// Reads the place of a server from its address.
 fn address(url: &str) -> Result<SocketAddr, Trouble> {
     let bare = url.trim_start_matches("http://").trim_end_matches('/');
     let none = |error: std::net::AddrParseError| NoLink::NoServer { url: url.to_owned(), error: error.to_string() };

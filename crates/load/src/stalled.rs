@@ -8,9 +8,9 @@ use std::time::Duration;
 use tokio::net::TcpSocket;
 use tokio_tungstenite::tungstenite::{Bytes, Message};
 
-/// What waits in such a client's own computer, in bytes: little, so that the server notices soon.
+/// The bytes that wait in such a client's own computer: few, so that the server notices soon.
 const BUFFER_BYTES: u32 = 16 << 10;
-/// How often it says that it is there, and so learns that it was cut off.
+/// The time between its signs of life, by which it learns that it was cut off.
 const SIGN_MS: u64 = 200;
 
 type Ended = Box<dyn std::error::Error + Send + Sync>;

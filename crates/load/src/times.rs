@@ -1,4 +1,4 @@
-//! How long things took, as a histogram in microseconds.
+//! Durations, as a histogram in microseconds.
 
 use hdrhistogram::Histogram;
 use std::fmt;
@@ -7,7 +7,7 @@ use std::time::Duration;
 /// Digits that count.
 const DIGITS: u8 = 3;
 
-/// How long things took.
+/// A histogram of durations.
 #[derive(Clone, Debug)]
 pub struct Times(Histogram<u64>);
 
@@ -31,13 +31,13 @@ impl Times {
         self.0.add(&other.0).expect("it grows");
     }
 
-    /// How many there are.
+    /// Returns the number of durations.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.0.len()
     }
 
-    /// What so many of a hundred do not exceed.
+    /// Returns the duration that so many of a hundred do not exceed.
     #[must_use]
     pub fn share(&self, percent: f64) -> Duration {
         Duration::from_micros(self.0.value_at_percentile(percent))

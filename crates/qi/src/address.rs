@@ -1,11 +1,11 @@
-//! Where a peer is: `tcp://HOST:PORT` or `tcps://HOST:PORT`.
+//! The address of a peer: `tcp://HOST:PORT` or `tcps://HOST:PORT`.
 
 use std::fmt;
 use std::str::FromStr;
 
 use crate::error::QiError;
 
-/// How a peer is spoken to.
+/// The transport on which a peer is spoken to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Scheme {
     /// `tcp`: as it is.
@@ -14,10 +14,10 @@ pub enum Scheme {
     Tcps,
 }
 
-/// Where a peer is.
+/// The address of a peer.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Address {
-    /// How it is spoken to.
+    /// The transport on which it is spoken to.
     pub scheme: Scheme,
     /// A name or an address; an IPv6 address without its brackets.
     pub host: String,

@@ -17,7 +17,7 @@ const GREETING: Target = Target { service: 0, object: 0, action: 0 };
 const STATE: &str = "__qi_auth_state";
 const STATE_CONTINUE: u32 = 2;
 const STATE_DONE: u32 = 3;
-/// How often a peer may ask for one more step.
+/// The most times that a peer may ask for one more step.
 const STEPS_MAX: usize = 3;
 
 /// User and password. Their text is in no error and no log.
@@ -35,7 +35,7 @@ impl fmt::Debug for Credentials {
     }
 }
 
-/// Which kind of hello a peer knows.
+/// The kinds of hello that peers know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Generation {
     /// NAOqi 2.1 (2014): a message of its own, no login.
@@ -44,10 +44,10 @@ pub enum Generation {
     Authenticate,
 }
 
-/// What both ends agreed on.
+/// The result of the handshake, on which both ends agreed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Agreed {
-    /// Which kind of hello it was.
+    /// The kind of hello that it was.
     pub generation: Generation,
     /// Objects carry a uid.
     pub object_uid: bool,
@@ -59,7 +59,7 @@ pub struct Agreed {
     pub new_token: Option<String>,
 }
 
-/// What we can do. `MetaObjectCache` would change how objects are written.
+/// Returns our capabilities. `MetaObjectCache` would change how objects are written.
 fn ours() -> Vec<(&'static str, Value)> {
     let can = [
         ("ClientServerSocket", true),

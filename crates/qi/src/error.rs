@@ -1,4 +1,4 @@
-//! What can go wrong between this crate and a peer, as data with one sentence each.
+//! The faults between this crate and a peer, as data with one sentence each.
 
 use std::io;
 use std::time::Duration;
@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::malformed::{Malformed, Unfit};
 use crate::tls::Fingerprint;
 
-/// How far a connection came.
+/// The stages of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
     /// Finding the host's address by its name.
@@ -36,7 +36,7 @@ impl std::fmt::Display for Stage {
     }
 }
 
-/// Why a stage of connecting failed.
+/// The reasons why a stage of connecting failed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Cause {
     /// The system says so: refused, unreachable, reset.
@@ -68,9 +68,9 @@ pub enum Cause {
     /// No endpoint of the service is on the host that was dialled.
     #[error("{service} offers no way to it on this host, only {}", .offered.join(", "))]
     NoEndpoint {
-        /// Its name.
+        /// The name of the service.
         service: String,
-        /// What the directory says of it.
+        /// The addresses that the directory offers for it.
         offered: Vec<String>,
     },
     /// Anything that can go wrong with a call.
@@ -78,7 +78,7 @@ pub enum Cause {
     Call(Box<QiError>),
 }
 
-/// Why a link is over.
+/// The reasons why a link is over.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Ending {
     /// The peer closed it.
@@ -90,7 +90,7 @@ pub enum Ending {
     /// The system says so.
     #[error("{0}")]
     Io(io::ErrorKind),
-    /// What came is not the qi protocol.
+    /// The bytes that came are not the qi protocol.
     #[error("{0}")]
     Malformed(Malformed),
 }
@@ -104,9 +104,9 @@ pub enum QiError {
     /// A connection did not come about.
     #[error("{stage} failed: {cause}")]
     Connect {
-        /// How far it came.
+        /// The stage that failed.
         stage: Stage,
-        /// What went wrong there.
+        /// The cause of the failure.
         cause: Cause,
     },
     /// The link is over; every call that waits ends with this.
@@ -115,17 +115,17 @@ pub enum QiError {
     /// No answer in time. The peer may still do what was asked; a late answer is dropped.
     #[error("{what} did not answer within {} ms", .within.as_millis())]
     Timeout {
-        /// What was called.
+        /// The method that was called.
         what: String,
-        /// How long was waited.
+        /// The time that was waited.
         within: Duration,
     },
     /// A bound of the link is reached: calls in flight, messages that wait, listeners.
     #[error("too much is under way on this connection: {limit} {what}")]
     Busy {
-        /// What there is too much of.
+        /// The thing of which there is too much.
         what: &'static str,
-        /// How many there may be.
+        /// The most that there may be.
         limit: usize,
     },
     /// The directory has no service of this name.
@@ -164,13 +164,13 @@ pub enum QiError {
     Remote {
         /// `Module::method`, where the peer says it.
         module: Option<String>,
-        /// What went wrong.
+        /// The message that says what went wrong.
         text: String,
     },
     /// The peer gave up a call, as it was asked to.
     #[error("{what} was cancelled")]
     Canceled {
-        /// What was called.
+        /// The method that was called.
         what: String,
     },
     /// An answer or event that cannot be read. The link goes on.
@@ -179,9 +179,9 @@ pub enum QiError {
     /// An answer of another kind than the method's signature says.
     #[error("{what} answered with something else than {wanted}")]
     Unexpected {
-        /// What was called.
+        /// The method that was called.
         what: String,
-        /// What should have come.
+        /// The kind of value that should have come.
         wanted: &'static str,
     },
 }
@@ -191,7 +191,7 @@ fn said(candidates: &[String]) -> String {
 }
 
 impl QiError {
-    /// Whether trying again later, unchanged, can help: the network and the peer may come back, a password or a
+    /// True if trying again later, unchanged, can help: the network and the peer may come back, a password or a
     /// certificate does not mend itself.
     pub fn retryable(&self) -> bool {
         match self {

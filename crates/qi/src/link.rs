@@ -30,11 +30,12 @@ use crate::wire::{Frame, Header, Kind};
 use fan_out::FanOut;
 use pending::{Pending, Waiting};
 
-/// How many messages may wait to be written.
+/// The most messages that may wait to be written.
 pub const QUEUE_MAX_FRAMES: usize = 256;
-/// How many bytes of messages may wait to be written.
+/// The most bytes of messages that may wait to be written.
 pub const QUEUE_MAX_BYTES: usize = 32 << 20;
-/// What is pinged: `machineId` of the service directory, which every generation has; a refusal is an answer too.
+/// The method that is pinged: `machineId` of the service directory, which every generation has; a refusal is an answer
+/// too.
 const PING: Target = Target { service: 1, object: 1, action: 108 };
 
 /// A method, signal or property of an object.
@@ -65,7 +66,7 @@ impl Drop for Held {
     }
 }
 
-/// What the tasks and all who hold the link have in common.
+/// The state that the tasks and all who hold the link have in common.
 #[derive(Debug)]
 struct Shared {
     outgoing: mpsc::Sender<Vec<u8>>,
@@ -75,7 +76,7 @@ struct Shared {
     fan_out: FanOut,
     registering: tokio::sync::Mutex<()>,
     ended: watch::Sender<Option<Ending>>,
-    /// What the peer said it can do without being asked, as it came: the generation of NAOqi 2.1.
+    /// The capabilities that the peer told without being asked, as they came: the generation of NAOqi 2.1.
     greeting: OnceLock<Vec<u8>>,
     agreed: OnceLock<Agreed>,
     began: Instant,
@@ -127,7 +128,7 @@ impl Link {
     /// and its answer is not waited for. What a method makes of that is the peer's.
     ///
     /// # Errors
-    /// Those of [`Link::call`]; [`QiError::Canceled`] if it was not wanted any more.
+    /// Fails as [`Link::call`] does; with [`QiError::Canceled`] if it was not wanted any more.
     pub async fn call_until(
         &self,
         target: Target,
@@ -192,7 +193,7 @@ impl Link {
         }
     }
 
-    /// How long nothing came from the peer.
+    /// Returns the time for which nothing came from the peer.
     pub fn silent_for(&self) -> Duration {
         let heard = Duration::from_micros(self.shared().heard_us.load(Ordering::Relaxed));
         self.shared().began.elapsed().saturating_sub(heard)
@@ -204,13 +205,13 @@ impl Link {
         self.send(Kind::Call, self.shared().pending.next_id(), 0, target, payload)
     }
 
-    /// How many answers came that nobody waited for; they are dropped. Of calls that had given up, and of ends of
-    /// subscriptions and of objects.
+    /// Returns the number of answers that came and nobody waited for; they are dropped. They belong to calls that had
+    /// given up, and to ends of subscriptions and of objects.
     pub fn late_answers(&self) -> u64 {
         self.shared().late.load(Ordering::Relaxed)
     }
 
-    /// How many calls wait for their answer, at most [`IN_FLIGHT_MAX`].
+    /// Returns the number of calls that wait for their answer, at most [`IN_FLIGHT_MAX`].
     pub fn in_flight(&self) -> usize {
         self.shared().pending.len()
     }
@@ -220,7 +221,7 @@ impl Link {
         self.shared().end(Ending::Here);
     }
 
-    /// Why the link is over, if it is.
+    /// Returns the reason why the link is over, if it is.
     pub fn ending(&self) -> Option<Ending> {
         self.shared().ended.borrow().clone()
     }
@@ -230,7 +231,7 @@ impl Link {
         self.shared().ended().await
     }
 
-    /// What both ends agreed on, once they did.
+    /// Returns the result of the handshake, once there is one.
     pub fn agreed(&self) -> Option<&Agreed> {
         self.shared().agreed.get()
     }
@@ -243,7 +244,7 @@ impl Link {
         Layout { object_uid: self.agreed().is_some_and(|agreed| agreed.object_uid) }
     }
 
-    /// What the peer said it can do without being asked.
+    /// Returns the capabilities that the peer told without being asked.
     pub(crate) fn greeting(&self) -> Option<&[u8]> {
         self.shared().greeting.get().map(Vec::as_slice)
     }
@@ -283,7 +284,7 @@ impl Shared {
         })
     }
 
-    /// So many bytes do not wait any more.
+    /// Notes that so many bytes do not wait any more.
     fn written(&self, bytes: usize) {
         self.outgoing_bytes.fetch_sub(bytes, Ordering::Relaxed);
     }

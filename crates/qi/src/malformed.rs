@@ -1,12 +1,12 @@
-//! Why bytes are not what they claim to be, and why a value cannot be written as a type.
+//! The reasons why bytes are not what they claim to be, and why a value cannot be written as a type.
 
-/// What is wrong with bytes that came from a peer.
+/// The flaws of bytes that came from a peer.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Malformed {
     /// A message begins with four other bytes than qi messages do.
     #[error("the bytes are no qi message: they begin with {found:#010x}")]
     Magic {
-        /// What stands there, read as a little-endian number.
+        /// The number that stands there, read as little-endian.
         found: u32,
     },
     /// A message of a type that the protocol does not have.
@@ -18,15 +18,15 @@ pub enum Malformed {
     /// A message announces more than [`crate::FRAME_MAX_BYTES`].
     #[error("a message announces {size} bytes, which is too much")]
     TooLarge {
-        /// How many bytes it announces.
+        /// The number of bytes that it announces.
         size: u32,
     },
     /// A value needs more bytes than there are.
     #[error("a value needs {needed} bytes and {left} are left")]
     Short {
-        /// How many bytes it needs.
+        /// The number of bytes that it needs.
         needed: usize,
-        /// How many bytes are left.
+        /// The number of bytes that are left.
         left: usize,
     },
     /// Values or types within each other beyond [`crate::DEPTH_MAX`].
@@ -38,9 +38,9 @@ pub enum Malformed {
     /// A list or map announces more entries than bytes are left.
     #[error("a list announces {count} entries and {left} bytes are left")]
     Count {
-        /// How many entries it announces.
+        /// The number of entries that it announces.
         count: u32,
-        /// How many bytes are left.
+        /// The number of bytes that are left.
         left: usize,
     },
     /// A text that is no signature.
@@ -48,7 +48,7 @@ pub enum Malformed {
     Signature {
         /// The signature, at most 80 bytes of it.
         text: String,
-        /// Where reading it ended, in bytes.
+        /// The byte at which reading it ended.
         at: usize,
     },
     /// A value of a type that has no written form: `X`.
@@ -56,7 +56,7 @@ pub enum Malformed {
     Unreadable,
 }
 
-/// Why a value cannot be written as a type.
+/// The reasons why a value cannot be written as a type.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unfit {
     /// Another kind of value than the type wants.

@@ -1,4 +1,4 @@
-//! What an object can do, as it says it itself: methods, signals and properties with their numbers and types.
+//! The abilities of an object, as it tells them itself: methods, signals and properties with their numbers and types.
 
 mod choose;
 mod code;
@@ -12,13 +12,13 @@ use crate::signature::Signature;
 pub struct MetaMethod {
     /// The action that calls it. Another one in another version or after the service came back.
     pub uid: u32,
-    /// Its name; several methods may share it.
+    /// The name of the method; several methods may share it.
     pub name: String,
     /// The type of what it returns.
     pub returns: Signature,
     /// The types of its arguments: a tuple, or any type for a method that takes anything.
     pub parameters: Signature,
-    /// What it is for, in its author's words; often empty.
+    /// The purpose of the method, in its author's words; often empty.
     pub description: String,
 }
 
@@ -27,13 +27,13 @@ pub struct MetaMethod {
 pub struct MetaSignal {
     /// The action that its events carry.
     pub uid: u32,
-    /// Its name.
+    /// The name of the signal or property.
     pub name: String,
-    /// Of a signal the types of what its events carry, a tuple; of a property the type of its value.
+    /// The type: of a signal the types of what its events carry, a tuple; of a property the type of its value.
     pub signature: Signature,
 }
 
-/// What an object can do.
+/// The methods, signals and properties of an object.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MetaObject {
     /// Methods, by their numbers.
@@ -42,7 +42,7 @@ pub struct MetaObject {
     pub signals: Vec<MetaSignal>,
     /// Properties, by their numbers. Each may be a signal of the same number too.
     pub properties: Vec<MetaSignal>,
-    /// What it is for, in its author's words; often empty.
+    /// The purpose of the object, in its author's words; often empty.
     pub description: String,
 }
 

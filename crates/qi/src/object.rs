@@ -10,7 +10,7 @@ use crate::signature::Signature;
 use crate::value::{ObjectRef, Value, encode_arguments};
 use crate::wire::FLAG_DYNAMIC;
 
-/// How long a call may take unless something else is said.
+/// The longest time of a call unless something else is said.
 pub const CALL_WITHIN: Duration = Duration::from_secs(2);
 /// Objects of a service that are not the service itself begin here, and live until they are terminated.
 const FIRST_TEMPORARY: u32 = 2;
@@ -37,7 +37,7 @@ impl Object {
     /// The object at a place, which is asked what it can do.
     ///
     /// # Errors
-    /// What can go wrong with a call.
+    /// Fails as any call can.
     pub async fn at(link: Link, service: u32, object: u32, name: &str, within: Duration) -> Result<Self, QiError> {
         let target = Target { service, object, action: META_OBJECT };
         let answer = link.call(target, 0, object.to_le_bytes().to_vec(), within, "metaObject").await?;
@@ -60,7 +60,7 @@ impl Object {
         })
     }
 
-    /// What it can do.
+    /// Returns the methods, signals and properties of the object.
     pub fn meta(&self) -> &MetaObject {
         &self.meta
     }
@@ -93,7 +93,7 @@ impl Object {
     /// [`Object::call`] with another limit for this one call.
     ///
     /// # Errors
-    /// Those of [`Object::call`].
+    /// Fails as [`Object::call`] does.
     pub async fn call_within(&self, name: &str, arguments: &[Value], within: Duration) -> Result<Value, QiError> {
         let (method, flags, payload) = self.written(name, arguments)?;
         let what = format!("{}.{name}", self.name);
@@ -104,7 +104,7 @@ impl Object {
     /// [`Object::call_within`] until somebody does not want it any more: then the peer is asked to cancel it, if it can.
     ///
     /// # Errors
-    /// Those of [`Object::call`]; [`QiError::Canceled`] if it was not wanted any more.
+    /// Fails as [`Object::call`] does; with [`QiError::Canceled`] if it was not wanted any more.
     pub async fn call_until(
         &self,
         name: &str,
@@ -122,7 +122,7 @@ impl Object {
     /// Calls a method that gives out an object.
     ///
     /// # Errors
-    /// Those of [`Object::call`], [`QiError::Unexpected`] if it gives out something else.
+    /// Fails as [`Object::call`] does; with [`QiError::Unexpected`] if it gives out something else.
     pub async fn call_object(&self, name: &str, arguments: &[Value]) -> Result<Self, QiError> {
         let value = self.call(name, arguments).await?;
         let object = Self::from_value(&self.link, &value, self.within);
@@ -201,7 +201,7 @@ impl Object {
     }
 }
 
-/// What the peer keeps for us until it is told that nobody needs it.
+/// An object that the peer keeps for us until it is told that nobody needs it.
 #[derive(Debug)]
 struct GivenOut {
     link: Link,

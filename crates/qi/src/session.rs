@@ -25,21 +25,21 @@ use cache::Cache;
 const DIRECTORY: u32 = 1;
 const DIRECTORY_NAME: &str = "ServiceDirectory";
 const MAIN_OBJECT: u32 = 1;
-/// How many services may come or go while nobody looks, before all are asked for anew.
+/// The most services that may come or go while nobody looks, before all are asked for anew.
 const CHANGES_MAX: usize = 256;
-/// How many processes of one host may be linked to at once.
+/// The most processes of one host that may be linked to at once.
 const LINKS_MAX: usize = 16;
 
-/// How to connect.
+/// The options of a connection.
 #[derive(Debug, Clone)]
 pub struct Options {
     /// User and password, where the peer wants them.
     pub credentials: Option<Credentials>,
-    /// Which certificate is accepted behind `tcps`.
+    /// The certificates that are accepted behind `tcps`.
     pub trust: Trust,
-    /// How long each stage of connecting may take.
+    /// The longest time of each stage of connecting.
     pub stage_within: Duration,
-    /// How long calls may take unless something else is said.
+    /// The longest time of a call unless something else is said.
     pub call_within: Duration,
 }
 
@@ -62,7 +62,7 @@ struct Inner {
     fingerprint: Option<Fingerprint>,
     options: Options,
     directory: Object,
-    /// What the directory says of itself.
+    /// The directory's description of itself.
     itself: Option<ServiceInfo>,
     cache: Arc<Cache>,
     /// To other processes of the same host.
@@ -120,7 +120,7 @@ impl Session {
     /// All services that there are now.
     ///
     /// # Errors
-    /// What can go wrong with a call.
+    /// Fails as any call can.
     pub async fn services(&self) -> Result<Vec<ServiceInfo>, QiError> {
         let value = self.0.directory.call("services", &[]).await?;
         let wrong = || QiError::Unexpected { what: "services".to_owned(), wanted: "a list of services" };
@@ -152,7 +152,7 @@ impl Session {
     /// Listens to services that come: their number and name.
     ///
     /// # Errors
-    /// Those of [`Object::subscribe`].
+    /// Fails as [`Object::subscribe`] does.
     pub async fn added(&self) -> Result<Subscription, QiError> {
         self.0.directory.subscribe("serviceAdded", Keep::All(CHANGES_MAX)).await
     }
@@ -160,7 +160,7 @@ impl Session {
     /// Listens to services that go: their number and name.
     ///
     /// # Errors
-    /// Those of [`Object::subscribe`].
+    /// Fails as [`Object::subscribe`] does.
     pub async fn removed(&self) -> Result<Subscription, QiError> {
         self.0.directory.subscribe("serviceRemoved", Keep::All(CHANGES_MAX)).await
     }

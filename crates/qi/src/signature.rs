@@ -56,12 +56,12 @@ pub enum Signature {
     VarArgs(Box<Signature>),
 }
 
-/// What a tuple and its fields are called.
+/// The names of a tuple and its fields.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Names {
-    /// Of the tuple.
+    /// The name of the tuple.
     pub name: String,
-    /// Of its fields, in their order.
+    /// The names of its fields, in their order.
     pub fields: Vec<String>,
 }
 

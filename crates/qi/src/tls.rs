@@ -22,7 +22,7 @@ use crate::locked::locked;
 pub struct Fingerprint(pub [u8; 32]);
 
 impl Fingerprint {
-    /// Of a certificate in DER.
+    /// Returns the fingerprint of a certificate in DER.
     pub fn of(certificate: &[u8]) -> Self {
         Self(Sha256::digest(certificate).into())
     }
@@ -54,7 +54,7 @@ impl FromStr for Fingerprint {
     }
 }
 
-/// Which certificate is accepted.
+/// The certificates that are accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Trust {
     /// Whichever is shown: the first time. Keep its fingerprint and trust only that one later.

@@ -17,9 +17,9 @@ pub use fit::fit;
 use crate::meta::MetaObject;
 use crate::signature::Signature;
 
-/// How many values, and types, may stand within each other.
+/// The greatest depth of values, and types, within each other.
 pub const DEPTH_MAX: u32 = 32;
-/// How many values one message may hold, types and names of fields included. Some tens of MB when read.
+/// The most values that one message may hold, types and names of fields included. Some tens of MB when read.
 pub const VALUES_MAX: u32 = 1_000_000;
 
 /// A value of the protocol. Integers and floats keep their width; [`Value::seen`] and the `as_` functions look through
@@ -68,20 +68,21 @@ pub enum Value {
     Object(Arc<ObjectRef>),
 }
 
-/// Where an object is and what it can do. [`crate::Object::from_value`] makes something callable of it.
+/// A reference to an object: where it is and what it can do. [`crate::Object::from_value`] makes something callable of
+/// it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectRef {
-    /// What it can do.
+    /// The methods, signals and properties of the object.
     pub meta: MetaObject,
     /// The service that it belongs to.
     pub service: u32,
-    /// Its number there; from 2 on it lives until it is terminated.
+    /// The object's number there; from 2 on it lives until it is terminated.
     pub object: u32,
-    /// What it is known by everywhere, if both sides tell this.
+    /// The id by which it is known everywhere, if both sides tell this.
     pub uid: Option<[u8; 20]>,
 }
 
-/// What both ends agreed on that changes how values are written.
+/// The parts of the handshake that change how values are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Layout {
     /// Objects carry a uid of 20 bytes (capability `ObjectPtrUID`).

@@ -15,7 +15,7 @@ const MAGIC: u32 = 0x42AD_DE42;
 /// Above this many bytes a buffer that was needed once is given back.
 const KEPT_MAX_BYTES: usize = 1 << 20;
 
-/// What a message is for.
+/// The purposes of a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Asks for a method and wants an answer.
@@ -28,7 +28,7 @@ pub enum Kind {
     Post,
     /// A signal was raised.
     Event,
-    /// What the sender can do, in the generation of NAOqi 2.1.
+    /// The capabilities of the sender, in the generation of NAOqi 2.1.
     Capability,
     /// Asks for the end of a call.
     Cancel,
@@ -53,7 +53,7 @@ impl Kind {
 /// Everything about a message but its payload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Header {
-    /// What it is for.
+    /// The purpose of the message.
     pub kind: Kind,
     /// [`FLAG_DYNAMIC`] and [`FLAG_RETURN_SIGNATURE`].
     pub flags: u8,
@@ -103,9 +103,9 @@ impl Header {
 /// A whole message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Frame {
-    /// What it is and whom it is for.
+    /// The kind of message and whom it is for.
     pub header: Header,
-    /// What it carries, at most [`FRAME_MAX_BYTES`].
+    /// The content, at most [`FRAME_MAX_BYTES`].
     pub payload: Vec<u8>,
 }
 
@@ -144,7 +144,7 @@ impl Framer {
     /// The next whole message, or nothing until more bytes come.
     ///
     /// # Errors
-    /// Those of [`Header::from_bytes`], as soon as the header is there. The stream cannot be read on after that.
+    /// Fails as [`Header::from_bytes`] does, as soon as the header is there. The stream cannot be read on after that.
     pub fn next_frame(&mut self) -> Result<Option<Frame>, Malformed> {
         let waiting = self.buffer.get(self.taken..).unwrap_or_default();
         let Some((header, rest)) = waiting.split_first_chunk::<HEADER_BYTES>() else { return Ok(None) };

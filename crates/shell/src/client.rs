@@ -16,17 +16,17 @@ use std::time::Duration;
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::AbortHandle;
 
-/// Where a server is when nobody says otherwise.
+/// The address of a server when nobody says otherwise.
 pub const DEFAULT_URL: &str = "http://127.0.0.1:7130/";
 
-/// How long an answer may take.
+/// The longest time of an answer.
 const ANSWER_MS: u64 = 30_000;
-/// How long to wait when the server says that it is asked too much.
+/// The wait when the server says that it is asked too much.
 const SLOWER_MS: u64 = 100;
-/// How long something awaited may take.
+/// The longest wait for something awaited.
 const AWAITED_MS: u64 = 20_000;
 
-/// Why something asked was not done.
+/// The reasons why something asked was not done.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trouble {
     /// The server said no.
@@ -35,14 +35,14 @@ pub enum Trouble {
     Link(NoLink),
 }
 
-/// Why a link to a server failed. [`std::fmt::Display`] says it in one English sentence.
+/// The reasons why a link to a server failed. [`std::fmt::Display`] says each in one English sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoLink {
     /// There is no server at this address.
     NoServer {
         /// The address, as it was given.
         url: String,
-        /// What the network says.
+        /// The error of the network, in its own words.
         error: String,
     },
     /// The server at this address does not take the connection.
@@ -71,9 +71,9 @@ pub enum NoLink {
     EndedByServer,
     /// The server itself ended.
     Restart,
-    /// What it was told was taken too slowly.
+    /// The client took too slowly what it was told.
     TooSlow,
-    /// The same client has another link.
+    /// Another link of this client took its place.
     Replaced,
     /// The server ended it; with the reason it gives.
     EndedBecause(String),
@@ -97,7 +97,7 @@ pub struct Client {
     carrier: AbortHandle,
 }
 
-/// What the server said at first.
+/// The first message of the server.
 #[derive(Clone, Debug)]
 struct Welcome {
     epoch: u64,
@@ -133,13 +133,13 @@ impl Client {
         Ok(this)
     }
 
-    /// What proves to the server on a later link that it is this client.
+    /// Returns the credential that proves to the server on a later link that it is this client.
     #[must_use]
     pub fn credential(&self) -> Credential {
         Credential { client: self.welcome.you.client.clone(), secret: self.welcome.secret.clone() }
     }
 
-    /// Who this client is to others.
+    /// Returns the person who this client is to others.
     #[must_use]
     pub fn you(&self) -> &Person {
         &self.welcome.you
@@ -180,7 +180,7 @@ impl Client {
         self.lines.send(Line { ask, request, waiting }).await.map_err(|_| self.ended())
     }
 
-    /// Why the link ended, if it did.
+    /// Returns the reason why the link ended, if it did.
     #[must_use]
     pub fn why_ended(&self) -> Option<NoLink> {
         self.link.ended()
@@ -284,7 +284,7 @@ impl Client {
         self.open().ok_or(Trouble::No(Refused::NothingOpen))
     }
 
-    /// What a query finds, page after page, until there are `most` or no more.
+    /// Returns the programs that a query finds, page after page, until there are `most` or no more.
     ///
     /// # Errors
     /// If the server says no, or the link ends.

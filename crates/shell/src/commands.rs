@@ -1,4 +1,5 @@
-//! What can be typed: one file a command, with its name, words, help and code. To add one, add a file and its word.
+//! The commands that can be typed: one file each, with its name, words, help and code. To add one, add a file and its
+//! word.
 
 mod accept_robot;
 mod add_robot;
@@ -98,11 +99,11 @@ pub(crate) const ALL: &[&Command] = &[
 
 /// Something that can be typed.
 pub(crate) struct Command {
-    /// Its name: `show out ops`.
+    /// The name of the command: `show out ops`.
     pub(crate) name: &'static str,
-    /// What follows the name, as help shows it.
+    /// The words that follow the name, as help shows them.
     pub(crate) words: &'static str,
-    /// What it does.
+    /// The sentence that says what the command does.
     pub(crate) help: &'static str,
     /// Does it with what follows the name.
     pub(crate) run: for<'a> fn(&'a mut Console, &'a str) -> Doing<'a>,
@@ -129,13 +130,13 @@ pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), NotDone> {
     }
 }
 
-/// Whether the name was typed out.
+/// True if the name was typed out.
 fn is_whole(command: &Command, typed: &[String]) -> bool {
     let words: Vec<_> = command.name.split(' ').collect();
     typed.len() >= words.len() && words.iter().zip(typed).all(|(word, typed)| word == typed)
 }
 
-/// Whether every typed word begins its word of the name, as far as both go.
+/// True if every typed word begins its word of the name, as far as both go.
 fn begins(command: &Command, typed: &[String]) -> bool {
     let mut pairs = command.name.split(' ').zip(typed);
     !typed.is_empty() && pairs.all(|(word, typed)| word.starts_with(typed.as_str()))

@@ -20,7 +20,7 @@ pub struct Console {
     pub(crate) stream: Option<Id>,
     /// The robot in use, if one was chosen.
     pub(crate) robot: Option<Id>,
-    /// Whether starts are recorded.
+    /// True if starts are recorded.
     pub(crate) records: bool,
     /// True once exit was typed.
     pub(crate) done: bool,
@@ -92,14 +92,14 @@ impl Console {
         Ok(crate::find::find("robot", wanted, &all)?)
     }
 
-    /// What runs on the robot in use, or on all robots, each from the top of its order.
+    /// Returns the runs on the robot in use, or on all robots, each from the top of its order.
     pub(crate) async fn running(&mut self) -> Result<Vec<RunState>, NotDone> {
         let mut running = self.all_running().await?;
         running.retain(|run| self.robot.as_ref().is_none_or(|robot| run.robot == *robot));
         Ok(running)
     }
 
-    /// What runs on all robots, each from the top of its order.
+    /// Returns the runs on all robots, each from the top of its order.
     pub(crate) async fn all_running(&mut self) -> Result<Vec<RunState>, NotDone> {
         let robots = self.robots().await?;
         let Reply::Runs { mut runs } = self.ask(Request::Runs).await? else {
@@ -151,7 +151,7 @@ impl Console {
         Ok((program, stream))
     }
 
-    /// What can be named now, for completion.
+    /// Returns the names that can be typed now, for completion.
     pub(crate) async fn names(&mut self) -> Vec<String> {
         let programs = if self.client.is_some() { self.programs("", KNOWN_MAX).await } else { Ok(Vec::new()) };
         let programs = programs.unwrap_or_default();

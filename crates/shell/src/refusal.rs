@@ -1,8 +1,8 @@
-//! Why a line that was typed is not obeyed. What is said about it stands in `words.rs`.
+//! The reasons why a line that was typed is not obeyed. The sentences about them stand in `words.rs`.
 
 use crate::Trouble;
 
-/// Why a line that was typed is not obeyed.
+/// The reasons why a line that was typed is not obeyed.
 #[derive(Debug)]
 pub(crate) enum NotDone {
     /// The server did not do it.
@@ -11,7 +11,7 @@ pub(crate) enum NotDone {
     NoCommand(String),
     /// Several commands begin like what was typed.
     SeveralCommands {
-        /// What was typed.
+        /// The text that was typed.
         typed: String,
         /// The names of these commands.
         names: Vec<&'static str>,
@@ -40,7 +40,7 @@ pub(crate) enum NotDone {
     NoNewName,
     /// It is said neither up nor down.
     NoWay,
-    /// What is called so cannot be moved further.
+    /// The thing of this name cannot be moved further.
     There(String),
     /// It is said neither on nor off.
     NeitherOnNorOff,
@@ -54,47 +54,47 @@ pub(crate) enum NotDone {
     NoExample(serde_json::Error),
 }
 
-/// What the server was asked for.
+/// The answer for which the server was asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Answer {
-    /// What runs.
+    /// The runs.
     Runs,
     /// Actions.
     Actions,
     /// Programs.
     Programs,
-    /// Who uses a helper.
+    /// The users of a helper.
     Uses,
     /// The recordings.
     Recordings,
-    /// Whether a robot can be reached.
+    /// The check that a robot can be reached.
     Check,
     /// Robots in the network.
     Found,
 }
 
-/// Why no one thing is meant by a name.
+/// The reasons why no one thing is meant by a name.
 #[derive(Debug)]
 pub(crate) enum NotFound {
     /// No name was typed.
     Nameless {
-        /// What kind of thing is looked for.
+        /// The kind of thing that is looked for.
         what: &'static str,
         /// The names of all there are.
         names: Vec<String>,
     },
     /// Several things fit.
     Several {
-        /// What was typed.
+        /// The text that was typed.
         wanted: String,
         /// The names of those that fit.
         names: Vec<String>,
     },
     /// Nothing fits.
     Unknown {
-        /// What kind of thing is looked for.
+        /// The kind of thing that is looked for.
         what: &'static str,
-        /// What was typed.
+        /// The text that was typed.
         wanted: String,
         /// The names of all there are.
         names: Vec<String>,

@@ -6,7 +6,7 @@ use std::io::BufRead;
 /// Lines that may wait.
 const LINES_MAX: usize = 64;
 
-/// True if every command was obeyed.
+/// Obeys the commands of the standard input. Returns true if every one was obeyed.
 pub(crate) async fn run(console: &mut Console) -> bool {
     let (lines, mut next) = tokio::sync::mpsc::channel(LINES_MAX);
     // Reading may wait for ever, so it has a thread that ends with the process.

@@ -17,7 +17,7 @@ const PROMPT: &str = "rrp> ";
 
 type Lines = Editor<Known, DefaultHistory>;
 
-/// What completion knows: commands, programs and streams.
+/// The names that completion knows: commands, programs and streams.
 struct Known(Vec<String>);
 
 impl Helper for Known {}
@@ -86,7 +86,7 @@ fn read(mut lines: Lines) -> (Lines, Option<String>) {
     (lines, line)
 }
 
-/// Where the history is kept.
+/// Returns the file in which the history is kept.
 fn history() -> Option<PathBuf> {
     // A relative path would be another folder from every place.
     let said = |name| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());

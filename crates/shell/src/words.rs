@@ -1,4 +1,4 @@
-//! What is said when something that was asked or typed is not done, in English.
+//! The English sentences for something that was asked or typed and is not done.
 
 use crate::refusal::{Answer, NotDone, NotFound};
 use crate::{NoLink, Trouble};
@@ -73,7 +73,7 @@ impl fmt::Display for NotDone {
     }
 }
 
-/// That it did not come.
+/// Says that the answer did not come.
 impl fmt::Display for Answer {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         to.write_str(match self {

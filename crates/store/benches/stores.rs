@@ -1,4 +1,4 @@
-//! What a library of ten thousand behaviours costs, on any store: a page of the list, a search, opening one, saving a
+//! The costs of a library of ten thousand behaviours, on any store: a page of the list, a search, opening one, saving a
 //! move. Prints one line a question with the middle and the slowest hundredth of its times.
 //!
 //! `cargo xtask bench stores` runs it on SQLite and on a real Neo4j. RRP_BENCH_STORE names another store's address instead,
@@ -23,7 +23,7 @@ const STREAMS: usize = 60;
 const TIMES: usize = 200;
 /// Behaviours saved at the same time while filling.
 const AT_ONCE: usize = 16;
-/// What a database server of a clinic has.
+/// The memory of a clinic's database server.
 const OF_A_CLINIC: server::Room = server::Room { java: &["-Xmx3g"], page_cache: "2g" };
 
 fn id(text: &str) -> Id {

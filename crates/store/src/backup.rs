@@ -23,7 +23,8 @@ pub const BACKUP_FORMAT: &str = "rrp-backup/1";
 /// Changes that are fetched at once.
 const PAGE_CHANGES: u32 = 256;
 
-/// Why a backup, a restore or a migration did not come to its end. What was done stays; done again, it goes on.
+/// The reasons why a backup, a restore or a migration did not come to its end. What was done stays; done again, it goes
+/// on.
 #[derive(Debug, Error)]
 pub enum BackupError {
     /// The store could not do it.
@@ -43,7 +44,7 @@ pub enum BackupError {
     Same,
 }
 
-/// What is wrong with a line of a backup.
+/// The flaws of a line of a backup.
 #[derive(Debug, Error)]
 pub enum Flaw {
     /// It does not begin as a backup does.
@@ -67,10 +68,10 @@ pub enum Flaw {
     /// It stands behind the last line.
     #[error("It comes after the end.")]
     AfterEnd,
-    /// Its behaviour was there before.
+    /// The behaviour was there before.
     #[error("The same behaviour was there before.")]
     Twice,
-    /// Its change does not fit what a record, which people call so, was before.
+    /// The change does not fit what a record, which people call so, was before.
     #[error("It does not fit what {0} was before.")]
     Stale(String),
     /// Nobody can have put it into the bin like that.
@@ -82,12 +83,12 @@ pub enum Flaw {
     /// A revision cannot have got this name.
     #[error("Nobody can have named a version so: {0}")]
     Named(Refusal),
-    /// Its change breaks a rule.
+    /// The change breaks a rule.
     #[error("No room would have made this change: {0}")]
     Refused(Refusal),
 }
 
-/// How much was done.
+/// The numbers of behaviours and changes that were done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counted {
     /// Behaviours, also those in the bin, and the library.
@@ -101,7 +102,7 @@ pub struct Counted {
 pub(crate) struct Shelf {
     id: Id,
     revision: u64,
-    /// When and by whom it went to the bin.
+    /// The time when it went to the bin, and the name of the person who put it there.
     removed: Option<(u64, String)>,
 }
 
@@ -112,7 +113,7 @@ pub type Progress<'p> = &'p (dyn Fn(Counted, u64) + Send + Sync);
 /// [`Store::next_epoch`].
 ///
 /// # Errors
-/// What the store or `put` fails with.
+/// Fails if the store or `put` does.
 pub async fn backup<F, W>(
     store: &dyn Store,
     epoch: u64,
@@ -167,7 +168,7 @@ async fn named(store: &dyn Store, shelf: &Shelf) -> Result<Vec<Checkpoint>, Stor
     Ok(named)
 }
 
-/// Everything that the store holds, the library first, then in order of id.
+/// Returns everything that the store holds, the library first, then in order of id.
 pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<Shelf>, StoreError> {
     let mut all = Vec::new();
     for place in [Place::Here, Place::Bin] {

@@ -1,4 +1,5 @@
-//! What every store must do, as one suite that runs against any of them. It panics where a store breaks the contract.
+//! The contract of every store, as one suite that runs against any of them. It panics where a store breaks the
+//! contract.
 
 mod bin;
 mod changes;
@@ -16,13 +17,13 @@ use crate::Store;
 use std::future::Future;
 use std::sync::Arc;
 
-/// How many runs of chance a store goes through whose answers cost next to nothing.
+/// The number of runs of chance that a store goes through whose answers cost next to nothing.
 pub const RUNS: u64 = 12;
 
 /// Runs the whole suite, with this many runs of chance at its end; `make` gives a new empty store at each call.
 ///
 /// # Panics
-/// Where the store breaks the contract.
+/// Panics where the store breaks the contract.
 pub async fn check<F>(make: impl Fn() -> F, runs: u64)
 where
     F: Future<Output = Arc<dyn Store>>,

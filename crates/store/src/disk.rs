@@ -5,13 +5,13 @@ use std::fs::{self, DirBuilder, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// What a file is called until it takes the place of the old one.
+/// The ending of a file until it takes the place of the old one.
 const FRESH: &str = "new";
 /// The file that is written to see whether there is room.
 const ROOM: &str = "rrp.room";
-/// How much of it is written at once, in bytes.
+/// The most bytes of it that are written at once.
 const PIECE_BYTES: usize = 64 << 10;
-/// How names of files in a data folder begin or end.
+/// The beginnings of names of files in a data folder; their endings follow.
 const OURS: [&str; 2] = ["rrp.", "b-"];
 const OUR_ENDINGS: [&str; 4] = [".json", ".jsonl", ".url", ".new"];
 /// Folders that may be in a data folder.
@@ -28,7 +28,7 @@ pub fn make_folder(folder: &Path) -> io::Result<()> {
     builder.create(folder)
 }
 
-/// How to write a file that only its user may read.
+/// Returns the options to write a file that only its user may read.
 #[must_use]
 pub fn private() -> OpenOptions {
     let mut options = File::options();
@@ -87,7 +87,7 @@ pub fn sync_names(folder: &Path) -> io::Result<()> {
     if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
 }
 
-/// What went wrong with a file, in the words of the store.
+/// Says the failure of a file in the words of the store.
 pub(crate) fn told(path: &Path, error: &io::Error) -> StoreError {
     match error.kind() {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => StoreError::Full,
@@ -95,10 +95,10 @@ pub(crate) fn told(path: &Path, error: &io::Error) -> StoreError {
     }
 }
 
-/// Whether so many bytes can be written into a folder now.
+/// Checks that so many bytes can be written into a folder now.
 ///
 /// # Errors
-/// Why not.
+/// Returns the reason why they cannot.
 pub(crate) fn has_room(folder: &Path, bytes: usize) -> io::Result<()> {
     let path = folder.join(ROOM);
     let tried = create(&path).and_then(|file| fill(file, bytes));
@@ -169,10 +169,10 @@ mod unix {
     use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt, PermissionsExt};
     use std::path::Path;
 
-    /// What a folder and a file allow their user.
+    /// The permissions of the user on a folder and a file.
     const FOLDER_MODE: u32 = 0o700;
     const FILE_MODE: u32 = 0o600;
-    /// What everybody else is allowed.
+    /// The permission bits of everybody else.
     const OTHERS: u32 = 0o077;
 
     pub(super) fn only_ours(builder: &mut DirBuilder) {

@@ -1,10 +1,10 @@
-//! Why the store could not do what it was asked, each in a sentence that says what to do.
+//! The reasons why the store could not do what it was asked, each in a sentence that says what to do.
 
 use behaviour::RecordId;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why the store could not do it.
+/// The reasons why the store could not do it.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum StoreError {
     /// Another server uses the data directory.
@@ -53,10 +53,10 @@ pub enum StoreError {
     Timeout,
 }
 
-/// Why a change cannot be kept.
+/// The reasons why a change cannot be kept.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unkept {
-    /// Its time is later than any that is kept.
+    /// The time is later than any that is kept.
     #[error("its time is too far in the future")]
     TooLate,
     /// This record is not of the kind that its id says.

@@ -35,14 +35,14 @@ pub const FILE_MAX_BYTES: usize = BEHAVIOUR_MAX_BYTES + LIBRARY_MAX_BYTES;
 /// The longest body, note or other text in a file, in bytes.
 pub const TEXT_MAX_BYTES: usize = 64 << 10;
 
-/// What is wrong with a file, and where.
+/// A fault of a file, with its place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FileFault {
     /// The line, from 1.
     pub line: u32,
     /// The character in the line, from 1.
     pub column: u32,
-    /// What is wrong and what to do, in a sentence.
+    /// The sentence that says what is wrong and what to do.
     pub reason: String,
 }
 
@@ -59,7 +59,7 @@ impl std::error::Error for FileFault {}
 pub struct Looked {
     /// The behaviour, if its form is right.
     pub file: Option<BehaviourFile>,
-    /// What is wrong with its form, from top to bottom; of very many faults only the first.
+    /// The faults of its form, from top to bottom; of very many only the first.
     pub faults: Vec<FileFault>,
     /// Line and column of each stream, connector and note by id, and of each helper by name.
     pub places: BTreeMap<String, (u32, u32)>,

@@ -12,7 +12,7 @@ const FILE: &str = "filling.json";
 /// The mark that a restore of an older rrp left in the folder of a store, or beside it.
 const OLDER: &str = "rrp.restoring";
 
-/// Where a store is filled from.
+/// The source from which a store is filled.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
     /// Tells it from every other one.
@@ -22,7 +22,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Whether a store with this mark may be filled from here.
+    /// True if a store with this mark may be filled from here.
     fn fits(&self, mark: &Self) -> bool {
         self.key == mark.key || mark.key.is_empty()
     }
@@ -61,7 +61,7 @@ impl Filling {
         &self.to
     }
 
-    /// Whether it had been begun before.
+    /// True if it had been begun before.
     #[must_use]
     pub fn goes_on(&self) -> bool {
         self.goes_on
@@ -70,7 +70,7 @@ impl Filling {
     /// Takes the mark away: all of it is there.
     ///
     /// # Errors
-    /// What the store fails with; then it is still marked.
+    /// Fails if the store does; then it is still marked.
     pub async fn end(self) -> Result<(), StoreError> {
         let mut ended = self.to.end_filling().await;
         if ended.as_ref().is_err_and(StoreError::is_open) {

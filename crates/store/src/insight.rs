@@ -1,4 +1,4 @@
-//! What a library of graphs can tell: who drives an action and from what, who shares it, what is alike.
+//! The knowledge in a library of graphs: who drives an action and from what, who shares it, what is alike.
 
 use behaviour::{Behaviour, Graph, Id, StreamKind};
 use std::collections::BTreeSet;

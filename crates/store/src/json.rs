@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 /// The latest time that is kept; also the largest whole number of SQLite.
 const TIME_MAX_MS: u64 = i64::MAX as u64;
 
-/// Whether a time is one that is kept.
+/// Checks that a time is one that is kept.
 pub(crate) fn check_time(at_ms: u64) -> Result<(), StoreError> {
     if at_ms > TIME_MAX_MS { Err(StoreError::Refused(Unkept::TooLate)) } else { Ok(()) }
 }
@@ -36,7 +36,7 @@ pub(crate) fn decode<T: DeserializeOwned>(json: &str) -> serde_json::Result<T> {
     serde_json::from_str(json)
 }
 
-/// What cannot be written as JSON cannot be kept.
+/// Refuses a record that cannot be written as JSON, and so cannot be kept.
 pub(crate) fn unwritable(error: serde_json::Error) -> StoreError {
     StoreError::Refused(Unkept::Unwritable(error.to_string()))
 }

@@ -1,5 +1,5 @@
-//! Where behaviours are kept: one trait, the embedded SQLite store, Neo4j, a folder of files, a store in memory, and
-//! the contract that all keep.
+//! Stores of behaviours: one trait, the embedded SQLite store, Neo4j, a folder of files, a store in memory, and the
+//! contract that all keep.
 //!
 //! The contract in short. A change is saved under the next revision of its behaviour or not at all; it is durable
 //! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once, and never with other edits. After an error the
@@ -109,11 +109,12 @@ pub trait Store: Send + Sync {
     /// Deletes for ever what went to the bin before that time, with its history; says how many behaviours.
     async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError>;
 
-    /// Who uses a helper itself: connectors of behaviours outside the bin that name it or call it in their body, and
-    /// other helpers of the library that call it. In order of behaviour and record.
+    /// Returns the direct users of a helper: connectors of behaviours outside the bin that name it or call it in their
+    /// body, and other helpers of the library that call it. In order of behaviour and record.
     async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError>;
 
-    /// Who uses a helper, also through other helpers. Nearest uses first, then in order of behaviour and record.
+    /// Returns the users of a helper, also through other helpers. Nearest uses first, then in order of behaviour and
+    /// record.
     async fn where_used(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
         usage::through_others(self, helper).await
     }
@@ -140,7 +141,7 @@ pub trait Store: Send + Sync {
     /// The number of the last server start is at least this from now on; durable when it answers.
     async fn raise_epoch(&self, least: u64) -> Result<(), StoreError>;
 
-    /// Where it is being filled from, if that has begun and not ended: then only a part is in it.
+    /// Returns the source from which it is being filled, if that has begun and not ended: then only a part is in it.
     async fn filling(&self) -> Result<Option<Source>, StoreError>;
 
     /// Marks it as being filled from there, unless it is marked already; gives the mark that it has then, and is durable when
@@ -150,16 +151,16 @@ pub trait Store: Send + Sync {
     /// Takes the mark away, if there is one; durable when it answers.
     async fn end_filling(&self) -> Result<(), StoreError>;
 
-    /// Whether the store answers; cheap enough to be asked every second.
+    /// Checks that the store answers; cheap enough to be asked every second.
     async fn reachable(&self) -> Result<(), StoreError> {
         self.healthy().await
     }
 
-    /// Whether changes can be saved now; else why not.
+    /// Checks that changes can be saved now; the error says why not.
     async fn healthy(&self) -> Result<(), StoreError>;
 }
 
-/// What became of a change handed to the store.
+/// The outcome of a change that was handed to the store.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Append {
     /// It is saved.
@@ -191,31 +192,31 @@ impl Append {
 /// A behaviour as the store has it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loaded {
-    /// Its records.
+    /// The records of the behaviour.
     pub behaviour: Behaviour,
     /// The number of changes ever made.
     pub revision: u64,
-    /// When it went to the bin, if it is there.
+    /// The time when it went to the bin, if it is there.
     pub removed_ms: Option<u64>,
 }
 
 /// One line in the list of behaviours.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listed {
-    /// Its id.
+    /// The id of the behaviour.
     pub id: Id,
-    /// Its name.
+    /// The name of the behaviour.
     pub name: String,
     /// The number of changes ever made.
     pub revision: u64,
-    /// When it was last changed (in the bin: removed), in milliseconds since 1970.
+    /// The time when it was last changed (in the bin: removed), in milliseconds since 1970.
     pub changed_ms: u64,
-    /// Who did that.
+    /// The name of the person who did that.
     pub by: String,
-    /// Who made it.
+    /// The name of the person who made it.
     pub owner: String,
-    /// How many streams it has.
+    /// The number of streams in it.
     pub streams: u32,
-    /// Its tags, as it has them.
+    /// The tags of the behaviour, as it has them.
     pub tags: Vec<String>,
 }

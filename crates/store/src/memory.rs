@@ -45,7 +45,7 @@ impl MemoryStore {
         Self::default()
     }
 
-    /// What [`Store::append`] would answer, without saving anything.
+    /// Returns the answer that [`Store::append`] would give, without saving anything.
     pub(crate) fn judge(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError> {
         self.kept().judge(behaviour, committed)
     }
@@ -55,7 +55,7 @@ impl MemoryStore {
         self.kept().put(behaviour, committed);
     }
 
-    /// Whether a behaviour is in the bin; none if there is no such behaviour.
+    /// Tells if a behaviour is in the bin; none if there is no such behaviour.
     pub(crate) fn in_bin(&self, behaviour: &Id) -> Option<bool> {
         Some(self.kept().behaviours.get(behaviour)?.removed.is_some())
     }

@@ -37,7 +37,7 @@ pub struct Neo4jStore {
     link: Arc<Link>,
 }
 
-/// How long a call may take, all attempts together.
+/// The longest time of a call, all attempts together.
 const ANSWER_MAX: Duration = Duration::from_secs(3);
 
 /// Opens the database at `bolt://USER:PASSWORD@HOST:PORT` (also `neo4j://`, and `+s` or `+ssc` for encryption; a
@@ -57,7 +57,7 @@ pub async fn open_neo4j(url: &str) -> Result<Neo4jStore, StoreError> {
 /// people need at first is not planned beforehand.
 ///
 /// # Errors
-/// As [`open_neo4j`].
+/// Fails as [`open_neo4j`] does.
 pub async fn open_neo4j_within(url: &str, answer_max: Duration) -> Result<Neo4jStore, StoreError> {
     let address = Address::read(url, &|name| std::env::var(name).ok())?;
     schema::migrate(&address).await?;

@@ -5,7 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long a store elsewhere may take for one answer where nobody waits in a page: as long as one that has just started needs.
+/// The longest time of one answer of a store elsewhere where nobody waits in a page: as long as one that has just
+/// started needs.
 const WORK_MAX: Duration = Duration::from_secs(60);
 
 /// Opens a store by its address, to serve it: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for
@@ -22,7 +23,7 @@ pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
 /// Opens a store by its address, for a command: its answers are waited for longer than people in a page would.
 ///
 /// # Errors
-/// Those of [`open_url`].
+/// Fails as [`open_url`] does.
 pub async fn open_url_to_work(url: &str) -> Result<Arc<dyn Store>, StoreError> {
     whole(opened(url, Some(WORK_MAX)).await?).await
 }
@@ -69,8 +70,8 @@ async fn neo4j(_url: &str, _answer_max: Option<Duration>) -> Result<Arc<dyn Stor
     Err(StoreError::WithoutNeo4j)
 }
 
-/// What a store is marked with that is filled from the one with this address, `again` being the command for that. The address
-/// may be written in another way the next time.
+/// Returns the mark of a store that is filled from the one with this address, `again` being the command for that. The
+/// address may be written in another way the next time.
 #[must_use]
 pub fn source_of(url: &str, again: &str) -> Source {
     let place = url.split_once("://").map(|(_, rest)| rest.rsplit_once('@').map_or(rest, |(_, place)| place));
@@ -113,7 +114,7 @@ pub fn folder_of(url: &str) -> Option<&Path> {
     (!folder.contains("://") && !folder.is_empty()).then(|| Path::new(folder))
 }
 
-/// Whether both are the same folder, however they are written.
+/// True if both are the same folder, however they are written.
 #[must_use]
 pub fn is_same_folder(one: &Path, other: &Path) -> bool {
     one == other || one.canonicalize().is_ok_and(|one| other.canonicalize().is_ok_and(|other| one == other))

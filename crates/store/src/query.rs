@@ -1,4 +1,4 @@
-//! What the library page asks: which behaviours, in which order, from where on.
+//! The questions of the library page: which behaviours, in which order, from where on.
 
 use crate::Listed;
 use behaviour::library::{Cursor, Place, Sort};
@@ -9,22 +9,22 @@ pub const PAGE_MAX_LINES: u32 = 1_000;
 /// The most bytes of a behaviour that are searched; what comes later is not found. An index of Neo4j takes no more.
 const SEARCH_MAX_BYTES: usize = 24_000;
 
-/// Which behaviours.
+/// A question for behaviours.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
-    /// Where to look.
+    /// The place to look in.
     pub place: Place,
     /// Words that must all occur, in any case, anywhere in [`search_text`]; empty for everything.
     pub words: String,
-    /// Only those that this person made.
+    /// The person whose behaviours alone are asked for.
     pub owner: Option<String>,
-    /// Only those that have this tag.
+    /// The tag that the behaviours must have.
     pub tag: Option<String>,
     /// The order.
     pub sort: Sort,
     /// After which line the page begins.
     pub after: Option<Cursor>,
-    /// How many lines, at most [`PAGE_MAX_LINES`].
+    /// The most lines that are wanted, at most [`PAGE_MAX_LINES`].
     pub most: u32,
 }
 
@@ -68,11 +68,11 @@ fn place_of(line: &Listed) -> Cursor {
 /// A page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listing {
-    /// Its lines.
+    /// The lines of the page.
     pub lines: Vec<Listed>,
-    /// Where the next page begins, if there is one.
+    /// The line after which the next page begins, if there is one.
     pub next: Option<Cursor>,
-    /// How many behaviours are in that place altogether, whatever the query asks.
+    /// The number of behaviours in that place altogether, whatever the query asks.
     pub total: u64,
 }
 

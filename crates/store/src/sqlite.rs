@@ -31,7 +31,7 @@ use writer::Writer;
 
 /// Room for the pages around a change, in bytes; while the disk is full, less room than that is none.
 const ROOM_MIN_BYTES: usize = 1 << 20;
-/// How many times its own size a change takes on the disk, in the log and in the database, at most.
+/// The most times its own size that a change takes on the disk, in the log and in the database.
 const ROOM_TIMES: usize = 8;
 
 /// Keeps behaviours in a data directory. Dropping it waits for the write under way and frees the directory.
@@ -44,7 +44,7 @@ pub struct SqliteStore {
     readers: Arc<Readers>,
     /// None while the disk has been full since the start.
     writer: Arc<OnceLock<Writer>>,
-    /// How much room there must be until the disk is not full any more, in bytes; 0 while nothing was refused.
+    /// The free space in bytes that ends a full disk; 0 while nothing was refused.
     wants_bytes: AtomicUsize,
     lock: Arc<FolderLock>,
 }
@@ -84,14 +84,14 @@ fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
     })
 }
 
-/// Whether nothing could be opened because the disk is full, whatever SQLite calls it.
+/// True if nothing could be opened because the disk is full, whatever SQLite calls it.
 fn is_full(error: &StoreError, data_dir: &Path) -> bool {
     let room = || disk::has_room(data_dir, ROOM_MIN_BYTES);
     let has_none = || room().is_err_and(|error| error.kind() == std::io::ErrorKind::StorageFull);
     *error == StoreError::Full || matches!(error, StoreError::Unavailable(_)) && has_none()
 }
 
-/// That the disk is full is what people can do something about.
+/// Takes an unknown failure for a full disk, as people can do something about that.
 fn at_least_full(error: StoreError) -> StoreError {
     if matches!(error, StoreError::Unavailable(_)) { StoreError::Full } else { error }
 }

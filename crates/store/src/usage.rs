@@ -1,10 +1,10 @@
-//! Whether a record uses a helper, by name or in its body.
+//! The test if a record uses a helper, by name or in its body.
 
 use crate::{LIBRARY, Store, StoreError, Used};
 use behaviour::{Id, Procedure, Record, RecordId, calls_helper};
 use std::collections::{BTreeSet, HashSet, VecDeque};
 
-/// Who uses a helper, also through other helpers; every user once, by its shortest way.
+/// Returns the users of a helper, also through other helpers; every user once, by its shortest way.
 pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -> Result<Vec<Used>, StoreError> {
     let (mut found, mut seen): (Vec<Used>, HashSet<(Id, RecordId)>) = Default::default();
     let mut open = VecDeque::from([helper.to_owned()]);

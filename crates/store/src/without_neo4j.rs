@@ -1,4 +1,4 @@
-//! What a program says that was built without what speaks to a Neo4j, when it is asked for one.
+//! The answer of a program that was built without the Neo4j driver, when it is asked for a Neo4j.
 
 use crate::StoreError;
 use behaviour::BehaviourFile;

@@ -12,7 +12,7 @@ const RXJS: &str = "rxjs@7.8.2";
 const NODE_RED: &str = "node-red@4.1.15";
 const RXPY: &str = "reactivex==6.1.0";
 
-/// What measures the threads.
+/// The test that measures the threads.
 const MEASURE_THREADS: &str = "robots::tests::threads::hand_overs";
 
 /// Measures rooms with many people, bad networks, kills, guessed links and floods of strangers on the optimised server, which is
@@ -112,7 +112,7 @@ fn from_npm(package: &str, folder: PathBuf) -> Outcome<PathBuf> {
     Ok(folder)
 }
 
-/// Whether a package.json is of that version.
+/// True if a package.json is of that version.
 fn is_installed(package: &Path, version: &str) -> bool {
     let said = std::fs::read_to_string(package).unwrap_or_default();
     said.contains(&format!("\"version\": \"{version}\""))

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use crate::tools::Outcome;
 
-/// How often it is looked whether a command has ended.
+/// The time between two looks whether a command has ended.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// Commands that run one after the other; what they print goes into a file until they are waited for.

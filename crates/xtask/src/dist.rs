@@ -15,8 +15,8 @@ pub(crate) type Files = BTreeMap<String, Vec<u8>>;
 /// Kinds that are compressed already.
 const COMPRESSED: [&str; 15] =
     ["png", "jpg", "jpeg", "gif", "webp", "avif", "woff2", "mp3", "ogg", "opus", "mp4", "webm", "zip", "gz", "br"];
-/// How hard brotli looks, up to 11: as hard as it can for what everybody waits for, and half as long, for 4 % more, for what
-/// comes later.
+/// The effort of brotli, up to 11: as hard as it can for the files that everybody waits for, and half as long, for 4 %
+/// more, for those that come later.
 const QUALITY: i32 = 11;
 const QUALITY_LATER: i32 = 10;
 /// A way to compress, by the ending of the file that it makes: of a file with this name and content.
@@ -78,7 +78,8 @@ fn beside(name: &str, kind: &str) -> String {
     format!("{name}.{kind}")
 }
 
-/// What is smaller compressed, by the names of the compressed files; the longest first, on all cores.
+/// Compresses all that waits, by the names of the compressed files, and leaves out what would not be smaller; the
+/// longest first, on all cores.
 fn press_all(mut waiting: Vec<(&String, &[u8], &Press)>) -> Result<Files, String> {
     waiting.sort_by_key(|(_, content, _)| content.len());
     let cores = thread::available_parallelism().map_or(1, usize::from).min(waiting.len());

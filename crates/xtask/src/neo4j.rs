@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use crate::tools::{self, Outcome, Workspace};
 
-/// What it is made of, in `tests/neo4j`.
+/// The files that it is made of, in `tests/neo4j`.
 const SOURCES: [&str; 3] = ["pom.xml", "Neo4jIt.java", "neo4j.conf"];
 /// The oldest Java that Neo4j 5 runs on.
 const JAVA_MIN: u32 = 17;
@@ -15,7 +15,7 @@ const JAVA_MIN: u32 = 17;
 const PACKAGES: [&str; 2] = ["openjdk-17-jdk-headless", "maven"];
 /// Raised when this program makes something else of the same sources.
 const FORMAT: u32 = 2;
-/// What Java keeps of the classes of a start, which is half of the work of the next one.
+/// The file in which Java keeps the classes of a start, which is half of the work of the next one.
 const CLASSES: &str = "classes.jsa";
 
 /// Makes `target/neo4j`, with `lib/` and `neo4j.conf`, unless it is up to date; answers with that folder, or with

@@ -10,8 +10,8 @@ use wasmparser::{
 
 use crate::tools::Outcome;
 
-/// The same code with its functions in another order. Generic code is compiled for many types, and what comes of it mostly
-/// ends alike; a compressor finds it best where it stands close by.
+/// Returns the code with its functions in another order. Generic code is compiled for many types, and what comes of it
+/// mostly ends alike; a compressor finds it best where it stands close by.
 pub(crate) fn alike_together(code: &[u8]) -> Outcome<Vec<u8>> {
     let ordered = Order::of(code).map_err(Error::from).and_then(|mut order| {
         let mut module = Module::new();
@@ -23,11 +23,11 @@ pub(crate) fn alike_together(code: &[u8]) -> Outcome<Vec<u8>> {
 
 /// The new order of the functions.
 struct Order {
-    /// How many functions are imported: these stay where they are, before all others.
+    /// The number of imported functions: these stay where they are, before all others.
     imported: u32,
     /// Of the others, which one stands at each place.
     at: Vec<u32>,
-    /// Where each of them stands.
+    /// The place of each of them.
     place: Vec<u32>,
 }
 
@@ -52,7 +52,7 @@ impl Order {
         Ok(Self { imported, at, place })
     }
 
-    /// What stands in a section, in the new order.
+    /// Returns the entries of a section in the new order.
     fn ordered<T: Clone>(&self, all: &[T]) -> Vec<T> {
         self.at.iter().map(|of| all[*of as usize].clone()).collect()
     }

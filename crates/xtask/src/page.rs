@@ -22,8 +22,8 @@ const NAME: &str = "app";
 /// Raised when this program writes something else for the same input.
 const FORMAT: u32 = 6;
 
-/// Where cargo reads flags of the compiler for the page, and the flag that keeps the type of a view from growing with all
-/// that is in it: a sixth of the page's bytes, and half of the time to compile it.
+/// The variable in which cargo reads flags of the compiler for the page, and the flag that keeps the type of a view
+/// from growing with all that is in it: a sixth of the page's bytes, and half of the time to compile it.
 const FLAGS: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS";
 const ERASED: &str = "--cfg erase_components";
 /// The passes of LLVM that make the page small, in place of all that it has for the sake of speed too: three tenths less of the
@@ -31,7 +31,7 @@ const ERASED: &str = "--cfg erase_components";
 const SMALL: &str = "-C no-prepopulate-passes -C passes=cgscc(inline,function-attrs,function(sroa,early-cse,simplifycfg,\
                      instcombine<no-verify-fixpoint>,memcpyopt,simplifycfg)),deadargelim,globaldce,mergefunc";
 
-/// How much work goes into the page.
+/// The amount of work that goes into the page.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub(crate) enum Mode {
     /// Optimised and compressed, as people get it.
@@ -163,7 +163,7 @@ struct Stamp {
 }
 
 impl Stamp {
-    /// Whether `page` was made of the same input and is still whole.
+    /// True if `page` was made of the same input and is still whole.
     fn holds(&self, page: &Path) -> bool {
         let now = dist::listing(page).map(|files| self.words(&files));
         now.is_ok_and(|now| fs::read_to_string(&self.file).is_ok_and(|saved| saved == now))

@@ -5,7 +5,7 @@ use std::process::Command;
 use crate::qi_python;
 use crate::tools::{self, Outcome, Workspace};
 
-/// Where NAOqi listens.
+/// The port on which NAOqi listens.
 const PORT: u16 = 9559;
 
 /// `words` are `[PORT]`; runs until Ctrl-C.

@@ -11,7 +11,7 @@ use crate::tools::{self, Outcome, Workspace};
 
 /// The package that people run: the one that carries the page.
 const PROGRAM: &str = "rrp";
-/// How it is built: optimised where values pass, as little as may be elsewhere.
+/// The profile that it is built with: optimised where values pass, as little as may be elsewhere.
 pub(crate) const PROFILE: &str = "serve";
 /// Leaves out what speaks to a Neo4j, a thirtieth of all that is compiled: who starts here keeps programs in a folder.
 pub(crate) const WITHOUT_NEO4J: &str = "--no-default-features";
@@ -43,7 +43,7 @@ fn develop(workspace: &Workspace) -> Outcome<PathBuf> {
     Ok(workspace.server())
 }
 
-/// Whether the server is to keep its programs in a Neo4j.
+/// True if the server is to keep its programs in a Neo4j.
 fn wants_neo4j(arguments: &[&str]) -> bool {
     let store = std::env::var("RRP_STORE").ok();
     let is_neo4j = |word: &str| ["bolt", "neo4j"].iter().any(|scheme| word.contains(scheme)) && word.contains("://");

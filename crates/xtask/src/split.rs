@@ -13,15 +13,15 @@ use wasmparser::{Parser, Payload};
 use crate::dist::{self, Files};
 use crate::tools::Outcome;
 
-/// What the linker has to leave in the code so that it can be cut.
+/// The flags by which the linker leaves in the code what is needed to cut it.
 pub(crate) const FLAGS: &str = "-C link-args=--emit-relocs";
 
 /// The module that the code imports its loader from, until that is a part of the page's own module.
 const LINK: &str = "./later.js";
 const MAIN: &str = "main.wasm";
-/// How the names of later pieces begin, as they are cut.
+/// The beginning of the names of later pieces, as they are cut.
 const CUT: &str = "split_";
-/// And as people get them, after the word in the attribute in `frontend/src/later.rs`.
+/// The beginning as people get them, after the word in the attribute in `frontend/src/later.rs`.
 const LATER: &str = "later-";
 
 /// Marks functions in whose place wasm-bindgen puts an import. They have to stay in the first piece; what cuts the code
@@ -31,15 +31,15 @@ const OLD_MARK: &str = "__wbindgen_describe_cast";
 
 /// The page's code in pieces.
 pub(crate) struct Pieces {
-    /// What is loaded first; wasm-bindgen has yet to see it.
+    /// The module that is loaded first; wasm-bindgen has yet to see it.
     pub(crate) first: Vec<u8>,
-    /// What is loaded later, by the names of the files.
+    /// The files that are loaded later, by their names.
     pub(crate) later: Files,
-    /// How JavaScript loads them.
+    /// The JavaScript that loads them.
     loader: String,
 }
 
-/// Whether a file of the page is one that is loaded later.
+/// True if a file of the page is one that is loaded later.
 pub(crate) fn is_later(name: &str) -> bool {
     name.starts_with(LATER)
 }

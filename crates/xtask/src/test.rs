@@ -13,8 +13,9 @@ use crate::serve;
 use crate::supply;
 use crate::tools::{self, Outcome, Workspace};
 
-/// What is optimised: the server as people run it, which is attacked, and the hostile corpus, as stacks, overflows and
-/// comparisons differ between debug and release. Selected together, so that what both use is compiled once.
+/// The packages that are optimised: the server as people run it, which is attacked, and the hostile corpus, as stacks,
+/// overflows and comparisons differ between debug and release. Selected together, so that what both use is compiled
+/// once.
 const OPTIMISED: [&str; 9] =
     ["--profile", serve::PROFILE, serve::WITHOUT_NEO4J, "--package", "rrp", "--package", "engine", "--test", "hostile"];
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
@@ -30,7 +31,7 @@ const ITS_OWN: &str = "compression";
 const HOW_TO_GET_CHROMIUM: &str =
     "install it with `apt-get install chromium-headless-shell`, or name another one in the variable RRP_CHROMIUM";
 
-/// What all of it takes on the disk when nothing was built before.
+/// The gigabytes that all of it takes on the disk when nothing was built before.
 const WANTED_GIGABYTES: u32 = 9;
 
 /// One named check.
@@ -98,7 +99,7 @@ impl<'a> Run<'a> {
         Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, skipped: Vec::new() }
     }
 
-    /// Where a part was made that `tests` need; without it they are skipped by name, but never in CI.
+    /// Returns the place of a part that `tests` need; without it they are skipped by name, but never in CI.
     fn made(&mut self, made: Outcome<PathBuf>, part: &str, tests: &str) -> Outcome<Option<PathBuf>> {
         match made {
             Ok(place) => {
@@ -227,7 +228,7 @@ fn check_supply(run: &mut Run) -> Outcome<()> {
     Ok(())
 }
 
-/// What is free, and what is wanted where nothing was built yet.
+/// Tells the free space, and the space that is wanted where nothing was built yet.
 fn tell_disk(workspace: &Workspace) {
     let _ = fs::create_dir_all(&workspace.target);
     if let Some(free) = tools::free_gigabytes(&workspace.target) {

@@ -1,4 +1,4 @@
-//! Where things are, how other programs are called, and how a missing tool is found or installed.
+//! The places of things, the calls of other programs, and how a missing tool is found or installed.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 const CHROMIUM_NAMES: [&str; 4] = [WITHOUT_WINDOWS, "chromium", "chromium-browser", "google-chrome"];
 const WITHOUT_WINDOWS: &str = "chromium-headless-shell";
 
-/// What an outer cargo sets for its child and what would confuse a nested one.
+/// The variables that an outer cargo sets for its child and that would confuse a nested one.
 const OUTER_NAMES: [&str; 16] = [
     "CARGO_BUILD_RUSTFLAGS",
     "CARGO_BUILD_TARGET",
@@ -100,19 +100,19 @@ impl Workspace {
     }
 }
 
-/// Whether this is a run that nobody watches, on a machine of its own.
+/// True if this is a run that nobody watches, on a machine of its own.
 pub(crate) fn in_ci() -> bool {
     env::var("CI").is_ok_and(|value| value == "true")
 }
 
-/// How many gigabytes are free on the disk that holds `folder`, where `df` can tell.
+/// Returns the free gigabytes on the disk that holds `folder`, where `df` can tell.
 pub(crate) fn free_gigabytes(folder: &Path) -> Option<f64> {
     let printed = said(Command::new("df").args(["-P", "-k"]).arg(folder))?;
     let kilobytes: f64 = printed.lines().nth(1)?.split_whitespace().nth(3)?.parse().ok()?;
     Some(kilobytes / 1e6)
 }
 
-/// Whether a nested cargo must not see the variable `name`.
+/// True if a nested cargo must not see the variable `name`.
 fn is_outer(name: &str) -> bool {
     OUTER_NAMES.contains(&name) || OUTER_PREFIXES.iter().any(|prefix| name.starts_with(prefix))
 }
@@ -126,7 +126,7 @@ pub(crate) fn run(command: &mut Command, what: &str) -> Outcome<()> {
     }
 }
 
-/// What `command` prints, trimmed, when it succeeds.
+/// Returns the output of `command`, trimmed, when it succeeds.
 pub(crate) fn said(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
@@ -164,12 +164,12 @@ pub(crate) fn ensure_chromium() -> Option<PathBuf> {
     CHROMIUM_NAMES.iter().find_map(|name| on_path(name))
 }
 
-/// Where PATH has a program of that name.
+/// Finds a program of that name on PATH.
 pub(crate) fn on_path(name: &str) -> Option<PathBuf> {
     env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(name)).find(|path| path.is_file())
 }
 
-/// Whether there is a font with Japanese letters, as far as `fc-list` knows them.
+/// True if there is a font with Japanese letters, as far as `fc-list` knows them.
 pub(crate) fn has_japanese_font() -> bool {
     said(Command::new("fc-list").args([":lang=ja", "family"])).is_some_and(|fonts| !fonts.is_empty())
 }

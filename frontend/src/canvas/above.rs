@@ -1,4 +1,5 @@
-//! What the sentences take of the stage at its top: the graph is shown below them, and does not move because of them.
+//! The room that the sentences take of the stage at its top: the graph is shown below them, and does not move because
+//! of them.
 
 use super::Stage;
 use super::view::{Bounds, View};
@@ -15,7 +16,7 @@ const MARGIN: f64 = 16.0;
 pub(crate) const SENTENCES_MAX: usize = 3;
 
 impl Stage {
-    /// How much the sentences take, in pixels: as measured, or about so until they are there.
+    /// Returns the height of the sentences, in pixels: as measured, or about so until they are there.
     pub(super) fn above(&self) -> f64 {
         self.above.get_untracked().unwrap_or_else(|| self.above_about())
     }

@@ -1,4 +1,4 @@
-//! Where things on the canvas are: streams, chips, notes, groups. Not reactive.
+//! The bounds of things on the canvas: streams, chips, notes, groups. Not reactive.
 
 use super::chip::chip_of;
 use super::fold::{End, end_of};
@@ -11,7 +11,7 @@ use leptos::prelude::*;
 /// Room in a frame at the sides of its streams, above them for its title and the chips that lead in, and below, in canvas units.
 const FRAME: (f64, f64, f64) = (20.0, 84.0, 16.0);
 
-/// Where a stream is, without its live value, or a note or group.
+/// Returns the bounds of a stream, without its live value, or of a note or group.
 pub(super) fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     let Some(signals) = desk.document.stream(id) else {
         return note_bounds(desk, id).or_else(|| group_bounds(desk, id));
@@ -20,7 +20,7 @@ pub(super) fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     Some(around(signals.place.get_untracked(), width))
 }
 
-/// Where a note is.
+/// Returns the bounds of a note.
 fn note_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     let signals = desk.document.note_signals(id)?;
     let (width, height) = signals.record.with_untracked(|note| note_size(&note.text));
@@ -28,7 +28,7 @@ fn note_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     Some(Bounds { bottom: place.y + height, ..around(place, width) })
 }
 
-/// Where a group is: its box, or its frame.
+/// Returns the bounds of a group: of its box, or of its frame.
 fn group_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     untrack(|| if desk.document.is_folded(id) { box_bounds(desk, id) } else { frame_of(desk, id) })
 }
@@ -38,7 +38,7 @@ pub(super) fn box_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     Some(Bounds { bottom: at.y + BOX.1, ..around(at, BOX.0) })
 }
 
-/// Where the frame of an open group is: around its streams.
+/// Returns the bounds of an open group's frame: around its streams.
 fn frame_of(desk: &Desk, id: &Id) -> Option<Bounds> {
     framed(untrack(|| desk.document.members(id)).iter().filter_map(|id| bounds(desk, id)))
 }
@@ -67,7 +67,7 @@ pub(super) fn framed(streams: impl Iterator<Item = Bounds>) -> Option<Bounds> {
     Some(Bounds { left: left - FRAME.0, top: top - FRAME.1, right: right + FRAME.0, bottom: bottom + FRAME.2 })
 }
 
-/// Where the notes and groups are.
+/// Returns the bounds of the notes and groups.
 pub(super) fn aside_bounds(desk: &Desk) -> Vec<Bounds> {
     let (notes, groups) = (desk.document.note_ids.get_untracked(), desk.document.group_ids.get_untracked());
     let notes = notes.iter().filter_map(|id| note_bounds(desk, id));
@@ -78,7 +78,7 @@ pub(super) fn around(place: Place, width: f64) -> Bounds {
     Bounds { left: place.x - width / 2.0, top: place.y, right: place.x + width / 2.0, bottom: place.y + STREAM_HEIGHT }
 }
 
-/// Where the chip of a connector is, if it is seen.
+/// Returns the bounds of a connector's chip, if it is seen.
 pub(super) fn chip_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     let record = desk.document.connector(id)?.record.get_untracked();
     let chip = untrack(|| chip_of(desk, &record))?;

@@ -1,4 +1,4 @@
-//! What is wrong with what is selected, or what has just become wrong, said beside it with what mends it. Problems that
+//! The problem of what is selected, or one that has just come about, said beside it with its fixes. Problems that
 //! everything has while it is being built (nothing leads to it yet) stay in the list.
 
 use super::Stage;
@@ -13,7 +13,7 @@ use crate::words;
 use behaviour::{Id, Problem, ProblemKind};
 use leptos::prelude::*;
 
-/// Its size, about so high until it is known, and its distance from what it is about, in pixels.
+/// The bubble's size, about so high until it is known, and its distance from what it is about, in pixels.
 const SIZE: (f64, f64) = (268.0, 96.0);
 const NEAR: f64 = 14.0;
 
@@ -80,7 +80,7 @@ fn follow_height(root: NodeRef<leptos::html::Div>, high: ArcRwSignal<f64>) {
     });
 }
 
-/// Whether somebody who is building wants to be told at once.
+/// True if somebody who is building wants to be told at once.
 fn is_told_at_once(problem: &Problem) -> bool {
     use ProblemKind::{EmptyBody, FewInputs, NoInputs, NoSource, Unused};
     !matches!(problem.kind, Unused | NoSource | NoInputs | FewInputs(_) | EmptyBody)
@@ -145,7 +145,7 @@ fn rival(problem: &Problem) -> Option<String> {
     }
 }
 
-/// Where the stream of that name is.
+/// Returns the bounds of the stream of that name.
 fn rival_bounds(desk: &Desk, stage: &Stage, name: &str) -> Option<Bounds> {
     let is_it = |id: &Id| {
         desk.document.stream(id).is_some_and(|stream| stream.record.with_untracked(|stream| stream.name == name))

@@ -20,15 +20,15 @@ use web_sys::{Event, KeyboardEvent, PointerEvent};
 const REST_MS: i32 = 300;
 /// A moment for the click that belongs to a drop, in milliseconds.
 const CLICK_MS: i32 = 50;
-/// How far what is carried hangs from the pointer, in pixels.
+/// The distance from the pointer to what is carried, in pixels.
 const BESIDE: (f64, f64) = (12.0, 10.0);
 
-/// What is carried, as a view.
+/// Shows what is carried, as a view.
 pub(crate) fn carry() -> AnyView {
     view! { <Carrying /> }.into_any()
 }
 
-/// What is carried beside the pointer. As long as it is there it hears the pointer, wherever that is.
+/// Shows what is carried beside the pointer. As long as it is there it hears the pointer, wherever that is.
 #[component]
 fn Carrying() -> impl IntoView {
     let stage = expect_context::<Stage>();
@@ -124,7 +124,7 @@ impl Stage {
         self.phase() == Some(Phase::Carried)
     }
 
-    /// Which press this is, to know it again.
+    /// Returns the press as it is, to know it again.
     fn pressed_at(&self) -> Option<Carried> {
         self.desk.carried.get_untracked()
     }
@@ -200,7 +200,7 @@ impl Stage {
         });
     }
 
-    /// What it would come to where the pointer is.
+    /// Finds what would become of it where the pointer is.
     fn look_below(&self, carried: &mut Carried) {
         let (below, is_paper) = wire::under(carried.at.0 as f32, carried.at.1 as f32);
         carried.over = below.filter(|id| carried.targets.as_ref().is_some_and(|targets| targets.contains(id)));
@@ -240,7 +240,7 @@ impl Stage {
         Some(Place { x: place.x, y: place.y - STREAM_HEIGHT / 2.0 })
     }
 
-    /// What would come of a drop, in words.
+    /// Says what would come of a drop.
     fn says(&self, carried: &Carried) -> String {
         if let Some(id) = &carried.over {
             let record = self.desk.document.stream(id).map(|signals| signals.record);

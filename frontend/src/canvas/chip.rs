@@ -15,7 +15,7 @@ use crate::words;
 use behaviour::{Connector, Id, Kind, Place, ProblemKind, RecordId};
 use leptos::prelude::*;
 
-/// Where a connector runs.
+/// The way of a connector on the canvas.
 #[derive(Clone, Debug, PartialEq)]
 struct Way {
     inputs: Vec<Place>,
@@ -25,7 +25,7 @@ struct Way {
 }
 
 impl Way {
-    /// As a path, with a small head at its end or without.
+    /// Returns it as a path, with a small head at its end or without.
     fn path(&self, head: bool) -> String {
         match (self.chip, head) {
             (Some(chip), true) => curves(&self.inputs, chip, self.output),
@@ -36,7 +36,7 @@ impl Way {
     }
 }
 
-/// Where a connector runs now, as a path without a head.
+/// Returns the way of a connector now, as a path without a head.
 pub(super) fn way_of(desk: &Desk, id: &Id) -> Option<String> {
     let record = desk.document.connector(id)?.record.get_untracked();
     untrack(|| way(desk, &record)).map(|way| way.path(false))
@@ -53,7 +53,7 @@ fn way(desk: &Desk, connector: &Connector) -> Option<Way> {
     Some(Way { chip, inputs, output })
 }
 
-/// How far the chip stands aside of the action that it leads to with others. Reactive.
+/// Returns how far the chip stands aside of the action that it leads to with others. Reactive.
 fn aside(desk: &Desk, connector: &Connector) -> Option<f64> {
     let others = desk.document.shared.with(|shared| shared.get(&connector.output).cloned())?;
     let all = others.iter().filter_map(|id| Some(desk.document.connector(id)?.record.get()));
@@ -182,7 +182,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     .into_any()
 }
 
-/// What a chip says of its procedure, with the units of the numbers that something is compared with.
+/// Returns a chip's words about its procedure, with the units of the numbers that something is compared with.
 fn shown_memo(desk: &Desk, signals: &ConnectorSignals, text: &ArcMemo<ChipWords>) -> ArcMemo<String> {
     let (desk, record, text) = (desk.clone(), signals.record.clone(), text.clone());
     ArcMemo::new(move |_| {
@@ -249,16 +249,16 @@ fn near_selection(desk: &Desk, signals: &ConnectorSignals) -> impl Fn() -> bool 
     }
 }
 
-/// What a chip says about the run.
+/// The words of a chip about the run.
 #[derive(Clone, Debug, PartialEq)]
 struct Said {
     text: String,
-    /// How often its procedure failed; none if it only says who holds the robot's part.
+    /// The number of times that its procedure failed; none if it only says who holds the robot's part.
     faults: Option<u64>,
 }
 
-/// How often its procedure failed and why, or who keeps the robot's part from the action that it leads to. What is not
-/// used yet says nothing: the robot runs another version of it.
+/// Returns how often its procedure failed and why, or who keeps the robot's part from the action that it leads to. A
+/// chip that is not used yet says nothing: the robot runs another version of it.
 fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<bool>) -> ArcMemo<Option<Said>> {
     let (desk, id, record, unused) = (desk.clone(), id.clone(), signals.record.clone(), unused.clone());
     ArcMemo::new(move |_| {
@@ -318,7 +318,7 @@ pub(super) fn path_of(desk: &Desk, connector: &Connector) -> Option<String> {
     way(desk, connector).map(|way| way.path(false))
 }
 
-/// Where the chip of a connector is, if it is seen. Reactive.
+/// Returns the place of a connector's chip, if it is seen. Reactive.
 pub(super) fn chip_of(desk: &Desk, connector: &Connector) -> Option<Place> {
     way(desk, connector).and_then(|way| way.chip)
 }

@@ -15,7 +15,7 @@ fn helpers(desk: &Desk) -> Vec<Helper> {
     desk.library.helpers.with_untracked(|all| all.iter().map(|(_, helper)| helper.clone()).collect())
 }
 
-/// What is chosen as a part of a program, and which of it is in that; what cannot be copied says why.
+/// Returns what is chosen as a part of a program, and which of it is in that. If it cannot be copied, says why.
 fn chosen_part(desk: &Desk) -> Option<(Part, BTreeSet<Selected>)> {
     let chosen = desk.document.chosen();
     let part = desk.document.part(&chosen, &helpers(desk));
@@ -73,8 +73,8 @@ pub(super) fn duplicate(desk: &Desk, stage: Option<&Stage>) {
     }
 }
 
-/// What was pasted, if it is a part of a program: under the pointer, and beside what was copied where there is no canvas; a
-/// whole program is offered to be opened. Whether it was one of them.
+/// Pastes a part of a program under the pointer, and beside what was copied where there is no canvas; offers to open a
+/// whole program. Returns true if it was one of them.
 pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
     let Some(part) = Part::read(text) else {
         let whole = Pasted::read(text);
@@ -88,7 +88,7 @@ pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
 }
 
 impl Stage {
-    /// Where what is pasted goes: under the pointer, else into the middle of what is seen.
+    /// Returns the place for what is pasted: under the pointer, else in the middle of what is seen.
     fn paste_place(&self) -> Place {
         let (middle, view) = (self.size.get_untracked(), self.view.get_untracked());
         self.pointer.get_untracked().unwrap_or_else(|| view.to_canvas((middle.0 / 2.0, middle.1 / 3.0)))

@@ -24,12 +24,12 @@ const GONE_MS: i32 = 40;
 /// An open menu.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Context {
-    /// Where it was asked for on the stage, in pixels.
+    /// The place on the stage where it was asked for, in pixels.
     pub(super) at: Point,
-    /// What it is about; none for the ground.
+    /// The thing that the menu is about; none for the ground.
     pub(super) about: Option<Selected>,
     pub(super) on: On,
-    /// Whether a finger or pen rests there still: lifted, it presses what lies below it, which is then the menu.
+    /// True if a finger or pen rests there still: lifted, it presses what lies below it, which is then the menu.
     pub(super) by_finger: bool,
 }
 

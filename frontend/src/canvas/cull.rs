@@ -1,4 +1,5 @@
-//! Which streams and connectors are drawn: those in or near the view, by coarse cells, so that small pans change nothing.
+//! The choice of streams and connectors that are drawn: those in or near the view, by coarse cells, so that small pans
+//! change nothing.
 
 use super::view::{Bounds, View};
 use behaviour::Filled;
@@ -16,14 +17,14 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// What a stage of that size shows.
+    /// Returns the cells that a stage of that size shows.
     pub(super) fn in_view(view: View, size: (f64, f64)) -> Self {
         let start = view.to_canvas((0.0, 0.0));
         let end = view.to_canvas(size);
         Self { left: cell(start.x) - 1, top: cell(start.y) - 1, right: cell(end.x) + 1, bottom: cell(end.y) + 1 }
     }
 
-    /// Whether something touches these cells.
+    /// True if something touches these cells.
     pub(super) fn touch(&self, bounds: &Bounds) -> bool {
         cell(bounds.right) >= self.left
             && cell(bounds.left) <= self.right
@@ -36,7 +37,7 @@ fn cell(at: f64) -> i32 {
     (at / CELL).floor() as i32
 }
 
-/// What is drawn now: all that is seen and, until the gesture rests, what was drawn before and still exists.
+/// Returns what is drawn now: all that is seen and, until the gesture rests, what was drawn before and still exists.
 pub(super) fn drawn<T: Clone + Ord>(all: &[T], seen: impl Fn(&T) -> bool, before: &[T], rests: bool) -> Vec<T> {
     if rests || before.is_empty() {
         return all.iter().filter(|item| seen(item)).cloned().collect();

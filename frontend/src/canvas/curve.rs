@@ -1,21 +1,21 @@
-//! Where connectors run: the chip between its streams and the curves through it.
+//! The ways of connectors: the chip between its streams and the curves through it.
 
 use crate::layout::{CHIP_HEIGHT, GAP, STREAM_HEIGHT};
 use behaviour::{Place, StreamKind};
 use std::fmt::Write;
 
-/// So far an edge runs straight down before it ends in what stands aside of its chip.
+/// The length that an edge runs straight down before it ends in what stands aside of its chip.
 const STRAIGHT: f64 = 24.0;
-/// What its bend above that takes.
+/// The height of its bend above that.
 const BEND: f64 = 22.0;
 /// Below a stream whose action is further down than the next row.
 const UNDER: f64 = 32.0;
-/// So near to a stream a chip may come.
+/// The least distance of a chip from a stream.
 const NEAR: f64 = 16.0;
 
-/// Where a chip stands: the middle of its top edge. Half way above its stream; on the way to an action that is far down,
-/// under what it comes from, so that the edge runs straight from there. `aside` is how far it stands aside where several
-/// lead to that action; then there is room below it for the bend.
+/// Returns the place of a chip: the middle of its top edge. It is half way above its stream; on the way to an action
+/// that is far down, under what it comes from, so that the edge runs straight from there. `aside` is how far it stands
+/// aside where several lead to that action; then there is room below it for the bend.
 pub(super) fn chip_place(inputs: &[Place], output: Place, output_kind: StreamKind, aside: Option<f64>) -> Place {
     let x = output.x + aside.unwrap_or_default();
     if inputs.is_empty() {
@@ -34,8 +34,8 @@ pub(super) fn chip_place(inputs: &[Place], output: Place, output_kind: StreamKin
     Place { x, y }
 }
 
-/// How far each of several chips that lead to one action stands aside of it: beside each other, in the order of where
-/// they come from. Of each, where it comes from and how wide it is.
+/// Returns how far each of several chips that lead to one action stands aside of it: beside each other, in the order of
+/// where they come from. `chips` has of each where it comes from and how wide it is.
 pub(super) fn asides(chips: &[(f64, f64)]) -> Vec<f64> {
     let mut row: Vec<usize> = (0..chips.len()).collect();
     row.sort_by(|one, other| chips[*one].0.total_cmp(&chips[*other].0));
@@ -64,7 +64,7 @@ pub(super) fn ways(inputs: &[Place], chip: Place, output: Place) -> String {
     path
 }
 
-/// The same with a small head at the end.
+/// Returns the curves through a chip, with a small head at the end.
 pub(super) fn curves(inputs: &[Place], chip: Place, output: Place) -> String {
     let mut path = ways(inputs, chip, output);
     head(&mut path, output);
@@ -85,7 +85,7 @@ pub(super) fn straight_ways(inputs: &[Place], output: Place) -> String {
     path
 }
 
-/// The same with a small head at the end, if there are any.
+/// Returns the curves without a chip, with a small head at the end, if there are any.
 pub(super) fn straight(inputs: &[Place], output: Place) -> String {
     let mut path = straight_ways(inputs, output);
     if !inputs.is_empty() {
@@ -101,7 +101,7 @@ pub(super) fn curve_between(from: (f64, f64), to: (f64, f64)) -> String {
     path
 }
 
-/// How far a point is from the curve between two others.
+/// Returns the distance of a point from the curve between two others.
 pub(super) fn distance_to_curve(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let bend = bend(from, to);
     let [p0, p1, p2, p3] = [from, (from.0, from.1 + bend), (to.0, to.1 - bend), to];
@@ -118,7 +118,7 @@ pub(super) fn distance_to_curve(at: (f64, f64), from: (f64, f64), to: (f64, f64)
     (0..=CURVE_POINTS).map(|step| apart(f64::from(step) / f64::from(CURVE_POINTS))).fold(f64::MAX, f64::min)
 }
 
-/// How many points of a curve are looked at for how far something is from it.
+/// The number of points of a curve that are looked at for how far something is from it.
 const CURVE_POINTS: u32 = 16;
 
 fn bend(from: (f64, f64), to: (f64, f64)) -> f64 {

@@ -1,4 +1,4 @@
-//! What differs between the versions that are compared, on the graph: a sign on what is new or another, and a shadow of
+//! The differences of the versions that are compared, on the graph: a sign on what is new or another, and a shadow of
 //! what is not there.
 
 use super::curve::{chip_place, curves};
@@ -10,15 +10,15 @@ use behaviour::{Behaviour, Connector, Difference, Id, Kind, Place, Record, Recor
 use leptos::prelude::*;
 use std::collections::BTreeMap;
 
-/// What became of something, as it is shown.
+/// The difference of something, as it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Differing {
     difference: Difference,
-    /// What is said beside the sign.
+    /// The words beside the sign.
     pub(super) text: String,
 }
 
-/// What became of a record, while versions are compared. Reactive.
+/// Returns the difference of a record, while versions are compared. Reactive.
 pub(super) fn differs_memo(desk: &Desk, id: &RecordId) -> ArcMemo<Option<Differing>> {
     let (desk, id) = (desk.clone(), id.clone());
     ArcMemo::new(move |_| desk.document.compared.with(|compared| difference(&desk, compared.as_deref()?, &id)))
@@ -83,7 +83,7 @@ fn is_there(desk: &Desk, id: &RecordId) -> bool {
     }
 }
 
-/// Where things stand now, else where they stood.
+/// The places where things stand now, else where they stood.
 struct Places<'a> {
     desk: &'a Desk,
     behaviour: &'a Behaviour,

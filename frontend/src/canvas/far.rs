@@ -9,10 +9,10 @@ use behaviour::{Connector, Id};
 use leptos::prelude::*;
 use std::collections::{BTreeSet, HashMap};
 
-/// What others have selected, and what they edit.
+/// The things that others have selected, and those that they edit.
 type Others = (ArcRwSignal<Vec<(Id, u8, String)>>, ArcRwSignal<HashMap<Id, Edited>>);
 
-/// Whether a connector takes from one of these streams or leads to one.
+/// True if a connector takes from one of these streams or leads to one.
 fn touches(desk: &Desk, connector: &Id, is_one: impl Fn(&Id) -> bool) -> bool {
     let ends = |at: &Connector| is_one(&at.output) || at.inputs.iter().any(&is_one);
     desk.document.connector(connector).is_some_and(|signals| signals.record.with_untracked(ends))

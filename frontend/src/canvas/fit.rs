@@ -35,7 +35,7 @@ pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64), parts: &[Bou
     views.reduce(|best, next| if next.zoom > best.zoom * 1.001 { next } else { best }).unwrap_or(whole)
 }
 
-/// Whether a part would lie under a corner of the stage.
+/// True if a part would lie under a corner of the stage.
 fn is_under(view: &View, part: &Bounds, size: (f64, f64), corner: (f64, f64)) -> bool {
     let (right, bottom) = view.to_stage(Place { x: part.right, y: part.bottom });
     right > size.0 - corner.0 && bottom > size.1 - corner.1

@@ -16,16 +16,16 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, HtmlInputElement, KeyboardEvent};
 
-/// Its size about, and its distance from the chip, in pixels.
+/// The flyout's size about, and its distance from the chip, in pixels.
 const SIZE: (f64, f64) = (290.0, 214.0);
 const NEAR: f64 = 12.0;
-/// So much higher than its chip it begins, which leaves the stream above free, in pixels.
+/// The height above its chip at which it begins, which leaves the stream above free, in pixels.
 const HIGHER: f64 = 10.0;
 
 /// After so long the control is looked for again, in milliseconds, and how often it is.
 const SOON_MS: i32 = 50;
 const LOOKS_MAX: u32 = 20;
-/// What of a control the keyboard comes to first.
+/// The fields of a control to which the keyboard comes first.
 const FIELDS: [&str; 3] = [".flyout .stepper input", ".flyout select:enabled", ".flyout .held .button.primary"];
 
 /// Gives the keyboard to the control of the selected connector once it is there; what has nothing to be changed in place

@@ -1,22 +1,22 @@
-//! Where the ends of connectors are seen: at their streams, or at the box of the folded group that those are in.
+//! The ends of connectors as they are seen: at their streams, or at the box of the folded group that those are in.
 
 use crate::desk::Desk;
 use crate::layout::{BOX, STREAM_HEIGHT};
 use behaviour::{Connector, Id, Place};
 use leptos::prelude::*;
 
-/// How far from the middle of a box an edge may reach it, in canvas units.
+/// The greatest distance from the middle of a box at which an edge may reach it, in canvas units.
 const REACH: f64 = 96.0;
 
-/// Which end of a connector.
+/// The two ends of a connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     Input,
     Output,
 }
 
-/// Where the stream is seen that is an end of a connector; for a box, where a stream would stand that has its edge there.
-/// Reactive.
+/// Returns where the stream is seen that is an end of a connector; for a box, where a stream would stand that has its
+/// edge there. Reactive.
 pub(super) fn end_of(desk: &Desk, stream: &Id, end: End) -> Option<Place> {
     let own = desk.document.stream(stream)?.place.get();
     let Some(group) = desk.document.hidden_in(stream) else { return Some(own) };

@@ -47,7 +47,8 @@ fn members_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Id>> {
     ArcMemo::new(move |_| desk.document.members(&id))
 }
 
-/// Where the frame of a group is. How wide its streams are is looked up only when that changes, so that a drag adds little.
+/// Returns the frame of a group. The width of its streams is looked up only when that changes, so that a drag adds
+/// little.
 fn frame_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Option<Bounds>> {
     let (desk, members) = (desk.clone(), members.clone());
     let sizes = ArcMemo::new(move |_| {
@@ -177,7 +178,7 @@ fn FoldedBox(id: Id) -> impl IntoView {
     .into_any()
 }
 
-/// How many there are of a kind of stream.
+/// The number of streams of one kind.
 type Count = (StreamKind, usize);
 
 fn counts_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Vec<Count>> {
@@ -251,7 +252,7 @@ fn ring_memo(stage: &Stage, id: &Id, inside: &ArcMemo<Inside>) -> ArcMemo<Ringed
     })
 }
 
-/// Whether a connector inside has just fired.
+/// Returns true while a connector inside has just fired.
 fn fires_memo(desk: &Desk, stage: &Stage, inside: &ArcMemo<Inside>) -> ArcMemo<bool> {
     let (desk, running, inside) = (desk.clone(), stage.running.clone(), inside.clone());
     ArcMemo::new(move |_| {
@@ -264,7 +265,8 @@ fn fires_memo(desk: &Desk, stage: &Stage, inside: &ArcMemo<Inside>) -> ArcMemo<b
     })
 }
 
-/// How often its liveliest stream carries values now, else for how long all of them are quiet; nothing without a run.
+/// Returns how often its liveliest stream carries values now, else for how long all of them are quiet; nothing without
+/// a run.
 fn now_memo(desk: &Desk, stage: &Stage, members: &ArcMemo<Vec<Id>>) -> ArcMemo<String> {
     let (desk, running, members) = (desk.clone(), stage.running.clone(), members.clone());
     ArcMemo::new(move |_| {

@@ -1,4 +1,4 @@
-//! What a typed sentence would add, dashed and pale beside the graph.
+//! A preview of what a typed sentence would add, dashed and pale beside the graph.
 
 use super::Stage;
 use super::curve::{chip_place, curves};
@@ -11,7 +11,7 @@ use crate::words;
 use behaviour::{Id, Place, StreamKind};
 use leptos::prelude::*;
 
-/// What of the top of the stage is covered while a sentence is typed, in pixels.
+/// The height at the top of the stage that is covered while a sentence is typed, in pixels.
 const TYPED: f64 = 216.0;
 
 /// The preview, as a view.
@@ -72,7 +72,7 @@ fn bring_into_view(stage: &Stage, desk: &Desk) {
     });
 }
 
-/// Where a connector of the preview runs.
+/// The way of a connector of the preview.
 struct Way {
     path: String,
     chip: Place,

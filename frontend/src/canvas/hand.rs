@@ -1,4 +1,4 @@
-//! What fingers, pens and mice mean: pressing, dragging a stream, panning, pinching. Pure, so that it is tested.
+//! The meaning of fingers, pens and mice: pressing, dragging a stream, panning, pinching. Pure, so that it is tested.
 
 use behaviour::Id;
 
@@ -8,19 +8,19 @@ const STILL: f64 = 5.0;
 /// A point of the stage, in pixels.
 pub(super) type Point = (f64, f64);
 
-/// What a pointer went down on.
+/// The thing on which a pointer went down.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Target {
     /// A stream, or what else can be dragged: a note, the title of a group or its box.
     Stream(Id),
-    /// Where the wires of a stream begin.
+    /// The place where the wires of a stream begin.
     Handle(Id),
     /// Free ground, with the key that chooses more.
     Ground,
     Other,
 }
 
-/// What is to be done.
+/// The act that is to be done.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Act {
     Nothing,
@@ -79,7 +79,7 @@ impl Hand {
         }
     }
 
-    /// Whether one pointer is down and has not moved.
+    /// True if one pointer is down and has not moved.
     pub(super) fn rests(&self) -> bool {
         matches!(self.grip, Grip::Pressed(..)) && self.pointers.len() == 1
     }
@@ -121,7 +121,7 @@ impl Hand {
         }
     }
 
-    /// Whether no pointer is down.
+    /// True if no pointer is down.
     pub(super) fn is_idle(&self) -> bool {
         self.pointers.is_empty()
     }

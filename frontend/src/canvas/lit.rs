@@ -7,7 +7,7 @@ use crate::desk::{Desk, Lit, use_desk};
 use leptos::prelude::*;
 use std::fmt::Write;
 
-/// How round the corners are of what stands in the region, in canvas units.
+/// The radius of the corners of what stands in the region, in canvas units.
 const ROUND: f64 = 14.0;
 
 /// The region, as a view.

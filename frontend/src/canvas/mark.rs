@@ -6,13 +6,13 @@ use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;
 
-/// What is marked about a record.
+/// Returns the mark of a record.
 pub(super) fn mark_memo(desk: &Desk, record: RecordId) -> ArcMemo<Option<Mark>> {
     let document = desk.document.clone();
     ArcMemo::new(move |_| document.mark_of(&record))
 }
 
-/// What is said of a mark.
+/// Returns the words for a mark.
 pub(super) fn said(mark: Mark) -> &'static str {
     match mark {
         Mark::Waits => words::waits_here(),

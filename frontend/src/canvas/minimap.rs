@@ -15,7 +15,7 @@ use web_sys::{Element, KeyboardEvent, PointerEvent};
 
 /// From so many streams on.
 pub(super) const FROM: usize = 30;
-/// Its size, and what is left free at its sides, in pixels.
+/// The map's size, and what is left free at its sides, in pixels.
 pub(super) const SIZE: (f64, f64) = (188.0, 124.0);
 const FREE: f64 = 8.0;
 /// The largest and the smallest size of a stream on it, in pixels, and its usual width on the canvas.
@@ -30,7 +30,7 @@ pub(crate) fn minimap() -> AnyView {
     view! { <Minimap /> }.into_any()
 }
 
-/// How the canvas becomes the map.
+/// The scale by which the canvas becomes the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Scale {
     left: f64,

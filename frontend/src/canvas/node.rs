@@ -238,7 +238,7 @@ fn NewestValue(
     }
 }
 
-/// Whether the robot does not use something yet as it is now.
+/// Returns true while the robot does not use something yet as it is now.
 pub(super) fn unused_memo(desk: &Desk, id: &Id) -> ArcMemo<bool> {
     let (desk, id) = (desk.clone(), id.clone());
     ArcMemo::new(move |_| desk.robots.unused.with(|unused| unused.contains(&id)))
@@ -260,7 +260,7 @@ pub(super) fn problem_memo(stage: &Stage, at: RecordId) -> ArcMemo<Option<(Strin
     })
 }
 
-/// Whether a way ends at this stream and nobody is working on it. Reactive.
+/// True if a way ends at this stream and nobody is working on it. Reactive.
 fn is_left_over(desk: &Desk, id: &Id) -> bool {
     let goes_on = |connector: &Id| {
         let signals = desk.document.connector(connector);
@@ -275,7 +275,7 @@ fn is_left_over(desk: &Desk, id: &Id) -> bool {
 pub(super) fn ProblemBadge(
     problem: ArcMemo<Option<(String, bool)>>,
     #[prop(optional, into)]
-    /// What a press on it tells about; the badge of a folded group tells about none.
+    /// The thing that a press on it tells about; none for the badge of a folded group.
     at: Option<Selected>,
 ) -> impl IntoView {
     let stage = expect_context::<Stage>();
@@ -308,7 +308,7 @@ pub(super) fn editor_memo(stage: &Stage, id: &Id) -> ArcMemo<Option<String>> {
 /// The colour of a ring, and what its tag says, with a padlock if somebody is editing.
 pub(super) type Ringed = Option<(u8, Option<(bool, String)>)>;
 
-/// Who else is editing one of these, what leads to it, or has selected it. Reactive.
+/// Returns who else is editing one of these, what leads to it, or has selected it. Reactive.
 pub(super) fn ringed(stage: &Stage, these: &[Id]) -> Ringed {
     let edited = stage.edited.with(|edited| {
         let of = || these.iter().filter_map(|id| edited.get(id));

@@ -18,7 +18,7 @@ pub(crate) fn notes() -> AnyView {
     view! { <Notes /> }.into_any()
 }
 
-/// What of these is in or near the view; while the view moves nothing vanishes.
+/// Returns those of these in or near the view; while the view moves nothing vanishes.
 pub(super) fn drawn_memo(stage: &Stage, ids: ArcRwSignal<Vec<Id>>) -> ArcMemo<Vec<Id>> {
     let (desk, cells, rests) = (stage.desk.clone(), stage.cells.clone(), stage.rests.clone());
     ArcMemo::new(move |before: Option<&Vec<Id>>| {

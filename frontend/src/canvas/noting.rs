@@ -1,4 +1,4 @@
-//! What can be done with notes and groups by hand and by keys: begun, opened, walked through.
+//! The use of notes and groups by hand and by keys: begun, opened, walked through.
 
 use super::Stage;
 use super::bounds::bounds;
@@ -12,7 +12,7 @@ use protocol::Role;
 /// A note that is written.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Noting {
-    /// Which one; none for a new one.
+    /// The id of the note; none for a new one.
     pub(super) id: Option<Id>,
     /// The middle of its top edge.
     pub(super) at: Place,
@@ -105,7 +105,7 @@ impl Stage {
         placed.into_iter().map(|(_, one)| one).collect()
     }
 
-    /// Whether Tab comes to this note or group: the last one it was at, else the first. Reactive.
+    /// Returns true if Tab comes to this note or group: the last one it was at, else the first. Reactive.
     pub(super) fn is_aside_stop(&self, id: &Id) -> ArcMemo<bool> {
         let (stage, id) = (self.clone(), id.clone());
         ArcMemo::new(move |_| {

@@ -16,18 +16,18 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, FocusEvent, HtmlElement, KeyboardEvent, Node};
 
-/// How large the menu becomes, in pixels.
+/// The greatest size of the menu, in pixels.
 const SIZE: (f64, f64) = (290.0, 400.0);
-/// What is selected needs so long to be in view, in milliseconds.
+/// The time that what is selected needs to be in view, in milliseconds.
 const SHOWN_MS: i32 = 80;
 /// Room kept from the edges of the stage, in pixels.
 const EDGE: f64 = 8.0;
 
-/// What is offered, and where.
+/// The steps that are offered, and where.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Offering {
     input: Id,
-    /// Where the menu opens, in canvas units.
+    /// The place where the menu opens, in canvas units.
     at: Place,
     spot: Spot,
     /// Only actions are asked for.
@@ -35,7 +35,7 @@ pub(super) struct Offering {
 }
 
 impl Offering {
-    /// What can come after a stream, its new stream standing there.
+    /// Offers what can come after a stream, its new stream standing there.
     pub(super) fn at(input: Id, at: Place) -> Self {
         Self { input, at, spot: Spot::At(at), acts: false }
     }
@@ -45,7 +45,7 @@ impl Offering {
         Self { input, at, spot: Spot::default(), acts: true }
     }
 
-    /// What can be put into an edge.
+    /// Offers what can be put into an edge.
     pub(super) fn into_gap(gap: Gap, at: Place) -> Self {
         Self { input: gap.input.clone(), at, spot: Spot::Into(gap), acts: false }
     }
@@ -141,7 +141,7 @@ fn Open(offering: Offering) -> impl IntoView {
     }
 }
 
-/// What is likely, and the way to everything else.
+/// Shows what is likely, and the way to everything else.
 #[component]
 fn Items(desk: Desk, stage: Stage, offering: Offering, finds: RwSignal<bool>) -> impl IntoView {
     let in_gap = matches!(offering.spot, Spot::Into(_));
@@ -244,7 +244,7 @@ pub(super) fn step(event: &KeyboardEvent, next: impl Fn(usize, usize) -> usize) 
     }
 }
 
-/// Whether the keyboard goes from inside a menu to elsewhere.
+/// True if the keyboard goes from inside a menu to elsewhere.
 pub(super) fn leaves_menu(event: &FocusEvent) -> bool {
     let menu = event.current_target().and_then(|menu| menu.dyn_into::<Node>().ok());
     let next = event.related_target().and_then(|next| next.dyn_into::<Node>().ok());

@@ -5,12 +5,12 @@ use super::view::{Bounds, View};
 use crate::desk::{Desk, use_desk};
 use leptos::prelude::*;
 
-/// What of a page is there for the graph, upright and lying, in pixels: of A4 and of Letter the smaller one, without its
+/// The room of a page for the graph, upright and lying, in pixels: of A4 and of Letter the smaller one, without its
 /// margins and without room for the name and a few sentences.
 const TALL: (f64, f64) = (690.0, 800.0);
 const WIDE: (f64, f64) = (950.0, 540.0);
 
-/// How the graph lies on a page.
+/// The place of the graph on a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Paper {
     pub(super) view: View,
@@ -53,7 +53,7 @@ impl Stage {
         self.paper.with(|paper| paper.map_or_else(Default::default, |paper| (size(paper.size.0), size(paper.size.1))))
     }
 
-    /// Whether things are drawn smaller than that; on paper details stay.
+    /// True if things are drawn smaller than that; on paper details stay.
     pub(super) fn is_below(&self, zoom: f64) -> bool {
         self.view.with(|view| view.zoom < zoom) && self.paper.with(Option::is_none)
     }

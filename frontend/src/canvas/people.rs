@@ -1,4 +1,4 @@
-//! Where the others' hands are.
+//! The hands of the others.
 
 use super::Stage;
 use crate::browser;
@@ -54,7 +54,7 @@ fn OnePointer(id: Id) -> impl IntoView {
     }
 }
 
-/// Whether something has not changed for a while.
+/// Returns true while something has not changed for a while.
 fn fades<T: Clone + PartialEq + Send + Sync + 'static>(of: ArcMemo<T>) -> ArcRwSignal<bool> {
     let (still, moves) = (ArcRwSignal::new(false), Arc::new(AtomicU32::new(0)));
     let signal = still.clone();

@@ -16,7 +16,7 @@ use protocol::Role;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, FocusOptions, HtmlElement};
 
-/// So near to an edge its plus appears, in pixels.
+/// The distance from an edge at which its plus appears, in pixels.
 const NEAR: f64 = 12.0;
 /// Half of its height, in canvas units.
 const HALF: f64 = 12.0;
@@ -79,7 +79,7 @@ impl Stage {
         }
     }
 
-    /// Whether the edge of a plus ends at a folded group, to which the arrow keys go at once.
+    /// True if the edge of a plus ends at a folded group, to which the arrow keys go at once.
     pub(super) fn leads_into_fold(&self, plus: &HtmlElement) -> bool {
         let into = id_of(plus, "data-into").and_then(|into| self.desk.document.connector(&into));
         into.is_some_and(|signals| {

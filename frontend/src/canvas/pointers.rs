@@ -13,7 +13,7 @@ use std::rc::Rc;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, MouseEvent, PointerEvent, WheelEvent};
 
-/// What answers by itself and never moves the canvas.
+/// The elements that answer by themselves and never move the canvas.
 const INTERACTIVE: &str = "button, input, textarea, select, a, label, .strip, .flyout, .zoom, .menu, .offer, .told, .minimap, .library, .empty-stage";
 
 /// A finger that rests so long asks for a menu, in milliseconds.
@@ -25,15 +25,15 @@ pub(super) struct Pointers {
     stage: Stage,
     desk: Desk,
     hand: Rc<RefCell<Hand>>,
-    /// What is dragged, and where it was; and how far it is from there.
+    /// The things that are dragged, with where they were; and how far they are from there.
     moving: Rc<RefCell<Vec<(Id, Place)>>>,
     moved_by: Rc<Cell<Point>>,
-    /// Whether the next click belongs to a drag that just ended.
+    /// True if the next click belongs to a drag that just ended.
     after_drag: Rc<Cell<bool>>,
-    /// How often a pointer went down or up, and whether it rested so long that a menu opened.
+    /// The number of times that a pointer went down or up, and whether it rested so long that a menu opened.
     presses: Rc<Cell<u32>>,
     pressed_long: Rc<Cell<bool>>,
-    /// Whether what went down last is a finger or a pen.
+    /// True if a finger or a pen went down last.
     by_finger: Rc<Cell<bool>>,
 }
 
@@ -152,7 +152,7 @@ impl Pointers {
         self.stage.move_wire(at(event), under(event).0.as_ref());
     }
 
-    /// What the pointer is over, while it is up: a stream shows where its wires begin, an edge its plus.
+    /// Notes what the pointer is over, while it is up: a stream shows where its wires begin, an edge its plus.
     fn hover(&self, event: &PointerEvent) {
         if event.buttons() != 0 || event.pointer_type() == "touch" || !self.hand.borrow().is_idle() {
             return;
@@ -271,7 +271,7 @@ impl Pointers {
         }
     }
 
-    /// Whether a finger that rests on something chooses it too: something else is chosen.
+    /// True if a finger that rests on something chooses it too: something else is chosen.
     fn adds(&self, what: &Selected) -> bool {
         let chosen = self.desk.document.chosen();
         !chosen.is_empty() && !chosen.contains(what)
@@ -354,7 +354,7 @@ pub(crate) fn edit(desk: &Desk, what: &Selected) {
     }
 }
 
-/// What was hit: something, the paper, or (none) what answers by itself.
+/// Returns what was hit: something, the paper, or (none) what answers by itself.
 fn hit(event: &MouseEvent) -> Option<Option<Selected>> {
     let target = element(event)?;
     if target.closest(INTERACTIVE).ok().flatten().is_some() {
@@ -365,7 +365,7 @@ fn hit(event: &MouseEvent) -> Option<Option<Selected>> {
     Some(graph.or_else(|| on("data-note").map(Selected::Note)).or_else(|| on("data-group").map(Selected::Group)))
 }
 
-/// What lies under the pointer, whoever gets its events, and whether that is free ground.
+/// Returns what lies under the pointer, whoever gets its events, and whether that is free ground.
 fn under(event: &PointerEvent) -> (Option<Id>, bool) {
     wire::under(event.client_x() as f32, event.client_y() as f32)
 }
@@ -386,7 +386,7 @@ fn marked(target: &Element, with: &str) -> Option<Id> {
     Id::new(&found.get_attribute(with)?).ok()
 }
 
-/// Where on the stage.
+/// Returns the place of an event on the stage.
 fn at(event: &MouseEvent) -> Point {
     let stage = event.current_target().and_then(|stage| stage.dyn_into::<Element>().ok());
     let origin = stage.map(|stage| stage.get_bounding_client_rect());

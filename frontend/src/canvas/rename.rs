@@ -32,7 +32,7 @@ impl Stage {
     }
 }
 
-/// What is renamed: what it is called, where its field is and how wide, and how its new name is saved.
+/// The thing that is renamed: its name, where its field is and how wide, and how its new name is saved.
 struct Renamed {
     name: String,
     width: f64,
@@ -121,7 +121,7 @@ fn NameField(id: Id) -> impl IntoView {
     .into_any()
 }
 
-/// What stands in the field that an event is about.
+/// Returns the text in the field that an event is about.
 fn typed(event: &web_sys::Event) -> Option<String> {
     Some(event.target()?.dyn_into::<web_sys::HtmlInputElement>().ok()?.value())
 }

@@ -1,4 +1,4 @@
-//! How much room there is beside a stream for its value, and beside a chip for what it says. Pure.
+//! The room beside a stream for its value, and beside a chip for what it says. Pure.
 
 use super::view::Bounds;
 use behaviour::{Filled, Id};

@@ -37,7 +37,7 @@ impl Stage {
         self.lasso.set(Some(Bounds { left, top, right, bottom }));
     }
 
-    /// What the lasso holds is chosen too.
+    /// Ends the lasso: everything in it is chosen too.
     pub(super) fn end_lasso(&self) {
         let Some(lasso) = self.lasso.get_untracked() else { return };
         self.lasso.set(None);
@@ -55,7 +55,7 @@ impl Stage {
         self.desk.document.choose(chosen);
     }
 
-    /// What surrounds these. Reactive.
+    /// Returns the bounds around these. Reactive.
     pub(super) fn around(&self, these: &BTreeSet<Selected>) -> Option<Bounds> {
         self.desk.document.revision.track();
         self.shapes.with(|shapes| {
@@ -70,7 +70,7 @@ impl Stage {
         })
     }
 
-    /// What a shape is: a stream or a box.
+    /// Returns the thing that a shape is: a stream or a box.
     fn shape(&self, id: &Id) -> Selected {
         let is_stream = self.desk.document.stream(id).is_some();
         if is_stream { Selected::Stream(id.clone()) } else { Selected::Group(id.clone()) }
@@ -99,7 +99,7 @@ pub(super) fn Lasso() -> impl IntoView {
     }
 }
 
-/// What can be done with everything that is chosen, as a view.
+/// Shows the tools for everything that is chosen, as a view.
 pub(crate) fn several() -> AnyView {
     view! { <SeveralTools /> }.into_any()
 }
@@ -108,7 +108,7 @@ pub(crate) fn several() -> AnyView {
 struct Tool {
     icon: &'static str,
     label: &'static str,
-    /// Whether it changes the program.
+    /// True if it changes the program.
     edits: bool,
     act: fn(&Desk, &Stage),
 }
@@ -117,7 +117,7 @@ const fn tool(icon: &'static str, label: &'static str, act: fn(&Desk, &Stage)) -
     Tool { icon, label, edits: true, act }
 }
 
-/// What can be done with these.
+/// Returns the tools for these.
 fn tools(these: &BTreeSet<Selected>, desk: &Desk) -> Vec<Tool> {
     let copies = [
         Tool { edits: false, ..tool("copy", words::copy(), |desk, _| drop(copy(desk))) },
@@ -169,7 +169,7 @@ fn fold_tool() -> Tool {
     })
 }
 
-/// What is chosen and has its tools here: several things, a note, or a group.
+/// Returns what is chosen and has its tools here: several things, a note, or a group.
 fn chosen_memo(desk: &Desk) -> ArcMemo<BTreeSet<Selected>> {
     let (several, selected) = (desk.document.several.clone(), desk.document.selected.clone());
     ArcMemo::new(move |_| {
@@ -179,7 +179,7 @@ fn chosen_memo(desk: &Desk) -> ArcMemo<BTreeSet<Selected>> {
     })
 }
 
-/// What these are called together.
+/// Names these together.
 fn called(desk: &Desk, these: &BTreeSet<Selected>) -> String {
     match these.first() {
         Some(Selected::Note(_)) if these.len() == 1 => words::a_note().to_owned(),
@@ -190,7 +190,7 @@ fn called(desk: &Desk, these: &BTreeSet<Selected>) -> String {
     }
 }
 
-/// What can be done with everything that is chosen: below it, above it, else at the bottom of the stage.
+/// Shows the tools for everything that is chosen: below it, above it, else at the bottom of the stage.
 #[component]
 fn SeveralTools() -> impl IntoView {
     let desk = use_desk();

@@ -1,4 +1,4 @@
-//! What the parts of the canvas share: the view, what is drawn, who selected what.
+//! The state that the parts of the canvas share: the view, what is drawn, who selected what.
 
 use super::TINY;
 use super::bounds::{aside_bounds, bounds, box_bounds, chip_bounds, connector_bounds};
@@ -34,10 +34,10 @@ const REVEAL_MARGIN: f64 = 16.0;
 const STRIP: f64 = 66.0;
 /// A moment for what was opened to be in the page, and for a dialog to go, in milliseconds.
 const OPENED_MS: i32 = 80;
-/// How long the view glides, in milliseconds, and a little more.
+/// The time that the view glides, in milliseconds, and a little more.
 const GLIDE_MS: i32 = 200;
 
-/// Where the keyboard stays when a program has been opened.
+/// The elements where the keyboard stays when a program has been opened.
 const ELSEWHERE: &str = "input, textarea, select, [role=menu], .sense-card, .tour, [data-node], [data-chip], .strip, \
     .flyout, .offer, .told, .right";
 
@@ -57,23 +57,23 @@ pub(crate) struct Stage {
     /// The open group that it would be in if it were dropped now.
     pub(super) joining: ArcRwSignal<Option<Id>>,
     pub(super) running: ArcMemo<bool>,
-    /// Whether what leads nowhere may be blamed: it runs, or nothing else is missing.
+    /// True if what leads nowhere may be blamed: it runs, or nothing else is missing.
     pub(super) finished: ArcMemo<bool>,
-    /// Who else selected what: what, their colour, their name.
+    /// The selections of others: the thing, their colour, their name.
     pub(super) others: ArcRwSignal<Vec<(Id, u8, String)>>,
-    /// What somebody else is editing, and where that leads to.
+    /// The things that somebody else is editing, and where they lead to.
     pub(super) edited: ArcRwSignal<HashMap<Id, Edited>>,
     /// The view moves by itself and slowly.
     pub(super) glides: ArcRwSignal<bool>,
-    /// What the strip keeps clear of: streams, in canvas units.
+    /// The shapes that the strip keeps clear of: streams, in canvas units.
     pub(super) shapes: ArcMemo<Vec<(Id, Bounds)>>,
     /// The wire that is being drawn.
     pub(super) wire: ArcRwSignal<Option<Wire>>,
-    /// What streams and chips look at of it, or of what is carried.
+    /// The part of it, or of what is carried, that streams and chips look at.
     pub(super) targets: ArcMemo<Option<Targets>>,
-    /// What is offered where a wire was dropped, or on an edge.
+    /// The steps that are offered where a wire was dropped, or on an edge.
     pub(super) offering: ArcRwSignal<Option<Offering>>,
-    /// What the badge was pressed of: its problem is told.
+    /// The thing whose badge was pressed: its problem is told.
     pub(super) asked_about: ArcRwSignal<Option<Id>>,
     /// The menu that is open.
     pub(super) context: ArcRwSignal<Option<Context>>,
@@ -86,30 +86,30 @@ pub(crate) struct Stage {
     pub(super) renaming: ArcRwSignal<Option<Id>>,
     /// The note that is written.
     pub(super) noting: ArcRwSignal<Option<Noting>>,
-    /// What of the notes and groups the keyboard comes to.
+    /// The note or group to which the keyboard comes.
     pub(super) aside: ArcRwSignal<Option<Id>>,
-    /// What gets the keyboard as soon as it is drawn.
+    /// The thing that gets the keyboard as soon as it is drawn.
     pub(super) wanted: ArcRwSignal<Option<Id>>,
     /// The lasso that is drawn, in canvas units.
     pub(super) lasso: ArcRwSignal<Option<Bounds>>,
-    /// Where the pointer is over the canvas.
+    /// The place of the pointer over the canvas.
     pub(super) pointer: ArcRwSignal<Option<Place>>,
-    /// How much the sentences take at the top, once that is known, in pixels.
+    /// The height of the sentences at the top, once that is known, in pixels.
     pub(super) above: ArcRwSignal<Option<f64>>,
-    /// Where the strip of what is selected stands, while it is there.
+    /// The area of the strip of what is selected, while it is there.
     pub(super) strip: ArcRwSignal<Option<Area>>,
-    /// What was shown when the program was opened.
+    /// The view that was shown when the program was opened.
     pub(super) opened: ArcRwSignal<Option<View>>,
-    /// What screen readers hear of a wire.
+    /// The words about a wire that screen readers hear.
     pub(super) said: ArcRwSignal<String>,
-    /// How the graph lies on paper, while it is printed.
+    /// The place of the graph on paper, while it is printed.
     pub(super) paper: ArcMemo<Option<Paper>>,
-    /// How wide the live value of a stream may be; nothing while there are no values.
+    /// The width that the live value of each stream may have; nothing while there are no values.
     rooms: ArcMemo<HashMap<Id, f64>>,
-    /// What of the canvas is in view, and whether the view rests.
+    /// The cells of the canvas that are in view, and whether the view rests.
     pub(super) cells: ArcMemo<Cells>,
     pub(super) rests: ArcRwSignal<bool>,
-    /// Whether everything is so small that nothing can be read.
+    /// True if everything is so small that nothing can be read.
     pub(super) is_tiny: ArcRwSignal<bool>,
     drawn: ArcMemo<Drawn>,
     chips: ArcMemo<Vec<Id>>,
@@ -118,7 +118,7 @@ pub(crate) struct Stage {
     pub(super) desk: Desk,
 }
 
-/// What is in the page now.
+/// The things that are in the page now.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Drawn {
     streams: Vec<Id>,
@@ -323,7 +323,7 @@ impl Stage {
         self.glide(self.revealing(shown, REVEAL_MARGIN));
     }
 
-    /// Where a chip is.
+    /// Returns the bounds of a chip.
     pub(super) fn chip_bounds(&self, id: &Id) -> Option<Bounds> {
         chip_bounds(&self.desk, id)
     }
@@ -335,7 +335,7 @@ impl Stage {
         }
     }
 
-    /// Where the chips are that lead to a stream or, unless `into`, that touch it at all.
+    /// Returns the bounds of the chips that lead to a stream or, unless `into`, that touch it at all.
     pub(super) fn chips_at(&self, id: &Id, into: bool) -> Vec<Bounds> {
         let desk = &self.desk;
         let touches = |chip: &Id| {
@@ -349,13 +349,13 @@ impl Stage {
         chips.iter().filter(|chip| touches(chip)).filter_map(|chip| chip_bounds(desk, chip)).collect()
     }
 
-    /// How wide the live value of a stream may be.
+    /// Returns the width that the live value of a stream may have.
     pub(super) fn room(&self, id: &Id) -> ArcMemo<f64> {
         let (rooms, id) = (self.rooms.clone(), id.clone());
         ArcMemo::new(move |_| rooms.with(|rooms| rooms.get(&id).copied().unwrap_or(VALUE_ROOM)))
     }
 
-    /// Where a chip can say something without covering anything, and how wide that may be.
+    /// Returns the side on which a chip can say something without covering anything, and how wide that may be.
     pub(super) fn side_of_chip(&self, id: &Id) -> ArcMemo<Option<(Side, f64)>> {
         let (desk, shapes, id) = (self.desk.clone(), self.shapes.clone(), id.clone());
         ArcMemo::new(move |_| {
@@ -442,7 +442,7 @@ impl Stage {
         }
     }
 
-    /// What is opened is shown whole if it can be read then; so is what was empty or became empty.
+    /// Shows whole what is opened, if it can be read then; so it does with what was empty or became empty.
     pub(super) fn follow_open(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
         let ids = desk.document.stream_ids.clone();
@@ -496,7 +496,7 @@ impl Stage {
         }
     }
 
-    /// What is selected comes into view; the others are told; a lost keyboard comes along.
+    /// Brings what is selected into view and tells the others; a lost keyboard comes along.
     pub(super) fn follow_selection(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
         Effect::new(move |_| {
@@ -539,12 +539,12 @@ fn is_selected(desk: &Desk, id: &Id) -> bool {
     desk.document.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id))
 }
 
-/// Whether the keyboard is nowhere that anything could be done with it.
+/// True if the keyboard is nowhere that anything could be done with it.
 fn is_lost() -> bool {
     focus::is_nowhere() || focus::active().is_some_and(|active| active.id() == "stage")
 }
 
-/// Whether the keyboard is where somebody does something by now.
+/// True if the keyboard is where somebody does something by now.
 fn is_elsewhere() -> bool {
     document().active_element().is_some_and(|active| active.closest(ELSEWHERE).ok().flatten().is_some())
 }
@@ -553,7 +553,7 @@ fn is_elsewhere() -> bool {
 struct Everything {
     /// The first stream, else the first note.
     first: Bounds,
-    /// What surrounds all of it: streams with their values, chips, notes and groups.
+    /// The bounds of all of it: streams with their values, chips, notes and groups.
     all: Bounds,
     /// Each of them, without its value.
     parts: Vec<Bounds>,
@@ -627,7 +627,7 @@ fn drawn_memo(desk: Desk, cells: ArcMemo<Cells>, rests: ArcRwSignal<bool>) -> Ar
     })
 }
 
-/// Where streams stand, as of the last drop; nothing moves along with the hand.
+/// Returns the bounds of streams, as of the last drop; nothing moves along with the hand.
 fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id, Bounds)>> {
     ArcMemo::new(move |before: Option<&Vec<(Id, Bounds)>>| {
         desk.document.revision.track();

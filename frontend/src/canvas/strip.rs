@@ -18,9 +18,9 @@ use protocol::Role;
 /// At most so many suggestions; fewer where the stage is narrow.
 const SUGGESTIONS_MAX: usize = 4;
 
-/// How much of the top of the stage, in its middle, the banner of a lost connection may take, in pixels.
+/// The room at the top of the stage, in its middle, that the banner of a lost connection may take, in pixels.
 const BANNER: (f64, f64) = (664.0, 76.0);
-/// How much of the stage's lower left corner a message may take, in pixels.
+/// The room in the stage's lower left corner that a message may take, in pixels.
 const MESSAGE: (f64, f64) = (570.0, 96.0);
 
 /// A button with its room, in pixels.
@@ -186,8 +186,8 @@ fn as_many_as_fit(mut offers: Vec<Offer>, width: f64, buttons: f64) -> Vec<Offer
     offers
 }
 
-/// As many of the offers as a strip has that covers no chip of its stream and lies under nothing, and where it stands then;
-/// all of them where even one would.
+/// Returns as many of the offers as a strip has that covers no chip of its stream and lies under nothing, and where it
+/// stands then; all of them where even one would.
 fn fitted(own: Own, around: &Around, offers: Vec<Offer>, buttons: f64, size: (f64, f64)) -> (Vec<Offer>, (f64, f64)) {
     let spot = |offers: &[Offer]| strip_spot(own, around, strip_width(offers, buttons), size);
     let some = (1..=offers.len()).rev().map(|count| &offers[..count]);
@@ -207,21 +207,21 @@ fn on_stage(view: View, place: Place, width: f64, height: f64) -> Area {
     Area { left: middle - half, top, right: middle + half, bottom: top + height * view.zoom }
 }
 
-/// What the strip of something keeps clear of, in canvas units.
+/// The things that the strip of something keeps clear of, in canvas units.
 #[derive(Clone, Debug, PartialEq)]
 struct Others {
     streams: Vec<Bounds>,
     chips: Vec<Bounds>,
-    /// Whether a message stands at the bottom left of the stage.
+    /// True if a message stands at the bottom left of the stage.
     message: bool,
-    /// How high the sentences at the top are.
+    /// The height of the sentences at the top.
     above: f64,
-    /// Whether the banner of a lost connection stands at the top.
+    /// True if the banner of a lost connection stands at the top.
     banner: bool,
 }
 
 impl Others {
-    /// Where that is on a stage of this size.
+    /// Returns where they are on a stage of this size.
     fn seen(&self, view: View, size: (f64, f64)) -> Around {
         let area = |bounds: &Bounds| {
             let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
@@ -246,7 +246,7 @@ impl Others {
     }
 }
 
-/// Where the streams are that are not the one with this id, and the chips at that one.
+/// Returns the bounds of the streams that are not the one with this id, and of the chips at that one.
 fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
     let (stage, desk, id) = (stage.clone(), desk.clone(), id.clone());
     ArcMemo::new(move |_| {

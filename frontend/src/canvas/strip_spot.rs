@@ -1,15 +1,15 @@
-//! Where the strip goes: close to what is selected, off its value, off other streams where there is room. Pure.
+//! The spot of the strip: close to what is selected, off its value, off other streams where there is room. Pure.
 
-/// Its height and the room it keeps from the edges of the stage and from what is selected, in pixels.
+/// The strip's height and the room it keeps from the edges of the stage and from what is selected, in pixels.
 pub(super) const HEIGHT: f64 = 56.0;
 pub(super) const EDGE: f64 = 8.0;
 const NEAR: f64 = 10.0;
 /// The zoom buttons with their margin, at the bottom right of the stage.
 pub(super) const ZOOM_BOX: (f64, f64) = (290.0, 64.0);
-/// How bad a pixel of something covered is against a pixel of way; the own value is never covered if that can be.
+/// The weight of a covered pixel against a pixel of way; the own value is never covered if that can be.
 const COVERS: f64 = 0.5;
 const COVERS_OWN: f64 = 50.0;
-/// So many things in the way are tried to be passed.
+/// The most things in the way that are tried to be passed.
 const PASSED_MAX: usize = 12;
 
 /// A rectangle of the stage, in pixels.
@@ -22,7 +22,7 @@ pub(super) struct Area {
 }
 
 impl Area {
-    /// How much of it another one covers.
+    /// Returns the area that another one covers of it.
     pub(super) fn shared(&self, other: &Area) -> f64 {
         let width = self.right.min(other.right) - self.left.max(other.left);
         let height = self.bottom.min(other.bottom) - self.top.max(other.top);
@@ -30,7 +30,8 @@ impl Area {
     }
 }
 
-/// What is selected: a stream with room for its value at the right, or a chip, which has its strip at its side.
+/// The thing that is selected: a stream with room for its value at the right, or a chip, which has its strip at its
+/// side.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Own {
     pub(super) area: Area,
@@ -38,16 +39,16 @@ pub(super) struct Own {
     pub(super) beside: bool,
 }
 
-/// What the strip keeps clear of: other streams where it can, and always the chips of what is selected.
+/// The things that the strip keeps clear of: other streams where it can, and always the chips of what is selected.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Around {
     pub(super) streams: Vec<Area>,
     pub(super) chips: Vec<Area>,
-    /// What stands over the stage, such as a message.
+    /// The areas over the stage, such as a message.
     pub(super) over: Vec<Area>,
 }
 
-/// Whether a strip of that width at that corner covers a chip of what is selected, or lies under what stands over the stage.
+/// True if a strip of that width at that corner covers a chip of what is selected, or lies under what stands over the stage.
 pub(super) fn covers_chip((x, y): (f64, f64), around: &Around, width: f64) -> bool {
     let strip = Area { left: x, top: y, right: x + width, bottom: y + HEIGHT };
     around.chips.iter().chain(&around.over).any(|other| strip.shared(other) > 0.0)

@@ -1,13 +1,13 @@
-//! What part of the canvas is in view: where it lies and how large it is drawn.
+//! The part of the canvas that is in view: where it lies and how large it is drawn.
 
 use behaviour::Place;
 use protocol::Area;
 
 /// The smallest and the largest zoom.
 pub(super) const ZOOM: [f64; 2] = [0.02, 2.5];
-/// What is opened is never smaller than this, so that it can be read.
+/// The least zoom of what is opened, so that it can be read.
 const READABLE: f64 = 0.4;
-/// So much of the nearest stream stays in view whatever the hand does, in pixels.
+/// The part of the nearest stream that stays in view whatever the hand does, in pixels.
 const KEPT: f64 = 48.0;
 /// Room above and below everything when it is fitted into view, in pixels.
 const FIT_MARGIN: f64 = 48.0;
@@ -15,7 +15,7 @@ const FIT_MARGIN: f64 = 48.0;
 const FIT_SIDE: f64 = 24.0;
 /// Room between what is fitted into view and what it stands above, in pixels.
 const FIT_ABOVE: f64 = 8.0;
-/// What fits easily hangs at most so much lower.
+/// The most by which something that fits easily hangs lower.
 const FIT_LOWER: f64 = 32.0;
 
 /// Screen = canvas × zoom + shift.
@@ -42,7 +42,7 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// Whether they share more than an edge.
+    /// True if they share more than an edge.
     pub(super) fn holds(self, place: Place) -> bool {
         (self.left..=self.right).contains(&place.x) && (self.top..=self.bottom).contains(&place.y)
     }
@@ -84,12 +84,13 @@ impl View {
         Self { x: at.0 - (at.0 - self.x) * real, y: at.1 - (at.1 - self.y) * real, zoom }
     }
 
-    /// What of a stage of that size is filled when everything is fitted into view.
+    /// Returns the size that is filled, of a stage of that size, when everything is fitted into view.
     pub(super) fn free(size: (f64, f64)) -> (f64, f64) {
         ((size.0 - 2.0 * FIT_SIDE).max(1.0), (size.1 - 2.0 * FIT_MARGIN).max(1.0))
     }
 
-    /// How much less high a stage is in which everything that is fitted into view stands above something of that height.
+    /// Returns how much less high a stage is in which everything that is fitted into view stands above something of
+    /// that height.
     pub(super) fn above_margin(height: f64) -> f64 {
         (height - FIT_MARGIN + FIT_ABOVE).max(0.0)
     }
@@ -108,8 +109,8 @@ impl View {
         Self { x, y: FIT_MARGIN + lower - bounds.top * zoom, zoom }
     }
 
-    /// What is shown of `bounds` when it is opened: the `whole` of it where that can be read, else its width, else what is around
-    /// `first`, from the top.
+    /// Returns the view of `bounds` when it is opened: the `whole` of it where that can be read, else its width, else
+    /// what is around `first`, from the top.
     pub(super) fn opening(whole: Self, bounds: Bounds, first: Bounds, size: (f64, f64)) -> Self {
         if whole.zoom >= READABLE {
             return whole;
@@ -134,8 +135,8 @@ impl View {
         least.map_or(self, |(dx, dy)| if far((dx, dy)) > 0.0 { self.panned(dx, dy) } else { self })
     }
 
-    /// As large as things are, around that of `all` which is nearest to the middle: whole where it fits, below what covers
-    /// `above` of the stage.
+    /// Returns the view in real size, around that of `all` which is nearest to the middle: whole where it fits, below
+    /// what covers `above` of the stage.
     pub(super) fn real_size(self, all: &[Bounds], size: (f64, f64), above: f64) -> Self {
         let middle = (size.0 / 2.0, (size.1 + above) / 2.0);
         let to = |bounds: &Bounds| {
@@ -163,7 +164,7 @@ impl View {
         Self { x: middle(area.x, area.width, size.0), y: middle(area.y, area.height, size.1), zoom }
     }
 
-    /// Where an empty canvas begins: its origin near the top, in the middle.
+    /// Returns the view of an empty canvas: its origin near the top, in the middle.
     pub(super) fn home(size: (f64, f64)) -> Self {
         Self { x: size.0 / 2.0, y: FIT_MARGIN + FIT_LOWER, zoom: 1.0 }
     }
@@ -180,7 +181,7 @@ fn middle_of(start: f64, end: f64) -> f64 {
     f64::midpoint(start, end)
 }
 
-/// How far a span must move so that a part of it is inside.
+/// Returns how far a span must move so that a part of it is inside.
 fn kept(start: f64, end: f64, size: f64) -> f64 {
     let part = KEPT.min(end - start);
     if end < part {
@@ -192,7 +193,7 @@ fn kept(start: f64, end: f64, size: f64) -> f64 {
     }
 }
 
-/// How far a span must move to lie inside, its start first.
+/// Returns how far a span must move to lie inside, its start first.
 fn into(start: f64, end: f64, size: f64, margin: f64) -> f64 {
     if start < margin {
         margin - start

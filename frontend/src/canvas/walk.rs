@@ -2,7 +2,7 @@
 
 use behaviour::{Behaviour, Graph, Id, Place};
 
-/// Where to.
+/// The directions of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Way {
     Down,

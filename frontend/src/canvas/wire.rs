@@ -23,28 +23,28 @@ use web_sys::{Element, FocusEvent, KeyboardEvent};
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Wire {
     pub(super) from: Id,
-    /// Where it may end, from top to bottom, and what comes of it.
+    /// The ends at which it may arrive, from top to bottom, and what comes of each.
     ends: Arc<[(WireEnd, Joining)]>,
     /// The ids of those.
     ids: Arc<BTreeSet<Id>>,
-    /// Its loose end, in canvas units.
+    /// The loose end of the wire, in canvas units.
     to: Place,
-    /// Where it would end now.
+    /// The end at which it would arrive now.
     over: Option<WireEnd>,
-    /// Whether it hangs on a pointer that is down.
+    /// True if it hangs on a pointer that is down.
     pub(super) is_held: bool,
 }
 
-/// What of a wire streams and chips look at: while its loose end only moves, it stays the same.
+/// The part of a wire that streams and chips look at: while its loose end only moves, it stays the same.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Targets {
-    /// Where the wire comes from; what is carried comes from no stream.
+    /// The stream that the wire comes from; what is carried comes from no stream.
     from: Option<Id>,
     ids: Arc<BTreeSet<Id>>,
     over: Option<Id>,
 }
 
-/// What streams and chips look at of the wire that is drawn, or of what is carried from the list.
+/// Returns what streams and chips look at of the wire that is drawn, or of what is carried from the list.
 pub(super) fn targets_memo(
     wire: ArcRwSignal<Option<Wire>>,
     carried: ArcRwSignal<Option<Carried>>,
@@ -87,7 +87,7 @@ impl Stage {
         }
     }
 
-    /// Its loose end follows a pointer.
+    /// Moves the loose end of the wire after a pointer.
     pub(super) fn move_wire(&self, at: Point, over: Option<&Id>) {
         if self.offering.with_untracked(Option::is_some) || self.wire.with_untracked(Option::is_none) {
             return;
@@ -133,7 +133,8 @@ impl Stage {
         }
     }
 
-    /// Whether a wire took a tap: on an end it ends there, elsewhere it goes back.
+    /// Takes a tap while a wire is drawn: on an end it ends there, elsewhere it goes back. Returns true if there was a
+    /// wire.
     pub(super) fn tap_wire(&self, on: Option<&Id>) -> bool {
         let Some(wire) = self.wire.get_untracked() else { return false };
         match wire.ends.iter().find(|(end, _)| Some(end.id()) == on) {
@@ -143,7 +144,7 @@ impl Stage {
         true
     }
 
-    /// Whether the keyboard goes from the offer to the graph because a pointer is about to end the wire there.
+    /// True if the keyboard goes from the offer to the graph because a pointer is about to end the wire there.
     pub(super) fn may_end_wire(&self, event: &FocusEvent) -> bool {
         let next = event.related_target().and_then(|next| next.dyn_into::<Element>().ok());
         let on_graph = next.is_some_and(|next| next.closest("#stage").ok().flatten().is_some());
@@ -213,7 +214,7 @@ impl Stage {
         self.said.set(said);
     }
 
-    /// Whether the wire comes out of a stream. Reactive.
+    /// Returns true while the wire comes out of a stream. Reactive.
     pub(super) fn wire_source(&self, id: &Id) -> ArcMemo<bool> {
         let (targets, id) = (self.targets.clone(), id.clone());
         ArcMemo::new(move |_| {
@@ -221,7 +222,7 @@ impl Stage {
         })
     }
 
-    /// Whether something may be the end of the wire, and whether it would be now. Reactive.
+    /// Tells if something may be the end of the wire, and if it would be now. Reactive.
     pub(super) fn wire_target(&self, id: &Id) -> ArcMemo<Option<bool>> {
         let (targets, id) = (self.targets.clone(), id.clone());
         ArcMemo::new(move |_| {
@@ -233,7 +234,7 @@ impl Stage {
     }
 }
 
-/// Where a wire arrives: the middle of the top edge.
+/// Returns the place where a wire arrives: the middle of the top edge.
 fn end_place(desk: &Desk, end: &WireEnd) -> Option<Place> {
     match end {
         WireEnd::Stream(id) => Some(desk.document.stream(id)?.place.get_untracked()),
@@ -251,7 +252,7 @@ fn stream_name(desk: &Desk, id: &Id) -> String {
         .unwrap_or_default()
 }
 
-/// What comes of it, in words.
+/// Says what comes of it.
 fn tip(desk: &Desk, (end, how): &(WireEnd, Joining)) -> String {
     let target = match end {
         WireEnd::Stream(id) => stream_name(desk, id),
@@ -293,7 +294,7 @@ pub(super) fn WireLine() -> impl IntoView {
     }
 }
 
-/// Where wires begin: at the lower edge of the stream that is selected, pointed at, or has the keyboard.
+/// Shows where wires begin: at the lower edge of the stream that is selected, pointed at, or has the keyboard.
 #[component]
 pub(super) fn Handles() -> impl IntoView {
     let stage = expect_context::<Stage>();
@@ -332,14 +333,14 @@ pub(super) fn Handles() -> impl IntoView {
     }
 }
 
-/// What there is to hear of a wire.
+/// Says to screen readers what there is to hear of a wire.
 #[component]
 pub(super) fn WireWords() -> impl IntoView {
     let said = expect_context::<Stage>().said;
     view! { <p class="sr" role="status">{move || said.get()}</p> }
 }
 
-/// What lies under a point of the window that a wire could end at, and whether that is free ground.
+/// Returns what lies under a point of the window that a wire could end at, and whether that is free ground.
 pub(super) fn under(x: f32, y: f32) -> (Option<Id>, bool) {
     let Some(found) = document().element_from_point(x, y) else { return (None, false) };
     let marked = ["data-node", "data-chip"].into_iter().find_map(|mark| {

@@ -50,7 +50,7 @@ pub(super) fn Zoom() -> impl IntoView {
 }
 
 impl Stage {
-    /// As large as things are, with what is selected in view, else with what is nearest to the middle.
+    /// Shows things in real size, with what is selected in view, else with what is nearest to the middle.
     pub(super) fn to_real_size(&self) {
         let chosen = self.desk.document.selected.get_untracked();
         let chosen = chosen.and_then(|selected| bounds(&self.desk, selected.id()));

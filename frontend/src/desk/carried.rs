@@ -1,4 +1,4 @@
-//! What a hand takes out of the left list, on its way to the graph. Pure, so that it is tested.
+//! The things that a hand takes out of the left list, on their way to the graph. Pure, so that it is tested.
 
 use behaviour::{Helper, Id};
 use robot::Device;
@@ -13,7 +13,7 @@ const STILL_FINGER: f64 = 10.0;
 /// A point of the window, in pixels.
 type Point = (f64, f64);
 
-/// What can be taken out of the list.
+/// The things that can be taken out of the list.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Item {
     Sense(&'static Device),
@@ -21,7 +21,7 @@ pub(crate) enum Item {
     Helper(Helper),
 }
 
-/// How far it is.
+/// The stage of the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {
     /// Pressed; nobody knows yet whether that is all.
@@ -38,19 +38,19 @@ pub(crate) struct Carried {
     pub(crate) item: Item,
     pub(crate) pointer: i32,
     pub(crate) phase: Phase,
-    /// Where the pointer is.
+    /// The place of the pointer.
     pub(crate) at: Point,
     /// The streams that it can be led from; none for what needs no stream.
     pub(crate) targets: Option<Arc<BTreeSet<Id>>>,
     /// The one of them that the pointer is over.
     pub(crate) over: Option<Id>,
-    /// Whether it could stand on free ground there.
+    /// True if it could stand on free ground there.
     pub(crate) fits: bool,
     from: Point,
     by_finger: bool,
 }
 
-/// What a move of the pointer means.
+/// The meaning of a move of the pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Moved {
     Nothing,
@@ -62,7 +62,7 @@ pub(crate) enum Moved {
 }
 
 impl Item {
-    /// Whether it is led from a stream.
+    /// True if it is led from a stream.
     pub(crate) fn is_led(&self) -> bool {
         !matches!(self, Self::Sense(_))
     }
@@ -75,12 +75,12 @@ impl Carried {
         Self { item, pointer, phase, at, targets, over, fits: false, from: at, by_finger }
     }
 
-    /// Whether a finger took it.
+    /// True if a finger took it.
     pub(crate) fn is_by_finger(&self) -> bool {
         self.by_finger
     }
 
-    /// Whether it hangs on the pointer.
+    /// True if it hangs on the pointer.
     pub(crate) fn is_held(&self) -> bool {
         self.phase == Phase::Carried
     }

@@ -69,7 +69,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 #[derive(Clone)]
 pub(crate) struct Document(Arc<Fields>);
 
-/// What the page shows of the open behaviour.
+/// The state of the open behaviour that the page shows.
 pub(crate) struct Fields {
     tab: Tab,
     pub(crate) open: ArcRwSignal<Option<Id>>,
@@ -77,7 +77,7 @@ pub(crate) struct Fields {
     pub(crate) revision: ArcRwSignal<u64>,
     /// The exercise it was begun as, by the name of its beginning.
     pub(crate) exercise: ArcRwSignal<Option<String>>,
-    /// What is noted in it.
+    /// The texts that are noted in it.
     pub(crate) notes: ArcRwSignal<Vec<String>>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
@@ -97,9 +97,9 @@ pub(crate) struct Fields {
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
     /// Tells whether what runs would run differently if it were started now.
     pub(crate) fingerprint: ArcRwSignal<u32>,
-    /// Who removed what of the open behaviour and of the library, by its id.
+    /// The people who removed something of the open behaviour and of the library, by its id.
     pub(crate) removed_by: ArcRwSignal<HashMap<Id, Remover>>,
-    /// Who is editing what, this tab included.
+    /// The locks that show who is editing what, this tab included.
     pub(crate) locks: ArcRwSignal<Vec<LockShown>>,
     /// The editor that is open here.
     pub(crate) editing: ArcRwSignal<Option<Editing>>,
@@ -108,38 +108,38 @@ pub(crate) struct Fields {
     pub(crate) selected: ArcRwSignal<Option<Selected>>,
     /// Several things that are chosen together; none or at least two.
     pub(crate) several: ArcRwSignal<BTreeSet<Selected>>,
-    /// What every stream carries, as far as one can tell before it runs.
+    /// The kind of value on every stream, as far as one can tell before it runs.
     pub(crate) types: ArcRwSignal<BTreeMap<Id, ValueType>>,
-    /// What was copied in this page, as a text.
+    /// The part that was copied in this page, as a text.
     pub(crate) copied: ArcRwSignal<Option<String>>,
-    /// What the words mean that somebody points at; empty most of the time.
+    /// The meaning of the words that somebody points at; empty most of the time.
     pub(crate) lit: ArcRwSignal<Lit>,
-    /// What a sentence that is being typed would add.
+    /// The additions of a sentence that is being typed.
     pub(crate) ghost: ArcRwSignal<Option<Ghost>>,
     /// Tells when a stream or a connector is another one than before, saved or not.
     pub(crate) edited: ArcTrigger,
     pub(crate) saving: ArcRwSignal<Saving>,
-    /// What undo would take back, and redo do again, in words; none if there is nothing.
+    /// The words for what undo would take back, and redo do again; none if there is nothing.
     pub(crate) undoable: ArcRwSignal<Option<String>>,
     pub(crate) redoable: ArcRwSignal<Option<String>>,
-    /// What is known of what was done, by whom and when.
+    /// The history as far as it is known: what was done, by whom and when.
     pub(crate) history: ArcRwSignal<History>,
     /// The versions that have a name.
     pub(crate) versions: ArcRwSignal<Vec<Checkpoint>>,
-    /// Which versions are looked at here, and how they differ once both are there.
+    /// The versions that are looked at here, and their differences once both are there.
     pub(crate) comparing: ArcRwSignal<Option<Comparing>>,
     pub(crate) compared: ArcRwSignal<Option<Arc<Compared>>>,
     /// Tells when the open behaviour was laid out after it was shown.
     pub(crate) laid_out: ArcTrigger,
     /// Changes of this tab that were refused because somebody was first, in any program.
     pub(super) conflicts: ArcRwSignal<Vec<Conflict>>,
-    /// What of the open behaviour has changes that wait to be sent.
+    /// The records of the open behaviour with changes that wait to be sent.
     waits: ArcRwSignal<BTreeSet<RecordId>>,
     state: Mutex<State>,
     listener: OnceLock<Listener>,
 }
 
-/// What is not shown itself.
+/// The state that is not shown itself.
 #[derive(Default)]
 struct State {
     /// The open behaviour as the server has it.
@@ -148,7 +148,7 @@ struct State {
     connectors: BTreeMap<Id, ConnectorSignals>,
     notes: BTreeMap<Id, NoteSignals>,
     groups: BTreeMap<Id, GroupSignals>,
-    /// Where streams and notes stand that nobody placed.
+    /// The places of streams and notes that nobody placed.
     fallback: BTreeMap<Id, Place>,
     /// Lays out a behaviour in which nobody placed anything; comes later.
     tidy: Option<Tidy>,
@@ -160,20 +160,20 @@ struct State {
     mine: undo::Mine,
     /// A page of the history is asked for.
     reads_history: bool,
-    /// Which behaviour this tab wants to have open.
+    /// The behaviour that this tab wants to have open.
     wanted: Option<Id>,
     presence: presence::Presence,
-    /// How many editors were opened in this tab.
+    /// The number of editors that were opened in this tab.
     editors: u32,
-    /// When typing was told last.
+    /// The time when typing was told last.
     typed_ms: f64,
 }
 
-/// What others on the desk follow.
+/// The events that others on the desk follow.
 pub(super) enum DocumentEvent {
     /// Somebody here chose what is to be open.
     Chosen,
-    /// What was open is not shown any more.
+    /// The behaviour that was open is not shown any more.
     Left,
     /// Nothing waits to be saved.
     Saved,
@@ -192,7 +192,7 @@ impl Deref for Document {
     }
 }
 
-/// Who removed something.
+/// The person who removed something.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Remover {
     pub(crate) name: String,
@@ -293,7 +293,7 @@ impl Document {
         look(&self.state().confirmed)
     }
 
-    /// Whether this behaviour is the open one.
+    /// True if this behaviour is the open one.
     pub(super) fn is_open(&self, id: &Id) -> bool {
         self.open.with_untracked(|open| open.as_ref() == Some(id))
     }

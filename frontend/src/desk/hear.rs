@@ -1,4 +1,4 @@
-//! What the server says, put where it belongs.
+//! The messages of the server, put where they belong.
 
 use super::Desk;
 use super::identity::keep_credential;

@@ -1,4 +1,4 @@
-//! Who this tab is to the server and to the others: its greeting, its name and what it proves itself with.
+//! The identity of this tab to the server and to the others: its greeting, its name and what it proves itself with.
 
 use super::Desk;
 use super::tab::set_if_new;
@@ -14,7 +14,7 @@ const NAME_KEY: &str = "rrp.name";
 const ASKED_KEY: &str = "rrp.name.asked";
 /// The longest name of a person, in characters.
 const NAME_MAX_CHARS: usize = 40;
-/// What those are called who did not say their name yet, before a number.
+/// The name of those who did not say theirs yet, before a number.
 const GUEST: &str = "Guest ";
 
 impl Desk {
@@ -23,7 +23,7 @@ impl Desk {
         Request::Hello { version: protocol::VERSION, name: my_name(), again: kept_credential() }
     }
 
-    /// What others see as this person's name; kept in this browser, and told them at once.
+    /// Sets the name of this person that others see; keeps it in this browser, and tells them at once.
     pub(crate) fn set_my_name(&self, name: &str) {
         let name: String = name.trim().chars().take(NAME_MAX_CHARS).collect();
         if !name.is_empty() && name != my_name() {
@@ -33,7 +33,8 @@ impl Desk {
         self.keep_my_name();
     }
 
-    /// Whether to ask what the others shall see: there are others, and nobody said it here. Reactive.
+    /// True if the name that the others shall see is to be asked for: there are others, and nobody said it here.
+    /// Reactive.
     pub(crate) fn asks_for_name(&self) -> bool {
         self.name_wanted.get() && !self.document.others().is_empty()
     }
@@ -55,7 +56,7 @@ impl Desk {
     }
 }
 
-/// Who this tab was on an earlier link.
+/// Returns the credential that this tab had on an earlier link.
 fn kept_credential() -> Option<Credential> {
     watch_this_tab();
     let kept = Keep::Tab.get(TAB_KEY)?;
@@ -93,7 +94,7 @@ fn my_name() -> String {
     })
 }
 
-/// Whether nobody here ever said a name, or was asked for it.
+/// True if nobody here ever said a name, or was asked for it.
 pub(super) fn is_name_wanted() -> bool {
     let number = |name: &str| name.strip_prefix(GUEST).is_some_and(|number| number.parse::<u8>().is_ok());
     Keep::Browser.get(ASKED_KEY).is_none() && number(&my_name())

@@ -1,4 +1,4 @@
-//! What there is beside the open program: programs, templates and their pictures, and the helpers that programs share.
+//! The things beside the open program: programs, templates and their pictures, and the helpers that programs share.
 
 mod exercises;
 mod files;
@@ -27,19 +27,19 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 #[derive(Clone)]
 pub(crate) struct Library(Arc<Fields>);
 
-/// What the page shows of the library.
+/// The state of the library that the page shows.
 pub(crate) struct Fields {
     tab: Tab,
     document: Document,
     /// The newest programs.
     pub(crate) programs: ArcRwSignal<Vec<Summary>>,
-    /// How many programs there are.
+    /// The number of programs.
     pub(crate) programs_total: ArcRwSignal<u64>,
     /// Grows when the list of programs changed somewhere.
     pub(crate) news: ArcRwSignal<u32>,
     pub(crate) pictures: ArcRwSignal<pictures::Pictures>,
     pub(crate) templates: ArcRwSignal<Vec<Summary>>,
-    /// What there is to learn with.
+    /// The exercises to learn with.
     pub(crate) exercises: ArcRwSignal<Vec<Exercise>>,
     /// The helpers, by name.
     pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
@@ -50,13 +50,13 @@ pub(crate) struct Fields {
     state: Mutex<State>,
 }
 
-/// What is not shown itself.
+/// The state that is not shown itself.
 #[derive(Default)]
 struct State {
     /// The helpers as the server has them.
     records: Behaviour,
     revision: u64,
-    /// Who last changed a helper since the page was opened, by its id.
+    /// The people who last changed a helper since the page was opened, by its id.
     changed_by: HashMap<Id, String>,
     /// The program that is to be made, until the server has answered.
     making: Option<making::Making>,

@@ -27,7 +27,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 #[derive(Clone)]
 pub(crate) struct Robots(Arc<Fields>);
 
-/// What the page shows of the robots.
+/// The state of the robots that the page shows.
 pub(crate) struct Fields {
     tab: Tab,
     document: Document,
@@ -36,32 +36,32 @@ pub(crate) struct Fields {
     pub(crate) all: ArcRwSignal<Vec<RobotState>>,
     /// The one that this tab looks at.
     pub(crate) chosen: ArcRwSignal<Option<RobotState>>,
-    /// What runs on all robots and what ended lately.
+    /// The runs on all robots, with those that ended lately.
     pub(crate) runs: ArcRwSignal<Vec<RunState>>,
-    /// Whether the next Start is recorded.
+    /// True if the next Start is recorded.
     pub(crate) records: ArcRwSignal<bool>,
     /// The recordings that are kept, as they were when somebody looked.
     pub(crate) recordings: ArcRwSignal<Vec<Recording>>,
     pub(crate) scene: ArcRwSignal<Scene>,
-    /// What fails in the run of the open behaviour, or failed in its last one; what began last first.
+    /// The failures in the run of the open behaviour, or in its last one; the one that began last first.
     pub(crate) failing: ArcRwSignal<Vec<failing::Failing>>,
     /// The connectors, and the streams with settings, that the robot does not use yet as they are now.
     pub(crate) unused: ArcRwSignal<BTreeSet<Id>>,
-    /// Whether there are values of a run, be it over or not.
+    /// True if there are values of a run, be it over or not.
     pub(crate) has_values: ArcRwSignal<bool>,
     /// `performance.now()`, renewed twice a second while the open behaviour runs; for "quiet for 3 s".
     pub(crate) clock: ArcRwSignal<f64>,
     state: Mutex<State>,
 }
 
-/// What is not shown itself.
+/// The state that is not shown itself.
 #[derive(Default)]
 struct State {
-    /// Which robot this tab wants to look at, if somebody chose.
+    /// The robot that this tab wants to look at, if somebody chose.
     wanted: Option<Id>,
     /// The robot whose room and values the server tells.
     watched: Option<Id>,
-    /// What the robot is asked as soon as everything is saved.
+    /// The wish that is put to the robot as soon as everything is saved.
     when_saved: Option<starting::Wish>,
     /// The run the live values belong to.
     run: u64,

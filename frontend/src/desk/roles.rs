@@ -1,4 +1,4 @@
-//! What this person may do. The server decides; the page says it before somebody tries.
+//! The rights of this person. The server decides; the page says it before somebody tries.
 
 use super::tab::Tab;
 use crate::words;
@@ -6,17 +6,17 @@ use leptos::prelude::*;
 use protocol::{Refused, Role};
 
 impl Tab {
-    /// Whether this person may do what needs that role. Reactive.
+    /// True if this person may do what needs that role. Reactive.
     pub(crate) fn may(&self, least: Role) -> bool {
         self.may_not(least).is_none()
     }
 
-    /// Why this person may not do what needs that role, if so. Reactive.
+    /// Says why this person may not do what needs that role, if so. Reactive.
     pub(crate) fn may_not(&self, least: Role) -> Option<&'static str> {
         self.role.get().filter(|role| *role < least).map(words::may_not)
     }
 
-    /// Why not, for who tries all the same.
+    /// Returns the refusal, for who tries all the same.
     pub(in crate::desk) fn refusal(&self, least: Role) -> Option<Refused> {
         untrack(|| self.may_not(least)).map(|_| Refused::Role(least))
     }

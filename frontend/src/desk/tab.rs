@@ -1,4 +1,4 @@
-//! What belongs to this tab alone: how the link is, who sits here, the open dialog and the last sentence.
+//! The state of this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
 use super::{Carried, Gap, Pasted, Spot};
 use crate::link::{self, NoAnswer};
@@ -10,10 +10,10 @@ use protocol::{Invitation, Person, Refused, Reply, Request, Role};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// When something that could not be done just now is asked again.
+/// The time until something that could not be done just now is asked again.
 pub(super) const AGAIN_MS: i32 = 1_000;
 
-/// How the link to the server is.
+/// The state of the link to the server.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LinkState {
     #[default]
@@ -22,7 +22,7 @@ pub(crate) enum LinkState {
     Offline,
 }
 
-/// Why there will be no link again.
+/// The reasons why there will be no link again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LinkEnd {
     /// The invitation ended by which this person came.
@@ -36,9 +36,9 @@ pub(crate) enum LinkEnd {
 pub(crate) enum Choice {
     /// An action for this stream.
     Action(Id),
-    /// What stands between a stream and a connector that takes from it.
+    /// The gap between a stream and a connector that takes from it.
     Into(Gap),
-    /// Where the values of this stream shall go too.
+    /// The streams to which the values of this stream shall go too.
     Ends(Id),
     /// From where this stream gets its values.
     Sources(Id),
@@ -78,7 +78,7 @@ pub(crate) enum Dialog {
     Stimulate(Id),
     /// A change of one's own, by its name, beside what somebody else saved.
     Conflict(Id),
-    /// What waits to be sent.
+    /// The changes that wait to be sent.
     Waiting,
     /// All problems.
     Problems,
@@ -94,7 +94,7 @@ pub(crate) enum Dialog {
     RemoveRobot,
     /// Having the robot that this tab looks at forget faces.
     ForgetFaces,
-    /// What others see as one's name.
+    /// The name that others see.
     MyName,
     /// Everyone who is here.
     People,
@@ -127,40 +127,40 @@ pub(crate) struct Gone {
 #[derive(Clone, Default)]
 pub(crate) struct Tab(Arc<Fields>);
 
-/// What the page shows of the tab.
+/// The state of the tab that the page shows.
 #[derive(Default)]
 pub(crate) struct Fields {
     pub(crate) online: ArcRwSignal<LinkState>,
     /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
     pub(crate) unheard: ArcRwSignal<Option<u32>>,
     pub(crate) me: ArcRwSignal<Option<Person>>,
-    /// What this person may do, once the server said so.
+    /// The role of this person, once the server said so.
     pub(crate) role: ArcRwSignal<Option<Role>>,
     /// The invitations, newest first; only who may invite hears of them.
     pub(crate) invitations: ArcRwSignal<Vec<Invitation>>,
-    /// Why there will be no link again, once that is so.
+    /// The reason why there will be no link again, once that is so.
     pub(crate) ended: ArcRwSignal<Option<LinkEnd>>,
-    /// Whether this person has not said yet what the others shall see as their name.
+    /// True if this person has not said yet what the others shall see as their name.
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
-    /// What only screen readers are told, as everybody else sees it.
+    /// The words that only screen readers are told, as everybody else sees it.
     pub(crate) whisper: ArcRwSignal<String>,
     /// A choice that is to be offered where the graph is shown.
     pub(crate) asked: ArcRwSignal<Option<Choice>>,
-    /// What a hand takes out of the left list.
+    /// The thing that a hand takes out of the left list.
     pub(crate) carried: ArcRwSignal<Option<Carried>>,
     /// The program of which the exercise is put away.
     pub(crate) put_away: ArcRwSignal<Option<Id>>,
     /// At which step of the tour this person is, while they take it.
     pub(crate) tour: ArcRwSignal<Option<usize>>,
-    /// Whether the history is shown.
+    /// True if the history is shown.
     pub(crate) shows_history: ArcRwSignal<bool>,
-    /// Whether the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
+    /// True if the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
     pub(crate) to_graph: ArcRwSignal<bool>,
     /// The program that this tab asked to be removed, until that is answered.
     pub(super) removing: ArcRwSignal<Option<Id>>,
-    /// Whether the page is being printed: all of the graph is shown then.
+    /// True if the page is being printed: all of the graph is shown then.
     pub(crate) printing: ArcRwSignal<bool>,
 }
 
@@ -187,7 +187,7 @@ impl Tab {
         self.notice.set(Some(Notice { number, text: text.to_owned(), bad, gone }));
     }
 
-    /// What was said of a link that was there is not true any more.
+    /// Forgets good news of a link that was there, as they are not true any more.
     pub(super) fn forget_good_news(&self) {
         if self.notice.with_untracked(|notice| notice.as_ref().is_some_and(|notice| !notice.bad)) {
             self.notice.set(None);
@@ -235,7 +235,7 @@ impl Tab {
     }
 }
 
-/// Whether what was refused may work in a moment.
+/// True if what was refused may work in a moment.
 pub(super) fn may_pass(no: &Refused) -> bool {
     matches!(no, Refused::Store(_) | Refused::TooFast | Refused::Change(Refusal::NotSaved(_)))
 }
@@ -247,8 +247,8 @@ pub(super) fn set_if_new<T: PartialEq + Send + Sync + 'static>(signal: &ArcRwSig
     }
 }
 
-/// What `compute` gives, as a signal that tells only of other values. Thousands may follow it: a memo would ask each of them
-/// anew whenever something changes that it is made of.
+/// Returns the result of `compute` as a signal that tells only of other values. Thousands may follow it: a memo would
+/// ask each of them anew whenever something changes that it is made of.
 pub(crate) fn settled<T: PartialEq + Send + Sync + 'static>(
     compute: impl Fn() -> T + Send + Sync + 'static,
 ) -> ArcRwSignal<T> {

@@ -1,4 +1,4 @@
-//! How large what stands beside the graph is: notes, and groups that are folded to a box.
+//! The size of what stands beside the graph: notes, and groups that are folded to a box.
 
 use super::{STREAM_HEIGHT, text_width};
 use behaviour::Place;
@@ -22,7 +22,7 @@ pub(crate) fn note_size(text: &str) -> (f64, f64) {
     (width.ceil(), lines * NOTE_LINE + NOTE_FOOT + NOTE_AROUND.1)
 }
 
-/// Where the box of a folded group stands that nobody placed: in the middle of its streams.
+/// Returns the place of the box of a folded group that nobody placed: in the middle of its streams.
 pub(crate) fn box_place(streams: &[Place]) -> Option<Place> {
     let span = |of: fn(&Place) -> f64| {
         let (least, most) = streams.iter().map(of).fold((f64::MAX, f64::MIN), |(l, m), at| (l.min(at), m.max(at)));

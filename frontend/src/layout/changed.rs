@@ -1,4 +1,4 @@
-//! What a change did, as its history tells it: "Close ball: 40 → 60 cm".
+//! The words for a change, as its history tells it: "Close ball: 40 → 60 cm".
 
 use super::was::{called, sources, what_it_was};
 use crate::words::{self, Deed};
@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 /// The unit in which the numbers of a stream are, empty if there is none.
 type UnitOf<'a> = &'a dyn Fn(&Id) -> &'static str;
 
-/// What somebody did with a line of the history: by what it changed where the line holds that, else by its label. What has
-/// another name today is called as today.
+/// Says what somebody did with a line of the history: by what it changed where the line holds that, else by its label.
+/// A thing that has another name today is called as today.
 pub(crate) fn done(now: &Behaviour, line: &HistoryLine, unit: UnitOf) -> Deed {
     let Some(again) = words::taken_back(&line.label) else {
         return of_edits(now, &line.edits, unit).unwrap_or_else(|| words::deed(&line.label));
@@ -25,7 +25,7 @@ pub(crate) fn done(now: &Behaviour, line: &HistoryLine, unit: UnitOf) -> Deed {
     told.unwrap_or_else(|| words::deed(&line.label))
 }
 
-/// What these edits did, if they are of a kind that is told.
+/// Says what these edits did, if they are of a kind that is told.
 fn of_edits(now: &Behaviour, edits: &[Edit], unit: UnitOf) -> Option<Deed> {
     let (was, is) = (with(now, edits, |edit| &edit.before), with(now, edits, |edit| &edit.after));
     if let Some(led) = led(edits) {
@@ -76,7 +76,7 @@ fn measured(connector: &Connector, unit: UnitOf) -> &'static str {
     }
 }
 
-/// What a thing is called where it is told: a connector by the stream that it gives to.
+/// Names a thing where it is told: a connector by the stream that it gives to.
 fn named(behaviour: &Behaviour, id: &RecordId) -> String {
     let output = match behaviour.records.get(id) {
         Some(Record::Connector(connector)) => behaviour.stream(&connector.output),
@@ -136,7 +136,8 @@ fn told_led(is: &Behaviour, Led { connector, is_new }: Led) -> Deed {
     }
 }
 
-/// What these edits touch, with one side of them, and the streams that it speaks of as they are now.
+/// Returns the records that these edits touch, with one side of them, and the streams that they speak of as they are
+/// now.
 fn with(now: &Behaviour, edits: &[Edit], side: impl Fn(&Edit) -> &Option<Record>) -> Behaviour {
     let both = edits.iter().flat_map(|edit| [&edit.before, &edit.after]);
     let connectors = both.filter_map(|record| match record {
@@ -191,7 +192,7 @@ mod tests {
         Behaviour { records: records.into_iter().map(|(id, record)| (id.parse().unwrap(), record)).collect() }
     }
 
-    /// What is said of putting these records, and of taking that back.
+    /// Returns the words for putting these records, and for taking that back.
     fn said(label: &str, records: &[(&str, Record)]) -> [String; 2] {
         let mut now = program();
         let mut change = Change::of(id("op"), "Aiko", label);

@@ -9,9 +9,9 @@ use robot::{Param, ParamKind};
 pub(crate) struct ChipWords {
     pub(crate) word: String,
     pub(crate) detail: String,
-    /// Whether the detail is a name in words, and no code.
+    /// True if the detail is a name in words, and no code.
     pub(crate) plain: bool,
-    /// Whether something is compared with a number, behind which its unit may stand.
+    /// True if something is compared with a number, behind which its unit may stand.
     pub(crate) compares: bool,
 }
 
@@ -22,7 +22,7 @@ impl ChipWords {
     }
 }
 
-/// What a connector's chip says.
+/// Returns the words of a connector's chip.
 pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
     let operation = &connector.operation;
     let helper = match operation.procedure() {
@@ -43,7 +43,7 @@ pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
 /// The signs with which something is compared.
 const COMPARES: [&str; 6] = ["<", "<=", ">", ">=", "==", "!="];
 
-/// What is compared with a number in the text of a chip, and where that number ends in it.
+/// Finds what is compared with a number in the text of a chip, and where that number ends in it.
 fn compared(detail: &str) -> impl Iterator<Item = (&str, usize)> {
     let start = detail.as_ptr() as usize;
     let words: Vec<&str> = detail.split_whitespace().collect();
@@ -103,12 +103,13 @@ fn setting(param: &Param, given: Option<&Value>) -> Option<String> {
     }
 }
 
-/// How wide a semibold text is at a size in pixels; outside of a browser a guess, since only sizes of boxes depend on it.
+/// Returns the width of a semibold text at a size in pixels; outside of a browser a guess, since only sizes of boxes
+/// depend on it.
 pub(crate) fn name_width(text: &str, size: u32) -> f64 {
     crate::browser::text_width(text, 600, size).unwrap_or_else(|| about(text, size))
 }
 
-/// How wide a text in plain letters is at a size in pixels; outside of a browser a guess.
+/// Returns the width of a text in plain letters at a size in pixels; outside of a browser a guess.
 pub(crate) fn text_width(text: &str, size: u32) -> f64 {
     crate::browser::text_width(text, 400, size).unwrap_or_else(|| about(text, size))
 }

@@ -7,17 +7,18 @@ use super::{
 use behaviour::{Behaviour, Connector, Filled, Graph, Id, Place, Stream, StreamKind};
 use std::collections::BTreeMap;
 
-/// How many spots are tried to the sides before the next level is.
+/// The number of spots that are tried to the sides before the next level is.
 const SIDE_STEPS: i32 = 24;
-/// How far a step leads, and how many to the right are tried before any to the left where siblings stand at the left.
+/// The length of a step, and the number to the right that are tried before any to the left where siblings stand at the
+/// left.
 const STEP: f64 = 60.0;
 const RIGHT_STEPS: i32 = 14;
-/// How many are tried to the sides in the row of the actions, and how far that may be below the next row.
+/// The number that are tried to the sides in the row of the actions, and how far that may be below the next row.
 const IN_ROW_STEPS: i32 = 9;
 const ACTIONS_FAR: f64 = 2.0 * LEVEL;
 /// From the middle of one sensor to the middle of the next, at least.
 const SENSOR_STEP: f64 = 340.0;
-/// How many stand in a row while there is nothing that could tidy.
+/// The number that stand in a row while there is nothing that could tidy.
 const IN_A_ROW: usize = 6;
 
 /// Room that something takes.
@@ -58,7 +59,7 @@ impl Room {
     }
 }
 
-/// How wide a stream is, and the widest of the chips that lead to it (0 without any).
+/// The width of a stream, and of the widest of the chips that lead to it (0 without any).
 #[derive(Clone, Copy, Debug)]
 struct Size {
     stream: f64,
@@ -72,8 +73,8 @@ impl Size {
     }
 }
 
-/// How far a stream reaches to the left and to the right of its middle when all is tidy: with its live value, and with the
-/// chips that lead to it, which stand beside each other where several lead to an action.
+/// Returns how far a stream reaches to the left and to the right of its middle when all is tidy: with its live value,
+/// and with the chips that lead to it, which stand beside each other where several lead to an action.
 pub(super) fn reach<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> (f64, f64) {
     let chips: Vec<f64> = into.map(|connector| chip_width(&chip_words(connector))).collect();
     let chip = if stream.kind == StreamKind::Actuator {
@@ -85,7 +86,7 @@ pub(super) fn reach<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connecto
     (half.max(half_chip), (half + TIDY_VALUE_ROOM).max(half_chip))
 }
 
-/// Where a new stream goes that takes from `inputs` through `connector`.
+/// Returns the place for a new stream that takes from `inputs` through `connector`.
 pub(crate) fn free_spot(
     behaviour: &Behaviour,
     places: &BTreeMap<Id, Place>,
@@ -110,7 +111,7 @@ pub(crate) fn free_spot(
         .unwrap_or_else(|| beside(&taken, wanted, size, side))
 }
 
-/// Where the rightmost of what comes from the same streams stands.
+/// Returns the place of the rightmost of what comes from the same streams.
 fn last_sibling(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, connector: &Connector) -> Option<f64> {
     let siblings = behaviour.connectors().filter(|(_, other)| {
         other.output != connector.output && other.inputs.iter().any(|input| connector.inputs.contains(input))
@@ -128,7 +129,7 @@ enum Side {
 }
 
 impl Side {
-    /// How many steps to the right of the wanted spot are tried, one after the other.
+    /// Returns the steps to the right of the wanted spot that are tried, one after the other.
     fn steps(self, most: i32) -> impl Iterator<Item = f64> {
         let first = if self == Self::RightFirst { 0..most.min(RIGHT_STEPS) } else { 0..0 };
         let both = (0..most).flat_map(|step| if step == 0 { vec![0] } else { vec![step, -step] });
@@ -153,7 +154,7 @@ fn in_row(taken: &[Room], wanted: Place, from: f64, size: Size, side: Side) -> O
     side.steps(IN_ROW_STEPS).map(|step| Place { x: wanted.x + step * STEP, ..wanted }).find(is_free)
 }
 
-/// Where a new sensor goes: in the top row, to the right of the others.
+/// Returns the place for a new sensor: in the top row, to the right of the others.
 pub(crate) fn free_sensor_spot(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, stream: &Stream) -> Place {
     let top = places.values().map(|place| place.y).fold(f64::MAX, f64::min);
     let y = if places.is_empty() { 0.0 } else { top };

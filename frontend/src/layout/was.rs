@@ -1,10 +1,10 @@
-//! What something is or was, in a few words: for what differs between two versions.
+//! The words for what something is or was, where two versions differ.
 
 use super::label::{chip_words, what_it_is};
 use crate::words;
 use behaviour::{Behaviour, Connector, Group, Id, Record, RecordId, Stream};
 
-/// What a thing is called: `Distance`, `map to Distance`.
+/// Names a thing: `Distance`, `map to Distance`.
 pub(crate) fn called(behaviour: &Behaviour, id: &RecordId) -> String {
     match behaviour.records.get(id) {
         Some(Record::Stream(stream)) => stream.name.clone(),
@@ -45,7 +45,7 @@ pub(crate) fn whole(behaviour: &Behaviour, id: &RecordId) -> String {
     }
 }
 
-/// What was another about a thing that changed, in a few words.
+/// Says what was another about a thing that changed, in a few words.
 pub(crate) fn what_it_was(was: &Behaviour, is: &Behaviour, id: &RecordId) -> String {
     match (was.records.get(id), is.records.get(id)) {
         (Some(Record::Stream(old)), Some(Record::Stream(new))) => stream_was(old, new),

@@ -1,4 +1,4 @@
-//! What kind of value a stream carries, as far as the page knows: by what the server found, else by what makes it, else by
+//! The kind of value on a stream, as far as the page knows: by what the server found, else by what makes it, else by
 //! what was seen last. Pure.
 
 use super::suggest::Known;
@@ -17,7 +17,7 @@ pub(super) fn kind_of(behaviour: &Behaviour, helpers: &[Helper], id: &Id, known:
     told.or_else(sensed).or_else(made).or_else(|| known.value.map(ValueType::of)).unwrap_or_default()
 }
 
-/// What the only parameter of a helper takes, as far as somebody said so.
+/// Returns the kind that the only parameter of a helper takes, as far as somebody said so.
 pub(super) fn signature(helper: &Helper) -> Option<ValueType> {
     let of_before = || robot::shipped_signature(helper)?.takes.first().cloned();
     helper.taken(0).value_type().or_else(of_before)

@@ -36,7 +36,7 @@ impl Offer {
         Self { step, icon, label }
     }
 
-    /// What it does.
+    /// Returns the sentence that says what the step does.
     pub(crate) fn says(&self) -> String {
         match &self.step {
             Step::Helper(name) => format!("{} ({name})", words::connector_word(connectors::to_new_value().name)),
@@ -47,7 +47,7 @@ impl Offer {
         }
     }
 
-    /// What comes of it, in a few words beside its label.
+    /// Returns a few words on the result, which stand beside the label.
     pub(crate) fn brief(&self) -> String {
         match &self.step {
             Step::Helper(_) => words::connector_word(connectors::to_new_value().name).to_owned(),
@@ -59,7 +59,7 @@ impl Offer {
         }
     }
 
-    /// Whether it can stand between a stream and what takes from it.
+    /// True if it can stand between a stream and what takes from it.
     fn fits_into_a_gap(&self) -> bool {
         match &self.step {
             Step::Helper(_) | Step::Converted(_, _, None) => true,
@@ -70,7 +70,7 @@ impl Offer {
     }
 }
 
-/// How a helper is called, by its name.
+/// Returns the words for a helper, by its name.
 fn called(name: &str, helpers: &[Helper]) -> String {
     helpers.iter().find(|helper| helper.name == name).map_or_else(|| name.to_owned(), words::helper_name_of)
 }
@@ -100,7 +100,7 @@ pub(crate) fn after(desk: &Desk, id: &Id, in_gap: bool) -> Vec<Offer> {
     offers
 }
 
-/// The same with all helpers and actions, for who looks for something by its name.
+/// Returns the offers with all helpers and actions, for who looks for something by its name.
 pub(crate) fn everything(desk: &Desk, id: &Id, in_gap: bool) -> Vec<Offer> {
     let mut offers = after(desk, id, in_gap);
     let all = helpers(desk);

@@ -1,4 +1,4 @@
-//! What a person is likely to do next with a stream, best first. Pure.
+//! The steps that a person is likely to take next with a stream, best first. Pure.
 
 use super::known::{kind_of, signature};
 use crate::carries::{carried_by, carries};
@@ -7,7 +7,7 @@ use behaviour::connectors::{self, Carries, Spec};
 use behaviour::{Behaviour, Fit, Graph, Helper, Id, Params, Procedure, StreamKind, Unit, Value, ValueType};
 use robot::Device;
 
-/// So many helpers of which each takes what there is are likely; the others are in the list of all.
+/// The number of helpers that are likely, of those that take just what there is; the others are in the list of all.
 const HELPERS_LIKELY: usize = 1;
 
 /// A likely next step.
@@ -25,16 +25,16 @@ pub(crate) enum Step {
     Converted(Unit, Unit, Option<Box<Step>>),
 }
 
-/// What is known of the stream for which steps are looked for.
+/// The knowledge about the stream for which steps are looked for.
 #[derive(Default)]
 pub(super) struct Known<'a> {
-    /// What the server found that it carries.
+    /// The kind that the server found on it.
     pub(super) kind: Option<&'a ValueType>,
     /// The newest value of the running program.
     pub(super) value: Option<&'a Value>,
 }
 
-/// So many actions are offered.
+/// The most actions that are offered.
 const ACTIONS_MAX: usize = 2;
 
 /// Likely next steps for a stream: first what fits what it carries, last what always fits, and then what fits too.
@@ -91,7 +91,7 @@ fn actions(carries: Carries, gets: &ValueType) -> Vec<Step> {
     just.chain(likely).collect()
 }
 
-/// What an action wants as it is chosen at first.
+/// Returns the kind that an action wants as it is chosen at first.
 fn wants(device: &Device) -> Option<ValueType> {
     Some(device.types(&Params::new()).value).filter(|kind| *kind != ValueType::Any)
 }
@@ -118,7 +118,7 @@ fn fitting_helpers(helpers: &[Helper], carries: Carries, stream_name: &str, gets
     fitting.into_iter().map(|(_, _, name)| Step::Helper(name.to_owned())).collect()
 }
 
-/// Whether somebody said that a helper takes just such a value.
+/// True if somebody said that a helper takes just such a value.
 fn is_just_for(helper: &Helper, gets: &ValueType) -> bool {
     signature(helper).is_some_and(|wants| wants != ValueType::Any && wants.unit() == gets.unit())
 }
@@ -130,7 +130,7 @@ fn in_units(gets: &ValueType) -> Vec<Step> {
     others.map(|to| Step::Converted(from, to, None)).collect()
 }
 
-/// What would fit in another unit: helpers and actions.
+/// Returns the steps that would fit in another unit: helpers and actions.
 fn converted(helpers: &[Helper], gets: &ValueType) -> Vec<Step> {
     let Some(from) = gets.unit() else { return Vec::new() };
     let in_unit = |wants: &ValueType, step: Step| match wants.takes(gets) {

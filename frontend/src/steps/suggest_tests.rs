@@ -1,4 +1,4 @@
-//! What is suggested along the way of the thesis.
+//! Tests of the suggestions along the way of the thesis.
 
 use super::{Known, Step, suggest};
 use behaviour::{

@@ -73,19 +73,19 @@ pub(crate) fn lead_to_helper(desk: &Desk, input: &Id, name: &str, spot: Spot) {
     take(desk, input, &Step::Helper(name.to_owned()), spot);
 }
 
-/// Whether a helper can make something of one stream alone.
+/// True if a helper can make something of one stream alone.
 pub(crate) fn takes_one(helper: &Helper) -> bool {
     helper.params.len() == 1
 }
 
-/// Whether a connector runs as it is, with what it begins with: chosen at a place of the graph, it is there at once, and
+/// True if a connector runs as it is, with what it begins with: chosen at a place of the graph, it is there at once, and
 /// its duration can be changed on it.
 fn is_chosen_at_once(spec: &Spec, spot: &Spot) -> bool {
     let asks = spec.takes.procedure.is_some_and(|takes| !takes.is_optional);
     *spot != Spot::Below && !asks && !spec.acts() && spec.inputs.least() == 1
 }
 
-/// What the stream is called that a connector makes of this one.
+/// Names the stream that a connector makes of this one.
 fn name_of(desk: &Desk, input: &Id, spec: &Spec) -> String {
     let name = desk.document.stream(input).map(|signals| signals.record.with_untracked(|stream| stream.name.clone()));
     let inputs: Vec<String> = name.into_iter().collect();
@@ -96,7 +96,7 @@ fn new_output(desk: &Desk, base: &str, device: Option<&str>, params: Params) -> 
     Output::New { name: desk.document.name_for(base), device: device.map(str::to_owned), params }
 }
 
-/// What is done with the answer: a refusal is said, and what was made may ask for its settings.
+/// Handles the answer: a refusal is said, and what was made may ask for its settings.
 fn answered(desk: &Desk, then_edit: bool) -> impl FnOnce(Result<(), Refused>) + 'static {
     let after = desk.clone();
     move |answer| {

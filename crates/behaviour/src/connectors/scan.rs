@@ -1,4 +1,4 @@
-//! What a procedure makes of what it made before and the new value.
+//! The result of a procedure of its last result and the new value.
 
 use super::{
     Carries, ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes,

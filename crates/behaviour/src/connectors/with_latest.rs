@@ -1,4 +1,4 @@
-//! What a procedure makes of each value and the newest of other streams.
+//! The result of a procedure of each value and the newest of other streams.
 
 use super::{ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, Passes, Procedural, ResultUse, Spec, Takes};
 use crate::StreamKind;

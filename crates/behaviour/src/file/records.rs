@@ -12,22 +12,22 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Flaw {
     /// The id of the stream, connector, note or group, or `format`.
     pub at: String,
-    /// What is wrong with it.
+    /// The kind of flaw.
     pub kind: FlawKind,
 }
 
-/// What is wrong with a part of a file. [`std::fmt::Display`] says it in a few English words.
+/// The flaws of a part of a file. [`std::fmt::Display`] says each in a few English words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FlawKind {
     /// The file has this format, which is another one.
     Format(String),
-    /// Its id is none.
+    /// The id is not a valid one.
     Id(BadId),
     /// Something else in the file has this id too.
     IdTwice,
-    /// Its creation number is lower than the one above it in the file.
+    /// The creation number is lower than the one above it in the file.
     Order {
-        /// Its own number.
+        /// The creation number of this part.
         here: i64,
         /// The number of the one above it.
         above: i64,
@@ -213,10 +213,10 @@ impl FileConnector {
         Ok((find(&self.id)?, connector))
     }
 
-    /// What it does.
+    /// Reads the operation of the connector.
     ///
     /// # Errors
-    /// Why it is no connector.
+    /// Returns the flaw if it is no connector.
     pub fn operation(&self) -> Result<Operation, FlawKind> {
         let word = &self.operation;
         let spec = connectors::spec(word).ok_or_else(|| FlawKind::NoConnector(word.clone()))?;

@@ -1,4 +1,4 @@
-//! Where in its row everything stands: as near to what it is connected with as its neighbours leave it.
+//! The places in a row: everything stands as near to what it is connected with as its neighbours leave it.
 
 /// Something in a row: how far it reaches to both sides.
 #[derive(Clone, Copy, Debug)]

@@ -3,12 +3,13 @@
 use super::part::Part;
 use super::{PARTS_APART, STREAM_HEIGHT, Shape};
 
-/// How many widths are tried.
+/// The number of widths that are tried.
 const WIDTHS: usize = 48;
-/// What stands below something much narrower would leave a hole beside that.
+/// The ratio of widths up to which one part stands below another; below something much narrower it would leave a hole
+/// beside that.
 const STACKED: f64 = 1.4;
 
-/// Where a part stands, and how much lower its actions.
+/// The corner of a part, and how much lower its actions stand.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Corner {
     pub(super) x: f64,
@@ -56,7 +57,7 @@ pub(super) fn in_order(parts: Vec<Part>, shapes: &[Shape]) -> Vec<Part> {
     in_columns.map(|stood| stood.part).chain(others).collect()
 }
 
-/// What shares a stretch, together and in order: rows by their heights, columns by their sides.
+/// Collects the parts that share a stretch, together and in order: rows by their heights, columns by their sides.
 fn bands(mut all: Vec<Stood>, stretch: impl Fn(&Stood) -> (f64, f64)) -> Vec<Vec<Stood>> {
     all.sort_by(|one, other| stretch(one).0.total_cmp(&stretch(other).0));
     let (mut bands, mut end): (Vec<Vec<Stood>>, f64) = (Vec::new(), f64::MIN);
@@ -110,7 +111,7 @@ struct Row {
 }
 
 impl Row {
-    /// As many of the parts as stand in a row of that width, one at least.
+    /// Takes as many of the parts as stand in a row of that width, one at least.
     fn of(parts: &[Part], most: f64, stacks: bool) -> Self {
         let mut row = Self { corners: Vec::new(), width: 0.0, height: 0.0 };
         // The column that stands last: its left edge, its width and its lower end; and who stands alone in one.

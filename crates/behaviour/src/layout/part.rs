@@ -5,17 +5,17 @@ use super::rows::rows;
 use super::{BENDS, GAP, LEVEL, STREAM_HEIGHT, Shape, WAY};
 use crate::Place;
 
-/// How often what stands in a row is drawn to the row above and to the one below.
+/// The number of times that the members of a row are drawn to the row above and to the one below.
 const SWEEPS: usize = 6;
 /// More rows than this times its members are not filled up with what keeps the ways of edges free.
 const FILLED_MAX: usize = 8;
 
-/// Where a shape stands in its part.
+/// The place of a shape in its part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
     pub(super) shape: usize,
     pub(super) at: Place,
-    /// Whether it is an action in the last row, and goes down with the others of its row of parts.
+    /// True if it is an action in the last row, and goes down with the others of its row of parts.
     pub(super) sinks: bool,
 }
 
@@ -39,7 +39,7 @@ fn top(root: &mut [usize], mut at: usize) -> usize {
     at
 }
 
-/// What is connected with each other, each part in the order of its members.
+/// Groups the members that are connected with each other, each part in the order of its members.
 pub(super) fn connected(count: usize, edges: &[(usize, usize)]) -> Vec<Members> {
     let mut root: Vec<usize> = (0..count).collect();
     for (from, to) in edges {
@@ -104,7 +104,7 @@ impl Layers {
         }
     }
 
-    /// What of the row above leads to each, and what of the row below each leads to.
+    /// Returns for each member those of the row above that lead to it, and those of the row below to which it leads.
     fn neighbours(&self) -> [Vec<Vec<usize>>; 2] {
         let mut both = [vec![Vec::new(); self.rows.len()], vec![Vec::new(); self.rows.len()]];
         for (from, to) in &self.edges {
@@ -114,7 +114,7 @@ impl Layers {
         both
     }
 
-    /// Who stands in which row, from the left: below what leads there, siblings as they stood.
+    /// Orders the members of each row from the left: below what leads there, siblings as they stood.
     fn ordered(&self, above: &[Vec<usize>], key: impl Fn(usize) -> (f64, usize)) -> Vec<Vec<usize>> {
         let mut ordered = vec![Vec::new(); self.rows.iter().max().map_or(0, |bottom| bottom + 1)];
         for (at, row) in self.rows.iter().enumerate() {
@@ -184,7 +184,7 @@ impl Part {
     }
 }
 
-/// Where everything stands from left to right.
+/// Places everything from left to right.
 fn across(ordered: &[Vec<usize>], reaches: &[Vec<Reach>], neighbours: &[Vec<Vec<usize>>; 2]) -> Vec<f64> {
     let mut x = vec![0.0; neighbours[0].len()];
     let mut draw = |row: usize, side: usize| {

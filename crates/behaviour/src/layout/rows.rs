@@ -1,4 +1,4 @@
-//! In which row of its part everything stands.
+//! The row of each thing in its part.
 
 /// A row for each of so many: below all that lead to it. Where values flow in a circle, the first of it begins.
 pub(super) fn rows(count: usize, edges: &[(usize, usize)]) -> Vec<usize> {

@@ -5,7 +5,7 @@ use crate::{Filled, Id, RecordId};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
-/// How long a holder may be silent until that means yes.
+/// The silence of a holder, in milliseconds, after which it means yes.
 pub(super) const SILENCE_MS: u64 = 10_000;
 /// For how long typing and saying so count as *not yet*.
 pub(super) const NOT_YET_MS: u64 = 60_000;
@@ -13,25 +13,25 @@ pub(super) const NOT_YET_MS: u64 = 60_000;
 const AGAIN_MS: u64 = 30_000;
 /// Typing is told to who asks in steps of at least this.
 const POSTPONED_STEP_MS: u64 = 1_000;
-/// Who may wait for one lock.
+/// The most people who may wait for one lock.
 const ASKS_MAX: usize = 4;
 /// Refusals that are remembered in one behaviour; the one that ends first gives way.
 const REFUSED_MAX: usize = 1_024;
 /// For how long after it may be asked again it is remembered since when it was asked.
 const REMEMBERED_MS: u64 = 60_000;
 
-/// What becomes of asking for a record.
+/// The result of asking for a record.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Asked {
-    /// Its holder is asked; silence until then means yes.
+    /// The holder is asked; silence until then means yes.
     Waiting {
         /// Until when.
         by_ms: u64,
     },
-    /// So many asked before.
+    /// The number of people who asked before.
     Queued {
-        /// How many.
+        /// The number of people.
         before: usize,
     },
     /// Nobody is editing it: it can be taken.
@@ -40,10 +40,10 @@ pub enum Asked {
     Yours,
     /// The holder said *not yet* a moment ago.
     TooSoon {
-        /// When to ask again.
+        /// The time when they may ask again.
         again_ms: u64,
     },
-    /// As many are waiting for it as may.
+    /// The most people are waiting for it already.
     Full,
 }
 
@@ -52,14 +52,14 @@ pub enum Asked {
 pub(super) struct PutOff {
     /// Under which lock.
     counter: u64,
-    /// When they asked first.
+    /// The time when they asked first.
     since_ms: u64,
-    /// When they may ask again.
+    /// The time when they may ask again.
     again_ms: u64,
 }
 
 impl PutOff {
-    /// Whether it still matters to the next question.
+    /// True if it still matters to the next question.
     pub(super) fn is_remembered(&self, now_ms: u64) -> bool {
         self.again_ms + REMEMBERED_MS > now_ms
     }
@@ -70,16 +70,16 @@ impl PutOff {
 pub(super) struct Ask {
     pub(super) asker: Holder,
     record: RecordId,
-    /// When it was first put before the holder, also if that one said *not yet* since.
+    /// The time when it was first put before the holder, also if that one said *not yet* since.
     since_ms: u64,
-    /// When silence means yes.
+    /// The time when silence means yes.
     pub(super) by_ms: u64,
     /// The holder said yes.
     agreed: bool,
 }
 
 impl Ask {
-    /// Whether the holder put it off for as long as that counts.
+    /// True if the holder put it off for as long as that counts.
     fn is_last(&self, now_ms: u64) -> bool {
         now_ms >= self.since_ms + NOT_YET_MS
     }
@@ -110,7 +110,7 @@ impl Locks {
         self.waits(counter, before)
     }
 
-    /// The holder says yes to who asked first: it goes to them once what was edited under it is saved. Says whether
+    /// The holder says yes to who asked first: it goes to them once what was edited under it is saved. Returns true if
     /// anybody asked.
     pub fn say_yes(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
@@ -121,14 +121,14 @@ impl Locks {
         true
     }
 
-    /// Who asked for a record wants it no more. Says whether they did.
+    /// Ends the question of a person who wants the record no more. Returns true if there was one.
     pub fn withdraw(&mut self, now_ms: u64, session: u64, record: &RecordId) -> bool {
         self.advance(now_ms);
         self.forget_asks_that(|ask| ask.asker.session == session && ask.record == *record)
     }
 
-    /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. A minute
-    /// after somebody asked first it counts no more. Says whether it counted.
+    /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. A
+    /// minute after somebody asked first it counts no more. Returns true if it counted.
     pub fn say_not_yet(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
         let now_ms = self.now_ms;
@@ -196,7 +196,7 @@ impl Locks {
         self.settle(asks);
     }
 
-    /// Who asked gets what is free now, in the order in which they asked; others go on waiting for who has it.
+    /// Gives each who asked what is free now, in the order in which they asked; others go on waiting for the holder.
     pub(super) fn settle(&mut self, asks: VecDeque<Ask>) {
         for ask in asks {
             match self.by_record.get(&ask.record).copied() {
@@ -224,7 +224,7 @@ impl Locks {
         self.forget_asks_that(|ask| ask.asker.session == session);
     }
 
-    /// Some ask no more; holders who were asked are told, and hear who asked next. Says whether there were any.
+    /// Forgets questions; holders who were asked are told, and hear who asked next. Returns true if there were any.
     fn forget_asks_that(&mut self, is_gone: impl Fn(&Ask) -> bool) -> bool {
         let (mut gone, mut first) = (false, Vec::new());
         for (counter, lock) in &mut self.held {

@@ -1,4 +1,4 @@
-//! What happens to locks, as data for who has to be told.
+//! The events of locks, as data for those who have to be told.
 
 use super::{Denied, Grant, Holder, Locks, Token};
 use crate::RecordId;
@@ -7,15 +7,15 @@ use serde::{Deserialize, Serialize};
 /// Events that wait to be fetched; the oldest go first, as who holds what can always be looked up.
 const NEWS_MAX: usize = 4_096;
 
-/// Why a lock ended.
+/// The reasons why a lock ended.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Why {
-    /// Its holder gave it back.
+    /// The holder gave it back.
     Released,
-    /// Its holder did nothing for long.
+    /// The holder did nothing for long.
     Idle,
-    /// Its holder's link ended and was not made anew in time.
+    /// The holder's link ended and was not made anew in time.
     Left,
     /// It went to who asked for it.
     HandedOver {
@@ -33,36 +33,36 @@ pub enum Why {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum LockEvent {
-    /// Who asked has it now. For them.
+    /// The person who asked has it now. For them.
     Granted {
-        /// Who asked.
+        /// The person who asked.
         to: Holder,
         /// The lock.
         grant: Grant,
     },
     /// It is free for who asked, but they hold too much. For them.
     Denied {
-        /// Who asked.
+        /// The person who asked.
         to: Holder,
-        /// Why not.
+        /// The reason why it was not given.
         denied: Denied,
     },
     /// A lock ended. For who held it.
     Freed {
-        /// Who held it.
+        /// The person who held it.
         holder: Holder,
         /// The lock, whose token is void now.
         grant: Grant,
-        /// Why.
+        /// The reason why it ended.
         why: Why,
     },
     /// Somebody asks for it: silence until `by_ms` means yes. For its holder.
     Asked {
-        /// Its holder.
+        /// The holder of the lock.
         holder: Holder,
         /// The lock.
         token: Token,
-        /// Who asks.
+        /// The person who asks.
         asker: Holder,
         /// For what.
         record: RecordId,
@@ -72,57 +72,57 @@ pub enum LockEvent {
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         last: bool,
     },
-    /// Who asked first wants it no more, or is gone. For its holder.
+    /// The person who asked first wants it no more, or is gone. For its holder.
     Withdrawn {
-        /// Its holder.
+        /// The holder of the lock.
         holder: Holder,
         /// The lock.
         token: Token,
-        /// Who asked.
+        /// The person who asked.
         asker: Holder,
     },
-    /// Its holder is typing, so it takes longer. For who asked.
+    /// The holder is typing, so it takes longer. For the person who asked.
     Postponed {
-        /// Who asked.
+        /// The person who asked.
         to: Holder,
         /// For what.
         record: RecordId,
         /// Until when, unless they type on.
         by_ms: u64,
     },
-    /// Its holder says not yet. For who asked.
+    /// The holder says not yet. For the person who asked.
     NotYet {
-        /// Who asked.
+        /// The person who asked.
         to: Holder,
         /// For what.
         record: RecordId,
-        /// Who says so.
+        /// The name of the holder who says so.
         by: String,
-        /// When they may ask again.
+        /// The time when they may ask again.
         again_ms: u64,
     },
     /// The link of its holder ended, and it is kept for them.
     KeptFor {
-        /// Its holder.
+        /// The holder of the lock.
         holder: Holder,
         /// The lock.
         token: Token,
         /// Until when.
         until_ms: u64,
     },
-    /// Its holder did nothing for long. For them.
+    /// The holder did nothing for long. For them.
     Warned {
-        /// Its holder.
+        /// The holder of the lock.
         holder: Holder,
         /// The lock.
         token: Token,
-        /// When it will be free, unless they do something.
+        /// The time when it will be free, unless they do something.
         free_ms: u64,
     },
 }
 
 impl Locks {
-    /// What happened since this was last called, in order. To be called after every other call.
+    /// Returns the events since the last call, in order. To be called after every other call.
     pub fn news(&mut self) -> Vec<LockEvent> {
         self.news.drain(..).collect()
     }

@@ -1,4 +1,4 @@
-//! What locks do, one sentence a test.
+//! Tests of the locks, one sentence a test.
 
 use super::{Asked, Denied, Grant, Holder, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks};
 use super::{Presented, Token, Why};

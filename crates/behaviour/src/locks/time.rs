@@ -1,4 +1,4 @@
-//! What time does to locks: warnings, idle and absent holders, silence that means yes.
+//! The effects of time on locks: warnings, idle and absent holders, silence that means yes.
 
 use super::{Lock, LockEvent, Locks, Token, Why};
 
@@ -9,7 +9,7 @@ const WARN_MS: u64 = 90_000;
 /// After how long the lock of an idle holder ends.
 const IDLE_MS: u64 = 120_000;
 
-/// What time does to one lock next.
+/// The next effect of time on one lock.
 #[derive(Clone, Debug)]
 enum Due {
     Warn,
@@ -34,7 +34,7 @@ impl Lock {
 }
 
 impl Locks {
-    /// When something happens next by time alone, as the clock now stands; perhaps at once.
+    /// Returns the time of the next event by time alone, as the clock now stands; perhaps at once.
     #[must_use]
     pub fn due(&self) -> Option<u64> {
         self.next().map(|(at_ms, ..)| at_ms)
@@ -57,7 +57,7 @@ impl Locks {
         self.refused.retain(|(_, put_off)| put_off.is_remembered(until_ms));
     }
 
-    /// What happens next, of locks that are not held up by an edit being saved.
+    /// Returns the next effect of time, of the locks that are not held up by an edit being saved.
     fn next(&self) -> Option<(u64, u64, Due)> {
         let free = self.held.iter().filter(|(_, lock)| !self.is_saving(lock));
         let all = free.map(|(counter, lock)| (*counter, lock.due()));

@@ -13,14 +13,14 @@ const QUOTES: [(&str, &str); 3] = [("“”„‟＂", "“”‟＂\""), ("«»
 pub struct AsMeant {
     /// The first part that only looks right.
     pub from: String,
-    /// What it means.
+    /// The text that it means.
     pub to: String,
     /// The whole procedure.
     pub body: String,
 }
 
-/// What a procedure means in which signs only look right: one way, or two where a number may be read in two; none if all
-/// signs are right. Names that are `arguments` stay.
+/// Returns the procedure that is meant where signs only look right: one, or two where a number may be read in two ways;
+/// none if all signs are right. Names that are `arguments` stay.
 #[must_use]
 pub fn as_meant(body: &str, arguments: &[String]) -> Vec<AsMeant> {
     let (plain, mut first) = with_plain_signs(body, arguments);
@@ -76,7 +76,7 @@ fn with_plain_signs(body: &str, arguments: &[String]) -> (String, Option<(String
     (plain, first)
 }
 
-/// What a sign means that only looks right.
+/// Returns the sign that is meant by one that only looks right.
 fn sign(written: &str) -> Option<String> {
     let c = written.chars().next()?;
     let means = match c {
@@ -105,7 +105,7 @@ fn narrow(written: &str) -> Option<String> {
     written.contains(is_wide).then(|| written.chars().map(plain).collect())
 }
 
-/// How long a text is that begins here with a quote which only looks like one; none if nothing ends it.
+/// Returns the length of a text that begins here with a quote which only looks like one; none if nothing ends it.
 pub(super) fn quoted(rest: &str) -> Option<usize> {
     let first = rest.chars().next()?;
     let (_, ends) = QUOTES.iter().find(|(begins, _)| begins.contains(first))?;

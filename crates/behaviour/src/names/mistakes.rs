@@ -29,11 +29,11 @@ pub(crate) fn compared(body: &str) -> Option<String> {
 
 /// Two whole numbers of which one is divided by the other, and something is left over.
 pub(crate) struct Divided {
-    /// As it is written.
+    /// The division, as it is written.
     pub(crate) written: String,
-    /// What it gives.
+    /// The whole number that it gives.
     pub(crate) gives: i64,
-    /// What is probably meant.
+    /// The division that is probably meant.
     pub(crate) meant: String,
     /// The procedure with that.
     pub(crate) body: String,

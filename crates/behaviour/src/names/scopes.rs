@@ -1,4 +1,4 @@
-//! What each word of a procedure means: a value from outside, one of its own, a function, a part or a key.
+//! The meaning of each word of a procedure: a value from outside, one of its own, a function, a part or a key.
 
 use super::is_identifier;
 use super::tokens::{Bracket, Kind, Token, tokens};
@@ -12,7 +12,7 @@ const BUILDING: [&str; 21] = [
 /// Words behind a block that go on with what began before it.
 const GOING_ON: [&str; 4] = ["else", "catch", "while", "until"];
 
-/// What a word is.
+/// The meanings of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
     /// A value from outside, such as an argument.
@@ -67,7 +67,7 @@ pub(super) fn read(body: &str) -> Read {
     reader.read
 }
 
-/// Where a word stands.
+/// The surroundings of a word.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Inside {
     Brackets,
@@ -79,7 +79,7 @@ enum Inside {
 
 struct Level {
     inside: Inside,
-    /// How many values were known before it.
+    /// The number of values that were known before it.
     known: usize,
     /// Declared by a statement that is not over.
     declared: Vec<usize>,
@@ -189,7 +189,7 @@ impl<'b> Reader<'b> {
         at + 1
     }
 
-    /// Whether a value stands before, so that a `|` takes it.
+    /// True if a value stands before, so that a `|` takes it.
     fn is_behind_value(&self, at: usize) -> bool {
         let Some(before) = at.checked_sub(1) else { return false };
         match self.tokens[before].kind {
@@ -274,7 +274,7 @@ impl<'b> Reader<'b> {
         is_name && (opens(at + 1) || (self.text(at + 1) == "!" && opens(at + 2)))
     }
 
-    /// What a text names that such a function is given: `Fn("near")`.
+    /// Notes the function that a text names in a call such as `Fn("near")`.
     fn named_in_text(&mut self, at: usize) {
         let Some(token) = self.tokens.get(at + 2).filter(|token| token.kind == Kind::Text) else { return };
         let text = &self.body[token.place.clone()];

@@ -10,7 +10,7 @@ const SIGNS: [&str; 23] = [
     "-=", "*=", "/=", "%=", "&=",
 ];
 
-/// What a piece of a procedure is.
+/// The kinds of pieces of a procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Word,
@@ -22,7 +22,7 @@ pub(crate) enum Kind {
     Sign,
 }
 
-/// What brackets hold.
+/// The kinds of brackets, by what they hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bracket {
     Round,
@@ -147,7 +147,7 @@ impl Cutter<'_> {
     }
 }
 
-/// How long a text is that begins with its quote.
+/// Returns the length of a text that begins with its quote.
 fn quoted(bytes: &[u8]) -> usize {
     let mut at = 1;
     while at < bytes.len() && bytes[at] != bytes[0] {
@@ -156,7 +156,7 @@ fn quoted(bytes: &[u8]) -> usize {
     (at + 1).min(bytes.len())
 }
 
-/// How long a text is in which nothing is escaped: `#"…"#`, with as many `#` behind as before.
+/// Returns the length of a text in which nothing is escaped: `#"…"#`, with as many `#` behind as before.
 fn raw_text(rest: &str) -> Option<usize> {
     let marks = rest.len() - rest.trim_start_matches('#').len();
     rest[marks..].strip_prefix('"').filter(|_| marks > 0)?;
@@ -164,7 +164,7 @@ fn raw_text(rest: &str) -> Option<usize> {
     Some(rest[marks + 1..].find(&end).map_or(rest.len(), |length| marks + 1 + length + end.len()))
 }
 
-/// How long a comment is that others may stand in.
+/// Returns the length of a comment, in which others may stand.
 fn comment(bytes: &[u8]) -> usize {
     let (mut depth, mut at) = (0_usize, 0);
     while at < bytes.len() {

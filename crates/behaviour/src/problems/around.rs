@@ -8,10 +8,10 @@ use crate::{
 };
 use std::collections::BTreeSet;
 
-/// So many connectors above a stream are looked at.
+/// The most connectors above a stream that are looked at.
 const ABOVE_MAX: usize = 500;
 
-/// What a hint looks at.
+/// The surroundings that a hint looks at.
 pub(super) struct Around<'a> {
     pub(super) behaviour: &'a Behaviour,
     pub(super) graph: Graph<'a>,
@@ -37,7 +37,7 @@ impl<'a> Around<'a> {
         self.behaviour.stream(id)
     }
 
-    /// What a person calls a stream.
+    /// Returns the name of a stream, as a person calls it.
     pub(super) fn name(&self, id: &Id) -> String {
         self.stream(id).map_or_else(String::new, |stream| stream.name.clone())
     }
@@ -78,7 +78,7 @@ impl<'a> Around<'a> {
     }
 }
 
-/// Whether a connector gives something because of a value on this input, if it gives something at once at all: others only
+/// True if a connector gives something because of a value on this input, if it gives something at once at all: others only
 /// look at their first.
 pub(super) fn is_driven_by(connector: &Connector, input: &Id) -> bool {
     let spec: &Spec = connector.operation.spec();

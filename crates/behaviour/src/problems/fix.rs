@@ -1,4 +1,4 @@
-//! What mends a problem with one tap: each fix is one change of the behaviour, and one step of undo.
+//! Fixes that mend a problem with one tap: each is one change of the behaviour, and one step of undo.
 
 mod draft;
 
@@ -13,26 +13,26 @@ use crate::{
 use draft::Draft;
 use serde::{Deserialize, Serialize};
 
-/// How often values come that were too many, in milliseconds.
+/// The time between values that were too many, in milliseconds.
 const SLOW_MS: u64 = 1_000;
-/// What is older than this is left out, in milliseconds.
+/// The age beyond which values are left out, in milliseconds.
 const OLD_MS: u64 = 1_000;
-/// So many parts of an object are offered.
+/// The most parts of an object that are offered.
 const PARTS_MAX: usize = 3;
-/// So many helpers are offered.
+/// The most helpers that are offered.
 const HELPERS_MAX: usize = 3;
 
 /// Something that mends a problem.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Fix {
-    /// What it does.
+    /// The kind of fix.
     pub kind: FixKind,
     /// The records that it changes, all in one change.
     pub edits: Vec<Edit>,
 }
 
-/// What a fix does. [`std::fmt::Display`] says it in one English sentence.
+/// The kinds of fixes. [`std::fmt::Display`] says each in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum FixKind {
@@ -74,8 +74,8 @@ impl Fix {
     }
 }
 
-/// What mends a problem of a behaviour, the likeliest first; nothing if only people know. `helpers` is the library, and
-/// `new_id` gives ids that nobody has.
+/// Returns the fixes for a problem of a behaviour, the likeliest first; none if only people know. `helpers` is the
+/// library, and `new_id` gives ids that nobody has.
 pub fn fixes(
     problem: &Problem,
     behaviour: &Behaviour,
@@ -86,7 +86,7 @@ pub fn fixes(
     fixes_seeing(problem, behaviour, (helpers, &Seen::new()), knowledge, new_id)
 }
 
-/// The same with the library and what was seen last, for a problem that was found with both.
+/// Returns the fixes with the library and what was seen last, for a problem that was found with both.
 pub fn fixes_seeing(
     problem: &Problem,
     behaviour: &Behaviour,
@@ -153,7 +153,7 @@ impl<'a> Fixer<'a, '_> {
         self.other_helpers(id, source, |gives| *gives != ValueType::Any && wants.takes(gives) == Fit::Good)
     }
 
-    /// The same connector with each helper that takes what comes, and gives what fits.
+    /// Offers the connector with each other helper that takes what comes, and gives what fits.
     fn other_helpers(&mut self, id: &Id, connector: &Connector, fits: impl Fn(&ValueType) -> bool) -> Vec<Fix> {
         let Some(Procedure::Helper(now)) = connector.operation.procedure() else { return Vec::new() };
         let arguments = self.around.inference.arguments(self.around.behaviour, connector);
@@ -346,8 +346,8 @@ impl<'a> Fixer<'a, '_> {
         ]
     }
 
-    /// As the thesis mends it (4.4.8): the time beside both values, how old one is beside what is made of them, and what is
-    /// too old is left out.
+    /// Mends it in the thesis' way (4.4.8): puts the time beside both values, says the age beside the result, and
+    /// leaves out what is too old.
     fn stale(&mut self) -> Option<Fix> {
         let connector = self.connector()?;
         let (old, new) = ways::stale(self.around, connector)?;

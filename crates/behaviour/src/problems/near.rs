@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 /// Names longer than this are not compared.
 const NAME_MAX_CHARS: usize = 40;
-/// So many names are compared.
+/// The most names that are compared.
 const NAMES_MAX: usize = 1_000;
 
 /// The name of these that is nearest to a mistyped one; none if all are too far away.
@@ -20,14 +20,14 @@ pub fn near(name: &str, known: &[String]) -> Option<String> {
     near.min_by_key(|known| (away(known), Reverse(alike(name, known)), (*known).clone())).cloned()
 }
 
-/// How many letters both have at their beginnings and at their ends.
+/// Counts the letters that both have at their beginnings and at their ends.
 fn alike(one: &str, other: &str) -> usize {
     let same = |(one, other): &(char, char)| one.eq_ignore_ascii_case(other);
     let begins = one.chars().zip(other.chars()).take_while(same).count();
     begins + one.chars().rev().zip(other.chars().rev()).take_while(same).count()
 }
 
-/// How many letters have to be put, taken, changed or exchanged with their neighbour to get from one to the other.
+/// Counts the letters to put, take, change or exchange with their neighbour to get from one to the other.
 fn distance(one: &str, other: &str) -> Option<usize> {
     let (one, other): (Vec<char>, Vec<char>) = (one.chars().collect(), other.chars().collect());
     if one.len().max(other.len()) > NAME_MAX_CHARS {

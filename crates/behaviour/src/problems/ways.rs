@@ -8,9 +8,9 @@ use crate::flow::Gives;
 use crate::{Connector, Id, Lookup, Pace, Procedure, StreamKind, ValueType, called_names};
 use std::collections::BTreeMap;
 
-/// So many actions are compared with each other.
+/// The most actions that are compared with each other.
 const FIGHTERS_MAX: usize = 32;
-/// Of a combination of more streams nothing is said.
+/// The most streams of a combination of which something is said.
 const COMBINED_MAX: usize = 8;
 
 /// An action that may be in the way of another.
@@ -139,7 +139,7 @@ fn reached<'a>(
     reached
 }
 
-/// How the values of a stream come, by all that is above it.
+/// The origin of a stream's values, by all that is above it.
 struct Coming<'a> {
     senses: Vec<&'a Id>,
     /// They come all the time.
@@ -162,7 +162,7 @@ pub(super) fn stale(around: &Around, connector: &Connector) -> Option<(usize, us
     Some((old, new))
 }
 
-/// Whether its procedure looks at times. What a helper does, its maker knows.
+/// True if its procedure looks at times. What a helper does, its maker knows.
 fn knows_time(connector: &Connector) -> bool {
     match connector.operation.procedure() {
         Some(Procedure::Body { body, .. }) => body.contains(".t") || !called_names(body).is_empty(),
@@ -170,7 +170,7 @@ fn knows_time(connector: &Connector) -> bool {
     }
 }
 
-/// How the values of a stream come; none if somebody cares for their time already.
+/// Finds the origin of a stream's values; none if somebody cares for their time already.
 fn coming<'a>(around: &Around<'a>, id: &'a Id) -> Option<Coming<'a>> {
     let (streams, ways) = around.above(id)?;
     if ways.iter().any(|connector| connector.operation.spec().passes == Passes::Other) {

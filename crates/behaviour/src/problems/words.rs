@@ -6,19 +6,19 @@ use crate::{FixKind, Unit};
 use std::fmt;
 
 impl Problem {
-    /// What is wrong, in one English sentence.
+    /// Says the problem in one English sentence.
     #[must_use]
     pub fn what(&self) -> String {
         What(self).to_string()
     }
 
-    /// What is wrong, said beside the element, so without its name where the sentence has none in the middle.
+    /// Says the problem beside its element, so without the name where the sentence has none in the middle.
     #[must_use]
     pub fn what_beside(&self) -> String {
         Beside(self).to_string()
     }
 
-    /// What people can do about it, in one English sentence.
+    /// Says how people can solve it, in one English sentence.
     #[must_use]
     pub fn advice(&self) -> String {
         Advice(&self.kind).to_string()

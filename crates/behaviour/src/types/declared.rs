@@ -1,9 +1,9 @@
-//! What somebody says that a helper takes or gives, in one word of its file.
+//! The declared kind that a helper takes or gives, in one word of its file.
 
 use super::{Unit, ValueType};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// What a helper takes for a parameter, or gives, as far as somebody said so.
+/// The kind that somebody declared for a parameter or the result of a helper.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Declared {
     /// Nobody said: it is found out from the procedure.
@@ -19,9 +19,9 @@ pub enum Declared {
     Truth,
     /// A text.
     Text,
-    /// What a sense tells of a ball: an object with its angles.
+    /// A ball as a sense tells it: an object with its angles.
     Ball,
-    /// What a sense tells of a face.
+    /// A face as a sense tells it.
     Face,
     /// A list.
     List,
@@ -37,7 +37,7 @@ impl Declared {
         all
     }
 
-    /// Its word in files: `cm`, `ball`, `auto`.
+    /// Returns the word in files: `cm`, `ball`, `auto`.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -68,7 +68,7 @@ impl Declared {
         Self::all().into_iter().find(|one| one.word() == word)
     }
 
-    /// Whether nobody said.
+    /// True if nobody said.
     #[must_use]
     pub fn is_auto(&self) -> bool {
         *self == Self::Auto

@@ -1,31 +1,31 @@
-//! What the rules are told about a device: the kind of its values, how fast they come, and what it uses.
+//! The knowledge of the rules about a device: the kind of its values, how fast they come, and what it uses.
 
 use super::{Unit, ValueType};
 
 /// A device with its parameters, as far as hints need to know it. Nothing is known by default, and no hint is given.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeviceType {
-    /// What it gives, or takes.
+    /// The kind of value that it gives, or takes.
     pub value: ValueType,
-    /// How its values come, or how long one of them keeps it busy.
+    /// The pace of its values, or the time that one of them keeps it busy.
     pub pace: Pace,
-    /// For a sense that tells two moments apart: whether it also tells that something ended.
+    /// True if a sense that tells two moments apart also tells that something ended.
     pub tells_end: bool,
-    /// What it uses of the robot.
+    /// The parts of the robot that it uses.
     pub claims: Claims,
 }
 
-/// What an action uses of the robot.
+/// The parts of the robot that an action uses.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Claims {
     /// The parts of the body, by their names in files.
     pub parts: Vec<String>,
-    /// Whether its commands replace each other, so that two actions on the same part undo each other's work. Else they
+    /// True if its commands replace each other, so that two actions on the same part undo each other's work. Else they
     /// are done one after the other.
     pub replaces: bool,
 }
 
-/// How values of a sense come, or how long an action is busy with one.
+/// The pace of a sense's values, or the time that an action is busy with one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pace {
     /// One cannot tell.
@@ -44,7 +44,7 @@ pub enum Pace {
 }
 
 impl Pace {
-    /// Whether a sense reads many times a second.
+    /// True if a sense reads many times a second.
     #[must_use]
     pub fn is_fast(self) -> bool {
         matches!(self, Self::Steady | Self::WhileThere)

@@ -1,4 +1,4 @@
-//! What every stream of a behaviour carries, told before it runs.
+//! The kind of value on every stream of a behaviour, told before it runs.
 
 use super::{Declared, DeviceType, Fit, Signature, ValueType};
 use crate::connectors::{Passes, Takes};
@@ -6,13 +6,13 @@ use crate::{Behaviour, Connector, Filled, Graph, Helper, Id, Knowledge, Lookup, 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
-/// How many bytes of procedures are read for one behaviour; what comes after them carries [`ValueType::Any`].
+/// The most bytes of procedures that are read for one behaviour; streams behind further ones carry [`ValueType::Any`].
 const READ_MAX_BYTES: usize = 256 << 10;
-/// How deep helpers that call helpers are followed.
+/// The depth to which helpers that call helpers are followed.
 const HELPERS_MAX_DEPTH: usize = 4;
-/// How many answers about helpers are kept.
+/// The most answers about helpers that are kept.
 const KNOWN_MAX: usize = 1_000;
-/// Of a procedure with more arguments nothing is told.
+/// The most arguments of a procedure of which something is told.
 const ARGUMENTS_MAX: usize = 32;
 
 /// The kind of value on every stream; of an action, what it takes.
@@ -21,7 +21,7 @@ pub fn infer(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowled
     infer_seeing(behaviour, helpers, knowledge, &Seen::new())
 }
 
-/// The same, where what nobody knows is of the kind that was seen last.
+/// Infers the kinds, where what nobody knows is of the kind that was seen last.
 #[must_use]
 pub fn infer_seeing(
     behaviour: &Behaviour,
@@ -37,23 +37,23 @@ pub fn infer_seeing(
 /// The kinds of the newest values of a running program, by stream.
 pub type Seen = BTreeMap<Id, ValueType>;
 
-/// What is known of a behaviour: what its streams carry, what its devices are, and what its helpers make.
+/// The knowledge about a behaviour: the kinds on its streams, its devices, and the results of its helpers.
 pub struct Inference<'a> {
     helpers: Helpers<'a>,
     devices: Lookup<&'a Id, DeviceType>,
     types: Lookup<&'a Id, ValueType>,
-    /// How many bytes may still be read to look for names.
+    /// The number of bytes that may still be read to look for names.
     unnamed: Cell<usize>,
 }
 
-/// What helpers make of values.
+/// The results of helpers, by the kinds of their arguments.
 struct Helpers<'a> {
     library: Lookup<&'a str, &'a Helper>,
     names: Vec<&'a str>,
     knowledge: &'a dyn Knowledge,
-    /// What was found out, by a call as text.
+    /// The results that were found out, by a call as text.
     known: RefCell<BTreeMap<String, ValueType>>,
-    /// How many bytes may still be read.
+    /// The number of bytes that may still be read.
     left: Cell<usize>,
     depth: Cell<usize>,
 }
@@ -65,7 +65,7 @@ impl<'a> Inference<'a> {
         Self::seeing(behaviour, helpers, knowledge, &Seen::new())
     }
 
-    /// The same, where what nobody knows is of the kind that was seen last.
+    /// Infers the kinds, where what nobody knows is of the kind that was seen last.
     #[must_use]
     pub fn seeing(behaviour: &'a Behaviour, helpers: &[&'a Helper], knowledge: &'a dyn Knowledge, seen: &Seen) -> Self {
         let or_seen = |id: &Id, of: ValueType| match of {
@@ -103,13 +103,13 @@ impl<'a> Inference<'a> {
         made
     }
 
-    /// What a stream carries; of an action, what it takes.
+    /// Returns the kind that a stream carries; of an action, the kind that it takes.
     #[must_use]
     pub fn of_stream(&self, id: &Id) -> &ValueType {
         self.types.get(id).unwrap_or(&ValueType::Any)
     }
 
-    /// What is known of the device of a stream.
+    /// Returns what is known of the device of a stream.
     #[must_use]
     pub fn device(&self, id: &Id) -> Option<&DeviceType> {
         self.devices.get(id)
@@ -132,13 +132,13 @@ impl<'a> Inference<'a> {
         &self.helpers.names
     }
 
-    /// What a helper takes and gives, as far as somebody declared it.
+    /// Returns the signature of a helper, as far as somebody declared it.
     #[must_use]
     pub fn signature(&self, helper: &str) -> Option<Signature> {
         self.helpers.signature(helper)
     }
 
-    /// What a helper makes of arguments of these kinds. Unknown if there is none.
+    /// Returns the kind that a helper makes of arguments of these kinds; [`ValueType::Any`] if there is none.
     #[must_use]
     pub fn helper_gives(&self, helper: &str, arguments: &[ValueType]) -> ValueType {
         self.helpers.call(helper, arguments).unwrap_or_default()
@@ -178,7 +178,7 @@ impl<'a> Inference<'a> {
         }
     }
 
-    /// What the procedure of a connector gives.
+    /// Returns the kind that the procedure of a connector gives.
     pub(crate) fn result(&self, behaviour: &Behaviour, connector: &Connector) -> ValueType {
         let Some(procedure) = connector.operation.procedure() else { return ValueType::Any };
         if connector.inputs.len() > ARGUMENTS_MAX {
@@ -204,7 +204,7 @@ impl<'a> Inference<'a> {
     }
 }
 
-/// What an argument is: as it comes, unless the helper says more of it.
+/// Returns the kind of an argument: as it comes, unless the helper says more of it.
 fn told(declared: Declared, comes: &ValueType) -> ValueType {
     match declared.value_type() {
         None | Some(ValueType::Any) => comes.clone(),
@@ -232,7 +232,7 @@ impl Helpers<'_> {
         Some(Signature { takes, gives: gives.bounded() })
     }
 
-    /// What a helper makes, if there is one of that name with so many parameters.
+    /// Returns the kind that a helper makes, if one of that name has so many parameters.
     fn call(&self, name: &str, arguments: &[ValueType]) -> Option<ValueType> {
         let helper = self.library.get(name).filter(|helper| helper.params.len() == arguments.len())?;
         let known = || self.knowledge.signature(helper).map(|signature| signature.gives);

@@ -1,25 +1,25 @@
-//! What numbers are measured in, and how one unit becomes another.
+//! The units of numbers, and how one unit becomes another.
 
 use serde::{Deserialize, Serialize};
 
-/// What is measured.
+/// The quantities that are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// How far something is.
+    /// The distance of something.
     Length,
-    /// How far something is turned.
+    /// The angle by which something is turned.
     Angle,
-    /// How long something lasts.
+    /// The duration of something.
     Time,
     /// A part of a whole.
     Ratio,
-    /// How fast something moves.
+    /// The speed of something.
     Speed,
-    /// How fast something turns.
+    /// The speed at which something turns.
     Turning,
 }
 
-/// What a number is measured in.
+/// The units of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Unit {
@@ -60,7 +60,7 @@ impl Unit {
         Self::RadiansPerSecond,
     ];
 
-    /// How it is written behind a number; of a fraction, which has no sign, what it lies between.
+    /// Returns the sign behind a number; of a fraction, which has none, the range that it lies in.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -77,19 +77,19 @@ impl Unit {
         }
     }
 
-    /// How people call it, in a sentence: its sign, unless it has none.
+    /// Returns the name in a sentence: the sign, unless there is none.
     #[must_use]
     pub fn name(self) -> &'static str {
         if self == Self::Fraction { "a number from 0 to 1" } else { self.symbol() }
     }
 
-    /// What a stream is called whose values are those of the stream of that name in this unit: "Distance in m".
+    /// Names a stream whose values are those of the stream `name` in this unit: "Distance in m".
     #[must_use]
     pub fn of(self, name: &str) -> String {
         if self == Self::Fraction { format!("{name} as a fraction") } else { format!("{name} in {}", self.symbol()) }
     }
 
-    /// What is measured with it.
+    /// Returns the quantity that is measured with it.
     #[must_use]
     pub fn quantity(self) -> Quantity {
         match self {
@@ -128,7 +128,7 @@ impl Unit {
         })
     }
 
-    /// How many of it make one of the first unit of the same quantity. Angles are converted by functions.
+    /// Returns the number of these that make one of the first unit of the same quantity. Functions convert angles.
     fn parts(self) -> f64 {
         match self {
             Self::Centimetres | Self::Percent => 100.0,

@@ -185,7 +185,7 @@ fn act(desk: &mut Desk, (who, what, one, other): (usize, u8, usize, usize)) {
     }
 }
 
-/// Who did the newest thing that can be taken back.
+/// Returns the person who did the newest thing that can be taken back.
 fn newest(desk: &Desk) -> Option<&'static str> {
     let log = UndoLog::of(&desk.log);
     let revision = |op: &Id| desk.log.iter().position(|committed| committed.change.op == *op);

@@ -19,11 +19,11 @@ pub(crate) struct Client {
     pub(crate) link: Option<u64>,
     pub(crate) is_welcome: bool,
     pub(crate) pending: VecDeque<Wish>,
-    /// Whether each change was made, as this client was told.
+    /// The changes that were answered, each with true if it was made, as this client was told.
     pub(crate) answers: BTreeMap<Id, bool>,
     locks: BTreeMap<Token, BTreeSet<RecordId>>,
     ops: u64,
-    /// How far its clock is off.
+    /// The error of its clock, in milliseconds.
     pub(crate) off_ms: i64,
 }
 
@@ -76,7 +76,7 @@ impl Client {
         self.locks.keys().nth(nth.checked_rem(many)? as usize).copied()
     }
 
-    /// Its tokens, as a server before this one would have given them.
+    /// Returns its tokens, as a server before this one would have given them.
     pub(crate) fn older_tokens(&self) -> Vec<Token> {
         self.locks.keys().map(|token| Token { epoch: token.epoch.wrapping_sub(1), ..*token }).collect()
     }
@@ -86,7 +86,7 @@ impl Client {
         self.locks.remove(&token);
     }
 
-    /// Its link is another one, or none.
+    /// Takes another link, or none.
     pub(crate) fn connect(&mut self, link: Option<u64>) {
         (self.link, self.is_welcome) = (link, false);
     }

@@ -1,4 +1,4 @@
-//! What people do in the simulations, to few records so that they meet, and whether a graph keeps the rules.
+//! The gestures of people in the simulations, to few records so that they meet, and whether a graph keeps the rules.
 
 use crate::plan::Dice;
 use behaviour::{
@@ -109,7 +109,7 @@ fn note(dice: &mut Dice) -> Record {
     Record::Note(Note::new(dice.roll(1 << 30).to_string()))
 }
 
-/// Whether the graph keeps the rules, found out in another way than the room does.
+/// Checks that the graph keeps the rules, in another way than the room does.
 pub(crate) fn check_rules(behaviour: &Behaviour) -> Result<(), String> {
     let graph = Graph::of(behaviour);
     let mut is_right = graph.cycle().is_none();

@@ -1,4 +1,4 @@
-//! What happens in one simulation, step by step: made from a seed, kept as JSON, edited by hand and played again.
+//! The plan of one simulation, step by step: made from a seed, kept as JSON, edited by hand and played again.
 
 use crate::server::Mutant;
 use serde::{Deserialize, Serialize};
@@ -65,14 +65,14 @@ pub(crate) enum Step {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Plan {
     pub(crate) seed: u64,
-    /// What is broken on purpose.
+    /// The fault that is put in on purpose.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) mutant: Option<Mutant>,
     pub(crate) people: usize,
     pub(crate) steps: Vec<Step>,
 }
 
-/// How many steps a plan has.
+/// The number of steps of a plan.
 const STEPS: u64 = 140;
 const WAITS_MS: [u64; 8] = [20, 200, 1_000, 3_000, 6_000, 11_000, 35_000, 125_000];
 

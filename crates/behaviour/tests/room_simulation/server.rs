@@ -13,16 +13,16 @@ const PING_MS: u64 = 5_000;
 const MISSED_MAX: u32 = 2;
 const QUEUE_MAX: usize = 64;
 
-/// What is broken on purpose, to know that it would be noticed.
+/// The faults that can be put in on purpose, to know that they would be noticed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Mutant {
-    /// What a change found is not compared.
+    /// The server does not compare what a change found.
     NoCas,
     /// Locks are not asked.
     NoFencing,
     /// It is told before it is saved.
     AckBeforeCommit,
-    /// What was answered is forgotten.
+    /// The server forgets what it answered.
     NoDedupe,
     /// Time does nothing to locks.
     LocksNeverExpire,
@@ -30,7 +30,7 @@ pub(crate) enum Mutant {
     IgnoredGap,
     /// A ping does not say the revision.
     PingWithoutRevision,
-    /// Who is denied a lock gets one.
+    /// The server gives a lock to a client that is to be denied one.
     DoubleGrant,
     /// The locks are not told what is being saved.
     GrantWhileSaving,
@@ -42,7 +42,7 @@ pub(crate) enum Mutant {
     AnyEpoch,
 }
 
-/// What somebody wants to be made.
+/// A change that somebody wants to be made.
 #[derive(Clone, Debug)]
 pub(crate) enum Wish {
     Change(Change),
@@ -102,7 +102,7 @@ struct Job {
     tokens: Vec<Token>,
 }
 
-/// What the store was asked to keep.
+/// A change that the store was asked to keep.
 struct UnderWay {
     session: u64,
     committed: Committed,
@@ -120,9 +120,9 @@ pub(crate) struct Server {
     under_way: Option<UnderWay>,
     now_ms: u64,
     ping_ms: u64,
-    /// What it said, to be put on the links.
+    /// The messages that it said, to be put on the links.
     pub(crate) said: Vec<(u64, Down)>,
-    /// How often something happened, to know that it does.
+    /// The number of times that each thing happened, to know that it does.
     pub(crate) counts: BTreeMap<&'static str, usize>,
 }
 
@@ -138,7 +138,7 @@ impl Server {
         self.mutant == Some(mutant)
     }
 
-    /// What the locks are told about the time.
+    /// Returns the time that the locks are told.
     fn clock(&self) -> u64 {
         if self.is(Mutant::LocksNeverExpire) { 0 } else { self.now_ms }
     }
@@ -324,7 +324,7 @@ impl Server {
         }
     }
 
-    /// How something was answered before: the store knows all that was made, the room what it refused lately.
+    /// Returns the earlier answer: the store knows all that was made, the room what it refused lately.
     fn answered(&self, wish: &Wish) -> Option<Decision> {
         let known = self.disk.ops.get(wish.op()).filter(|_| !self.is(Mutant::NoDedupe));
         known.map(|revision| Decision::Duplicate(*revision)).or_else(|| self.room.answer(wish.op()))
@@ -359,7 +359,7 @@ impl Server {
         Ok(decision)
     }
 
-    /// What the locks are told was presented.
+    /// Returns the proof that the locks are told was presented.
     fn presented(&self, presented: &Presented) -> Presented {
         let Presented { client, mut tokens } = presented.clone();
         if self.is(Mutant::AnyEpoch) {
@@ -423,7 +423,7 @@ impl Server {
         self.work()
     }
 
-    /// When it wants to do something next.
+    /// Returns the time when it wants to do something next.
     pub(crate) fn due_ms(&self) -> u64 {
         let locks = self.locks.due().filter(|_| !self.is(Mutant::LocksNeverExpire));
         locks.unwrap_or(u64::MAX).min(self.ping_ms)

@@ -4,13 +4,13 @@ use crate::gestures::check_rules;
 use behaviour::{Behaviour, Change, Committed, Edit, Grant, Id, Kind, Presented, RecordId, Token};
 use std::collections::BTreeMap;
 
-/// What went wrong, if something did.
+/// The result of a check: the words of what went wrong, if something did.
 pub(crate) type Check = Result<(), String>;
 
-/// How long the locks of a dead client may last.
+/// The longest time that the locks of a dead client may last.
 const DEAD_MAX_MS: u64 = 25_000;
 
-/// Who was told that a record is theirs.
+/// The clients that were told that a record is theirs.
 #[derive(Default)]
 pub(crate) struct Witness {
     holders: BTreeMap<RecordId, (Token, u64)>,
@@ -115,7 +115,7 @@ impl Witness {
     }
 }
 
-/// What outlives the server.
+/// The data that outlives the server.
 pub(crate) struct Disk {
     pub(crate) log: Vec<Committed>,
     /// The revision each change made.
@@ -160,7 +160,7 @@ impl Disk {
     }
 }
 
-/// Whether a change finds what it says it found.
+/// Checks that a change finds what it says it found.
 pub(crate) fn check_fits(behaviour: &Behaviour, change: &Change) -> Check {
     let other = change.edits.iter().find(|edit| behaviour.records.get(&edit.id) != edit.before.as_ref());
     other.map_or(Ok(()), |edit| Err(format!("{} does not fit what is there of {}", change.op, edit.id)))

@@ -21,7 +21,7 @@ struct Link {
     is_dead: bool,
 }
 
-/// What came of a plan.
+/// The failure of a plan.
 pub(crate) struct Failure {
     /// The step, or one after the last.
     pub(crate) step: usize,

@@ -1,4 +1,5 @@
-//! What has a bar of its own besides events per second: many behaviours at once, memory, start, an event a millisecond.
+//! The figures with a bar of their own besides events per second: many behaviours at once, memory, start, an event a
+//! millisecond.
 
 use crate::clock::{cpu_of, median, memory_kib, share};
 use crate::graphs::Graph;
@@ -9,7 +10,7 @@ use engine::{Limits, Run};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// How often each is measured.
+/// The number of times that each is measured.
 const PASSES: usize = 5;
 /// Behaviours that run at once.
 const BEHAVIOURS: usize = 1_000;

@@ -1,8 +1,8 @@
-//! What this process and others have used: CPU time, memory; and how measurements become one number.
+//! The CPU time and memory that this process and others have used; and how measurements become one number.
 
 use std::fs::read_to_string;
 
-/// What this process has computed so far, in nanoseconds; the clock where the system does not say.
+/// Returns the CPU time of this process so far, in nanoseconds; the clock where the system does not say.
 pub(crate) fn cpu_nanos() -> u64 {
     let told = read_to_string("/proc/self/schedstat").ok();
     let nanos = told.as_deref().and_then(|text| text.split_whitespace().next()?.parse().ok());

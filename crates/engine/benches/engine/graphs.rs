@@ -62,7 +62,7 @@ fn connector(operation: &str, inputs: &[String], output: &str, body: &str) -> Js
     connector
 }
 
-/// So many maps in a row.
+/// Makes so many maps in a row.
 pub(crate) fn long_chain(maps: usize) -> Graph {
     let readings = vec![("s".to_owned(), Value::Int(0))];
     Graph { name: "long chain", file: chain(maps), readings, by_hand: [streams::chain, hand::chain] }

@@ -1,11 +1,11 @@
-//! The same graphs by hand: typed closures that call each other directly, the limit.
+//! The graphs by hand: typed closures that call each other directly, the limit.
 
 use crate::graphs::Way;
 use std::cell::Cell;
 use std::hint::black_box;
 use std::rc::Rc;
 
-/// How large the ball is seen: far, middle, close.
+/// The sizes of the ball that are seen: far, middle, close.
 pub(crate) const SIZES: [f64; 3] = [2.0, 4.0, 8.0];
 /// The angles of the head in between.
 pub(crate) const YAWS: [f64; 3] = [0.1, 0.5, -0.2];

@@ -50,7 +50,7 @@ fn start(name: &'static str, place: &str, script: &str, node: bool, graph: &Path
 }
 
 impl Peer {
-    /// What it answers to an order.
+    /// Returns the answer to an order.
     fn ask(&mut self, order: &str) -> Json {
         writeln!(self.orders, "{order}").unwrap();
         let mut answer = String::new();
@@ -65,12 +65,12 @@ impl Peer {
         answer["cpu_ns"].as_u64().unwrap().max(1)
     }
 
-    /// What the leaves hear of the first events: for every leaf its values.
+    /// Returns the values that each leaf hears of the first events.
     pub(crate) fn check(&mut self, events: u64) -> Json {
         self.ask(&format!("check {events}"))
     }
 
-    /// How long each of so many events took at one a millisecond, in nanoseconds.
+    /// Returns the time of each of so many events at one a millisecond, in nanoseconds.
     pub(crate) fn paced(&mut self, events: u64) -> Vec<f64> {
         serde_json::from_value(self.ask(&format!("paced {events}"))).unwrap()
     }

@@ -13,9 +13,9 @@ use std::rc::Rc;
 const PASSES: usize = 7;
 /// CPU time of one pass, about.
 const NANOS: u64 = 60_000_000;
-/// How many times RxPY's rate ours must be by Rhai alone.
+/// The least factor over RxPY's rate that ours must have by Rhai alone.
 const RHAI_LEAST: f64 = 2.0;
-/// How often each plays all readings before it is measured, while what it says is compared.
+/// The number of times that each plays all readings before it is measured, while what it says is compared.
 const WARM_CYCLES: u64 = 2;
 
 /// One who runs the graph.
@@ -23,7 +23,7 @@ struct Runner {
     name: &'static str,
     /// CPU time of so many events.
     time: Box<dyn FnMut(u64) -> u64>,
-    /// Its process.
+    /// The process of the peer.
     process: String,
     rates: Vec<f64>,
 }
@@ -146,7 +146,7 @@ fn outputs_of_cycle(graph: &Graph) -> u64 {
     heard(&playing.run) - before
 }
 
-/// The same, where whole and measured numbers are one kind.
+/// True if both are equal, where whole and measured numbers are one kind.
 fn is_same(one: &Json, other: &Json) -> bool {
     match (one, other) {
         (Json::Number(one), Json::Number(other)) => one.as_f64() == other.as_f64(),
@@ -161,7 +161,7 @@ fn is_same(one: &Json, other: &Json) -> bool {
     }
 }
 
-/// How many events take the time of one pass; whole cycles of readings.
+/// Returns the number of events that take the time of one pass; whole cycles of readings.
 fn enough(runner: &mut Runner, cycle: u64) -> u64 {
     let mut events = cycle;
     loop {
@@ -197,7 +197,7 @@ fn judge(graph: &str, other: &str, compiled: f64, by_rhai: f64) {
     }
 }
 
-/// How many times another's rate ours must be.
+/// Returns the least factor over another's rate that ours must have.
 fn least(graph: &str, other: &str) -> Option<f64> {
     match (other, graph) {
         ("RxJS", "chain10") => Some(4.0),

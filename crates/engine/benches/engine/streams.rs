@@ -1,4 +1,4 @@
-//! The same graphs with typed closures over shared streams, as a library of streams would run them.
+//! The graphs with typed closures over shared streams, as a library of streams would run them.
 
 use crate::graphs::Way;
 use crate::hand::{SIZES, YAWS};

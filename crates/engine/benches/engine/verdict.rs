@@ -1,16 +1,16 @@
-//! What was measured on the wrong side of its bar; told together at the end, with an exit code for whoever compares.
+//! The measurements on the wrong side of their bars; told together at the end, with an exit code for whoever compares.
 
 use std::process::ExitCode;
 use std::sync::Mutex;
 
 static MISSED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
-/// What was measured must be that much or more.
+/// Notes a measurement that must be that much or more.
 pub(crate) fn at_least(what: &str, measured: f64, least: f64) {
     note(what, measured, "at least", least, measured >= least);
 }
 
-/// What was measured must be that much or less.
+/// Notes a measurement that must be that much or less.
 pub(crate) fn at_most(what: &str, measured: f64, most: f64) {
     note(what, measured, "at most", most, measured <= most);
 }

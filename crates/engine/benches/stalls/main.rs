@@ -1,4 +1,4 @@
-//! How long a runaway procedure holds its thread: the hostile corpus under the product's limits, in CPU time.
+//! The time for which a runaway procedure holds its thread: the hostile corpus under the product's limits, in CPU time.
 //!
 //! `cargo bench -p engine --bench stalls` prints the worst scripts, by what ended them, and fails if one is beyond its
 //! bound. CPU time of this thread is counted, so that what else runs makes little difference; and as a shared machine is half
@@ -19,15 +19,15 @@ use std::time::Duration;
 const DEADLINE_MS: u64 = 20;
 /// The longest stall of a procedure that the limit of steps ends.
 const STEPS_BAR_MS: u64 = 2;
-/// The same where only the deadline does.
+/// The longest stall of a procedure that only the deadline ends.
 const DEADLINE_BAR_MS: u64 = 30;
 /// All scripts run one after the other, this often; the middle run of each counts. Runs in a row would share what disturbs one.
 const ROUNDS: usize = 15;
-/// How many numbers are sorted to see how quick the machine is just now.
+/// The count of numbers that are sorted to see how quick the machine is just now.
 const NUMBERS: usize = 10_000;
-/// What sorting the numbers takes, in microseconds, on the machine that the bounds are for while nobody else is on it.
+/// The time to sort the numbers, in microseconds, on the machine that the bounds are for while nobody else is on it.
 const SORTED_MICROS: f64 = 100.0;
-/// How many lines a list has.
+/// The most lines of a list.
 const SHOWN: usize = 12;
 
 /// One script's stall.

@@ -1,18 +1,18 @@
-//! What an actuator stream claims when it commands: live and replayed, from its file alone.
+//! The claim of an actuator stream when it commands: live and replayed, from its file alone.
 
 use behaviour::FileStream;
 
 /// For how long a command holds its parts, in milliseconds, if nothing else is said.
 const HOLD_MS: u64 = 1_000;
 
-/// What a stream claims when it commands.
+/// The claim of a stream when it commands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Claim {
     /// The parts of the robot.
     pub resources: Vec<String>,
     /// Higher wins.
     pub priority: i64,
-    /// For how long a command holds, in milliseconds.
+    /// The time for which a command holds, in milliseconds.
     pub hold_ms: u64,
 }
 

@@ -1,4 +1,4 @@
-//! Who holds which part of the robot, and for how long: what all rules of precedence have in common.
+//! The holders of the robot's parts, and for how long: the common base of all rules of precedence.
 
 use crate::arbitration::Claim;
 use behaviour::Lookup;

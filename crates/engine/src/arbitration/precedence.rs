@@ -1,24 +1,24 @@
-//! Which of several behaviours on one robot may move a part of it: if they disagree, the upper one wins. A pure
+//! The precedence among several behaviours on one robot over its parts: if they disagree, the upper one wins. A pure
 //! function of the commands and of the order that people gave the behaviours.
 
 use crate::arbitration::Claim;
 use crate::arbitration::holds::{Hold, Holds};
 use robot::{Millis, Use};
 
-/// Who holds which part of the robot.
+/// The streams that hold the parts of the robot.
 #[derive(Clone, Debug, Default)]
 pub struct Precedence {
     holds: Holds<Use>,
 }
 
-/// Why a command was refused.
+/// The reason why a command was refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HeldBy {
     /// The part of the robot.
     pub part: String,
     /// The stream that holds it.
     pub by: Use,
-    /// Until when, unless it commands again.
+    /// The time until which it holds, unless it commands again.
     pub until: Millis,
 }
 

@@ -13,7 +13,7 @@ use robot::Millis;
 pub(super) const KIND: Kind =
     Kind { word: "combineLatest", op: Op::Take, make: |choice| Box::new(CombineLatest::of(choice)) };
 
-/// So many inputs are handed over without a list of their own.
+/// The most inputs that are handed over without a list of their own.
 const FEW: usize = 8;
 
 /// Remembers the newest value of each input.

@@ -1,4 +1,4 @@
-//! What connectors work with: the procedures, the last value of every stream, and the counts.
+//! The context in which connectors work: the procedures, the last value of every stream, and the counts.
 
 use super::op::Turn;
 use crate::faults::CallFault;
@@ -8,7 +8,7 @@ use crate::values::{ConnectorIx, IndexVec, Stats};
 use behaviour::Value;
 use robot::Millis;
 
-/// What a connector did with a value that it took.
+/// The outcome of a value that a connector took.
 pub(crate) enum Outcome {
     /// It put one on its output.
     Gave,
@@ -109,16 +109,16 @@ impl Context {
         Outcome::Failed(failed)
     }
 
-    /// What the procedure of a connector makes of these values; not counted.
+    /// Calls the procedure of a connector with these values, without counting.
     ///
     /// # Errors
-    /// Why it makes nothing.
+    /// Returns the fault if it makes no value.
     pub(super) fn made(&mut self, connector: ConnectorIx, inputs: &[&Value]) -> Result<Value, Box<CallFault>> {
         let procedure = self.procedures[connector].as_mut();
         procedure.map_or(Ok(Value::Null), |procedure| procedure.call(&self.engine, inputs))
     }
 
-    /// What the procedure of a connector makes of these values.
+    /// Calls the procedure of a connector with these values, and counts.
     ///
     /// # Errors
     /// The fault that dropped the value; counted.

@@ -11,7 +11,7 @@ use std::collections::VecDeque;
 
 pub(super) const KIND: Kind = Kind { word: "delay", op: Op::Take, make: |choice| Box::new(Delay::of(choice)) };
 
-/// So many values may wait at most.
+/// The most values that may wait.
 const WAITING_MAX_VALUES: usize = 10_000;
 
 /// Remembers the values that wait, in the order in which they came.

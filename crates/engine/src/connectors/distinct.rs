@@ -25,7 +25,7 @@ impl Distinct {
         Self { has_procedure: choice.has_procedure, last: None }
     }
 
-    /// Whether a value passes; if so, it is the last one from now on.
+    /// Tells if a value passes; if so, it is the last one from now on.
     fn passes(
         &mut self,
         cx: &mut Context,

@@ -27,7 +27,7 @@ impl Connector for Filter {
     }
 }
 
-/// What event mode does with a value, compiled tests first.
+/// Takes a value in event mode, compiled tests first.
 #[inline(never)]
 pub(super) fn take(cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
     let procedure = cx.procedure(turn.connector);
@@ -37,7 +37,7 @@ pub(super) fn take(cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
     }
 }
 
-/// What event mode does if the procedure is one comparison with a number.
+/// Takes a value in event mode if the procedure is one comparison with a number.
 #[inline(always)]
 pub(super) fn compare(cx: &mut Context, at: Millis, turn: &Turn, comparison: Comparison) -> Outcome {
     let passes = comparison.holds_number(cx.stats.value(turn.input), turn.number);

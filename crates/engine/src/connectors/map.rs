@@ -26,7 +26,7 @@ impl Connector for Map {
     }
 }
 
-/// What event mode does with a value, numbers first.
+/// Takes a value in event mode, numbers first.
 #[inline(never)]
 pub(super) fn take(cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
     let procedure = cx.procedure(turn.connector);
@@ -36,7 +36,7 @@ pub(super) fn take(cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
     }
 }
 
-/// What event mode does if the procedure is one operation with a number.
+/// Takes a value in event mode if the procedure is one operation with a number.
 #[inline(always)]
 pub(super) fn compute(cx: &mut Context, at: Millis, turn: &Turn, operator: Operator) -> Outcome {
     let input = Number::of(cx.stats.value(turn.input));

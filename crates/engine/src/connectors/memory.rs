@@ -1,10 +1,10 @@
-//! What a connector remembers from one instant to the next, in a form that both modes give and take.
+//! The memory of a connector from one instant to the next, in a form that both modes give and take.
 
 use crate::values::Carried;
 use behaviour::Value;
 use robot::Millis;
 
-/// What a connector remembers. What of it a connector uses, and for what, is its own matter.
+/// The memory of a connector. Each kind of connector chooses the fields that it uses, and for what.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Memory {
     /// Values that it knows, each in its place.

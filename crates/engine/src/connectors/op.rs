@@ -1,4 +1,4 @@
-//! What one step of event mode does: most connectors take the value themselves, the way of numbers is inlined.
+//! The steps of event mode: most connectors take the value themselves, the way of numbers is inlined.
 
 use super::context::{Context, Outcome};
 use super::{Connector, filter, map};
@@ -8,7 +8,7 @@ use crate::values::in_place::Number;
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use robot::Millis;
 
-/// What a step does with the last value of its input.
+/// The steps that can follow the last value of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Op {
     /// Lets the connector take it.

@@ -1,4 +1,4 @@
-//! How much one call of a procedure may use, and one instant of a run.
+//! The bounds of one call of a procedure, and of one instant of a run.
 
 use behaviour::flow::HANDED_MAX;
 use std::rc::Rc;
@@ -11,8 +11,8 @@ pub(crate) const VALUE_DEPTH: usize = 32;
 /// The bounds of one call of a procedure, and of one instant.
 #[derive(Clone)]
 pub struct Limits {
-    /// Steps of computation, each about a tenth of a microsecond of work: what works on large values takes more of them.
-    /// So 10,000 end a runaway procedure within 2 ms, the same way everywhere, since only sizes count.
+    /// Steps of computation, each about a tenth of a microsecond of work; work on large values takes more of them.
+    /// 10,000 steps end a runaway procedure within 2 ms, the same way everywhere, since only sizes count.
     pub operations: u64,
     /// Helpers and closures calling each other.
     pub levels: usize,
@@ -28,10 +28,11 @@ pub struct Limits {
     pub variables: usize,
     /// Closures in one procedure.
     pub functions: usize,
-    /// Whether procedures are compiled where that is possible; otherwise Rhai runs them all, with the same results.
+    /// True if procedures are compiled where that is possible; otherwise Rhai runs them all, with the same results.
     pub compiled: bool,
-    /// How many times the values that one reading becomes, or one tick, may be handed to a connector. Beyond it the run
-    /// ends, at the same value everywhere. A graph with more connectors than that may have each of them take one.
+    /// The most times that the values that one reading becomes, or one tick, may be handed to a connector. Beyond it
+    /// the run ends, at the same value everywhere. A graph with more connectors than that may have each of them take
+    /// one.
     pub handed: u64,
     /// Asked now and then while a procedure runs; true ends it. The caller's wall deadline and Stop.
     pub interrupt: Option<Rc<dyn Fn() -> bool>>,

@@ -1,5 +1,5 @@
-//! What a step is: work of about a tenth of a microsecond. What takes longer counts as more steps, by the size of its
-//! values alone, so that a call takes the same number of steps on every machine.
+//! The meter of steps, each being work of about a tenth of a microsecond. Longer work counts as more steps, by the size
+//! of its values alone, so that a call takes the same number of steps on every machine.
 //!
 //! Rhai counts the parts of a procedure as it computes them, one step each. What is heavy in one part is owed here, and
 //! counted with the next part. The nanoseconds below are measured; they are weights, not times.
@@ -7,7 +7,7 @@
 use rhai::{Array, Dynamic, Identifier, Map};
 use std::cell::Cell;
 
-/// What one step stands for.
+/// The time that one step stands for.
 pub(crate) const STEP_NANOS: usize = 100;
 /// Copying a number, or taking another hold of a text, and dropping it.
 const ITEM_NANOS: usize = 12;
@@ -58,7 +58,7 @@ pub(crate) fn forget() {
     OWED.set(0);
 }
 
-/// What copying a value costs, and dropping the copy.
+/// Returns the cost of copying a value, and dropping the copy.
 pub(crate) fn copying(value: &Dynamic) -> usize {
     nested(value, LOOK_DEPTH)
 }
@@ -90,7 +90,7 @@ fn are_numbers(list: &Array) -> bool {
     list.iter().all(|item| item.is_int() || item.is_float())
 }
 
-/// What looking through a value costs, as Rhai does after each function that could have made it larger.
+/// Returns the cost of looking through a value, as Rhai does after each function that could have made it larger.
 pub(crate) fn looking(value: &Dynamic) -> usize {
     looked_at(value, LOOK_DEPTH)
 }
@@ -111,7 +111,7 @@ fn looked_at(value: &Dynamic, depth: usize) -> usize {
     HELD_NANOS + object.iter().map(field).sum::<usize>()
 }
 
-/// What copying the largest part of a value costs, an item of a list or a field of an object, and finding it.
+/// Returns the cost of copying the largest part of a value, an item of a list or a field of an object, and finding it.
 pub(crate) fn largest_part(value: &Dynamic) -> usize {
     let largest = |parts: &mut dyn Iterator<Item = &Dynamic>| parts.filter(|part| holds(part)).map(copying).max();
     if let Some(list) = value.read_lock::<Array>() {

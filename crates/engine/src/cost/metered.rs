@@ -12,7 +12,7 @@ use rhai::{
 use std::any::TypeId;
 use std::rc::Rc;
 
-/// What looking the function up once more takes.
+/// The cost of looking the function up once more.
 const CALL_NANOS: usize = 200;
 /// Looking at a byte of a text.
 const BYTE_NANOS: usize = 12;
@@ -96,7 +96,7 @@ fn counting(engine: Rc<Engine>, name: String) -> RhaiFunc {
     RhaiFunc::Method { func: Shared::new(function), has_context: true, is_pure: true, is_volatile: false }
 }
 
-/// What going through a value costs, and making it.
+/// Returns the cost of going through a value, and making it.
 fn looking_through(name: &str, value: &Dynamic) -> usize {
     if meter::is_small(value) {
         return 0;
@@ -106,7 +106,7 @@ fn looking_through(name: &str, value: &Dynamic) -> usize {
     text_bytes(value) * BYTE_NANOS * times + copying(value)
 }
 
-/// What comparing the items of a list costs.
+/// Returns the cost of comparing the items of a list.
 fn comparing(name: &str, value: &Dynamic) -> usize {
     let items = list_length(value);
     if COMPARING.contains(&name) {

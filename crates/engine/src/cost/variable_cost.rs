@@ -1,4 +1,4 @@
-//! What the variables of a procedure cost when it reads them again and again.
+//! The cost of a procedure's variables when it reads them again and again.
 //!
 //! Rhai copies the list that a variable holds in one step, however long the list is. So before it runs, a procedure is
 //! read for how each of its variables is used; while it runs, every use costs by the size of the value then. What
@@ -11,7 +11,7 @@ use rhai::{Dynamic, ImmutableString, Scope};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-/// How a variable is used.
+/// The uses of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Use {
     /// An item or field is read.
@@ -32,12 +32,12 @@ enum Use {
     Through,
 }
 
-/// What the variables of one procedure cost.
+/// The cost of the variables of one procedure.
 #[derive(Clone, Debug)]
 pub(crate) struct VariableCost {
     /// Quarters of a step that each step counts.
     quarters: u64,
-    /// Whether a text may be gone through that a variable gave: its letters are taken one by one.
+    /// True if a text may be gone through that a variable gave: its letters are taken one by one.
     texts_go_through: bool,
     /// By variable, in the order of their names; each use once.
     uses: Vec<(ImmutableString, Vec<Use>)>,
@@ -102,7 +102,7 @@ fn count(name: &str, scope: &Scope) {
     });
 }
 
-/// What a use of a value costs, without what every step has time for.
+/// Returns the cost of a use of a value, without what every step has time for.
 fn cost(value: &Dynamic, kind: Use) -> usize {
     whole_cost(value, kind).saturating_sub(FREE_NANOS)
 }
@@ -143,7 +143,7 @@ impl VariableCost {
         self.quarters = self.quarters.saturating_add(steps.saturating_mul(PLAIN_QUARTERS));
     }
 
-    /// Where a variable is, or belongs.
+    /// Returns the place of a variable; the error is where it belongs.
     fn place(&self, name: &str) -> Result<usize, usize> {
         self.uses.binary_search_by(|(known, _)| known.as_str().cmp(name))
     }

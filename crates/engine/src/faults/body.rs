@@ -1,11 +1,11 @@
-//! Why a text is no procedure.
+//! The reasons why a text is no procedure.
 
 use super::Syntax;
 use behaviour::AsMeant;
 use rhai::Position;
 
-/// Why a text is no procedure. [`std::fmt::Display`] says it in a few English words, with its place if it has one: `at
-/// character 12: a closing ) is missing`.
+/// The reasons why a text is no procedure. [`std::fmt::Display`] says each in a few English words, with its place if it
+/// has one: `at character 12: a closing ) is missing`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BodyFault {
     /// There is no text.
@@ -28,7 +28,7 @@ pub enum BodyFault {
     Misuse(Place, Misuse),
 }
 
-/// What no procedure may do. [`std::fmt::Display`] says it in a few English words.
+/// The things that no procedure may do. [`std::fmt::Display`] says each in a few English words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Misuse {
     /// Using the function of this name.

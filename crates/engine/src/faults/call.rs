@@ -1,9 +1,10 @@
-//! Why a connector makes no value of one that it took.
+//! The reasons why a connector makes no value of one that it took.
 
 use super::{BodyFault, ValueKind};
 use behaviour::Value;
 
-/// Why a connector dropped a value. [`std::fmt::Display`] says it, and what to do about it, in a few English words.
+/// The reasons why a connector dropped a value. [`std::fmt::Display`] says each, and what to do about it, in a few
+/// English words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CallFault {
     /// It went wrong in the helper of this name.
@@ -42,7 +43,7 @@ pub enum CallFault {
     Interrupted,
     /// It takes more steps than it may.
     Steps,
-    /// Its calls are nested too deep.
+    /// The calls of the procedure are nested too deep.
     Nested,
     /// A text, list or object became too large.
     TooLarge,
@@ -50,7 +51,7 @@ pub enum CallFault {
     Variables,
     /// Anything else, as Rhai says it.
     Rhai(String),
-    /// What it made cannot flow.
+    /// The value that it made cannot flow.
     Value(ValueFault),
     /// It broke Rhai.
     Broken,
@@ -62,7 +63,8 @@ pub enum CallFault {
     Waiting,
 }
 
-/// Why a value of a procedure cannot flow. [`std::fmt::Display`] says it, and what to do about it, in a few English words.
+/// The reasons why a value of a procedure cannot flow. [`std::fmt::Display`] says each, and what to do about it, in a
+/// few English words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ValueFault {
     /// The names of its fields are too long together.

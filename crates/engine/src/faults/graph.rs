@@ -1,4 +1,4 @@
-//! Why a behaviour, or a part of it, cannot run or goes no further.
+//! The reasons why a behaviour, or a part of it, cannot run or goes no further.
 
 use super::BodyFault;
 use behaviour::FlawKind;
@@ -9,11 +9,12 @@ use behaviour::connectors::Inputs;
 pub struct Fault {
     /// The stream, connector or helper.
     pub id: String,
-    /// Why it is refused.
+    /// The reason why it is refused.
     pub reason: Reason,
 }
 
-/// Why a part of a behaviour is refused. [`std::fmt::Display`] says it in a few English words, without a dot at the end.
+/// The reasons why a part of a behaviour is refused. [`std::fmt::Display`] says each in a few English words, without a
+/// dot at the end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// The file is wrong there.
@@ -22,11 +23,11 @@ pub enum Reason {
     FrameLength,
     /// The connector of this word takes another number of inputs.
     Inputs {
-        /// Its word in files.
+        /// The connector's word in files.
         word: &'static str,
-        /// How many it takes.
+        /// The number of inputs that it takes.
         takes: Inputs,
-        /// How many it has.
+        /// The number of inputs that it has.
         gets: usize,
     },
     /// It has this input twice.
@@ -45,32 +46,32 @@ pub enum Reason {
     Circle,
     /// It names this helper, which is not there.
     NoHelper(String),
-    /// Its helper takes another number of values.
+    /// The helper takes another number of values.
     HelperInputs {
         /// The helper.
         helper: String,
-        /// How many values it takes.
+        /// The number of values that the helper takes.
         takes: usize,
-        /// How many it would get.
+        /// The number of values that it would get.
         gets: usize,
     },
     /// It names more or fewer arguments than its procedure has.
     Arguments {
-        /// How many it names.
+        /// The number of arguments that it names.
         names: usize,
-        /// How many inputs it has.
+        /// The number of inputs that it has.
         inputs: usize,
     },
     /// Another helper has this name too.
     NameTwice,
     /// The helper of this name calls itself, perhaps through others.
     CallsItself(String),
-    /// Its procedure cannot run.
+    /// The procedure of the connector cannot run.
     Body(BodyFault),
 }
 
-/// Why a run ended by itself although nobody stopped it. [`std::fmt::Display`] says it, and what to do about it, without
-/// a dot at the end.
+/// The reasons why a run ended by itself although nobody stopped it. [`std::fmt::Display`] says each, and what to do
+/// about it, without a dot at the end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RunFault {
     /// One reading, or one tick, became too many values at the stream of this name.

@@ -1,4 +1,4 @@
-//! What kind of value something is.
+//! The kinds of values that faults speak of.
 
 /// A kind of value in a procedure. [`std::fmt::Display`] says it with its article: `a whole number`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub enum ValueKind {
     Text,
     /// A range.
     Range,
-    /// What Rhai calls so.
+    /// Another kind, by the name that Rhai gives it.
     Other(String),
 }
 

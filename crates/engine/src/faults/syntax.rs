@@ -1,10 +1,10 @@
-//! Why Rhai cannot read a text, in plain words.
+//! The reasons why Rhai cannot read a text, in plain words.
 
 use super::{Place, ValueKind, words::plain};
 use rhai::{LexError, ParseError, ParseErrorType};
 use std::fmt;
 
-/// Why a text cannot be read as a procedure. [`fmt::Display`] says it in a few English words with its place.
+/// The reason why a text cannot be read as a procedure. [`fmt::Display`] says it in a few English words with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Syntax {
     error: ParseError,
@@ -13,7 +13,7 @@ pub struct Syntax {
 }
 
 impl Syntax {
-    /// Of a text with these arguments.
+    /// Takes the error of a text with these arguments.
     pub(crate) fn of(error: ParseError, arguments: &[String]) -> Self {
         Self { error, arguments: arguments.to_vec() }
     }

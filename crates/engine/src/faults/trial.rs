@@ -1,15 +1,15 @@
-//! Why a body that is tried makes no value.
+//! The reasons why a body that is tried makes no value.
 
 use super::{BodyFault, CallFault, Fault};
 
-/// Why a body that is tried makes no value. [`std::fmt::Display`] says it in a few English words.
+/// The reasons why a body that is tried makes no value. [`std::fmt::Display`] says each in a few English words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TrialFault {
     /// It has another number of arguments than of inputs.
     Inputs {
-        /// How many arguments it has.
+        /// The number of arguments that it has.
         takes: usize,
-        /// How many inputs it would get.
+        /// The number of inputs that it would get.
         gets: usize,
     },
     /// These helpers cannot run.

@@ -160,7 +160,7 @@ fn happened(fault: &CallFault, to: &mut Formatter) -> Result {
     }
 }
 
-/// What to do about it, where that can be said.
+/// Says how to mend it, where that can be said.
 fn advice(fault: &CallFault) -> Option<&'static str> {
     use CallFault as F;
     Some(match fault {

@@ -1,4 +1,4 @@
-//! Who calls whom among helpers: an order in which those that are called come first, and those that call themselves.
+//! The calls among helpers: an order in which those that are called come first, and those that call themselves.
 
 /// All of them, given for each by number those that it calls: each after those that it calls, also through others; in a circle, in some order.
 pub(crate) fn called_first(calls: &[Vec<usize>]) -> Vec<usize> {

@@ -47,7 +47,7 @@ pub(crate) enum Short {
     Compare(Comparison, Number),
 }
 
-/// What kind of value it makes, as far as its form tells.
+/// The kind of value that it makes, as far as its form tells.
 #[derive(PartialEq)]
 enum Says {
     Number,
@@ -69,7 +69,7 @@ impl Compiled {
         Some(Self { root, bounds: helpers.bounds(), says })
     }
 
-    /// Its one operation, if it is no more than that.
+    /// Returns the one operation of the procedure, if it is no more than that.
     pub(crate) fn short(&self) -> Option<Short> {
         let number = |pair: &(Node, Node)| match pair {
             (Node::Input(0), Node::Constant(value)) => Number::of(value).ok(),
@@ -89,7 +89,7 @@ impl Compiled {
         made.filter(|number| number.is_finite())
     }
 
-    /// Whether it finds the inputs true; nothing if it makes another value or Rhai must decide.
+    /// Tells if it finds the inputs true; none if it makes another value or Rhai must decide.
     #[inline]
     pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {
         if self.says == Says::Truth { self.root.short_truth(&self.env(inputs)).ok() } else { None }
@@ -106,7 +106,7 @@ impl Compiled {
         Env { inputs, locals: None, bounds: &self.bounds }
     }
 
-    /// What the procedure makes of the inputs; nothing if Rhai must decide.
+    /// Returns the value that the procedure makes of the inputs; none if Rhai must decide.
     pub(crate) fn call(&self, inputs: &[&Value]) -> Option<Value> {
         let made = self.root.value(&self.env(inputs)).ok()?;
         bounds::may_flow(&made).then(|| made.into_owned())

@@ -42,13 +42,13 @@ pub(crate) struct Functions {
 
 /// A helper that Rhai accepts.
 struct Read<'f> {
-    /// Its parameters.
+    /// The parameters of the helper.
     params: &'f [String],
-    /// Its body by itself.
+    /// The body by itself.
     body: AST,
     /// The body as a function.
     function: String,
-    /// What it calls.
+    /// The functions that the body calls.
     calls: Vec<String>,
 }
 
@@ -94,12 +94,12 @@ impl Helpers {
         if self.callers.is_empty() { Ok(()) } else { check_closures(body, &self.callers) }
     }
 
-    /// Whether there is a helper for so many values.
+    /// True if there is a helper for so many values.
     fn takes(&self, name: &str, values: usize) -> bool {
         self.reach.get(name).is_some_and(|helper| helper.params == values)
     }
 
-    /// What the variables of a body cost that does not certainly end within the limit of steps.
+    /// Returns the cost of a body's variables, unless it certainly ends within the limit of steps.
     pub(crate) fn cost(&self, body: &AST) -> Option<VariableCost> {
         let parts = walk::length(body, &|helper| self.reach.get(helper).map(|length| length.parts));
         let called = walk::called(body);
@@ -130,7 +130,7 @@ impl Functions {
     /// The body with all helpers within reach.
     ///
     /// # Errors
-    /// Why Rhai cannot read them.
+    /// Returns the reason why Rhai cannot read them.
     pub(crate) fn joined(&self, engine: &Engine, body: AST) -> Result<AST, BodyFault> {
         if self.texts.is_empty() {
             return Ok(body);
@@ -172,7 +172,7 @@ fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, 
     Ok(Read { params: &helper.params, body, function, calls })
 }
 
-/// Who calls whom, by their place in `all`, which has them in the order of their names.
+/// Returns the helpers that each helper calls, by their place in `all`, which has them in the order of their names.
 fn calls(all: &[(&str, Read)]) -> Vec<Vec<usize>> {
     let place = |name: &String| all.binary_search_by_key(&name.as_str(), |(known, _)| known).ok();
     all.iter().map(|(_, read)| read.calls.iter().filter_map(place).collect()).collect()
@@ -193,7 +193,7 @@ fn compiled(all: &[(&str, Read)], limits: &Limits) -> CompiledHelpers {
     compiled
 }
 
-/// What one call of each helper may take.
+/// Returns the bounds of one call of each helper.
 fn reach(all: &[(&str, Read)]) -> Reach {
     let mut reach = Reach::default();
     for (name, read) in all {

@@ -12,9 +12,9 @@ use known::{function_names, parsed};
 pub use misuse::misused;
 use rhai::{AST, ASTFlags, ASTNode, BinaryExpr, Expr, FnCallExpr, Stmt};
 
-/// How deep a procedure is followed.
+/// The depth to which a procedure is followed.
 const DEPTH_MAX: usize = 48;
-/// How many parts of a procedure are followed.
+/// The most parts of a procedure that are followed.
 const PARTS_MAX: usize = 1_024;
 
 /// The kind of value that a body makes of arguments of these kinds: [`ValueType::Any`] at every doubt. `helper` says what
@@ -194,7 +194,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What a method makes nobody knows here, and it may change what it is called on.
+    /// Returns the kind behind a dot or index. A method's result is unknown here, and it may change its object.
     fn linked(&mut self, of: ValueType, says: &Expr, dot: bool) -> Option<ValueType> {
         match (says, of) {
             (Expr::Property(property, _), of) if dot => Some(of.field(property.2.as_str()).unwrap_or_default()),

@@ -28,8 +28,8 @@ pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<A
     Ok(ast)
 }
 
-/// How many blocks stand where a statement begins: Rhai takes them apart one after the other, and goes through all that
-/// stands beside them for each.
+/// Counts the blocks that stand where a statement begins: Rhai takes them apart one after the other, and goes through
+/// all that stands beside them for each.
 fn bare_blocks(engine: &Engine, body: &str) -> usize {
     if body.matches('{').count() <= BLOCKS_MAX {
         return 0;

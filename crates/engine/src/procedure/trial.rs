@@ -14,7 +14,7 @@ thread_local! {
     static CHECKING: rhai::Engine = hardened_engine(&Limits::default());
 }
 
-/// Whether a body with these arguments is a procedure.
+/// Checks that a body with these arguments is a procedure.
 ///
 /// # Errors
 /// The first reason why not.
@@ -23,10 +23,10 @@ pub fn check_body(arguments: &[String], body: &str) -> Result<(), BodyFault> {
     CHECKING.with(|engine| compile(engine, arguments, body).map(drop))
 }
 
-/// What a body makes of some inputs, for the preview beside the editor.
+/// Returns the value that a body makes of some inputs, for the preview beside the editor.
 ///
 /// # Errors
-/// Why not, if it is no procedure or faults on these inputs.
+/// Returns the reason if it is no procedure or faults on these inputs.
 pub fn try_body(
     helpers: &[FileHelper],
     arguments: &[String],

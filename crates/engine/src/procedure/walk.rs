@@ -1,4 +1,4 @@
-//! What a procedure calls, and whether it may.
+//! The calls in a procedure, and whether it may make them.
 
 use crate::cost::callers::is_caller;
 use crate::cost::nodes::each_node;
@@ -15,17 +15,17 @@ const CAPTURES_MAX: usize = 8;
 /// The most values that the library hands to a closure.
 const HANDED_MAX: usize = 3;
 
-/// What looking for functions may take: Rhai looks for one that is not there twice as often for each further value.
+/// The cost of looking for functions: Rhai looks for one that is not there twice as often for each further value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Search {
-    /// Whether errors are caught, so that it may happen again and again.
+    /// True if errors are caught, so that it may happen again and again.
     catches: bool,
     /// The most values that something is called with.
     values: usize,
 }
 
 impl Search {
-    /// So many values take no longer than a step has time for.
+    /// The most values for which looking takes no longer than a step has time for.
     const FREE_VALUES: usize = 4;
 
     /// Adds what a helper that is called may take.
@@ -33,18 +33,18 @@ impl Search {
         *self = Self { catches: self.catches | helper.catches, values: self.values.max(helper.values) };
     }
 
-    /// Whether it takes longer than steps have time for.
+    /// True if it takes longer than steps have time for.
     pub(crate) fn is_wide(self) -> bool {
         self.catches && self.values > Self::FREE_VALUES
     }
 
-    /// How many more steps each step counts.
+    /// Returns the number of steps that each step counts more.
     pub(crate) fn more_steps(self) -> u64 {
         if self.is_wide() { 1 << (self.values - 2).min(40) } else { 0 }
     }
 }
 
-/// What looking for the functions that `ast` calls may take.
+/// Returns the cost of looking for the functions that `ast` calls.
 pub(crate) fn search(ast: &AST) -> Search {
     let mut search = Search::default();
     each_node(ast, &mut |path: &[ASTNode]| {
@@ -98,7 +98,7 @@ pub(crate) fn called(ast: &AST) -> Vec<String> {
     names.into_iter().distinct()
 }
 
-/// How many parts a call of `ast` computes at most, those of helpers included; nothing if a loop or a closure has no
+/// Returns the most parts that a call of `ast` computes, those of helpers included; none if a loop or a closure has no
 /// such bound. `helper` knows the helpers by name.
 pub(crate) fn length(ast: &AST, helper: &dyn Fn(&str) -> Option<Option<u64>>) -> Option<u64> {
     let mut parts = (!ast.has_functions()).then_some(0_u64);
@@ -137,7 +137,7 @@ pub(crate) fn check_calls(ast: &AST) -> Result<(), BodyFault> {
 /// A call.
 struct Call<'a> {
     name: &'a str,
-    /// How many values it hands over, without the one before the dot of a method.
+    /// The number of values that it hands over, without the one before the dot of a method.
     values: usize,
     is_method: bool,
     at: Position,

@@ -9,13 +9,13 @@ use behaviour::{FileStream, Params, StreamKind};
 /// A stream of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StreamInfo {
-    /// Its id.
+    /// The id of the stream.
     pub id: String,
     /// Sensor, ordinary or actuator.
     pub kind: StreamKind,
-    /// Its name.
+    /// The name of the stream.
     pub name: String,
-    /// Its device.
+    /// The device of the stream.
     pub device: Option<String>,
     /// The device's parameters.
     pub params: Params,
@@ -36,22 +36,22 @@ impl StreamInfo {
 /// A connector of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConnectorInfo {
-    /// Its id.
+    /// The id of the connector.
     pub id: String,
-    /// Its word in files.
+    /// The connector's word in files.
     pub word: &'static str,
-    /// Its input streams, in order.
+    /// The input streams, in order.
     pub inputs: Vec<StreamIx>,
-    /// Its output stream.
+    /// The output stream.
     pub output: StreamIx,
-    /// How many values it gives for those that it takes.
+    /// The number of values that it gives for those that it takes.
     pub(crate) gives: Gives,
-    /// What event mode does when one of its inputs has a value.
+    /// The step of event mode when one of its inputs has a value.
     pub(crate) op: Op,
 }
 
 impl ConnectorInfo {
-    /// Its input streams by their places in the file.
+    /// Returns the input streams by their places in the file.
     pub(crate) fn input_places(&self) -> Vec<usize> {
         self.inputs.iter().map(|input| input.index()).collect()
     }

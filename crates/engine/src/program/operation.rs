@@ -1,4 +1,4 @@
-//! What a connector of a file is: the one place where the engine asks about `behaviour::Operation`.
+//! The operation of a connector of a file: the one place where the engine asks about `behaviour::Operation`.
 
 use crate::connectors::{Choice, Kind, kind};
 use behaviour::connectors::{Inputs, Spec};
@@ -14,7 +14,7 @@ impl Declared {
     /// Reads a connector.
     ///
     /// # Errors
-    /// Why it is none.
+    /// Returns the flaw if it is none.
     pub(super) fn of(connector: &FileConnector) -> Result<Self, FlawKind> {
         let operation = connector.operation()?;
         if operation.period_ms() == Some(0) {
@@ -24,19 +24,19 @@ impl Declared {
         Ok(Self { operation, kind })
     }
 
-    /// What there is to say about all connectors of its kind.
+    /// Returns the description of all connectors of its kind.
     pub(super) fn spec(&self) -> &'static Spec {
         self.operation.spec()
     }
 
-    /// How many streams it takes from; nothing if so many are right.
+    /// Returns the number of streams that it takes from; none if so many are right.
     pub(super) fn wants_inputs(&self, many: usize) -> Option<Inputs> {
         let inputs = self.spec().inputs;
         let fits = many >= inputs.least() && (many == 1 || inputs.are_many());
         (!fits).then_some(inputs)
     }
 
-    /// Its procedure, if it has one.
+    /// Returns the procedure, if it has one.
     pub(super) fn procedure(&self) -> Option<&Procedure> {
         self.operation.procedure()
     }
@@ -46,7 +46,7 @@ impl Declared {
         self.operation.arguments(inputs)
     }
 
-    /// What was chosen for it, besides its procedure.
+    /// Returns the choices for it, besides its procedure.
     pub(super) fn choice(&self, inputs: usize) -> Choice {
         Choice {
             inputs,

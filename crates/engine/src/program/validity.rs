@@ -1,4 +1,4 @@
-//! Whether a behaviour can run: every fault with the id of the stream, connector or helper, and a reason.
+//! The check that a behaviour can run: every fault with the id of the stream, connector or helper, and a reason.
 
 use super::Program;
 use super::model::{ConnectorInfo, Graph, StreamInfo};
@@ -103,7 +103,8 @@ impl Check<'_> {
         }
     }
 
-    /// What every connector of the file is, unless it is none; and all of them with their ends, unless an end is missing.
+    /// Returns the operation of every connector of the file, if it has one; and all of them with their ends, unless one
+    /// is missing.
     fn connectors(&mut self) -> (Vec<Option<Declared>>, Option<Vec<ConnectorInfo>>) {
         let mut fed = IndexVec::filled(&false, self.file.streams.len());
         let many = self.file.connectors.len();
@@ -220,7 +221,7 @@ impl Check<'_> {
     }
 }
 
-/// Whether arguments that a file names can be those of a procedure with so many of them, for so many inputs.
+/// Checks that arguments which a file names can be those of a procedure with so many of them, for so many inputs.
 fn check_arguments(names: &[String], many: usize, inputs: usize) -> Result<(), Reason> {
     if names.len() != many {
         return Err(Reason::Arguments { names: names.len(), inputs });

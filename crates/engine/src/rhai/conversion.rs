@@ -48,7 +48,7 @@ fn goes_over(older: &mut Map, fields: &Fields) -> bool {
 /// A value from Rhai.
 ///
 /// # Errors
-/// Why it cannot flow: a number that is not finite, a closure, a range, nesting without end, names
+/// Returns the reason why it cannot flow: a number that is not finite, a closure, a range, nesting without end, names
 /// of fields that are longer than a text may be.
 pub(crate) fn from_rhai(made: Dynamic) -> Result<Value, ValueFault> {
     if names_bytes(&made, VALUE_DEPTH) > TEXT_BYTES {

@@ -1,4 +1,4 @@
-//! What Rhai says of a procedure that went wrong, as data.
+//! The translation of Rhai's errors of a procedure into data.
 
 use crate::cost::callers::is_caller;
 use crate::faults::{CallFault, ValueKind};
@@ -6,7 +6,7 @@ use crate::rhai::conversion::from_rhai;
 use crate::rhai::sandbox::is_interrupted;
 use rhai::{Dynamic, EvalAltResult};
 
-/// What went wrong while a procedure ran.
+/// Returns the fault that an error of Rhai is.
 pub(crate) fn fault(error: &EvalAltResult) -> CallFault {
     use EvalAltResult as E;
     match error {
@@ -34,7 +34,7 @@ pub(crate) fn fault(error: &EvalAltResult) -> CallFault {
     }
 }
 
-/// What a procedure threw. Rhai's own way to write it calls itself as deep as the value is nested.
+/// Returns the fault of a thrown value. Rhai's own way to write it calls itself as deep as the value is nested.
 fn of_thrown(thrown: &Dynamic) -> CallFault {
     if let Ok(text) = thrown.as_immutable_string_ref() {
         return CallFault::Said(text.to_string());

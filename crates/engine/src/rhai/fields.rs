@@ -29,7 +29,7 @@ const IDLE_WORDS: [&str; 22] = [
     "with",
 ];
 
-/// Whether Rhai reserves a word and gives it no meaning.
+/// True if Rhai reserves a word and gives it no meaning.
 pub(crate) fn is_idle_word(word: &str) -> bool {
     IDLE_WORDS.contains(&word)
 }

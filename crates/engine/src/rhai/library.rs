@@ -43,7 +43,7 @@ fn build() -> Vec<Shared<Module>> {
     all
 }
 
-/// What counts the cost of the others.
+/// Returns the module that counts the cost of the others.
 fn counted(others: &[Shared<Module>]) -> Shared<Module> {
     let mut module = Module::new();
     metered::register(&mut module, others);
@@ -78,7 +78,8 @@ mod tests {
     use crate::cost::metered::{is_counted, known};
     use crate::rhai::sandbox::hardened_engine;
 
-    /// What a later version of Rhai adds is counted without a word; here it is missed, to be tried in the corpus too.
+    /// A later version of Rhai may add functions that are counted without a word; this test misses them, so that they
+    /// are tried in the corpus too.
     #[test]
     fn every_function_of_large_values_is_tried_without_end() {
         let corpus =
@@ -89,7 +90,7 @@ mod tests {
         assert!(missed.is_empty(), "{missed:?}");
     }
 
-    /// How a function is written in a procedure.
+    /// Returns the form in which a function is written in a procedure.
     fn tried(name: &str) -> &str {
         match name.strip_prefix("get$").unwrap_or(name) {
             // These are refused, or blobs, which cannot be made.

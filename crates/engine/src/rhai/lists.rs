@@ -95,7 +95,7 @@ fn equal(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic, depth: usize
     by_rhai(ctx, a, b)
 }
 
-/// What the language says about two values that hold no others. Different kinds differ.
+/// Compares two values that hold no others as the language does. Different kinds differ.
 fn by_rhai(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic) -> Answer {
     let kinds_differ = a.type_id() != b.type_id();
     match ctx.call_native_fn_raw("==", true, &mut [a, b]) {

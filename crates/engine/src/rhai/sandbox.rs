@@ -8,7 +8,7 @@ use crate::rhai::library::library;
 use rhai::{Dynamic, Engine};
 use std::cell::Cell;
 
-/// How many quarters of a step pass between two questions to the interrupt.
+/// The quarters of a step that pass between two questions to the interrupt.
 const QUARTERS_PER_QUESTION: u64 = 64;
 /// Tells in Rhai's words that the caller ended a call.
 const INTERRUPTED: bool = true;
@@ -85,7 +85,7 @@ fn watch_variables(engine: &mut Engine) {
     });
 }
 
-/// What ended a call, from what Rhai tells: true if it was the caller.
+/// True if the caller ended the call, by the token that Rhai tells.
 pub(crate) fn is_interrupted(token: &Dynamic) -> bool {
     token.as_bool() == Ok(INTERRUPTED)
 }

@@ -4,7 +4,7 @@ use super::{Matching, Mode, Run};
 use crate::timeline::RunMemory;
 use crate::values::Stats;
 
-/// What a run leaves to the one that follows it; may be handed to another thread.
+/// The state that a run leaves to the one that follows it; may be handed to another thread.
 #[derive(Clone, Debug)]
 pub struct Handover {
     memory: RunMemory,
@@ -12,7 +12,7 @@ pub struct Handover {
 }
 
 impl Run {
-    /// Whether everything that was fed was carried. In frame mode readings wait for the end of their frame.
+    /// True if everything that was fed was carried. In frame mode readings wait for the end of their frame.
     #[must_use]
     pub fn is_between(&self) -> bool {
         match &self.mode {
@@ -21,8 +21,8 @@ impl Run {
         }
     }
 
-    /// What it remembers and counted so far. Readings that wait for the end of their frame belong to it, and are
-    /// lost if the one that follows has no frames: ask [`Run::is_between`] first.
+    /// Returns the memory and the counts of the run so far. Readings that wait for the end of their frame belong to it,
+    /// and are lost if the one that follows has no frames: ask [`Run::is_between`] first.
     #[must_use]
     pub fn handover(&self) -> Handover {
         let memory = match &self.mode {

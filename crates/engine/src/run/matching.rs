@@ -1,4 +1,4 @@
-//! What two versions of a behaviour have in common: the streams and connectors that mean the same in both.
+//! The match of two versions of a behaviour: the streams and connectors that mean the same in both.
 
 use crate::values::{ConnectorIx, Ix, Pairs, StreamIx};
 use behaviour::{
@@ -9,16 +9,17 @@ use behaviour::{Lookup, LookupSet};
 /// Streams and connectors that keep what they remember when one version of a behaviour follows another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Matching {
-    /// By stream of the old version, the stream of the new one.
+    /// The stream of the new version, by stream of the old one.
     pub streams: Pairs<StreamIx>,
-    /// By connector of the old version, the connector of the new one.
+    /// The connector of the new version, by connector of the old one.
     pub connectors: Pairs<ConnectorIx>,
 }
 
 impl Matching {
-    /// What stays the same from `old` to `new`. A stream is the same with its id, kind, device and parameters; a
-    /// connector with its id, operation, inputs, what was chosen for it, and the text of its procedure and of all helpers that it calls.
-    /// Other names of arguments and streams, other outputs and another order do not matter.
+    /// Finds the parts that stay the same from `old` to `new`. A stream is the same with its id, kind, device and
+    /// parameters; a connector with its id, operation, inputs, what was chosen for it, and the text of its procedure
+    /// and of all helpers that it calls. Other names of arguments and streams, other outputs and another order do not
+    /// matter.
     #[must_use]
     pub fn between(old: &BehaviourFile, new: &BehaviourFile) -> Self {
         let device = |stream: &FileStream| {
@@ -54,7 +55,7 @@ fn places<'f>(names: impl Iterator<Item = &'f str>) -> Lookup<&'f str, usize> {
     names.enumerate().map(|(at, name)| (name, at)).collect()
 }
 
-/// What a connector does, whatever it and its arguments are called.
+/// The meaning of a connector, whatever it and its arguments are called.
 #[derive(Debug, PartialEq)]
 struct Meaning<'f> {
     /// With the body of its procedure, also if that is a helper, in which arguments are numbered.
@@ -111,7 +112,7 @@ impl<'f> Reader<'f> {
         same
     }
 
-    /// What a connector does; nothing if it cannot run.
+    /// Returns the meaning of a connector; none if it cannot run.
     fn meaning(&self, of: &'f FileConnector) -> Option<Meaning<'f>> {
         let mut operation = of.operation().ok()?;
         let arguments = operation.arguments(of.inputs.iter().map(|id| self.name(id)));

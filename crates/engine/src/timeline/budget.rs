@@ -1,5 +1,5 @@
-//! How far the values of one reading, or of one tick, may go: so many turns of connectors, and no further once the
-//! caller stops the run.
+//! The budget of the values of one reading, or of one tick: so many turns of connectors, and no further once the caller
+//! stops the run.
 
 use crate::cost::Limits;
 use std::rc::Rc;
@@ -7,7 +7,7 @@ use std::rc::Rc;
 /// Turns of connectors between two questions whether the run is stopped.
 const TURNS_PER_QUESTION: i64 = 1_000;
 
-/// What is left of the way of one value.
+/// The turns that are left for one value.
 pub(crate) struct Budget {
     turns_max: i64,
     left: i64,
@@ -16,7 +16,7 @@ pub(crate) struct Budget {
     stop: Option<Rc<dyn Fn() -> bool>>,
 }
 
-/// Why values go no further.
+/// The reasons why values go no further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Spent {
     /// The caller stopped the run.
@@ -33,7 +33,7 @@ impl Budget {
         Self { turns_max, left: turns_max, ask_at: (turns_max - TURNS_PER_QUESTION).max(0), stop }
     }
 
-    /// How many turns there may be.
+    /// Returns the most turns that there may be.
     pub(crate) fn turns_max(&self) -> u64 {
         self.turns_max.unsigned_abs()
     }
@@ -45,7 +45,7 @@ impl Budget {
         self.left = self.turns_max;
     }
 
-    /// So many connectors are about to have their turn.
+    /// Takes the turns that so many connectors are about to have.
     #[inline(always)]
     pub(crate) fn take(&mut self, turns: u32) -> Option<Spent> {
         self.left -= i64::from(turns);

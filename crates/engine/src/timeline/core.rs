@@ -1,4 +1,4 @@
-//! What both modes share: the wiring, the connectors with what they work with, and how far values may go.
+//! The core that both modes share: the wiring, the connectors with their context, and the budget of values.
 
 use super::Emission;
 use super::budget::Budget;
@@ -14,9 +14,9 @@ pub(crate) struct Core {
     pub(crate) graph: Graph,
     pub(crate) connectors: IndexVec<ConnectorIx, Box<dyn Connector>>,
     pub(crate) context: Context,
-    /// How far values may go.
+    /// The budget of values.
     pub(crate) budget: Budget,
-    /// Why it goes no further, once it does not.
+    /// The reason why it goes no further, once it does not.
     pub(crate) end: Option<End>,
 }
 
@@ -41,7 +41,7 @@ impl Core {
         out(Emission::Value { at, stream, value });
     }
 
-    /// What every connector remembers.
+    /// Returns the memory of every connector.
     pub(crate) fn memories(&self) -> Vec<(ConnectorIx, Memory)> {
         self.connectors.enumerate().map(|(at, connector)| (at, connector.memory())).collect()
     }

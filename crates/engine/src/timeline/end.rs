@@ -1,18 +1,18 @@
-//! Why a run goes no further, and at which stream.
+//! The reasons why a run goes no further, and at which stream.
 
 use crate::program::{ConnectorInfo, Graph};
 use crate::values::StreamIx;
 use behaviour::flow::{Flow, Link};
 use robot::Millis;
 
-/// Why a run ended by itself: from then on it takes nothing and gives nothing.
+/// The reasons why a run ended by itself: from then on it takes nothing and gives nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// The caller stopped it while values were on their way; what the last call gave is not all it would have given.
     Stopped,
     /// One reading, or one tick, became more values than an instant may carry.
     Multiplied {
-        /// When, in logical time.
+        /// The logical time.
         at: Millis,
         /// The stream at which values multiply.
         stream: StreamIx,

@@ -157,7 +157,7 @@ impl Event {
         plan.last()
     }
 
-    /// What it remembers. Values that wait count as sensed in the first instant that is open.
+    /// Returns the memory of the run. Values that wait count as sensed in the first instant that is open.
     pub(crate) fn memory(&self, core: &Core) -> RunMemory {
         let mut connectors = core.memories();
         for waiting in connectors.iter_mut().flat_map(|(_, memory)| &mut memory.waiting) {

@@ -18,16 +18,16 @@ pub(crate) struct Frame {
     length: u64,
     /// The end of the first frame that still takes readings.
     open: u64,
-    /// Whether the open frame has anything to do.
+    /// True if the open frame has anything to do.
     fed: bool,
     readings: u64,
     /// For every stream its value in this frame.
     now: IndexVec<StreamIx, Option<Carried>>,
-    /// By the end of the frame that has the instant.
+    /// The connectors that are due, by the end of the frame that has the instant.
     schedule: Schedule,
     /// The connectors by rank and place.
     order: Vec<ConnectorIx>,
-    /// What the frame says, in order.
+    /// The emissions of the frame, in order.
     said: Vec<Said>,
 }
 
@@ -52,7 +52,7 @@ impl Frame {
         }
     }
 
-    /// Whether readings wait for the open frame.
+    /// True if readings wait for the open frame.
     pub(crate) fn is_fed(&self) -> bool {
         self.fed
     }
@@ -184,7 +184,7 @@ impl Frame {
         self.now[stream] = Some(made);
     }
 
-    /// What it remembers.
+    /// Returns the memory of the run.
     pub(crate) fn memory(&self, core: &Core) -> RunMemory {
         let waiting = self.now.enumerate().filter_map(|(at, carried)| Some((at, carried.clone()?))).collect();
         let open = self.open - self.length + 1;

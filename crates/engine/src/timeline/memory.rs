@@ -1,4 +1,4 @@
-//! What a run remembers from one instant to the next, in a form that both modes give and take.
+//! The memory of a run from one instant to the next, in a form that both modes give and take.
 
 use crate::connectors::Memory;
 use crate::values::{Carried, ConnectorIx, Ix, Pairs, StreamIx};
@@ -8,9 +8,9 @@ use crate::values::{Carried, ConnectorIx, Ix, Pairs, StreamIx};
 pub(crate) struct RunMemory {
     /// The first instant that is not closed.
     pub(crate) open: u64,
-    /// How many readings there were.
+    /// The number of readings so far.
     pub(crate) readings: u64,
-    /// What each connector remembers.
+    /// The memory of each connector.
     pub(crate) connectors: Vec<(ConnectorIx, Memory)>,
     /// Readings of a frame that did not run yet, by stream.
     pub(crate) waiting: Vec<(StreamIx, Carried)>,

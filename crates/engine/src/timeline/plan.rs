@@ -8,7 +8,7 @@ use crate::values::in_place::Number;
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::flow::Gives;
 
-/// Where to go on once a connector gave a value.
+/// The step with which to go on once a connector gave a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Next {
     /// At the next step.
@@ -39,7 +39,7 @@ pub(crate) struct Plan {
 #[derive(Clone, Copy)]
 struct Row {
     first: u32,
-    /// How many there are, without the end.
+    /// The number of steps, without the end.
     turns: u32,
 }
 
@@ -74,7 +74,7 @@ impl Plan {
         self.rows[stream].first as usize
     }
 
-    /// How many steps that row has.
+    /// Returns the number of steps in that row.
     #[inline(always)]
     pub(crate) fn turns(&self, stream: StreamIx) -> u32 {
         self.rows[stream].turns
@@ -133,7 +133,7 @@ impl Plan {
     }
 }
 
-/// Whether what a connector gives comes right after it: nothing else leads there, and nothing in between.
+/// True if what a connector gives comes right after it: nothing else leads there, and nothing in between.
 fn is_in_row(of: &ConnectorInfo) -> bool {
     of.gives != Gives::Later && of.inputs.len() == 1
 }

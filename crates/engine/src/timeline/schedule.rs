@@ -1,4 +1,4 @@
-//! When connectors give something by themselves: by instant, rank and place.
+//! The schedule of connectors that give something by themselves: by instant, rank and place.
 
 use crate::values::{ConnectorIx, IndexVec};
 use robot::Millis;
@@ -7,7 +7,7 @@ use std::collections::BinaryHeap;
 
 /// The connectors that will give something by themselves; others would be asked in vain.
 pub(crate) struct Schedule {
-    /// What was said of any connector, by instant, rank and place. The first holds still, others perhaps not.
+    /// The due times that were told, by instant, rank and place. The first holds still, others perhaps not.
     order: BinaryHeap<Reverse<(Millis, usize, ConnectorIx)>>,
     /// For every connector when it is due, and its rank.
     due: IndexVec<ConnectorIx, Option<(Millis, usize)>>,
@@ -47,7 +47,7 @@ impl Schedule {
         self.order.peek().map(|Reverse((at, _, connector))| (*at, *connector))
     }
 
-    /// When a connector is due, if it will be.
+    /// Returns the time when a connector is due, if it will be.
     pub(crate) fn due(&self, connector: ConnectorIx) -> Option<Millis> {
         self.due[connector].map(|(at, _)| at)
     }

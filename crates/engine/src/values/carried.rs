@@ -2,7 +2,7 @@
 
 use behaviour::Value;
 
-/// When and as which reading of the run something was sensed.
+/// The time when something was sensed, and the number of its reading in the run.
 pub(crate) type Origin = (u64, u64);
 
 /// A value with its origin.

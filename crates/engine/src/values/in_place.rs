@@ -10,7 +10,7 @@ pub(crate) enum Number {
     Float(f64),
 }
 
-/// What a procedure made, and where it is.
+/// The value that a procedure made, and where it is.
 pub(crate) enum Output {
     /// In the spare that was handed in.
     Spare,

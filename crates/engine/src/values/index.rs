@@ -8,7 +8,7 @@ pub trait Ix: Copy {
     /// The one at a place.
     fn of(at: usize) -> Self;
 
-    /// Its place.
+    /// Returns the place.
     fn index(self) -> usize;
 }
 
@@ -28,7 +28,7 @@ macro_rules! numbers {
                 Self(place(at))
             }
 
-            /// Its place in the file.
+            /// Returns the place in the file.
             #[must_use]
             #[inline(always)]
             pub fn index(self) -> usize {
@@ -69,13 +69,13 @@ pub struct IndexVec<I, T> {
 }
 
 impl<I: Ix, T> IndexVec<I, T> {
-    /// How many there are.
+    /// Returns the number of entries.
     #[must_use]
     pub fn len(&self) -> usize {
         self.all.len()
     }
 
-    /// Whether there are none.
+    /// True if there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
@@ -115,7 +115,7 @@ impl<I: Ix, T> IndexVec<I, T> {
 }
 
 impl<I: Ix, T: Clone> IndexVec<I, T> {
-    /// So many that are the same.
+    /// Makes so many that are the same.
     pub(crate) fn filled(with: &T, many: usize) -> Self {
         vec![with.clone(); many].into()
     }
@@ -188,7 +188,7 @@ impl<I: Ix> Pairs<I> {
         Some(self.all[place].1)
     }
 
-    /// Whether there is one for this number.
+    /// True if there is one for this number.
     #[must_use]
     pub fn contains_key(&self, at: &I) -> bool {
         self.get(*at).is_some()

@@ -1,4 +1,4 @@
-//! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
+//! The counts of a run, for the live view: plain arrays by index, read at any moment.
 
 use super::in_place::{Number, Output, copy, put_number};
 use super::index::{ConnectorIx, IndexVec, StreamIx};
@@ -10,31 +10,31 @@ use std::mem::{replace, swap};
 /// Counts and last values of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stats {
-    /// By stream.
+    /// The counts by stream.
     pub streams: IndexVec<StreamIx, StreamStats>,
-    /// By connector.
+    /// The counts by connector.
     pub connectors: IndexVec<ConnectorIx, ConnectorStats>,
 }
 
-/// What one stream carried.
+/// The counts of one stream.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StreamStats {
-    /// How many values.
+    /// The number of values.
     pub count: u64,
-    /// When the last one came.
+    /// The time when the last one came.
     at: Millis,
     /// The last one; null before the first.
     value: Value,
 }
 
-/// What one connector did.
+/// The counts of one connector.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ConnectorStats {
-    /// How many values it gave.
+    /// The number of values that it gave.
     pub fired: u64,
-    /// How many values it dropped by a fault.
+    /// The number of values that it dropped by a fault.
     pub faults: u64,
-    /// How many of the last calls in a row the caller's interrupt ended.
+    /// The number of last calls in a row that the caller's interrupt ended.
     pub deadlines_in_a_row: u32,
     /// The last fault.
     pub last_fault: Option<Box<LastFault>>,
@@ -43,9 +43,9 @@ pub struct ConnectorStats {
 /// A fault and what caused it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LastFault {
-    /// When.
+    /// The time of the fault.
     pub at: Millis,
-    /// What went wrong.
+    /// The fault of the call.
     pub error: CallFault,
     /// The values the procedure got, in the order of the inputs.
     pub inputs: Vec<Value>,

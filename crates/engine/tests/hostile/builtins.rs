@@ -35,7 +35,7 @@ const TEXTS: Scripts = endless! {
     "try { Fn(t).call(); } catch {}" "is_def_var(t);" "try { t[9999]; } catch { }" "t[0..3000];" "t[1..=1290];"
 };
 
-/// The same with letters of several bytes.
+/// Endless scripts with letters of several bytes.
 const LETTERS: Scripts = endless! {
     "let t = \"\"; t.pad(1300, '赤'); let u = t; u.pop(); u += 'b'; ";
     "t.to_upper();" "t.to_debug();" "t.len();" "t.sub_string(1200, 50);" "t[1290];" "t[1290] = 'a';" "t[1..=1290];"

@@ -3,7 +3,7 @@
 #[path = "builtins.rs"]
 mod builtins;
 
-/// What must become of a script.
+/// The required outcome of a script.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
     /// Not even accepted as a procedure, with a reason that has this text.
@@ -159,7 +159,7 @@ const CLOSURES: &[(&str, Verdict)] = &[
     ("let f = |v| v; let l = []; l.pad(1000, f); l.len()", Gives("1000")),
 ];
 
-/// What grows.
+/// Scripts that grow.
 const LARGE: &[(&str, Verdict)] = &[
     (r#"let t = "aaaaaaaa"; loop { t += t; }"#, Fault("too large")),
     (r#"let t = "x"; while true { t = `${t}${t}`; } t"#, Fault("too large")),
@@ -200,7 +200,7 @@ const LARGE: &[(&str, Verdict)] = &[
     ("\"abc\".to_blob()", Fault("cannot flow")),
 ];
 
-/// What takes long at every step.
+/// Scripts that take long at every step.
 const SLOW: &[(&str, Verdict)] = &[
     ("let m = #{}; let i = 0; loop { m[`k${i % 200}`] = i; i += 1; }", Endless),
     ("let m = #{}; let i = 0; loop { m = #{a: i, b: m.len()}; i += 1; }", Endless),
@@ -223,7 +223,7 @@ const SLOW: &[(&str, Verdict)] = &[
     ("let l = []; for i in 0..500 { l.push(i); } let c = []; loop { c = l.chunk(1); }", Fault("chunk")),
 ];
 
-/// What is nested as deep as it may be large: comparing, writing, copying and dropping it must fit the stack.
+/// Scripts nested as deep as they may be large: comparing, writing, copying and dropping the value must fit the stack.
 const NESTED: &[(&str, Verdict)] = &[
     ("let l = []; for i in 0..1000 { l = [l]; } l", Fault("nested too deep")),
     ("let l = []; for i in 0..1000 { l = [l]; } l == l", Fault("nested too deep")),

@@ -9,14 +9,14 @@ struct Slow<'f> {
     file: &'f BehaviourFile,
     held: BTreeMap<usize, Value>,
     known: BTreeMap<(usize, usize), Value>,
-    /// What a distinct compared last, what a scan made last.
+    /// The value that a distinct compared last, and the one that a scan made last.
     memory: BTreeMap<usize, Value>,
-    /// What a debounce or a delay has, each with when it is due.
+    /// The values that a debounce or a delay has, each with the time when it is due.
     waiting: BTreeMap<usize, VecDeque<(Value, u64)>>,
     said: Vec<Said>,
 }
 
-/// What the readings lead to until a time, inclusive.
+/// Returns the emissions of the readings until a time, inclusive.
 pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64) -> Vec<Said> {
     let (held, known, memory, waiting) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
     let mut slow = Slow { file, held, known, memory, waiting, said: Vec::new() };
@@ -45,7 +45,7 @@ impl Slow<'_> {
         }
     }
 
-    /// What a distinct passes on, if anything.
+    /// Returns the value that a distinct passes on, if anything.
     fn changed(&mut self, at: usize, value: &Value) -> Result<Option<Value>, ()> {
         let connector = &self.file.connectors[at];
         let inputs = std::slice::from_ref(value);

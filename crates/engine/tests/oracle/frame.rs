@@ -14,14 +14,14 @@ struct Slow<'f> {
     held: BTreeMap<usize, Carried>,
     next: BTreeMap<usize, u64>,
     known: BTreeMap<(usize, usize), Value>,
-    /// What a distinct compared last, what a scan made last.
+    /// The value that a distinct compared last, and the one that a scan made last.
     memory: BTreeMap<usize, Value>,
-    /// What a debounce or a delay has, each with when it is due.
+    /// The values that a debounce or a delay has, each with the time when it is due.
     waiting: BTreeMap<usize, VecDeque<(Carried, u64)>>,
     said: Vec<Said>,
 }
 
-/// What the readings lead to until a time, in frames of that length.
+/// Returns the emissions of the readings until a time, in frames of that length.
 pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64, length: u64) -> Vec<Said> {
     let (now, held, next, known) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
     let (memory, waiting) = (BTreeMap::new(), BTreeMap::new());

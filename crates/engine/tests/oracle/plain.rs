@@ -1,4 +1,4 @@
-//! What both slow engines share: calling Rhai plainly, the rank of a connector, what is said.
+//! The common parts of both slow engines: calling Rhai plainly, the rank of a connector, what is said.
 
 use behaviour::{BehaviourFile, FileConnector, FileHelper, Value};
 use rhai::{Dynamic, Engine, Map, Scope};
@@ -31,7 +31,7 @@ pub(crate) fn by_rank(file: &BehaviourFile) -> Vec<usize> {
     order
 }
 
-/// Whether distinct takes two values for one: numbers by exact value, lists and objects by their parts.
+/// True if distinct takes two values for one: numbers by exact value, lists and objects by their parts.
 pub(crate) fn same(one: &Value, other: &Value) -> bool {
     match (one, other) {
         (Value::List(one), Value::List(other)) => {
@@ -50,7 +50,7 @@ pub(crate) fn same(one: &Value, other: &Value) -> bool {
     }
 }
 
-/// Whether distinct compares what a procedure makes.
+/// True if distinct compares what a procedure makes.
 pub(crate) fn has_procedure(connector: &FileConnector) -> bool {
     connector.body.is_some() || connector.helper.is_some()
 }

@@ -1,4 +1,5 @@
-//! Who listens to which signal. The peer sends one copy for every registration, so there is one for all listeners here.
+//! The listeners of each signal. The peer sends one copy for every registration, so there is one for all listeners
+//! here.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -8,7 +9,7 @@ use super::Target;
 use super::mailbox::{Letter, Mailbox};
 use crate::locked::locked;
 
-/// How many may listen to one signal on one link.
+/// The most listeners of one signal on one link.
 pub const SUBSCRIBERS_MAX: usize = 256;
 
 #[derive(Debug, Default)]
@@ -27,7 +28,7 @@ struct Listeners {
     mailboxes: Vec<Arc<Mailbox>>,
 }
 
-/// How a mailbox came to be among the listeners.
+/// The result of joining a mailbox to the listeners.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Joined {
     /// It is the first: the peer has to be told with this number, which we choose.

@@ -9,10 +9,10 @@ use tokio::sync::Notify;
 use crate::locked::locked;
 use crate::value::Value;
 
-/// How many bytes of events may wait for one subscriber; the newest event waits whatever its size.
+/// The most bytes of events that may wait for one subscriber; the newest event waits whatever its size.
 pub const WAITING_MAX_BYTES: usize = 32 << 20;
 
-/// What a subscriber wants to see of events that come faster than it takes them.
+/// The choice of events that a subscriber sees when they come faster than it takes them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Keep {
     /// The newest one only.
@@ -24,9 +24,10 @@ pub enum Keep {
 /// A signal that was raised.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
-    /// What it carries.
+    /// The values of the event.
     pub arguments: Vec<Value>,
-    /// When it arrived here. Peers do not keep the order of events strictly; where a value has a time of its own, that counts.
+    /// The time when it arrived here. Peers do not keep the order of events strictly; where a value has a time of its
+    /// own, that counts.
     pub at: Instant,
 }
 

@@ -11,10 +11,10 @@ use crate::signature::Signature;
 use crate::value::{Layout, Value, decode};
 use crate::wire::{FLAG_DYNAMIC, Kind};
 
-/// How many calls may be under way on one link.
+/// The most calls that may be under way on one link.
 pub const IN_FLIGHT_MAX: usize = 64;
 
-/// What came back of a call, as it came.
+/// The answer to a call, as it came.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Answer {
     /// A reply, an error or the end of a cancelled call.
@@ -28,7 +28,7 @@ impl Answer {
     /// The value, which the method says is of this type.
     ///
     /// # Errors
-    /// What is wrong with the bytes.
+    /// Fails if the bytes are malformed.
     pub fn value(&self, signature: &Signature, layout: Layout) -> Result<Value, QiError> {
         if self.flags & FLAG_DYNAMIC == 0 {
             return Ok(decode(&self.payload, signature, layout)?);
@@ -114,7 +114,7 @@ impl Pending {
         locked(&self.0).waiting.len()
     }
 
-    /// Whether somebody waited for it.
+    /// Hands the answer to whom it waits for. Returns true if somebody did.
     pub(super) fn settle(&self, id: u32, answer: Answer) -> bool {
         let waiting = locked(&self.0).waiting.remove(&id);
         waiting.is_some_and(|waiting| waiting.send(answer).is_ok())

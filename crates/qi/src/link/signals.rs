@@ -29,7 +29,7 @@ impl Link {
     /// the peer, all others share its registration.
     ///
     /// # Errors
-    /// What the peer answers, and what can go wrong with a call; [`QiError::Busy`] beyond [`SUBSCRIBERS_MAX`].
+    /// Fails as any call can, or if the peer refuses; with [`QiError::Busy`] beyond [`SUBSCRIBERS_MAX`].
     pub async fn subscribe(
         &self,
         signal: Target,
@@ -77,7 +77,7 @@ impl Subscription {
         self.read(&letter)
     }
 
-    /// How many events were lost since the beginning because newer ones came before they were taken.
+    /// Returns the number of events that were lost since the beginning because newer ones came before they were taken.
     pub fn lost(&self) -> u64 {
         self.mailbox.lost()
     }

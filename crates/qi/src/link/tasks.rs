@@ -15,13 +15,13 @@ use crate::signature::Signature;
 use crate::value::{Layout, Value, encode};
 use crate::wire::{Frame, Framer, Header, Kind};
 
-/// How much is read at once, in bytes.
+/// The most bytes that are read at once.
 const CHUNK_BYTES: usize = 64 << 10;
-/// How many messages are written at once.
+/// The most messages that are written at once.
 const TOGETHER_MAX_FRAMES: usize = 32;
 /// Above this many bytes messages are not put together.
 const TOGETHER_MAX_BYTES: usize = 64 << 10;
-/// What a peer hears that calls something here: this crate is a client only.
+/// The refusal to a peer that calls something here: this crate is a client only.
 const HOSTS_NOTHING: &str = "this client has no services";
 
 pub(super) async fn read(shared: Arc<Shared>, from: impl AsyncRead + Unpin) {

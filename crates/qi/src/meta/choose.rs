@@ -7,9 +7,9 @@ use crate::value::{Value, fit};
 /// The method that takes the arguments best.
 #[derive(Debug, Clone, Copy)]
 pub struct Chosen<'a> {
-    /// Which one.
+    /// The method that was chosen.
     pub method: &'a MetaMethod,
-    /// How well they fit, all together; see [`crate::fit`].
+    /// The score of the fit of all arguments together; see [`crate::fit`].
     pub score: u32,
 }
 

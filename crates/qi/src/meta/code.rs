@@ -8,7 +8,7 @@ impl MetaObject {
     /// Reads what the method `metaObject` answers.
     ///
     /// # Errors
-    /// What is wrong with the bytes.
+    /// Fails if the bytes are malformed.
     pub fn decode(bytes: &[u8]) -> Result<Self, Malformed> {
         Self::read(&mut Reader::new(bytes, Layout::default()))
     }

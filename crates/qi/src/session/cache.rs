@@ -8,7 +8,7 @@ use crate::link::{Event, Subscription};
 use crate::locked::locked;
 use crate::object::Object;
 
-/// How many services are remembered.
+/// The most services that are remembered.
 const SERVICES_MAX: usize = 1024;
 
 #[derive(Debug, Default)]
@@ -17,7 +17,7 @@ pub(super) struct Cache(Mutex<Known>);
 #[derive(Debug, Default)]
 struct Known {
     objects: BTreeMap<String, Object>,
-    /// How often something changed: what was asked for before a change is not kept after it.
+    /// The number of changes so far: an answer that was asked for before a change is not kept after it.
     changes: u64,
 }
 

@@ -13,13 +13,13 @@ use crate::error::{Cause, QiError, Stage};
 use crate::link::Link;
 use crate::tls::{self, Fingerprint};
 
-/// How many addresses of a name are tried.
+/// The most addresses of a name that are tried.
 const ADDRESSES_MAX: usize = 8;
 
 /// A link that is logged in.
 pub(super) struct Dialled {
     pub(super) link: Link,
-    /// Where it leads.
+    /// The address to which it leads.
     pub(super) peer: IpAddr,
     pub(super) fingerprint: Option<Fingerprint>,
 }

@@ -1,4 +1,4 @@
-//! What the directory says of a service, and how far it is believed.
+//! The directory's description of a service, and how far it is believed.
 
 use std::net::IpAddr;
 
@@ -7,12 +7,12 @@ use crate::value::Value;
 
 const SAME_AS_DIRECTORY: &str = "qi:ServiceDirectory";
 
-/// What the directory says of a service.
+/// The directory's description of a service.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ServiceInfo {
-    /// Its name.
+    /// The name of the service.
     pub name: String,
-    /// Its number; another one when it comes back.
+    /// The number of the service; another one when it comes back.
     pub service_id: u32,
     /// The computer that it runs on.
     pub machine_id: String,
@@ -40,9 +40,9 @@ impl ServiceInfo {
 /// The way to a service.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Choice {
-    /// By the link that the directory is reached by.
+    /// The link by which the directory is reached.
     SameLink,
-    /// By a link of its own.
+    /// A link of its own to this address.
     Dial(Address),
     /// None that is allowed.
     Nowhere,
@@ -50,8 +50,8 @@ pub enum Choice {
 
 /// The way to `service`, if the `directory` (as it describes itself) was reached at `dialled`, whose address is `peer`.
 ///
-/// What a directory says is believed only for the host that was dialled: a service that is offered elsewhere, or at the
-/// robot's own 127.0.0.1, is not dialled there. A name is not looked up. Behind `tcps` nothing is dialled without TLS, as the
+/// Believes the directory only for the host that was dialled: a service that is offered elsewhere, or at the robot's
+/// own 127.0.0.1, is not dialled there. A name is not looked up. Behind `tcps` nothing is dialled without TLS, as the
 /// password would be sent.
 pub fn choose(
     service: &ServiceInfo,

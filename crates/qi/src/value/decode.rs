@@ -13,7 +13,7 @@ const AHEAD_MAX: usize = 64;
 /// Reads a value of a type. Bytes after it are left alone, as libqi leaves them.
 ///
 /// # Errors
-/// What is wrong with the bytes.
+/// Fails if the bytes are malformed.
 pub fn decode(bytes: &[u8], signature: &Signature, layout: Layout) -> Result<Value, Malformed> {
     Reader::new(bytes, layout).value(signature)
 }
@@ -21,7 +21,7 @@ pub fn decode(bytes: &[u8], signature: &Signature, layout: Layout) -> Result<Val
 /// Reads what a signal or a call carries: the fields of a tuple, or one value of another type.
 ///
 /// # Errors
-/// What is wrong with the bytes.
+/// Fails if the bytes are malformed.
 pub fn decode_arguments(bytes: &[u8], signature: &Signature, layout: Layout) -> Result<Vec<Value>, Malformed> {
     Ok(match decode(bytes, signature, layout)? {
         Value::Tuple(items) => items,
@@ -101,7 +101,7 @@ impl<'a> Reader<'a> {
         Ok(ObjectRef { meta, service, object, uid })
     }
 
-    /// As many as the count in front says. Each is taken off what may still be read, as some are zero bytes long.
+    /// Reads as many as the count in front says. Each is taken off what may still be read, as some are zero bytes long.
     pub(crate) fn several<T>(
         &mut self,
         mut one: impl FnMut(&mut Self) -> Result<T, Malformed>,

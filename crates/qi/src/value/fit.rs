@@ -1,4 +1,4 @@
-//! How well a value fits a type.
+//! The fit of a value to a type.
 
 use super::Value;
 use crate::signature::Signature;
@@ -14,9 +14,9 @@ const WHOLE: u32 = 15;
 /// Anything in a dynamic.
 const ANY: u32 = 10;
 
-/// How well a value fits a type: 30 exactly, 20 and 21 with a number widened, 15 for a whole float as an integer, 10 for
-/// anything as a dynamic, none if it cannot be given. A list, map or tuple fits as well as the worst of its entries; an
-/// empty one fits exactly.
+/// Scores the fit of a value to a type: 30 exactly, 20 and 21 with a number widened, 15 for a whole float as an
+/// integer, 10 for anything as a dynamic, none if it cannot be given. A list, map or tuple fits as well as the worst of
+/// its entries; an empty one fits exactly.
 pub fn fit(value: &Value, wanted: &Signature) -> Option<u32> {
     match (wanted, value) {
         (Signature::Dynamic, Value::Dynamic(_)) => Some(EXACT),

@@ -58,7 +58,7 @@ impl Value {
         if let Self::Map(entries) = self.seen() { Some(entries) } else { None }
     }
 
-    /// What a map has under a text.
+    /// Returns the value that a map has under a text.
     pub fn get(&self, key: &str) -> Option<&Self> {
         let is = |found: &Self| found.as_bytes() == Some(key.as_bytes());
         self.entries()?.iter().find(|(found, _)| is(found)).map(|(_, value)| value)

@@ -1,4 +1,4 @@
-//! Which method is called, and how far the directory is believed.
+//! The choice of the method that is called, and how far the directory is believed.
 
 use qi::{Choice, Layout, MetaMethod, MetaObject, ServiceInfo, Signature, Value, choose_endpoint, encode, fit};
 

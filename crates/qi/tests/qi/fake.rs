@@ -9,18 +9,18 @@ use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::net::TcpListener;
 use tokio_rustls::TlsAcceptor;
 
-/// What a fake peer does otherwise than a plain new one.
+/// The differences of a fake peer from a plain new one.
 #[derive(Clone, Default)]
 pub(crate) struct Manner {
-    /// As NAOqi 2.1: a message with capabilities, no service 0, six fields.
+    /// Speaks as NAOqi 2.1: a message with capabilities, no service 0, six fields.
     pub(crate) is_old: bool,
     /// Every byte in a packet of its own.
     pub(crate) is_slow: bool,
-    /// Where it says that `Thing` is; nothing: where it is.
+    /// The addresses that it tells for `Thing`; without any its own.
     pub(crate) endpoints: Vec<String>,
     /// The password of `nao`.
     pub(crate) password: Option<String>,
-    /// Where its log in stops: says nothing at all.
+    /// Says nothing at all where its log in stops.
     pub(crate) is_silent: bool,
     /// Says this instead of anything of the protocol.
     pub(crate) garbage: Option<Vec<u8>>,

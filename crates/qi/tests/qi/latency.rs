@@ -1,4 +1,4 @@
-//! What a call takes, beside the client of libqi on the same peer.
+//! The time of a call, beside the client of libqi on the same peer.
 //!
 //! `RRP_QI_PYTHON=… cargo test -p qi --release latency -- --ignored --nocapture`
 

@@ -8,7 +8,7 @@ use std::time::Duration;
 use qi::{Object, Options, Session};
 
 const PYTHON: &str = "RRP_QI_PYTHON";
-/// How long anything may take before a test gives up.
+/// The longest time of anything before a test gives up.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// The Python that has libqi, or nothing, said by name.

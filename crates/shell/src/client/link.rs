@@ -26,9 +26,9 @@ const LINES_MAX: usize = 256;
 const TOLD_MAX: usize = 4_096;
 /// Of these, places that pictures and live values leave to what matters.
 const TOLD_FREE: usize = 1_024;
-/// How long connecting may take.
+/// The longest time to connect.
 const CONNECT_MS: u64 = 10_000;
-/// How long the server may be silent, though it says every half second that it is there.
+/// The longest silence of the server, though it says every half second that it is there.
 const SILENT_MS: u64 = 10_000;
 /// Numbers of asks that the link makes itself, apart from the client's.
 const OWN_ASK: u32 = u32::MAX;
@@ -42,7 +42,7 @@ pub(super) struct Line {
     pub(super) waiting: Option<oneshot::Sender<Reply>>,
 }
 
-/// What client and task share.
+/// The state that client and task share.
 pub(super) struct Link {
     mirrors: Mutex<Mirrors>,
     ended: Mutex<Option<NoLink>>,
@@ -53,7 +53,7 @@ impl Link {
         self.mirrors.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Why the link ended.
+    /// Returns the reason why the link ended.
     pub(super) fn ended(&self) -> Option<NoLink> {
         self.ended.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -88,8 +88,8 @@ pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
     Ok((link, lines, told, carrying.abort_handle()))
 }
 
-/// What is said first to the server at an address, `http://HOST:PORT/` or `HOST:PORT`, to get a socket. Where that server is
-/// this user's own on this computer, it shows that we are its host.
+/// Makes the first request to the server at an address, `http://HOST:PORT/` or `HOST:PORT`, to get a socket. Where that
+/// server is this user's own on this computer, it shows that we are its host.
 ///
 /// # Errors
 /// If this is no address.

@@ -7,11 +7,11 @@ use protocol::{LIBRARY, Reply, RobotState};
 /// One behaviour at one revision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mirror {
-    /// Its id.
+    /// The id of the behaviour.
     pub behaviour: Id,
-    /// Its revision.
+    /// The revision of the behaviour.
     pub revision: u64,
-    /// Its records.
+    /// The records of the behaviour.
     pub records: Behaviour,
 }
 
@@ -63,8 +63,8 @@ impl Mirrors {
         }
     }
 
-    /// What a ping, or a page of missed changes with more behind it, shows to be missing: the behaviour and the last
-    /// revision known.
+    /// Returns what a ping, or a page of missed changes with more behind it, shows to be missing: the behaviour and the
+    /// last revision known.
     pub(super) fn missing(&self, reply: &Reply) -> Vec<(Id, u64)> {
         if let Reply::Missed { behaviour, more: true, .. } = reply {
             let known = self.open.iter().chain([&self.library]).find(|mirror| mirror.behaviour == *behaviour);

@@ -8,7 +8,7 @@ use crate::refusal::{Answer, NotDone};
 use behaviour::Id;
 use protocol::{Checked, RealRobot, Reply, Request};
 
-/// Where a password is looked for, so that it stands in no history.
+/// The variable in which a password is looked for, so that it stands in no history.
 pub(super) const PASSWORD: &str = "RRP_ROBOT_PASSWORD";
 
 pub(crate) const COMMAND: Command = Command {

@@ -12,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-/// What others see of this console.
+/// The name of this console that others see.
 const NAME: &str = "Shell";
 
 async fn run(console: &mut Console, url: &str) -> Result<String, NotDone> {

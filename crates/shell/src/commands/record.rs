@@ -1,4 +1,4 @@
-//! Whether starts are recorded.
+//! The choice to record starts.
 
 use super::Command;
 use crate::console::Console;

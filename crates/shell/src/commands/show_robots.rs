@@ -35,7 +35,7 @@ fn line(robot: &RobotState, running: &[RunState]) -> String {
     format!("{} ({})", robot.name, words.join(", "))
 }
 
-/// What an operator looks at before starting something.
+/// Returns the words on a robot's condition that an operator reads before starting something.
 fn condition(of: &Condition) -> Vec<String> {
     let mut words = Vec::new();
     words.extend(of.battery.map(|percent| format!("battery {percent} %")));
@@ -55,7 +55,7 @@ fn condition(of: &Condition) -> Vec<String> {
     words
 }
 
-/// Which body: "“Momo”, a NAO, number #0344".
+/// Says which body it is: "“Momo”, a NAO, number #0344".
 pub(super) fn who(identity: &Identity) -> String {
     let kind = if identity.body.is_empty() { "robot" } else { &identity.body };
     let name = if identity.name.is_empty() { "without a name" } else { &identity.name };

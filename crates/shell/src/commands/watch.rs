@@ -14,7 +14,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-/// How long to watch when nobody says.
+/// The seconds to watch when nobody says.
 const SECONDS: u64 = 5;
 /// The longest watch, in seconds.
 const SECONDS_MAX: u64 = 3_600;

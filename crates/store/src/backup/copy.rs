@@ -10,15 +10,15 @@ use tokio::task::JoinSet;
 /// Behaviours that are written at the same time: enough for a store to gather many changes into one sync.
 const AT_ONCE: usize = 16;
 
-/// What a store has of each behaviour: its last change.
+/// The last change of each behaviour that a store has.
 pub(super) type Heads = BTreeMap<Id, Committed>;
 
-/// Where two stores differ.
+/// A difference between two stores.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
     /// The behaviour.
     pub behaviour: Id,
-    /// What differs, in a few words.
+    /// The difference, in a few words.
     pub what: &'static str,
 }
 
@@ -26,7 +26,8 @@ pub struct Difference {
 /// which nobody serves, until both hold the same; `source` says what the first one is.
 ///
 /// # Errors
-/// What the stores fail with, [`BackupError::NotEmpty`], [`StoreError::Unfinished`]. Done again, it goes on where it ended.
+/// Fails if a store does, or with [`BackupError::NotEmpty`] or [`StoreError::Unfinished`]. Done again, it goes on where
+/// it ended.
 pub async fn migrate(
     from: &Arc<dyn Store>,
     to: &Arc<dyn Store>,
@@ -92,7 +93,7 @@ pub(super) struct Copying<'s> {
     to: &'s dyn Store,
     goes_on: bool,
     shelf: &'s Shelf,
-    /// What is there already.
+    /// The revision that is there already.
     head: u64,
     after: Behaviour,
     changes: u64,
@@ -129,7 +130,7 @@ impl<'s> Copying<'s> {
         }
     }
 
-    /// Its named versions, and into the bin, if it belongs there; answers with the number of changes.
+    /// Writes the named versions, and moves it into the bin, if it belongs there; returns the number of changes.
     pub(super) async fn end(self, named: &[Checkpoint]) -> Result<u64, BackupError> {
         if self.goes_on {
             for old in self.to.checkpoints(&self.shelf.id).await?.iter().filter(|old| !named.contains(old)) {
@@ -152,7 +153,7 @@ impl<'s> Copying<'s> {
     }
 }
 
-/// What the store to fill has already.
+/// Returns the last change of each behaviour that the store to fill has already.
 pub(super) async fn heads(store: &dyn Store) -> Result<Heads, BackupError> {
     let mut heads = Heads::new();
     for shelf in shelves(store).await? {
@@ -164,7 +165,7 @@ pub(super) async fn heads(store: &dyn Store) -> Result<Heads, BackupError> {
     Ok(heads)
 }
 
-/// What is there already must be the beginning of what comes.
+/// Checks that what is there already is the beginning of what comes.
 async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Result<(), BackupError> {
     for (id, last) in heads {
         let known = shelves.iter().any(|shelf| shelf.id == *id);
@@ -176,10 +177,10 @@ async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Resu
     Ok(())
 }
 
-/// Where two stores differ: in revision, records, history, named versions or bin of a behaviour.
+/// Returns the differences between two stores: in revision, records, history, named versions or bin of a behaviour.
 ///
 /// # Errors
-/// What the stores fail with.
+/// Fails if a store does.
 pub async fn compare(one: &dyn Store, other: &dyn Store) -> Result<Vec<Difference>, BackupError> {
     let (mut differences, ours) = (Vec::new(), shelves(one).await?);
     for shelf in shelves(other).await? {

@@ -30,7 +30,7 @@ pub(super) enum Line {
     End { behaviours: u64, changes: u64, sum: String },
 }
 
-/// When and by whom a behaviour went to the bin.
+/// The time when a behaviour went to the bin, and the person who put it there.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(super) struct Removed {
@@ -76,24 +76,24 @@ impl Sum {
     }
 }
 
-/// What a backup says, one thing after the other, checked as it comes.
+/// The receiver of a backup's content, one thing after the other, checked as it comes.
 pub(super) trait Listener {
     /// A behaviour begins.
     fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError>;
-    /// Its next change.
+    /// Takes the next change of the behaviour.
     fn change(&mut self, change: Committed) -> Result<(), BackupError>;
     /// A named version of it, after all changes.
     fn named(&mut self, checkpoint: Checkpoint);
 }
 
-/// What a backup says besides its behaviours.
+/// The content of a backup besides its behaviours.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Whole {
-    /// How often the server had started.
+    /// The number of times that the server had started.
     pub(super) epoch: u64,
     /// The robots.
     pub(super) robots: Vec<Robot>,
-    /// How much it holds.
+    /// The numbers of behaviours and changes in it.
     pub(super) counted: Counted,
     /// The sum over all of it.
     pub(super) sum: String,
@@ -164,7 +164,7 @@ impl Reading<'_> {
         Err(BackupError::Broken(self.number, flaw))
     }
 
-    /// What the listener found wrong is wrong in this line.
+    /// Places what the listener found wrong in this line.
     fn placed(&self, told: Result<(), BackupError>) -> Result<(), BackupError> {
         told.map_err(|error| match error {
             BackupError::Broken(_, flaw) => BackupError::Broken(self.number, flaw),

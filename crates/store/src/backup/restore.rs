@@ -30,8 +30,8 @@ impl<R> Backup<R> {
         &self.whole.robots
     }
 
-    /// What a store is marked with that is filled from it, `again` being the command for that. The same backup under another
-    /// name is the same source.
+    /// Returns the mark of a store that is filled from it, `again` being the command for that. The same backup under
+    /// another name is the same source.
     #[must_use]
     pub fn source(&self, again: &str) -> Source {
         let Counted { behaviours, changes } = self.whole.counted;
@@ -64,7 +64,7 @@ where
 /// filling, once what belongs beside the store is there too.
 ///
 /// # Errors
-/// What the store fails with. Done again, it goes on where it ended.
+/// Fails if the store does. Done again, it goes on where it ended.
 pub async fn restore<R>(backup: Backup<R>, to: &Filling, progress: Progress<'_>) -> Result<Counted, BackupError>
 where
     R: BufRead + Seek + Send + 'static,
@@ -115,9 +115,9 @@ async fn fill(to: Filling, (shelf, changes, named): Filled) -> Result<u64, Backu
 /// Looks whether what the store has is the beginning of what the backup has, and whether that keeps the rules.
 struct Look {
     heads: Heads,
-    /// What was not found yet.
+    /// The behaviours of the backup that were not found yet.
     missing: BTreeSet<Id>,
-    /// What the store has otherwise.
+    /// A behaviour of the store that the backup does not have so.
     other: Option<Id>,
     seen: BTreeSet<Id>,
     now: Option<Shelf>,

@@ -7,26 +7,26 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Robot {
-    /// Its id.
+    /// The id of the robot.
     pub id: Id,
-    /// What people call it.
+    /// The name that people gave it.
     pub name: String,
     /// The seed of its noise.
     pub seed: u64,
-    /// How it is reached; none for a simulated one.
+    /// The way to reach it; none for a simulated one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub real: Option<Reached>,
     /// The behaviours whose place is remembered, from the top.
     pub order: Vec<Id>,
 }
 
-/// How a real robot is reached. Its password is in no backup: a backup goes from hand to hand.
+/// The way to reach a real robot. Its password is in no backup: a backup goes from hand to hand.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Reached {
-    /// Its address.
+    /// The address of the robot.
     pub address: String,
-    /// Its user, if it asks for one.
+    /// The user of the robot, if it asks for one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub user: Option<String>,
     /// The certificate that it must show, if it shows one.

@@ -5,7 +5,7 @@ use crate::{Append, Query, Store, StoreError};
 use behaviour::{Behaviour, Change, Committed, Id, Kind, Place, Procedure, Record, RecordId};
 use std::collections::BTreeMap;
 
-/// What happens in one run.
+/// The number of steps in one run.
 const STEPS: u64 = 80;
 const BEHAVIOURS: [&str; 4] = ["a", "b", "c", crate::LIBRARY];
 

@@ -113,7 +113,7 @@ pub(super) async fn names(store: &dyn Store, query: Query) -> Vec<String> {
     store.list(&query).await.expect("a page").lines.into_iter().map(|line| line.name).collect()
 }
 
-/// What is in the bin.
+/// Asks for the behaviours in the bin.
 pub(super) fn in_bin() -> Query {
     Query { place: Place::Bin, ..Query::default() }
 }

@@ -1,4 +1,4 @@
-//! Where a helper is used: by name, in bodies, in other helpers; nowhere else.
+//! The uses of a helper: by name, in bodies, in other helpers; nowhere else.
 
 use super::samples::{append, filter, helper, id, key, note, save, settings, two_streams};
 use crate::{LIBRARY, Store};

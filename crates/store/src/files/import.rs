@@ -1,4 +1,4 @@
-//! What importing a file changes: the behaviour it makes, and the helpers that join the library.
+//! The changes of an import: the behaviour that the file makes, and the helpers that join the library.
 
 mod helpers;
 
@@ -15,12 +15,12 @@ pub enum Mode {
     Restore,
 }
 
-/// What to save so that a file is imported: first the library, then the behaviour from nothing.
+/// The changes to save so that a file is imported: first the library, then the behaviour from nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Import {
     /// The behaviour's id.
     pub behaviour: Id,
-    /// Its name in the file.
+    /// The name of the behaviour in the file.
     pub name: String,
     /// The change to the library; none if it has all helpers already.
     pub library: Option<Change>,
@@ -46,7 +46,7 @@ impl Import {
     }
 }
 
-/// Why a file cannot be imported; said with the id of what it is about first, `id: reason`.
+/// The reasons why a file cannot be imported; said with the id of what it is about first, `id: reason`.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unfit {
     /// A helper of this name calls itself, also through others.
@@ -55,7 +55,7 @@ pub enum Unfit {
     /// The behaviour's own id is none; with the reason.
     #[error("id: {0}")]
     OwnId(String),
-    /// Its records are not as they should be; with what `behaviour` says, id first.
+    /// The records are not as they should be; with what `behaviour` says, id first.
     #[error("{0}")]
     Record(String),
 }
@@ -64,7 +64,7 @@ fn label(name: &str) -> String {
     format!("Import {name}").chars().take(NAME_MAX_CHARS).collect()
 }
 
-/// What importing `file` changes, given the library as it is now and a source of new ids.
+/// Returns the changes of importing `file`, given the library as it is now and a source of new ids.
 ///
 /// # Errors
 /// Every reason.

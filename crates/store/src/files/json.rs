@@ -127,7 +127,7 @@ impl<'t> Visitor<'t> for Items<'_> {
     }
 }
 
-/// What serde_json says of broken JSON, as a sentence.
+/// Says serde_json's complaint about broken JSON as a sentence.
 fn syntax(error: &serde_json::Error, lines: &Lines) -> FileFault {
     let at = lines.byte(error.line(), error.column());
     let said = error.to_string();

@@ -1,4 +1,4 @@
-//! What a file is, as far as its beginning tells: whoever chose another one is told so before its inside is judged.
+//! The kind of a file, as far as its beginning tells: whoever chose another one is told so before its inside is judged.
 
 use super::text::text_of;
 use super::xml::first_name;
@@ -14,13 +14,13 @@ const LOOKED_AT_BYTES: usize = 64 << 10;
 pub enum Kind {
     /// Not text at all: a picture, an archive, and others that say by their first bytes what they are.
     Binary(&'static str),
-    /// What a run did, `rrp-recording`.
+    /// A recording of a run, `rrp-recording`.
     Recording,
     /// Readings to replay, one a line.
     Readings,
     /// All programs of a server, `rrp-backup`.
     Backup,
-    /// What was copied on the canvas, `rrp-part`.
+    /// A part that was copied on the canvas, `rrp-part`.
     Part,
     /// A page of the web, often the one around the file that was meant.
     WebPage,
@@ -73,7 +73,7 @@ impl fmt::Display for Kind {
 }
 
 impl Kind {
-    /// That it is no program, and what to do.
+    /// Says that it is no program, and what to do.
     pub(super) fn no_program(self) -> String {
         match self {
             Self::WebPage => {
@@ -156,7 +156,7 @@ fn beginning(bytes: &[u8]) -> &[u8] {
     &bytes[..end]
 }
 
-/// By the first element, or by what is said before it.
+/// Finds the kind of markup by the first element, or by what is said before it.
 fn of_markup(text: &str) -> Option<Kind> {
     if text.get(..14).is_some_and(|first| first.eq_ignore_ascii_case("<!doctype html")) {
         return Some(Kind::WebPage);
@@ -165,7 +165,7 @@ fn of_markup(text: &str) -> Option<Kind> {
     of_element(name.rsplit(':').next().unwrap_or_default())
 }
 
-/// Of other elements the name is told by who reads the whole.
+/// Finds the kind by the first element. The name of another element is told by who reads the whole.
 fn of_element(name: &str) -> Option<Kind> {
     match name.to_ascii_lowercase().as_str() {
         "html" | "head" | "body" => Some(Kind::WebPage),
@@ -176,7 +176,7 @@ fn of_element(name: &str) -> Option<Kind> {
     }
 }
 
-/// By the names in the first object of it: a program is never a list, and has some of its own fields.
+/// Finds the kind of JSON by the names in its first object: a program is never a list, and has some of its own fields.
 fn of_json(text: &str) -> Option<Kind> {
     if text.starts_with("{\\rtf") {
         return Some(Kind::RichText);
@@ -246,7 +246,7 @@ impl<'t> Visitor<'t> for Names<'_> {
     }
 }
 
-/// By the first lines of other text.
+/// Finds the kind by the first lines of other text.
 fn of_text(text: &str) -> Option<Kind> {
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
     let first = lines.next()?;
@@ -268,7 +268,7 @@ mod tests {
     use super::Kind;
     use crate::files::{look, samples::templates};
 
-    /// What is said of a file, without its place.
+    /// Returns what is said of a file, without its place.
     fn said(bytes: &[u8]) -> String {
         let looked = look(bytes);
         assert!(looked.file.is_none());

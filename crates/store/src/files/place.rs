@@ -1,4 +1,4 @@
-//! Where something stands in a text: from the byte to line and column.
+//! Places in a text: from the byte to line and column.
 
 use super::FileFault;
 use std::cell::Cell;
@@ -35,7 +35,7 @@ impl<'t> Lines<'t> {
         FileFault { line, column, reason: reason.into() }
     }
 
-    /// Where a part of the text begins; 0 if it is no part of it.
+    /// Returns the byte at which a part of the text begins; 0 if it is no part of it.
     pub(super) fn offset(&self, part: &[u8]) -> usize {
         let offset = (part.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize);
         if offset <= self.text.len() { offset } else { 0 }

@@ -104,7 +104,7 @@ proptest! {
     }
 }
 
-/// What breaks a file of one map, one sample and one note.
+/// The replacements that each break a file of one map, one sample and one note.
 const BREAKS: [(&str, &str); 28] = [
     ("rrp-behaviour/1", "rrp-behaviour/2"),
     ("\"name\": \"Whole\",", ""),
@@ -183,7 +183,7 @@ fn has_xmllint() -> bool {
     here
 }
 
-/// What xmllint says about a file; none if it keeps the XSD.
+/// Returns the complaint of xmllint about a file; none if it keeps the XSD.
 fn xmllint(text: &str) -> Option<String> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("behaviour.xml");

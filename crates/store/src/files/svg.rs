@@ -33,7 +33,7 @@ pub fn write_svg(file: &BehaviourFile) -> String {
     lines.join("\n")
 }
 
-/// What a screen reader says after the name.
+/// Writes the summary that a screen reader says after the name.
 fn summary(file: &BehaviourFile) -> String {
     let count = |many: usize, one: &str| format!("{many} {one}{}", if many == 1 { "" } else { "s" });
     let (streams, connectors) = (count(file.streams.len(), "stream"), count(file.connectors.len(), "connector"));

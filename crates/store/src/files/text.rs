@@ -6,7 +6,7 @@ use super::place::Lines;
 /// The text of a file: UTF-8, with or without a byte order mark.
 ///
 /// # Errors
-/// Where it is none, and how to save it.
+/// Returns the place where it is none, and how to save it.
 pub fn text_of(bytes: &[u8]) -> Result<&str, FileFault> {
     if is_utf16(bytes) {
         let reason = "This text is UTF-16. Save the file as UTF-8.".to_owned();
@@ -19,7 +19,7 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, FileFault> {
     Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
 
-/// By its byte order mark, or by its first letter, beside which there is a zero.
+/// True if the text is UTF-16, by its byte order mark, or by its first letter, beside which there is a zero.
 fn is_utf16(bytes: &[u8]) -> bool {
     match *bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,

@@ -3,16 +3,16 @@
 use behaviour::Value;
 use thiserror::Error;
 
-/// How deep things may lie in each other.
+/// The greatest depth to which things may lie in each other.
 pub(super) const DEPTH_MAX: usize = 32;
 
-/// How many things a file may have; what the rules allow has fewer.
+/// The most things that a file may have; the rules allow fewer.
 pub(super) const NODES_MAX: usize = 250_000;
 
-/// What is said of a file that has more.
+/// The sentence about a file that has more.
 pub(super) const TOO_MANY: &str = "The file has more things in it than a program may have. Split it into several.";
 
-/// Why a text is no number.
+/// The reasons why a text is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub(super) enum NoNumber {
     /// It is none at all.
@@ -57,7 +57,7 @@ impl Node {
         Self { at, what: What::Object(fields) }
     }
 
-    /// What is written there, without its places; of a name that is there twice the last one.
+    /// Returns the value without its places; of a name that is there twice the last one.
     pub(super) fn value(&self) -> Value {
         match &self.what {
             What::Plain(value) => value.clone(),

@@ -15,12 +15,12 @@ use element::{Element, root};
 pub(super) use escape::reference;
 pub(super) use escape::{cannot_hold, in_element};
 
-/// How much of the name of an unknown element is told, in characters.
+/// The most characters that are told of the name of an unknown element.
 const NAME_SHOWN_CHARS: usize = 40;
 /// The version of the XML form.
 const VERSION: &str = "1";
 
-/// How the text of an attribute is read.
+/// The ways to read the text of an attribute.
 #[derive(Clone, Copy)]
 enum How {
     Text,
@@ -85,7 +85,7 @@ pub(super) fn tree(text: &str, lines: &Lines) -> Result<Node, FileFault> {
     Door { lines }.behaviour(&root)
 }
 
-/// Whether a text may be a program by its first element; nothing inside of it is looked at.
+/// Checks that a text may be a program by its first element; nothing inside of it is looked at.
 pub(super) fn check_root(text: &str, lines: &Lines) -> Result<(), FileFault> {
     match first_name(text) {
         Some((at, name)) => check_name(&name, at, lines),

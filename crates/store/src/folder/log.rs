@@ -28,9 +28,9 @@ pub(super) enum Line {
     /// It went to the bin.
     #[serde(rename_all = "camelCase")]
     Removed {
-        /// When, in milliseconds since 1970.
+        /// The time, in milliseconds since 1970.
         at_ms: u64,
-        /// Who said so.
+        /// The name of the person who said so.
         by: String,
     },
     /// It came back from the bin.
@@ -39,14 +39,14 @@ pub(super) enum Line {
     Named(Checkpoint),
     /// A name went.
     Unnamed {
-        /// Which.
+        /// The name of the version.
         name: String,
     },
-    /// How often a server started; in a file of its own.
+    /// The number of times that a server started; in a file of its own.
     Epoch(u64),
 }
 
-/// Why a line of a file is not one that was written there.
+/// The reasons why a line of a file is not one that was written there.
 #[derive(Debug, Error)]
 pub(super) enum Strange {
     /// It is no text.
@@ -55,13 +55,13 @@ pub(super) enum Strange {
     /// It is none of our lines.
     #[error("{0}")]
     Form(#[from] serde_json::Error),
-    /// Its change does not come after the one before it; with its revision.
+    /// The change does not come after the one before it; with its revision.
     #[error("revision {0} does not follow")]
     Order(u64),
     /// The name that it gives or takes cannot be given or taken there.
     #[error("{0:?} cannot be named so")]
     Name(String),
-    /// Its change cannot be made.
+    /// The change cannot be made.
     #[error("{0}")]
     Refused(#[from] StoreError),
 }
@@ -69,9 +69,9 @@ pub(super) enum Strange {
 /// The files of a folder.
 pub(super) struct Logs {
     folder: PathBuf,
-    /// Why nothing more can be written, once a line could not be taken back.
+    /// The reason why nothing more can be written, once a line could not be taken back.
     broken: Option<StoreError>,
-    /// How much room there must be until the disk is not full any more, in bytes.
+    /// The free space in bytes that ends a full disk.
     wants_bytes: usize,
 }
 
@@ -92,7 +92,7 @@ impl Logs {
         Ok(logs)
     }
 
-    /// Where they are.
+    /// Returns the folder of the files.
     pub(super) fn folder(&self) -> &Path {
         &self.folder
     }

@@ -4,7 +4,7 @@ use super::MemoryStore;
 use behaviour::{Checkpoint, Id};
 
 impl MemoryStore {
-    /// What [`crate::Store::keep_checkpoint`] would answer, and whether it would be new.
+    /// Returns the answer that [`crate::Store::keep_checkpoint`] would give, and whether it would be new.
     pub(crate) fn judge_checkpoint(&self, behaviour: &Id, wanted: &Checkpoint) -> (bool, bool) {
         let kept = self.kept();
         let Some(shelf) = kept.behaviours.get(behaviour) else { return (false, false) };
@@ -26,7 +26,7 @@ impl MemoryStore {
         self.kept().behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.checkpoints.remove(name).is_some())
     }
 
-    /// Whether there is such a name.
+    /// True if there is such a name.
     pub(crate) fn has_checkpoint(&self, behaviour: &Id, name: &str) -> bool {
         self.kept().behaviours.get(behaviour).is_some_and(|shelf| shelf.checkpoints.contains_key(name))
     }

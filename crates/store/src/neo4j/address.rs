@@ -1,4 +1,4 @@
-//! Where a Neo4j is and who we are there, from its address.
+//! The address of a Neo4j: where it is and who we are there.
 
 use crate::StoreError;
 use std::fmt;
@@ -6,7 +6,7 @@ use std::fmt;
 const PASSWORD: &str = "RRP_NEO4J_PASSWORD";
 const PASSWORD_FILE: &str = "RRP_NEO4J_PASSWORD_FILE";
 const SHAPE: &str = "write it as bolt://USER@HOST:PORT, with the password in RRP_NEO4J_PASSWORD";
-/// How each scheme of Neo4j is called when there is one server and no cluster.
+/// The name of each scheme of Neo4j when there is one server and no cluster.
 const SCHEMES: [(&str, &str); 6] = [
     ("bolt", "bolt"),
     ("bolt+s", "bolt+s"),
@@ -21,9 +21,9 @@ const PORT: u16 = 7687;
 pub(super) struct Address {
     /// Without user and password: `bolt://127.0.0.1:7687`.
     pub(super) server: String,
-    /// Who we are.
+    /// The user that we are.
     pub(super) user: String,
-    /// And how we prove it.
+    /// The password by which we prove it.
     pub(super) password: String,
     /// The database, if it is not the default one.
     pub(super) database: Option<String>,

@@ -29,8 +29,8 @@ impl Part {
     }
 }
 
-/// In this order. Touched connectors go, whatever they were, and come back as what they are now; nodes that
-/// behaviours share are made in one order and linked only where that changes, or else they would deadlock.
+/// The parts of a save, in this order. Touched connectors go, whatever they were, and come back as what they are now;
+/// nodes that behaviours share are made in one order and linked only where that changes, or else they would deadlock.
 const PARTS: [Part; 12] = [
     Part { each_type: RELATIONSHIP_GOES, ..part(&["connectors"], CONNECTORS_GO) },
     part(&["gone_streams"], STREAMS_GO),
@@ -187,7 +187,7 @@ const COMMIT: &str = "
 }
 RETURN head, binned, applied, done.revision AS duplicate, done.change AS saved";
 
-/// How long the plans of the usual statements may take when we start.
+/// The longest time to plan the usual statements when we start.
 const WARM_UP_MAX: Duration = Duration::from_secs(60);
 
 #[derive(Deserialize)]
@@ -259,8 +259,8 @@ fn params_of(id: &Id, committed: &Committed, json: String, delta: Delta) -> Para
     params(does, op, base)
 }
 
-/// What the usual gestures touch: move, add a stream, add or edit a connector, rename, delete, write a note; a new name of
-/// the behaviour is on its own node.
+/// The parts that the usual gestures touch: move, add a stream, add or edit a connector, rename, delete, write a note;
+/// a new name of the behaviour is on its own node.
 const USUAL: [&[&str]; 8] = [
     &["places"],
     &["streams", "places"],
@@ -272,7 +272,7 @@ const USUAL: [&[&str]; 8] = [
     &[],
 ];
 
-/// As long as the ids that behaviours get.
+/// A text as long as the ids that behaviours get.
 const AS_LONG_AS_AN_ID: &str = "00000000000000000000000000000000";
 
 /// Has the plans of the usual statements made: the first of each takes longer than people should wait. They are found again by
@@ -287,7 +287,7 @@ pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// What a change does, doing nothing to the behaviour with this id.
+/// Returns the parameters of a change that does nothing to the behaviour with this id.
 fn nothing(id: &str) -> Params {
     let lists = PARTS.iter().flat_map(|part| part.lists).map(|list| ((*list).to_owned(), json!([])));
     let shelf = if id == LIBRARY { "Library" } else { "Program" };

@@ -1,4 +1,4 @@
-//! What a change does in the graph, as lists that one statement works through.
+//! The effect of a change in the graph, as lists that one statement works through.
 
 use super::link::Params;
 use super::nodes::{
@@ -19,12 +19,12 @@ pub(super) struct Delta {
     pub(super) lists: BTreeMap<&'static str, Vec<Value>>,
     devices: BTreeSet<(&'static str, String)>,
     inputs: usize,
-    /// What the behaviour's own node gets; null takes away.
+    /// The properties for the behaviour's own node; null takes away.
     summary: Params,
 }
 
 impl Delta {
-    /// What this change does in a behaviour, which then is `after`.
+    /// Collects the effect of this change in a behaviour, which then is `after`.
     pub(super) fn of(program: &Id, committed: &Committed, after: &Behaviour) -> Result<Self, StoreError> {
         let lists = BTreeMap::new();
         let program = program.clone();
@@ -150,7 +150,7 @@ impl Delta {
         }
     }
 
-    /// What lists and searches show; a move changes nothing there but the time.
+    /// Collects what lists and searches show; a move changes nothing there but the time.
     fn summarise(&mut self, committed: &Committed, after: &Behaviour) -> serde_json::Result<()> {
         let change = &committed.change;
         let mut put = |name: &str, value: Value| self.summary.insert(name.to_owned(), value);

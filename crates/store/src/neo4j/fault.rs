@@ -1,4 +1,4 @@
-//! What Neo4j and its driver complain about, in the words of the store.
+//! The complaints of Neo4j and its driver, in the words of the store.
 
 use crate::{StoreError, Unkept};
 use neo4rs::{Error, Neo4jClientErrorKind, Neo4jError, Neo4jErrorKind};
@@ -10,7 +10,7 @@ use std::time::Duration;
 /// this attempt had found.
 const PASSING: [&str; 2] = ["Neo.ClientError.Statement.EntityNotFound", "Neo.ClientError.Transaction.Outdated"];
 
-/// Why an attempt failed.
+/// The reasons why an attempt failed.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Fault {
     /// Undone by Neo4j; it may go well the next time. With the reason.
@@ -26,7 +26,7 @@ pub(super) enum Fault {
 }
 
 impl Fault {
-    /// What is in the database cannot be what we wrote.
+    /// Returns the fault of a database whose content cannot be what we wrote.
     pub(super) fn damaged(reason: &impl Display) -> Self {
         Self::Said(StoreError::Damaged(format!("the Neo4j database: {reason}")))
     }
@@ -84,7 +84,7 @@ fn refused(code: &str, message: &str) -> StoreError {
     StoreError::Refused(why)
 }
 
-/// What to tell when no further attempt is made.
+/// Says a fault when no further attempt is made.
 pub(super) fn told(fault: Fault, server: &str, at_most: Duration) -> StoreError {
     let why = match fault {
         Fault::Said(error) => return error,

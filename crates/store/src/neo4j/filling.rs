@@ -14,7 +14,7 @@ RETURN n.source AS key, n.again AS again";
 
 const END: &str = "MATCH (n:Shared {name: 'filling'}) DELETE n RETURN count(*) AS many";
 
-/// Where it is being filled from.
+/// Returns the source from which it is being filled.
 pub(super) async fn mark(link: &Link) -> Result<Option<Source>, StoreError> {
     Ok(link.read(MARK, Params::new()).await?.into_iter().next())
 }

@@ -1,4 +1,4 @@
-//! What a library of graphs can tell, asked of the graph.
+//! The knowledge in a library of graphs, asked of the graph.
 
 use super::link::{Link, Params};
 use super::nodes::with_relationships;
@@ -9,7 +9,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Who names a helper, or has its name among the words of a body; the bodies decide.
+/// Finds who names a helper, or has its name among the words of a body; the bodies decide.
 const USERS: &str = "
 CALL () {
   MATCH (c:Connector {helper: $helper})
@@ -100,7 +100,7 @@ fn is_word(text: &str) -> bool {
     !text.is_empty() && text.chars().all(behaviour::is_name_letter)
 }
 
-/// Who uses a helper itself.
+/// Returns the direct users of a helper.
 pub(super) async fn users(link: &Link, helper: &str) -> Result<Vec<Used>, StoreError> {
     // What is no word is in no index; neither is a blank, but the index must be asked for something.
     let quoted = if is_word(helper) { format!("\"{helper}\"") } else { "\"-\"".to_owned() };
@@ -108,7 +108,7 @@ pub(super) async fn users(link: &Link, helper: &str) -> Result<Vec<Used>, StoreE
     Ok(in_order(found.into_iter().filter(|user| user.uses(helper)).map(User::usage).collect()))
 }
 
-/// Who drives an action, and from which sensors.
+/// Returns the behaviours that drive an action, and from which sensors.
 pub(super) async fn drivers(link: &Link, actuator: &str) -> Result<Vec<Driver>, StoreError> {
     let rows = link.read::<Driving>(&with_relationships(DRIVERS), params([("actuator", json!(actuator))])).await?;
     let mut drivers: BTreeMap<Id, (String, BTreeSet<String>)> = BTreeMap::new();

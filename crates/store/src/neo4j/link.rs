@@ -23,7 +23,7 @@ const BROKEN_MAX: u32 = 3;
 /// The parameters of a statement.
 pub(super) type Params = Map<String, Value>;
 
-/// What to do when the connection broke before the answer came.
+/// The way to go on when the connection broke before the answer came.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Broken {
     /// Do it again: twice does the same as once.
@@ -41,7 +41,7 @@ pub(super) struct Link {
     was_away: AtomicBool,
 }
 
-/// What a call found, and whether an earlier attempt of it may have done its work too.
+/// The rows that a call found, and whether an earlier attempt of it may have done its work too.
 pub(super) struct Found<T> {
     pub(super) rows: Vec<T>,
     pub(super) open_before: bool,
@@ -84,7 +84,7 @@ impl Link {
         Ok(self.ask(text, params, Broken::Again).await?.rows)
     }
 
-    /// What to tell about a fault.
+    /// Says a fault.
     pub(super) fn told(&self, fault: Fault) -> StoreError {
         told(fault, &self.server, self.answer_max)
     }

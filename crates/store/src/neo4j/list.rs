@@ -56,7 +56,7 @@ fn index(query: &Query, needles: &[String]) -> &'static str {
     }
 }
 
-/// Where the page begins and how it is ordered, in terms that the index of that order answers.
+/// Returns the beginning of the page and its order, in terms that the index of that order answers.
 fn order(query: &Query, at_ms: &str) -> (String, String) {
     let at = format!("p.{at_ms}");
     match (query.sort, query.after.is_some()) {
@@ -72,7 +72,7 @@ fn order(query: &Query, at_ms: &str) -> (String, String) {
     }
 }
 
-/// How many there are altogether. Neo4j keeps a count for every label, and the bin is small.
+/// Returns the query for the number of all. Neo4j keeps a count for every label, and the bin is small.
 fn total(place: Place) -> &'static str {
     match place {
         Place::Here => "CALL () { MATCH (p:Listed) RETURN count(p) AS total }",

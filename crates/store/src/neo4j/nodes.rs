@@ -96,13 +96,13 @@ pub(super) fn of_helper(program: &Id, id: &Id, record: &Record, helper: &Helper)
     })
 }
 
-/// What a note's node gets; null takes away.
+/// Returns the properties of a note's node; null takes away.
 pub(super) fn of_note(id: &Id, note: &Note) -> Value {
     let by = Some(&note.by).filter(|by| !by.is_empty());
     json!({ "id": id, "text": note.text, "by": by, "at_ms": Some(note.at_ms).filter(|at_ms| *at_ms > 0).map(whole) })
 }
 
-/// What a group's node gets.
+/// Returns the properties of a group's node.
 pub(super) fn of_group(id: &Id, group: &Group) -> Value {
     json!({ "id": id, "title": group.title, "streams": group.streams, "folded": group.folded })
 }

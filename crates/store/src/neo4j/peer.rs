@@ -6,7 +6,7 @@ use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpStream};
 
-/// What becomes of a statement.
+/// The fate of a statement.
 #[derive(Clone, Debug)]
 pub(super) enum Answer {
     /// One row of these names and values.
@@ -32,7 +32,7 @@ pub(super) enum Value {
     Text(&'static str),
 }
 
-/// How far a connection gets.
+/// The stage to which a connection gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Door {
     /// Statements are answered.
@@ -89,7 +89,7 @@ impl Peer {
         Self { place, script }
     }
 
-    /// How many statements came so far.
+    /// Returns the number of statements that came so far.
     pub(super) fn statements(&self) -> usize {
         self.script.lock().unwrap_or_else(PoisonError::into_inner).statements
     }

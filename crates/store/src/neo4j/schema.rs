@@ -19,9 +19,9 @@ const MIGRATIONS: [(&str, &str); 4] = [
     ("0004_groups", include_str!("../../../../migrations/neo4j/0004_groups.cypher")),
 ];
 
-/// How long one statement of a migration may take; on a large database an index is not made at once.
+/// The longest time of one statement of a migration; on a large database an index is not made at once.
 const STEP_MAX: Duration = Duration::from_secs(120);
-/// How long to wait while another program migrates.
+/// The longest wait while another program migrates.
 const OTHERS_MAX: Duration = Duration::from_secs(300);
 
 const RECORDS: &str = "CREATE CONSTRAINT migration_version IF NOT EXISTS FOR (n:Migration) REQUIRE n.version IS UNIQUE";

@@ -1,4 +1,4 @@
-//! What the store does with a server that misbehaves: every call ends, and is made again only where that is safe.
+//! Tests with a server that misbehaves: every call ends, and is made again only where that is safe.
 
 use super::address::Address;
 use super::link::Link;

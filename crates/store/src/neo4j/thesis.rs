@@ -14,7 +14,7 @@ use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-/// How long one question may take.
+/// The longest time of one question.
 const ANSWER_MAX: Duration = Duration::from_secs(30);
 
 const PROGRAMS: &str = "MATCH (p:Program) RETURN id(p) AS id, p {.*} AS props ORDER BY id";

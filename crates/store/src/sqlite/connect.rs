@@ -11,7 +11,7 @@ use std::time::Duration;
 const DATABASE: &str = "rrp.sqlite";
 /// The smallest page, and so the smallest database, of SQLite.
 const PAGE_MIN_BYTES: u64 = 512;
-/// How long to wait for another program, such as a backup, that holds the database.
+/// The longest wait for another program, such as a backup, that holds the database.
 const OTHERS_MAX: Duration = Duration::from_secs(5);
 
 /// Full: an answered commit survives a power cut. The last two keep that true on a Mac and bound the log's file.

@@ -1,4 +1,4 @@
-//! What SQLite complains about, in the words of the store.
+//! The complaints of SQLite, in the words of the store.
 
 use crate::StoreError;
 use rusqlite::ErrorCode;
@@ -8,12 +8,12 @@ use std::path::Path;
 /// Extended result codes that SQLite gives when the disk is full while it sizes its shared memory.
 const IOERR_SHMSIZE: i32 = 10 | (19 << 8);
 
-/// Why a piece of work in the database failed.
+/// The reasons why a piece of work in the database failed.
 #[derive(Debug)]
 pub(super) enum Fault {
     /// SQLite says so.
     Sql(rusqlite::Error),
-    /// What was read is not what was written.
+    /// The content that was read is not what was written.
     Content(String),
     /// A refusal that is already in the store's words.
     Said(StoreError),
@@ -32,12 +32,12 @@ impl From<StoreError> for Fault {
 }
 
 impl Fault {
-    /// What was read is not what was written, for this reason.
+    /// Returns the fault of content that is not what was written, for this reason.
     pub(super) fn content(reason: &impl Display) -> Self {
         Self::Content(reason.to_string())
     }
 
-    /// What to tell about it, for the database in `file`.
+    /// Says the fault, for the database in `file`.
     pub(super) fn told(self, file: &Path) -> StoreError {
         match self {
             Self::Said(error) => error,

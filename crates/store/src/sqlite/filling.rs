@@ -4,7 +4,7 @@ use super::fault::Fault;
 use crate::Source;
 use rusqlite::{Connection, OptionalExtension};
 
-/// Where it is being filled from.
+/// Returns the source from which it is being filled.
 pub(super) fn mark(at: &Connection) -> Result<Option<Source>, Fault> {
     let mut query = at.prepare_cached("SELECT source, again FROM filling")?;
     Ok(query.query_row([], |row| Ok(Source { key: row.get(0)?, again: row.get(1)? })).optional()?)

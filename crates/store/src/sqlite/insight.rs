@@ -1,4 +1,4 @@
-//! What the library of graphs tells, from the table of devices and the graphs themselves.
+//! The knowledge in the library of graphs, from the table of devices and the graphs themselves.
 
 use super::fault::Fault;
 use super::read::{self, id};
@@ -7,7 +7,7 @@ use crate::{Contested, Driver, Similar};
 use behaviour::Id;
 use rusqlite::{Connection, params};
 
-/// Who drives an action, and from which sensor streams.
+/// Returns the behaviours that drive an action, and from which sensor streams.
 pub(super) fn drivers(at: &Connection, actuator: &str) -> Result<Vec<Driver>, Fault> {
     let mut drivers = Vec::new();
     for (behaviour, name) in driving(at, actuator, u32::MAX)? {
@@ -53,7 +53,7 @@ pub(super) fn contested(at: &Connection) -> Result<Vec<Contested>, Fault> {
     Ok(found)
 }
 
-/// Who uses the same senses and actions.
+/// Returns the behaviours that use the same senses and actions.
 pub(super) fn similar(at: &Connection, this: &Id, most: u32) -> Result<Vec<Similar>, Fault> {
     let mut query = at.prepare_cached(
         "WITH mine AS (SELECT DISTINCT kind, name FROM device WHERE behaviour = ?1), \

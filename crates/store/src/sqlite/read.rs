@@ -1,4 +1,4 @@
-//! What the reading connections look up in the tables.
+//! The look-ups of the reading connections in the tables.
 
 use super::fault::Fault;
 use super::write::{kept, read};
@@ -68,7 +68,7 @@ pub(super) fn history(at: &Connection, id: &Id, since: u64, most: u32) -> Result
     Ok(changes)
 }
 
-/// Who uses a helper itself: the index finds candidates, the records decide.
+/// Returns the direct users of a helper: the index finds candidates, the records decide.
 pub(super) fn users(at: &Connection, helper: &str) -> Result<Vec<Used>, Fault> {
     let mut query = at.prepare_cached(
         "SELECT behaviour.id, behaviour.name, record.id, record.json FROM used \

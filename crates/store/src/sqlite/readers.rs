@@ -11,7 +11,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 /// Connections that read at the same time.
 const READERS: usize = 4;
-/// How long a read may take, waiting for a free connection included.
+/// The longest time of a read, waiting for a free connection included.
 const ANSWER_MAX: Duration = Duration::from_secs(30);
 
 /// The reading connections.
@@ -22,7 +22,7 @@ pub(super) struct Readers {
 }
 
 struct Free {
-    /// Whether one connection has the database for itself, as the disk is full.
+    /// True if one connection has the database for itself, as the disk is full.
     alone: bool,
     connections: Vec<Connection>,
 }

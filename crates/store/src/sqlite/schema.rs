@@ -39,7 +39,7 @@ pub(super) fn migrate(at: &mut Connection) -> Result<(), Fault> {
     Ok(step.commit()?)
 }
 
-/// Whether the tables can be read as they are.
+/// Checks that the tables can be read as they are.
 pub(super) fn check(at: &Connection) -> Result<(), Fault> {
     match version(at)? {
         found if found == MIGRATIONS.len() => Ok(()),

@@ -1,4 +1,4 @@
-//! What the writing thread does in the tables.
+//! The work of the writing thread in the tables.
 
 use super::fault::Fault;
 use crate::query::name_key;
@@ -22,7 +22,7 @@ impl Ready {
         Ok(Self { committed, json, after })
     }
 
-    /// How large it is.
+    /// Returns the size of the change as JSON, in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.json.len()
     }

@@ -13,7 +13,7 @@ use tokio::sync::{mpsc, oneshot};
 const WAITING_MAX: usize = 1_024;
 /// Jobs in one transaction.
 const BATCH_MAX: usize = 256;
-/// How long a write may take before its outcome is given up as unknown.
+/// The longest time of a write before its outcome is given up as unknown.
 const ANSWER_MAX: Duration = Duration::from_secs(30);
 
 /// The way to the writing thread. Dropping it waits until the thread has finished and the directory is free.

@@ -1,4 +1,4 @@
-//! What is read is what was written: every kind of record, every number, every text.
+//! Tests that everything is read as it was written: every kind of record, every number, every text.
 
 use crate::samples::{id, now, save};
 use crate::shared;

@@ -17,7 +17,7 @@ const WRITERS: usize = 8;
 const BEFORE_KILL: usize = 40;
 /// Each call must end within 3 s; the rest is for a busy machine.
 const CALL_MAX: Duration = Duration::from_secs(8);
-/// How long to ask a server that has come back, before giving up on it.
+/// The longest time to ask a server that has come back, before giving up on it.
 const BACK_MAX: Duration = Duration::from_secs(120);
 
 fn committed(writer: usize, revision: u64) -> Committed {
@@ -50,7 +50,7 @@ async fn again(mut neo4j: Neo4j) -> Neo4j {
     started.await.expect("a start")
 }
 
-/// What the writers of one round share: how much was acknowledged, and whether Neo4j was killed.
+/// The state that the writers of one round share: how much was acknowledged, and whether Neo4j was killed.
 #[derive(Default)]
 struct Round {
     acknowledged: AtomicUsize,

@@ -62,13 +62,13 @@ impl Alone {
         store
     }
 
-    /// What the database itself answers.
+    /// Returns the answer of the database itself.
     pub(crate) async fn rows(&self, text: &str) -> Vec<Value> {
         rows(&self.neo4j, text).await
     }
 }
 
-/// What a Neo4j answers, row by row.
+/// Returns the answer of a Neo4j, row by row.
 pub(crate) async fn rows(neo4j: &Neo4j, text: &str) -> Vec<Value> {
     let graph = Graph::new(neo4j.place(), "neo4j", neo4j.password()).expect("a graph");
     let mut stream = graph.execute(query(text)).await.expect("the statement runs");

@@ -185,7 +185,7 @@ pub(in crate::desk) fn as_seen(change: Change, kind: Kind, id: &Id, seen: Record
     as_seen_at(change, &key(kind, id), seen)
 }
 
-/// The same, of a record by its key.
+/// Makes the change of a record by its key that its author saw as `seen`, as [`as_seen`] does.
 pub(in crate::desk) fn as_seen_at(mut change: Change, id: &RecordId, seen: Record) -> Change {
     if let Some(edit) = change.edits.iter_mut().find(|edit| edit.id == *id) {
         edit.before = Some(seen);

@@ -1,4 +1,4 @@
-//! What gestures make of a behaviour.
+//! Tests of the gestures that build a behaviour.
 
 use super::super::graph_tests::{id, places};
 use super::{connected, connected_twice, connector_edited, free_name, sensor, stream_edited, without_stream};

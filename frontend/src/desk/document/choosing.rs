@@ -1,4 +1,4 @@
-//! What is chosen, one thing or several, and what is done with all of it.
+//! The things that are chosen, one or several, and what is done with all of them.
 
 use super::gestures::short;
 use super::{Document, LineUp, Part, Selected, grouping, several};
@@ -7,7 +7,7 @@ use behaviour::{Behaviour, Helper, Id, Kind, Place, Record, RecordId};
 use leptos::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where a part of a program is put.
+/// The place where a part of a program is put.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Put {
     /// There.
@@ -45,13 +45,13 @@ impl Document {
         self.choose(streams.chain(connectors).chain(notes).map(seen).collect());
     }
 
-    /// Whether something is chosen, alone or with others. Reactive.
+    /// True if something is chosen, alone or with others. Reactive.
     pub(crate) fn is_chosen(&self, what: &Selected) -> bool {
         self.selected.with(|selected| selected.as_ref() == Some(what))
             || self.several.with(|several| several.contains(what))
     }
 
-    /// What is chosen, one or several.
+    /// Returns what is chosen, one or several.
     pub(crate) fn chosen(&self) -> BTreeSet<Selected> {
         let several = self.several.get_untracked();
         if several.is_empty() { self.selected.get_untracked().into_iter().collect() } else { several }

@@ -10,9 +10,9 @@ use behaviour::{
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// How many refused changes wait for their author at most.
+/// The most refused changes that wait for their author.
 pub(super) const CONFLICTS_MAX: usize = 20;
-/// How many changes of others are kept with one of them.
+/// The most changes of others that are kept with one of them.
 const THEIRS_MAX: usize = 30;
 /// All of them together, in bytes; the newest is kept whatever it takes.
 const THEIRS_MAX_BYTES: usize = 128 << 10;
@@ -21,17 +21,17 @@ const THEIRS_MAX_BYTES: usize = 128 << 10;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Conflict {
     pub(super) behaviour: Id,
-    /// What it is about: the first thing in it that somebody else touched.
+    /// The record that it is about: the first thing in it that somebody else touched.
     pub(crate) about: RecordId,
-    /// As its author made it.
+    /// The change as its author made it.
     pub(crate) mine: Change,
-    /// When that was, in milliseconds since 1970 by this computer's clock.
+    /// The time when that was, in milliseconds since 1970 by this computer's clock.
     pub(crate) made_ms: f64,
-    /// Whether it was made without a connection.
+    /// True if it was made without a connection.
     pub(crate) offline: bool,
-    /// What others saved since, oldest first; nothing if that could not be found out.
+    /// The changes that others saved since, oldest first; nothing if that could not be found out.
     pub(super) theirs: Vec<Accepted>,
-    /// Whether it only waits until nobody is editing what it touches, and is proposed then as it is.
+    /// True if it only waits until nobody is editing what it touches, and is proposed then as it is.
     #[serde(default)]
     pub(super) locked: bool,
     /// The change under way that puts one's own on top.
@@ -39,7 +39,7 @@ pub(crate) struct Conflict {
     /// Somebody changed it once more while its author looked at both.
     #[serde(skip)]
     pub(crate) again: bool,
-    /// Whether it was shown since it was refused; after a reload it only waits.
+    /// True if it was shown since it was refused; after a reload it only waits.
     #[serde(skip, default = "yes")]
     pub(super) shown: bool,
 }
@@ -48,18 +48,18 @@ fn yes() -> bool {
     true
 }
 
-/// Whether a refused change is shown beside what others saved: one that makes or edits streams or connectors, or that words
+/// True if a refused change is shown beside what others saved: one that makes or edits streams or connectors, or that words
 /// something anew, and comes too late. Moves and removals are small enough to be made anew.
 pub(super) fn is_shown_beside(change: &Change, no: &Refusal) -> bool {
     matches!(no, Refusal::Stale(_) | Refusal::MissingStream) && is_worth_keeping(change)
 }
 
-/// Whether a refused change says or makes something that somebody would miss.
+/// True if a refused change says or makes something that somebody would miss.
 pub(super) fn is_worth_keeping(change: &Change) -> bool {
     change.undoes.is_none() && change.edits.iter().any(|edit| is_about(edit) && edit.after.is_some())
 }
 
-/// Whether something of what a change edits is another by now.
+/// True if something of what a change edits is another by now.
 pub(super) fn is_late(change: &Change, now: &Behaviour) -> bool {
     change.edits.iter().any(|edit| now.records.get(&edit.id) != edit.before.as_ref())
 }
@@ -68,13 +68,13 @@ fn is_part(id: &RecordId) -> bool {
     matches!(id.kind, Kind::Stream | Kind::Connector)
 }
 
-/// Whether a change with this edit can be what somebody typed: of a part, or of a text of its own.
+/// True if a change with this edit can be what somebody typed: of a part, or of a text of its own.
 fn is_about(edit: &Edit) -> bool {
     is_part(&edit.id)
         || matches!((edit.before.as_ref().map(wording), edit.after.as_ref().map(wording)), (Some(Some(seen)), Some(Some(mine))) if seen != mine)
 }
 
-/// What people wrote in a record that is no part of the graph.
+/// Returns the text that people wrote in a record that is no part of the graph.
 pub(crate) fn wording(record: &Record) -> Option<&str> {
     match record {
         Record::Note(note) => Some(&note.text),
@@ -116,7 +116,7 @@ fn touched(change: &Change) -> impl Iterator<Item = &RecordId> {
     change.edits.iter().map(|edit| &edit.id)
 }
 
-/// What a change is about or rests on: what it edits, and the ends of its connectors.
+/// Returns what a change is about or rests on: what it edits, and the ends of its connectors.
 fn needed(change: &Change) -> BTreeSet<RecordId> {
     let edited = change.edits.iter().filter(|edit| is_about(edit)).map(|edit| edit.id.clone());
     edited.chain(change.edits.iter().filter_map(|edit| edit.after.as_ref()).flat_map(ends)).filled()
@@ -133,7 +133,8 @@ fn ends(record: &Record) -> Vec<RecordId> {
     }
 }
 
-/// What of these is gone, put back as it was: whole changes that removed it, taken back as far as they still stand.
+/// Returns the program with what of these is gone put back as it was: whole changes that removed it, taken back as far
+/// as they still stand.
 pub(super) fn brought_back(
     now: &Behaviour,
     log: &[Accepted],
@@ -213,13 +214,13 @@ impl Conflict {
         }
     }
 
-    /// Whether another change touches something of this one.
+    /// True if another change touches something of this one.
     pub(super) fn meets(&self, change: &Change) -> bool {
         let mine: BTreeSet<_> = self.mine.edits.iter().filter(|edit| is_about(edit)).map(|edit| &edit.id).filled();
         touched(change).any(|id| mine.contains(id))
     }
 
-    /// What this change rests on and is gone.
+    /// Returns the records that this change rests on and that are gone.
     fn missing(&self, now: &Behaviour) -> BTreeSet<RecordId> {
         let made = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.before.is_none());
         let dropped = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.after.is_none());
@@ -227,7 +228,7 @@ impl Conflict {
         needs.filter(|id| !now.records.contains_key(id) && !made(id) && !dropped(id)).filled()
     }
 
-    /// Whether somebody removed what this change is about or rests on.
+    /// True if somebody removed what this change is about or rests on.
     pub(crate) fn is_removed(&self, now: &Behaviour) -> bool {
         !self.missing(now).is_empty()
     }
@@ -243,27 +244,27 @@ impl Conflict {
         Some((edit.before.as_ref(), edit.after.as_ref()))
     }
 
-    /// Whether it makes something that was not there before.
+    /// True if it makes something that was not there before.
     pub(crate) fn is_new(&self) -> bool {
         self.mine_of(&self.about).is_some_and(|(seen, _)| seen.is_none())
     }
 
-    /// Whether it edits a stream or connector.
+    /// True if it edits a stream or connector.
     pub(super) fn edits(&self, id: &Id) -> bool {
         touched(&self.mine).any(|edited| is_part(edited) && edited.id == *id)
     }
 
-    /// Whether a stream has to be there for it.
+    /// True if a stream has to be there for it.
     pub(super) fn rests_on(&self, stream: &Id) -> bool {
         needed(&self.mine).contains(&RecordId::new(Kind::Stream, stream))
     }
 
-    /// Whether it was put on top and is not answered yet.
+    /// True if it was put on top and is not answered yet.
     pub(crate) fn is_under_way(&self) -> bool {
         self.retry.is_some()
     }
 
-    /// Whether it is to be decided and was not shown yet.
+    /// True if it is to be decided and was not shown yet.
     pub(crate) fn waits_unseen(&self) -> bool {
         !self.shown && !self.locked
     }

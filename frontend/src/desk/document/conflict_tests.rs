@@ -1,4 +1,4 @@
-//! What becomes of refused changes.
+//! Tests of refused changes.
 
 use super::{Conflict, brought_back, is_shown_beside, since_seen};
 use crate::desk::document::build;

@@ -15,9 +15,9 @@ use protocol::{LIBRARY, Refused, Reply, Request};
 use std::collections::BTreeSet;
 
 const CONFLICTS_KEY: &str = "rrp.conflicts";
-/// So many changes back it is looked who was first.
+/// The number of changes back in which it is looked who was first.
 const LOOK_BACK: u64 = 100;
-/// So many pages of the log are read for that.
+/// The most pages of the log that are read for that.
 const PAGES_MAX: u32 = 8;
 
 type Then = Box<dyn FnOnce(Vec<Accepted>)>;
@@ -52,14 +52,14 @@ impl Document {
         });
     }
 
-    /// What somebody is called who saved a change: *you*, if it was in another window.
+    /// Names the person who saved a change: *you*, if it was in another window.
     pub(crate) fn called(&self, change: &Change) -> String {
         let is_me =
             self.tab.me.with_untracked(|me| me.as_ref().is_some_and(|me| Some(&me.client) == change.by.as_ref()));
         if is_me { words::you_elsewhere().to_owned() } else { words::person_called(&change.author) }
     }
 
-    /// What was saved since some time before a revision, as far as it can be found out.
+    /// Reads what was saved since some time before a revision, as far as it can be found out.
     pub(super) fn look_back(&self, behaviour: Id, revision: u64, then: impl FnOnce(Vec<Accepted>) + 'static) {
         let from = revision.saturating_sub(LOOK_BACK);
         read_log(behaviour, from, Vec::new(), PAGES_MAX, Box::new(then));
@@ -258,7 +258,7 @@ impl Document {
         }
     }
 
-    /// What others saved stays; one's own is dropped.
+    /// Drops one's own change; the one that others saved stays.
     pub(crate) fn drop_conflict(&self, op: &Id) {
         let mut all = self.conflicts.get_untracked();
         for dropped in all.extract_if(.., |conflict| conflict.mine.op == *op) {
@@ -334,7 +334,7 @@ impl Document {
         set_if_new(&self.conflicts, all);
     }
 
-    /// What is marked about a record: that its change waits to be sent, or to be decided about. Reactive.
+    /// Returns the mark of a record: that its change waits to be sent, or to be decided about. Reactive.
     pub(crate) fn mark_of(&self, record: &RecordId) -> Option<Mark> {
         if self.conflict_about(&record.id).is_some() {
             return Some(Mark::Undecided);
@@ -342,7 +342,8 @@ impl Document {
         self.waits.with(|waits| waits.contains(record)).then_some(Mark::Waits)
     }
 
-    /// What waits to be sent, in words, oldest first; and whether it is of the open program. Not reactive.
+    /// Returns the words for the changes that wait to be sent, oldest first; and whether each is of the open program.
+    /// Not reactive.
     pub(crate) fn waiting(&self) -> Vec<(String, bool)> {
         let state = self.state();
         let is_here = |behaviour: &Id| state.wanted.as_ref() == Some(behaviour);
@@ -362,7 +363,7 @@ impl Document {
     }
 }
 
-/// Where the unsaved text about something is kept.
+/// Returns the key under which the unsaved text about something is kept.
 pub(crate) fn draft_key(about: &Id) -> String {
     format!("rrp.draft.{about}")
 }

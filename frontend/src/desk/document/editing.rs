@@ -17,7 +17,7 @@ pub(crate) struct Editing {
     pub(super) is_over: bool,
 }
 
-/// Whether a person may write in an open editor.
+/// The right to write in an open editor.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Writing {
     /// It was just opened and its lock is asked for; one may write already.
@@ -34,25 +34,25 @@ pub(crate) enum Writing {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Own {
     pub(super) token: Token,
-    /// Who asks for it, if somebody does.
+    /// The person who asks for it, if somebody does.
     pub(crate) asker: Option<String>,
     /// It was kept from them for a minute, and is handed over now.
     pub(crate) is_last: bool,
-    /// When it will be free for others, as nothing was typed for long.
+    /// The time when it will be free for others, as nothing was typed for long.
     pub(crate) free_ms: Option<f64>,
 }
 
 /// Reading what others may change.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Reading {
-    /// Who is editing; nobody any more if it is none.
+    /// The person who is editing; none if nobody is any more.
     pub(crate) by: Option<String>,
     /// It was one's own until now: what was written stays to be seen.
     pub(crate) was_own: bool,
     pub(crate) asking: Asking,
 }
 
-/// What became of asking for it.
+/// The state of asking for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Asking {
     /// Nothing was asked.
@@ -79,23 +79,23 @@ impl Editing {
         Self { number, behaviour, record, writing, seen, is_over: false }
     }
 
-    /// What a change makes of the record, if it is about that.
+    /// Returns the record as a change makes it, if the change is about it.
     pub(super) fn made_by<'a>(&self, change: &'a Change) -> Option<Option<&'a Record>> {
         let edit = change.edits.iter().find(|edit| edit.id == self.record)?;
         Some(edit.after.as_ref())
     }
 
-    /// Whether somebody else may write, so that one only reads here.
+    /// True if somebody else may write, so that one only reads here.
     pub(super) fn reads(&self) -> bool {
         matches!(self.writing, Writing::No(_))
     }
 
-    /// Whether it was one's own until nothing was typed for long, and nobody else took it since.
+    /// True if it was one's own until nothing was typed for long, and nobody else took it since.
     pub(super) fn is_free_again(&self) -> bool {
         matches!(&self.writing, Writing::No(Reading { by: None, was_own: true, .. }))
     }
 
-    /// Whether what others save is shown here as it comes, so that nobody has to be told.
+    /// True if what others save is shown here as it comes, so that nobody has to be told.
     pub(super) fn only_reads(&self) -> bool {
         matches!(&self.writing, Writing::No(reading) if !reading.was_own)
     }
@@ -108,7 +108,7 @@ impl Editing {
         }
     }
 
-    /// Whether there is a lock for what is edited, which is the one's own now.
+    /// Takes a lock that is for what is edited. Returns true if it is one's own now.
     pub(super) fn granted(&mut self, grant: &Grant) -> bool {
         let is_mine = grant.records.contains(&self.record);
         if is_mine && self.token() != Some(grant.token) {
@@ -143,7 +143,7 @@ impl Editing {
         }
     }
 
-    /// Who is editing what now, as everyone is told.
+    /// Hears who is editing what now, as everyone is told.
     pub(super) fn shown(&mut self, locks: &[LockShown], me: Option<&Id>) {
         let Writing::No(reading) = &mut self.writing else { return };
         let lock = locks.iter().find(|lock| lock.records.contains(&self.record));
@@ -153,7 +153,7 @@ impl Editing {
         }
     }
 
-    /// What the server answered to asking. True if it can be had at once.
+    /// Hears the server's answer to asking. Returns true if it can be had at once.
     pub(super) fn asked(&mut self, asked: &Asked, at: impl Fn(u64) -> f64) -> bool {
         let Writing::No(reading) = &mut self.writing else { return false };
         reading.asking = match asked {

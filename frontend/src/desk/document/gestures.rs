@@ -12,7 +12,7 @@ use leptos::prelude::*;
 use protocol::Refused;
 use std::collections::BTreeMap;
 
-/// So many places fit in one change and its message.
+/// The most places that fit in one change and its message.
 const MOVES_MAX: usize = 800;
 
 impl Document {

@@ -1,4 +1,4 @@
-//! What a typed sentence would add: shown beside the graph, and put into it as one change.
+//! The additions of a typed sentence: shown beside the graph, and put into it as one change.
 
 use super::{Document, Selected};
 use crate::desk::tab::new_id;
@@ -31,7 +31,7 @@ pub(crate) struct GhostConnector {
 }
 
 impl Ghost {
-    /// As a change of a behaviour, and the streams that it adds.
+    /// Returns it as a change of a behaviour, and the streams that it adds.
     pub(super) fn into(
         self,
         behaviour: &Behaviour,
@@ -76,7 +76,7 @@ impl Document {
         self.state().presence.in_view()
     }
 
-    /// Where the streams of the open program stand on this page.
+    /// Returns the places of the open program's streams on this page.
     pub(crate) fn places(&self) -> BTreeMap<Id, Place> {
         self.behaviour_and_places().1
     }

@@ -1,4 +1,4 @@
-//! What the tests of gestures begin with.
+//! The common beginning of the tests of gestures.
 
 use super::{ConnectPlan, Output, Spot, build};
 use behaviour::{Behaviour, Change, Id, Params, Place, Procedure, connectors};

@@ -1,4 +1,4 @@
-//! How streams become groups, and what becomes of these.
+//! Tests of groups: how streams become one, and what becomes of it.
 
 use super::super::Selected;
 use super::super::graph_tests::{id, start};

@@ -33,7 +33,7 @@ impl Document {
         }
     }
 
-    /// Whether a group is seen as a box here. Reactive.
+    /// True if a group is seen as a box here. Reactive.
     pub(crate) fn is_folded(&self, id: &Id) -> bool {
         let opened = self.unfolded_here.with(|opened| opened.contains(id));
         !opened && self.group(id).is_some_and(|signals| signals.record.with(|group| group.folded))
@@ -47,7 +47,7 @@ impl Document {
         signals.record.with(|group| group.streams.iter().filter(is_there).cloned().collect())
     }
 
-    /// What is chosen becomes a group, which is selected then.
+    /// Makes a group of what is chosen, and selects it.
     pub(crate) fn make_group(&self, of: &BTreeSet<Selected>) {
         let behaviour = self.behaviour();
         let taken = |title: &String| behaviour.groups().any(|(_, group)| group.title == *title);
@@ -136,8 +136,8 @@ impl Document {
         self.refresh_hidden();
     }
 
-    /// What moves when something is dragged, and where it stands: with one of several that are chosen all of them, with a
-    /// group its streams.
+    /// Returns what moves when something is dragged, and where it stands: with one of several that are chosen all of
+    /// them, with a group its streams.
     pub(crate) fn moving(&self, id: &Id) -> Vec<(Id, Place)> {
         let several = self.several.get_untracked();
         let is_one = several.iter().any(|one| one.id() == id);
@@ -211,14 +211,14 @@ impl Document {
         GroupSignals { record, place, at }
     }
 
-    /// Which groups there are, and what is not seen for them.
+    /// Reads which groups there are, and what is not seen for them.
     pub(super) fn refresh_groups(&self) {
         let ids = self.state().groups.keys().cloned().collect();
         set_if_new(&self.group_ids, ids);
         self.refresh_hidden();
     }
 
-    /// What is not seen any more gives what was chosen of it to its group.
+    /// Gives to its group what was chosen of it and is not seen any more.
     fn refresh_hidden(&self) {
         let groups: Vec<(Id, GroupSignals)> =
             self.state().groups.iter().map(|(id, signals)| (id.clone(), signals.clone())).collect();

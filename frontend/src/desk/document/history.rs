@@ -1,19 +1,20 @@
-//! What this page knows of the history of the open behaviour: its newest changes, and older ones as far as they were read.
+//! The part of the open behaviour's history that this page knows: its newest changes, and older ones as far as they
+//! were read.
 
 use behaviour::{Accepted, Id};
 use protocol::HistoryLine;
 use std::collections::BTreeMap;
 
-/// So many changes are kept; the oldest ones are asked for again.
+/// The most changes that are kept; the oldest ones are asked for again.
 const LINES_MAX: usize = 5_000;
 
 /// Changes as the history tells them, the newest of them up to some older one without gaps.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct History {
     lines: BTreeMap<u64, HistoryLine>,
-    /// Whether there are older ones than these.
+    /// True if there are older ones than these.
     pub(crate) more: bool,
-    /// Whether the server has told the newest ones.
+    /// True if the server has told the newest ones.
     pub(crate) is_read: bool,
 }
 
@@ -27,7 +28,7 @@ impl History {
         self.lines.values()
     }
 
-    /// How many changes are known.
+    /// Returns the number of known changes.
     pub(super) fn len(&self) -> usize {
         self.lines.len()
     }
@@ -58,7 +59,7 @@ impl History {
         }
     }
 
-    /// Who removed something after a revision, if that was one person: `seen` says it if it was seen.
+    /// Returns the person who removed something after a revision, if it was one: `seen` says it if it was seen.
     pub(crate) fn who_removed(&self, after: u64, seen: Option<&str>) -> Option<String> {
         if let Some(seen) = seen {
             return Some(seen.to_owned());
@@ -72,7 +73,7 @@ impl History {
     }
 }
 
-/// Whether a change is one's own.
+/// True if a change is one's own.
 pub(super) fn is_mine(line: &HistoryLine, me: &Id) -> bool {
     line.by.as_ref() == Some(me)
 }

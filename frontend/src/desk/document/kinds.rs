@@ -5,7 +5,7 @@ use crate::live::{LiveConnector, LiveStream};
 use behaviour::{Connector, Group, Id, Kind, Note, Operation, Params, Place, RecordId, Stream};
 use leptos::prelude::{ArcMemo, ArcRwSignal};
 
-/// How saving goes; the number counts changes that wait.
+/// The state of saving; the number counts changes that wait.
 #[expect(clippy::enum_variant_names, reason = "saving is saved, saving, offline or away")]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Saving {
@@ -27,7 +27,7 @@ pub(crate) enum Selected {
 }
 
 impl Selected {
-    /// Its id.
+    /// Returns the id of what is selected.
     pub(crate) fn id(&self) -> &Id {
         match self {
             Self::Stream(id) | Self::Connector(id) | Self::Note(id) | Self::Group(id) => id,
@@ -53,7 +53,7 @@ pub(crate) struct Lit {
     pub(crate) connectors: Vec<Id>,
 }
 
-/// What is marked on a part of the behaviour, as long as this tab has something of it that nobody else has.
+/// The mark of a part of the behaviour, as long as this tab has something of it that nobody else has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     /// A change waits to be sent.
@@ -90,9 +90,9 @@ pub(crate) struct NoteSignals {
 #[derive(Clone)]
 pub(crate) struct GroupSignals {
     pub(crate) record: ArcRwSignal<Group>,
-    /// Where its box was put; nothing if it stands in the middle of its streams.
+    /// The place where its box was put; nothing if it stands in the middle of its streams.
     pub(crate) place: ArcRwSignal<Option<Place>>,
-    /// Where its box is, folded or not: the middle of its top edge. Nothing if its streams are gone.
+    /// The place of its box, folded or not: the middle of its top edge. Nothing if its streams are gone.
     pub(crate) at: ArcMemo<Option<Place>>,
 }
 
@@ -105,7 +105,7 @@ pub(crate) struct ConnectPlan {
     pub(crate) spot: Spot,
 }
 
-/// Where a new connector with its new stream goes.
+/// The place of a new connector with its new stream.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) enum Spot {
     /// Below what it takes from, where there is room.
@@ -117,7 +117,7 @@ pub(crate) enum Spot {
     Into(Gap),
 }
 
-/// Where a new connector leads.
+/// The stream to which a new connector leads.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Output {
     /// To a new stream: ordinary without a device, an actuator with one.

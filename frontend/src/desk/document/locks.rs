@@ -11,14 +11,14 @@ use leptos::prelude::*;
 use protocol::{LockShown, Refused, Reply, Request};
 use std::collections::BTreeSet;
 
-/// How often typing is told, in milliseconds.
+/// The least time between two messages that somebody types, in milliseconds.
 const TYPING_MS: f64 = 1_000.0;
 
 /// Somebody else who is editing something.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Editor {
     pub(crate) name: String,
-    /// Which of the eight colours for people.
+    /// The number of the colour, of the eight for people.
     pub(crate) color: u8,
 }
 
@@ -44,7 +44,7 @@ impl Fields {
 }
 
 impl Document {
-    /// What others are editing, each with who does. Reactive.
+    /// Returns what others are editing, each with who does. Reactive.
     pub(crate) fn edited_by_others(&self) -> Vec<(RecordId, Editor)> {
         let me = self.tab.me.with(|me| me.as_ref().map(|me| me.client.clone()));
         let people = self.people.get();
@@ -58,7 +58,7 @@ impl Document {
         records.collect()
     }
 
-    /// Who else is editing a record. Reactive.
+    /// Returns the other person who is editing a record. Reactive.
     pub(crate) fn editor_of(&self, record: &RecordId) -> Option<Editor> {
         self.edited_by_others().into_iter().find(|(edited, _)| edited == record).map(|(_, editor)| editor)
     }
@@ -187,7 +187,7 @@ impl Document {
         self.edited(|now| now.writing == Writing::Free).unwrap_or_default()
     }
 
-    /// Whether this change is about what is typed into here, and the lock of that is asked for and not answered yet.
+    /// True if this change is about what is typed into here, and the lock of that is asked for and not answered yet.
     pub(super) fn awaits_lock(&self, next: Option<&Waiting>) -> bool {
         let awaits = |now: &Editing, next: &Waiting| {
             now.writing == Writing::Opening && now.behaviour == next.behaviour && now.made_by(&next.change).is_some()
@@ -280,7 +280,7 @@ impl Document {
     }
 }
 
-/// Whether something is counted down.
+/// True if something is counted down.
 fn counts(editing: &Editing) -> bool {
     match &editing.writing {
         Writing::Own(own) => own.free_ms.is_some(),

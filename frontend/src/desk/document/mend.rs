@@ -1,4 +1,4 @@
-//! What the server knows of the open program beyond its records: what mends a problem, and what streams carry.
+//! The server's knowledge of the open program beyond its records: what mends a problem, and what streams carry.
 
 use super::Document;
 use crate::desk::tab::{new_id, set_if_new};
@@ -84,7 +84,7 @@ impl Document {
         });
     }
 
-    /// What only the values of a run tell, beside what is known without them.
+    /// Hears what only the values of a run tell, beside what is known without them.
     fn hear_hints(&self, hints: &[Problem]) {
         let known = self.problems.get_untracked();
         let new: Vec<_> = hints.iter().filter(|hint| !known.contains(hint)).cloned().collect();
@@ -107,7 +107,7 @@ impl Document {
         self.measure(id, &[]).0
     }
 
-    /// Whether the lengths of the open program are in centimetres, all that are known. Reactive.
+    /// True if the lengths of the open program are in centimetres, all that are known. Reactive.
     pub(crate) fn in_centimetres(&self) -> bool {
         self.types.with(|types| {
             let has = |unit: Unit| types.values().any(|kind| measures(kind, unit));
@@ -132,7 +132,7 @@ impl Document {
     }
 }
 
-/// Whether some number in values of a kind is in that unit.
+/// True if some number in values of a kind is in that unit.
 fn measures(kind: &ValueType, unit: Unit) -> bool {
     match kind {
         ValueType::Record(fields) => fields.values().any(|kind| measures(kind, unit)),

@@ -7,7 +7,7 @@ use crate::layout;
 use behaviour::{Id, Kind, Note, Place, Record, RecordId};
 use leptos::prelude::*;
 
-/// How far left of the graph a note stands that nobody placed, and how far below the one before.
+/// The distance to the left of the graph at which a note stands that nobody placed, and below the one before.
 const APART: (f64, f64) = (320.0, 140.0);
 
 impl Document {
@@ -39,7 +39,7 @@ impl Document {
         self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
     }
 
-    /// As it is written here and now.
+    /// Returns the note as it is written here and now.
     fn written(&self, text: &str) -> Record {
         Record::Note(Note { text: text.to_owned(), by: self.tab.my_name(), at_ms: browser::today_ms() as u64 })
     }
@@ -67,7 +67,7 @@ impl Document {
         set_if_new(&self.note_ids, ids);
     }
 
-    /// Where a note stands; one that nobody placed stands left of the graph.
+    /// Returns the place of a note; one that nobody placed stands left of the graph.
     pub(super) fn note_place(&self, id: &Id) -> Place {
         let mut state = self.state();
         if let Some(place) = state.saved_place(id) {
@@ -82,7 +82,7 @@ impl Document {
         place
     }
 
-    /// Where a new note goes that nobody places: left of the graph, below the notes that are there.
+    /// Returns the place of a new note that nobody places: left of the graph, below the notes that are there.
     pub(crate) fn place_for_note(&self) -> Place {
         let state = self.state();
         state.left_of_graph(state.notes.len())

@@ -31,7 +31,7 @@ impl Document {
         link::ask(Request::Leave, |_| {});
     }
 
-    /// Whether this is the program that is to be open.
+    /// True if this is the program that is to be open.
     pub(in crate::desk) fn is_wanted(&self, id: &Id) -> bool {
         self.state().wanted.as_ref() == Some(id)
     }

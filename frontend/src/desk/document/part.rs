@@ -10,11 +10,11 @@ use behaviour::{
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How the text of a part of a program begins to be one.
+/// The mark at the beginning of the text of a part of a program.
 const FORMAT: &str = "rrp-part/1";
 /// The largest text that is put in, in bytes.
 const TEXT_MAX_BYTES: usize = 200 << 10;
-/// How far the places are from each other that are tried for a copy, and how many to the right and down.
+/// The distance between the places that are tried for a copy, and the number of them to the right and down.
 const STEP: f64 = 60.0;
 const STEPS_MAX: i32 = 40;
 
@@ -80,18 +80,18 @@ impl Part {
         crate::json::read::<Self>(text).ok().filter(|part| part.format == FORMAT)
     }
 
-    /// As a text.
+    /// Returns the part as a text.
     pub(crate) fn text(&self) -> String {
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// Whether something that was chosen is in it: a connector is only with the stream that it leads to.
+    /// True if something that was chosen is in it: a connector is only with the stream that it leads to.
     pub(crate) fn holds(&self, what: &Selected) -> bool {
         self.records.records.contains_key(&what.record())
     }
 
-    /// The same for a library: what that knows under another name is used under that, and what it has under the same name
-    /// with another meaning gets a free one. And the helpers that it is to get.
+    /// Fits the part to a library: a helper that the library knows under another name is used under that, and one whose
+    /// name it has with another meaning gets a free one. Returns with it the helpers that the library is to get.
     pub(super) fn for_library(mut self, known: &[Helper]) -> (Self, Vec<Helper>) {
         let mut new: Vec<Helper> = Vec::new();
         let mut names = BTreeMap::new();
@@ -117,7 +117,7 @@ impl Part {
         (self, new)
     }
 
-    /// Whether there is nothing in it.
+    /// True if there is nothing in it.
     pub(crate) fn is_empty(&self) -> bool {
         self.records.streams().next().is_none() && self.records.notes().next().is_none()
     }
@@ -189,7 +189,7 @@ impl Part {
         (change, made)
     }
 
-    /// How far it is to where its middle is at a place, and its top.
+    /// Returns the shift that brings its middle and its top to a place.
     pub(super) fn to(&self, at: Place) -> (f64, f64) {
         let rooms = self.rooms();
         let places = rooms.iter().map(|(place, _)| place);
@@ -217,7 +217,7 @@ impl Part {
         ways.into_iter().find(is_free).unwrap_or((right, 0.0))
     }
 
-    /// Where its streams and notes stand, and the room that they take.
+    /// Returns the places of its streams and notes, and the room that they take.
     fn rooms(&self) -> Vec<(Place, Room)> {
         rooms(&self.records, |id| self.records.place(id))
     }
@@ -245,7 +245,7 @@ impl Part {
     }
 }
 
-/// What a helper is called among others, if one of them does the same, whatever is said of it; by its own name first.
+/// Returns the name of a helper among others, if one of them does the same, whatever is said of it; its own name first.
 fn name_in(helper: &Helper, all: &[Helper]) -> Option<String> {
     let is_same = |other: &&Helper| {
         let named = Helper { name: other.name.clone(), says: other.says.clone(), ..helper.clone() };
@@ -282,8 +282,8 @@ impl Room {
     }
 }
 
-/// Where the streams and notes of a behaviour stand, and the room that they take: a stream with its value and the chip
-/// above it.
+/// Returns the places of a behaviour's streams and notes, and the room that they take: a stream with its value and the
+/// chip above it.
 fn rooms(behaviour: &Behaviour, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Place, Room)> {
     let room = |place: Place, half: f64, (above, right, below): (f64, f64, f64)| Room {
         left: place.x - half,

@@ -1,4 +1,4 @@
-//! What a part of a program is, and what becomes of it elsewhere.
+//! Tests of the part of a program, and what becomes of it elsewhere.
 
 use super::super::Selected;
 use super::super::graph_tests::{graph, id, places, start};

@@ -7,28 +7,28 @@ use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Area, Person, Pointer, Request};
 
-/// How often others are told where this person is at most, in milliseconds.
+/// The least time between two messages that tell others where this person is, in milliseconds.
 const PRESENCE_MS: f64 = 50.0;
 
-/// Where this person is, and what the others know of it.
+/// The place of this person, and what the others know of it.
 #[derive(Default)]
 pub(super) struct Presence {
     pointer: Option<Pointer>,
     view: Option<Area>,
-    /// When the others were told last, and what.
+    /// The time when the others were told last, and what.
     told_ms: f64,
     told: Option<(Option<Pointer>, Option<Id>, Option<Area>)>,
     is_planned: bool,
 }
 
 impl Presence {
-    /// What part of the canvas is in view.
+    /// Returns the part of the canvas that is in view.
     pub(super) fn in_view(&self) -> Option<Area> {
         self.view
     }
 }
 
-/// Where somebody who is followed is.
+/// The place of somebody who is followed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Followed {
     pub(crate) view: Option<Area>,
@@ -78,7 +78,8 @@ impl Document {
         }
     }
 
-    /// Who follows somebody tells what that one sees: so two who follow each other stay where they are.
+    /// Tells others where this person is. One who follows somebody tells what that one sees: so two who follow each
+    /// other stay where they are.
     fn tell_presence(&self) {
         let followed = untrack(|| self.followed());
         let selected = self.selected.with_untracked(|selected| selected.as_ref().map(Selected::id).cloned());
@@ -128,7 +129,7 @@ impl Document {
         followed
     }
 
-    /// Where the followed person is. Reactive.
+    /// Returns the place of the followed person. Reactive.
     pub(crate) fn followed(&self) -> Option<Followed> {
         let client = self.following.get()?;
         self.people.with(|people| {
@@ -137,7 +138,7 @@ impl Document {
         })
     }
 
-    /// Who is followed and not among these any more is followed no longer, which is said.
+    /// Stops following a person who is not among these any more, and says so.
     pub(super) fn follow_on(&self, people: &[Person]) {
         let following = self.following.get_untracked();
         let is_gone = |client: &Id| people.iter().all(|person| person.client != *client);

@@ -5,12 +5,12 @@ use crate::link;
 use behaviour::Value;
 use protocol::{Reply, Request, UnknownName};
 
-/// What a procedure makes of given values: why it cannot run at all, one result per set of values, and a name in it that
-/// means nothing.
+/// The results of a procedure for given values: why it cannot run at all, one result per set of values, and a name in
+/// it that means nothing.
 pub(crate) type Checked = (Option<String>, Vec<Result<Value, String>>, Option<UnknownName>);
 
 impl Document {
-    /// Whether a procedure can run, and what it makes of at most 8 sets of values. Not answered while offline.
+    /// Asks if a procedure can run, and what it makes of at most 8 sets of values. Not answered while offline.
     pub(crate) fn check_body(
         &self,
         arguments: Vec<String>,

@@ -17,15 +17,15 @@ const QUEUE_KEY: &str = "rrp.waiting";
 /// The largest change, so that it fits in a message with what surrounds it.
 const CHANGE_MAX_BYTES: usize = protocol::MESSAGE_MAX_BYTES - 1_024;
 
-/// When a change that could not be saved is sent again.
+/// The time until a change that could not be saved is sent again.
 const STALLED_MS: i32 = 2_000;
-/// When a change that came too fast is sent again.
+/// The time until a change that came too fast is sent again.
 const TOO_FAST_MS: i32 = 400;
 
 pub(super) type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
 
 thread_local! {
-    /// Who wants to know what became of a change; nobody after a reload.
+    /// The callbacks that want to know what became of a change; nobody after a reload.
     static ON_ANSWER: RefCell<HashMap<Id, OnAnswer>> = RefCell::default();
 }
 
@@ -212,12 +212,12 @@ impl Document {
         on_answer.unwrap_or_else(|| Box::new(move |answer| tab.say_refusal(answer)))
     }
 
-    /// Whether what is proposed can be saved now.
+    /// True if what is proposed can be saved now.
     pub(crate) fn can_save(&self) -> bool {
         self.state().saves.can_save()
     }
 
-    /// Whether nothing waits to be saved.
+    /// True if nothing waits to be saved.
     pub(in crate::desk) fn is_saved(&self) -> bool {
         self.state().queue.len() == 0
     }
@@ -253,7 +253,7 @@ impl Document {
         }
     }
 
-    /// What waits for a behaviour that is gone is answered with that.
+    /// Drops the changes that wait for a behaviour which is gone, and says so.
     pub(super) fn forget_waiting(&self, behaviour: &Id) {
         let lost = self.state().queue.touched(behaviour).len();
         self.state().queue.forget(behaviour);
@@ -322,7 +322,7 @@ impl Document {
     }
 }
 
-/// How the server is asked for what waits.
+/// Returns the request for a change that waits.
 fn request(waiting: Waiting, tokens: Vec<Token>) -> Request {
     let Waiting { behaviour, change, way, .. } = waiting;
     let op = change.op.clone();

@@ -4,44 +4,44 @@ use behaviour::{Behaviour, Change, Id, Record, RecordId};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
-/// How many changes may wait.
+/// The most changes that may wait.
 pub(super) const WAITING_MAX: usize = 200;
 
 /// A change and what it is for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Waiting {
     pub(super) behaviour: Id,
-    /// What is made, as far as this page knows it.
+    /// The change that is made, as far as this page knows it.
     pub(super) change: Change,
     #[serde(default)]
     pub(super) way: Way,
-    /// Whether the server may have it.
+    /// True if the server may have it.
     #[serde(default)]
     sent: bool,
     /// The revision that its author had then.
     #[serde(default)]
     pub(super) revision: u64,
-    /// When it was made, in milliseconds since 1970 by this computer's clock.
+    /// The time when it was made, in milliseconds since 1970 by this computer's clock.
     #[serde(default)]
     pub(super) made_ms: f64,
-    /// Whether it was made without a connection.
+    /// True if it was made without a connection.
     #[serde(default)]
     pub(super) offline: bool,
 }
 
-/// How the server is asked for a change.
+/// The ways to ask the server for a change.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Way {
-    /// As it is.
+    /// The change as it is.
     #[default]
     Propose,
-    /// As one's own undo, of what the server's log says.
+    /// One's own undo, of what the server's log says.
     TakeBack,
-    /// As one's own redo.
+    /// One's own redo.
     DoAgain,
-    /// As a return to what was after a revision, which people call so.
+    /// The return to what was after a revision, which people call so.
     GoBack { revision: u64, called: String },
-    /// As the return of what the change of a revision removed.
+    /// The return of what the change of a revision removed.
     BringBack { revision: u64 },
 }
 
@@ -53,7 +53,7 @@ pub(super) struct Queue {
     oldest: Oldest,
 }
 
-/// What the oldest change does; all others wait behind it.
+/// The state of the oldest change; all others wait behind it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Oldest {
     /// It is sent as soon as somebody asks for it.
@@ -70,7 +70,7 @@ impl Queue {
         self.waiting.len()
     }
 
-    /// Whether there was room.
+    /// Adds a change to the end of the queue. Returns true if there was room.
     pub(super) fn push(&mut self, behaviour: Id, change: Change, way: Way) -> bool {
         let room = self.waiting.len() < WAITING_MAX;
         if room {
@@ -107,7 +107,7 @@ impl Queue {
         gone
     }
 
-    /// How and when a change was made.
+    /// Notes how and when a change was made.
     pub(super) fn made(&mut self, op: &Id, revision: u64, (made_ms, offline): (f64, bool)) {
         if let Some(made) = self.waiting.iter_mut().find(|waiting| waiting.change.op == *op) {
             (made.revision, made.made_ms, made.offline) = (revision, made_ms, offline);
@@ -140,7 +140,7 @@ impl Queue {
         }
     }
 
-    /// What rested may be sent again.
+    /// Lets a change that rested be sent again.
     pub(super) fn rested(&mut self) {
         if self.oldest == Oldest::Rests {
             self.oldest = Oldest::Ready;
@@ -169,7 +169,7 @@ impl Queue {
         self.waiting.retain(|waiting| waiting.behaviour != *behaviour);
     }
 
-    /// What waits for a behaviour, oldest first.
+    /// Returns the changes that wait for a behaviour, oldest first.
     pub(super) fn waiting_for<'a>(&'a self, behaviour: &'a Id) -> impl DoubleEndedIterator<Item = &'a Waiting> {
         self.waiting.iter().filter(move |waiting| waiting.behaviour == *behaviour)
     }
@@ -185,7 +185,7 @@ impl Queue {
         whole
     }
 
-    /// What the waiting changes make of one record; the outer none says that they do not touch it.
+    /// Returns one record as the waiting changes make it; the outer none says that they do not touch it.
     pub(super) fn record(&self, behaviour: &Id, id: &RecordId) -> Option<Option<Record>> {
         let edits = self.of(behaviour).rev().flat_map(|change| &change.edits);
         edits.into_iter().find(|edit| edit.id == *id).map(|edit| edit.after.clone())

@@ -7,11 +7,11 @@ use behaviour::{Accepted, Id};
 use leptos::prelude::*;
 use protocol::{Reply, Request};
 
-/// So many of the newest changes the server looks at to find what can be taken back.
+/// The number of newest changes in which the server looks for what can be taken back.
 const UNDO_LOOKS_AT: usize = 512;
 
 impl Document {
-    /// What was opened has a history; what is known of it stays if nothing was missed.
+    /// Begins the history of what was opened; what is known of it stays if nothing was missed.
     pub(super) fn begin_history(&self, revision: u64) {
         let newest = self.history.with_untracked(|history| history.newest_first().next().map(|line| line.revision));
         if newest != Some(revision) {
@@ -24,7 +24,7 @@ impl Document {
         self.show_steps();
     }
 
-    /// What is known of the history is not right: it is read anew.
+    /// Forgets a history that is not right, and reads it anew.
     pub(super) fn forget_history(&self) {
         self.history.set(History::default());
         self.ask_history(None);
@@ -85,7 +85,7 @@ impl Document {
         }
     }
 
-    /// Whether older changes may tell what can be taken back.
+    /// True if older changes may tell what can be taken back.
     fn seeks_own_change(&self) -> bool {
         self.undoable.with_untracked(Option::is_none) && self.history.with_untracked(History::len) < UNDO_LOOKS_AT
     }

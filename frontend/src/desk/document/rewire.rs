@@ -10,7 +10,7 @@ use behaviour::{
 };
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where a wire out of a stream may end.
+/// The things at which a wire out of a stream may end.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum WireEnd {
     /// A stream: an action takes its values too, an ordinary stream is fed by it.
@@ -20,14 +20,14 @@ pub(crate) enum WireEnd {
 }
 
 impl WireEnd {
-    /// Its id.
+    /// Returns the id of the end.
     pub(crate) fn id(&self) -> &Id {
         match self {
             Self::Stream(id) | Self::Connector(id) => id,
         }
     }
 
-    /// What it is on the graph.
+    /// Returns the end as something that can be selected on the graph.
     pub(crate) fn selected(&self) -> Selected {
         match self {
             Self::Stream(id) => Selected::Stream(id.clone()),
@@ -36,7 +36,7 @@ impl WireEnd {
     }
 }
 
-/// What comes of a wire that ends there.
+/// The outcome of a wire that ends there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Joining {
     /// The action is told these values too.
@@ -60,7 +60,8 @@ pub(crate) struct Gap {
     pub(crate) input: Id,
 }
 
-/// Where a wire out of `from` may end, and what comes of it, in the order of the file: streams, then connectors.
+/// Returns the ends that a wire out of `from` may have, and what comes of each, in the order of the file: streams, then
+/// connectors.
 pub(crate) fn wire_ends(behaviour: &Behaviour, from: &Id) -> Vec<(WireEnd, Joining)> {
     if behaviour.stream(from).is_none_or(|stream| stream.kind == StreamKind::Actuator) {
         return Vec::new();
@@ -158,8 +159,8 @@ pub(super) fn with_inputs(behaviour: &Behaviour, connector: &Connector, inputs: 
     taken
 }
 
-/// What a stream carries already, and the new values, both on it: into the merge that feeds it, or into a new one behind
-/// the connector that feeds it.
+/// Puts what a stream carries already, and the new values, both on it: into the merge that feeds it, or into a new one
+/// behind the connector that feeds it.
 fn merged(
     behaviour: &Behaviour,
     places: &BTreeMap<Id, Place>,

@@ -1,4 +1,4 @@
-//! What other ways through a graph make of it.
+//! Tests of other ways through a graph.
 
 use super::super::graph_tests::{id, places, start};
 use super::super::{ConnectPlan, Output, Spot, build};

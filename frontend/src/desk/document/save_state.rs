@@ -1,8 +1,8 @@
-//! Whether what is changed can be saved now, as a state machine: no clock and no link in it, so that it is tested.
+//! The state of saving, as a state machine: no clock and no link in it, so that it is tested.
 
 use super::Saving;
 
-/// Whether changes can be sent, and why not.
+/// The state that says if changes can be sent, and why not.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) enum SaveState {
     /// The page has no link yet.
@@ -20,7 +20,7 @@ pub(super) enum SaveState {
     Lost(Option<String>),
 }
 
-/// What bears on saving.
+/// The events that bear on saving.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum SaveEvent {
     /// The server greeted back.
@@ -40,7 +40,7 @@ pub(super) enum SaveEvent {
 }
 
 impl SaveState {
-    /// What follows; an event that bears on nothing here changes nothing.
+    /// Returns the state that follows; an event that bears on nothing here changes nothing.
     pub(super) fn after(self, event: SaveEvent) -> Self {
         use SaveEvent as Event;
         match (self, event) {
@@ -59,17 +59,17 @@ impl SaveState {
         }
     }
 
-    /// Whether what is proposed can be saved now.
+    /// True if what is proposed can be saved now.
     pub(super) fn can_save(&self) -> bool {
         matches!(self, Self::Ready | Self::CatchingUp)
     }
 
-    /// Whether changes are shown before they are saved: only where the page says that they wait.
+    /// True if changes are shown before they are saved: only where the page says that they wait.
     pub(super) fn shows_waiting(&self) -> bool {
         !matches!(self, Self::Connecting | Self::Ready)
     }
 
-    /// What people are told of it while so many changes wait.
+    /// Returns what people are told of it while so many changes wait.
     pub(super) fn told(&self, waiting: usize) -> Saving {
         match self {
             Self::Lost(_) => Saving::Offline(waiting),

@@ -1,4 +1,4 @@
-//! What the server says of the open behaviour.
+//! The server's messages about the open behaviour.
 
 use super::{Document, Remover};
 use crate::desk::tab::{Gone, set_if_new};

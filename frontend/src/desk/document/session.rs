@@ -23,7 +23,7 @@ struct Begun {
     behaviour: Id,
     /// The editor that holds the lock.
     number: u32,
-    /// Whether it was opened here; one that was open already ends elsewhere.
+    /// True if it was opened here; one that was open already ends elsewhere.
     is_own: bool,
     /// The record when it began, for when another editor took the place of this one.
     seen: Option<Record>,
@@ -35,7 +35,7 @@ impl Document {
         EditSession { document: self.clone(), record, begun: Arc::default() }
     }
 
-    /// Whether somebody else is editing a record, which is said then; `what` is what people call it. Not reactive.
+    /// Says that somebody else is editing a record; `what` is what people call it. Returns true if so. Not reactive.
     pub(crate) fn says_busy(&self, record: &RecordId, what: &str) -> bool {
         let editor = untrack(|| self.editor_of(record));
         let busy = editor.map(|editor| Refusal::Locked { what: what.to_owned(), by: editor.name });
@@ -110,7 +110,7 @@ impl EditSession {
         *self.begun.lock().unwrap_or_else(PoisonError::into_inner) = begun;
     }
 
-    /// Whether somebody types here now.
+    /// True if somebody types here now.
     pub(crate) fn is_begun(&self) -> bool {
         self.begun().is_some()
     }
@@ -148,7 +148,7 @@ impl EditSession {
         self.document.typing();
     }
 
-    /// Whether the program in which somebody began to type is still the open one.
+    /// True if the program in which somebody began to type is still the open one.
     pub(crate) fn is_here(&self) -> bool {
         self.begun().is_none_or(|begun| self.document.is_open(&begun.behaviour))
     }

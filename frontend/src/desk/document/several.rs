@@ -21,7 +21,7 @@ pub(super) fn without(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selec
     without_empty(behaviour, change)
 }
 
-/// How things are lined up.
+/// The ways to line things up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineUp {
     /// Beside each other, at the height of the topmost.
@@ -52,7 +52,7 @@ fn item(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, one: &Selected) -> 
     Some(Item { id: one.id().clone(), place: *places.get(one.id())?, half: width / 2.0, spare })
 }
 
-/// Where these stand in a row or a column, in the order in which they stand now.
+/// Returns the places of these in a row or a column, in the order in which they stand now.
 pub(super) fn lined_up(
     behaviour: &Behaviour,
     places: &BTreeMap<Id, Place>,

@@ -1,4 +1,4 @@
-//! What becomes of several things at once.
+//! Tests of several things at once.
 
 use super::super::Selected;
 use super::super::graph_tests::{graph, id, places, start};

@@ -46,7 +46,8 @@ impl Document {
         self.laid_out.notify();
     }
 
-    /// So wide and high is what of the stage is free: the next layout fits it. What stands already stays.
+    /// Tells the width and height of the stage that are free: the next layout fits it. A stream that stands already
+    /// stays.
     pub(crate) fn tell_stage(&self, free: (f64, f64)) {
         self.state().stage = free;
     }
@@ -209,7 +210,7 @@ impl State {
         waiting.unwrap_or_else(|| self.confirmed.records.get(key).cloned())
     }
 
-    /// Where something was put.
+    /// Returns the place where something was put.
     pub(super) fn saved_place(&self, id: &Id) -> Option<Place> {
         match self.record(&RecordId::new(Kind::Place, id)) {
             Some(Record::Place(place)) => Some(place),
@@ -217,7 +218,7 @@ impl State {
         }
     }
 
-    /// Where a stream stands; a stream that nobody placed gets a free spot for as long as this page is open.
+    /// Returns the place of a stream; a stream that nobody placed gets a free spot for as long as this page is open.
     fn place_or_free(&mut self, id: &Id) -> Place {
         if let Some(place) = self.saved_place(id) {
             return place;

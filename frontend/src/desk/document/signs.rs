@@ -1,9 +1,9 @@
-//! How people are told apart, also when two of them have one name. Pure.
+//! The signs by which people are told apart, also when two of them have one name. Pure.
 
 use behaviour::Id;
 use protocol::Person;
 
-/// How somebody is shown to this person.
+/// The sign by which somebody is shown to this person.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Sign {
     pub(crate) client: Id,
@@ -11,7 +11,7 @@ pub(crate) struct Sign {
     pub(crate) name: String,
     /// Two letters, or a letter and a number; nobody else here has them.
     pub(crate) letters: String,
-    /// Which of the eight colours for people.
+    /// The number of the colour, of the eight for people.
     pub(crate) color: u8,
 }
 
@@ -41,7 +41,7 @@ fn names(name: &str, namesakes: usize) -> impl Iterator<Item = String> {
     first.into_iter().chain((namesakes + 1..).map(move |number| format!("{name} ({number})")))
 }
 
-/// What may stand for a name, best first; who has the name of somebody else gets a number.
+/// Returns the letters that may stand for a name, best first; a person with the name of somebody else gets a number.
 fn letters(name: &str, is_namesake: bool) -> impl Iterator<Item = String> {
     let letters: Vec<char> = name.trim().chars().collect();
     let first = letters.first().copied();

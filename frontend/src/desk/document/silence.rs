@@ -8,7 +8,7 @@ use leptos::prelude::*;
 /// Without a word for so long nothing is claimed any more, in milliseconds; several pings would have come.
 const SILENCE_MS: f64 = 1_750.0;
 
-/// Whether the server speaks.
+/// The state of the server's silence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Silence {
     /// It speaks, and everybody knows.
@@ -79,7 +79,7 @@ impl Document {
 }
 
 impl State {
-    /// How many changes were sent since the server speaks again, once, when none waits any more.
+    /// Returns how many changes were sent since the server speaks again, once, when none waits any more.
     fn end_of_silence(&mut self) -> Option<usize> {
         match self.silence {
             Silence::Over { sent } if self.queue.len() == 0 => {

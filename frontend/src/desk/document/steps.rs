@@ -12,18 +12,18 @@ const REDO: &str = "Redo: ";
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Step {
     pub(super) op: Id,
-    /// What it did, without the word of undo or redo.
+    /// The label of the change, without the word of undo or redo.
     pub(super) label: String,
 }
 
-/// What can be taken back and done again; the newest is last.
+/// The changes that can be taken back and done again; the newest is last.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Steps {
     pub(super) done: Vec<Step>,
     pub(super) undone: Vec<Step>,
 }
 
-/// What a change is among steps.
+/// The role of a change among steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
     Do,
@@ -50,7 +50,8 @@ impl Steps {
         steps
     }
 
-    /// What a change that takes another one back is; of one that is not known any more only the label tells.
+    /// Returns the role of a change that takes another one back; of one that is not known any more only the label
+    /// tells.
     fn role(&self, of: &Id, label: &str) -> Role {
         let has = |steps: &[Step]| steps.iter().any(|step| step.op == *of);
         match (has(&self.done), has(&self.undone)) {

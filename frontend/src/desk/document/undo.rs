@@ -13,7 +13,7 @@ use std::collections::VecDeque;
 /// Of so many own changes it is remembered what they changed, to show at once what taking them back makes of it.
 const REMEMBERED_MAX: usize = 200;
 
-/// What this page knows of its own changes beside the history.
+/// The knowledge of this page about its own changes beside the history.
 #[derive(Debug, Default)]
 pub(super) struct Mine {
     made: VecDeque<Change>,
@@ -24,7 +24,8 @@ pub(super) struct Mine {
 #[derive(Debug)]
 struct Withdrawn {
     waiting: Waiting,
-    /// How many steps had been taken back in the log by then; what was taken back later is done again earlier.
+    /// The number of steps that had been taken back in the log by then; a step that was taken back later is done again
+    /// earlier.
     above: usize,
 }
 
@@ -46,7 +47,7 @@ impl Mine {
         self.made.iter().rfind(|change| change.op == *op)
     }
 
-    /// What is to be done again before anything that the log has, if so many steps are taken back there.
+    /// Returns what is to be done again before anything that the log has, if so many steps are taken back there.
     fn next(&self, undone: usize) -> Option<&Waiting> {
         self.withdrawn.last().filter(|withdrawn| withdrawn.above >= undone).map(|withdrawn| &withdrawn.waiting)
     }
@@ -83,7 +84,7 @@ impl Document {
         self.show_steps();
     }
 
-    /// What was taken out of the queue is not shown and not waited for any more.
+    /// Forgets a change that was taken out of the queue: it is not shown and not waited for any more.
     fn withdrawn(&self, waiting: &Waiting) {
         self.settle(&waiting.change)(Ok(()));
         self.pump();

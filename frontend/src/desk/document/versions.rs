@@ -14,11 +14,11 @@ use std::sync::Arc;
 pub(crate) enum Version {
     /// After this revision.
     At(u64),
-    /// As it is, whatever comes.
+    /// The version as it is, whatever comes.
     Now,
 }
 
-/// Which versions are looked at.
+/// The versions that are looked at.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Comparing {
     /// The one that was chosen.
@@ -29,7 +29,7 @@ pub(crate) struct Comparing {
     known: Vec<(u64, Arc<Behaviour>)>,
 }
 
-/// How two versions differ.
+/// The differences of two versions.
 #[derive(Debug)]
 pub(crate) struct Compared {
     /// The revision of the older one.
@@ -126,7 +126,7 @@ impl Document {
         }
     }
 
-    /// Who removed something since the version that is looked at, if that is known.
+    /// Returns the person who removed something since the version that is looked at, if that is known.
     pub(crate) fn who_removed(&self, since: u64, record: &RecordId) -> Option<String> {
         let seen = self.removed_by.with(|by| by.get(&record.id).map(|remover| remover.name.clone()));
         self.history.with(|history| history.who_removed(since, seen.as_deref()))
@@ -175,7 +175,7 @@ impl Document {
     }
 }
 
-/// Whether this version is one of the two.
+/// True if this version is one of the two.
 fn is_of(comparing: &Comparing, revision: u64) -> bool {
     comparing.was == revision || comparing.with == Version::At(revision)
 }

@@ -13,7 +13,7 @@ use wasm_bindgen_futures::JsFuture;
 /// The largest file that the server takes, in bytes.
 pub(super) const FILE_MAX_BYTES: f64 = (behaviour::BEHAVIOUR_MAX_BYTES + behaviour::LIBRARY_MAX_BYTES) as f64;
 
-/// What the server says of a file that it took.
+/// The server's answer about a file that it took.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Brought {
@@ -28,20 +28,20 @@ struct Refused {
     error: String,
 }
 
-/// Why a file did not become a program.
+/// The reasons why a file did not become a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum NotBrought {
     /// It is larger than any that the server takes.
     TooLarge,
     /// The server does not answer.
     Unreachable,
-    /// What the server answers cannot be read.
+    /// The server's answer cannot be read.
     Unclear,
     /// The server refuses it; with what it says.
     Refused(String),
 }
 
-/// Where a behaviour is to be had as a file.
+/// Returns the address at which a behaviour is to be had as a file.
 pub(crate) fn file_address(id: &Id, ending: &str) -> String {
     format!("/api/behaviours/{id}.{ending}")
 }

@@ -76,7 +76,7 @@ impl Library {
         self.document.propose_to_library(change, on_answer);
     }
 
-    /// Who last changed a helper, if that was heard here.
+    /// Returns the person who last changed a helper, if that was heard here.
     pub(crate) fn changed_by(&self, id: &Id) -> Option<String> {
         self.state().changed_by.get(id).cloned()
     }

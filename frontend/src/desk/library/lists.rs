@@ -7,7 +7,7 @@ use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Cursor, ListQuery, Reply, Request, Summary};
 
-/// How many of the newest programs the menu and the first screen show.
+/// The number of newest programs that the menu and the first screen show.
 const NEWEST_MAX: u32 = 12;
 
 /// A page of programs.

@@ -14,7 +14,7 @@ pub(super) struct Making {
     behaviour: Id,
     name: String,
     template: Option<String>,
-    /// Whether it was said that it takes longer.
+    /// True if it was said that it takes longer.
     said: bool,
 }
 

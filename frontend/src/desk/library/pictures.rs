@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// Pictures kept in the page.
 const PICTURES_KEPT_MAX: usize = 600;
-/// How soon pictures are asked for, together.
+/// The time until pictures are asked for, together.
 const PICTURES_SOON_MS: i32 = 40;
 
 /// Pictures by program, with the revision they show.
@@ -21,7 +21,7 @@ pub(crate) type Pictures = BTreeMap<String, (u64, Arc<Picture>)>;
 pub(super) struct WantedPictures {
     /// Newest wish last; of too many the oldest are dropped, because they have scrolled away.
     waiting: VecDeque<PictureOf>,
-    /// What was asked for already, so that what is gone is not asked for again and again.
+    /// The pictures that were asked for already, so that one that is gone is not asked for again and again.
     asked: BTreeSet<(String, u64)>,
     planned: bool,
 }
@@ -63,7 +63,7 @@ impl Library {
 }
 
 impl WantedPictures {
-    /// True if somebody has to ask soon.
+    /// Puts a picture on the list of those to be asked for. Returns true if somebody has to ask soon.
     fn want(&mut self, of: PictureOf) -> bool {
         if !self.asked.insert((of.behaviour.to_string(), of.revision)) {
             return false;

@@ -9,7 +9,7 @@ use behaviour::{Behaviour, Change, Engine, Id, Record, RecordId, Settings};
 use protocol::{Reply, Request, Role};
 use serde::Deserialize;
 
-/// What becomes of the settings of a program.
+/// The changes of a program's settings.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Settle {
     Name(String),
@@ -32,7 +32,7 @@ struct Head {
 }
 
 impl Settle {
-    /// What the history calls it.
+    /// Returns the label of the change in the history.
     fn label(&self) -> &'static str {
         match self {
             Self::Name(_) => "Rename program",
@@ -61,7 +61,7 @@ impl Settle {
 }
 
 impl Head {
-    /// As the records have them: a file leaves out what is usual.
+    /// Returns the settings as the records have them: a file leaves out what is usual.
     fn settings(self) -> Settings {
         let usual = Settings::named(&self.name);
         let (robot, engine) = (self.robot.unwrap_or(usual.robot), self.engine.unwrap_or_default());

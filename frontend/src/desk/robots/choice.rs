@@ -108,27 +108,27 @@ impl Robots {
         self.chosen.with_untracked(|robot| robot.as_ref().map(|robot| robot.robot.clone()))
     }
 
-    /// How it is. Reactive.
+    /// Returns the health of the robot. Reactive.
     pub(crate) fn health(&self) -> Health {
         self.chosen.read().as_ref().map_or(Health::Connecting, |robot| robot.health.clone())
     }
 
-    /// Whether its room can be played with. Reactive.
+    /// True if its room can be played with. Reactive.
     pub(crate) fn is_simulated(&self) -> bool {
         self.chosen.read().as_ref().is_some_and(|robot| robot.address.is_none())
     }
 
-    /// Which robot it is, if people may look through a camera of it. Reactive.
+    /// Returns the robot, if people may look through a camera of it. Reactive.
     pub(crate) fn with_camera(&self) -> Option<Id> {
         self.chosen.read().as_ref().filter(|robot| robot.camera).map(|robot| robot.robot.clone())
     }
 
-    /// What people call it. Reactive.
+    /// Returns the name that people gave it. Reactive.
     pub(crate) fn name(&self) -> String {
         self.chosen.read().as_ref().map(|robot| robot.name.clone()).unwrap_or_default()
     }
 
-    /// What runs on it and what ended there lately, oldest first. Reactive.
+    /// Returns the runs on it, with those that ended there lately, oldest first. Reactive.
     pub(crate) fn runs_here(&self) -> Vec<RunState> {
         let robot = self.chosen.read().as_ref().map(|robot| robot.robot.clone());
         let mut runs = self.runs.get();
@@ -144,7 +144,7 @@ impl Robots {
         self.all.read().iter().find(|robot| robot.robot == on).map(|robot| robot.name.clone())
     }
 
-    /// What the room of a robot looks like now; of another one than this tab looks at it is dropped.
+    /// Hears how the room of a robot looks now; drops it if this tab looks at another one.
     pub(in crate::desk) fn hear_scene(&self, robot: &Id, scene: Scene) {
         if self.chosen_id().as_ref() == Some(robot) {
             set_if_new(&self.scene, scene);

@@ -1,4 +1,4 @@
-//! Which connectors of the run fail, and how often.
+//! The connectors of the run that fail, and how often.
 
 use super::Robots;
 use super::unused::Before;
@@ -13,15 +13,15 @@ use leptos::prelude::*;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Failing {
     pub(crate) connector: Id,
-    /// What it says on its chip, in the version that runs.
+    /// The words on its chip, in the version that runs.
     pub(crate) name: String,
     pub(crate) count: u64,
-    /// Why it failed last, in a sentence.
+    /// The reason why it failed last, in a sentence.
     pub(crate) why: String,
 }
 
 impl Robots {
-    /// What fails on the robot now. Reactive.
+    /// Returns the number of failures on the robot now. Reactive.
     pub(crate) fn fails_now(&self) -> usize {
         if self.running().is_some() { self.failing.read().len() } else { 0 }
     }

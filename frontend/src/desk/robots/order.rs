@@ -1,4 +1,4 @@
-//! What runs beside the open program: its order, and stopping one of it.
+//! The runs beside the open program: their order, and stopping one of them.
 
 use super::Robots;
 use crate::few::sort_few;
@@ -16,12 +16,12 @@ impl Robots {
         running
     }
 
-    /// Whether what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
+    /// True if what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
     pub(crate) fn runs_older(&self, run: &RunState) -> bool {
         self.document.fingerprint.get() != run.fingerprint
     }
 
-    /// Who keeps a part of the robot from this action of the open program, in a sentence. Reactive.
+    /// Says who keeps a part of the robot from this action of the open program. Reactive.
     pub(crate) fn held(&self, stream: &Id) -> Option<String> {
         let run = self.running()?;
         run.held.iter().find(|held| held.stream == *stream).map(|held| words::held_by(&held.part, &held.name))

@@ -14,7 +14,7 @@ impl Robots {
         self.run_of_open()
     }
 
-    /// What [`Robots::running`] answers, without being told when it changes.
+    /// Returns the answer of [`Robots::running`], without being told when it changes.
     pub(super) fn run_of_open(&self) -> Option<RunState> {
         let open = self.document.open.get_untracked()?;
         let here = self.chosen_id()?;
@@ -35,7 +35,7 @@ impl Robots {
         self.state().watched = None;
     }
 
-    /// What was open is left: nothing is wished for, and values belong to no run.
+    /// Leaves what was open: nothing is wished for, and values belong to no run.
     pub(in crate::desk) fn leave(&self) {
         let mut state = self.state();
         state.when_saved = None;

@@ -8,7 +8,7 @@ use leptos::prelude::*;
 use protocol::{Reply, Request, Role};
 use robot::SceneEdit;
 
-/// What the robot is to do with the open behaviour once it is saved.
+/// The wish that the robot is to do with the open behaviour once it is saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wish {
     /// Run it from the beginning.
@@ -24,7 +24,7 @@ impl Robots {
     }
 
     /// Lets the run of the open behaviour go on with what was changed, as soon as that is saved.
-    /// What somebody else is still at is not: it may be half of what they mean.
+    /// Refuses while somebody else is still at one of the changes: it may be half of what they mean.
     pub(crate) fn apply(&self) {
         if let Some((name, of)) = untrack(|| self.unfinished()) {
             return self.tab.say(&words::not_while_edited(&name, &of), true);

@@ -8,7 +8,7 @@ use behaviour::{Accepted, Edit, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
 use std::collections::BTreeMap;
 
-/// Who changed what last since the run began: what they are called and their client.
+/// The people who changed something last since the run began: their name and their client.
 pub(super) type Authors = BTreeMap<RecordId, (String, Option<Id>)>;
 
 /// Something that the run has otherwise.
@@ -33,7 +33,7 @@ impl Robots {
         }
     }
 
-    /// What of the open behaviour the run has otherwise. Reactive.
+    /// Returns the parts of the open behaviour that the run has otherwise. Reactive.
     pub(crate) fn unused_changes(&self) -> Vec<Unused> {
         self.unused.track();
         self.document.revision.track();
@@ -56,7 +56,7 @@ impl Robots {
         changes.filter(|unused| is_another(unused.was.as_ref(), unused.is.as_ref())).collect()
     }
 
-    /// Who else is still at something that the run would take, and what that is called; it is theirs to end. Reactive.
+    /// Returns who else is still at something that the run would take, and its name; it is theirs to end. Reactive.
     pub(crate) fn unfinished(&self) -> Option<(String, String)> {
         let open = self.document.behaviour();
         self.unused_changes().iter().filter(|unused| unused.by.is_some()).find_map(|unused| {

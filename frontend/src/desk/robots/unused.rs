@@ -1,4 +1,5 @@
-//! What the run has of what was changed since it began, so that the page can tell what the robot does not use yet.
+//! The difference between the run and what was changed since it began, so that the page can tell what the robot does
+//! not use yet.
 
 use super::Robots;
 use crate::desk::tab::set_if_new;
@@ -12,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Records as they were at some revision; none for one that was not there.
 pub(super) type Before = BTreeMap<RecordId, Option<Record>>;
 
-/// What tells one version on the robot from another: the run, its revision and its fingerprint.
+/// The mark that tells one version on the robot from another: the run, its revision and its fingerprint.
 pub(super) type Version = (u64, u64, u32);
 
 impl Robots {
@@ -96,7 +97,7 @@ impl Robots {
     }
 }
 
-/// What was there before these changes.
+/// Returns the records that were there before these changes.
 fn before(changes: &[Accepted]) -> Before {
     let mut before = Before::new();
     for edit in changes.iter().flat_map(|accepted| &accepted.change.edits) {
@@ -126,7 +127,7 @@ fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id
     connectors.chain(streams).filled()
 }
 
-/// Whether a robot would do otherwise with the one than with the other.
+/// True if a robot would do otherwise with the one than with the other.
 pub(super) fn is_another(was: Option<&Record>, is: Option<&Record>) -> bool {
     match (was, is) {
         (Some(Record::Connector(was)), Some(Record::Connector(is))) => !runs_alike(was, is),

@@ -6,8 +6,8 @@ use crate::{
     StreamKind, argument_names, look_same, numbered, rename_identifier,
 };
 
-/// How far below a stream the next row of the canvas is: `LEVEL` of the page's layout, which stands on this crate. With
-/// less than two of them between its neighbours, a new stream and the connectors beside it would cover each other.
+/// The distance from a stream to the next row of the canvas, in its units, with room for a bubble.
+/// With less than two of them between its neighbours, a new stream and the connectors beside it would cover each other.
 const LEVEL: f64 = 140.0;
 
 /// A change of a behaviour.
@@ -40,7 +40,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// What procedures call the value of a stream.
+    /// Returns the name that procedures use for the value of a stream.
     pub(super) fn argument(&self, stream: &Id) -> String {
         argument_names([self.name(stream).as_str()]).pop().unwrap_or_default()
     }

@@ -13,7 +13,7 @@ use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, FnPtr, ImmutableSt
 const SMALL_PARTS: usize = 2;
 /// Ready-made lists in a loop that cost less than this cost nothing.
 const CONSTANT_NANOS: usize = 1_000;
-/// So many copies outside of loops are made once; more of them pay.
+/// The most copies outside of loops that are made once; more of them pay.
 const ONCE_MAX: usize = 16;
 
 impl VariableCost {
@@ -35,7 +35,7 @@ struct Reader<'a> {
     is_helper: bool,
     owned: LookupSet<String>,
     cost: VariableCost,
-    /// What the largest ready-made list or object in a loop costs.
+    /// The cost of the largest ready-made list or object in a loop.
     constant: usize,
     /// Variables that are copied outside of loops.
     once: Vec<ImmutableString>,
@@ -119,7 +119,7 @@ impl Reader<'_> {
     }
 }
 
-/// How the variable at the end of a path is used there; nothing if it only gets another value.
+/// Returns the use of the variable at the end of a path; none if it only gets another value.
 fn kind_of_use(path: &[ASTNode], used: &Expr) -> Option<Use> {
     if path.iter().any(takes_out) || path.windows(2).any(|pair| is_gone_through(pair[0], pair[1])) {
         return Some(Use::Through);

@@ -1,4 +1,4 @@
-//! How large values may become, counted as Rhai counts.
+//! The bounds of the size of values, counted as Rhai counts.
 
 use super::Unsure;
 use crate::cost::limits::{Limits, TEXT_BYTES, VALUE_DEPTH};

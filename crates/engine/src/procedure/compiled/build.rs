@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 /// More than the steps that Rhai counts for one part.
 const STEPS_PER_PART: u64 = 8;
-/// How deep the tree and the helpers in it may be nested, so that it fits every stack.
+/// The deepest nesting of the tree and the helpers in it, so that it fits every stack.
 const DEPTH_MAX: usize = 96;
 
 /// Builds the tree of one body.
@@ -18,7 +18,7 @@ pub(super) struct Builder<'h> {
     pub(super) helpers: &'h CompiledHelpers,
     /// The names in sight, newest last.
     names: Vec<String>,
-    /// How many of them, at the front, are inputs.
+    /// The number of those names, at the front, that are inputs.
     inputs: usize,
     steps: u64,
     depth: usize,

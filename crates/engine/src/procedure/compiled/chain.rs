@@ -22,7 +22,7 @@ impl<'e> Link<'e> {
         }
     }
 
-    /// What this link says, and the next link.
+    /// Returns the content of this link, and the next link.
     fn split(&self) -> (&'e Expr, Option<Self>) {
         let ends = self.options.intersects(ASTFlags::BREAK);
         match Self::of(&self.pair.rhs).filter(|_| !ends) {

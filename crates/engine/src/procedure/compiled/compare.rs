@@ -28,7 +28,7 @@ impl Comparison {
         }
     }
 
-    /// Whether it holds with a number on the right: no other kind is equal to it, smaller or larger.
+    /// True if it holds with a number on the right: no other kind is equal to it, smaller or larger.
     #[inline(always)]
     pub(crate) fn holds_number(self, left: &Value, right: Number) -> bool {
         match (left, right) {

@@ -7,13 +7,13 @@ use crate::rhai::maths::{self, Unary};
 /// A function of one or two numbers.
 #[derive(Clone, Copy)]
 pub(super) enum Function {
-    /// Of one measured number.
+    /// A function of one measured number.
     Measured(fn(f64) -> f64),
-    /// Of two measured numbers.
+    /// A function of two measured numbers.
     Measured2(fn(f64, f64) -> f64),
-    /// Of one number.
+    /// A function of one number.
     One(fn(Number) -> Result<Number, Unsure>),
-    /// Of two numbers.
+    /// A function of two numbers.
     Two(fn(Number, Number) -> Number),
 }
 

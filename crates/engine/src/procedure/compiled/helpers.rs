@@ -13,9 +13,9 @@ pub(super) struct Piece {
     pub(super) root: Rc<Node>,
     /// At least the steps that Rhai counts for one call.
     pub(super) steps: u64,
-    /// How deep one call nests.
+    /// The depth to which one call nests.
     pub(super) depth: usize,
-    /// How many helpers call each other in it, itself included.
+    /// The number of helpers that call each other in it, itself included.
     pub(super) levels: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What Rhai's literals and operators are in our tree.
+//! The translation of Rhai's literals and operators into our tree.
 
 use super::compare::Comparison;
 use super::node::Node;

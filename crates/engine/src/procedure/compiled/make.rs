@@ -1,4 +1,4 @@
-//! How the parts of a procedure that make values other than numbers make them.
+//! The parts of a procedure that make values other than numbers.
 
 use super::Unsure;
 use super::bounds::Bounds;

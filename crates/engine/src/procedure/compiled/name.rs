@@ -4,7 +4,7 @@ use behaviour::{Fields, Value};
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// How many bits of what a name remembers are the place.
+/// The number of bits for the place in what a name remembers.
 const PLACE_BITS: u32 = 16;
 /// Remembered at first: no shape has this number.
 const NOTHING: u64 = u64::MAX;

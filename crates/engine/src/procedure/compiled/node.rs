@@ -51,7 +51,7 @@ pub(super) type Pair = Box<(Node, Node)>;
 /// A value of the inputs or the text, or a new one.
 pub(super) type Made<'a> = Result<Cow<'a, Value>, Unsure>;
 
-/// What a part sees.
+/// The surroundings that a part sees.
 #[derive(Clone, Copy)]
 pub(super) struct Env<'a> {
     pub(super) inputs: &'a [&'a Value],
@@ -98,7 +98,7 @@ impl Node {
         }
     }
 
-    /// What it makes, whatever kind it is.
+    /// Returns the value that it makes, whatever kind it is.
     pub(super) fn value<'a>(&'a self, env: &Env<'a>) -> Made<'a> {
         match self {
             Self::Constant(_) | Self::Input(_) | Self::InputField(..) => {
@@ -131,7 +131,7 @@ impl Node {
         Some(())
     }
 
-    /// What it makes, if that is a number.
+    /// Returns the number that it makes, if it is one.
     pub(super) fn number(&self, env: &Env) -> Result<Number, Unsure> {
         match self {
             Self::Arithmetic(operator, pair) => operator.apply(pair.0.operand(env)?, pair.1.operand(env)?),
@@ -145,7 +145,8 @@ impl Node {
         }
     }
 
-    /// What it makes, if that is a number, without a call for a procedure of one operation: `x + 1`, `ball.size`.
+    /// Returns the number that it makes, if it is one, without a call for a procedure of one operation: `x + 1`,
+    /// `ball.size`.
     #[inline]
     pub(super) fn short_number(&self, env: &Env) -> Result<Number, Unsure> {
         match self {
@@ -154,7 +155,7 @@ impl Node {
         }
     }
 
-    /// Whether it is true, without a call for a procedure of one comparison: `x > 2.0`, `ball.size < 4`.
+    /// Tells if it is true, without a call for a procedure of one comparison: `x > 2.0`, `ball.size < 4`.
     #[inline]
     pub(super) fn short_truth(&self, env: &Env) -> Result<bool, Unsure> {
         match self {
@@ -167,7 +168,7 @@ impl Node {
         }
     }
 
-    /// What it makes, if that is a number, without a call where nothing needs to be computed.
+    /// Returns the number that it makes, if it is one, without a call where nothing needs to be computed.
     #[inline]
     pub(super) fn operand(&self, env: &Env) -> Result<Number, Unsure> {
         match self.place(env) {
@@ -176,7 +177,7 @@ impl Node {
         }
     }
 
-    /// What it makes, if that is true or false.
+    /// Returns the truth that it makes, if it is true or false.
     pub(super) fn truth(&self, env: &Env) -> Result<bool, Unsure> {
         match self {
             Self::Compare(comparison, pair) => comparison.holds(&*pair.0.value(env)?, &*pair.1.value(env)?),

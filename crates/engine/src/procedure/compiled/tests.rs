@@ -18,7 +18,7 @@ use rhai::Engine;
 
 /// Random procedures in one run of the tests.
 const BODIES: u64 = 12_000;
-/// On how many random inputs each runs.
+/// The number of random inputs on which each runs.
 const CALLS: u64 = 5;
 
 struct Bench {
@@ -58,7 +58,7 @@ impl Bench {
     }
 }
 
-/// How often what happened.
+/// The number of times that each outcome happened.
 #[derive(Debug, Default)]
 struct Counts {
     refused: u64,
@@ -73,7 +73,7 @@ struct Counts {
     spare: Value,
 }
 
-/// What a procedure of one operation makes, where the plan of a run would take its word.
+/// Returns the result of a procedure of one operation, where the plan of a run would take its word.
 fn one_operation(short: Short, input: &Value) -> Option<Value> {
     match short {
         Short::Compute(operator, number) => {

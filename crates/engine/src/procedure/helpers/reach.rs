@@ -1,4 +1,4 @@
-//! What one call of each helper may take, and which helpers a body may reach.
+//! The bounds of one call of each helper, and the helpers that a body may reach.
 
 use crate::cost::callers::is_caller;
 use crate::cost::variable_cost::VariableCost;
@@ -13,19 +13,19 @@ pub(super) struct Reach {
     lengths: Vec<Length>,
 }
 
-/// How long a helper may run.
+/// The bounds of a helper's run.
 pub(super) struct Length {
     /// The parts that one call computes at most; nothing without such a bound.
     pub(super) parts: Option<u64>,
-    /// What its variables cost.
+    /// The cost of the helper's variables.
     pub(super) cost: VariableCost,
-    /// What looking for functions may take.
+    /// The cost of looking for functions.
     pub(super) search: Search,
-    /// How many parameters it has.
+    /// The number of the helper's parameters.
     pub(super) params: usize,
     /// Helpers that it calls.
     calls: Vec<usize>,
-    /// Whether it may call any other helper, by a text.
+    /// True if it may call any other helper, by a text.
     names_others: bool,
 }
 

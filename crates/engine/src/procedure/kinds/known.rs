@@ -1,4 +1,4 @@
-//! What is kept while kinds are told: procedures that were read, and the names of functions.
+//! The cache while kinds are told: procedures that were read, and the names of functions.
 
 use crate::cost::Limits;
 use crate::cost::metered::known;
@@ -13,7 +13,7 @@ use std::rc::Rc;
 
 /// The texts of all procedures that are kept, in bytes; then it is begun anew.
 const KEPT_MAX_BYTES: usize = 512 << 10;
-/// How many procedures are kept.
+/// The most procedures that are kept.
 const KEPT_MAX: usize = 8_192;
 
 /// A procedure that was read, or why it is none.

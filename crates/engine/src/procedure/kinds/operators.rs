@@ -39,7 +39,7 @@ pub(super) fn operator(token: &Token, of: &[ValueType]) -> ValueType {
     }
 }
 
-/// Whether an operator makes sense of a number only with another number.
+/// True if an operator makes sense of a number only with another number.
 pub(super) fn wants_numbers(token: &Token) -> bool {
     let reckons =
         matches!(token, Token::Plus | Token::Minus | Token::Multiply | Token::Divide | Token::Modulo | Token::PowerOf);

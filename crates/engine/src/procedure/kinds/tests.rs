@@ -1,4 +1,4 @@
-//! What is told of procedures, and of texts that are none.
+//! Tests of the kinds that are told of procedures, and of texts that are none.
 
 use super::{result_type, unknown_name};
 use behaviour::{Unit, ValueType};

@@ -8,11 +8,11 @@ use behaviour::{
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap, HashSet};
 
-/// Where the helpers of a file went.
+/// The places to which the helpers of a file went.
 pub(super) struct Shelved {
     /// Name in the file to name in the library.
     pub(super) names: BTreeMap<String, String>,
-    /// What the library gets; without edits if nothing.
+    /// The change of the library; without edits if nothing joins it.
     pub(super) change: Change,
 }
 
@@ -51,7 +51,7 @@ pub(super) fn shelve(
     Ok(Shelved { names, change })
 }
 
-/// Its own name, or with the first number under which it is there already or nothing is, here or in the file.
+/// Returns its own name, or with the first number under which it is there already or nothing is, here or in the file.
 fn name_for(wanted: &Helper, there: &HashMap<String, Helper>, in_file: &HashSet<&str>) -> String {
     let same = |other: &Helper| other.params == wanted.params && other.body == wanted.body;
     let fits = |name: &String| match there.get(name) {

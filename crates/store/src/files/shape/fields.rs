@@ -33,7 +33,7 @@ impl<'n> Fields<'n> {
         self.all.iter().rev().find(|(known, _)| known == name).map(|(_, node)| node)
     }
 
-    /// Where the field begins, or the whole if it is not there.
+    /// Returns the byte at which the field begins, or the whole if it is not there.
     pub(super) fn at(&self, name: &str) -> usize {
         self.get(name).map_or(self.at, |node| node.at)
     }

@@ -1,4 +1,4 @@
-//! Where everything stands in the drawing: as people placed it; what has no place stands in layers, values flowing down.
+//! The places in the drawing: as people placed things; what has no place stands in layers, values flowing down.
 
 use super::shapes::{chip_width, one_line, wide};
 use behaviour::layout::{LEVEL, STREAM_HEIGHT as HEIGHT, Shape, arranged};
@@ -86,7 +86,7 @@ impl<'f> Drawing<'f> {
     }
 }
 
-/// What covers all of these.
+/// Returns the area that covers all of these.
 fn around(boxes: &[Area]) -> Option<Area> {
     let least = |of: fn(&Area) -> f64| boxes.iter().map(of).reduce(f64::min);
     let most = |of: fn(&Area) -> f64| boxes.iter().map(of).reduce(f64::max);
@@ -112,7 +112,7 @@ pub(super) fn width(stream: &FileStream) -> f64 {
     (wide(&one_line(&stream.name), 15.0) + 40.0).max(120.0)
 }
 
-/// What a connector is called: `map (distance)`, `sample (every 1 second)`.
+/// Names a connector: `map (distance)`, `sample (every 1 second)`.
 pub(super) fn label(connector: &FileConnector) -> String {
     let body = connector.body.as_deref().map(one_line).filter(|body| !body.is_empty());
     let spec = behaviour::connectors::spec(&connector.operation);

@@ -7,7 +7,7 @@ use crate::files::tree::TOO_MANY;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-/// How deep elements may lie in each other.
+/// The greatest depth to which elements may lie in each other.
 const DEPTH_MAX: usize = 8;
 /// Elements in one file; what the rules allow has fewer.
 const ELEMENTS_MAX: usize = 100_000;
@@ -24,14 +24,14 @@ pub(super) struct Element {
     pub(super) attributes: Vec<(String, usize, String)>,
     pub(super) children: Vec<Element>,
     pub(super) text: String,
-    /// Where its text begins.
+    /// The byte at which its text begins.
     pub(super) text_at: usize,
     /// True once there is text other than blanks.
     has_text: bool,
 }
 
 impl Element {
-    /// Where there is text other than blanks.
+    /// Returns the byte at which there is text other than blanks.
     pub(super) fn loose_text_at(&self) -> Option<usize> {
         (!self.text.trim_matches([' ', '\t', '\n', '\r']).is_empty()).then_some(self.text_at)
     }
@@ -205,7 +205,7 @@ fn position(at: u64) -> usize {
     usize::try_from(at).unwrap_or(usize::MAX)
 }
 
-/// Where a part of a start mark begins in it.
+/// Returns the byte at which a part of a start mark begins in it.
 fn inside(start: &BytesStart, part: &[u8]) -> usize {
     let offset = (part.as_ptr() as usize).wrapping_sub(start.as_ptr() as usize);
     if offset <= start.len() { offset } else { 0 }

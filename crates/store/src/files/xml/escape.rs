@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Why a text of XML stands for nothing.
+/// The reasons why a text of XML stands for nothing.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub(in crate::files) enum Senseless {
     /// A reference to no character that may stand there; with its beginning.
@@ -16,7 +16,7 @@ pub(in crate::files) enum Senseless {
     Less,
 }
 
-/// What XML cannot hold: control characters other than tab and line ends, and two that are none.
+/// True if XML cannot hold the character: control characters other than tab and line ends, and two that are none.
 pub(in crate::files) fn cannot_hold(c: char) -> bool {
     matches!(c, '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}')
 }

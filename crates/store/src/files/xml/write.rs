@@ -6,7 +6,7 @@ use crate::files::json::write::{coordinate, spaced};
 use behaviour::{BehaviourFile, Engine, FileConnector, FileGroup, FileHelper, FileNote, FileStream, StreamKind, Value};
 use thiserror::Error;
 
-/// Why a behaviour cannot be written as XML.
+/// The reasons why a behaviour cannot be written as XML.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum NoXml {
     /// It is not a file that could be read again.

@@ -86,7 +86,7 @@ fn part(chance: &mut Chance, depth: u64) -> String {
 }
 
 const INDICES: [&str; 9] = ["0", "1", "-1", "-2", "3", "a", "\"x\"", "-9223372036854775808", "b"];
-/// What is not compiled, or ends without a value.
+/// Procedures that are not compiled, or end without a value.
 const ODD: [&str; 9] =
     ["{ a; }", "if a == b { 1 }", "looped(a)", "a ?? b", "`${a}`", "a ** 2", "(a in d)", "'x'", "\"ab\" + 'c'"];
 
