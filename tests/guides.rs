@@ -56,6 +56,7 @@ fn every_path_that_is_named_exists() -> Outcome<()> {
     let mut wrong = Vec::new();
     for path in ALL {
         let guide = Guide::read(path)?;
+        assert!(guide.text.matches('`').count().is_multiple_of(2), "{path}: a mark of code has no end");
         let named = guide::paths(&guide.text);
         assert!(named.len() > 20, "{path} names many paths: {named:?}");
         wrong.extend(named.iter().filter(|name| !guide::exists(name, &files)).map(|name| format!("{path}: {name}")));
@@ -68,7 +69,7 @@ fn every_page_is_read_in_ten_minutes() -> Outcome<()> {
     let mut wrong = Vec::new();
     for path in ALL {
         let text = Guide::read(path)?.text;
-        // The lines of tables are no words.
+        // The lines of a table are no words.
         let words = text.split_whitespace().filter(|word| word.contains(char::is_alphanumeric)).count();
         if words > WORDS_MAX {
             wrong.push(format!("{path} has {words} words"));

@@ -64,9 +64,9 @@ fn cells(row: &str) -> Row {
     row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
 }
 
-/// Everything in `text` that is marked as code, within its lines.
+/// Everything in `text` that is marked as code.
 pub fn code(text: &str) -> Vec<&str> {
-    text.lines().flat_map(|line| line.split('`').skip(1).step_by(2)).collect()
+    text.split('`').skip(1).step_by(2).collect()
 }
 
 /// Everything in `text` that is marked as code and is a path, or the name of a file.
