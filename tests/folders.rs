@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use house::guide::{self, ARCHITECTURE, Guide};
 use house::sources::{self, Source};
 use house::{Outcome, Trouble};
 
@@ -83,6 +84,29 @@ fn no_circle_is_between_folders() -> Outcome<()> {
         none(&format!("folders of {root} that use each other"), &in_circles(&graph))?;
     }
     Ok(())
+}
+
+#[test]
+fn the_map_shows_the_same_arrows() -> Outcome<()> {
+    let guide = Guide::read(ARCHITECTURE)?;
+    let mut wrong = Vec::new();
+    for (root, _, table) in CRATES {
+        let rows = guide.table(&format!("`{root}`"))?;
+        let named = |row: &guide::Row, at: usize| -> Vec<String> {
+            row.get(at).map(|cell| guide::code(cell)).unwrap_or_default().into_iter().map(str::to_owned).collect()
+        };
+        let shown: BTreeSet<(String, BTreeSet<String>)> =
+            rows.iter().map(|row| (named(row, 0).concat(), named(row, 2).into_iter().collect())).collect();
+        let here: BTreeSet<(String, BTreeSet<String>)> = table
+            .iter()
+            .map(|(name, uses)| ((*name).to_owned(), uses.iter().map(|used| (*used).to_owned()).collect()))
+            .collect();
+        wrong.extend(
+            here.difference(&shown).map(|(name, uses)| format!("{root}: {name} uses {uses:?}, says this test")),
+        );
+        wrong.extend(shown.difference(&here).map(|(name, uses)| format!("{root}: {name} uses {uses:?}, says the map")));
+    }
+    none(&format!("rows of {ARCHITECTURE} and of this test differ"), &wrong)
 }
 
 #[test]

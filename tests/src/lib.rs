@@ -18,6 +18,7 @@ mod browser;
 mod find;
 mod frames;
 mod full_disk;
+pub mod guide;
 mod hands;
 mod host;
 mod keys;

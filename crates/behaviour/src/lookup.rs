@@ -1,4 +1,7 @@
 //! Maps and sets that are asked and not gone through, so that no order of hashes can be seen in what is made of them.
+//!
+//! They also keep the first start short. The compiler makes generic code anew for each pair of types: a `BTreeMap` or
+//! `BTreeSet` is some 6,000 lines of LLVM, sorting a row 1,500, a `Lookup` 1,000. So what needs no order is looked up here.
 
 use std::borrow::Borrow;
 use std::collections::HashMap;

@@ -1,5 +1,6 @@
 //! Letting others in: invitations, who came by them, and what each of them may do. Nothing here reads a file or waits on
-//! the way of a Stop: what is asked there is looked up in memory.
+//! the way of a Stop: what is asked there is looked up in memory. Who is revoked may press Stop
+//! until their socket is closed.
 
 mod book;
 mod entry;

@@ -1,4 +1,5 @@
 //! The ends of connectors as they are seen: at their streams, or at the box of the folded group that those are in.
+//! The chip of a connector belongs to the group of the stream that it leads to.
 
 use crate::desk::Desk;
 use crate::layout::{BOX, STREAM_HEIGHT};

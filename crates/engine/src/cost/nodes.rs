@@ -1,4 +1,5 @@
 //! Going through all parts of a procedure.
+//! It takes its closure by `dyn`, as it is not hot and would otherwise be compiled for each caller.
 
 use rhai::{AST, ASTNode};
 

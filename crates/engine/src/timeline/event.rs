@@ -1,4 +1,7 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
+//!
+//! The attributes `inline(always)` and `inline(never)` on the way of numbers (here, in the connectors and in `values/stats.rs`)
+//! are measured. Left to the compiler, a fan-out lost half its speed when somebody added a module elsewhere.
 
 use super::Emission;
 use super::budget::Spent;

@@ -1,5 +1,8 @@
 //! A change that was refused because somebody else was first: what both made of it, and how one's own goes on top of
 //! theirs. Pure, with the behaviour handed in.
+//!
+//! *Keep mine* is a new change against what the page knows by then: of each record what its author changed, the rest as the
+//! others have it, and what is gone put back from the log. A third person's save brings it back to the same dialog.
 
 use super::build;
 use crate::naming;

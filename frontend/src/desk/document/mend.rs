@@ -1,4 +1,5 @@
 //! The server's knowledge of the open program beyond its records: what mends a problem, and what streams carry.
+//! Of a helper's value, what its record says comes first, then what its procedure makes, then what this page saw last.
 
 use super::Document;
 use crate::desk::tab::{new_id, set_if_new};

@@ -1,5 +1,7 @@
 //! One's own undo and redo. The server's log says what is taken back, so that it survives a reload; what the server was not
 //! asked for yet is only taken out of the queue.
+//! Everything else is asked in its turn, under one name until it is answered, and goes with the change it was for if that is
+//! refused.
 
 use super::Document;
 use super::queue::{Waiting, Way};

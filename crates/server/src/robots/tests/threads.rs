@@ -5,6 +5,9 @@
 //! when, and steps like the simulated one. Its sense has read when the reading exists, after the step's computing; its
 //! action is told when `Robot::command` is called. What a link to a real robot adds before and after that is not in
 //! here, nor that what a robot is only asked for in its steps waits for the next one.
+//!
+//! Typical medians on two shared cores: 30 to 50 us from a reading to its action, which is two wake-ups (two bare threads
+//! need 20 to 45 us); 0.1 ms from when a tick of `sample` is due to its action; below 0.1 ms from Stop to a robot that holds.
 #![expect(clippy::print_stdout, reason = "a measurement prints")]
 
 mod probe;

@@ -1,4 +1,7 @@
 //! Saving one change: what the store answers, and what that means for the room.
+//!
+//! Moves, notes and groups that wait together are decided one after another, each as if those before it were saved, and saved
+//! in one transaction. The first that cannot be saved is settled alone, and those after it are decided again.
 
 use super::making::Made;
 use crate::rooms::Surroundings;
