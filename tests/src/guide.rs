@@ -6,21 +6,21 @@ use crate::{Outcome, Trouble};
 
 /// The map of the code.
 pub const ARCHITECTURE: &str = "crates/ARCHITECTURE.md";
-/// What is tried where.
+/// The page about what is tried where.
 pub const TESTING: &str = "tests/TESTING.md";
-/// What a new thing touches.
+/// The page about the files that a new thing touches.
 pub const ADDING: &str = "crates/ADDING.md";
 
-/// How the names of files end that are taken for paths without a folder before them.
+/// Endings of names of files that are taken for paths without a folder before them.
 const ENDINGS: [&str; 9] = [".css", ".html", ".js", ".json", ".md", ".py", ".rs", ".toml", ".txt"];
 /// The one folder that is named and never in a commit.
 const MADE: &str = "target/";
 
 /// One of these pages.
 pub struct Guide {
-    /// Its path below the root.
+    /// The path below the root.
     pub path: &'static str,
-    /// Its text as it is.
+    /// The text as it is.
     pub text: String,
 }
 
@@ -78,7 +78,7 @@ pub fn paths(text: &str) -> BTreeSet<&str> {
     code(text).into_iter().filter(is_path).collect()
 }
 
-/// Whether there is this path below the root. A file without a folder before it may be anywhere.
+/// True if this path exists below the root. A file without a folder before it may be anywhere.
 pub fn exists(path: &str, files: &BTreeSet<String>) -> bool {
     crate::root().join(path).exists() || (!path.contains('/') && files.contains(path))
 }
