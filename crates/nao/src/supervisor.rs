@@ -37,8 +37,9 @@ const CYCLE_MS: u64 = 20;
 const BODY: Duration = Duration::from_secs(30);
 /// Pause before it is looked again what there is, in milliseconds.
 const SCAN_MS: u64 = 300;
-/// How long the last Stop may take at the end.
+/// How long the last Stop may take at the end, in milliseconds, and one of before until the robot is used all the same.
 const LAST_STOP_MS: u64 = 1_000;
+const FIRST_STOP_MS: u64 = 3_000;
 
 /// The services that act.
 const ACTORS: [&str; 7] =
@@ -85,7 +86,7 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
                                 let why = serve(&session, settings, shared, orders, waiting).await;
                                 // The other link may still be there; else it is done as soon as the robot is.
                                 shared.stop();
-                                end_well(shared).await;
+                                end_well(shared, LAST_STOP_MS).await;
                                 why
                             }
                         };
@@ -150,13 +151,13 @@ fn lose(shared: &Shared, why: &str) {
 }
 
 /// A Stop that is wanted is still carried out, if that can be.
-async fn end_well(shared: &Shared) {
+async fn end_well(shared: &Shared, within_ms: u64) {
     let done = async {
         while shared.wants_stop() {
             tokio::time::sleep(Duration::from_millis(10)).await;
         }
     };
-    let _its_time = tokio::time::timeout(Duration::from_millis(LAST_STOP_MS), done).await;
+    let _its_time = tokio::time::timeout(Duration::from_millis(within_ms), done).await;
 }
 
 /// What was wanted of a robot that is gone is void.
@@ -192,7 +193,7 @@ async fn serve(
     // Known before they are needed: what is called first also comes first.
     join_all(ACTORS.iter().map(|name| session.service(name))).await;
     // A Stop of before is over before anything begins: else it would take what begins for what it ends.
-    end_well(shared).await;
+    end_well(shared, FIRST_STOP_MS).await;
     drain(orders, waiting);
     shared.state().health = Health::Ready;
     let (done, mut ended) = mpsc::unbounded_channel();

@@ -104,6 +104,12 @@ impl Peer {
         hearing.call("pause", &[true.into()]).await.unwrap();
     }
 
+    /// Something measures for whoever subscribed by this name.
+    pub(crate) async fn subscribe(&self, service: &str, name: &str) {
+        let measures = self.session.service(service).await.unwrap();
+        measures.call("subscribe", &[name.into()]).await.unwrap();
+    }
+
     /// Nothing was ever done that makes a robot fall.
     pub(crate) async fn was_safe(&self) {
         assert_eq!(self.state().await["violations"], json!([]));
