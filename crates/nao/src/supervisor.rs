@@ -9,7 +9,7 @@ use crate::scan::{clean, scan};
 use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
-use crate::{camera, check, identity, inventory, senses, status, stopping, stranger, voicing};
+use crate::{camera, check, identity, inventory, kept, senses, status, stopping, stranger, voicing};
 use futures_util::future::join_all;
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
@@ -141,7 +141,7 @@ fn lose(shared: &Shared, why: &str) {
     state.health = Health::Lost(why.to_owned());
     state.condition = robot::Condition::default();
     (state.stiff_legs, state.on_ground) = (None, None);
-    state.subscribed.clear();
+    state.subscribed.take();
     state.forget_reasons();
     state.angles.clear();
     state.installed = Arc::default();
@@ -181,11 +181,13 @@ async fn serve(
         Ok(scanned) => scanned.note(&mut shared.state()),
         Err(error) => return check::sentence(&error),
     }
-    camera::clean(session, &settings.own_name).await;
-    if clean(session, &settings.own_name, shared).await {
+    camera::clean(session, settings).await;
+    if clean(session, settings, shared).await {
         // Whoever left that behind may have left it walking.
         shared.stop();
     }
+    voicing::put_back(session, shared, &settings.own_name).await;
+    kept::put_back(session, &settings.own_name, &settings.former).await;
     status::ask(session, shared).await;
     let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
     let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
@@ -204,7 +206,6 @@ async fn serve(
     let (mut controlled, mut _blinking, life) = (None, None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-    voicing::put_back(session, shared).await;
     let looking = Ended(tokio::spawn(inventory::keep(session.clone(), Arc::clone(shared))));
     let pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
     let scanning = Ended(tokio::spawn(scan_again(session.clone(), Arc::clone(shared))));

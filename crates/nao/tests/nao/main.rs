@@ -13,6 +13,7 @@ mod gateway;
 mod harm;
 mod identity;
 mod late;
+mod left;
 mod losses;
 mod peer;
 mod proxy;

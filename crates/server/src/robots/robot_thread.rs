@@ -342,7 +342,11 @@ impl<'a> RobotThread<'a> {
         let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
         let (identity, installed) = (self.robot.identity(), self.robot.installed());
         self.shared.feed.edit(&self.shared.robot, |state| {
-            (state.health, state.lacking, state.condition) = (health, lacking, condition);
+            // One that is about to be made anew is being reached, whatever it was before.
+            if !self.queue().is_renewed() {
+                state.health = health;
+            }
+            (state.lacking, state.condition) = (lacking, condition);
             state.installed = installed;
             if identity.is_some() {
                 state.identity = identity;
