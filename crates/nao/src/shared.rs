@@ -132,6 +132,8 @@ pub(crate) struct State {
     pub(crate) labels: BTreeMap<Use, &'static str>,
     /// What is installed on it.
     pub(crate) installed: Arc<Installed>,
+    /// The names under which it remembers faces.
+    pub(crate) faces: Arc<[String]>,
     /// Its groups of lights; empty before they are known.
     pub(crate) lights: BTreeSet<String>,
     /// How it spoke before that was changed; none if it was not.
@@ -186,6 +188,7 @@ impl Default for State {
             subscribed: Subscribed::default(),
             labels: BTreeMap::new(),
             installed: Arc::default(),
+            faces: Arc::default(),
             lights: BTreeSet::new(),
             voice_before: None,
             gestures: false,
@@ -248,7 +251,7 @@ impl State {
     }
 
     /// Why it cannot do now with its body what somebody asks for, if it cannot.
-    pub(crate) fn check_control(&self, control: Control) -> Result<(), RobotFault> {
+    pub(crate) fn check_control(&self, control: &Control) -> Result<(), RobotFault> {
         let why = match control {
             Control::Stand | Control::Sit if self.condition.awake == Some(false) => "it rests; wake it up first",
             Control::WakeUp | Control::Stand | Control::Sit if !self.may_rest() => {
@@ -261,7 +264,10 @@ impl State {
             Control::WakeUp | Control::Stand | Control::Sit if self.condition.life == Some(Life::Safeguard) => {
                 "it protects itself; give it a moment"
             }
-            Control::ForgetFaces if !self.devices.contains(&"RememberFace") => "it cannot remember faces",
+            Control::ForgetFaces | Control::ForgetFace(_) if !self.devices.contains(&"RememberFace") => {
+                "it cannot remember faces"
+            }
+            Control::ForgetFace(name) if !self.faces.contains(name) => "it remembers nobody of that name",
             _ => return Ok(()),
         };
         Err(RobotFault::NotNow(why.to_owned()))

@@ -144,7 +144,7 @@ fn lose(shared: &Shared, why: &str) {
     state.subscribed.take();
     state.forget_reasons();
     state.angles.clear();
-    state.installed = Arc::default();
+    (state.installed, state.faces) = (Arc::default(), Arc::default());
     (state.saying, state.tracking) = (String::new(), String::new());
     state.playing.clear();
     state.animations.clear();
@@ -338,6 +338,10 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
         Control::Sit => drop(say(posture("Sit"), BODY).await),
         Control::ForgetFaces => {
             say(Call::new("ALFaceDetection", "clearDatabase", []), BODY).await;
+            shared.looking.notify_one();
+        }
+        Control::ForgetFace(name) => {
+            say(Call::new("ALFaceDetection", "forgetPerson", [name.into()]), BODY).await;
             shared.looking.notify_one();
         }
         // By the link of Stop, or by lights.

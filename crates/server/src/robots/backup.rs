@@ -72,8 +72,7 @@ pub fn check_robots(data: &Path, robots: &[Robot], goes_on: bool) -> Result<(), 
     let ids: HashSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
     let is_named =
         |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count()) && !has_unseen(&robot.name);
-    let fits_real =
-        |reached: &Reached| check_real(&real(reached)).is_ok() && reached.body.as_ref().is_none_or(is_told);
+    let fits_real = |reached: &Reached| check_real(&real(reached)).is_ok() && reached.body.as_ref().is_none_or(is_told);
     let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(fits_real);
     let fits = |robot: &Robot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;
     if ids.len() < robots.len() || robots.len() > ROBOTS_MAX || !robots.iter().all(fits) {

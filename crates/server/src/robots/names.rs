@@ -112,6 +112,9 @@ mod tests {
         (0..FORMER_MAX + 3).for_each(|number| names.leave(&id(&format!("r{number}"))));
         names.leave(&id("r5"));
         let former = names.former(std::iter::empty());
-        assert_eq!((former.len(), former[0].as_str(), former.last().unwrap().as_str()), (FORMER_MAX, "rrp-r3", "rrp-r5"));
+        assert_eq!(
+            (former.len(), former[0].as_str(), former.last().unwrap().as_str()),
+            (FORMER_MAX, "rrp-r3", "rrp-r5")
+        );
     }
 }
