@@ -6,7 +6,7 @@ use house::{Outcome, Page, StandIn, skip};
 use crate::steps::*;
 
 /// Adds a robot by its address and name.
-async fn add(page: &Page, address: &str, name: &str) -> Outcome<()> {
+pub(crate) async fn add(page: &Page, address: &str, name: &str) -> Outcome<()> {
     page.press("button", "Robot: *").await?;
     page.press("menuitem", "Add a NAO or Pepper").await?;
     let dialog = page.within("dialog", "Add a NAO or Pepper");
@@ -20,7 +20,7 @@ fn port(robot: &StandIn) -> String {
 }
 
 /// Keeps pictures of this moment in `target/looks`, for who looks.
-async fn keep(page: &Page, name: &str) -> Outcome<()> {
+pub(crate) async fn keep(page: &Page, name: &str) -> Outcome<()> {
     if std::env::var("CI").as_deref() == Ok("true") {
         return Ok(());
     }

@@ -1,9 +1,15 @@
 //! The stand-in for a NAO on the real libqi, as a process of its own.
 
 use crate::{Outcome, Trouble, paths, skip};
+use qi::{Options, Session};
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// How long it may take until it is as a test wants, and the pause between two looks.
+const PATIENCE: Duration = Duration::from_secs(30);
+const PAUSE: Duration = Duration::from_millis(20);
 
 /// A robot that is not one; it ends when this is dropped.
 #[derive(Debug)]
@@ -38,6 +44,64 @@ impl StandIn {
                 Err(failed(format!("it says {said:?}")))
             }
         }
+    }
+
+    async fn asked(&self, method: &str, words: &[qi::Value]) -> Outcome<String> {
+        let failed = |why: qi::QiError| Trouble::from(format!("the stand-in does not answer: {why}"));
+        let address = format!("tcp://{}", self.address).parse().map_err(failed)?;
+        let session = Session::connect(&address, Options::default()).await.map_err(failed)?;
+        let own = session.service("StandIn").await.map_err(failed)?;
+        let said = own.call(method, words).await.map_err(failed)?;
+        session.link().close();
+        Ok(said.as_text().unwrap_or_default().into_owned())
+    }
+
+    /// Changes its world, as JSON.
+    ///
+    /// # Errors
+    /// If it does not do it.
+    pub async fn world(&self, change: &str) -> Outcome<()> {
+        self.asked("world", &[change.into()]).await.map(drop)
+    }
+
+    /// Returns its state, as JSON.
+    ///
+    /// # Errors
+    /// If it does not say it.
+    pub async fn state(&self) -> Outcome<String> {
+        self.asked("state", &[]).await
+    }
+
+    /// Waits until it is so.
+    ///
+    /// # Errors
+    /// If that does not come about.
+    pub async fn until(&self, what: &str, is_so: impl Fn(&str) -> bool) -> Outcome<()> {
+        self.says("state", what, is_so).await
+    }
+
+    /// Waits until a method of it was called.
+    ///
+    /// # Errors
+    /// If nobody calls it.
+    pub async fn until_called(&self, service: &str, method: &str) -> Outcome<()> {
+        let calls = |said: &str| {
+            let calls: serde_json::Value = serde_json::from_str(said).unwrap_or_default();
+            let is_it = |call: &serde_json::Value| call["service"] == service && call["method"] == method;
+            calls.as_array().is_some_and(|calls| calls.iter().any(is_it))
+        };
+        self.says("calls", &format!("{service}.{method} is called"), calls).await
+    }
+
+    async fn says(&self, asked: &str, what: &str, is_so: impl Fn(&str) -> bool) -> Outcome<()> {
+        let end = Instant::now() + PATIENCE;
+        while !is_so(&self.asked(asked, &[]).await?) {
+            if Instant::now() > end {
+                return Err(Trouble::from(format!("never: {what}")));
+            }
+            tokio::time::sleep(PAUSE).await;
+        }
+        Ok(())
     }
 
     /// Returns the address: `127.0.0.1:PORT`.

@@ -110,6 +110,18 @@ enum What {
         /// Its name.
         name: String,
     },
+    /// Shows the names under which a robot remembers faces.
+    Faces {
+        /// Its name.
+        name: String,
+    },
+    /// Has a robot forget the face that it remembers under one name, for good.
+    ForgetFace {
+        /// The robot's name.
+        name: String,
+        /// The name under which it remembers the face.
+        face: String,
+    },
     /// Removes a robot on which nothing runs.
     Remove {
         /// Its name.
@@ -143,6 +155,8 @@ impl What {
             Self::Stand { name } => format!("let stand \"{name}\""),
             Self::Sit { name } => format!("let sit \"{name}\""),
             Self::ForgetFaces { name } => format!("forget faces \"{name}\""),
+            Self::Faces { name } => format!("show faces \"{name}\""),
+            Self::ForgetFace { name, face } => format!("forget face \"{face}\" of \"{name}\""),
             Self::Remove { name } => format!("remove robot \"{name}\""),
         }
     }
@@ -174,6 +188,9 @@ mod tests {
         };
         let forget = What::ForgetFaces { name: "NAO blue".into() };
         assert_eq!(forget.line(), "forget faces \"NAO blue\"");
+        assert_eq!(What::Faces { name: "NAO blue".into() }.line(), "show faces \"NAO blue\"");
+        let forget = What::ForgetFace { name: "NAO blue".into(), face: "face 1".into() };
+        assert_eq!(forget.line(), "forget face \"face 1\" of \"NAO blue\"");
         assert_eq!(add(None, None).line(), "add robot \"NAO blue\"");
         assert_eq!(add(Some("nao.local"), Some("nao")).line(), "add robot \"NAO blue\" at nao.local as nao");
         let reach = What::Reach { name: "NAO blue".into(), address: "10.0.0.9".into(), user: None };

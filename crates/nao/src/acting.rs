@@ -100,7 +100,7 @@ impl Acting {
             moving: Moving::default(),
             lasting: Lastings::default(),
             own_name: own_name.to_owned(),
-            voicing: Voicing::default(),
+            voicing: Voicing::new(own_name),
             lit: BTreeMap::new(),
             shown: None,
         }
@@ -303,7 +303,7 @@ impl Acting {
         let (session, shared, done, gate) =
             (self.session.clone(), Arc::clone(&self.shared), self.done.clone(), self.gate);
         // It would hear itself.
-        let hears = self.shared.state().subscribed.iter().any(|(service, _)| *service == HEARING);
+        let hears = self.shared.state().subscribed.uses(HEARING);
         let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
         tokio::spawn(async move {
             if let Some(wanted) = pause(true) {

@@ -158,12 +158,12 @@ fn name(own_name: &str) -> String {
 }
 
 /// Ends the subscriptions that an ended server left behind: of one name there may be six only.
-pub(crate) async fn clean(session: &Session, own_name: &str) {
+pub(crate) async fn clean(session: &Session, settings: &Settings) {
     let Ok(video) = session.service(VIDEO).await else { return };
     let Ok(known) = video.call("getSubscribers", &[]).await else { return };
-    let ours = format!("{}_", name(own_name));
+    let ours: Vec<String> = settings.names().map(|own| format!("{}_", name(own))).collect();
     for handle in known.items().unwrap_or_default().iter().filter_map(Value::as_text) {
-        if handle.starts_with(&ours) {
+        if ours.iter().any(|ours| handle.starts_with(ours)) {
             let _ = video.call("unsubscribe", &[handle.as_ref().into()]).await;
         }
     }

@@ -172,7 +172,14 @@ mod tests {
     use crate::settings::Settings;
 
     fn settings(address: &str) -> Settings {
-        Settings { address: address.into(), login: None, own_name: "rrp".into(), trusted: None, expected: None }
+        Settings {
+            address: address.into(),
+            login: None,
+            own_name: "rrp".into(),
+            trusted: None,
+            expected: None,
+            former: Vec::new(),
+        }
     }
 
     #[tokio::test]

@@ -274,7 +274,7 @@ impl Robot for Nao {
             // A sign by lights is what a stranger is known by.
             if control != Control::Blink || !matches!(state.health, Health::Stranger(_)) {
                 state.check_link()?;
-                state.check_control(control)?;
+                state.check_control(&control)?;
             }
             state.may_rest()
         };
@@ -290,6 +290,10 @@ impl Robot for Nao {
         }
         self.shared.take_rest();
         self.tell(Order::Control(control))
+    }
+
+    fn faces(&self) -> Arc<[String]> {
+        Arc::clone(&self.shared.state().faces)
     }
 
     fn take_refused(&mut self) -> Vec<(Use, RobotFault)> {

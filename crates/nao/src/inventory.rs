@@ -5,7 +5,7 @@ use crate::deed::Call;
 use crate::link::try_call;
 use crate::shared::Shared;
 use qi::{Session, Value};
-use robot::{Installed, Network};
+use robot::{FACES_MAX, Installed, Network};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -15,6 +15,8 @@ const AGAIN: Duration = Duration::from_secs(10);
 const SETS_MAX: usize = 8;
 /// Most groups of lights.
 const LIGHTS_MAX: usize = 200;
+/// The longest name of a face that is told, in characters.
+const FACE_MAX_CHARS: usize = 100;
 /// What the names of gestures begin with, among the behaviours.
 const GESTURE: &str = "animations/";
 
@@ -59,9 +61,13 @@ async fn installed(session: &Session) -> Installed {
 
 async fn ask(session: &Session, shared: &Shared) {
     let faces = try_call(session, &Call::new("ALFaceDetection", "getLearnedFacesList", [])).await;
-    let faces = faces.as_ref().and_then(Value::items).and_then(|faces| u16::try_from(faces.len()).ok());
+    let faces = faces.as_ref().and_then(Value::items);
+    let names = faces.unwrap_or_default().iter().filter_map(|name| Some(name.as_text()?.into_owned()));
+    let names: Vec<String> = names.filter(|name| (1..=FACE_MAX_CHARS).contains(&name.chars().count())).collect();
+    let faces = faces.and_then(|faces| u16::try_from(faces.len()).ok());
     let services = try_call(session, &Call::new("ALConnectionManager", "services", [])).await;
     let mut state = shared.state();
+    state.faces = names.into_iter().take(FACES_MAX).collect();
     state.condition.faces = faces;
     state.condition.network = services.as_ref().and_then(network);
 }

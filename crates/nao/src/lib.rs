@@ -20,6 +20,7 @@ mod front;
 mod hearing;
 mod identity;
 mod inventory;
+mod kept;
 mod lasting;
 mod legs;
 mod link;

@@ -3,8 +3,8 @@
 use crate::body::joint_words;
 use crate::deed::Call;
 use crate::devices::ALL;
-use crate::hearing;
 use crate::link::{CALL, call, try_call};
+use crate::settings::Settings;
 use crate::shared::{Shared, State};
 use futures_util::future::join_all;
 use qi::{QiError, Session, Value};
@@ -112,10 +112,9 @@ impl Scanned {
     }
 }
 
-/// Ends the subscriptions that begin with our name, which outlive the process that made them, and puts back what it had set.
-/// True if there were some.
-pub(crate) async fn clean(session: &Session, own_name: &str, shared: &Shared) -> bool {
-    let ours = |name: &str| name == own_name || name.starts_with(&format!("{own_name}/"));
+/// Ends the subscriptions that begin with a name of ours, which outlive the process that made them. True if there were some.
+pub(crate) async fn clean(session: &Session, settings: &Settings, shared: &Shared) -> bool {
+    let ours = |name: &str| settings.names().any(|own| name == own || name.starts_with(&format!("{own}/")));
     let clean = EXTRACTORS.iter().map(|service| async move {
         let mut found = false;
         let Ok(object) = session.service(service).await else { return found };
@@ -130,7 +129,6 @@ pub(crate) async fn clean(session: &Session, own_name: &str, shared: &Shared) ->
         found
     });
     let found = join_all(clean).await.contains(&true);
-    hearing::put_back(session, own_name).await;
-    shared.state().subscribed.clear();
+    shared.state().subscribed.take();
     found
 }

@@ -6,6 +6,7 @@ use crate::hearing;
 use crate::link::{CALL, call, try_call};
 use crate::outcome;
 use crate::shared::Shared;
+use crate::stopping::is_silent;
 use qi::{Keep, QiError, Session, Value};
 use robot::Use;
 use std::collections::BTreeSet;
@@ -140,8 +141,8 @@ struct Measuring<'a> {
     session: &'a Session,
     shared: &'a Shared,
     name: &'a str,
-    /// The service that was asked.
-    asked: Option<&'static str>,
+    /// The service that was asked, and the number of that among all that is measured for us.
+    asked: Option<(&'static str, u64)>,
     /// Whether the robot has answered; until then a Stop may come by its own link before the question does.
     is_known: bool,
 }
@@ -149,8 +150,8 @@ struct Measuring<'a> {
 impl Measuring<'_> {
     async fn begin(&mut self, service: &'static str) -> Result<(), QiError> {
         let gate = self.shared.gate();
-        self.shared.state().subscribed.insert((service, self.name.to_owned()));
-        self.asked = Some(service);
+        let number = self.shared.state().subscribed.add(service, self.name);
+        self.asked = Some((service, number));
         let with_period = [self.name.into(), PERIOD_MS.into(), 0.0_f32.into()];
         let done = call(self.session, &Call::new(service, "subscribe", with_period), CALL).await;
         if matches!(done, Err(QiError::NoMethod { .. })) {
@@ -159,7 +160,7 @@ impl Measuring<'_> {
             done?;
         }
         // A Stop that came meanwhile may have ended what had not begun.
-        let is_ours = self.shared.state().subscribed.contains(&(service, self.name.to_owned()));
+        let is_ours = self.shared.state().subscribed.has(service, self.name, number);
         self.is_known = is_ours && self.shared.gate() == gate;
         if !self.is_known {
             self.end().await;
@@ -167,12 +168,16 @@ impl Measuring<'_> {
         Ok(())
     }
 
-    /// Ends it, unless a Stop has.
+    /// Ends it, unless a Stop has. Where the robot does not say so, a Stop ends it by its own link.
     async fn end(&mut self) {
-        let Some(service) = self.asked.take() else { return };
-        let is_ours = self.shared.state().subscribed.remove(&(service, self.name.to_owned()));
-        if is_ours || !self.is_known {
-            let _ = try_call(self.session, &Call::new(service, "unsubscribe", [self.name.into()])).await;
+        let Some((service, number)) = self.asked.take() else { return };
+        let is_ours = self.shared.state().subscribed.has(service, self.name, number);
+        if !is_ours && self.is_known {
+            return;
+        }
+        let done = call(self.session, &Call::new(service, "unsubscribe", [self.name.into()]), CALL).await;
+        if matches!(is_silent(&done), Ok(false)) {
+            self.shared.state().subscribed.end(service, self.name, number);
         }
     }
 }

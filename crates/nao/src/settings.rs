@@ -23,6 +23,8 @@ pub struct Settings {
     /// What everything begins with that this server subscribes to on the robot, so that what an ended one left behind is
     /// found: always the same for one server and robot.
     pub own_name: String,
+    /// Names like that of robots that are here no more, under which something may be left on this one.
+    pub former: Vec<String>,
     /// The SHA-256 of the certificate that the robot must show, as `AB:CD:…`; none trusts the first one.
     pub trusted: Option<String>,
     /// Which body must answer; none takes the first one.
@@ -73,6 +75,11 @@ impl Settings {
         }
     }
 
+    /// Everything that what is left on the robot may begin with.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.own_name.as_str()).chain(self.former.iter().map(String::as_str))
+    }
+
     /// Whether this address may be tried: a password is said, and a certificate looked at, by TLS only.
     pub(crate) fn check_secret(&self, address: &Address) -> Result<(), QiError> {
         if is_secure(address) || (self.login.is_none() && self.trusted.is_none()) {
@@ -103,8 +110,14 @@ mod tests {
     use super::{Login, Settings};
 
     fn tried(address: &str) -> Vec<String> {
-        let settings =
-            Settings { address: address.into(), login: None, own_name: "rrp".into(), trusted: None, expected: None };
+        let settings = Settings {
+            address: address.into(),
+            login: None,
+            own_name: "rrp".into(),
+            trusted: None,
+            expected: None,
+            former: Vec::new(),
+        };
         settings.addresses().iter().map(ToString::to_string).collect()
     }
 
@@ -119,8 +132,14 @@ mod tests {
 
     #[test]
     fn a_password_is_said_in_secret_only() {
-        let open =
-            Settings { address: "nao".into(), login: None, own_name: "rrp".into(), trusted: None, expected: None };
+        let open = Settings {
+            address: "nao".into(),
+            login: None,
+            own_name: "rrp".into(),
+            trusted: None,
+            expected: None,
+            former: Vec::new(),
+        };
         let login = Some(Login { user: "nao".into(), password: "hush".into() });
         let secret = Settings { login, ..open.clone() };
         let pinned = Settings { trusted: Some("nonsense".into()), ..open.clone() };

@@ -23,6 +23,52 @@ const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
 const PRINTED_MAX: usize = 20;
 
+/// What is measured only for us: service and the name that we subscribed by, and a number by which one that began anew under
+/// the same name is another one.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Subscribed {
+    all: BTreeMap<(&'static str, String), u64>,
+    last: u64,
+}
+
+impl Subscribed {
+    /// It is asked for now; answers with its number.
+    pub(crate) fn add(&mut self, service: &'static str, name: &str) -> u64 {
+        self.last += 1;
+        self.all.insert((service, name.to_owned()), self.last);
+        self.last
+    }
+
+    /// Whether nobody has ended it.
+    pub(crate) fn has(&self, service: &'static str, name: &str, number: u64) -> bool {
+        self.all.get(&(service, name.to_owned())) == Some(&number)
+    }
+
+    /// It has ended, unless another one began under its name.
+    pub(crate) fn end(&mut self, service: &'static str, name: &str, number: u64) {
+        if self.has(service, name, number) {
+            self.all.remove(&(service, name.to_owned()));
+        }
+    }
+
+    /// Whether a service measures for us.
+    pub(crate) fn uses(&self, service: &str) -> bool {
+        self.all.keys().any(|(known, _)| *known == service)
+    }
+
+    /// All of them; none is left.
+    pub(crate) fn take(&mut self) -> BTreeMap<(&'static str, String), u64> {
+        std::mem::take(&mut self.all)
+    }
+
+    /// Those that are not known to have ended, but for what began anew.
+    pub(crate) fn put_back(&mut self, taken: BTreeMap<(&'static str, String), u64>) {
+        taken.into_iter().for_each(|(of, number)| {
+            self.all.entry(of).or_insert(number);
+        });
+    }
+}
+
 /// Everything shared around one robot. Locked for moments only.
 #[derive(Default)]
 pub(crate) struct Shared {
@@ -80,12 +126,14 @@ pub(crate) struct State {
     pub(crate) printed: VecDeque<Printed>,
     /// The animations that were begun, until they are known to have ended.
     pub(crate) animations: BTreeSet<String>,
-    /// What is measured only for us: service and the name that we subscribed by.
-    pub(crate) subscribed: BTreeSet<(&'static str, String)>,
+    /// What is measured only for us, until the robot has said that it no longer is.
+    pub(crate) subscribed: Subscribed,
     /// What the catalogue calls the sense of each use.
     pub(crate) labels: BTreeMap<Use, &'static str>,
     /// What is installed on it.
     pub(crate) installed: Arc<Installed>,
+    /// The names under which it remembers faces.
+    pub(crate) faces: Arc<[String]>,
     /// Its groups of lights; empty before they are known.
     pub(crate) lights: BTreeSet<String>,
     /// How it spoke before that was changed; none if it was not.
@@ -137,9 +185,10 @@ impl Default for State {
             playing: BTreeSet::new(),
             animations: BTreeSet::new(),
             printed: VecDeque::new(),
-            subscribed: BTreeSet::new(),
+            subscribed: Subscribed::default(),
             labels: BTreeMap::new(),
             installed: Arc::default(),
+            faces: Arc::default(),
             lights: BTreeSet::new(),
             voice_before: None,
             gestures: false,
@@ -202,7 +251,7 @@ impl State {
     }
 
     /// Why it cannot do now with its body what somebody asks for, if it cannot.
-    pub(crate) fn check_control(&self, control: Control) -> Result<(), RobotFault> {
+    pub(crate) fn check_control(&self, control: &Control) -> Result<(), RobotFault> {
         let why = match control {
             Control::Stand | Control::Sit if self.condition.awake == Some(false) => "it rests; wake it up first",
             Control::WakeUp | Control::Stand | Control::Sit if !self.may_rest() => {
@@ -215,7 +264,10 @@ impl State {
             Control::WakeUp | Control::Stand | Control::Sit if self.condition.life == Some(Life::Safeguard) => {
                 "it protects itself; give it a moment"
             }
-            Control::ForgetFaces if !self.devices.contains(&"RememberFace") => "it cannot remember faces",
+            Control::ForgetFaces | Control::ForgetFace(_) if !self.devices.contains(&"RememberFace") => {
+                "it cannot remember faces"
+            }
+            Control::ForgetFace(name) if !self.faces.contains(name) => "it remembers nobody of that name",
             _ => return Ok(()),
         };
         Err(RobotFault::NotNow(why.to_owned()))

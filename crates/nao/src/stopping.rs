@@ -14,7 +14,7 @@ use crate::status;
 use crate::targets::set_angles;
 use futures_util::{future::join_all, join};
 use qi::{Address, QiError, Session, Value};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -107,7 +107,7 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
     let mut taken = Taken::from(shared);
     let animations =
         taken.animations.iter().map(|name| Call::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()]));
-    let ends = taken.subscribed.iter().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
+    let ends = taken.subscribed.keys().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
     let calls = EVERYTHING.map(|(service, method)| Call::new(service, method, []));
     let mut left: Vec<Call> = calls.into_iter().chain(animations).chain(ends).collect();
     let (mut upper, mut legs) = (true, true);
@@ -136,14 +136,14 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
 struct Taken<'a> {
     shared: &'a Shared,
     animations: BTreeSet<String>,
-    subscribed: BTreeSet<(&'static str, String)>,
+    subscribed: BTreeMap<(&'static str, String), u64>,
     is_over: bool,
 }
 
 impl<'a> Taken<'a> {
     fn from(shared: &'a Shared) -> Self {
         let mut state = shared.state();
-        let (animations, subscribed) = (std::mem::take(&mut state.animations), std::mem::take(&mut state.subscribed));
+        let (animations, subscribed) = (std::mem::take(&mut state.animations), state.subscribed.take());
         drop(state);
         Self { shared, animations, subscribed, is_over: false }
     }
@@ -154,16 +154,16 @@ impl Drop for Taken<'_> {
         if !self.is_over {
             let mut state = self.shared.state();
             state.animations.append(&mut self.animations);
-            state.subscribed.append(&mut self.subscribed);
+            state.subscribed.put_back(std::mem::take(&mut self.subscribed));
         }
     }
 }
 
 /// The link is over.
-struct Over;
+pub(crate) struct Over;
 
 /// Whether a call had no answer.
-fn is_silent(done: &Result<Value, QiError>) -> Result<bool, Over> {
+pub(crate) fn is_silent(done: &Result<Value, QiError>) -> Result<bool, Over> {
     match done {
         Ok(_) | Err(QiError::NoService { .. } | QiError::NoMethod { .. } | QiError::Remote { .. }) => Ok(false),
         Err(QiError::Disconnected(_)) => Err(Over),

@@ -9,7 +9,7 @@ use crate::scan::{clean, scan};
 use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
-use crate::{camera, check, identity, inventory, senses, status, stopping, stranger, voicing};
+use crate::{camera, check, identity, inventory, kept, senses, status, stopping, stranger, voicing};
 use futures_util::future::join_all;
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
@@ -37,8 +37,9 @@ const CYCLE_MS: u64 = 20;
 const BODY: Duration = Duration::from_secs(30);
 /// Pause before it is looked again what there is, in milliseconds.
 const SCAN_MS: u64 = 300;
-/// How long the last Stop may take at the end.
+/// How long the last Stop may take at the end, in milliseconds, and one of before until the robot is used all the same.
 const LAST_STOP_MS: u64 = 1_000;
+const FIRST_STOP_MS: u64 = 3_000;
 
 /// The services that act.
 const ACTORS: [&str; 7] =
@@ -85,7 +86,7 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
                                 let why = serve(&session, settings, shared, orders, waiting).await;
                                 // The other link may still be there; else it is done as soon as the robot is.
                                 shared.stop();
-                                end_well(shared).await;
+                                end_well(shared, LAST_STOP_MS).await;
                                 why
                             }
                         };
@@ -140,23 +141,23 @@ fn lose(shared: &Shared, why: &str) {
     state.health = Health::Lost(why.to_owned());
     state.condition = robot::Condition::default();
     (state.stiff_legs, state.on_ground) = (None, None);
-    state.subscribed.clear();
+    state.subscribed.take();
     state.forget_reasons();
     state.angles.clear();
-    state.installed = Arc::default();
+    (state.installed, state.faces) = (Arc::default(), Arc::default());
     (state.saying, state.tracking) = (String::new(), String::new());
     state.playing.clear();
     state.animations.clear();
 }
 
 /// A Stop that is wanted is still carried out, if that can be.
-async fn end_well(shared: &Shared) {
+async fn end_well(shared: &Shared, within_ms: u64) {
     let done = async {
         while shared.wants_stop() {
             tokio::time::sleep(Duration::from_millis(10)).await;
         }
     };
-    let _its_time = tokio::time::timeout(Duration::from_millis(LAST_STOP_MS), done).await;
+    let _its_time = tokio::time::timeout(Duration::from_millis(within_ms), done).await;
 }
 
 /// What was wanted of a robot that is gone is void.
@@ -180,11 +181,13 @@ async fn serve(
         Ok(scanned) => scanned.note(&mut shared.state()),
         Err(error) => return check::sentence(&error),
     }
-    camera::clean(session, &settings.own_name).await;
-    if clean(session, &settings.own_name, shared).await {
+    camera::clean(session, settings).await;
+    if clean(session, settings, shared).await {
         // Whoever left that behind may have left it walking.
         shared.stop();
     }
+    voicing::put_back(session, shared, &settings.own_name).await;
+    kept::put_back(session, &settings.own_name, &settings.former).await;
     status::ask(session, shared).await;
     let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
     let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
@@ -192,7 +195,7 @@ async fn serve(
     // Known before they are needed: what is called first also comes first.
     join_all(ACTORS.iter().map(|name| session.service(name))).await;
     // A Stop of before is over before anything begins: else it would take what begins for what it ends.
-    end_well(shared).await;
+    end_well(shared, FIRST_STOP_MS).await;
     drain(orders, waiting);
     shared.state().health = Health::Ready;
     let (done, mut ended) = mpsc::unbounded_channel();
@@ -203,7 +206,6 @@ async fn serve(
     let (mut controlled, mut _blinking, life) = (None, None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-    voicing::put_back(session, shared).await;
     let looking = Ended(tokio::spawn(inventory::keep(session.clone(), Arc::clone(shared))));
     let pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
     let scanning = Ended(tokio::spawn(scan_again(session.clone(), Arc::clone(shared))));
@@ -336,6 +338,10 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
         Control::Sit => drop(say(posture("Sit"), BODY).await),
         Control::ForgetFaces => {
             say(Call::new("ALFaceDetection", "clearDatabase", []), BODY).await;
+            shared.looking.notify_one();
+        }
+        Control::ForgetFace(name) => {
+            say(Call::new("ALFaceDetection", "forgetPerson", [name.into()]), BODY).await;
             shared.looking.notify_one();
         }
         // By the link of Stop, or by lights.

@@ -1,7 +1,8 @@
 //! How the robot speaks: changed by an action, and put back at its end, at a Stop, and after a loss as soon as it is there
-//! again.
+//! again, also by a server that was started anew.
 
 use crate::deed::Call;
+use crate::kept;
 use crate::link::{CALL, call, try_call};
 use crate::shared::Shared;
 use qi::{QiError, Session, Value};
@@ -9,6 +10,8 @@ use robot::Use;
 use std::sync::Arc;
 use std::time::Duration;
 
+/// What is kept of it on the robot: volume, speed and language of before, each empty if it is not known.
+pub(crate) const WHAT: &str = "voice";
 /// The speed of a voice that nobody changed, in percent.
 pub(crate) const USUAL_SPEED: f32 = 100.0;
 
@@ -34,10 +37,29 @@ pub(crate) struct Before {
     language: Option<String>,
 }
 
+impl Before {
+    /// As the robot keeps it.
+    fn value(&self) -> Value {
+        let number = |number: Option<f32>| number.map_or_else(|| "".into(), Value::F32);
+        let language = self.language.as_deref().unwrap_or_default();
+        let parts = [number(self.volume), number(self.speed), language.into()];
+        Value::List(parts.into_iter().map(Value::dynamic).collect())
+    }
+
+    /// What the robot kept; what is odd there says nothing.
+    fn of(value: &Value) -> Self {
+        let part = |at: usize| value.items()?.get(at);
+        let number = |at| part(at)?.as_f64().map(|number| number as f32);
+        let language = part(2).and_then(Value::as_text).filter(|language| !language.is_empty());
+        Self { volume: number(0), speed: number(1), language: language.map(|language| language.into_owned()) }
+    }
+}
+
 /// Who changed the voice last.
-#[derive(Default)]
 pub(crate) struct Voicing {
     user: Option<Use>,
+    /// What this server keeps things on the robot under.
+    own_name: String,
     /// One change after the other.
     turn: Arc<tokio::sync::Mutex<()>>,
 }
@@ -47,16 +69,21 @@ fn voice(method: &'static str, arguments: impl Into<Vec<Value>>) -> Call {
 }
 
 impl Voicing {
+    pub(crate) fn new(own_name: &str) -> Self {
+        Self { user: None, own_name: own_name.to_owned(), turn: Arc::default() }
+    }
+
     /// Speaks like this from now on, unless a Stop comes between.
     pub(crate) fn set(&mut self, session: &Session, shared: &Arc<Shared>, gate: u64, user: Use, manner: Manner) {
         self.user = Some(user);
         let (session, shared, turn) = (session.clone(), Arc::clone(shared), Arc::clone(&self.turn));
+        let own_name = self.own_name.clone();
         tokio::spawn(async move {
             let _alone = turn.lock().await;
             if shared.gate() != gate {
                 return;
             }
-            note_before(&session, &shared, manner.language.is_some()).await;
+            note_before(&session, &shared, &own_name, manner.language.is_some()).await;
             {
                 let mut state = shared.state();
                 (state.gestures, state.voice_speed) = (manner.gestures, manner.speed);
@@ -87,18 +114,19 @@ impl Voicing {
     pub(crate) fn end(&mut self, session: &Session, shared: &Arc<Shared>) {
         if self.user.take().is_some() {
             let (session, shared, turn) = (session.clone(), Arc::clone(shared), Arc::clone(&self.turn));
+            let own_name = self.own_name.clone();
             tokio::spawn(async move {
                 let _alone = turn.lock().await;
-                put_back(&session, &shared).await;
+                put_back(&session, &shared, &own_name).await;
             });
         }
     }
 }
 
 /// Remembers how it speaks, unless that is remembered: what it was before the first change counts.
-async fn note_before(session: &Session, shared: &Shared, with_language: bool) {
+async fn note_before(session: &Session, shared: &Shared, own_name: &str, with_language: bool) {
     let known = shared.state().voice_before.clone();
-    let mut before = match known {
+    let mut before = match known.clone() {
         Some(known) => known,
         None => {
             let number = async |wanted: Call| Some(try_call(session, &wanted).await?.as_f64()? as f32);
@@ -110,28 +138,45 @@ async fn note_before(session: &Session, shared: &Shared, with_language: bool) {
         let language = try_call(session, &voice("getLanguage", [])).await;
         before.language = language.and_then(|language| Some(language.as_text()?.into_owned()));
     }
+    if known.as_ref() != Some(&before) {
+        kept::keep(session, own_name, WHAT, before.value()).await;
+    }
     shared.state().voice_before = Some(before);
 }
 
 /// Speaks as before it was changed, if it was.
-pub(crate) async fn put_back(session: &Session, shared: &Shared) {
+pub(crate) async fn put_back(session: &Session, shared: &Shared, own_name: &str) {
     let before = {
         let mut state = shared.state();
         (state.gestures, state.voice_speed) = (false, USUAL_SPEED);
         state.voice_before.clone()
     };
-    let Some(Before { volume, speed, language }) = before else { return };
+    let Some(before) = before else { return };
+    if restore(session, own_name, before).await {
+        shared.state().voice_before = None;
+    }
+}
+
+/// Speaks as before it was changed by who could not put it back.
+pub(crate) async fn put_back_left(session: &Session, own_name: &str) {
+    if let Some(before) = kept::kept(session, own_name, WHAT).await {
+        restore(session, own_name, Before::of(&before)).await;
+    }
+}
+
+/// False if the link is over: then it is done when the robot is there again.
+async fn restore(session: &Session, own_name: &str, before: Before) -> bool {
+    let Before { volume, speed, language } = before;
     let language = language.map(|language| voice("setLanguage", [language.as_str().into()]));
     let speed = speed.map(|speed| voice("setParameter", ["speed".into(), speed.into()]));
     let volume = volume.map(|volume| voice("setVolume", [volume.into()]));
     for wanted in [language, speed, volume].into_iter().flatten() {
-        match call(session, &wanted, CALL).await {
-            // It is done when the robot is there again.
-            Err(QiError::Disconnected(_)) => return,
-            done => drop(done),
+        if let Err(QiError::Disconnected(_)) = call(session, &wanted, CALL).await {
+            return false;
         }
     }
-    shared.state().voice_before = None;
+    kept::forget(session, own_name, WHAT).await;
+    true
 }
 
 /// Says a text, with gestures if that is wanted and the robot can.
@@ -144,4 +189,20 @@ pub(crate) async fn say(session: &Session, shared: &Shared, text: &str, within: 
         }
     }
     call(session, &voice("say", [text.into()]), within).await
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Before;
+    use qi::Value;
+
+    #[test]
+    fn what_the_robot_keeps_of_a_voice_is_what_it_was() {
+        let before = Before { volume: Some(0.5), speed: Some(90.0), language: Some("French".to_owned()) };
+        assert_eq!(Before::of(&before.value()), before);
+        assert_eq!(Before::of(&Before::default().value()), Before::default());
+        for odd in [Value::Unit, "French".into(), Value::List(vec![Value::Unit])] {
+            assert_eq!(Before::of(&odd), Before::default());
+        }
+    }
 }

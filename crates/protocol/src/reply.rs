@@ -305,6 +305,11 @@ pub enum Reply {
         /// By name.
         robots: Vec<FoundRobot>,
     },
+    /// The names under which a robot remembers faces.
+    Faces {
+        /// In the robot's order.
+        faces: Vec<String>,
+    },
     /// An invitation was made. Its link is told this once and kept nowhere.
     Invited {
         /// The invitation.

@@ -419,6 +419,11 @@ pub enum Request {
     },
     /// Robots that say in the network that they are there. Answered by `FoundRobots` within three seconds.
     FindRobots,
+    /// The names under which a robot remembers faces. Answered by `Faces`.
+    Faces {
+        /// Which robot.
+        robot: Id,
+    },
     /// Takes control of a robot, gives it back to its own life, or lets it rest. What runs on it is stopped first unless
     /// control is taken. Answered by `Done` once the robot was told.
     ControlRobot {

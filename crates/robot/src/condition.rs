@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+/// Most names of faces that are told of one robot.
+pub const FACES_MAX: usize = 200;
+
 /// How the body is; what is not known is none. For people, as plain lights with words.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
@@ -63,7 +66,7 @@ pub enum Network {
 }
 
 /// Who has the robot, and what a person has it do with its body or its memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Control {
     /// *Take control*: its own life ends, it stands up and its motors are on.
@@ -82,18 +85,20 @@ pub enum Control {
     Sit,
     /// *Forget faces*: whatever it remembers of faces is gone for good.
     ForgetFaces,
+    /// *Forget one face*: that which it remembers under this name, one of [`crate::Robot::faces`].
+    ForgetFace(String),
 }
 
 impl Control {
     /// Whether what runs is ended for it.
     #[must_use]
-    pub fn ends_runs(self) -> bool {
+    pub fn ends_runs(&self) -> bool {
         matches!(self, Self::GiveBack | Self::Rest)
     }
 
     /// Whether it moves the body, so that it waits until nothing runs.
     #[must_use]
-    pub fn needs_quiet(self) -> bool {
+    pub fn needs_quiet(&self) -> bool {
         matches!(self, Self::WakeUp | Self::Stand | Self::Sit)
     }
 }

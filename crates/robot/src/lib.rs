@@ -21,7 +21,7 @@ pub use camera::{Camera, Picture};
 pub use catalogue::{
     Device, Example, Field, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting, actuators, device, sensors,
 };
-pub use condition::{Condition, Control, Lacking, Life, Network};
+pub use condition::{Condition, Control, FACES_MAX, Lacking, Life, Network};
 pub use describe::catalogue_lines;
 pub use devices::{TrackMode, TrackTarget};
 pub use fault::RobotFault;
@@ -150,6 +150,12 @@ pub trait Robot {
     /// # Errors
     /// Why not, if that cannot be done now.
     fn control(&mut self, control: Control, now: Millis) -> Result<(), RobotFault>;
+
+    /// The names under which it remembers faces, at most [`FACES_MAX`]. They may be children's: only who may have it forget
+    /// them is told.
+    fn faces(&self) -> std::sync::Arc<[String]> {
+        std::sync::Arc::default()
+    }
 
     /// Why everything that runs has to end now, told once and after the readings of that moment: the robot fell, is too
     /// hot, has no battery left, protects itself, or its link was lost. It holds safely already, and nothing goes on

@@ -12,6 +12,7 @@ mod host;
 mod identities;
 mod live;
 mod mailbox;
+mod names;
 mod order;
 pub(crate) mod real;
 pub(crate) mod refusal;
@@ -297,9 +298,12 @@ impl Fleet {
         let fleet = Arc::downgrade(self);
         let make: robot_thread::Make = Box::new(move || {
             // Made anew, it may be reached in another way than at first.
-            let now = fleet.upgrade().and_then(|fleet| lock(&fleet.register).real(&known.robot).cloned());
-            match now.as_ref().or(known.real.as_ref()) {
-                Some(real) => Box::new(real::nao(&known.robot, real)),
+            let now = fleet.upgrade().and_then(|fleet| {
+                let register = lock(&fleet.register);
+                Some((register.names(&known.robot), register.real(&known.robot)?.clone()))
+            });
+            match now {
+                Some((names, real)) => Box::new(real::nao(names, &real)),
                 None => Box::new(simulated::nao(known.seed)),
             }
         });

@@ -83,6 +83,8 @@ pub(crate) const ALL: &[&Command] = &[
     &control::STAND,
     &control::SIT,
     &control::FORGET_FACES,
+    &control::FORGET_FACE,
+    &control::SHOW_FACES,
     &record::COMMAND,
     &mark::COMMAND,
     &recordings::COMMAND,

@@ -38,6 +38,8 @@ pub(crate) enum NotDone {
     NoStranger(String),
     /// A robot should have another name, and it is not said which.
     NoNewName,
+    /// A face should be forgotten, and it is not said whose robot's.
+    NoFaceOf,
     /// It is said neither up nor down.
     NoWay,
     /// The thing of this name cannot be moved further.
@@ -71,6 +73,8 @@ pub(crate) enum Answer {
     Check,
     /// Robots in the network.
     Found,
+    /// Faces.
+    Faces,
 }
 
 /// The reasons why no one thing is meant by a name.

@@ -63,6 +63,7 @@ impl fmt::Display for NotDone {
             Self::NoNewAddress => to.write_str("Type “reach robot NAME at ADDRESS”."),
             Self::NoStranger(name) => write!(to, "No other robot answers in the place of {name}."),
             Self::NoNewName => to.write_str("Type “rename robot NAME to NEW”."),
+            Self::NoFaceOf => to.write_str("Type “forget face FACE of NAME”; “show faces NAME” shows what there is."),
             Self::NoWay => to.write_str("Type “order NAME up” or “order NAME down”."),
             Self::There(name) => write!(to, "{name} is there already."),
             Self::NeitherOnNorOff => to.write_str("Type “record on” or “record off”."),
@@ -83,6 +84,7 @@ impl fmt::Display for Answer {
             Self::Uses => "The server gave no uses.",
             Self::Check => "The server did not say how the robot is.",
             Self::Found => "The server gave no robots.",
+            Self::Faces => "The server gave no faces.",
             Self::Recordings => "The server did not answer with a list.",
         })
     }

@@ -1,9 +1,10 @@
 //! How the robot is, who has it, and why everything ends.
 
-use crate::devices::Kind;
+use crate::devices::{Kind, face};
 use crate::hash::Digest;
 use crate::nao::SimulatedNao;
 use robot::{Condition, Control, Life, RobotFault};
+use std::sync::Arc;
 
 /// How fast it stands up and crouches for control, as a fraction of the speed of a posture.
 const SPEED: f32 = 0.5;
@@ -91,6 +92,11 @@ impl SimulatedNao {
                 self.assume(Kind::Sit, SPEED, None);
             }
             Control::ForgetFaces => self.known.fill(false),
+            Control::ForgetFace(name) => {
+                let nobody = || RobotFault::NotNow("it remembers nobody of that name".to_owned());
+                let person = (0..self.known.len()).find(|person| self.known[*person] && face(*person) == name);
+                self.known[person.ok_or_else(nobody)?] = false;
+            }
         }
         Ok(())
     }
@@ -130,6 +136,11 @@ impl SimulatedNao {
         self.playing = None;
         self.going = None;
         self.stand_still();
+    }
+
+    /// The names under which it remembers faces.
+    pub(crate) fn faces_now(&self) -> Arc<[String]> {
+        self.known.iter().enumerate().filter(|(_, known)| **known).map(|(person, _)| face(person)).collect()
     }
 
     /// How the body is, for people.

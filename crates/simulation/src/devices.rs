@@ -32,6 +32,7 @@ pub(crate) use animation::{Playing, paths};
 pub(crate) use battery::Charge;
 pub(crate) use behavior::BEHAVIORS;
 pub(crate) use eyes::Eyes;
+pub(crate) use faces::face;
 pub(crate) use fall::Lean;
 pub(crate) use lights::Lights;
 pub(crate) use posture::{Going, Kind};

@@ -90,6 +90,10 @@ impl Robot for SimulatedNao {
         self.control_by(control)
     }
 
+    fn faces(&self) -> Arc<[String]> {
+        self.faces_now()
+    }
+
     fn take_halt(&mut self) -> Option<String> {
         self.halted.take()
     }

@@ -10,7 +10,7 @@ mod tests;
 
 pub use copy::{Difference, compare, migrate};
 pub use restore::{Backup, read, restore, verify};
-pub use robots::{Reached, Robot};
+pub use robots::{Body, Reached, Robot};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};
 use behaviour::{Checkpoint, Id, Refusal};

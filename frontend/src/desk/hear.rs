@@ -75,6 +75,7 @@ impl Desk {
             | Reply::Invited { .. }
             | Reply::RobotChecked { .. }
             | Reply::FoundRobots { .. }
+            | Reply::Faces { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }

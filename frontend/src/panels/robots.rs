@@ -70,7 +70,7 @@ pub(crate) fn robot_controls() -> AnyView {
 fn Controls() -> impl IntoView {
     let desk = hold();
     let item = move |control: Control| {
-        let (label, icon) = match control {
+        let (label, icon) = match &control {
             Control::Take => (words::take_control(), "user"),
             Control::GiveBack => (words::give_back(), "undo"),
             Control::Rest => (words::rest(), "down"),
@@ -78,12 +78,12 @@ fn Controls() -> impl IntoView {
             Control::WakeUp => (words::wake_up(), "touch"),
             Control::Stand => (words::stand_up(), "posture"),
             Control::Sit => (words::sit_down(), "down"),
-            Control::ForgetFaces => (words::forget_faces(), "trash"),
+            Control::ForgetFaces | Control::ForgetFace(_) => (words::forget_faces(), "trash"),
         };
-        let choose = Callback::new(move |()| match control {
+        let choose = Callback::new(move |()| match &control {
             // What is gone for good is asked about first.
             Control::ForgetFaces => desk.desk().dialog.set(Some(Dialog::ForgetFaces)),
-            _ => desk.desk().robots.control(control),
+            _ => desk.desk().robots.control(control.clone()),
         });
         view! { <MenuItem label icon disabled=untrack(|| !may_operate(desk)) choose /> }
     };
@@ -96,7 +96,7 @@ fn Controls() -> impl IntoView {
             (false, false) => &[Control::Take, Control::WakeUp],
         };
         let faces = condition.faces.filter(|count| *count > 0).map(|_| item(Control::ForgetFaces));
-        Some(view! { {controls.iter().map(|control| item(*control)).collect_view()} {faces} })
+        Some(view! { {controls.iter().map(|control| item(control.clone())).collect_view()} {faces} })
     };
     view! { <div class="menu-rule" role="separator"></div> {shown} }
 }

@@ -69,6 +69,21 @@ impl Verdict {
         }
     }
 
+    /// A ratio of two times of one run.
+    pub(crate) fn ratio_at_most(&mut self, what: &str, measured: f64, bar: f64) {
+        let holds = measured <= bar;
+        println!("  {}  {what}: {measured:.2}, at most {bar:.2}", if holds { "held  " } else { "MISSED" });
+        if !holds {
+            self.0.push(what.to_owned());
+        }
+    }
+
+    /// A part came to no end; why is printed above.
+    pub(crate) fn broke_off(&mut self, part: &str) {
+        println!("  MISSED  {part} came to no end");
+        self.0.push(format!("{part} came to no end"));
+    }
+
     pub(crate) fn tell(&self) -> ExitCode {
         let all =
             if self.0.is_empty() { "No bar is missed.".to_owned() } else { format!("MISSED: {}", self.0.join("; ")) };

@@ -198,6 +198,14 @@ async fn faces_are_counted_and_forgotten_when_a_person_wants_that() {
     let mut driver = known(&peer).await;
     driver.until("they are counted", |driver| driver.nao.condition().faces == Some(2)).await;
     assert_eq!(driver.nao.condition().network, Some(Network::Wifi(35)));
+    assert_eq!(*driver.nao.faces(), ["A".to_owned(), "B".to_owned()]);
+    let refused = driver.nao.control(Control::ForgetFace("C".to_owned()), Millis(0)).unwrap_err().to_string();
+    assert_eq!(refused, "the robot cannot do this now: it remembers nobody of that name");
+    driver.nao.control(Control::ForgetFace("A".to_owned()), Millis(0)).unwrap();
+    driver.until("one is gone", |driver| *driver.nao.faces() == ["B".to_owned()]).await;
+    assert_eq!(driver.nao.condition().faces, Some(1));
+    assert_eq!(peer.calls("ALFaceDetection.forgetPerson").await, [json!(["A"])]);
+    assert_eq!(peer.calls("ALFaceDetection.clearDatabase").await, [json!(0); 0]);
     driver.nao.control(Control::ForgetFaces, Millis(0)).unwrap();
     driver.until("they are gone", |driver| driver.nao.condition().faces == Some(0)).await;
     assert_eq!(peer.calls("ALFaceDetection.clearDatabase").await, [json!([])]);
@@ -224,7 +232,7 @@ async fn it_wakes_up_stands_and_sits_when_a_person_wants_that_and_stop_ends_it()
     peer.world(json!({"push": "belly"})).await;
     driver.until("it fell", |driver| driver.nao.condition().fallen == Some(true)).await;
     for wish in [Control::WakeUp, Control::Stand, Control::Sit] {
-        let refused = driver.nao.control(wish, Millis(0)).unwrap_err().to_string();
+        let refused = driver.nao.control(wish.clone(), Millis(0)).unwrap_err().to_string();
         assert!(refused.contains("it lies on the floor") || refused.contains("it rests"), "{wish:?}: {refused}");
     }
 }

@@ -63,7 +63,9 @@ impl Driver {
     pub(crate) fn open(&mut self, stream: &str, device: &str, params: &[(&str, Value)]) -> Use {
         let user = user(stream);
         let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
-        self.nao.open(&user, device, &params).unwrap();
+        let opened = self.nao.open(&user, device, &params);
+        let why = opened.err().map(|refused| (refused, self.nao.health(), self.nao.take_halt()));
+        assert_eq!(why, None, "{device}");
         user
     }
 
@@ -97,7 +99,7 @@ impl Driver {
 /// The plainest way to a robot.
 pub(crate) fn settings(address: &str) -> Settings {
     let own_name = "rrp-test".to_owned();
-    Settings { address: address.to_owned(), login: None, own_name, trusted: None, expected: None }
+    Settings { address: address.to_owned(), login: None, own_name, trusted: None, expected: None, former: Vec::new() }
 }
 
 pub(crate) fn user(stream: &str) -> Use {

@@ -60,6 +60,24 @@ async fn a_sense_that_begins_after_the_stop_is_not_left_measuring() {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_stop_ends_what_was_closed_by_a_link_that_leads_nowhere() {
+    let Some(peer) = Peer::start("nao: a sense that is closed in vain", &[]).await else { return };
+    let proxy = Proxy::before(&peer.address).await;
+    let mut driver = Driver::at(&proxy.address).await;
+    driver.until("both links are there", |_| proxy.connections() >= 2).await;
+    let ball = driver.open("ball", "RedBall", &[]);
+    driver.sees(&peer, "it is measured", |state| says(state, "subscribers", "rrp-test")).await;
+    let connections = proxy.connections();
+    proxy.swallow(Some(0));
+    driver.nao.close(&ball);
+    driver.wait(20).await;
+    assert!(says(&peer.state().await, "subscribers", "rrp-test"), "the robot does not hear that");
+    driver.nao.stop(Millis(0));
+    driver.sees(&peer, "nothing is measured", |state| !says(state, "subscribers", "rrp-test")).await;
+    assert_eq!(proxy.connections(), connections, "it was Stop that ended it, and no new link");
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn recognition_goes_on_when_its_words_cannot_be_set_and_pauses_while_the_robot_speaks() {
     let Some(peer) = Peer::start("nao: its own voice", &[]).await else { return };
     let mut driver = Driver::at(&peer.address).await;

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod acts;
+mod between;
 #[cfg(unix)]
 mod calm;
 mod camera;
@@ -12,6 +13,7 @@ mod gateway;
 mod harm;
 mod identity;
 mod late;
+mod left;
 mod losses;
 mod peer;
 mod proxy;

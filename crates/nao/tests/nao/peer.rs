@@ -104,6 +104,25 @@ impl Peer {
         hearing.call("pause", &[true.into()]).await.unwrap();
     }
 
+    /// It keeps something in its memory.
+    pub(crate) async fn remember(&self, key: &str, value: &str) {
+        let memory = self.session.service("ALMemory").await.unwrap();
+        memory.call("insertData", &[key.into(), qi::Value::dynamic(value)]).await.unwrap();
+    }
+
+    /// What it keeps in its memory under names with this in them.
+    pub(crate) async fn remembers(&self, part: &str) -> Vec<String> {
+        let memory = self.session.service("ALMemory").await.unwrap();
+        let keys = memory.call("getDataList", &[part.into()]).await.unwrap();
+        keys.items().unwrap().iter().map(|key| key.as_text().unwrap().into_owned()).collect()
+    }
+
+    /// Something measures for whoever subscribed by this name.
+    pub(crate) async fn subscribe(&self, service: &str, name: &str) {
+        let measures = self.session.service(service).await.unwrap();
+        measures.call("subscribe", &[name.into()]).await.unwrap();
+    }
+
     /// Nothing was ever done that makes a robot fall.
     pub(crate) async fn was_safe(&self) {
         assert_eq!(self.state().await["violations"], json!([]));

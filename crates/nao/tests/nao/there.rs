@@ -55,8 +55,14 @@ async fn what_a_body_lacks_is_said_with_the_reason() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_look_goes_through_all_steps() {
     let Some(peer) = Peer::start("nao: look", &[]).await else { return };
-    let settings =
-        Settings { address: peer.address.clone(), login: None, own_name: "rrp".into(), trusted: None, expected: None };
+    let settings = Settings {
+        address: peer.address.clone(),
+        login: None,
+        own_name: "rrp".into(),
+        trusted: None,
+        expected: None,
+        former: Vec::new(),
+    };
     let found = check(&settings).await;
     let steps: Vec<Step> = found.steps.iter().map(|step| step.0).collect();
     assert_eq!(steps, [Step::Name, Step::Tcp, Step::Login, Step::Directory, Step::Services], "{found:?}");

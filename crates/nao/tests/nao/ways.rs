@@ -17,6 +17,7 @@ fn settings(gateway: &Gateway, password: &str, trusted: Option<String>) -> Setti
         own_name: "rrp-test".into(),
         trusted,
         expected: None,
+        former: Vec::new(),
     }
 }
 

@@ -179,6 +179,7 @@ fn of_request(request: &Request) -> Role {
         | Request::AddRobot { real: None, .. }
         | Request::RenameRobot { .. }
         | Request::ControlRobot { .. }
+        | Request::Faces { .. }
         | Request::RemoveRobot { .. } => Role::Operator,
         // What reaches out into the network from this computer.
         Request::AddRobot { real: Some(_), .. }

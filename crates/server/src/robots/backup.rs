@@ -5,12 +5,15 @@ use super::refusal::BackupMisfit;
 use super::register::{Known, Register, check_real};
 use behaviour::{Id, has_unseen};
 use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, RealRobot};
+use robot::Identity;
 use std::collections::HashSet;
 use std::path::Path;
-use store::backup::{Reached, Robot};
+use store::backup::{Body, Reached, Robot};
 
 /// The seed that is written for the first robot while nothing else about it was ever kept.
 const SEED: u64 = 1;
+/// The longest that a robot says of its body, in characters.
+const BODY_MAX_CHARS: usize = 200;
 
 /// The robots that are kept in a data folder, each with its order; none while there is nothing to keep of them.
 #[must_use]
@@ -32,14 +35,32 @@ fn robot(data: &Path, known: &Known) -> Robot {
 }
 
 fn reached(real: &RealRobot) -> Reached {
-    let RealRobot { address, user, fingerprint, password: _, identity: _ } = real.clone();
-    Reached { address, user, fingerprint }
+    let RealRobot { address, user, fingerprint, password: _, identity } = real.clone();
+    let body = identity.map(|Identity { name, body, serial, head }| Body { name, kind: body, serial, head });
+    Reached { address, user, fingerprint, body }
 }
 
-/// Its password has to be given again; the first body that answers is kept.
+/// Its password has to be given again.
 fn real(reached: &Reached) -> RealRobot {
-    let Reached { address, user, fingerprint } = reached.clone();
-    RealRobot { address, user, password: None, fingerprint, identity: None }
+    let Reached { address, user, fingerprint, body } = reached.clone();
+    let identity = body.map(|Body { name, kind, serial, head }| Identity { name, body: kind, serial, head });
+    RealRobot { address, user, password: None, fingerprint, identity }
+}
+
+/// Whether robots are the same, whatever was learned of their bodies meanwhile.
+fn are_same(these: &[Robot], those: &[Robot]) -> bool {
+    let bare = |robots: &[Robot]| -> Vec<Robot> {
+        let mut robots = robots.to_vec();
+        robots.iter_mut().filter_map(|robot| robot.real.as_mut()).for_each(|reached| reached.body = None);
+        robots
+    };
+    bare(these) == bare(those)
+}
+
+/// Whether a robot can have told this of itself.
+fn is_told(body: &Body) -> bool {
+    let fits = |text: &String| text.chars().count() <= BODY_MAX_CHARS && !has_unseen(text);
+    [&body.name, &body.kind, &body.serial, &body.head].into_iter().all(fits)
 }
 
 /// Whether these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early and
@@ -51,14 +72,15 @@ pub fn check_robots(data: &Path, robots: &[Robot], goes_on: bool) -> Result<(), 
     let ids: HashSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
     let is_named =
         |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count()) && !has_unseen(&robot.name);
-    let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(|reached| check_real(&real(reached)).is_ok());
+    let fits_real = |reached: &Reached| check_real(&real(reached)).is_ok() && reached.body.as_ref().is_none_or(is_told);
+    let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(fits_real);
     let fits = |robot: &Robot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;
     if ids.len() < robots.len() || robots.len() > ROBOTS_MAX || !robots.iter().all(fits) {
         return Err(BackupMisfit::Malformed);
     }
     let goes_on = goes_on || store::check_folder(data).is_err();
     let here = robots_in(data);
-    if goes_on || robots.is_empty() || here.is_empty() || here == robots {
+    if goes_on || robots.is_empty() || here.is_empty() || are_same(&here, robots) {
         return Ok(());
     }
     Err(BackupMisfit::Others(data.to_owned()))
@@ -78,13 +100,20 @@ pub fn put_robots(data: &Path, robots: &[Robot]) -> std::io::Result<()> {
         seed: robot.seed,
         real: robot.real.as_ref().map(real),
     };
-    let known: Vec<_> = robots.iter().map(known).collect();
-    if known.is_empty() { Ok(()) } else { Register::within(Some(data), SEED).replace(known) }
+    let mut known: Vec<_> = robots.iter().map(known).collect();
+    let mut register = Register::within(Some(data), SEED);
+    // What is known of a body by now is not forgotten for a backup from before.
+    for Known { robot, real, .. } in &mut known {
+        if let (Some(real), Some(before)) = (real, register.real(robot)) {
+            real.identity = real.identity.take().or_else(|| before.identity.clone());
+        }
+    }
+    if known.is_empty() { Ok(()) } else { register.replace(known) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Register, Robot, check_robots, put_robots, robots_in};
+    use super::{Body, Identity, Register, Robot, check_robots, put_robots, robots_in};
     use behaviour::Id;
     use protocol::RealRobot;
 
@@ -95,14 +124,14 @@ mod tests {
     }
 
     #[test]
-    fn a_password_is_in_no_backup() {
+    fn a_password_is_in_no_backup_and_which_body_it_is_is() {
         let folder = tempfile::tempdir().unwrap();
         let real = RealRobot {
             address: "nao.local".into(),
             user: Some("nao".into()),
             password: Some("hush".into()),
             fingerprint: None,
-            identity: None,
+            identity: Some(Identity { name: "Momo".into(), serial: "B1".into(), ..Identity::default() }),
         };
         let mut register = Register::within(Some(folder.path()), 1);
         let known = register.newcomer(&Id::new("a").unwrap(), "NAO", Some(real.clone())).unwrap();
@@ -112,7 +141,13 @@ mod tests {
         let other = tempfile::tempdir().unwrap();
         put_robots(other.path(), &kept).unwrap();
         let again = Register::within(Some(other.path()), 1);
-        assert_eq!(again.known()[1].real, Some(RealRobot { password: None, ..real }));
+        assert_eq!(again.known()[1].real, Some(RealRobot { password: None, ..real.clone() }));
+        // A backup from before bodies were known is the same, and takes nothing away.
+        let mut before = kept.clone();
+        before[1].real.as_mut().unwrap().body = None;
+        assert_eq!(check_robots(other.path(), &before, false), Ok(()));
+        put_robots(other.path(), &before).unwrap();
+        assert_eq!(robots_in(other.path()), kept);
     }
 
     #[test]
@@ -135,8 +170,11 @@ mod tests {
         let twice = [robot("one", &[]), robot("one", &[])];
         let long = [Robot { name: "x".repeat(41), ..robot("one", &[]) }];
         let unseen = [Robot { name: "a\0b".to_owned(), ..robot("one", &[]) }];
+        let told = Body { name: "x".repeat(201), ..Body::default() };
+        let real = store::backup::Reached { address: "nao".into(), user: None, fingerprint: None, body: Some(told) };
+        let bodies = [Robot { real: Some(real), ..robot("one", &[]) }];
         let many: Vec<_> = (0..100).map(|number| robot(&format!("r{number}"), &[])).collect();
-        for robots in [&twice[..], &long, &unseen, &many] {
+        for robots in [&twice[..], &long, &unseen, &bodies, &many] {
             assert!(check_robots(folder.path(), robots, false).is_err());
         }
     }

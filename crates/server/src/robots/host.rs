@@ -311,6 +311,11 @@ impl Host {
         }
     }
 
+    /// The names under which it remembers faces.
+    pub(crate) fn faces(&self) -> Vec<String> {
+        lock(&self.shared().faces).to_vec()
+    }
+
     /// Makes the robot anew, as its settings are by now.
     pub(super) fn renew(&self) {
         self.shared().queue.renew();

@@ -111,11 +111,12 @@ impl super::Robots {
         }
         let known = register.reach(robot, real).map_err(RobotsUnchanged::stays)?;
         drop(register);
+        // First, so that the one of before says no more how it is.
+        host.renew();
         self.fleet.feed.edit(robot, |state| {
             state.address = known.real.as_ref().map(|real| real.address.clone());
             state.health = Health::Connecting;
         });
-        host.renew();
         Ok(())
     }
 }

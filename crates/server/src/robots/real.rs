@@ -1,6 +1,7 @@
 //! A real robot as the robot's thread sees it, and what people ask about robots that are not there yet.
 
 use super::Robots;
+use super::names::OWN_NAME;
 use super::refusal::RobotsUnchanged;
 use super::register::check_real;
 use super::robot_thread::RoomRobot;
@@ -10,14 +11,12 @@ use protocol::{CheckStage, CheckStep, Checked, FoundRobot, RealRobot, Refused, R
 use robot::SceneEdit;
 use std::time::Duration;
 
-/// What the subscriptions of this server begin with, so that what an ended one left behind on the robot is found.
-const OWN_NAME: &str = "rrp";
 /// How long is listened for robots that announce themselves.
 const FIND: Duration = Duration::from_millis(2_000);
 
 /// A NAO or Pepper; it connects by itself and for as long as it lasts.
-pub(super) fn nao(robot: &Id, real: &RealRobot) -> Nao {
-    Nao::start(settings(&format!("{OWN_NAME}-{robot}"), real))
+pub(super) fn nao((own_name, former): (String, Vec<String>), real: &RealRobot) -> Nao {
+    Nao::start(Settings { former, ..settings(&own_name, real) })
 }
 
 fn settings(own_name: &str, real: &RealRobot) -> Settings {
@@ -31,6 +30,7 @@ fn settings(own_name: &str, real: &RealRobot) -> Settings {
         own_name: own_name.to_owned(),
         trusted: real.fingerprint.clone(),
         expected: real.identity.clone(),
+        former: Vec::new(),
     }
 }
 

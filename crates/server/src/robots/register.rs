@@ -1,5 +1,6 @@
 //! Which robots there are, kept in the data folder before it counts.
 
+use super::names::Names;
 use super::refusal::RobotsUnchanged;
 use crate::support::atomic_file;
 use behaviour::{Id, has_unseen, numbered};
@@ -17,6 +18,7 @@ const FIRST: (&str, &str) = ("simulated-nao", "Simulated NAO");
 pub(super) struct Register {
     path: Option<PathBuf>,
     known: Vec<Known>,
+    names: Names,
     seed: u64,
 }
 
@@ -40,7 +42,7 @@ impl Register {
     pub(super) fn within(data: Option<&Path>, seed: u64) -> Self {
         let path = data.map(|data| data.join(FILE));
         let known: Vec<Known> = path.as_deref().and_then(atomic_file::read).unwrap_or_default();
-        let mut this = Self { path, known, seed };
+        let mut this = Self { path, known, names: Names::within(data), seed };
         if let (true, Ok(robot)) = (this.known.is_empty(), Id::new(FIRST.0)) {
             this.known.push(Known { robot, name: FIRST.1.to_owned(), seed, real: None });
         }
@@ -115,6 +117,11 @@ impl Register {
         self.known.iter().find(|known| known.robot == *robot)?.real.as_ref()
     }
 
+    /// What a robot's subscriptions begin with, and what those of robots did that are no more.
+    pub(super) fn names(&self, robot: &Id) -> (String, Vec<String>) {
+        (self.names.own(robot), self.names.former(self.known.iter().map(|known| &known.robot)))
+    }
+
     /// Another way to a real robot; answers with the robot as it is kept then.
     ///
     /// # Errors
@@ -124,9 +131,15 @@ impl Register {
         let mut after = self.known.clone();
         let known = after.iter_mut().find(|known| known.robot == *robot && known.real.is_some());
         let known = known.ok_or(RobotsUnchanged::Simulated)?;
-        known.real = Some(real);
+        let before = known.real.replace(real);
         let known = known.clone();
         self.keep(after).map_err(RobotsUnchanged::Unkept)?;
+        let body = |real: Option<&RealRobot>| real.and_then(|real| real.identity.clone());
+        if let (Some(before), Some(now)) = (body(before.as_ref()), body(known.real.as_ref()))
+            && !before.is_same(&now)
+        {
+            self.names.change(robot);
+        }
         Ok(known)
     }
 
@@ -141,7 +154,9 @@ impl Register {
     pub(super) fn remove(&mut self, robot: &Id) -> std::io::Result<()> {
         let mut after = self.known.clone();
         after.retain(|known| known.robot != *robot);
-        self.keep(after)
+        self.keep(after)?;
+        self.names.leave(robot);
+        Ok(())
     }
 
     fn keep(&mut self, after: Vec<Known>) -> std::io::Result<()> {
@@ -202,6 +217,34 @@ mod tests {
         assert_eq!(again.real(&robot).unwrap().identity, Some(identity.clone()));
         assert_eq!(again.twin(&identity, None), Some("Blue"));
         assert_eq!(again.twin(&identity, Some(&robot)), None, "not of itself");
+        assert_eq!(again.names(&robot), ("rrp-a".to_owned(), Vec::new()));
+    }
+
+    #[test]
+    fn what_is_left_on_a_body_is_found_whoever_it_is_by_then() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut register = Register::within(Some(folder.path()), 1);
+        let body = |serial: &str| RealRobot {
+            address: "nao.local".into(),
+            user: None,
+            password: None,
+            fingerprint: None,
+            identity: Some(robot::Identity { serial: serial.into(), ..robot::Identity::default() }),
+        };
+        let (blue, green) = (Id::new("blue").unwrap(), Id::new("green").unwrap());
+        for (robot, serial) in [(&blue, "B1"), (&green, "B2")] {
+            let known = register.newcomer(robot, robot.as_str(), Some(body(serial))).unwrap();
+            register.add(known).unwrap();
+        }
+        let elsewhere = RealRobot { address: "10.0.0.9".into(), ..body("B1") };
+        register.reach(&blue, elsewhere).unwrap();
+        assert_eq!(register.names(&blue), ("rrp-blue".to_owned(), Vec::new()), "it is the same body");
+        register.reach(&blue, body("B3")).unwrap();
+        assert_eq!(register.names(&blue), ("rrp-blue-2".to_owned(), vec!["rrp-blue".to_owned()]));
+        register.remove(&blue).unwrap();
+        let again = Register::within(Some(folder.path()), 1);
+        let both = vec!["rrp-blue".to_owned(), "rrp-blue-2".to_owned()];
+        assert_eq!(again.names(&green), ("rrp-green".to_owned(), both));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use super::command_queue::{Command, CommandQueue, Controlling, Opening, Wanted};
 use super::mailbox::{Keep, Mailbox};
 use super::refusal::{NoRun, RunFailure};
 use super::shared::RobotShared;
+use crate::support::lock;
 use behaviour::Id;
 use engine::{HeldBy, Precedence, StreamIx};
 use protocol::HeldPart;
@@ -340,9 +341,14 @@ impl<'a> RobotThread<'a> {
             other => other,
         };
         let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
+        *lock(&self.shared.faces) = self.robot.faces();
         let (identity, installed) = (self.robot.identity(), self.robot.installed());
         self.shared.feed.edit(&self.shared.robot, |state| {
-            (state.health, state.lacking, state.condition) = (health, lacking, condition);
+            // One that is about to be made anew is being reached, whatever it was before.
+            if !self.queue().is_renewed() {
+                state.health = health;
+            }
+            (state.lacking, state.condition) = (lacking, condition);
             state.installed = installed;
             if identity.is_some() {
                 state.identity = identity;

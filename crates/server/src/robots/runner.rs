@@ -31,6 +31,9 @@ pub(super) const PROCEDURE_MAX_MS: u64 = 20;
 const TOO_LONG_MAX_CALLS: u32 = 3;
 /// The longest the robot may take to open the devices, in milliseconds.
 const OPEN_MAX_MS: u64 = 3_000;
+/// The longest that a Start waits for a robot that is being reached just now, and how often it looks, in milliseconds.
+const CONNECT_MAX_MS: u64 = 5_000;
+const LOOK_MS: u64 = 10;
 
 /// A run to be.
 pub(super) struct Job {
@@ -98,6 +101,7 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
     let run = build(job, &clock)?;
     let mailbox = Arc::new(Mailbox::default());
     let devices = devices(&run, &job.start.file);
+    wait_for_robot(job);
     open(job, &mailbox, devices.clone(), false)?;
     let mut entry = entry(job, &run, &mailbox, &devices);
     let tally = Tally::new(entry.live.clone(), &run);
@@ -116,6 +120,15 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
     }
     runner.sink.end_recording(&NoRun::StoppedBefore.to_string());
     Err(NoRun::StoppedBefore)
+}
+
+/// Somebody has just added the robot, or changed its address: then there is no link for a moment, and that is no reason to
+/// refuse a Start. A robot that is not found by then says so itself.
+fn wait_for_robot(job: &Job) {
+    let until = Instant::now() + Duration::from_millis(CONNECT_MAX_MS);
+    while job.shared.feed.is_connecting(&job.shared.robot) && !job.cancel.is_cancelled() && Instant::now() < until {
+        std::thread::sleep(Duration::from_millis(LOOK_MS));
+    }
 }
 
 fn recorder(job: &Job) -> Result<Option<Recorder>, NotRecorded> {

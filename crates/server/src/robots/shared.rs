@@ -34,6 +34,8 @@ pub(super) struct RobotShared {
     pub(super) scene: watch::Sender<Arc<Scene>>,
     /// What its camera sees.
     pub(super) camera: Arc<CameraView>,
+    /// The names under which it remembers faces; told to nobody who does not ask.
+    pub(super) faces: Mutex<Arc<[String]>>,
     /// Who wins.
     pub(super) order: Order,
     /// What Stop sets.
@@ -52,6 +54,7 @@ impl RobotShared {
             threads: AtomicUsize::new(0),
             scene: watch::Sender::new(Arc::default()),
             camera: Arc::default(),
+            faces: Mutex::default(),
             cancel_flags: CancelFlags::default(),
         }
     }

@@ -37,6 +37,11 @@ impl StatusFeed {
         self.robots.borrow().iter().find(|known| known.robot == *robot)?.same_as.clone()
     }
 
+    /// Whether a robot is being reached just now.
+    pub(super) fn is_connecting(&self, robot: &Id) -> bool {
+        self.robots.borrow().iter().any(|known| known.robot == *robot && known.health == Health::Connecting)
+    }
+
     /// Who answers in the place of a robot.
     pub(super) fn stranger(&self, robot: &Id) -> Option<Stranger> {
         match &self.robots.borrow().iter().find(|known| known.robot == *robot)?.health {

@@ -2,6 +2,7 @@
 
 mod applying;
 mod between;
+mod connecting;
 mod ending;
 mod halting;
 mod identities;

@@ -2,8 +2,10 @@
 
 use super::Command;
 use crate::console::Console;
-use crate::refusal::NotDone;
-use protocol::Request;
+use crate::find::unquoted;
+use crate::refusal::{Answer, NotDone, NotFound};
+use behaviour::Id;
+use protocol::{Reply, Request};
 use robot::Control;
 
 pub(crate) const TAKE: Command = Command {
@@ -62,10 +64,49 @@ pub(crate) const FORGET_FACES: Command = Command {
     run: |console, words| Box::pin(run(console, words, Control::ForgetFaces)),
 };
 
+pub(crate) const FORGET_FACE: Command = Command {
+    name: "forget face",
+    words: "FACE of NAME",
+    help: "Has the robot forget the face that it remembers under this name, for good.",
+    run: |console, words| Box::pin(forget_face(console, words)),
+};
+
+pub(crate) const SHOW_FACES: Command = Command {
+    name: "show faces",
+    words: "NAME",
+    help: "Shows the names under which the robot remembers faces.",
+    run: |console, words| Box::pin(show_faces(console, words)),
+};
+
+async fn faces(console: &mut Console, robot: &Id) -> Result<Vec<String>, NotDone> {
+    match console.ask(Request::Faces { robot: robot.clone() }).await? {
+        Reply::Faces { faces } => Ok(faces),
+        _ => Err(NotDone::NoAnswer(Answer::Faces)),
+    }
+}
+
+async fn show_faces(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
+    let (name, robot) = console.robot_meant(wanted).await?;
+    let faces = faces(console, &robot).await?;
+    Ok(if faces.is_empty() { format!("{name} remembers no face") } else { faces.join("\n") })
+}
+
+/// The whole name has to be said: what is forgotten does not come back.
+async fn forget_face(console: &mut Console, words: &str) -> Result<String, NotDone> {
+    let (face, wanted) = words.rsplit_once(" of ").ok_or(NotDone::NoFaceOf)?;
+    let (name, robot) = console.robot_meant(wanted).await?;
+    let (face, names) = (unquoted(face.trim()), faces(console, &robot).await?);
+    let Some(known) = names.iter().find(|known| *known == face).cloned() else {
+        return Err(NotFound::Unknown { what: "face", wanted: face.to_owned(), names }.into());
+    };
+    console.ask(Request::ControlRobot { robot, control: Control::ForgetFace(known) }).await?;
+    Ok(format!("{name} forgets {face}"))
+}
+
 async fn run(console: &mut Console, wanted: &str, control: Control) -> Result<String, NotDone> {
     let (name, robot) = console.robot_meant(wanted).await?;
     let known = console.client()?.robot(Some(&robot)).await?.condition.faces;
-    console.ask(Request::ControlRobot { robot, control }).await?;
+    console.ask(Request::ControlRobot { robot, control: control.clone() }).await?;
     Ok(match control {
         Control::Take => format!("{name} is under control"),
         Control::GiveBack => format!("{name} has its own life again"),
@@ -79,5 +120,6 @@ async fn run(console: &mut Console, wanted: &str, control: Control) -> Result<St
             Some(count) => format!("{name} forgets the {count} faces that it knew"),
             None => format!("{name} forgets the faces that it knew"),
         },
+        Control::ForgetFace(face) => format!("{name} forgets {face}"),
     })
 }

@@ -9,6 +9,11 @@ use robot::{RobotFault, Use};
 pub(super) const DETECTION: Driver = Driver { name: "FaceDetection", open: |_| Opened::sense(Detection) };
 pub(super) const REMEMBER: Driver = Driver { name: "RememberFace", open: |_| Opened::act(Remember) };
 
+/// The name under which it remembers somebody's face.
+pub(crate) fn face(person: usize) -> String {
+    format!("face {}", person + 1)
+}
+
 #[derive(Debug)]
 struct Detection;
 
@@ -23,7 +28,7 @@ impl Sense for Detection {
     fn read(&mut self, nao: &mut SimulatedNao, _count: u64) -> Option<Value> {
         let (person, seen) = nao.see_face()?;
         let new = !nao.known[person];
-        let label = if new { String::new() } else { format!("face {}", person + 1) };
+        let label = if new { String::new() } else { face(person) };
         let words = [
             ("id", Value::Int(person as i64 + 1)),
             ("label", Value::text(label)),

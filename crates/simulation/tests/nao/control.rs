@@ -103,6 +103,13 @@ fn faces_are_forgotten_and_counted() {
     bench.wait(50);
     bench.tell("learn", true);
     assert_eq!(bench.nao.condition().faces, Some(1));
+    assert_eq!(*bench.nao.faces(), ["face 1".to_owned()]);
+    let nobody = control(&mut bench, Control::ForgetFace("face 2".to_owned())).expect_err("it never saw them");
+    assert_eq!(nobody.to_string(), "the robot cannot do this now: it remembers nobody of that name");
+    control(&mut bench, Control::ForgetFace("face 1".to_owned())).expect("it can");
+    assert_eq!((bench.nao.condition().faces, bench.nao.faces().len()), (Some(0), 0));
+    bench.tell("learn", true);
+    assert_eq!(bench.nao.condition().faces, Some(1), "it can learn it again");
     control(&mut bench, Control::ForgetFaces).expect("it can");
     assert_eq!(bench.nao.condition().faces, Some(0));
     assert!(!bench.nao.scene().people[0].known);

@@ -32,4 +32,23 @@ pub struct Reached {
     /// The certificate that it must show, if it shows one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fingerprint: Option<String>,
+    /// Which body it is, if that is known: after a restore too another one is not taken for it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<Body>,
+}
+
+/// By what a body is known. What is not known is empty.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields, default)]
+pub struct Body {
+    /// What the robot calls itself.
+    pub name: String,
+    /// Its kind.
+    pub kind: String,
+    /// The number of its body.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub serial: String,
+    /// The number of the computer in its head.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub head: String,
 }

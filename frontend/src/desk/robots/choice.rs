@@ -86,11 +86,23 @@ impl Robots {
     /// Takes control of the robot that this tab looks at, gives it back, or lets it rest.
     pub(crate) fn control(&self, control: Control) {
         if let Some(robot) = self.chosen.get_untracked() {
-            let tab = self.tab.clone();
-            self.tab.ask_or_say(Request::ControlRobot { robot: robot.robot, control }, move |_| {
-                tab.say(&words::control_done(&robot.name, control), false);
-            });
+            self.control_of(robot, control);
         }
+    }
+
+    /// Has a robot do something, whichever this tab looks at meanwhile.
+    pub(crate) fn control_of(&self, robot: RobotState, control: Control) {
+        let tab = self.tab.clone();
+        self.tab.ask_or_say(Request::ControlRobot { robot: robot.robot, control: control.clone() }, move |_| {
+            tab.say(&words::control_done(&robot.name, &control), false);
+        });
+    }
+
+    /// The names under which a robot remembers faces; none if it does not say them.
+    pub(crate) fn faces(&self, robot: &Id, then: impl FnOnce(Vec<String>) + 'static) {
+        self.tab.look_up(Request::Faces { robot: robot.clone() }, move |answer| {
+            then(if let Ok(Reply::Faces { faces }) = answer { faces.clone() } else { Vec::new() });
+        });
     }
 
     /// Removes a robot.

@@ -40,6 +40,8 @@ sentences! {
     sit_down: "Sit down";
     forget_faces: "Forget faces";
     forget: "Forget";
+    whose_face: "Whose face";
+    all_faces: "All of them";
     room_of_real: "As the robot tells";
     more_in_room: "More";
     another_person: "Another person";
@@ -175,7 +177,7 @@ pub(crate) fn started_by_revoked(name: &str) -> String {
 }
 
 /// What was asked, for a sentence that it was done.
-pub(crate) fn control_done(robot: &str, control: Control) -> String {
+pub(crate) fn control_done(robot: &str, control: &Control) -> String {
     match control {
         Control::Take => say!("You have “{robot}” now. It stands up.", robot),
         Control::GiveBack => say!("“{robot}” has its own life again.", robot),
@@ -185,6 +187,7 @@ pub(crate) fn control_done(robot: &str, control: Control) -> String {
         Control::Stand => say!("“{robot}” stands up.", robot),
         Control::Sit => say!("“{robot}” sits down.", robot),
         Control::ForgetFaces => say!("“{robot}” forgets the faces that it knew.", robot),
+        Control::ForgetFace(face) => say!("“{robot}” forgets “{face}”.", robot, face),
     }
 }
 
@@ -197,6 +200,16 @@ pub(crate) fn forget_faces_of(robot: &str, count: u16) -> String {
         1 => say!("“{robot}” forgets the face that it remembers. This cannot be undone.", robot),
         _ => say!("“{robot}” forgets the {count} faces that it remembers. This cannot be undone.", robot, count),
     }
+}
+
+/// What is asked before one face is forgotten.
+pub(crate) fn forget_face_of(robot: &str, face: &str) -> String {
+    say!("“{robot}” forgets the face that it remembers as “{face}”. This cannot be undone.", robot, face)
+}
+
+/// Why nothing is forgotten any more.
+pub(crate) fn robot_removed(robot: &str) -> String {
+    say!("Somebody has removed “{robot}” meanwhile. Nothing was forgotten.", robot)
 }
 
 /// How a body is, light by light: whether that is good, bad or neither, and in words.

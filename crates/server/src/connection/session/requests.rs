@@ -111,6 +111,10 @@ impl Session {
             Request::CheckRobot { real, robot } => self.check_robot(ask, *real, robot),
             Request::FindRobots => self.later(ask, real::find()),
             Request::ControlRobot { robot, control } => self.control(ask, &robot, control),
+            Request::Faces { robot } => {
+                let faces = self.state().robots.meant(Some(&robot)).map(|host| Reply::Faces { faces: host.faces() });
+                self.outbox.say(Some(ask), faces.unwrap_or_else(|no| Reply::No { no }));
+            }
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
             Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
             Request::Watch { robot, scene, values } => {

@@ -31,6 +31,7 @@ struct Strings {
     opened: usize,
     made: usize,
     refuses: Option<&'static str>,
+    connects: bool,
     fails: bool,
     halts: Option<String>,
     /// What it did, in order.
@@ -91,6 +92,11 @@ impl Puppet {
     /// From now on it cannot use this device, and drops its values.
     pub(super) fn refuse(&self, device: &'static str) {
         lock(&self.0).refuses = Some(device);
+    }
+
+    /// From now on somebody is about to take the strings, or has them.
+    pub(super) fn connects(&self, connects: bool) {
+        lock(&self.0).connects = connects;
     }
 
     /// Steps so far.
@@ -162,6 +168,9 @@ impl Robot for Puppet {
 
     fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {
         let mut strings = lock(&self.0);
+        if strings.connects {
+            return Err(RobotFault::NoLink);
+        }
         if strings.refuses == Some(device) {
             return Err(RobotFault::NoDevice(device.to_owned()));
         }
@@ -217,7 +226,7 @@ impl Robot for Puppet {
     }
 
     fn health(&self) -> Health {
-        Health::Ready
+        if lock(&self.0).connects { Health::Connecting } else { Health::Ready }
     }
 
     fn scene(&self) -> Scene {
