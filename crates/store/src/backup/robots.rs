@@ -41,9 +41,9 @@ pub struct Reached {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 pub struct Body {
-    /// What the robot calls itself.
+    /// The name by which the robot calls itself.
     pub name: String,
-    /// Its kind.
+    /// The kind of robot.
     pub kind: String,
     /// The number of its body.
     #[serde(skip_serializing_if = "String::is_empty")]
