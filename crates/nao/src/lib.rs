@@ -35,6 +35,7 @@ mod speech;
 mod status;
 mod stopping;
 mod stranger;
+mod subscribed;
 mod supervisor;
 mod targets;
 mod voicing;

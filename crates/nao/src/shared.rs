@@ -1,6 +1,7 @@
 //! What the robot's thread and the link's thread have in common.
 
 use crate::body::Limits;
+use crate::subscribed::Subscribed;
 use crate::voicing::{Before, USUAL_SPEED};
 use behaviour::Value;
 use robot::{Condition, Control, Health, Identity, Installed, Lacking, Life, Printed, RobotFault, Use, Wake};
@@ -22,52 +23,6 @@ const LEGS: &str = "its legs did not answer to Stop; look whether it stands, and
 const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
 const PRINTED_MAX: usize = 20;
-
-/// What is measured only for us: service and the name that we subscribed by, and a number by which one that began anew under
-/// the same name is another one.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Subscribed {
-    all: BTreeMap<(&'static str, String), u64>,
-    last: u64,
-}
-
-impl Subscribed {
-    /// It is asked for now; answers with its number.
-    pub(crate) fn add(&mut self, service: &'static str, name: &str) -> u64 {
-        self.last += 1;
-        self.all.insert((service, name.to_owned()), self.last);
-        self.last
-    }
-
-    /// Whether nobody has ended it.
-    pub(crate) fn has(&self, service: &'static str, name: &str, number: u64) -> bool {
-        self.all.get(&(service, name.to_owned())) == Some(&number)
-    }
-
-    /// It has ended, unless another one began under its name.
-    pub(crate) fn end(&mut self, service: &'static str, name: &str, number: u64) {
-        if self.has(service, name, number) {
-            self.all.remove(&(service, name.to_owned()));
-        }
-    }
-
-    /// Whether a service measures for us.
-    pub(crate) fn uses(&self, service: &str) -> bool {
-        self.all.keys().any(|(known, _)| *known == service)
-    }
-
-    /// All of them; none is left.
-    pub(crate) fn take(&mut self) -> BTreeMap<(&'static str, String), u64> {
-        std::mem::take(&mut self.all)
-    }
-
-    /// Those that are not known to have ended, but for what began anew.
-    pub(crate) fn put_back(&mut self, taken: BTreeMap<(&'static str, String), u64>) {
-        taken.into_iter().for_each(|(of, number)| {
-            self.all.entry(of).or_insert(number);
-        });
-    }
-}
 
 /// Everything shared around one robot. Locked for moments only.
 #[derive(Default)]

@@ -3,7 +3,7 @@
 
 use crate::client::Client;
 use crate::figures::{Times, Verdict, micros, title};
-use crate::peer::Peer;
+use crate::peer::{PATIENCE, Peer};
 use behaviour::{Params, Value};
 use engine::{Emission, Limits, Run};
 use nao::{Nao, Settings};
@@ -113,9 +113,17 @@ impl Watched {
         }
         self.told_nothing("clear").await;
         let memory = self.0.service("ALMemory").await.unwrap();
-        for value in [1.0_f32, 0.0].repeat(TOUCHES) {
-            memory.call("raiseEvent", &[KEY.into(), qi::Value::dynamic(value)]).await.unwrap();
-            tokio::time::sleep(Duration::from_micros(UNEVEN_US)).await;
+        for number in 1..=TOUCHES {
+            for value in [1.0_f32, 0.0] {
+                memory.call("raiseEvent", &[KEY.into(), qi::Value::dynamic(value)]).await.unwrap();
+                tokio::time::sleep(Duration::from_micros(UNEVEN_US)).await;
+                // However late: what comes after the next touch would count for that.
+                let began = Instant::now();
+                while self.count(name).await < number {
+                    assert!(began.elapsed() < PATIENCE, "a touch without {name}");
+                    tokio::time::sleep(STEP).await;
+                }
+            }
         }
         let calls = self.told("calls").await;
         drop(reacting);
@@ -125,9 +133,18 @@ impl Watched {
         passages(&calls, name)
     }
 
+    /// How often it was called so.
+    async fn count(&self, name: &str) -> usize {
+        self.told("calls").await.as_array().unwrap().iter().filter(|call| called(call) == name).count()
+    }
+
     async fn told_nothing(&self, what: &str) {
         self.0.service("StandIn").await.unwrap().call(what, &[]).await.unwrap();
     }
+}
+
+fn called(call: &Json) -> String {
+    format!("{}.{}", call["service"].as_str().unwrap(), call["method"].as_str().unwrap())
 }
 
 /// From each touch to the call before the next; every touch has one.
@@ -135,7 +152,7 @@ fn passages(calls: &Json, name: &str) -> Vec<f64> {
     let (mut touched, mut taken) = (None, Vec::new());
     for call in calls.as_array().unwrap() {
         let at = call["monotonic_us"].as_f64().unwrap();
-        let called = format!("{}.{}", call["service"].as_str().unwrap(), call["method"].as_str().unwrap());
+        let called = called(call);
         if called == "ALMemory.raiseEvent" && call["args"][1].as_f64() == Some(1.0) {
             assert_eq!(touched.replace(at), None, "a touch without {name}");
         } else if called == name {

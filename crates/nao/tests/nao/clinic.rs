@@ -205,7 +205,7 @@ async fn faces_are_counted_and_forgotten_when_a_person_wants_that() {
     driver.until("one is gone", |driver| *driver.nao.faces() == ["B".to_owned()]).await;
     assert_eq!(driver.nao.condition().faces, Some(1));
     assert_eq!(peer.calls("ALFaceDetection.forgetPerson").await, [json!(["A"])]);
-    assert_eq!(peer.calls("ALFaceDetection.clearDatabase").await, [json!(0); 0]);
+    assert!(peer.calls("ALFaceDetection.clearDatabase").await.is_empty());
     driver.nao.control(Control::ForgetFaces, Millis(0)).unwrap();
     driver.until("they are gone", |driver| driver.nao.condition().faces == Some(0)).await;
     assert_eq!(peer.calls("ALFaceDetection.clearDatabase").await, [json!([])]);
