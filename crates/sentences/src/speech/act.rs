@@ -33,9 +33,25 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
         let _ = verb;
         bag.take_all("it", "");
         bag.take_all("part", "hand");
-        return Some(Meant { what: vec![Act::Not], left: bag.left() });
+        let period = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None });
+        if period.is_some() {
+            bag.take("cmp", "atleast");
+        }
+        let what = period.map_or(Act::Not, |(ms, _)| Act::NotFor(ms));
+        return Some(Meant { what: vec![what], left: bag.left() });
     }
-    let acts = done(bag)?;
+    // *Keep saying …*
+    let keeps = bag.find("v", "keep").filter(|_| {
+        let goes_on = |sense: &super::lexicon::Sense| matches!(sense.kind, "v" | "do") && sense.form.end == End::Ing;
+        atoms.iter().any(|atom| atom.senses.iter().any(goes_on) && !atom.is("v", "keep"))
+    });
+    keeps.into_iter().for_each(|at| bag.use_up(at));
+    let mut acts = done(bag)?;
+    if matches!(acts[..], [Act::Follow(..), ..] | [Act::Eyes(_), ..]) {
+        bag.take_all("adv", "ongoing");
+    } else if keeps.is_some() {
+        acts.push(Act::Keeps);
+    }
     Some(Meant { what: acts, left: bag.left() })
 }
 
@@ -59,8 +75,10 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
         if any {
             return false;
         }
-        let filler = ["void", "prep", "aux", "adv"].iter().any(|kind| atom.is(kind, ""));
-        if !filler {
+        let filler = ["void", "prep", "aux", "adv", "not"].iter().any(|kind| atom.is(kind, ""));
+        // *A high beep*
+        let qualifies = atom.is("adj", "high") || atom.is("adj", "low");
+        if !filler && !qualifies {
             return atom.is("adj", "brighter")
                 || atom.is("adj", "darker")
                 || atom.is("adj", "far")
@@ -330,7 +348,7 @@ fn value(bag: &mut Bag) -> Option<Value> {
 fn eyes(bag: &mut Bag) -> Option<Vec<Act>> {
     bag.take_all("part", "eyes");
     let bright = bag.take_all("noun", "brightness");
-    for verb in ["turn", "shine", "make", "come", "play", "set"] {
+    for verb in ["turn", "shine", "make", "come", "play", "set", "keep"] {
         bag.take_all("v", verb);
     }
     bag.take_all("noun", "colored");
@@ -398,6 +416,11 @@ fn follow(bag: &mut Bag) -> Option<Act> {
         bag.take_all("it", "");
         Target::It
     };
+    // *Anyone you see*
+    if bag.has("v", "see") && bag.atoms.iter().any(|atom| atom.is("robot", "")) {
+        bag.take("robot", "");
+        bag.take("v", "see");
+    }
     let nearest = bag.take_all("adj", "nearest") | bag.take_all("adj", "near");
     let side = bag.arg("side").map(|(side, _)| side);
     let arm = bag.arg_is("part", "arm") || (points.is_some() && bag.arg_is("part", "hand"));

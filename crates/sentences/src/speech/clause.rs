@@ -48,6 +48,18 @@ impl<'a> Bag<'a> {
         }
     }
 
+    /// Whether there is an unused sign of this kind.
+    pub(super) fn has_sign(&self, sign: char) -> bool {
+        (0..self.atoms.len()).any(|at| self.is_free(at) && self.atoms[at].is_sign(sign))
+    }
+
+    /// Uses the first sign of this kind.
+    pub(super) fn take_sign(&mut self, sign: char) {
+        if let Some(at) = (0..self.atoms.len()).find(|at| self.is_free(*at) && self.atoms[*at].is_sign(sign)) {
+            self.use_up(at);
+        }
+    }
+
     pub(super) fn has(&self, kind: &str, arg: &str) -> bool {
         self.find(kind, arg).is_some()
     }
@@ -144,6 +156,17 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     }
     let is_within = time.is_some() && within_at.is_some();
     bag.take("adj", "during");
+    // *… and stays there for three seconds*
+    if let (Some(stays), Some((ms, _)), false) = (bag.find("v", "stay"), time, is_within) {
+        bag.use_up(stays);
+        if !(bag.has("adj", "") || bag.has("v", "") || bag.has("cmp", "")) {
+            for kind in ["noun", "it", "who", "robot"] {
+                bag.take(kind, "");
+            }
+            let cond = Cond { during: Some(ms), ..Cond::of(Event::Stays, bag.span()) };
+            return Some(Meant { what: cond, left: bag.left() });
+        }
+    }
     if time.is_some() && !is_within {
         bag.take("cmp", "more");
         bag.take("cmp", "atleast");
@@ -217,11 +240,22 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     let denies =
         |atom: &Atom| atom.senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "adj" | "pose"));
     *not |= nobody || nothing || (0..bag.atoms.len()).any(|at| bag.is_free(at) && denies(&bag.atoms[at]));
+    if is_anothers_body(bag.atoms) {
+        return None;
+    }
     if let Some(touch) = touches::touch(bag, over, lasts) {
         return touch;
     }
     let found = measured::measured(bag, not).or_else(|| seen::heard(bag, not));
     found.or_else(|| body(bag)).or_else(|| seen::seen(bag, not, nobody, nothing))
+}
+
+/// Whether a part of somebody's body is spoken of: *the child's hand* is none that the robot feels.
+fn is_anothers_body(atoms: &[Atom]) -> bool {
+    atoms.windows(3).any(|three| {
+        let owns = three[0].is("who", "") && !three[0].is("robot", "") && three[1].is("aux", "s");
+        owns && three[2].is("part", "") && !three[2].is("v", "")
+    })
 }
 
 /// What the robot's own body does.

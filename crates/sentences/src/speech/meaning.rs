@@ -69,6 +69,10 @@ pub(crate) enum Event {
     Counted(u32),
     /// One of several.
     Any(Vec<Event>),
+    /// So full is what was said to be full last: the battery.
+    ItCharge(Vec<Bound>),
+    /// What was said last, that it goes on being so.
+    Stays,
     /// What was seen last.
     ItSeen,
     /// What was touched last.
@@ -137,6 +141,12 @@ pub(crate) enum Act {
     Nothing,
     /// What was said is not done.
     Not,
+    /// What was said is not done again for so many milliseconds.
+    NotFor(u64),
+    /// A text without its verb: the one before it, or after it in Japanese, is meant.
+    Text(String),
+    /// It goes on being done.
+    Keeps,
 }
 
 /// A value that is said or shown.
@@ -176,6 +186,8 @@ pub(crate) struct Rule {
     pub(crate) until: Option<Cond>,
     /// Not more often than once in so many milliseconds.
     pub(crate) at_most: Option<u64>,
+    /// Not again for so many milliseconds after it was done.
+    pub(crate) pause: Option<u64>,
     pub(crate) once: bool,
     /// Whether how often its event came is what is said.
     pub(crate) counts: bool,
@@ -183,6 +195,8 @@ pub(crate) struct Rule {
     pub(crate) lasts: bool,
     /// Whether what it says is not done then.
     pub(crate) denied: bool,
+    /// Whether what it does goes on, and the words for that.
+    pub(crate) keeps: Option<Span>,
     /// Whether its actions go by senses of their own.
     pub(crate) is_own: bool,
     /// What is done so many milliseconds later.

@@ -1,7 +1,7 @@
 //! What is measured: distances, numbers of people, charge and angles.
 
 use super::{Bag, agent, seen::color};
-use crate::speech::atoms::{Measure, Value};
+use crate::speech::atoms::{Atom, Measure, Value};
 use crate::speech::meaning::{Bound, Event, Of};
 use crate::test::Comparison;
 
@@ -81,6 +81,9 @@ fn length(measure: Measure) -> Option<(f64, &'static str)> {
 /// Distances, numbers of people, charge, angles.
 pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     let has_length = bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))));
+    if let Some(event) = share_alone(bag, not) {
+        return Some(event);
+    }
     if bag.take("noun", "battery").is_some() {
         return charge(bag, not);
     }
@@ -116,6 +119,20 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         return None;
     }
     Some(Event::Far(of, negated(found, not)?))
+}
+
+/// 90％を超えたら: of what was said before.
+fn share_alone(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+    let is_share = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Share(_)));
+    let names = |atom: &Atom| ["noun", "who", "part"].iter().any(|kind| atom.is(kind, ""));
+    if !bag.atoms.iter().any(is_share) || bag.atoms.iter().any(|atom| names(atom) && !atom.is("noun", "level")) {
+        return None;
+    }
+    bag.take("it", "");
+    match charge(bag, not)? {
+        Event::Charge(bounds) => Some(Event::ItCharge(bounds)),
+        _ => None,
+    }
 }
 
 /// How full the battery is.

@@ -67,7 +67,9 @@ fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
         all.push(quote);
     }
     if !all.is_empty() {
-        bag.take_all("or", "");
+        if bag.take_all("or", "") || all.len() > 1 {
+            bag.take_signs(',');
+        }
         bag.take_all("noun", "word");
         bag.use_up(verb);
         return Some(all);
@@ -80,7 +82,8 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     const VERBS: [&str; 9] = ["see", "exist", "come", "appear", "enter", "find", "leave", "know", "show"];
     let found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
     let is_be = bag.atoms.iter().any(|atom| atom.is("aux", "be"));
-    if found.is_empty() && !is_be && !nobody && !bag.has("adj", "known") {
+    let of_kind = bag.has("adj", "known") || bag.has("adj", "new") && bag.has("who", "");
+    if found.is_empty() && !is_be && !nobody && !of_kind {
         return None;
     }
     // Somebody who sees something is not the robot: 子どもがボールを見たら.
@@ -141,7 +144,7 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     }
     // Japanese leaves out what was said before.
     let says_nothing = !bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "") || atom.is("color", ""));
-    (says_nothing && has("see")).then_some(Event::ItSeen)
+    (says_nothing && (has("see") || has("leave"))).then_some(Event::ItSeen)
 }
 
 /// A ball, or one of several.
@@ -151,7 +154,10 @@ fn ball(bag: &mut Bag) -> Option<Event> {
     bag.take("it", "");
     let mut all = vec![Event::Ball(color(bag))];
     while bag.has("or", "") && bag.has("color", "") {
-        bag.take("or", "");
+        if !bag.has_sign(',') {
+            bag.take("or", "");
+        }
+        bag.take_sign(',');
         bag.take("noun", "ball");
         let at = bag.find("color", "")?;
         let next = color(bag);
@@ -183,7 +189,10 @@ fn mark(bag: &mut Bag) -> Option<Event> {
             _ => None,
         });
         let Some((more, _)) = more else { break };
-        bag.take("or", "");
+        if !bag.has_sign(',') {
+            bag.take("or", "");
+        }
+        bag.take_sign(',');
         bag.take("noun", "mark");
         all.push(Event::Mark(Some(more)));
     }

@@ -136,6 +136,7 @@ fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
     if all.len() > 1 {
         // Both at once cannot be told.
         bag.take("or", "")?;
+        bag.take_signs(',');
         return Some(Event::Any(all));
     }
     all.pop()
