@@ -99,6 +99,9 @@ impl<'b, 'a> Making<'b, 'a> {
             return self.own(rule, place);
         } else if let Some(event) = &rule.event {
             // What lasts follows what it follows while something is so.
+            if rule.lasts && !lasts(event, rule) {
+                return None;
+            }
             let follows = rule.acts.iter().find_map(|(_, act, _)| match act {
                 Act::Follow(..) => own_event(act),
                 _ => None,
@@ -361,11 +364,15 @@ impl<'b, 'a> Making<'b, 'a> {
                 } else {
                     Feed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
                 };
-                if not { quiet(sense) } else { moment.then_some(sense) }
+                if not { Some(unseen(sense, cond)) } else { moment.then_some(sense) }
             }
             (Event::Thing(color), not) => {
                 let sense = Feed { params: vec![("color", (*color).to_owned())], ..feed("Blob") };
-                if not { quiet(sense) } else { moment.then_some(sense) }
+                if not { Some(unseen(sense, cond)) } else { moment.then_some(sense) }
+            }
+            (Event::Mark(mark), true) => {
+                let params = mark.iter().map(|mark| ("number", mark.to_string())).collect();
+                Some(unseen(Feed { params, ..feed("Landmark") }, cond))
             }
             (Event::Face(Who::Anybody), true) => {
                 if moment {
@@ -636,6 +643,20 @@ impl<'b, 'a> Making<'b, 'a> {
     }
 }
 
+/// Whether the robot knows when something is over, so that what is done can end with it.
+fn lasts(event: &Cond, rule: &Rule) -> bool {
+    let is_moment =
+        matches!(event.what, Event::Button(_) | Event::Words(_) | Event::Falls | Event::Up | Event::Mark(_))
+            || (event.what == Event::Noise && !event.not);
+    let lit = rule.acts.iter().any(|(_, act, _)| matches!(act, Act::Eyes(color) if *color != "off"));
+    !is_moment && (rule.states.is_empty() || !lit)
+}
+
+/// Something that was not seen for so long, or for a moment.
+fn unseen(sense: Feed, cond: &Cond) -> Feed {
+    Feed { steps: vec![Does::Quiet(cond.during.unwrap_or(UNSEEN_MS))], ..sense }
+}
+
 /// Whether a rule says what the eyes do when what another one lasts for is over.
 fn ends(rule: &Rule, lasting: &Rule) -> bool {
     let (Some(event), Some(over)) = (&rule.event, &lasting.event) else { return false };
@@ -702,7 +723,9 @@ fn chosen(device: &'static robot::Device, given: &[(&'static str, String)]) -> O
 
 /// What happens in a moment before what is so for a while.
 fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c Cond>) {
-    let lasts = |cond: &Cond| tested(cond).is_some() && cond.during.is_none();
+    let in_view =
+        |cond: &Cond| matches!(cond.what, Event::Ball(_) | Event::Thing(_)) && !cond.not && cond.times.is_none();
+    let lasts = |cond: &Cond| (tested(cond).is_some() || in_view(cond)) && cond.during.is_none();
     if lasts(event)
         && let Some(at) = states
             .iter()

@@ -106,8 +106,9 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
         for word in ["face", "name"] {
             bag.take("noun", word);
         }
-        bag.take_all("it", "");
-        bag.take_all("who", "");
+        for kind in ["it", "who", "poss"] {
+            bag.take_all(kind, "");
+        }
         bag.take_all("adj", "new");
         return Some(vec![Act::Remember]);
     }
@@ -322,7 +323,8 @@ fn value(bag: &mut Bag) -> Option<Value> {
         bag.take_all("v", "exist");
         return Some(Value::Mark);
     }
-    if counts && bag.take_all("who", "") {
+    if counts && bag.take_all("who", "") | bag.take_all("noun", "face") {
+        bag.take_all("who", "");
         for verb in ["exist", "see", "come"] {
             bag.take_all("v", verb);
         }

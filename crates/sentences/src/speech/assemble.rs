@@ -71,8 +71,9 @@ impl Said {
                     let first = rule.acts.is_empty();
                     let is_next = first || comes_next(*then, before, rest);
                     later += ms;
-                    if !is_next && let Some(last) = rule.acts.last_mut() {
-                        last.0 += ms;
+                    // One verb may have several objects: *open both hands*.
+                    if !is_next && let Some(span) = rule.acts.last().map(|(.., span)| span.clone()) {
+                        rule.acts.iter_mut().filter(|(.., other)| *other == span).for_each(|act| act.0 += ms);
                     }
                     if first && rule.event.is_none() {
                         goes_on = true;
@@ -299,7 +300,7 @@ impl Said {
                     continue;
                 }
                 Act::Not => {
-                    rule.denied = true;
+                    rule.denied = Some(span.clone());
                     continue;
                 }
                 Act::NotFor(ms) => {
@@ -422,9 +423,8 @@ impl Said {
             return;
         }
         // ただし…とき…ない: what was said is not done then.
-        if rule.denied {
+        if let Some(span) = rule.denied.take() {
             let conds: Vec<Cond> = rule.event.take().into_iter().chain(rule.states.drain(..)).collect();
-            let span = rule.span.clone();
             match (self.rules.last_mut(), &conds[..]) {
                 (Some(last), [cond]) => {
                     let mut cond = cond.clone();

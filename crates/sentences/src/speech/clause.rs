@@ -148,7 +148,14 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
         atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))))
             && !atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))))
     });
-    let time = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None });
+    let denied = atoms.iter().any(|atom| atom.is("not", "") || atom.is("none", ""));
+    let is_in = |at: usize| at > 0 && atoms[at - 1].is("within", "in") && !denied;
+    let time_at = atoms.iter().position(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))));
+    // *Three times in five seconds*: how long something is counted cannot be said.
+    let time = match time_at.filter(|at| !is_in(*at)) {
+        Some(_) => bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None }),
+        None => None,
+    };
     if time.is_some()
         && let Some(at) = within_at
     {
@@ -184,7 +191,10 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
         Some((ms, _)) => (Some(ms), None),
         None => (None, None),
     };
-    let left = bag.left();
+    let mut left = bag.left();
+    if let (Some(_), Some(_), Some(at)) = (times, during, time_at) {
+        left.push(atoms[at].span.clone());
+    }
     let lasts = lasts || atoms.iter().any(|atom| atom.is("aux", "be"));
     Some(Meant { what: Cond { what, not, during, within, times, lasts, span: bag.span() }, left })
 }

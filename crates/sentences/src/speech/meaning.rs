@@ -193,8 +193,8 @@ pub(crate) struct Rule {
     pub(crate) counts: bool,
     /// Whether it is so only as long as its event lasts.
     pub(crate) lasts: bool,
-    /// Whether what it says is not done then.
-    pub(crate) denied: bool,
+    /// The words that say that it is not done then.
+    pub(crate) denied: Option<Span>,
     /// Whether what it does goes on, and the words for that.
     pub(crate) keeps: Option<Span>,
     /// Whether its actions go by senses of their own.

@@ -187,7 +187,9 @@ impl Chart<'_> {
                 all.push((false, plain(at + 1, segment, WORD)));
             }
         }
-        if ["void", "polite"].iter().any(|kind| atom.is(kind, ""))
+        let after_or = at > 0 && self.atoms[at - 1].is("or", "");
+        if (atom.is("void", "") && !after_or)
+            || atom.is("polite", "")
             || atom.is("adv", "eachtime")
             || atom.is("result", "") && at > 0
         {
@@ -303,7 +305,25 @@ impl Chart<'_> {
                 found.push((end, if most { Segment::AtMost(ms) } else { Segment::Every(ms) }));
             }
         }
-        if (is(at, "lead", "after") || is(at, "v", "wait") || is(at, "within", "in"))
+        // 5秒してから
+        let goes_by = |at: usize| {
+            let turn = self.atoms.get(at).and_then(|atom| atom.sense("v", "turn"));
+            turn.is_some_and(|sense| sense.form.end == End::Te) && is(at + 1, "lead", "after")
+        };
+        if let Some(ms) = time(at)
+            && goes_by(at + 1)
+        {
+            found.push((at + 3, Segment::Later(ms, Then::Next)));
+        }
+        // 目を赤くしてから…
+        let te = |at: usize| self.atoms[at].senses.iter().any(|sense| sense.form.end == End::Te);
+        if self.language == Language::Japanese && at > 0 && is(at, "lead", "after") && te(at - 1) {
+            found.push((at + 1, Segment::Then));
+        }
+        // *Three times in five seconds* is no time after.
+        let counted =
+            at > 0 && (is(at - 1, "times", "") || matches!(atoms[at - 1].value, Value::Measure(Measure::Times(_))));
+        if (is(at, "lead", "after") || is(at, "v", "wait") || (is(at, "within", "in") && !counted))
             && let Some(ms) = time(fillers(at + 1))
         {
             let end = fillers(at + 1) + 1;
@@ -545,6 +565,10 @@ impl Chart<'_> {
                     && (matches!(atoms[to - 1].value, Value::Measure(Measure::Time(_) | Measure::Times(_)))
                         || ["cmp", "times", "adv", "within", "prep"].iter().any(|kind| atoms[to - 1].is(kind, "")))
                 {
+                    // *Says try again*: is it said again, or are these the words?
+                    if atoms[to - 1].is("adv", "again") {
+                        return None;
+                    }
                     to -= 1;
                 }
                 (from, to)
@@ -556,7 +580,9 @@ impl Chart<'_> {
                 (from, to)
             }
         };
-        if from >= to {
+        let ends = ["lead", "otherwise", "then", "but", "every"];
+        let is_other = |atom: &Atom| ends.iter().any(|kind| atom.is(kind, "")) || atom.is("v", "say");
+        if from >= to || atoms[from..to].iter().any(is_other) {
             return None;
         }
         let mut all = atoms[..from].to_vec();
@@ -669,6 +695,7 @@ impl Chart<'_> {
             .filter(|atom| {
                 ["manner", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
                     || atom.is("adv", "again")
+                    || matches!(atom.value, Value::Measure(Measure::Times(_) | Measure::Time(_)))
             })
             .map(|atom| atom.span.clone())
             .collect();
@@ -679,8 +706,7 @@ impl Chart<'_> {
         let leads = |atom: &Atom| {
             atom.is("lead", "")
                 || matches!(atom.value, Value::Sign(_))
-                || atom.is("otherwise", "")
-                || atom.is("every", "")
+                || ["otherwise", "every", "then", "but"].iter().any(|kind| atom.is(kind, ""))
         };
         if self.language == Language::English && text.iter().any(leads) {
             return None;
@@ -821,7 +847,18 @@ fn is_suspicious(text: &[Atom]) -> bool {
     if first.is("hi", "") {
         return false;
     }
+    // *How many faces you can see*
+    let tells_value = |atom: &Atom| {
+        atom.is("noun", "count") || atom.is("noun", "distance") || atom.is("gap", "whatever") || atom.is("gap", "time")
+    };
+    if text.iter().any(tells_value) {
+        return true;
+    }
     if text.iter().all(|atom| atom.is("void", "")) || first.is("wh", "") {
+        return true;
+    }
+    // *Tell the child to sit down*, *hears you*
+    if first.is("prep", "to") || (text.len() == 1 && (first.is("who", "") || first.is("robot", ""))) {
         return true;
     }
     first.is("void", "det")

@@ -2,6 +2,7 @@
 
 use super::{Bag, agent, seen::color};
 use crate::speech::atoms::{Atom, Measure, Value};
+use crate::speech::lexicon::End;
 use crate::speech::meaning::{Bound, Event, Of};
 use crate::test::Comparison;
 
@@ -96,6 +97,14 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     let compares = bag.has("adj", "near") || bag.has("adj", "far");
     let approaches = bag.has("v", "approach");
     if !(has_length || compares || approaches) {
+        return None;
+    }
+    // *Close them* is an order and tells of nothing near.
+    let tells = |atom: &Atom| {
+        atom.is("aux", "")
+            || atom.senses.iter().any(|sense| sense.kind == "v" && sense.arg != "close" || sense.form.end != End::Plain)
+    };
+    if !has_length && bag.has("v", "close") && !bag.atoms.iter().any(tells) {
         return None;
     }
     let side = if bag.take("noun", "ahead").is_some() { Some("nearest") } else { None };
