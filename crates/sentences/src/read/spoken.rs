@@ -3,6 +3,7 @@
 use super::build::{Act as Built, Builder, Source};
 use super::tree::Span;
 use crate::Language;
+use crate::body::text_literal;
 use crate::carried::Carried;
 use crate::clauses::{ACTIONS, distance_helper};
 use crate::does::{Calc, Does, Memory};
@@ -404,6 +405,11 @@ impl<'b, 'a> Making<'b, 'a> {
             }
             (Event::Noise, false) if moment => Some(feed("SoundLocated")),
             (Event::Noise, true) => quiet(feed("SoundLocated")),
+            (Event::Start, false) if moment => Some(Feed {
+                params: vec![("period_ms", STEP_MS.to_string())],
+                steps: vec![numbers("", vec![(Comparison::Is, 1.0)])],
+                ..feed("Tick")
+            }),
             (Event::Falls, false) if moment => Some(feed("Fall")),
             (Event::Up, false) if moment => Some(Feed {
                 params: vec![("release", "yes".to_owned())],
@@ -513,6 +519,10 @@ impl<'b, 'a> Making<'b, 'a> {
     fn act(&mut self, act: &Act, at: usize, seen: Option<&'static str>, span: &Span) -> Option<()> {
         match act {
             Act::Say(text) => self.put("SayParameter", &[("text", text)], at, span),
+            Act::SayAny(texts) => {
+                let at = self.by_chance(at, texts, span);
+                self.put("SayInput", &[], at, span)
+            }
             Act::SayValue(value) => {
                 let at = self.value(*value, at, seen, span)?;
                 self.put("SayInput", &[], at, span)
@@ -576,8 +586,23 @@ impl<'b, 'a> Making<'b, 'a> {
             Act::PlayFile(file) => self.put("Sound", &[("sound", "file"), ("file", file)], at, span),
             Act::Remember => self.put("RememberFace", &[], at, span),
             Act::Nothing => Some(()),
-            Act::Color(_) | Act::Count(_) | Act::Again | Act::Not | Act::NotFor(_) | Act::Text(_) | Act::Keeps => None,
+            Act::Color(_) | Act::Count(_) | Act::Again | Act::Not | Act::NotFor(..) | Act::Text(_) | Act::Keeps => None,
         }
+    }
+
+    /// One of several texts whenever something comes: by a number that goes on from the time at which it came.
+    fn by_chance(&mut self, at: usize, texts: &[String], span: &Span) -> usize {
+        let at = self.made(Does::Stamp, vec![at], span, &mut Vec::new());
+        let args = vec!["soFar".to_owned(), "value".to_owned()];
+        let next = "(soFar * 1103 + value.t + 12345) % 65536".to_owned();
+        let memory = Memory::By(Calc::Written(args, next), Constant::Int(1));
+        let at = self.made(Does::Remember(memory), vec![at], span, &mut Vec::new());
+        let mut body = text_literal(texts.last().map_or("", String::as_str));
+        for (place, text) in texts.iter().enumerate().rev().skip(1) {
+            let count = texts.len();
+            body = format!("if value / 256 % {count} == {place} {{ {} }} else {{ {body} }}", text_literal(text));
+        }
+        self.made(Does::Make(Calc::Written(vec!["value".to_owned()], body)), vec![at], span, &mut Vec::new())
     }
 
     /// The node of a value that is said whenever something comes.
@@ -645,9 +670,10 @@ impl<'b, 'a> Making<'b, 'a> {
 
 /// Whether the robot knows when something is over, so that what is done can end with it.
 fn lasts(event: &Cond, rule: &Rule) -> bool {
-    let is_moment =
-        matches!(event.what, Event::Button(_) | Event::Words(_) | Event::Falls | Event::Up | Event::Mark(_))
-            || (event.what == Event::Noise && !event.not);
+    let is_moment = matches!(
+        event.what,
+        Event::Button(_) | Event::Words(_) | Event::Start | Event::Falls | Event::Up | Event::Mark(_)
+    ) || (event.what == Event::Noise && !event.not);
     let lit = rule.acts.iter().any(|(_, act, _)| matches!(act, Act::Eyes(color) if *color != "off"));
     !is_moment && (rule.states.is_empty() || !lit)
 }

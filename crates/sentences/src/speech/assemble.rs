@@ -303,14 +303,16 @@ impl Said {
                     rule.denied = Some(span.clone());
                     continue;
                 }
-                Act::NotFor(ms) => {
+                Act::NotFor(ms, words) => {
                     let alone = rule.acts.is_empty() && rule.event.is_none() && rule.every.is_none();
                     let said = if alone {
                         self.rules.last_mut()
                     } else {
                         Some(&mut *rule).filter(|rule| !rule.acts.is_empty())
                     };
-                    match said.filter(|said| said.pause.is_none()) {
+                    match said.filter(|said| {
+                        said.pause.is_none() && (!words || said.acts.iter().all(|(_, act, _)| says(act)))
+                    }) {
                         Some(said) => said.pause = Some(*ms),
                         None => self.doubts.push(span.clone()),
                     }
@@ -439,6 +441,13 @@ impl Said {
             self.is_missing = true;
             return;
         }
+        // The start is a moment of its own.
+        let starts = |cond: &Cond| cond.what == Event::Start;
+        let alone = rule.states.is_empty() && rule.until.is_none() && rule.every.is_none() && !rule.lasts;
+        let odd = rule.event.as_ref().filter(|event| starts(event) && (!alone || event.times.is_some()));
+        if let Some(odd) = odd.or(rule.states.iter().find(|state| starts(state))).map(|odd| odd.span.clone()) {
+            self.doubts.push(odd);
+        }
         // *Keep saying …*: how often?
         if let Some(span) = rule.keeps.take().filter(|_| rule.every.is_none()) {
             self.doubts.push(span);
@@ -471,6 +480,11 @@ impl Said {
         }
         self.rules.push(rule);
     }
+}
+
+/// Whether words are said.
+fn says(act: &Act) -> bool {
+    matches!(act, Act::Say(_) | Act::SayAny(_) | Act::SayValue(_))
 }
 
 /// What a joint that is moved is called when it is touched.

@@ -137,7 +137,7 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     let mut bag = Bag::new(atoms);
     let bag = &mut bag;
     // Senses of what is not there: the rest of the clause is not to blame.
-    let gaps = gaps(atoms);
+    let gaps = told_gaps(atoms);
     if !gaps.is_empty() {
         let cond = Cond::of(Event::Noise, bag.span());
         return Some(Meant { what: cond, left: gaps });
@@ -206,6 +206,15 @@ pub(super) fn gaps(atoms: &[Atom]) -> Vec<Span> {
     atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
 }
 
+/// Words for what cannot be sensed, though the robot itself may do it: *the child dances*.
+fn told_gaps(atoms: &[Atom]) -> Vec<Span> {
+    let is_gap = |atom: &&Atom| {
+        atom.is("gap", "") && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague" | "do"))
+            || !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"))
+    };
+    atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
+}
+
 fn times(bag: &mut Bag) -> Option<Times> {
     let counts = |measure| match measure {
         Measure::Times(times) if (1.0..=1_000.0).contains(&times) && times.fract() == 0.0 => Some(times as u32),
@@ -244,6 +253,9 @@ fn times(bag: &mut Bag) -> Option<Times> {
 
 /// Something that can be sensed, of the words for it.
 fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<Event> {
+    if bag.take("noun", "start").is_some() {
+        return (!*not && !over).then_some(Event::Start);
+    }
     // Nobody does it, or the verb says that it is not done.
     let nobody = bag.take("none", "who").is_some();
     let nothing = bag.take("none", "thing").is_some() || bag.take("none", "no").is_some();

@@ -61,6 +61,8 @@ pub(crate) enum Event {
     Noise,
     Falls,
     Up,
+    /// The program starts.
+    Start,
     Charge(Vec<Bound>),
     /// The posture, by its name among values.
     Pose(&'static str),
@@ -118,6 +120,8 @@ pub(crate) enum Of {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Act {
     Say(String),
+    /// One of several texts, by chance.
+    SayAny(Vec<String>),
     SayValue(Value),
     Show(Value),
     Eyes(&'static str),
@@ -141,8 +145,8 @@ pub(crate) enum Act {
     Nothing,
     /// What was said is not done.
     Not,
-    /// What was said is not done again for so many milliseconds.
-    NotFor(u64),
+    /// What was said is not done again for so many milliseconds; whether it is words that are not said.
+    NotFor(u64, bool),
     /// A text without its verb: the one before it, or after it in Japanese, is meant.
     Text(String),
     /// It goes on being done.

@@ -5,7 +5,7 @@ use super::act::{act, ends, is_order};
 use super::atoms::{Atom, Measure, Value};
 use super::clause::{Meant, cond, elliptic, gaps};
 use super::lexicon::End;
-use super::meaning::{Act, Cond, Span, Times};
+use super::meaning::{Act, Cond, Event, Span, Times};
 use crate::Language;
 use std::rc::Rc;
 
@@ -200,7 +200,7 @@ impl Chart<'_> {
         if atom.is("robot", "") && self.atoms.get(next).is_some_and(|next| next.is_sign(',')) {
             all.push((false, plain(next + 1, Segment::Nothing, 3)));
         }
-        if atom.is("gap", "") || atom.is("vague", "") || atom.is("manner", "") {
+        if ["gap", "vague", "manner", "chance"].iter().any(|kind| atom.is(kind, "")) {
             all.push((false, doubtful(at + 1, LEFT, vec![atom.span.clone()])));
         }
         all.push((false, doubtful(at + 1, UNKNOWN, vec![atom.span.clone()])));
@@ -357,13 +357,17 @@ impl Chart<'_> {
         if is(at, "once", "") {
             found.push((at + 1, Segment::Once));
         }
+        if is(at, "start", "") {
+            let starts = Cond::of(Event::Start, self.atoms[at].span.clone());
+            found.push((at + 1, Segment::Cond(Lead::When, Rc::new(starts))));
+        }
         // but not again for 20 seconds
         if is(at, "not", "")
             && is(at + 1, "adv", "again")
             && let Some(ms) = time(fillers(at + 2))
         {
             let end = fillers(at + 2) + 1;
-            found.push((end, Segment::Acts(Rc::new(vec![Act::NotFor(ms)]), self.span(at, end))));
+            found.push((end, Segment::Acts(Rc::new(vec![Act::NotFor(ms, false)]), self.span(at, end))));
         }
     }
 
@@ -475,7 +479,8 @@ impl Chart<'_> {
         let compares = |atom: &Atom| atom.is("adj", "near") || atom.is("cmp", "less") || atom.is("adj", "far");
         let correlates = compares(atom) || self.atoms.get(at + 1).is_some_and(compares);
         for end in at + 1..=most {
-            if self.tries >= TRIES_MAX || (self.atoms[end - 1].is_sign(',') && !correlates) {
+            let parts = self.atoms[end - 1].is_sign(',') && !correlates && !self.is_list(end - 1);
+            if self.tries >= TRIES_MAX || parts {
                 break;
             }
             if !self.is_boundary(end) {
@@ -693,7 +698,7 @@ impl Chart<'_> {
         let mut doubts: Vec<Span> = text
             .iter()
             .filter(|atom| {
-                ["manner", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
+                ["manner", "chance", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
                     || atom.is("adv", "again")
                     || matches!(atom.value, Value::Measure(Measure::Times(_) | Measure::Time(_)))
             })
