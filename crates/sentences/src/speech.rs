@@ -20,7 +20,7 @@ pub(crate) use assemble::{ended, own_event};
 use crate::Language;
 use assemble::Said;
 use atoms::{Atom, atoms};
-use meaning::{Body, Event, Phase, Rule};
+use meaning::{Body, Event, Phase, Rule, Vague};
 use std::ops::Range;
 use tokens::{What, tokens};
 
@@ -36,6 +36,8 @@ pub(crate) struct Speech {
     known: Vec<Range<usize>>,
     /// Words that were taken as a text.
     pub(crate) texts: Vec<Range<usize>>,
+    /// Words that got a number because nobody said one, by their bytes.
+    pub(crate) vague: Vec<(Range<usize>, Vague)>,
 }
 
 /// The most tokens that are read.
@@ -93,6 +95,15 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
         speech.doubts.push((text.len()..text.len(), Vec::new(), None));
     }
     speech.known = known;
+    for rule in &said.rules {
+        for cond in rule.event.iter().chain(&rule.states).chain(&rule.until) {
+            let Some(vague) = &cond.vague else { continue };
+            let range = bytes(&vague.span);
+            if !speech.vague.iter().any(|(known, _)| *known == range) {
+                speech.vague.push((range, vague.clone()));
+            }
+        }
+    }
     speech.rules = said.rules;
     speech
 }
@@ -155,6 +166,10 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
         for start in starts {
             let range = start..whole.end;
             let Some(words) = text.get(range.clone()) else { continue };
+            // Doubts may overlap: what was mended is not mended again.
+            if mended.get(range.clone()) != Some(words) {
+                continue;
+            }
             let like = match language {
                 Language::English => lexicon.like(&words.to_lowercase()),
                 Language::Japanese => lexicon.inflected_like(words),

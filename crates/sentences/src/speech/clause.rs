@@ -5,12 +5,14 @@ mod seen;
 mod touches;
 
 use super::atoms::{Atom, Measure, Value};
-use super::meaning::{Cond, Event, Span, Times};
+use super::meaning::{Bound, Cond, Event, Span, Times, Vague};
 
 /// Atoms of which each is used once.
 pub(super) struct Bag<'a> {
     pub(super) atoms: &'a [Atom],
     used: u64,
+    /// A word that got a number because nobody said one.
+    pub(super) vague: Option<Vague>,
 }
 
 /// What words mean alone: they may stand anywhere.
@@ -18,7 +20,7 @@ const FILLERS: [(&str, &str); 5] = [("void", ""), ("prep", ""), ("aux", ""), ("p
 
 impl<'a> Bag<'a> {
     pub(super) fn new(atoms: &'a [Atom]) -> Self {
-        Self { atoms, used: 0 }
+        Self { atoms, used: 0, vague: None }
     }
 
     pub(super) fn is_free(&self, at: usize) -> bool {
@@ -37,6 +39,12 @@ impl<'a> Bag<'a> {
             self.is_free(*at) && atom.is(kind, arg) && !(kind == "robot" && atom.is("it", ""))
         };
         (0..self.atoms.len()).find(fits)
+    }
+
+    /// Remembers which number this word got.
+    pub(super) fn took(&mut self, at: Option<usize>, bound: Bound, moves: bool) {
+        let span = at.map(|at| self.atoms[at].span.clone());
+        self.vague = span.map(|span| Vague { span, bound, moves });
     }
 
     /// Uses all signs of this kind.
@@ -196,7 +204,10 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
         left.push(atoms[at].span.clone());
     }
     let lasts = lasts || atoms.iter().any(|atom| atom.is("aux", "be"));
-    Some(Meant { what: Cond { what, not, during, within, times, lasts, span: bag.span() }, left })
+    Some(Meant {
+        what: Cond { what, not, during, within, times, lasts, vague: bag.vague.take(), span: bag.span() },
+        left,
+    })
 }
 
 /// Words for what can neither be sensed nor done.

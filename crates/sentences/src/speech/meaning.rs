@@ -23,13 +23,24 @@ pub(crate) struct Cond {
     pub(crate) times: Option<Times>,
     /// Whether it is said to last: *is touched*, 触っている.
     pub(crate) lasts: bool,
+    /// A word that got a number because nobody said one: *near*.
+    pub(crate) vague: Option<Vague>,
     pub(crate) span: Span,
+}
+
+/// A word that got a number because nobody said one, with what it was taken as.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Vague {
+    pub(crate) span: Span,
+    pub(crate) bound: Bound,
+    /// Whether it is a movement: *approaches*.
+    pub(crate) moves: bool,
 }
 
 impl Cond {
     /// Something that happens, as plain as can be.
     pub(crate) fn of(what: Event, span: Span) -> Self {
-        Self { what, not: false, during: None, within: None, times: None, lasts: false, span }
+        Self { what, not: false, during: None, within: None, times: None, lasts: false, vague: None, span }
     }
 }
 

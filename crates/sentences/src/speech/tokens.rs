@@ -42,7 +42,8 @@ fn plain(c: char) -> char {
         '—' => ':',
         '…' => '.',
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),
-        '｡' => '.',
+        // Several lines are several sentences.
+        '｡' | '\n' => '.',
         '､' => ',',
         '･' => '・',
         c => c,

@@ -208,3 +208,58 @@ fn every_meaning_without_a_sense_or_action_says_so_in_both_languages() {
         }
     }
 }
+
+#[test]
+fn vague_words_tell_their_number_and_take_another() {
+    let cases = [
+        (Language::English, "When the child is near, wave.", "near", 1.0, "When the child is closer than 0.8 m, wave."),
+        (
+            Language::English,
+            "When the ball is far away, wave.",
+            "far away",
+            100.0,
+            "When the ball is farther than 0.8 cm, wave.",
+        ),
+        (
+            Language::English,
+            "When someone approaches, wave.",
+            "approaches",
+            1.0,
+            "When someone comes closer than 0.8 m, wave.",
+        ),
+        (
+            Language::English,
+            "When the battery is low, sit down.",
+            "low",
+            20.0,
+            "When the battery is below 0.8 %, sit down.",
+        ),
+        (Language::Japanese, "人が近づいたら手を振る", "近づいたら", 1.0, "人が0.8 mより近づいたら手を振る"),
+        (Language::Japanese, "ボールが近ければうなずく", "近ければ", 50.0, "ボールが0.8 cmより近ければうなずく"),
+    ];
+    for (language, text, word, value, said) in cases {
+        let reading = heard(text, language);
+        let [vague] = &reading.vague[..] else { panic!("{text}: {:?}", reading.doubts) };
+        assert_eq!((&text[vague.range.clone()], vague.value), (word, value), "{text}");
+        let mut other = text.to_owned();
+        other.replace_range(vague.range.clone(), &vague.said(0.8));
+        assert_eq!(other, said);
+        let again = heard(&other, language);
+        assert!(again.is_whole() && again.vague.is_empty(), "{other}: {:?}", again.doubts);
+        let mut same = text.to_owned();
+        same.replace_range(vague.range.clone(), &vague.said(value));
+        assert_eq!(told(&heard(&same, language), language), told(&reading, language), "{same}");
+    }
+}
+
+#[test]
+fn several_lines_are_several_sentences() {
+    let reading = heard("When the head is touched, wave\nWhen you see a face, say hello", Language::English);
+    let said = "When the head is touched, the robot waves. When a face is seen, the robot says “hello”.";
+    assert_eq!(told(&reading, Language::English), said);
+    let reading = heard("頭を触ったら手を振る\n顔が見えたら「やあ」と言う", Language::Japanese);
+    assert_eq!(
+        told(&reading, Language::Japanese),
+        "頭に触られたとき、手を振ります。 顔が見えたとき、「やあ」と言います。"
+    );
+}

@@ -15,10 +15,14 @@ fn bounds(
     let first = bag.measure(made);
     let Some(((value, unit), _)) = first else {
         let Some([near, far]) = vague else { return Vec::new() };
-        if bag.take_all("adj", "near") {
-            return vec![near];
+        for (word, bound) in [("near", near), ("far", far)] {
+            let at = bag.find("adj", word);
+            if bag.take_all("adj", word) {
+                bag.took(at, bound, false);
+                return vec![bound];
+            }
         }
-        return if bag.take_all("adj", "far") { vec![far] } else { Vec::new() };
+        return Vec::new();
     };
     let plain = |measure| match measure {
         Measure::Number(value) => Some((value, unit)),
@@ -117,7 +121,10 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         Of::Person => [(Comparison::Less, 1.0, "m"), (Comparison::More, 2.0, "m")],
         _ => [(Comparison::Less, 50.0, "cm"), (Comparison::More, 100.0, "cm")],
     };
-    if !has_length && !compares && bag.take("v", "approach").is_some() {
+    let approach = bag.find("v", "approach").filter(|_| !has_length && !compares);
+    if let Some(at) = approach {
+        bag.use_up(at);
+        bag.took(Some(at), vague[0], true);
         return Some(Event::Far(of, negated(vec![vague[0]], not)?));
     }
     for verb in ["exist", "come", "go", "fall", "see", "enter", "turn"] {
@@ -166,8 +173,11 @@ fn charge(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         let said = comparisons.into_iter().find(|(word, _)| bag.take("cmp", word).is_some());
         found.extend(said.map(|(_, comparison)| (comparison, 50.0, "%")));
     }
-    if found.is_empty() && bag.take("adj", "low").is_some() {
+    let low = bag.find("adj", "low").filter(|_| found.is_empty());
+    if low.is_some() {
         found = vec![(Comparison::Less, 20.0, "%")];
+        bag.take("adj", "low");
+        bag.took(low, found[0], false);
     } else {
         bag.take_all("adj", "low");
     }
