@@ -315,6 +315,11 @@ pub(crate) fn pasted(event: &web_sys::Event) -> Option<String> {
     if target.closest("input, textarea").ok().flatten().is_some() {
         return None;
     }
+    clip(event)
+}
+
+/// The text of the clipboard that an event brings.
+pub(crate) fn clip(event: &web_sys::Event) -> Option<String> {
     let data = js_sys::Reflect::get(event, &"clipboardData".into()).ok()?;
     let get = js_sys::Reflect::get(&data, &"getData".into()).ok()?.dyn_into::<js_sys::Function>().ok()?;
     get.call1(&data, &"text/plain".into()).ok()?.as_string()

@@ -92,6 +92,25 @@ async fn an_enter_that_ends_a_word_saves_nothing() -> Outcome<()> {
 }
 
 #[tokio::test]
+async fn an_enter_that_ends_a_word_adds_no_sentence() -> Outcome<()> {
+    let stage = stage!("a Japanese sentence in Safari");
+    let aiko = with_open(&stage, &program()).await?;
+    rests(&aiko, "Mid, stream").await?;
+    aiko.key("Control+f").await?;
+    aiko.until("document.activeElement.id === 'find'", "the field that finds has the keyboard").await?;
+    aiko.type_text("頭をなでられたら、子どもに手を振ってね").await?;
+    let understood = "document.querySelector('.understood')?.textContent === '頭に触られたとき、手を振ります。'";
+    aiko.until(understood, "it is understood").await?;
+    end_word(&aiko, "Enter").await?;
+    end_word(&aiko, "Enter").await?;
+    aiko.until("document.querySelector('#find').value.endsWith('振ってね')", "it is still typed").await?;
+    are(&aiko, 3).await?;
+    aiko.key("Enter").await?;
+    are(&aiko, 6).await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
 async fn what_is_cut_is_pasted_without_a_click_in_between() -> Outcome<()> {
     let stage = stage!("cut, then paste");
     let aiko = with_open(&stage, &program()).await?;

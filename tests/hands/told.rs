@@ -177,6 +177,64 @@ async fn what_is_said_in_other_words_is_understood_or_said_to_be_impossible() ->
     aiko.no_errors()
 }
 
+/// What the field that finds has.
+fn typed_is(text: &str) -> String {
+    format!("document.querySelector('#find').value === {}", serde_json::json!(text))
+}
+
+/// What was understood of what is typed.
+fn understood_is(text: &str) -> String {
+    format!("document.querySelector('.understood')?.textContent === {}", serde_json::json!(text))
+}
+
+#[tokio::test]
+async fn lines_that_are_pasted_are_sentences_and_a_vague_word_shows_its_number() -> Outcome<()> {
+    let stage = stage!("pasted lines");
+    let program = stage.wire.make("Pasted", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    rests(&aiko, "Distance, stream").await?;
+    aiko.key("Control+f").await?;
+    aiko.until("document.activeElement.id === 'find'", "the field that finds has the keyboard").await?;
+    aiko.eval(
+        "(() => { const data = new DataTransfer();
+        data.setData('text/plain', 'When the head is touched, wave\\nWhen I approach, say hello\\n');
+        document.activeElement.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
+        return 0; })()",
+    )
+    .await?;
+    aiko.until(&typed_is("When the head is touched, wave. When I approach, say hello."), "each line is a sentence")
+        .await?;
+    let told = "When the head is touched, the robot waves. When the nearest person is nearer than 1 m, the robot says “hello”.";
+    aiko.until(&understood_is(told), "both are understood").await?;
+    aiko.until("document.querySelector('.vague input')?.value === '1'", "the number of a vague word is shown").await?;
+    picture(&aiko, "typed-vague").await?;
+    aiko.fill("spinbutton", "approach", "0.8").await?;
+    aiko.key("Tab").await?;
+    let text = "When the head is touched, wave. When I come closer than 0.8 m, say hello.";
+    aiko.until(&typed_is(text), "and the text says it").await?;
+    aiko.until(&understood_is(&told.replace("1 m", "0.8 m")), "it is understood").await?;
+    aiko.press("button", "Add to the graph").await?;
+    aiko.until("document.querySelectorAll('[data-node]').length > 8", "all of it is in the graph").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_sentence_is_added_with_fingers() -> Outcome<()> {
+    let stage = stage!("a sentence by finger");
+    let program = stage.wire.make("Fingers", BALLS).await?;
+    let aiko = stage.fingers("aiko", &program).await?;
+    rests(&aiko, "Ball, sensor stream").await?;
+    aiko.tap("button", "Menu").await?;
+    aiko.tap("menuitem", "Find or add*").await?;
+    let dialog = aiko.within("dialog", "Find or add*");
+    dialog.fill("searchbox", "Or say what it does", "Please wave at everyone you know!").await?;
+    aiko.until(&understood_is("When a known face is seen, the robot waves."), "it is understood").await?;
+    dialog.tap("button", "Add to the graph").await?;
+    aiko.gone("dialog", "Find or add*").await?;
+    aiko.until("document.querySelectorAll('[data-node]').length === 9", "it is in the graph").await?;
+    aiko.no_errors()
+}
+
 #[tokio::test]
 async fn a_japanese_sentence_is_read_too() -> Outcome<()> {
     let stage = stage!("Japanese sentences");

@@ -8,10 +8,11 @@ from service import Refused, Service, api
 
 LASTS_MS = 2_000
 GESTURES = ["Hey_1", "Hey_6", "Yes_1", "Yes_2", "No_3", "BowShort_1", "Me_1", "Me_2", "Explain_1", "Explain_2",
-            "Enthusiastic_4", "Please_1", "IDontKnow_1", "YouKnowWhat_1", "Thinking_1"]
+            "Applause_1", "Enthusiastic_4", "Please_1", "IDontKnow_1", "YouKnowWhat_1", "Thinking_1"]
 MOODS = ["Happy_4", "Happy_1", "Laugh_1", "Winner_1"]
 ANIMATIONS = ["animations/Stand/Gestures/" + name for name in GESTURES]
 ANIMATIONS += ["animations/Stand/Emotions/Positive/" + name for name in MOODS]
+ANIMATIONS += ["animations/Stand/Emotions/Negative/Surprise_1", "animations/Stand/Waiting/FunnyDancer_1"]
 TAGS = {"hello": "Hey_1", "hey": "Hey_1", "affirmative": "Yes_1", "yes": "Yes_1", "negative": "No_3", "no": "No_3",
         "bow": "BowShort_1", "me": "Me_1", "explain": "Explain_1", "happy": "Happy_4", "joy": "Happy_4"}
 BEHAVIORS = ["boot-config", "run_dialog_dev/.", "standard/taichi", "games/hide_and_seek", ".lastUploadedChoregrapheBehavior/behavior_1"]

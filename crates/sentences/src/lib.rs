@@ -22,8 +22,8 @@ mod words;
 pub use explain::explain;
 pub use language::{Language, NoLanguage};
 pub use read::{
-    Doubt, Draft, DraftConnector, DraftStream, Reading, TEXT_MAX_CHARS, Understood, language_of, looks_like_sentence,
-    read, read_speech,
+    Doubt, Draft, DraftConnector, DraftStream, Reading, TEXT_MAX_CHARS, Understood, Vague, language_of,
+    looks_like_sentence, read, read_speech,
 };
 pub use sentence::{Choice, Choosable, Literal, Number, Phrase, Piece, Sentence};
 pub use speech::Lexicon;

@@ -11,11 +11,12 @@ mod parse;
 mod spoken;
 mod tree;
 
-pub use draft::{Doubt, Draft, DraftConnector, DraftStream, Reading, Understood};
+pub use draft::{Doubt, Draft, DraftConnector, DraftStream, Reading, Understood, Vague};
 
 use crate::Language;
 use crate::clauses::CONVERSIONS;
 use crate::speech::Lexicon;
+use crate::test::Comparison;
 use crate::token::{Placed, Token, tokens};
 use behaviour::{Behaviour, Helper, Params, StreamKind, connectors, look_same};
 use build::{Act, Builder, Source};
@@ -144,9 +145,17 @@ pub fn read_speech(
     if let Some(exact) = exact {
         let told = reading_of(exact, text, end, language, helpers, behaviour);
         if told.is_whole() {
-            return told;
+            // A word without its number is shown with the number that it got.
+            let spoken = read_words(text, end, language, lexicon, behaviour);
+            return if spoken.is_whole() && !spoken.vague.is_empty() { spoken } else { told };
         }
     }
+    read_words(text, end, language, lexicon, behaviour)
+}
+
+/// Reads the first `end` bytes of what somebody says in their own words.
+fn read_words(text: &str, end: usize, language: Language, lexicon: &Lexicon, behaviour: Option<&Behaviour>) -> Reading {
+    let known = &text[..end];
     let speech = crate::speech::understood(known, language, lexicon);
     let tokens: Vec<Placed> = speech
         .places
@@ -186,6 +195,11 @@ pub fn read_speech(
     doubts.sort_by_key(|doubt| doubt.range.start);
     doubts.dedup_by(|one, other| one.range == other.range);
     reading.texts = speech.texts;
+    let told = |(range, word): (Range<usize>, crate::speech::meaning::Vague)| {
+        let (comparison, value, unit) = word.bound;
+        Vague::of(known, range, (value, unit), comparison == Comparison::Less, word.moves, language)
+    };
+    reading.vague = speech.vague.into_iter().map(told).collect();
     reading.doubts = doubts;
     reading
 }

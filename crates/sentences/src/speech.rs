@@ -9,6 +9,7 @@ mod atoms;
 mod clause;
 mod lexicon;
 pub(crate) mod meaning;
+mod phrases;
 mod segments;
 mod tokens;
 
@@ -19,7 +20,7 @@ pub(crate) use assemble::{ended, own_event};
 use crate::Language;
 use assemble::Said;
 use atoms::{Atom, atoms};
-use meaning::{Body, Event, Phase, Rule};
+use meaning::{Body, Event, Phase, Rule, Vague};
 use std::ops::Range;
 use tokens::{What, tokens};
 
@@ -35,6 +36,8 @@ pub(crate) struct Speech {
     known: Vec<Range<usize>>,
     /// Words that were taken as a text.
     pub(crate) texts: Vec<Range<usize>>,
+    /// Words that got a number because nobody said one, by their bytes.
+    pub(crate) vague: Vec<(Range<usize>, Vague)>,
 }
 
 /// The most tokens that are read.
@@ -70,7 +73,8 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
         let part = atoms(&all, at, end, lexicon, language);
         if !part.is_empty() {
             said.spoken_of = spoken_of(&all[..end], lexicon, language, said.spoken_of);
-            let cover = segments::cover(&part, language, &source);
+            let asks = all.get(end).is_some_and(|token| token.what == What::Sign('?'));
+            let cover = segments::cover(&part, language, asks, &source);
             known.extend(part.iter().filter(|atom| !atom.is_unknown()).map(|atom| bytes(&atom.span)));
             for doubt in cover.doubts {
                 spans.push((doubt.clone(), why(&part, &doubt, lexicon)));
@@ -91,6 +95,15 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
         speech.doubts.push((text.len()..text.len(), Vec::new(), None));
     }
     speech.known = known;
+    for rule in &said.rules {
+        for cond in rule.event.iter().chain(&rule.states).chain(&rule.until) {
+            let Some(vague) = &cond.vague else { continue };
+            let range = bytes(&vague.span);
+            if !speech.vague.iter().any(|(known, _)| *known == range) {
+                speech.vague.push((range, vague.clone()));
+            }
+        }
+    }
     speech.rules = said.rules;
     speech
 }
@@ -98,7 +111,7 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
 /// Why words in doubt cannot be done, if they mean something.
 fn why(atoms: &[Atom], span: &Range<usize>, lexicon: &Lexicon) -> Option<&'static str> {
     let atom = atoms.iter().find(|atom| atom.span == *span)?;
-    let is_gap = atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
+    let is_gap = atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague") || sense.arg == "ongoing");
     let sense = atom.of("gap").or_else(|| atom.of("vague")).filter(|_| is_gap);
     match sense {
         Some(sense) => Some(lexicon.gap(sense.arg).unwrap_or("")),
@@ -140,38 +153,56 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
     let mut left = speech.doubts.len();
     for at in (0..speech.doubts.len()).rev() {
         let (range, _, why) = speech.doubts[at].clone();
-        let Some(words) = text.get(range.clone()).filter(|words| why.is_none() && !words.is_empty()) else { continue };
-        if speech.known.contains(&range) {
+        if why.is_some() || range.is_empty() || speech.known.contains(&range) {
             continue;
         }
-        let like = match language {
-            Language::English => lexicon.like(&words.to_lowercase()),
-            Language::Japanese => lexicon.inflected_like(words),
+        // A Japanese verb has its known beginning before the slip: 押しらた.
+        let before = speech.known.iter().find(|before| before.end == range.start);
+        let starts = match (language, before) {
+            (Language::Japanese, Some(before)) => vec![range.start, before.start],
+            _ => vec![range.start],
         };
-        let mut good = Vec::new();
-        let mut best = left;
-        let mut best_text = None;
-        for word in like {
-            tried += 1;
-            if tried > TRIED_MAX {
-                break;
+        let whole = range.clone();
+        for start in starts {
+            let range = start..whole.end;
+            let Some(words) = text.get(range.clone()) else { continue };
+            // Doubts may overlap: what was mended is not mended again.
+            if mended.get(range.clone()) != Some(words) {
+                continue;
             }
-            let mut other = mended.clone();
-            other.replace_range(range.clone(), &word);
-            let again = heard(&other, language, lexicon).doubts.len();
-            if again < left {
-                if again < best {
-                    (best, best_text) = (again, Some(other));
-                    good.insert(0, word);
-                } else {
-                    good.push(word);
+            let like = match language {
+                Language::English => lexicon.like(&words.to_lowercase()),
+                Language::Japanese => lexicon.inflected_like(words),
+            };
+            let mut good = Vec::new();
+            let mut best = left;
+            let mut best_text = None;
+            for word in like {
+                tried += 1;
+                if tried > TRIED_MAX {
+                    break;
+                }
+                let mut other = mended.clone();
+                other.replace_range(range.clone(), &word);
+                let again = heard(&other, language, lexicon).doubts.len();
+                if again < left {
+                    if again < best {
+                        (best, best_text) = (again, Some(other));
+                        good.insert(0, word);
+                    } else {
+                        good.push(word);
+                    }
                 }
             }
+            if good.is_empty() {
+                continue;
+            }
+            if let Some(other) = best_text {
+                (mended, left) = (other, best);
+            }
+            (speech.doubts[at].0, speech.doubts[at].1) = (range, good);
+            break;
         }
-        if let Some(other) = best_text {
-            (mended, left) = (other, best);
-        }
-        speech.doubts[at].1 = good;
     }
     if left == 0 && speech.doubts.iter().any(|(_, good, _)| !good.is_empty()) {
         speech.doubts.retain(|(_, good, _)| !good.is_empty());

@@ -54,6 +54,12 @@ pub(crate) fn nao(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     tools::run(cargo.args(words).env("RRP_QI_PYTHON", python), "The benchmark of the robot")
 }
 
+/// Measures how long typed sentences take to be read.
+pub(crate) fn sentences(workspace: &Workspace) -> Outcome<()> {
+    let mut cargo = workspace.cargo(&["bench", "--package", "sentences", "--bench", "reader"]);
+    tools::run(&mut cargo, "The benchmark of typed sentences")
+}
+
 /// Measures the engine, how long runaway procedures hold it, and the hand-overs between the threads around it; `words`
 /// pick a part.
 pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {

@@ -36,6 +36,7 @@ cargo xtask COMMAND
   bench nao [PART]          measure a robot over the link against the stand-in, beside the Python client of libqi; PART is
                             calls, reactions or stops
   bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 8
+  bench sentences           measure how long typed sentences take to be read
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";
@@ -77,6 +78,7 @@ fn obey(words: &[String]) -> Outcome<()> {
         ["bench", "nao", rest @ ..] if rest.len() < 2 && rest.iter().all(|word| !word.starts_with('-')) => {
             bench::nao(&Workspace::here()?, rest)
         }
+        ["bench", "sentences"] => bench::sentences(&Workspace::here()?),
         ["bench", "stores"] => bench::stores(&Workspace::here()?),
         ["test"] => test::all(&Workspace::here()?),
         ["test", filter] if !filter.starts_with('-') => test::only(&Workspace::here()?, filter),

@@ -68,6 +68,7 @@ pub(crate) fn Palette() -> impl IntoView {
                     prop:value=move || search.get()
                     on:input:target=move |event| search.set(event.target().value())
                     on:keydown=key
+                    on:paste=move |event| typing.paste(&event)
                     on:keyup=move |event| typing.follow(&event)
                     on:pointerup=move |event| typing.follow(&event)
                     on:blur=move |event| typing.follow(&event)

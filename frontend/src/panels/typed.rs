@@ -8,6 +8,7 @@ use super::hold::{Hold, hold};
 use super::inspector::kind_class;
 use super::may::may_edit;
 use crate::browser;
+use crate::canvas::clip;
 use crate::words;
 use behaviour::Helper;
 use leptos::prelude::*;
@@ -32,6 +33,17 @@ impl Typing {
     pub(crate) fn new() -> Self {
         let (entered, scrolled) = (RwSignal::new(0), RwSignal::new(0));
         Self { text: RwSignal::default(), open: RwSignal::new(false), entered, scrolled }
+    }
+
+    /// Several lines that are pasted are several sentences: a field of one line would run them together.
+    pub(crate) fn paste(self, event: &web_sys::Event) {
+        let Some(text) = clip(event).filter(|text| text.trim().contains('\n')) else { return };
+        let Some(field) = event.target().and_then(|field| field.dyn_into::<web_sys::HtmlInputElement>().ok()) else {
+            return;
+        };
+        event.prevent_default();
+        let _ = field.set_range_text(&one_line(&text));
+        self.text.set(field.value());
     }
 
     /// Sees how far the text is scrolled after something happened to its field.
@@ -114,6 +126,7 @@ pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>
                 {move || doubt.get().map(|doubt| suggestions(doubt, take))}
                 <div class="would-add">
                     {move || (!understood.read().is_empty()).then(|| view! { <p class="understood">{understood.get()}</p> })}
+                    {move || vague(typing, &reading.read())}
                     <p role="status"><WouldAdd reading /></p>
                     <span class="keys"><kbd>"Esc"</kbd>{words::esc_clears()}</span>
                     <button type="button" class="button primary" disabled=move || !ready.get() on:click=move |_| add()>{words::add_to_graph()}</button>
@@ -121,6 +134,38 @@ pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>
             </div>
         </Show>
     }
+}
+
+/// Lines as sentences of one line.
+fn one_line(text: &str) -> String {
+    let mut all = String::new();
+    for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        all.push_str(line);
+        if line.ends_with(|c: char| c.is_alphanumeric() || "\"”’'」』)".contains(c)) {
+            all.push(if line.ends_with(|c| c > '\u{2e80}') { '。' } else { '.' });
+        }
+        all.push(' ');
+    }
+    all.truncate(all.trim_end().len());
+    all
+}
+
+/// Words that got a number because nobody said one, each with that number, which can be changed: then the text says it.
+fn vague(typing: Typing, reading: &Option<Reading>) -> Vec<AnyView> {
+    let whole = reading.iter().filter(|reading| reading.is_whole());
+    let one = |word: sentences::Vague| {
+        let said = typing.text.read_untracked().get(word.range.clone()).unwrap_or_default().to_owned();
+        let (label, value, unit) = (said.clone(), word.value.to_string(), word.unit);
+        let change = move |event: web_sys::Event| {
+            let typed = event.target().and_then(|field| field.dyn_into::<web_sys::HtmlInputElement>().ok());
+            if let Some(value) = typed.map(|field| field.value_as_number()).filter(|value| *value > 0.0 && *value < 1e4)
+            {
+                typing.text.update(|text| replace(text, &word.range, &word.said(value)));
+            }
+        };
+        view! { <label class="vague">{said}<input class="input" type="number" min="0" step="any" aria-label=label prop:value=value on:change=change />{unit}</label> }.into_any()
+    };
+    whole.flat_map(|reading| reading.vague.clone()).map(one).collect()
 }
 
 /// What could stand in the place of what is not understood; Enter takes the first.
@@ -228,7 +273,18 @@ fn replace(text: &mut String, range: &Range<usize>, with: &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::replace;
+    use super::{one_line, replace};
+
+    #[test]
+    fn lines_become_sentences() {
+        let text = "When the head is touched, wave\n\n  Every minute, say \"hi\"\r\nNod when you see me!\n";
+        let one = "When the head is touched, wave. Every minute, say \"hi\". Nod when you see me!";
+        assert_eq!(one_line(text), one);
+        assert_eq!(
+            one_line("頭を触ったら手を振る\n「やあ」と言われたら「やあ」と言う。"),
+            "頭を触ったら手を振る。 「やあ」と言われたら「やあ」と言う。"
+        );
+    }
 
     #[test]
     fn words_are_replaced_where_they_stand() {

@@ -192,6 +192,44 @@ async fn eyes_keep_their_colour_when_their_brightness_changes() {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn gestures_that_no_package_has_are_done_by_the_arms() {
+    let Some(peer) = Peer::start("nao: own gestures", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    for (at, (name, pitch)) in [("HighFive", "RShoulderPitch"), ("HeyLeft", "LShoulderPitch")].into_iter().enumerate() {
+        let gesture = driver.open(name, "Animation", &[("animation", text(name))]);
+        driver.tell(&gesture, true);
+        let mut calls = Vec::new();
+        for _ in 0..600 {
+            driver.step().await;
+            calls = peer.calls("ALMotion.angleInterpolation").await;
+            if calls.len() > at {
+                break;
+            }
+        }
+        let [names, angles, times, absolute] = &calls[at].as_array().unwrap()[..] else { panic!("{calls:?}") };
+        assert_eq!(
+            (&names[0], &angles[0][1], absolute),
+            (&json!(pitch), &angles[0][0], &json!(true)),
+            "it holds still"
+        );
+        let rows = [names, angles, times].map(|rows| rows.as_array().unwrap().len());
+        assert!(rows[0] >= 4 && rows[1] == rows[0] && rows[2] == rows[0], "{rows:?}");
+        driver.nao.close(&gesture);
+    }
+    for (name, path) in [
+        ("Dance", "animations/Stand/Waiting/FunnyDancer_1"),
+        ("Clap", "animations/Stand/Gestures/Applause_1"),
+        ("Surprised", "animations/Stand/Emotions/Negative/Surprise_1"),
+    ] {
+        let gesture = driver.open(name, "Animation", &[("animation", text(name))]);
+        driver.tell(&gesture, true);
+        driver.sees(&peer, name, |state| state["playing"].to_string().contains(path)).await;
+        driver.nao.close(&gesture);
+    }
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_did_not_come_about_is_told_in_words() {
     let Some(peer) = Peer::start("nao: refusals", &[]).await else { return };
     let mut driver = Driver::at(&peer.address).await;

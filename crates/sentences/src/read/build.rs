@@ -200,16 +200,20 @@ impl<'a> Builder<'a> {
     }
 
     pub(super) fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
-        let from = &self.nodes[inputs[0]].carried;
         let field = if let Does::Keep(test) = &does { test.field.as_deref() } else { None };
-        let measured = match from.measure(field) {
-            Measure::Distance(unit) => unit == "m",
-            Measure::Number(unit) => unit == "rad",
-        };
-        let carried = from.after(&does);
+        let measured = self.is_measured(inputs[0], field);
+        let carried = self.nodes[inputs[0]].carried.after(&does);
         let at = self.node(Source::Made(does, inputs, measured), carried, span);
         chain.push(at);
         at
+    }
+
+    /// Whether what a node carries is measured, and so written with a decimal point.
+    pub(super) fn is_measured(&self, at: usize, field: Option<&str>) -> bool {
+        match self.nodes[at].carried.measure(field) {
+            Measure::Distance(unit) => unit == "m",
+            Measure::Number(unit) => unit == "rad",
+        }
     }
 
     /// A test of a node, after what makes a distance of it where the test asks for one.
@@ -237,6 +241,15 @@ impl<'a> Builder<'a> {
             }
         }
         let measure = self.nodes[at].carried.measure(field.as_deref());
+        // A distance is not in per cent, and charge not in centimetres.
+        let is_odd = |one: &&Said| match (one.hole("n"), &measure) {
+            (Some(Bound::Number(_, Some(unit))), Measure::Distance(_)) => !["cm", "m", "mm"].contains(unit),
+            (Some(Bound::Number(_, Some(unit))), Measure::Number(own)) => {
+                ["cm", "m", "mm"].contains(unit) || (*unit == "%" && own != "%")
+            }
+            _ => false,
+        };
+        self.unmeant.extend(said.iter().filter(is_odd).map(|one| one.span.clone()));
         let test = test(said, field, &measure);
         self.made(Does::Keep(test), vec![at], &span, chain)
     }

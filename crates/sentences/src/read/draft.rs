@@ -1,5 +1,6 @@
 //! What was read, as a graph that can be added to a behaviour.
 
+use crate::Language;
 use behaviour::{Behaviour, Connector, Id, Kind, Operation, Params, Record, RecordId, Stream, StreamKind};
 use serde::Serialize;
 use std::ops::Range;
@@ -16,6 +17,62 @@ pub struct Reading {
     pub doubts: Vec<Doubt>,
     /// Words that were taken as a text though nobody quoted them, by their bytes.
     pub texts: Vec<Range<usize>>,
+    /// Words that got a number because nobody said one: *near*.
+    pub vague: Vec<Vague>,
+}
+
+/// A word that got a number because nobody said one, and what says that number.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Vague {
+    /// Its bytes in the text.
+    pub range: Range<usize>,
+    /// The number that it got.
+    pub value: f64,
+    /// In `cm`, `m` or `%`.
+    pub unit: &'static str,
+    /// What stands before the number and its unit in words that say it.
+    before: String,
+    /// What stands behind them.
+    after: String,
+}
+
+impl Vague {
+    /// A word that got a number, in the words of a text; `near` says that it is less, `moves` that it comes to be so.
+    pub(super) fn of(
+        text: &str,
+        range: Range<usize>,
+        number: (f64, &'static str),
+        near: bool,
+        moves: bool,
+        language: Language,
+    ) -> Self {
+        let (value, unit) = number;
+        let word = text.get(range.clone()).unwrap_or_default();
+        let (before, after) = match language {
+            Language::Japanese => (String::new(), format!("より{word}")),
+            Language::English if unit == "%" => ("below ".to_owned(), String::new()),
+            Language::English if moves => {
+                let first = word.split_whitespace().next().unwrap_or_default();
+                let verb = match first.to_lowercase().as_str() {
+                    "approach" => "come",
+                    "approaches" => "comes",
+                    "approached" => "came",
+                    "approaching" => "coming",
+                    _ => first,
+                };
+                (format!("{verb} closer than "), String::new())
+            }
+            Language::English => ((if near { "closer than " } else { "farther than " }).to_owned(), String::new()),
+        };
+        Self { range, value, unit, before, after }
+    }
+
+    /// Words with another number, to stand in the place of the word.
+    #[must_use]
+    pub fn said(&self, value: f64) -> String {
+        format!("{}{value} {}{}", self.before, self.unit, self.after)
+    }
 }
 
 impl Reading {

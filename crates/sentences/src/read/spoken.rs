@@ -3,6 +3,7 @@
 use super::build::{Act as Built, Builder, Source};
 use super::tree::Span;
 use crate::Language;
+use crate::body::text_literal;
 use crate::carried::Carried;
 use crate::clauses::{ACTIONS, distance_helper};
 use crate::does::{Calc, Does, Memory};
@@ -14,6 +15,9 @@ use robot::with_defaults;
 
 /// What was not seen for so long is not seen any more.
 const UNSEEN_MS: u64 = 1_000;
+
+/// How often walking is said again: before the robot ends it by itself.
+const STEP_MS: u64 = 250;
 
 /// A sense and what is made of it.
 struct Feed {
@@ -67,14 +71,17 @@ impl<'b, 'a> Making<'b, 'a> {
 
     pub(super) fn rules(&mut self, rules: &[Rule]) {
         for (at, rule) in rules.iter().enumerate() {
-            if self.rule(rule, at).is_none() {
-                self.doubts.push(rule.event.as_ref().map_or(rule.span.clone(), |event| event.span.clone()));
+            let doubts = self.doubts.len();
+            if self.rule(rule, at, rules.iter().any(|other| ends(other, rule))).is_none() {
+                if self.doubts.len() == doubts {
+                    self.doubts.push(rule.event.as_ref().map_or(rule.span.clone(), |event| event.span.clone()));
+                }
                 self.rules.push((usize::MAX, Vec::new()));
             }
         }
     }
 
-    fn rule(&mut self, rule: &Rule, place: usize) -> Option<()> {
+    fn rule(&mut self, rule: &Rule, place: usize, is_undone: bool) -> Option<()> {
         let mut chain = Vec::new();
         let mut seen = None;
         let mut start = if rule.otherwise {
@@ -93,6 +100,9 @@ impl<'b, 'a> Making<'b, 'a> {
             return self.own(rule, place);
         } else if let Some(event) = &rule.event {
             // What lasts follows what it follows while something is so.
+            if rule.lasts && !lasts(event, rule) {
+                return None;
+            }
             let follows = rule.acts.iter().find_map(|(_, act, _)| match act {
                 Act::Follow(..) => own_event(act),
                 _ => None,
@@ -106,9 +116,14 @@ impl<'b, 'a> Making<'b, 'a> {
             } else {
                 let (first, rest) = moment_first(event, &rule.states);
                 let mut at = self.event_of_rule(first, rule, &mut chain)?;
-                seen = device_of(&first.what);
+                // What was so for a while is not what comes.
+                seen = device_of(&first.what).filter(|_| first.during.is_none());
                 for state in rest {
-                    at = self.state(at, state, &mut chain)?;
+                    let Some(kept) = self.state(at, state, &mut chain) else {
+                        self.doubts.push(state.span.clone());
+                        return None;
+                    };
+                    at = kept;
                 }
                 at
             }
@@ -129,6 +144,9 @@ impl<'b, 'a> Making<'b, 'a> {
         if let Some(period) = rule.at_most {
             start = self.made(Does::Every(period), vec![start], &rule.span, &mut chain);
         }
+        if let Some(period) = rule.pause {
+            start = self.paused(start, period, &rule.span, &mut chain);
+        }
         if rule.once {
             start = self.made(Does::Remember(Memory::Ones), vec![start], &rule.span, &mut chain);
             start = self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![start], &rule.span, &mut chain);
@@ -138,10 +156,20 @@ impl<'b, 'a> Making<'b, 'a> {
         }
         self.acts(rule, start, seen)?;
         self.rules.push((event, chain));
-        if rule.lasts {
+        if rule.lasts && !is_undone {
             self.undo(rule)?;
         }
         Some(())
+    }
+
+    /// What comes, and then nothing more for a time: by the time of the last one that passed.
+    fn paused(&mut self, at: usize, period: u64, span: &Span, chain: &mut Vec<usize>) -> usize {
+        let at = self.made(Does::Stamp, vec![at], span, chain);
+        let args = vec!["soFar".to_owned(), "value".to_owned()];
+        let body = format!("if value.t - soFar >= {period} {{ value.t }} else {{ soFar }}");
+        let memory = Memory::By(Calc::Written(args, body), Constant::Int(-i64::try_from(period).unwrap_or(i64::MAX)));
+        let at = self.made(Does::Remember(memory), vec![at], span, chain);
+        self.made(Does::Changed(None), vec![at], span, chain)
     }
 
     /// What was lit while something lasted goes out at its end.
@@ -179,7 +207,7 @@ impl<'b, 'a> Making<'b, 'a> {
             if let Some(period) = rule.at_most {
                 at = self.made(Does::Every(period), vec![at], span, &mut chain);
             }
-            if rule.once {
+            if rule.once || rule.pause.is_some() {
                 return None;
             }
             if let Some(until) = &rule.until {
@@ -206,11 +234,14 @@ impl<'b, 'a> Making<'b, 'a> {
     fn event_of_rule(&mut self, event: &Cond, rule: &Rule, chain: &mut Vec<usize>) -> Option<usize> {
         if event.within.is_some() {
             let (asked, _) = *self.rules.get(rule.unanswered?)?;
-            if asked == usize::MAX || !event.not {
+            if asked == usize::MAX {
                 return None;
             }
             let answer = Cond { not: false, within: None, ..event.clone() };
             let answered = self.event(&answer, &mut Vec::new(), None)?;
+            if !event.not {
+                return Some(self.in_time(asked, answered, event, chain));
+            }
             let asks = self.made(number(1.0), vec![asked], &event.span, chain);
             let answers = self.made(number(0.0), vec![answered], &event.span, chain);
             let any = self.made(Does::Any, vec![asks, answers], &event.span, chain);
@@ -222,6 +253,36 @@ impl<'b, 'a> Making<'b, 'a> {
             at = self.made(Does::Remember(Memory::Ones), vec![at], &event.span, chain);
         }
         Some(at)
+    }
+
+    /// What comes within a time after something else.
+    fn in_time(&mut self, asked: usize, answered: usize, event: &Cond, chain: &mut Vec<usize>) -> usize {
+        let asks = self.made(number(1.0), vec![asked], &event.span, chain);
+        let over = self.made(Does::Quiet(event.within.unwrap_or_default()), vec![asks], &event.span, chain);
+        let over = self.made(number(0.0), vec![over], &event.span, chain);
+        let is_open = self.made(Does::Any, vec![asks, over], &event.span, chain);
+        let at = self.made(Does::Latest(Calc::Last), vec![answered, is_open], &event.span, chain);
+        self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![at], &event.span, chain)
+    }
+
+    /// The node of something that is measured and is so for a while.
+    fn lasting(&mut self, cond: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
+        let period = cond.during?;
+        let what = match &cond.what {
+            Event::Face(Who::Anybody) if !cond.not => Event::People(vec![(Comparison::AtLeast, 1.0, "")]),
+            what => what.clone(),
+        };
+        let (feed, test) = tested(&Cond { what, during: None, ..cond.clone() })?;
+        let Does::Keep(test) = test? else { return None };
+        let mut at = self.sense(&feed, &cond.span)?;
+        for does in feed.steps {
+            at = self.made(does, vec![at], &cond.span, chain);
+        }
+        let body = test.body("value", self.builder.is_measured(at, test.field.as_deref()));
+        let changed = Does::Changed(Some(Calc::Written(vec!["value".to_owned()], body)));
+        at = self.made(changed, vec![at], &cond.span, chain);
+        at = self.made(Does::Quiet(period), vec![at], &cond.span, chain);
+        Some(self.made(Does::Keep(test), vec![at], &cond.span, chain))
     }
 
     /// The node of something that happens.
@@ -242,6 +303,12 @@ impl<'b, 'a> Making<'b, 'a> {
                 self.made(Does::Any, inputs, &cond.span, chain)
             }
             Event::Any(_) => return None,
+            Event::Far(..) | Event::People(_) | Event::Charge(_) if cond.during.is_some() && every.is_none() => {
+                self.lasting(cond, chain)?
+            }
+            Event::Face(Who::Anybody) if cond.during.is_some() && !cond.not && every.is_none() => {
+                self.lasting(cond, chain)?
+            }
             _ => {
                 let feed = self.feed(cond)?;
                 let mut at = self.sense(&feed, &cond.span)?;
@@ -298,11 +365,15 @@ impl<'b, 'a> Making<'b, 'a> {
                 } else {
                     Feed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
                 };
-                if not { quiet(sense) } else { moment.then_some(sense) }
+                if not { Some(unseen(sense, cond)) } else { moment.then_some(sense) }
             }
             (Event::Thing(color), not) => {
                 let sense = Feed { params: vec![("color", (*color).to_owned())], ..feed("Blob") };
-                if not { quiet(sense) } else { moment.then_some(sense) }
+                if not { Some(unseen(sense, cond)) } else { moment.then_some(sense) }
+            }
+            (Event::Mark(mark), true) => {
+                let params = mark.iter().map(|mark| ("number", mark.to_string())).collect();
+                Some(unseen(Feed { params, ..feed("Landmark") }, cond))
             }
             (Event::Face(Who::Anybody), true) => {
                 if moment {
@@ -334,6 +405,11 @@ impl<'b, 'a> Making<'b, 'a> {
             }
             (Event::Noise, false) if moment => Some(feed("SoundLocated")),
             (Event::Noise, true) => quiet(feed("SoundLocated")),
+            (Event::Start, false) if moment => Some(Feed {
+                params: vec![("period_ms", STEP_MS.to_string())],
+                steps: vec![numbers("", vec![(Comparison::Is, 1.0)])],
+                ..feed("Tick")
+            }),
             (Event::Falls, false) if moment => Some(feed("Fall")),
             (Event::Up, false) if moment => Some(Feed {
                 params: vec![("release", "yes".to_owned())],
@@ -355,6 +431,7 @@ impl<'b, 'a> Making<'b, 'a> {
             return None;
         }
         let (sense, test) = match (&cond.what, cond.not) {
+            (Event::Ball(_) | Event::Thing(_), false) => return self.in_view(at, cond, chain),
             (Event::Face(Who::Anybody), not) => {
                 let comparison = if not { Comparison::Less } else { Comparison::AtLeast };
                 (feed("People"), Some(numbers("count", vec![(comparison, 1.0)])))
@@ -381,6 +458,20 @@ impl<'b, 'a> Making<'b, 'a> {
         Some(kept)
     }
 
+    /// What comes while something is in view: it was seen within the last moment.
+    fn in_view(&mut self, at: usize, cond: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
+        let seen = self.event(cond, &mut Vec::new(), None)?;
+        if seen == at {
+            return None;
+        }
+        let is = self.made(number(1.0), vec![seen], &cond.span, &mut Vec::new());
+        let gone = self.made(Does::Quiet(UNSEEN_MS), vec![is], &cond.span, &mut Vec::new());
+        let gone = self.made(number(0.0), vec![gone], &cond.span, &mut Vec::new());
+        let state = self.made(Does::Any, vec![is, gone], &cond.span, &mut Vec::new());
+        let latest = self.made(Does::Latest(Calc::Last), vec![at, state], &cond.span, chain);
+        Some(self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![latest], &cond.span, chain))
+    }
+
     fn sense(&mut self, feed: &Feed, span: &Span) -> Option<usize> {
         let device = robot::device(StreamKind::Sensor, feed.device).ok()?;
         let params = chosen(device, &feed.params)?;
@@ -393,26 +484,45 @@ impl<'b, 'a> Making<'b, 'a> {
 
     fn acts(&mut self, rule: &Rule, at: usize, seen: Option<&'static str>) -> Option<()> {
         for (later, act, span) in &rule.acts {
-            if rule.counts && matches!(act, Act::Say(_) | Act::Gesture(_)) {
-                // With every count.
-            }
             let input = if *later > 0 { self.made(Does::Later(*later), vec![at], span, &mut Vec::new()) } else { at };
-            let changed = rule.counts || rule.once || rule.until.is_some();
+            let changed = rule.counts || rule.once || rule.pause.is_some() || rule.until.is_some();
             let seen = if changed || !rule.states.is_empty() { None } else { seen };
             if rule.counts && matches!(act, Act::SayValue(Value::It) | Act::Show(Value::It)) {
                 let device = if matches!(act, Act::SayValue(_)) { "SayInput" } else { "Print" };
                 self.put(device, &[], input, span)?;
                 continue;
             }
-            self.act(act, input, seen, span)?;
+            let input = if rule.lasts && *act == Act::Walk { self.again_while(rule, input, span)? } else { input };
+            if self.act(act, input, seen, span).is_none() {
+                self.doubts.push(span.clone());
+                return None;
+            }
         }
         Some(())
+    }
+
+    /// Walking ends by itself: while something lasts that is told only once, it is said again and again.
+    fn again_while(&mut self, rule: &Rule, input: usize, span: &Span) -> Option<usize> {
+        let event = rule.event.as_ref()?;
+        if !matches!(event.what, Event::Touch(..) | Event::Pose(_) | Event::Charge(_)) {
+            return Some(input);
+        }
+        if event.not || !rule.states.is_empty() || rule.at_most.is_some() || rule.once || rule.until.is_some() {
+            return None;
+        }
+        let clock = Feed { params: vec![("period_ms", STEP_MS.to_string())], ..feed("Tick") };
+        let tick = self.sense(&clock, span)?;
+        self.state(tick, event, &mut Vec::new())
     }
 
     /// Does something whenever a value comes. `seen` is the sense that the value is still of.
     fn act(&mut self, act: &Act, at: usize, seen: Option<&'static str>, span: &Span) -> Option<()> {
         match act {
             Act::Say(text) => self.put("SayParameter", &[("text", text)], at, span),
+            Act::SayAny(texts) => {
+                let at = self.by_chance(at, texts, span);
+                self.put("SayInput", &[], at, span)
+            }
             Act::SayValue(value) => {
                 let at = self.value(*value, at, seen, span)?;
                 self.put("SayInput", &[], at, span)
@@ -476,8 +586,23 @@ impl<'b, 'a> Making<'b, 'a> {
             Act::PlayFile(file) => self.put("Sound", &[("sound", "file"), ("file", file)], at, span),
             Act::Remember => self.put("RememberFace", &[], at, span),
             Act::Nothing => Some(()),
-            Act::Color(_) | Act::Count(_) | Act::Again | Act::Not => None,
+            Act::Color(_) | Act::Count(_) | Act::Again | Act::Not | Act::NotFor(..) | Act::Text(_) | Act::Keeps => None,
         }
+    }
+
+    /// One of several texts whenever something comes: by a number that goes on from the time at which it came.
+    fn by_chance(&mut self, at: usize, texts: &[String], span: &Span) -> usize {
+        let at = self.made(Does::Stamp, vec![at], span, &mut Vec::new());
+        let args = vec!["soFar".to_owned(), "value".to_owned()];
+        let next = "(soFar * 1103 + value.t + 12345) % 65536".to_owned();
+        let memory = Memory::By(Calc::Written(args, next), Constant::Int(1));
+        let at = self.made(Does::Remember(memory), vec![at], span, &mut Vec::new());
+        let mut body = text_literal(texts.last().map_or("", String::as_str));
+        for (place, text) in texts.iter().enumerate().rev().skip(1) {
+            let count = texts.len();
+            body = format!("if value / 256 % {count} == {place} {{ {} }} else {{ {body} }}", text_literal(text));
+        }
+        self.made(Does::Make(Calc::Written(vec!["value".to_owned()], body)), vec![at], span, &mut Vec::new())
     }
 
     /// The node of a value that is said whenever something comes.
@@ -543,6 +668,30 @@ impl<'b, 'a> Making<'b, 'a> {
     }
 }
 
+/// Whether the robot knows when something is over, so that what is done can end with it.
+fn lasts(event: &Cond, rule: &Rule) -> bool {
+    let is_moment = matches!(
+        event.what,
+        Event::Button(_) | Event::Words(_) | Event::Start | Event::Falls | Event::Up | Event::Mark(_)
+    ) || (event.what == Event::Noise && !event.not);
+    let lit = rule.acts.iter().any(|(_, act, _)| matches!(act, Act::Eyes(color) if *color != "off"));
+    !is_moment && (rule.states.is_empty() || !lit)
+}
+
+/// Something that was not seen for so long, or for a moment.
+fn unseen(sense: Feed, cond: &Cond) -> Feed {
+    Feed { steps: vec![Does::Quiet(cond.during.unwrap_or(UNSEEN_MS))], ..sense }
+}
+
+/// Whether a rule says what the eyes do when what another one lasts for is over.
+fn ends(rule: &Rule, lasting: &Rule) -> bool {
+    let (Some(event), Some(over)) = (&rule.event, &lasting.event) else { return false };
+    let is_end = (event.not && event.what == over.what) || ended(&over.what).as_ref() == Some(&event.what);
+    is_end
+        && rule.states.is_empty()
+        && rule.acts.iter().any(|(later, act, _)| *later == 0 && matches!(act, Act::Eyes(_)))
+}
+
 /// The sense of a touch and what is asked of it.
 fn felt(
     body: Body,
@@ -600,7 +749,9 @@ fn chosen(device: &'static robot::Device, given: &[(&'static str, String)]) -> O
 
 /// What happens in a moment before what is so for a while.
 fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c Cond>) {
-    let lasts = |cond: &Cond| tested(cond).is_some() && cond.during.is_none();
+    let in_view =
+        |cond: &Cond| matches!(cond.what, Event::Ball(_) | Event::Thing(_)) && !cond.not && cond.times.is_none();
+    let lasts = |cond: &Cond| (tested(cond).is_some() || in_view(cond)) && cond.during.is_none();
     if lasts(event)
         && let Some(at) = states
             .iter()

@@ -9,6 +9,9 @@ use super::meaning::{Act, Of, Target, Value};
 const RAISED: f64 = -1.0;
 const LOWERED: f64 = 1.4;
 
+/// The most texts of which one is said by chance.
+const CHANCES_MAX: usize = 8;
+
 /// What a clause says to do; several where one verb has several objects.
 pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     if atoms.is_empty() || atoms.len() > 60 {
@@ -30,12 +33,28 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     if denies {
         // Only what was said to be done: its verb, perhaps with *it*.
         let verb = bag.take("v", "").or_else(|| bag.take("do", "")).or_else(|| bag.take("pose", ""))?;
-        let _ = verb;
+        let words = bag.atoms[verb].is("v", "say");
         bag.take_all("it", "");
         bag.take_all("part", "hand");
-        return Some(Meant { what: vec![Act::Not], left: bag.left() });
+        let period = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None });
+        if period.is_some() {
+            bag.take("cmp", "atleast");
+        }
+        let what = period.map_or(Act::Not, |(ms, _)| Act::NotFor(ms, words));
+        return Some(Meant { what: vec![what], left: bag.left() });
     }
-    let acts = done(bag)?;
+    // *Keep saying …*
+    let keeps = bag.find("v", "keep").filter(|_| {
+        let goes_on = |sense: &super::lexicon::Sense| matches!(sense.kind, "v" | "do") && sense.form.end == End::Ing;
+        atoms.iter().any(|atom| atom.senses.iter().any(goes_on) && !atom.is("v", "keep"))
+    });
+    keeps.into_iter().for_each(|at| bag.use_up(at));
+    let mut acts = done(bag)?;
+    if matches!(acts[..], [Act::Follow(..), ..] | [Act::Eyes(_), ..]) {
+        bag.take_all("adv", "ongoing");
+    } else if keeps.is_some() {
+        acts.push(Act::Keeps);
+    }
     Some(Meant { what: acts, left: bag.left() })
 }
 
@@ -59,8 +78,10 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
         if any {
             return false;
         }
-        let filler = ["void", "prep", "aux", "adv"].iter().any(|kind| atom.is(kind, ""));
-        if !filler {
+        let filler = ["void", "prep", "aux", "adv", "not", "chance"].iter().any(|kind| atom.is(kind, ""));
+        // *A high beep*
+        let qualifies = atom.is("adj", "high") || atom.is("adj", "low");
+        if !filler && !qualifies {
             return atom.is("adj", "brighter")
                 || atom.is("adj", "darker")
                 || atom.is("adj", "far")
@@ -88,8 +109,9 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
         for word in ["face", "name"] {
             bag.take("noun", word);
         }
-        bag.take_all("it", "");
-        bag.take_all("who", "");
+        for kind in ["it", "who", "poss"] {
+            bag.take_all(kind, "");
+        }
         bag.take_all("adj", "new");
         return Some(vec![Act::Remember]);
     }
@@ -231,7 +253,28 @@ fn count(bag: &mut Bag, at: usize) -> Option<Act> {
     Some(Act::Count(Box::new(counted.what)))
 }
 
+/// One of several texts, by chance: *say “a” or “b” at random*.
+fn any_of(bag: &mut Bag) -> Option<Act> {
+    let quotes = bag.atoms.iter().filter(|atom| is_quote(atom)).count();
+    if quotes < 2 || quotes > CHANCES_MAX || !bag.has("chance", "") || bag.has("and", "") {
+        return None;
+    }
+    let texts: Vec<String> = std::iter::from_fn(|| bag.quote()).collect();
+    if texts.iter().any(String::is_empty) {
+        return None;
+    }
+    bag.take_all("chance", "");
+    bag.take_all("or", "");
+    bag.take_signs(',');
+    bag.take_all("who", "");
+    bag.take_all("noun", "word");
+    Some(Act::SayAny(texts))
+}
+
 fn say(bag: &mut Bag) -> Option<Act> {
+    if let Some(any) = any_of(bag) {
+        return Some(any);
+    }
     if let Some(text) = bag.quote() {
         // To whom does not count: the robot says it aloud.
         bag.take_all("who", "");
@@ -304,7 +347,8 @@ fn value(bag: &mut Bag) -> Option<Value> {
         bag.take_all("v", "exist");
         return Some(Value::Mark);
     }
-    if counts && bag.take_all("who", "") {
+    if counts && bag.take_all("who", "") | bag.take_all("noun", "face") {
+        bag.take_all("who", "");
         for verb in ["exist", "see", "come"] {
             bag.take_all("v", verb);
         }
@@ -330,7 +374,7 @@ fn value(bag: &mut Bag) -> Option<Value> {
 fn eyes(bag: &mut Bag) -> Option<Vec<Act>> {
     bag.take_all("part", "eyes");
     let bright = bag.take_all("noun", "brightness");
-    for verb in ["turn", "shine", "make", "come", "play", "set"] {
+    for verb in ["turn", "shine", "make", "come", "play", "set", "keep"] {
         bag.take_all("v", verb);
     }
     bag.take_all("noun", "colored");
@@ -398,6 +442,11 @@ fn follow(bag: &mut Bag) -> Option<Act> {
         bag.take_all("it", "");
         Target::It
     };
+    // *Anyone you see*
+    if bag.has("v", "see") && bag.atoms.iter().any(|atom| atom.is("robot", "")) {
+        bag.take("robot", "");
+        bag.take("v", "see");
+    }
     let nearest = bag.take_all("adj", "nearest") | bag.take_all("adj", "near");
     let side = bag.arg("side").map(|(side, _)| side);
     let arm = bag.arg_is("part", "arm") || (points.is_some() && bag.arg_is("part", "hand"));
@@ -493,13 +542,16 @@ fn gesture_of(bag: &mut Bag, gesture: &'static str, at: usize) -> Option<Act> {
     bag.take_all("do", gesture);
     match gesture {
         "Hey" => {
-            // It waves with its right arm.
-            if bag.has("part", "hand.left") || bag.has("part", "arm.left") {
-                return Some(Act::Gesture(gesture));
-            }
-            bag.take("side", "right");
+            // It waves with its right arm if nobody says otherwise.
+            let own_left = bag.take("part", "hand.left").is_some() | bag.take("part", "arm.left").is_some();
+            let side = bag.arg("side").map(|(side, _)| side);
             for part in ["hand", "arm", "hand.right", "arm.right"] {
                 bag.take("part", part);
+            }
+            if own_left || side == Some("left") {
+                bag.take_all("who", "");
+                bag.take_all("it", "");
+                return Some(Act::Gesture("HeyLeft"));
             }
             bag.take_all("who", "");
             bag.take_all("it", "");
@@ -511,6 +563,12 @@ fn gesture_of(bag: &mut Bag, gesture: &'static str, at: usize) -> Option<Act> {
         "Bow" => {
             bag.take("part", "head");
             bag.take_all("who", "");
+        }
+        "HighFive" => {
+            bag.take_all("who", "");
+        }
+        "Clap" => {
+            bag.take("part", "hand");
         }
         _ => {}
     }

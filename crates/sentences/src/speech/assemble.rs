@@ -16,6 +16,10 @@ pub(super) struct Said {
     last: Option<Event>,
     counted: Option<Cond>,
     did: Option<Act>,
+    /// The part of the body that was moved, if it can be touched.
+    moved: Option<Event>,
+    /// Whether the battery was spoken of.
+    is_charge: bool,
     /// Parts that texts speak of.
     pub(super) spoken_of: Vec<Event>,
 }
@@ -29,6 +33,7 @@ impl Said {
         let mut goes_on = false;
         let mut is_open = true;
         let mut joined_or = false;
+        let mut alone = Vec::new();
         // Whether a condition stands after what is done.
         let mut is_trailed = false;
         for (at, segment) in segments.iter().enumerate() {
@@ -52,13 +57,23 @@ impl Said {
                     is_open = false;
                 }
                 Segment::AtMost(ms) => rule.at_most = Some(*ms),
+                Segment::Apart(ms) => {
+                    let at_once = rule.acts.iter().all(|(later, ..)| *later == 0);
+                    if !at_once || rule.acts.len() < 2 {
+                        self.doubts.push(span.clone());
+                    }
+                    for (at, act) in rule.acts.iter_mut().enumerate() {
+                        act.0 = ms * at as u64;
+                    }
+                }
                 Segment::Once => rule.once = true,
                 Segment::Later(ms, then) => {
                     let first = rule.acts.is_empty();
                     let is_next = first || comes_next(*then, before, rest);
                     later += ms;
-                    if !is_next && let Some(last) = rule.acts.last_mut() {
-                        last.0 += ms;
+                    // One verb may have several objects: *open both hands*.
+                    if !is_next && let Some(span) = rule.acts.last().map(|(.., span)| span.clone()) {
+                        rule.acts.iter_mut().filter(|(.., other)| *other == span).for_each(|act| act.0 += ms);
                     }
                     if first && rule.event.is_none() {
                         goes_on = true;
@@ -92,11 +107,20 @@ impl Said {
                         self.next(&mut rule, span, goes_on);
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
+                    match &acts[..] {
+                        // The verb of a text is that of the one before; in Japanese it comes later.
+                        [Act::Text(_)] if !matches!(self.did, Some(Act::Say(_))) || rule.acts.is_empty() => {
+                            alone.push(act_span.clone());
+                        }
+                        [Act::Say(_), ..] => alone.clear(),
+                        _ => {}
+                    }
                     self.acts(&mut rule, acts, act_span, later);
                 }
             }
             before = Some(segment);
         }
+        self.doubts.append(&mut alone);
         if is_open || !rule.acts.is_empty() || rule.event.is_some() {
             self.finish(rule, goes_on);
         }
@@ -113,7 +137,25 @@ impl Said {
             self.doubts.push(cond.span.clone());
             return;
         }
+        if cond.what == Event::Stays {
+            let last = rule.states.last_mut().or(rule.event.as_mut());
+            match last.filter(|last| last.during.is_none() && last.times.is_none() && !last.not) {
+                Some(last) => last.during = cond.during,
+                None => self.doubts.push(cond.span.clone()),
+            }
+            return;
+        }
         self.note(&cond.what);
+        // *… touches the head and holds it for 3 seconds*
+        if cond.during.is_some()
+            && let Some(event) = rule.event.as_mut().filter(|event| event.what == cond.what && !event.not && !cond.not)
+            && event.during.is_none()
+            && event.times.is_none()
+            && rule.states.is_empty()
+        {
+            event.during = cond.during;
+            return;
+        }
         cond.lasts |= lead == Lead::While;
         match lead {
             Lead::Until if rule.until.is_none() => rule.until = Some(cond),
@@ -149,8 +191,7 @@ impl Said {
             }
             _ if rule.event.is_none() => {
                 if cond.within.is_some() {
-                    let answers = cond.not && !self.rules.is_empty();
-                    if !answers {
+                    if self.rules.is_empty() {
                         self.doubts.push(cond.span.clone());
                     }
                     rule.unanswered = Some(self.rules.len().wrapping_sub(1));
@@ -175,11 +216,18 @@ impl Said {
                 Some(seen) => cond.what = seen.clone(),
                 None => return false,
             },
-            Event::ItTouched => match (&self.touched, &self.spoken_of[..]) {
-                (Some(touched), _) => cond.what = touched.clone(),
-                (None, [part]) => cond.what = part.clone(),
+            Event::ItTouched => match (&self.touched, &self.moved, &self.spoken_of[..]) {
+                (Some(touched), _, _) => cond.what = touched.clone(),
+                (None, Some(moved), []) => cond.what = moved.clone(),
+                (None, None, [part]) => cond.what = part.clone(),
                 _ => return false,
             },
+            Event::ItCharge(bounds) => {
+                if !self.is_charge {
+                    return false;
+                }
+                cond.what = Event::Charge(std::mem::take(bounds));
+            }
             Event::Far(of, _) if *of == Of::It => match &self.seen {
                 Some(Event::Ball(color)) => *of = Of::Ball(color),
                 Some(Event::Face(_) | Event::People(_)) => *of = Of::Person,
@@ -225,6 +273,7 @@ impl Said {
 
     fn note(&mut self, event: &Event) {
         self.last = Some(event.clone());
+        self.is_charge |= matches!(event, Event::Charge(_));
         match event {
             Event::Ball(_) | Event::Thing(_) | Event::Face(_) | Event::Mark(_) => self.seen = Some(event.clone()),
             Event::Far(Of::Ball(color), _) => self.seen = Some(Event::Ball(color)),
@@ -251,9 +300,29 @@ impl Said {
                     continue;
                 }
                 Act::Not => {
-                    rule.denied = true;
+                    rule.denied = Some(span.clone());
                     continue;
                 }
+                Act::NotFor(ms, words) => {
+                    let alone = rule.acts.is_empty() && rule.event.is_none() && rule.every.is_none();
+                    let said = if alone {
+                        self.rules.last_mut()
+                    } else {
+                        Some(&mut *rule).filter(|rule| !rule.acts.is_empty())
+                    };
+                    match said.filter(|said| {
+                        said.pause.is_none() && (!words || said.acts.iter().all(|(_, act, _)| says(act)))
+                    }) {
+                        Some(said) => said.pause = Some(*ms),
+                        None => self.doubts.push(span.clone()),
+                    }
+                    continue;
+                }
+                Act::Keeps => {
+                    rule.keeps = Some(span.clone());
+                    continue;
+                }
+                Act::Text(text) => Act::Say(text.clone()),
                 Act::Again => match &self.did {
                     Some(did) => did.clone(),
                     None => {
@@ -280,6 +349,7 @@ impl Said {
                 Act::Follow(Target::Ball, ..) => self.seen = Some(Event::Ball("red")),
                 Act::Follow(Target::Face, ..) => self.seen = Some(Event::Face(Who::Anybody)),
                 Act::Nearer(Of::Ball(color)) => self.seen = Some(Event::Ball(color)),
+                Act::Move(joint, _) => self.moved = moved(joint, self.moved.take()),
                 _ => {}
             }
             let act = match act {
@@ -355,9 +425,8 @@ impl Said {
             return;
         }
         // ただし…とき…ない: what was said is not done then.
-        if rule.denied {
+        if let Some(span) = rule.denied.take() {
             let conds: Vec<Cond> = rule.event.take().into_iter().chain(rule.states.drain(..)).collect();
-            let span = rule.span.clone();
             match (self.rules.last_mut(), &conds[..]) {
                 (Some(last), [cond]) => {
                     let mut cond = cond.clone();
@@ -371,6 +440,25 @@ impl Said {
         if rule.acts.is_empty() {
             self.is_missing = true;
             return;
+        }
+        // The start is a moment of its own.
+        let starts = |cond: &Cond| cond.what == Event::Start;
+        let alone = rule.states.is_empty() && rule.until.is_none() && rule.every.is_none() && !rule.lasts;
+        let odd = rule.event.as_ref().filter(|event| starts(event) && (!alone || event.times.is_some()));
+        if let Some(odd) = odd.or(rule.states.iter().find(|state| starts(state))).map(|odd| odd.span.clone()) {
+            self.doubts.push(odd);
+        }
+        // *Keep saying …*: how often?
+        if let Some(span) = rule.keeps.take().filter(|_| rule.every.is_none()) {
+            self.doubts.push(span);
+        }
+        // *If not*, after *if … within 10 seconds*
+        if rule.otherwise
+            && let Some(Rule { event: Some(answer), unanswered: asked @ Some(_), .. }) = self.rules.last()
+            && answer.within.is_some()
+        {
+            let event = Cond { not: !answer.not, ..answer.clone() };
+            rule = Rule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
         }
         let needs_event = rule.event.is_none() && rule.every.is_none() && !rule.otherwise;
         if needs_event && goes_on && rule.until.is_none() && rule.states.is_empty() {
@@ -391,6 +479,21 @@ impl Said {
             rule.is_own = true;
         }
         self.rules.push(rule);
+    }
+}
+
+/// Whether words are said.
+fn says(act: &Act) -> bool {
+    matches!(act, Act::Say(_) | Act::SayAny(_) | Act::SayValue(_))
+}
+
+/// What a joint that is moved is called when it is touched.
+fn moved(joint: &str, before: Option<Event>) -> Option<Event> {
+    let hand = |side| Event::Touch(Body::Hand, vec![("hand", side)], Phase::Begins);
+    match joint {
+        "LHand" => Some(hand("left")),
+        "RHand" => Some(hand("right")),
+        _ => before,
     }
 }
 

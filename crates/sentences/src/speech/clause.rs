@@ -5,12 +5,14 @@ mod seen;
 mod touches;
 
 use super::atoms::{Atom, Measure, Value};
-use super::meaning::{Cond, Event, Span, Times};
+use super::meaning::{Bound, Cond, Event, Span, Times, Vague};
 
 /// Atoms of which each is used once.
 pub(super) struct Bag<'a> {
     pub(super) atoms: &'a [Atom],
     used: u64,
+    /// A word that got a number because nobody said one.
+    pub(super) vague: Option<Vague>,
 }
 
 /// What words mean alone: they may stand anywhere.
@@ -18,7 +20,7 @@ const FILLERS: [(&str, &str); 5] = [("void", ""), ("prep", ""), ("aux", ""), ("p
 
 impl<'a> Bag<'a> {
     pub(super) fn new(atoms: &'a [Atom]) -> Self {
-        Self { atoms, used: 0 }
+        Self { atoms, used: 0, vague: None }
     }
 
     pub(super) fn is_free(&self, at: usize) -> bool {
@@ -39,12 +41,30 @@ impl<'a> Bag<'a> {
         (0..self.atoms.len()).find(fits)
     }
 
+    /// Remembers which number this word got.
+    pub(super) fn took(&mut self, at: Option<usize>, bound: Bound, moves: bool) {
+        let span = at.map(|at| self.atoms[at].span.clone());
+        self.vague = span.map(|span| Vague { span, bound, moves });
+    }
+
     /// Uses all signs of this kind.
     pub(super) fn take_signs(&mut self, sign: char) {
         for at in 0..self.atoms.len() {
             if self.atoms[at].is_sign(sign) {
                 self.use_up(at);
             }
+        }
+    }
+
+    /// Whether there is an unused sign of this kind.
+    pub(super) fn has_sign(&self, sign: char) -> bool {
+        (0..self.atoms.len()).any(|at| self.is_free(at) && self.atoms[at].is_sign(sign))
+    }
+
+    /// Uses the first sign of this kind.
+    pub(super) fn take_sign(&mut self, sign: char) {
+        if let Some(at) = (0..self.atoms.len()).find(|at| self.is_free(*at) && self.atoms[*at].is_sign(sign)) {
+            self.use_up(at);
         }
     }
 
@@ -125,7 +145,7 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     let mut bag = Bag::new(atoms);
     let bag = &mut bag;
     // Senses of what is not there: the rest of the clause is not to blame.
-    let gaps = gaps(atoms);
+    let gaps = told_gaps(atoms);
     if !gaps.is_empty() {
         let cond = Cond::of(Event::Noise, bag.span());
         return Some(Meant { what: cond, left: gaps });
@@ -136,7 +156,14 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
         atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))))
             && !atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))))
     });
-    let time = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None });
+    let denied = atoms.iter().any(|atom| atom.is("not", "") || atom.is("none", ""));
+    let is_in = |at: usize| at > 0 && atoms[at - 1].is("within", "in") && !denied;
+    let time_at = atoms.iter().position(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))));
+    // *Three times in five seconds*: how long something is counted cannot be said.
+    let time = match time_at.filter(|at| !is_in(*at)) {
+        Some(_) => bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None }),
+        None => None,
+    };
     if time.is_some()
         && let Some(at) = within_at
     {
@@ -144,6 +171,17 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     }
     let is_within = time.is_some() && within_at.is_some();
     bag.take("adj", "during");
+    // *… and stays there for three seconds*
+    if let (Some(stays), Some((ms, _)), false) = (bag.find("v", "stay"), time, is_within) {
+        bag.use_up(stays);
+        if !(bag.has("adj", "") || bag.has("v", "") || bag.has("cmp", "")) {
+            for kind in ["noun", "it", "who", "robot"] {
+                bag.take(kind, "");
+            }
+            let cond = Cond { during: Some(ms), ..Cond::of(Event::Stays, bag.span()) };
+            return Some(Meant { what: cond, left: bag.left() });
+        }
+    }
     if time.is_some() && !is_within {
         bag.take("cmp", "more");
         bag.take("cmp", "atleast");
@@ -161,15 +199,30 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
         Some((ms, _)) => (Some(ms), None),
         None => (None, None),
     };
-    let left = bag.left();
+    let mut left = bag.left();
+    if let (Some(_), Some(_), Some(at)) = (times, during, time_at) {
+        left.push(atoms[at].span.clone());
+    }
     let lasts = lasts || atoms.iter().any(|atom| atom.is("aux", "be"));
-    Some(Meant { what: Cond { what, not, during, within, times, lasts, span: bag.span() }, left })
+    Some(Meant {
+        what: Cond { what, not, during, within, times, lasts, vague: bag.vague.take(), span: bag.span() },
+        left,
+    })
 }
 
 /// Words for what can neither be sensed nor done.
 pub(super) fn gaps(atoms: &[Atom]) -> Vec<Span> {
     let is_gap =
         |atom: &&Atom| !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
+    atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
+}
+
+/// Words for what cannot be sensed, though the robot itself may do it: *the child dances*.
+fn told_gaps(atoms: &[Atom]) -> Vec<Span> {
+    let is_gap = |atom: &&Atom| {
+        atom.is("gap", "") && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague" | "do"))
+            || !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"))
+    };
     atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
 }
 
@@ -211,17 +264,31 @@ fn times(bag: &mut Bag) -> Option<Times> {
 
 /// Something that can be sensed, of the words for it.
 fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<Event> {
+    if bag.take("noun", "start").is_some() {
+        return (!*not && !over).then_some(Event::Start);
+    }
     // Nobody does it, or the verb says that it is not done.
     let nobody = bag.take("none", "who").is_some();
     let nothing = bag.take("none", "thing").is_some() || bag.take("none", "no").is_some();
     let denies =
         |atom: &Atom| atom.senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "adj" | "pose"));
     *not |= nobody || nothing || (0..bag.atoms.len()).any(|at| bag.is_free(at) && denies(&bag.atoms[at]));
+    if is_anothers_body(bag.atoms) {
+        return None;
+    }
     if let Some(touch) = touches::touch(bag, over, lasts) {
         return touch;
     }
     let found = measured::measured(bag, not).or_else(|| seen::heard(bag, not));
     found.or_else(|| body(bag)).or_else(|| seen::seen(bag, not, nobody, nothing))
+}
+
+/// Whether a part of somebody's body is spoken of: *the child's hand* is none that the robot feels.
+fn is_anothers_body(atoms: &[Atom]) -> bool {
+    atoms.windows(3).any(|three| {
+        let owns = three[0].is("who", "") && !three[0].is("robot", "") && three[1].is("aux", "s");
+        owns && three[2].is("part", "") && !three[2].is("v", "")
+    })
 }
 
 /// What the robot's own body does.

@@ -302,6 +302,18 @@ fn regular(word: &str) -> [(String, End); 4] {
     [(word.to_owned(), End::Plain), (third, End::Third), (past, End::Past), (format!("{stem}ing"), End::Ing)]
 }
 
+/// て, た and ちゃ as they are after 死ん, 飛ん or 読ん.
+fn voiced_ending(ending: &str) -> String {
+    let mut chars = ending.chars();
+    let first = match chars.next() {
+        Some('た') => 'だ',
+        Some('て') => 'で',
+        Some('ち') => 'じ',
+        other => return other.into_iter().chain(chars).collect(),
+    };
+    std::iter::once(first).chain(chars).collect()
+}
+
 /// All endings of a table: `stems` are those of the rows *a i u e ta*, which the chains of auxiliaries go on from.
 fn inflect(
     stems: &[&str],
@@ -319,9 +331,9 @@ fn inflect(
         let Some(stem) = stems.get(at) else { continue };
         let stem = if *stem == "-" { "" } else { stem };
         // た becomes だ after some stems.
-        let voiced = at == 4 && stem.ends_with('ん');
-        let ending =
-            if voiced { ending.replacen('た', "だ", 1).replacen('て', "で", 1) } else { (*ending).to_owned() };
+        let voiced = at == 4 && (stem.ends_with('ん') || stem.ends_with('*'));
+        let stem = stem.trim_end_matches('*');
+        let ending = if voiced { voiced_ending(ending) } else { (*ending).to_owned() };
         let whole = format!("{before}{stem}{ending}");
         let mut now = form;
         let mut goes_on = false;

@@ -23,13 +23,24 @@ pub(crate) struct Cond {
     pub(crate) times: Option<Times>,
     /// Whether it is said to last: *is touched*, 触っている.
     pub(crate) lasts: bool,
+    /// A word that got a number because nobody said one: *near*.
+    pub(crate) vague: Option<Vague>,
     pub(crate) span: Span,
+}
+
+/// A word that got a number because nobody said one, with what it was taken as.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Vague {
+    pub(crate) span: Span,
+    pub(crate) bound: Bound,
+    /// Whether it is a movement: *approaches*.
+    pub(crate) moves: bool,
 }
 
 impl Cond {
     /// Something that happens, as plain as can be.
     pub(crate) fn of(what: Event, span: Span) -> Self {
-        Self { what, not: false, during: None, within: None, times: None, lasts: false, span }
+        Self { what, not: false, during: None, within: None, times: None, lasts: false, vague: None, span }
     }
 }
 
@@ -61,6 +72,8 @@ pub(crate) enum Event {
     Noise,
     Falls,
     Up,
+    /// The program starts.
+    Start,
     Charge(Vec<Bound>),
     /// The posture, by its name among values.
     Pose(&'static str),
@@ -69,6 +82,10 @@ pub(crate) enum Event {
     Counted(u32),
     /// One of several.
     Any(Vec<Event>),
+    /// So full is what was said to be full last: the battery.
+    ItCharge(Vec<Bound>),
+    /// What was said last, that it goes on being so.
+    Stays,
     /// What was seen last.
     ItSeen,
     /// What was touched last.
@@ -114,6 +131,8 @@ pub(crate) enum Of {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Act {
     Say(String),
+    /// One of several texts, by chance.
+    SayAny(Vec<String>),
     SayValue(Value),
     Show(Value),
     Eyes(&'static str),
@@ -137,6 +156,12 @@ pub(crate) enum Act {
     Nothing,
     /// What was said is not done.
     Not,
+    /// What was said is not done again for so many milliseconds; whether it is words that are not said.
+    NotFor(u64, bool),
+    /// A text without its verb: the one before it, or after it in Japanese, is meant.
+    Text(String),
+    /// It goes on being done.
+    Keeps,
 }
 
 /// A value that is said or shown.
@@ -176,13 +201,17 @@ pub(crate) struct Rule {
     pub(crate) until: Option<Cond>,
     /// Not more often than once in so many milliseconds.
     pub(crate) at_most: Option<u64>,
+    /// Not again for so many milliseconds after it was done.
+    pub(crate) pause: Option<u64>,
     pub(crate) once: bool,
     /// Whether how often its event came is what is said.
     pub(crate) counts: bool,
     /// Whether it is so only as long as its event lasts.
     pub(crate) lasts: bool,
-    /// Whether what it says is not done then.
-    pub(crate) denied: bool,
+    /// The words that say that it is not done then.
+    pub(crate) denied: Option<Span>,
+    /// Whether what it does goes on, and the words for that.
+    pub(crate) keeps: Option<Span>,
     /// Whether its actions go by senses of their own.
     pub(crate) is_own: bool,
     /// What is done so many milliseconds later.

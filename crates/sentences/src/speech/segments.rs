@@ -5,7 +5,7 @@ use super::act::{act, ends, is_order};
 use super::atoms::{Atom, Measure, Value};
 use super::clause::{Meant, cond, elliptic, gaps};
 use super::lexicon::End;
-use super::meaning::{Act, Cond, Span, Times};
+use super::meaning::{Act, Cond, Event, Span, Times};
 use crate::Language;
 use std::rc::Rc;
 
@@ -21,6 +21,8 @@ pub(super) enum Segment {
     Once,
     /// So many milliseconds later: what is done then, next or before.
     Later(u64, Then),
+    /// So many milliseconds between what is done.
+    Apart(u64),
     /// Between clauses.
     And,
     Or,
@@ -65,6 +67,11 @@ pub(super) struct Cover {
     pub(super) texts: Vec<Span>,
 }
 
+/// What clauses cost, for those of other files.
+pub(super) mod prices {
+    pub(in crate::speech) const CLAUSE: usize = super::CLAUSE;
+}
+
 /// What things cost.
 const CLAUSE: usize = 10;
 const WORD: usize = 2;
@@ -87,7 +94,7 @@ enum Before {
 const BEFORES: [Before; 3] = [Before::Else, Before::Cond, Before::Joined];
 
 /// An edge of the chart: where it leads, what it is, what it costs and leaves in doubt.
-struct Edge {
+pub(super) struct Edge {
     to: usize,
     segment: Segment,
     cost: usize,
@@ -101,17 +108,20 @@ type Step = (usize, Option<Rc<Edge>>);
 /// Atoms with a quote in them, the tokens of it, those of them in doubt, and what it costs.
 type Quoting = (Vec<Atom>, Vec<Span>, Vec<Span>, usize);
 
-struct Chart<'a> {
-    atoms: &'a [Atom],
+pub(super) struct Chart<'a> {
+    pub(super) atoms: &'a [Atom],
     language: Language,
+    /// Whether the sentence ends with a question mark and asks the robot for nothing: what is said may be a question.
+    asks: bool,
     /// The source of a span of tokens.
     source: &'a dyn Fn(&Span) -> String,
     tries: usize,
 }
 
 /// The cheapest cover of the atoms of a sentence.
-pub(super) fn cover(atoms: &[Atom], language: Language, source: &dyn Fn(&Span) -> String) -> Cover {
-    let mut chart = Chart { atoms, language, source, tries: 0 };
+pub(super) fn cover(atoms: &[Atom], language: Language, asks: bool, source: &dyn Fn(&Span) -> String) -> Cover {
+    let asks = asks && !atoms.iter().any(|atom| atom.is("polite", ""));
+    let mut chart = Chart { atoms, language, asks, source, tries: 0 };
     let count = atoms.len();
     let mut best: Vec<[Option<Step>; 3]> = vec![[None, None, None]; count + 1];
     best[count] = [Some((0, None)), Some((0, None)), Some((WORD, None))];
@@ -159,14 +169,7 @@ impl Chart<'_> {
     fn edges(&mut self, at: usize) -> Vec<(bool, Edge)> {
         let mut all: Vec<(bool, Edge)> = Vec::new();
         let atom = &self.atoms[at];
-        let plain = |to: usize, segment: Segment, cost: usize| Edge {
-            to,
-            segment,
-            cost,
-            doubts: Vec::new(),
-            texts: Vec::new(),
-            after: Before::Else,
-        };
+        let plain = |to: usize, segment: Segment, cost: usize| self.plain(to, segment, cost);
         let doubtful = |to: usize, cost: usize, doubts: Vec<Span>| Edge { doubts, ..plain(to, Segment::Unclear, cost) };
         if matches!(atom.value, Value::Sign(',' | ':' | ';' | '-' | '.')) {
             all.push((false, plain(at + 1, Segment::Sign, 1)));
@@ -184,7 +187,12 @@ impl Chart<'_> {
                 all.push((false, plain(at + 1, segment, WORD)));
             }
         }
-        if atom.is("void", "") || atom.is("polite", "") || atom.is("adv", "eachtime") {
+        let after_or = at > 0 && self.atoms[at - 1].is("or", "");
+        if (atom.is("void", "") && !after_or)
+            || atom.is("polite", "")
+            || atom.is("adv", "eachtime")
+            || atom.is("result", "") && at > 0
+        {
             all.push((false, plain(at + 1, Segment::Nothing, 3)));
         }
         // *NAO, …*
@@ -192,7 +200,7 @@ impl Chart<'_> {
         if atom.is("robot", "") && self.atoms.get(next).is_some_and(|next| next.is_sign(',')) {
             all.push((false, plain(next + 1, Segment::Nothing, 3)));
         }
-        if atom.is("gap", "") || atom.is("vague", "") || atom.is("manner", "") {
+        if ["gap", "vague", "manner", "chance"].iter().any(|kind| atom.is(kind, "")) {
             all.push((false, doubtful(at + 1, LEFT, vec![atom.span.clone()])));
         }
         all.push((false, doubtful(at + 1, UNKNOWN, vec![atom.span.clone()])));
@@ -205,6 +213,20 @@ impl Chart<'_> {
             self.japanese(at, &mut all)
         }
         all
+    }
+
+    /// An edge that leaves nothing in doubt.
+    pub(super) fn plain(&self, to: usize, segment: Segment, cost: usize) -> Edge {
+        Edge { to, segment, cost, doubts: Vec::new(), texts: Vec::new(), after: Before::Else }
+    }
+
+    /// Whether enough was tried.
+    pub(super) fn is_spent(&self) -> bool {
+        self.tries >= TRIES_MAX
+    }
+
+    pub(super) fn tried(&mut self) {
+        self.tries += 1;
     }
 
     fn is(&self, at: usize, kind: &str, arg: &str) -> bool {
@@ -257,6 +279,9 @@ impl Chart<'_> {
                 let end = fillers(next + 1);
                 found.push((next + 1, Segment::Later(ms, self.then(end))));
             }
+            if is(next, "apart", "") {
+                found.push((next + 1, Segment::Apart(ms)));
+            }
             // 1分に1回まで
             let one = |at: usize| {
                 is(at, "times", "1")
@@ -280,7 +305,25 @@ impl Chart<'_> {
                 found.push((end, if most { Segment::AtMost(ms) } else { Segment::Every(ms) }));
             }
         }
-        if (is(at, "lead", "after") || is(at, "v", "wait") || is(at, "within", "in"))
+        // 5秒してから
+        let goes_by = |at: usize| {
+            let turn = self.atoms.get(at).and_then(|atom| atom.sense("v", "turn"));
+            turn.is_some_and(|sense| sense.form.end == End::Te) && is(at + 1, "lead", "after")
+        };
+        if let Some(ms) = time(at)
+            && goes_by(at + 1)
+        {
+            found.push((at + 3, Segment::Later(ms, Then::Next)));
+        }
+        // 目を赤くしてから…
+        let te = |at: usize| self.atoms[at].senses.iter().any(|sense| sense.form.end == End::Te);
+        if self.language == Language::Japanese && at > 0 && is(at, "lead", "after") && te(at - 1) {
+            found.push((at + 1, Segment::Then));
+        }
+        // *Three times in five seconds* is no time after.
+        let counted =
+            at > 0 && (is(at - 1, "times", "") || matches!(atoms[at - 1].value, Value::Measure(Measure::Times(_))));
+        if (is(at, "lead", "after") || is(at, "v", "wait") || (is(at, "within", "in") && !counted))
             && let Some(ms) = time(fillers(at + 1))
         {
             let end = fillers(at + 1) + 1;
@@ -314,6 +357,18 @@ impl Chart<'_> {
         if is(at, "once", "") {
             found.push((at + 1, Segment::Once));
         }
+        if is(at, "start", "") {
+            let starts = Cond::of(Event::Start, self.atoms[at].span.clone());
+            found.push((at + 1, Segment::Cond(Lead::When, Rc::new(starts))));
+        }
+        // but not again for 20 seconds
+        if is(at, "not", "")
+            && is(at + 1, "adv", "again")
+            && let Some(ms) = time(fillers(at + 2))
+        {
+            let end = fillers(at + 2) + 1;
+            found.push((end, Segment::Acts(Rc::new(vec![Act::NotFor(ms, false)]), self.span(at, end))));
+        }
     }
 
     /// What is done later than a time that ends here.
@@ -325,7 +380,7 @@ impl Chart<'_> {
         }
     }
 
-    fn is_boundary(&self, at: usize) -> bool {
+    pub(super) fn is_boundary(&self, at: usize) -> bool {
         let Some(atom) = self.atoms.get(at) else { return true };
         let kinds = [
             "and",
@@ -353,6 +408,8 @@ impl Chart<'_> {
             || is_order(&self.atoms[at..(at + 1).min(self.atoms.len())])
             || atom.is("part", "eyes")
             || atom.is("within", "")
+            || atom.is("result", "")
+            || self.is_relative(at)
     }
 
     fn english(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
@@ -360,6 +417,9 @@ impl Chart<'_> {
         let leads: Vec<Lead> =
             atom.senses.iter().filter(|sense| sense.kind == "lead").map(|sense| lead(sense.arg)).collect();
         let most = (at + CLAUSE_MAX).min(self.atoms.len());
+        self.relative(at, most, all);
+        self.asked_of_people(at, most, all);
+        self.text_alone(at, all);
         let mut starts: Vec<(Lead, usize)> = leads.iter().map(|lead| (*lead, at + 1)).collect();
         // *Every third time …*
         if atom.is("every", "")
@@ -376,8 +436,7 @@ impl Chart<'_> {
                 if self.tries >= TRIES_MAX {
                     return;
                 }
-                let opens = matches!(self.atoms[end - 1].value, Value::Sign(_));
-                if opens && self.atoms[end - 1].is_sign(',') {
+                if self.atoms[end - 1].is_sign(',') && !self.is_list(end - 1) {
                     break;
                 }
                 if !self.is_boundary(end) {
@@ -403,7 +462,7 @@ impl Chart<'_> {
         }
         // What goes on with the condition before.
         for end in at + 1..=most {
-            if self.tries >= TRIES_MAX || self.atoms[end - 1].is_sign(',') {
+            if self.tries >= TRIES_MAX || (self.atoms[end - 1].is_sign(',') && !self.is_list(end - 1)) {
                 break;
             }
             if !self.is_boundary(end) {
@@ -420,7 +479,8 @@ impl Chart<'_> {
         let compares = |atom: &Atom| atom.is("adj", "near") || atom.is("cmp", "less") || atom.is("adj", "far");
         let correlates = compares(atom) || self.atoms.get(at + 1).is_some_and(compares);
         for end in at + 1..=most {
-            if self.tries >= TRIES_MAX || (self.atoms[end - 1].is_sign(',') && !correlates) {
+            let parts = self.atoms[end - 1].is_sign(',') && !correlates && !self.is_list(end - 1);
+            if self.tries >= TRIES_MAX || parts {
                 break;
             }
             if !self.is_boundary(end) {
@@ -433,7 +493,7 @@ impl Chart<'_> {
         }
     }
 
-    fn met(&self, lead: Lead, meant: Meant<Cond>, end: usize, cost: usize) -> Edge {
+    pub(super) fn met(&self, lead: Lead, meant: Meant<Cond>, end: usize, cost: usize) -> Edge {
         let left = meant.left.len();
         Edge {
             to: end,
@@ -510,6 +570,10 @@ impl Chart<'_> {
                     && (matches!(atoms[to - 1].value, Value::Measure(Measure::Time(_) | Measure::Times(_)))
                         || ["cmp", "times", "adv", "within", "prep"].iter().any(|kind| atoms[to - 1].is(kind, "")))
                 {
+                    // *Says try again*: is it said again, or are these the words?
+                    if atoms[to - 1].is("adv", "again") {
+                        return None;
+                    }
                     to -= 1;
                 }
                 (from, to)
@@ -521,15 +585,23 @@ impl Chart<'_> {
                 (from, to)
             }
         };
-        if from >= to {
+        let ends = ["lead", "otherwise", "then", "but", "every"];
+        let is_other = |atom: &Atom| ends.iter().any(|kind| atom.is(kind, "")) || atom.is("v", "say");
+        if from >= to || atoms[from..to].iter().any(is_other) {
             return None;
         }
         let mut all = atoms[..from].to_vec();
         let mut texts = Vec::new();
         let mut start = from;
         for at in from..=to {
-            let ends = at == to || atoms[at].is("or", "");
+            let ends = at == to || atoms[at].is("or", "") || atoms[at].is_sign(',');
             if !ends {
+                continue;
+            }
+            // *Red, blue, or green*
+            if start == at && at < to && at > from && atoms[at - 1].is_sign(',') && atoms[at].is("or", "") {
+                all.push(atoms[at].clone());
+                start = at + 1;
                 continue;
             }
             if start >= at || is_suspicious(&atoms[start..at]) {
@@ -544,7 +616,8 @@ impl Chart<'_> {
             start = at + 1;
         }
         all.extend_from_slice(&atoms[to..]);
-        Some((all, texts, TEXT * (to - from)))
+        let said = atoms[from..to].iter().filter(|atom| !atom.is("or", "") && !atom.is_sign(',')).count();
+        Some((all, texts, TEXT * said))
     }
 
     fn act_edge(&self, start: usize, end: usize) -> Option<Edge> {
@@ -561,8 +634,11 @@ impl Chart<'_> {
             texts,
             after: Before::Else,
         };
+        if self.language == Language::Japanese && holds_another(atoms) {
+            return None;
+        }
         let mut best = act(atoms).map(|meant| made(meant, 0, Vec::new()));
-        if let Some((said, texts, doubts, price)) = self.said(atoms)
+        if let Some((said, texts, doubts, price)) = self.said(atoms, end)
             && let Some(mut meant) = act(&said)
         {
             meant.left.extend(doubts);
@@ -579,7 +655,7 @@ impl Chart<'_> {
     }
 
     /// The words that the robot says, without quotes, as a quote; with those of them that look like no text.
-    fn said(&self, atoms: &[Atom]) -> Option<Quoting> {
+    fn said(&self, atoms: &[Atom], end: usize) -> Option<Quoting> {
         if atoms.iter().any(super::act::is_quote) {
             return None;
         }
@@ -601,6 +677,11 @@ impl Chart<'_> {
                 {
                     to -= 3;
                 }
+                // *Say hello to everyone you know*
+                if to - from > 1 && atoms[to - 1].is("prep", "to") && self.is_relative(end) {
+                    to -= 1;
+                    back = true;
+                }
                 // *Say hello back*
                 if to - from == 2 && atoms[from].is("hi", "") && atoms[to - 1].is("place", "rear") {
                     to -= 1;
@@ -617,19 +698,20 @@ impl Chart<'_> {
         let mut doubts: Vec<Span> = text
             .iter()
             .filter(|atom| {
-                ["manner", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
+                ["manner", "chance", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
                     || atom.is("adv", "again")
+                    || matches!(atom.value, Value::Measure(Measure::Times(_) | Measure::Time(_)))
             })
             .map(|atom| atom.span.clone())
             .collect();
-        if is_suspicious(text) {
+        let is_question = self.asks && end == self.atoms.len() && is_question(text);
+        if !is_question && is_suspicious(text) {
             doubts.push(atoms[from].span.start..atoms[to - 1].span.end);
         }
         let leads = |atom: &Atom| {
             atom.is("lead", "")
                 || matches!(atom.value, Value::Sign(_))
-                || atom.is("otherwise", "")
-                || atom.is("every", "")
+                || ["otherwise", "every", "then", "but"].iter().any(|kind| atom.is(kind, ""))
         };
         if self.language == Language::English && text.iter().any(leads) {
             return None;
@@ -670,9 +752,19 @@ impl Chart<'_> {
                     all.push((false, self.met(lead, meant, end, CLAUSE + 5)));
                 }
             }
+            // 知らない人に…: whom it is done to is what happens.
+            if last.is("lead", "whom") && end - at > 1 {
+                self.tries += 1;
+                all.extend(self.clear_cond(&self.atoms[at..end], end).map(|edge| (false, edge)));
+            }
+            // 右手なら「みぎ」、…
+            if end == at + 1 {
+                self.text_alone(at, all);
+            }
             let ends_act = ends(&self.atoms[at..end])
                 .is_some_and(|end| matches!(end, End::Dict | End::Te | End::Stem | End::Plain))
-                && !last.is("p", "");
+                && !last.is("p", "")
+                || self.leaves_verb_out(at, end);
             let goes_on = self.atoms.get(end).is_some_and(|next| next.is("void", "req"));
             if ends_act && !goes_on {
                 self.tries += 1;
@@ -688,7 +780,7 @@ impl Chart<'_> {
         let mut found = Vec::new();
         let last = &self.atoms[end - 1];
         for sense in &last.senses {
-            if sense.kind == "lead" && end - 1 > at {
+            if sense.kind == "lead" && sense.arg != "whom" && end - 1 > at {
                 let before = &self.atoms[end - 2];
                 let verb = before.senses.iter().any(|sense| !matches!(sense.form.end, End::Te | End::Tara | End::Ba));
                 if verb || !before.senses.is_empty() {
@@ -719,6 +811,33 @@ fn lead(arg: &str) -> Lead {
     }
 }
 
+/// Whether something else is done first: 立って目を白くする.
+fn holds_another(atoms: &[Atom]) -> bool {
+    let leads_on = |atom: &Atom| {
+        let ends = |sense: &super::lexicon::Sense| {
+            matches!(sense.kind, "do" | "pose") && matches!(sense.form.end, End::Te | End::Stem)
+        };
+        atom.senses.iter().any(ends)
+    };
+    let first = atoms.iter().position(leads_on);
+    first.is_some_and(|first| {
+        atoms[first + 1..].iter().any(|next| next.is("v", "") || next.is("do", "") || next.is("pose", ""))
+    })
+}
+
+/// Whether words are a question as one asks it: *where are you*, not *where you are*, and not one that the robot can answer.
+fn is_question(text: &[Atom]) -> bool {
+    let asks =
+        text.first().is_some_and(|first| first.is("wh", "")) && text.get(1).is_some_and(|next| next.is("aux", ""));
+    let has_answer = |atom: &Atom| {
+        ["battery", "level", "distance", "posture", "count", "name", "people"].iter().any(|noun| atom.is("noun", noun))
+            || atom.is("gap", "")
+            || atom.is("lead", "")
+            || matches!(atom.value, Value::Sign(_))
+    };
+    asks && !text.iter().any(has_answer)
+}
+
 /// Whether words tell what to say rather than are it.
 fn is_suspicious(text: &[Atom]) -> bool {
     let Some(first) = text.first() else { return true };
@@ -733,7 +852,18 @@ fn is_suspicious(text: &[Atom]) -> bool {
     if first.is("hi", "") {
         return false;
     }
+    // *How many faces you can see*
+    let tells_value = |atom: &Atom| {
+        atom.is("noun", "count") || atom.is("noun", "distance") || atom.is("gap", "whatever") || atom.is("gap", "time")
+    };
+    if text.iter().any(tells_value) {
+        return true;
+    }
     if text.iter().all(|atom| atom.is("void", "")) || first.is("wh", "") {
+        return true;
+    }
+    // *Tell the child to sit down*, *hears you*
+    if first.is("prep", "to") || (text.len() == 1 && (first.is("who", "") || first.is("robot", ""))) {
         return true;
     }
     first.is("void", "det")

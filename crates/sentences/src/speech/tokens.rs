@@ -28,8 +28,8 @@ pub(super) enum What {
 /// The longest number.
 const NUMBER_MAX_CHARS: usize = 60;
 /// What begins a quote, and what ends it.
-const QUOTES: [(char, char); 7] =
-    [('“', '”'), ('"', '"'), ('「', '」'), ('『', '』'), ('‘', '’'), ('«', '»'), ('\'', '\'')];
+const QUOTES: [(char, char); 8] =
+    [('“', '”'), ('"', '"'), ('「', '」'), ('｢', '｣'), ('『', '』'), ('‘', '’'), ('«', '»'), ('\'', '\'')];
 
 /// A sign, letter or digit as it is written on a narrow keyboard.
 fn plain(c: char) -> char {
@@ -42,8 +42,31 @@ fn plain(c: char) -> char {
         '—' => ':',
         '…' => '.',
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),
+        // Several lines are several sentences.
+        '｡' | '\n' => '.',
+        '､' => ',',
+        '･' => '・',
         c => c,
     }
+}
+
+/// Half-width kana in the order of their code, from `ｦ` on, in full width.
+const FULL_WIDTH: &str =
+    "ヲァィゥェォャュョッーアイウエオカキクケコサシスセソタチツテトナニヌネノハヒフヘホマミムメモヤユヨラリルレロワン";
+
+/// A half-width kana in full width, with the mark of its voice if that follows; and how many letters these are.
+fn full_width(c: char, mark: Option<char>) -> Option<(char, usize)> {
+    let place = (c as u32).checked_sub('ｦ' as u32)?;
+    let full = FULL_WIDTH.chars().nth(place as usize)?;
+    let voiced = match mark {
+        Some('ﾞ') if full == 'ウ' => Some('ヴ'),
+        Some('ﾞ') if "カキクケコサシスセソタチツテトハヒフヘホ".contains(full) => {
+            char::from_u32(full as u32 + 1)
+        }
+        Some('ﾟ') if "ハヒフヘホ".contains(full) => char::from_u32(full as u32 + 2),
+        _ => None,
+    };
+    Some(voiced.map_or((full, 1), |voiced| (voiced, 2)))
 }
 
 /// The tokens of a text.
@@ -69,6 +92,9 @@ pub(super) fn tokens(text: &str, language: Language) -> Vec<Token> {
 fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (usize, Option<What>) {
     let raw = chars[at].1;
     let c = plain(raw);
+    if let Some((kana, length)) = full_width(raw, chars.get(at + 1).map(|(_, c)| *c)) {
+        return (at + length, Some(What::Word(kana.to_string())));
+    }
     let is_word_before = at > 0 && chars[at - 1].1.is_alphanumeric();
     if let Some(end) = quote_end(chars, at, is_word_before) {
         let inside = &text[chars[at + 1].0..chars[end].0];

@@ -7,6 +7,7 @@ mod dice;
 mod golden;
 mod graphs;
 mod pieces;
+mod said;
 mod speech;
 mod support;
 mod typed;

@@ -140,7 +140,7 @@ fn a_slip_is_mended_by_what_is_written_nearly_so() {
         ("When the haed is touched, the eyes turn green.", "haed", "head"),
         ("When a face is seen, the eyes turn gren.", "gren", "green"),
         ("When a face is seen, the robot wawes.", "wawes", "waves"),
-        ("When a face is seen, the robot dances.", "dances", ""),
+        ("When a face is seen, the robot sings.", "sings", ""),
         ("When the head is", "", ""),
     ];
     for (text, slip, meant) in cases {

@@ -13,7 +13,8 @@ pub(super) const DRIVER: Driver = Driver {
     name: "Animation",
     open: |chosen| {
         let (name, path) = (chosen.text("animation")?, chosen.text("gesture")?.trim());
-        let is_it = |gesture: &Gesture| if name == "robot" { gesture.path == path } else { gesture.name == name };
+        let is_own = name == "robot" && !path.is_empty();
+        let is_it = |gesture: &Gesture| if is_own { gesture.path == path } else { gesture.name == name };
         Opened::act(Animation(GESTURES.iter().position(is_it)?))
     },
 };
@@ -39,7 +40,7 @@ pub(crate) struct Playing {
 
 /// The names by which gestures are installed.
 pub(crate) fn paths() -> impl Iterator<Item = &'static str> {
-    GESTURES.iter().map(|gesture| gesture.path)
+    GESTURES.iter().map(|gesture| gesture.path).filter(|path| !path.is_empty())
 }
 
 impl Playing {

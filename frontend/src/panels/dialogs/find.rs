@@ -50,7 +50,7 @@ pub(super) fn Find(title: &'static str) -> impl IntoView {
                     <div class="find in-dialog">
                         <input class="input" type="search" data-first="" autocomplete="off" aria-label=label placeholder=hint
                             prop:value=move || search.get() on:input:target=move |event| search.set(event.target().value())
-                            on:keydown=key on:keyup=move |event| typing.follow(&event)
+                            on:paste=move |event| typing.paste(&event) on:keydown=key on:keyup=move |event| typing.follow(&event)
                             on:pointerup=move |event| typing.follow(&event) on:blur=move |event| typing.follow(&event)
                             on:scroll=move |event| typing.follow(&event) />
                         <Typed typing done=Callback::new(move |()| close(desk)) />

@@ -1,7 +1,8 @@
 //! What is measured: distances, numbers of people, charge and angles.
 
 use super::{Bag, agent, seen::color};
-use crate::speech::atoms::{Measure, Value};
+use crate::speech::atoms::{Atom, Measure, Value};
+use crate::speech::lexicon::End;
 use crate::speech::meaning::{Bound, Event, Of};
 use crate::test::Comparison;
 
@@ -14,10 +15,14 @@ fn bounds(
     let first = bag.measure(made);
     let Some(((value, unit), _)) = first else {
         let Some([near, far]) = vague else { return Vec::new() };
-        if bag.take_all("adj", "near") {
-            return vec![near];
+        for (word, bound) in [("near", near), ("far", far)] {
+            let at = bag.find("adj", word);
+            if bag.take_all("adj", word) {
+                bag.took(at, bound, false);
+                return vec![bound];
+            }
         }
-        return if bag.take_all("adj", "far") { vec![far] } else { Vec::new() };
+        return Vec::new();
     };
     let plain = |measure| match measure {
         Measure::Number(value) => Some((value, unit)),
@@ -81,6 +86,9 @@ fn length(measure: Measure) -> Option<(f64, &'static str)> {
 /// Distances, numbers of people, charge, angles.
 pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     let has_length = bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))));
+    if let Some(event) = share_alone(bag, not) {
+        return Some(event);
+    }
     if bag.take("noun", "battery").is_some() {
         return charge(bag, not);
     }
@@ -95,6 +103,14 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     if !(has_length || compares || approaches) {
         return None;
     }
+    // *Close them* is an order and tells of nothing near.
+    let tells = |atom: &Atom| {
+        atom.is("aux", "")
+            || atom.senses.iter().any(|sense| sense.kind == "v" && sense.arg != "close" || sense.form.end != End::Plain)
+    };
+    if !has_length && bag.has("v", "close") && !bag.atoms.iter().any(tells) {
+        return None;
+    }
     let side = if bag.take("noun", "ahead").is_some() { Some("nearest") } else { None };
     bag.take("noun", "distance");
     let of = subject(bag, side)?;
@@ -105,7 +121,10 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         Of::Person => [(Comparison::Less, 1.0, "m"), (Comparison::More, 2.0, "m")],
         _ => [(Comparison::Less, 50.0, "cm"), (Comparison::More, 100.0, "cm")],
     };
-    if !has_length && !compares && bag.take("v", "approach").is_some() {
+    let approach = bag.find("v", "approach").filter(|_| !has_length && !compares);
+    if let Some(at) = approach {
+        bag.use_up(at);
+        bag.took(Some(at), vague[0], true);
         return Some(Event::Far(of, negated(vec![vague[0]], not)?));
     }
     for verb in ["exist", "come", "go", "fall", "see", "enter", "turn"] {
@@ -116,6 +135,20 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         return None;
     }
     Some(Event::Far(of, negated(found, not)?))
+}
+
+/// 90％を超えたら: of what was said before.
+fn share_alone(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+    let is_share = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Share(_)));
+    let names = |atom: &Atom| ["noun", "who", "part"].iter().any(|kind| atom.is(kind, ""));
+    if !bag.atoms.iter().any(is_share) || bag.atoms.iter().any(|atom| names(atom) && !atom.is("noun", "level")) {
+        return None;
+    }
+    bag.take("it", "");
+    match charge(bag, not)? {
+        Event::Charge(bounds) => Some(Event::ItCharge(bounds)),
+        _ => None,
+    }
 }
 
 /// How full the battery is.
@@ -140,8 +173,11 @@ fn charge(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         let said = comparisons.into_iter().find(|(word, _)| bag.take("cmp", word).is_some());
         found.extend(said.map(|(_, comparison)| (comparison, 50.0, "%")));
     }
-    if found.is_empty() && bag.take("adj", "low").is_some() {
+    let low = bag.find("adj", "low").filter(|_| found.is_empty());
+    if low.is_some() {
         found = vec![(Comparison::Less, 20.0, "%")];
+        bag.take("adj", "low");
+        bag.took(low, found[0], false);
     } else {
         bag.take_all("adj", "low");
     }

@@ -49,6 +49,13 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
 
 /// The words that are heard.
 fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
+    // Nobody but the robot hears: *the child hears you* is none of its senses.
+    let hears = bag.atoms[verb].is("v", "hear") && form(&bag.atoms[verb], "v").end != End::Plain;
+    let others = bag.atoms[..verb].iter().any(|atom| atom.is("who", "") && !atom.is("robot", ""));
+    let english = matches!(form(&bag.atoms[verb], "v").end, End::Third | End::Past | End::Ing);
+    if hears && english && others && !bag.atoms[..verb].iter().any(|atom| atom.is("aux", "be")) {
+        return None;
+    }
     // *Say “two”* is an order and tells of nobody who says it.
     // The robot hears others, not itself.
     let says = bag.atoms[verb].is("v", "say") && !bag.atoms[verb].is("v", "hear");
@@ -67,7 +74,9 @@ fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
         all.push(quote);
     }
     if !all.is_empty() {
-        bag.take_all("or", "");
+        if bag.take_all("or", "") || all.len() > 1 {
+            bag.take_signs(',');
+        }
         bag.take_all("noun", "word");
         bag.use_up(verb);
         return Some(all);
@@ -78,9 +87,16 @@ fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
 /// What is seen.
 pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -> Option<Event> {
     const VERBS: [&str; 9] = ["see", "exist", "come", "appear", "enter", "find", "leave", "know", "show"];
-    let found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
+    let mut found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
     let is_be = bag.atoms.iter().any(|atom| atom.is("aux", "be"));
-    if found.is_empty() && !is_be && !nobody && !bag.has("adj", "known") {
+    // *Moves left*: a side, and nobody leaves.
+    let moves = found.len() > 1 || bag.atoms.iter().any(|atom| atom.is("aux", "be") && !atom.is("aux", "s"));
+    found.retain(|(verb, at)| !(*verb == "leave" && moves && bag.atoms[*at].is("side", "")));
+    // Somebody who stands comes only where the place is said: *stands in front of you*, 目の前に立つ.
+    let has_place = bag.has("noun", "view") || bag.has("noun", "ahead");
+    found.retain(|(_, at)| has_place || !bag.atoms[*at].is("pose", ""));
+    let of_kind = bag.has("adj", "known") || bag.has("adj", "new") && bag.has("who", "");
+    if found.is_empty() && !is_be && !nobody && !of_kind {
         return None;
     }
     // Somebody who sees something is not the robot: 子どもがボールを見たら.
@@ -123,6 +139,12 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
         bag.take_all("robot", "");
     }
     if bag.take("noun", "ball").is_some() {
+        // *The ball is not red*: which one is?
+        let place = |kind: &str| bag.atoms.iter().rposition(|atom| atom.is(kind, ""));
+        let said_of = bag.atoms.iter().position(|atom| atom.is("noun", "ball")) < place("color");
+        if *not && said_of && place("color").is_some() {
+            return None;
+        }
         return ball(bag);
     }
     if bag.take("noun", "mark").is_some() {
@@ -141,7 +163,7 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     }
     // Japanese leaves out what was said before.
     let says_nothing = !bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "") || atom.is("color", ""));
-    (says_nothing && has("see")).then_some(Event::ItSeen)
+    (says_nothing && (has("see") || has("leave"))).then_some(Event::ItSeen)
 }
 
 /// A ball, or one of several.
@@ -151,7 +173,10 @@ fn ball(bag: &mut Bag) -> Option<Event> {
     bag.take("it", "");
     let mut all = vec![Event::Ball(color(bag))];
     while bag.has("or", "") && bag.has("color", "") {
-        bag.take("or", "");
+        if !bag.has_sign(',') {
+            bag.take("or", "");
+        }
+        bag.take_sign(',');
         bag.take("noun", "ball");
         let at = bag.find("color", "")?;
         let next = color(bag);
@@ -183,7 +208,10 @@ fn mark(bag: &mut Bag) -> Option<Event> {
             _ => None,
         });
         let Some((more, _)) = more else { break };
-        bag.take("or", "");
+        if !bag.has_sign(',') {
+            bag.take("or", "");
+        }
+        bag.take_sign(',');
         bag.take("noun", "mark");
         all.push(Event::Mark(Some(more)));
     }

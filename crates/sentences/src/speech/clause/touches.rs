@@ -63,7 +63,8 @@ fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -
     if bag.has("part", "") {
         // Somebody's own head is no robot's.
         let english = matches!(form.end, End::Plain | End::Third | End::Past | End::Ing);
-        let whose = bag.atoms[at + 1..].iter().any(|atom| atom.is("who", "") && !atom.is("part", ""));
+        let whose =
+            bag.atoms[at + 1..].iter().any(|atom| atom.is("who", "") && !atom.is("part", "") && !atom.is("robot", ""));
         if bag.has("poss", "own") || (english && !form.passive && whose) {
             return None;
         }
@@ -78,7 +79,7 @@ fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -
     if bag.has("part", "") {
         return touched(bag, verb == "release" || over);
     }
-    if bag.take("it", "").is_none() && (bag.has("noun", "one") || bag.has("side", "")) {
+    if bag.take("it", "").is_none() && (bag.has("noun", "one") || bag.has("side", "") || bag.has("place", "")) {
         return same(bag);
     }
     // What was said last; if it was something else, that stays in doubt.
@@ -136,6 +137,7 @@ fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
     if all.len() > 1 {
         // Both at once cannot be told.
         bag.take("or", "")?;
+        bag.take_signs(',');
         return Some(Event::Any(all));
     }
     all.pop()

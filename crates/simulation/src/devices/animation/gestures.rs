@@ -7,7 +7,7 @@ use crate::model::motor;
 pub(super) struct Gesture {
     /// Its name in files.
     pub(super) name: &'static str,
-    /// Its name among those that are installed, as on a NAO6.
+    /// Its name among those that are installed, as on a NAO6; empty if none of them is like it.
     pub(super) path: &'static str,
     /// What people call it.
     pub(super) words: &'static str,
@@ -20,6 +20,9 @@ pub(super) struct Row(&'static str, &'static [(u64, f32)]);
 const NOD: &[(u64, f32)] = &[(300, 0.35), (600, -0.10), (900, 0.35), (1_200, -0.10)];
 const SHAKE: &[(u64, f32)] = &[(300, 0.45), (700, -0.45), (1_100, 0.45), (1_500, -0.45)];
 const WAVE: &[(u64, f32)] = &[(700, 0.6), (1_000, 1.3), (1_300, 0.6), (1_600, 1.3), (1_900, 0.6), (2_200, 1.3)];
+
+const WAVE_LEFT: &[(u64, f32)] =
+    &[(700, -0.6), (1_000, -1.3), (1_300, -0.6), (1_600, -1.3), (1_900, -0.6), (2_200, -1.3)];
 
 /// All gestures; `robot` says which there are.
 pub(super) const GESTURES: &[Gesture] = &[
@@ -86,6 +89,76 @@ pub(super) const GESTURES: &[Gesture] = &[
             Row("RShoulderPitch", &[(600, -1.2), (1_000, -0.8), (1_400, -1.2), (1_800, -0.8)]),
             Row("LHand", &[(600, 1.0), (1_800, 1.0)]),
             Row("RHand", &[(600, 1.0), (1_800, 1.0)]),
+        ],
+    },
+    Gesture {
+        name: "Dance",
+        path: "animations/Stand/Waiting/FunnyDancer_1",
+        words: "dancing",
+        rows: &[
+            Row("HeadYaw", &[(500, 0.4), (1_000, -0.4), (1_500, 0.4), (2_000, -0.4), (2_500, 0.4), (3_000, -0.4)]),
+            Row("LShoulderPitch", &[(500, 0.2), (1_000, 1.2), (1_500, 0.2), (2_000, 1.2), (2_500, 0.2), (3_000, 1.2)]),
+            Row("RShoulderPitch", &[(500, 1.2), (1_000, 0.2), (1_500, 1.2), (2_000, 0.2), (2_500, 1.2), (3_000, 0.2)]),
+            Row("LElbowRoll", &[(500, -1.2), (3_000, -1.2)]),
+            Row("RElbowRoll", &[(500, 1.2), (3_000, 1.2)]),
+        ],
+    },
+    Gesture {
+        name: "Clap",
+        path: "animations/Stand/Gestures/Applause_1",
+        words: "clapping",
+        rows: &[
+            Row("LShoulderPitch", &[(700, 0.6), (2_300, 0.6)]),
+            Row("RShoulderPitch", &[(700, 0.6), (2_300, 0.6)]),
+            Row("LElbowRoll", &[(700, -1.0), (2_300, -1.0)]),
+            Row("RElbowRoll", &[(700, 1.0), (2_300, 1.0)]),
+            Row(
+                "LShoulderRoll",
+                &[(700, 0.3), (1_000, -0.1), (1_300, 0.3), (1_600, -0.1), (1_900, 0.3), (2_300, -0.1)],
+            ),
+            Row(
+                "RShoulderRoll",
+                &[(700, -0.3), (1_000, 0.1), (1_300, -0.3), (1_600, 0.1), (1_900, -0.3), (2_300, 0.1)],
+            ),
+            Row("LHand", &[(700, 0.8), (2_300, 0.8)]),
+            Row("RHand", &[(700, 0.8), (2_300, 0.8)]),
+        ],
+    },
+    Gesture {
+        name: "Surprised",
+        path: "animations/Stand/Emotions/Negative/Surprise_1",
+        words: "acting surprised",
+        rows: &[
+            Row("HeadPitch", &[(400, -0.4), (1_600, -0.4)]),
+            Row("LShoulderPitch", &[(500, 0.5), (1_600, 0.5)]),
+            Row("RShoulderPitch", &[(500, 0.5), (1_600, 0.5)]),
+            Row("LElbowRoll", &[(500, -1.4), (1_600, -1.4)]),
+            Row("RElbowRoll", &[(500, 1.4), (1_600, 1.4)]),
+            Row("LHand", &[(400, 1.0), (1_600, 1.0)]),
+            Row("RHand", &[(400, 1.0), (1_600, 1.0)]),
+        ],
+    },
+    Gesture {
+        name: "HighFive",
+        path: "",
+        words: "giving a high five",
+        rows: &[
+            Row("RShoulderPitch", &[(800, -0.8), (3_000, -0.8)]),
+            Row("RShoulderRoll", &[(800, -0.1), (3_000, -0.1)]),
+            Row("RElbowRoll", &[(800, 0.4), (3_000, 0.4)]),
+            Row("RHand", &[(800, 1.0), (3_000, 1.0)]),
+        ],
+    },
+    Gesture {
+        name: "HeyLeft",
+        path: "",
+        words: "waving the left hand",
+        rows: &[
+            Row("LShoulderPitch", &[(700, -0.9), (2_200, -0.9)]),
+            Row("LShoulderRoll", &[(700, 0.3), (2_200, 0.3)]),
+            Row("LElbowYaw", &[(700, -1.2), (2_200, -1.2)]),
+            Row("LElbowRoll", WAVE_LEFT),
+            Row("LHand", &[(700, 0.9), (2_200, 0.9)]),
         ],
     },
 ];

@@ -95,9 +95,16 @@ pub(super) fn animation() {
     let other = own.map(|(name, value)| (name.to_owned(), Value::text(value.replace("Yes_1", "Fly_1"))));
     assert!(bench.nao.open(&user("other"), "Animation", &other.into()).is_err());
 
-    for (name, moved, words) in
-        [("Hey", "RShoulderPitch", "waving"), ("Yes", "HeadPitch", "nodding"), ("Happy", "LShoulderPitch", "cheering")]
-    {
+    for (name, moved, words) in [
+        ("Hey", "RShoulderPitch", "waving"),
+        ("Yes", "HeadPitch", "nodding"),
+        ("Happy", "LShoulderPitch", "cheering"),
+        ("Dance", "LShoulderPitch", "dancing"),
+        ("Clap", "RShoulderPitch", "clapping"),
+        ("Surprised", "HeadPitch", "acting surprised"),
+        ("HighFive", "RShoulderPitch", "giving a high five"),
+        ("HeyLeft", "LShoulderPitch", "waving the left hand"),
+    ] {
         let mut bench = Bench::new();
         bench.open("play", "Animation", &[("animation", name)]);
         bench.wait(500);

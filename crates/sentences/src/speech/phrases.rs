@@ -1,0 +1,102 @@
+//! Clauses that have no word of their own that leads them in: *everyone you know*, *press the button to make it wave*, a
+//! text without its verb.
+
+use super::atoms::{Atom, Value};
+use super::clause::cond;
+use super::meaning::Act;
+use super::segments::{Chart, Edge, Lead, Segment, prices};
+use std::rc::Rc;
+
+/// The longest list of what is meant by one condition, in atoms.
+const LIST_MAX: usize = 14;
+
+impl Chart<'_> {
+    /// Whether somebody stands here of whom a clause tells more: *anyone who comes in*, *everyone you know*.
+    pub(super) fn is_relative(&self, at: usize) -> bool {
+        let Some(atom) = self.atoms.get(at).filter(|atom| atom.is("who", "") && !atom.is("robot", "")) else {
+            return false;
+        };
+        let follows_prep = at > 0 && (self.atoms[at - 1].is("prep", "") || self.atoms[at - 1].is("do", ""));
+        let new = self.atoms[at].is("adj", "new");
+        let next = self.atoms.get(at + 1);
+        let tells = next.is_some_and(|next| {
+            next.is("adj", "known")
+                || next.is("adj", "new")
+                || next.is("wh", "")
+                || next.is("it", "that")
+                || next.is("robot", "") && self.atoms.get(at + 2).is_some_and(|verb| verb.is("v", "see"))
+        });
+        follows_prep && (tells || new || atom.is("lead", "whom"))
+    }
+
+    /// *Wave at everyone you know*: whom it is done to is what happens.
+    pub(super) fn relative(&mut self, at: usize, most: usize, all: &mut Vec<(bool, Edge)>) {
+        if !self.is_relative(at) {
+            return;
+        }
+        for end in at + 1..=most {
+            if self.is_spent() || self.atoms[end - 1].is_sign(',') {
+                return;
+            }
+            if !self.is_boundary(end) {
+                continue;
+            }
+            self.tried();
+            let joins = |(place, atom): (usize, &Atom)| {
+                let joins = place == 1 && (atom.is("wh", "") || atom.is("it", "that"));
+                (!joins).then(|| atom.clone())
+            };
+            let atoms: Vec<Atom> = self.atoms[at..end].iter().enumerate().filter_map(joins).collect();
+            all.extend(self.clear_cond(&atoms, end).map(|edge| (false, edge)));
+        }
+    }
+
+    /// *Press the button to make the robot wave*: what people are asked to do is what happens.
+    pub(super) fn asked_of_people(&mut self, at: usize, most: usize, all: &mut Vec<(bool, Edge)>) {
+        let is_first = self.atoms[..at].iter().all(|atom| atom.is("void", "") || atom.is("polite", ""));
+        let leads = |end: &usize| self.atoms[*end].is("result", "");
+        let Some(end) = (at + 1..most).find(leads).filter(|_| is_first && self.atoms[at].is("v", "")) else { return };
+        self.tried();
+        all.extend(self.clear_cond(&self.atoms[at..end], end).map(|edge| (false, edge)));
+    }
+
+    /// A condition that is understood to its last word.
+    pub(super) fn clear_cond(&self, atoms: &[Atom], end: usize) -> Option<Edge> {
+        let meant = cond(atoms).filter(|meant| meant.left.is_empty())?;
+        Some(self.met(Lead::When, meant, end, prices::CLAUSE + 4))
+    }
+
+    /// *… and then “two”*, 右手なら「みぎ」、: a text of which the verb is said elsewhere.
+    pub(super) fn text_alone(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
+        let Value::Quote(text) = &self.atoms[at].value else { return };
+        let joins = |atom: &Atom| {
+            matches!(atom.value, Value::Sign(',')) || ["and", "then", "lead"].iter().any(|kind| atom.is(kind, ""))
+        };
+        let before = at.checked_sub(1).and_then(|before| self.atoms.get(before));
+        let follows = before.is_some_and(|before| {
+            joins(before) || before.senses.iter().any(|sense| sense.form != super::lexicon::Form::default())
+        });
+        if text.is_empty() || !follows || self.atoms.get(at + 1).is_some_and(|next| !joins(next)) {
+            return;
+        }
+        let acts = Segment::Acts(Rc::new(vec![Act::Text(text.clone())]), self.atoms[at].span.clone());
+        all.push((false, self.plain(at + 1, acts, prices::CLAUSE + 8)));
+    }
+
+    /// Whether a comma stands in a list: *red, blue or green*.
+    pub(super) fn is_list(&self, comma: usize) -> bool {
+        let rest = self.atoms.get(comma + 1..).unwrap_or_default();
+        let or = rest.iter().take(LIST_MAX).position(|atom| atom.is("or", ""));
+        let breaks = |atom: &Atom| {
+            ["v", "do", "pose", "gap", "lead", "then", "but", "otherwise", "robot"].iter().any(|kind| atom.is(kind, ""))
+        };
+        or.is_some_and(|or| or > 0 && or + 1 < rest.len() && !rest[..=or + 1].iter().any(breaks))
+    }
+
+    /// 目を赤く、…: only the colour is said, and what follows says the rest.
+    pub(super) fn leaves_verb_out(&self, at: usize, end: usize) -> bool {
+        let goes_on = self.atoms.get(end).is_some_and(|next| next.is_sign(','));
+        let last = &self.atoms[end - 1];
+        goes_on && last.is("color", "") && self.atoms[at..end].iter().any(|atom| atom.is("part", "eyes"))
+    }
+}
