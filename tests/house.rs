@@ -11,7 +11,7 @@ use house::{Outcome, Trouble};
 use serde_json::Value;
 
 /// Our rooms and the ones each may use in its product code.
-const ARROWS: [(&str, &[&str]); 20] = [
+const ARROWS: [(&str, &[&str]); 21] = [
     ("behaviour", &[]),
     (
         "commands",
@@ -21,6 +21,7 @@ const ARROWS: [(&str, &[&str]); 20] = [
             "host_key",
             "load",
             "protocol",
+            "recording",
             "robot",
             "sentences",
             "server",
@@ -55,10 +56,11 @@ const ARROWS: [(&str, &[&str]); 20] = [
     ("nao", &["behaviour", "qi", "robot"]),
     ("protocol", &["behaviour", "robot"]),
     ("qi", &[]),
+    ("recording", &["behaviour", "engine", "protocol", "robot"]),
     ("robot", &["behaviour"]),
     ("rrp", &["commands", "server"]),
     ("sentences", &["behaviour", "robot"]),
-    ("server", &["behaviour", "engine", "host_key", "nao", "protocol", "robot", "simulation", "store"]),
+    ("server", &["behaviour", "engine", "host_key", "nao", "protocol", "recording", "robot", "simulation", "store"]),
     ("shell", &["behaviour", "host_key", "protocol", "robot"]),
     ("simulation", &["behaviour", "robot"]),
     ("store", &["behaviour"]),
@@ -66,12 +68,13 @@ const ARROWS: [(&str, &[&str]); 20] = [
 ];
 
 /// Rooms whose outside libraries are listed in full.
-const LIBRARIES: [(&str, &[&str]); 9] = [
+const LIBRARIES: [(&str, &[&str]); 10] = [
     ("behaviour", &["serde", "unicode-normalization", "unicode-xid", "uuid"]),
     ("compression", &["brotli", "flate2"]),
     ("engine", &["libm", "rhai", "serde"]),
     ("protocol", &["serde"]),
     ("qi", &["rustls", "sha2", "thiserror", "tokio", "tokio-rustls"]),
+    ("recording", &["serde", "serde_json"]),
     ("robot", &["serde"]),
     ("sentences", &["serde"]),
     ("simulation", &["libm", "rapier3d", "serde", "toml"]),
@@ -92,10 +95,10 @@ const LIBRARIES: [(&str, &[&str]); 9] = [
 ];
 
 /// Rooms without clock, threads, network or chance.
-const PURE: [&str; 6] = ["behaviour", "engine", "protocol", "robot", "sentences", "simulation"];
+const PURE: [&str; 7] = ["behaviour", "engine", "protocol", "recording", "robot", "sentences", "simulation"];
 const IMPURE: [&str; 6] = ["std::time::Instant", "Instant::now", "SystemTime", "std::thread", "std::net", "tokio"];
 /// Rooms whose work must happen in the same order in every run. There is one file that keeps the order of hashes to itself.
-const ORDERED: [&str; 4] = ["behaviour", "engine", "sentences", "simulation"];
+const ORDERED: [&str; 5] = ["behaviour", "engine", "recording", "sentences", "simulation"];
 const UNORDERED: [&str; 2] = ["HashMap", "HashSet"];
 const LOOKUP: &str = "crates/behaviour/src/lookup.rs";
 /// What would show it.

@@ -119,6 +119,7 @@ impl fmt::Display for Failure {
             Self::Id(reason) | Self::ServerSays(reason) | Self::Record(reason) | Self::Ended(reason) => {
                 to.write_str(reason)
             }
+            Self::Differs(different) => write!(to, "{different}"),
             Self::Traces { traces, behaviours } => {
                 write!(to, "{traces} traces for {behaviours} behaviours; give one for all, or one for each")
             }

@@ -1,6 +1,6 @@
 //! What a client may ask.
 
-use crate::{Lasts, ListQuery, PictureOf, RealRobot, Role};
+use crate::{Lasts, ListQuery, PictureOf, RealRobot, Role, Session};
 use behaviour::{Change, Helper, Id, Problem, RecordId, Seen, Token, Value};
 use robot::{Control, Identity, SceneEdit};
 use serde::{Deserialize, Serialize};
@@ -301,6 +301,20 @@ pub enum Request {
         /// Whether its readings, outputs and marks are recorded.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         record: bool,
+        /// What the recording is part of, and what it has.
+        #[serde(default, skip_serializing_if = "Session::is_plain")]
+        session: Session,
+    },
+    /// Records a running behaviour from now on. Answered by `Done`, also if it is recorded already.
+    Record {
+        /// Which.
+        behaviour: Id,
+        /// On which robot; none means wherever it runs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
+        /// What the recording is part of, and what it has.
+        #[serde(default, skip_serializing_if = "Session::is_plain")]
+        session: Session,
     },
     /// Ends the recording of a running behaviour, which runs on. Answered by `Done`.
     EndRecording {
@@ -319,6 +333,10 @@ pub enum Request {
         robot: Option<Id>,
         /// What happened, in at most [`crate::MARK_MAX_CHARS`]; may be empty.
         note: String,
+        /// How long before this was sent somebody pressed, by the clock of who sends it, in milliseconds. More than
+        /// [`crate::AGO_MAX_MS`] counts as that much, and what was before Start as Start.
+        #[serde(default, rename = "agoMs", skip_serializing_if = "is_zero")]
+        ago_ms: u64,
     },
     /// What runs now and what ended lately, which is also told unasked. Answered by `Runs`.
     Runs,
@@ -460,6 +478,11 @@ pub enum Request {
         /// Live values of the open behaviour.
         values: bool,
     },
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+fn is_zero(number: &u64) -> bool {
+    *number == 0
 }
 
 /// Proves that a client is the one that it was on an earlier link.

@@ -133,6 +133,20 @@ fn record_and_replay(engine: &str) {
         wanted.lines().count()
     );
 
+    // Alone it gives the same, through the program that it has.
+    let check = |file: &str| rrp(&["replay", "--check", file]).output().expect("rrp starts");
+    let checked = check(&trace);
+    let told = String::from_utf8_lossy(&checked.stdout).into_owned();
+    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
+    let same = format!("It gives its own actions again: {} from ", wanted.lines().count());
+    assert!(told.starts_with(&same) && told.contains("It ends there: it was stopped."), "{told}");
+    let forged = path("forged.jsonl");
+    let first = wanted.lines().next().expect("an action");
+    std::fs::write(&forged, text.replacen(&format!("{first}\n"), "", 1)).expect("written");
+    let checked = check(&forged);
+    let told = String::from_utf8_lossy(&checked.stderr).into_owned();
+    assert!(checked.status.code() == Some(1) && told.starts_with("The replay differs: "), "{told}");
+
     // An edited behaviour takes the same recording; what it does not have any more is said.
     let mut edited = file.clone();
     let gone = actions[0].clone();

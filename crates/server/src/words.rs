@@ -10,7 +10,10 @@ use crate::rooms::knowledge::Unchecked;
 use crate::serve::ServeError;
 use behaviour::BODY_MAX_CHARS;
 use engine::Fault;
-use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
+use protocol::{
+    ADDRESS_MAX_CHARS, CODE_MAX_CHARS, LOGIN_MAX_CHARS, MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX,
+    SESSION_MAX_CHARS,
+};
 use std::fmt;
 use store::files::FILE_MAX_BYTES;
 
@@ -127,8 +130,13 @@ impl fmt::Display for NotRecorded {
                 write!(to, "it cannot be recorded ({error}); free some space, or start it without recording")
             }
             Self::NotRemoved(error) => write!(to, "it cannot be removed ({error})"),
-            Self::Unrecorded => to.write_str("this run is not recorded; tick it before Start"),
+            Self::Unrecorded => to.write_str("this run is not recorded; switch Record on first"),
             Self::LongNote => write!(to, "a note has at most {MARK_MAX_CHARS} characters"),
+            Self::StrangeCode => write!(
+                to,
+                "a code has letters, digits, “-”, “_” and “.” alone, at most {CODE_MAX_CHARS} of them, and is no name"
+            ),
+            Self::LongSession => write!(to, "the name of a session has at most {SESSION_MAX_CHARS} characters"),
         }
     }
 }

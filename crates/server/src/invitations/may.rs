@@ -173,6 +173,7 @@ fn of_request(request: &Request) -> Role {
         | Request::Stimulate { .. }
         | Request::Scene { .. }
         | Request::Mark { .. }
+        | Request::Record { .. }
         | Request::EndRecording { .. }
         | Request::RemoveRecording { .. }
         | Request::Place { .. }

@@ -238,6 +238,10 @@ impl<'a> RobotThread<'a> {
 
     /// Remembers who kept a part from whom. That is no fault of a connector, and passes.
     fn hold_back(&mut self, user: &Use, held: HeldBy) {
+        let name = |run: u64| self.users.get(&run).map(|known| known.behaviour.1.clone());
+        if let (Some(known), Some(with)) = (self.users.get(&user.run), name(held.by.run)) {
+            known.mailbox.held_back(&user.stream, format!("the {} is held", held.part), with);
+        }
         self.blocked.insert((user.run, user.stream.clone(), held.part), (held.by.run, self.now()));
     }
 

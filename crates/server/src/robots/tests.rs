@@ -8,6 +8,7 @@ mod identities;
 mod multiplying;
 mod puppet;
 mod recording;
+mod replayed;
 mod running;
 mod several;
 mod simulated;
@@ -17,7 +18,7 @@ mod together;
 
 use super::{Host, Start};
 use behaviour::{BehaviourFile, FORMAT, FileConnector, FileStream, Id, StreamKind, Value};
-use protocol::{RunPhase, RunState};
+use protocol::{RunPhase, RunState, Session};
 use puppet::Puppet;
 use std::time::{Duration, Instant};
 
@@ -87,6 +88,7 @@ fn filtered(name: &str, body: &str) -> Start {
         revision: 1,
         file: file.into(),
         record: false,
+        session: Session::default(),
         by: "Aiko".to_owned(),
         invitation: None,
     }

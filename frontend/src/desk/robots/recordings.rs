@@ -19,7 +19,9 @@ impl Robots {
     pub(crate) fn mark(&self, note: &str) {
         if let Some(behaviour) = self.document.open.get_untracked() {
             let (tab, robot, note) = (self.tab.clone(), self.chosen_id(), note.to_owned());
-            self.tab.ask_or_say(Request::Mark { behaviour, robot, note }, move |_| tab.say(words::marked(), false));
+            self.tab.ask_or_say(Request::Mark { behaviour, robot, note, ago_ms: 0 }, move |_| {
+                tab.say(words::marked(), false)
+            });
         }
     }
 

@@ -76,9 +76,10 @@ impl Session {
                 self.tell_open(Note::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
             }
             Request::CallMe { name } => self.call_me(ask, &name),
-            Request::Start { behaviour, robot, record } => {
+            Request::Start { behaviour, robot, record, session } => {
                 let (state, who) = (Arc::clone(self.state()), self.starter());
-                self.later(ask, async move { start::start(&state, behaviour, robot, record, who).await });
+                let recorded = (record, session);
+                self.later(ask, async move { start::start(&state, behaviour, robot, recorded, who).await });
             }
             Request::Apply { behaviour, robot } => {
                 let (state, who) = (Arc::clone(self.state()), self.starter());
@@ -90,15 +91,21 @@ impl Session {
                 self.outbox.say(Some(ask), Reply::Done);
             }
             Request::Stimulate { behaviour, robot, stream, value } => {
-                let done = self.state().robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
+                let done = self.state().robots.stimulate(&behaviour, robot.as_ref(), (&stream, &value), &self.me.name);
                 self.done(ask, done);
             }
-            Request::Mark { behaviour, robot, note } => {
-                let done = self.state().robots.mark(&behaviour, robot.as_ref(), &self.me.name, &note);
+            Request::Mark { behaviour, robot, note, ago_ms } => {
+                let done = self.state().robots.mark(&behaviour, robot.as_ref(), &self.me.name, (&note, ago_ms));
                 self.done(ask, done);
+            }
+            Request::Record { behaviour, robot, session } => {
+                let (robots, by) = (self.state().robots.clone(), self.me.name.clone());
+                self.on_files(ask, move || {
+                    robots.record(&behaviour, robot.as_ref(), &by, &session).map(|()| Reply::Done)
+                });
             }
             Request::EndRecording { behaviour, robot } => {
-                let done = self.state().robots.end_recording(&behaviour, robot.as_ref());
+                let done = self.state().robots.end_recording(&behaviour, robot.as_ref(), &self.me.name);
                 self.done(ask, done);
             }
             Request::Runs => self.tell_runs(ask),

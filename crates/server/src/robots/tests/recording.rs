@@ -65,7 +65,7 @@ pub(super) fn outputs(lines: &[Value]) -> Vec<(u64, Value)> {
 }
 
 fn stimulate(robots: &Host, value: i64) {
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(value)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(value), "Ben").unwrap();
 }
 
 #[tokio::test]
@@ -79,12 +79,12 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
         stimulate(&robots, value);
         until("the value was taken", || value <= 3 || puppet.told(run.run).contains(&Value::Int(value))).await;
     }
-    robots.mark(&id("one"), "Ben", "she \"smiles\"").unwrap();
+    robots.mark(&id("one"), "Ben", "she \"smiles\"", 0).unwrap();
     let shown = robots.runs().borrow()[0].recording.clone().unwrap();
     assert_eq!((shown.lost, shown.trouble.as_deref()), (0, None));
     robots.stop(None, "Ben");
     let lines = lines(&recordings).await;
-    assert_eq!(text(&lines[0], "format"), Some("rrp-recording/1"));
+    assert_eq!(text(&lines[0], "format"), Some("rrp-recording/2"));
     assert_eq!(text(&lines[0], "robot"), Some("Puppet"));
     assert_eq!((text(&lines[0], "behaviour"), text(&lines[0], "mode")), (Some("one"), Some("event")));
     assert_eq!(text(lines.last().unwrap(), "why"), Some("it was stopped"));
@@ -107,7 +107,7 @@ async fn a_recording_goes_on_with_what_is_applied_and_ends_when_somebody_wants()
     let recordings = Recordings::within(Some(folder.path()));
     let puppet = Puppet::default();
     let robots = puppet.robots_with(Limits::default, recordings.clone());
-    assert_eq!(robots.end_recording(&id("one")), Err(Refused::NotRunning));
+    assert_eq!(robots.end_recording(&id("one"), "Ben"), Err(Refused::NotRunning));
     let run = robots.start(recorded(filtered("one", "ball > 3"))).await.unwrap();
     stimulate(&robots, 5);
     until("the first", || puppet.told(run.run) == [Value::Int(5)]).await;
@@ -116,7 +116,7 @@ async fn a_recording_goes_on_with_what_is_applied_and_ends_when_somebody_wants()
     robots.apply(edited).await.unwrap();
     stimulate(&robots, 2);
     until("the second", || puppet.told(run.run) == [5, 2].map(Value::Int)).await;
-    robots.end_recording(&id("one")).unwrap();
+    robots.end_recording(&id("one"), "Ben").unwrap();
     let lines = lines(&recordings).await;
     let applied = lines.iter().position(|line| mark(line) == Some("applied")).unwrap();
     assert_eq!(lines[applied].field("revision"), Some(&Value::Int(9)));
@@ -137,7 +137,7 @@ async fn before_the_first_reading_it_is_listed_and_can_be_marked() {
     assert_eq!(listed.len(), 1);
     assert_eq!(run.recording.map(|recorded| recorded.file).as_ref(), Some(&listed[0].file));
     assert!(!listed[0].cut_off, "it is being written");
-    assert_eq!(robots.mark(&id("one"), "Ben", "quiet"), Ok(()));
+    assert_eq!(robots.mark(&id("one"), "Ben", "quiet", 0), Ok(()));
     robots.stop(None, "Ben");
     let lines = lines(&recordings).await;
     assert!(lines.iter().any(|line| text(line, "note") == Some("quiet")));

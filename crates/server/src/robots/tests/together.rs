@@ -17,7 +17,7 @@ fn head(name: &str) -> Start {
 }
 
 fn send(robots: &Host, name: &str, value: i64) {
-    robots.stimulate(&id(name), &id("ball"), Value::Int(value)).unwrap();
+    robots.stimulate(&id(name), &id("ball"), Value::Int(value), "Ben").unwrap();
 }
 
 fn state(robots: &Host, run: &RunState) -> RunState {
