@@ -25,7 +25,7 @@ pub use library::{
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, RealRobot};
-pub use recording::{Recorded, Recording, Records, Session};
+pub use recording::{MarkSort, Recorded, Recording, RecordingMark, Records, Session};
 pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
 pub use request::{Area, Ask, Credential, Pointer, Request};
 
@@ -59,6 +59,10 @@ pub const PING_MS: u64 = 500;
 pub const ALIVE_MS: u64 = 5_000;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
+/// The longest word of a mark, in characters.
+pub const MARK_WORD_MAX_CHARS: usize = 40;
+/// The most marks of one recording.
+pub const RECORDING_MARKS_MAX: usize = 1_000;
 /// How long before it is sent somebody may have pressed to mark a moment, in milliseconds.
 pub const AGO_MAX_MS: u64 = 60_000;
 /// The longest code of who takes part in a session, in characters.

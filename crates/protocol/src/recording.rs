@@ -1,5 +1,6 @@
 //! What is recorded of runs.
 
+use behaviour::Id;
 use serde::{Deserialize, Serialize};
 
 /// A recording under way.
@@ -100,4 +101,49 @@ impl Records {
     fn is_all(&self) -> bool {
         *self == Self::All
     }
+}
+
+/// A mark of a recording: a moment, or a span.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordingMark {
+    /// Its id: chosen by who adds it, or `note-1`, `note-2`, … for those that were made while it ran.
+    pub id: Id,
+    /// When, in milliseconds since Start.
+    pub t: u64,
+    /// When it ended, if it is a span.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<u64>,
+    /// Its word, at most [`crate::MARK_WORD_MAX_CHARS`]; may be empty.
+    #[serde(default)]
+    pub word: String,
+    /// What it says of the moment.
+    #[serde(default)]
+    pub sort: MarkSort,
+    /// What happened, at most [`crate::MARK_MAX_CHARS`]; may be empty.
+    #[serde(default)]
+    pub note: String,
+    /// Who wrote it.
+    #[serde(default)]
+    pub by: String,
+    /// When it was written: `2026-11-21T18:34:06Z`; empty for one that was made while it ran.
+    #[serde(default)]
+    pub at: String,
+    /// Whether it was removed.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub gone: bool,
+}
+
+/// What a mark says of its moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum MarkSort {
+    /// Something happened.
+    #[default]
+    Note,
+    /// What the robot did was good.
+    Good,
+    /// What it did was not.
+    Bad,
+    /// It should have done something.
+    Now,
 }

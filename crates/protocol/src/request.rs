@@ -1,6 +1,6 @@
 //! What a client may ask.
 
-use crate::{Lasts, ListQuery, PictureOf, RealRobot, Role, Session};
+use crate::{Lasts, ListQuery, PictureOf, RealRobot, RecordingMark, Role, Session};
 use behaviour::{Change, Helper, Id, Problem, RecordId, Seen, Token, Value};
 use robot::{Control, Identity, SceneEdit};
 use serde::{Deserialize, Serialize};
@@ -356,6 +356,19 @@ pub enum Request {
     RemoveRecording {
         /// Its file.
         file: String,
+    },
+    /// The marks of a recording: those made while it ran, and later ones. Answered by `Marks`.
+    Marks {
+        /// Its file.
+        file: String,
+    },
+    /// Adds a mark to a recording, or changes or removes the one with its id: what was there before stays in the history, and a
+    /// mark that is gone comes back the same way. Answered by `Done`.
+    PutMark {
+        /// Its file.
+        file: String,
+        /// The mark as it shall be; who writes it and when is the server's to say.
+        mark: Box<RecordingMark>,
     },
     /// Lets a running behaviour go on with the revision that is saved: at an instant boundary the new graph takes the
     /// place of the old one, and what did not change keeps its memory. Answered by `Done`, or by `No` while the old one

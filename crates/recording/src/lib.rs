@@ -8,6 +8,7 @@
 mod check;
 mod header;
 mod lines;
+mod marks;
 mod memory;
 mod read;
 mod words;
@@ -15,4 +16,5 @@ mod words;
 pub use check::{Checked, Different, Ending, Told, check};
 pub use header::{FORMAT, Header, Lack};
 pub use lines::{End, Hand, Line, Names, Note, Refusal, RobotLine, json};
+pub use marks::{all_marks, marks, run_marks};
 pub use read::{Entry, NoRecording, Open, open, read_line};

@@ -172,3 +172,26 @@ fn a_live_recording_replayed_gives_the_same_outputs_in_event_mode() {
 fn a_live_recording_replayed_gives_the_same_outputs_in_frame_mode() {
     record_and_replay(r#"{"frame":{"frameMs":40}}"#);
 }
+
+#[test]
+fn a_server_that_is_killed_leaves_a_recording_that_says_where_it_ends() {
+    let room = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let template = format!("{}/../../tests/behaviours/track_nearest_arm_in_time.json", env!("CARGO_MANIFEST_DIR"));
+    fine(&["import", &template, "--data", &path("data")]);
+    let mut server = Server::start(&path("data"));
+    let said = server.console("show programs\n");
+    let name = said.split(" - ").next().unwrap_or(&said).trim().lines().next().expect("a program").to_owned();
+    server.console(&format!("record on\nstart {name}\n"));
+    let data = room.path().join("data");
+    let (trace, _) = recording(&data, |text| text.lines().count() > LINES);
+    server.child.kill().expect("it is killed");
+    server.child.wait().expect("it ends");
+    let checked = rrp(&["replay", "--check", &trace]).output().expect("rrp starts");
+    let told = String::from_utf8_lossy(&checked.stdout).into_owned();
+    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
+    assert!(told.contains("It is cut off there"), "{told}");
+    let server = Server::start(&path("data"));
+    let listed = server.console("recordings\n");
+    assert!(listed.contains("its end is missing"), "{listed}");
+}

@@ -2,8 +2,11 @@
 
 mod clock;
 mod described;
+mod marks;
 mod recorder;
 mod session;
+#[cfg(test)]
+mod tests;
 mod writer;
 
 use crate::support::file_name::dashed;
@@ -40,6 +43,8 @@ pub(crate) struct Recordings {
     naming: Arc<Mutex<()>>,
     /// The files that are being written.
     open: Arc<Mutex<BTreeSet<String>>>,
+    /// Taken while a mark is written.
+    marking: Arc<Mutex<()>>,
     bounds: Bounds,
 }
 
@@ -77,8 +82,16 @@ pub(crate) enum NotRecorded {
     NotRemoved(io::Error),
     /// What shall be marked is not recorded.
     Unrecorded,
-    /// The note of a mark is too long.
+    /// The word or the note of a mark is too long.
     LongNote,
+    /// A mark ends before it begins, or is too late.
+    NoSpan,
+    /// The recording has as many marks as it may have.
+    TooManyMarks,
+    /// A mark could not be written.
+    MarkUnwritten(io::Error),
+    /// The recording or its marks cannot be read.
+    Unread(io::Error),
     /// The code of who takes part has signs that it may not have, or too many.
     StrangeCode,
     /// The name of the session is too long.
@@ -177,8 +190,9 @@ impl Recordings {
 
     /// Removes the oldest recordings until there is room for one more; answers how many went.
     fn make_room(&self, folder: &Path, Bounds { kept, bytes }: Bounds) -> Result<u64, NotRecorded> {
+        let written = |path: &Path| path.metadata().and_then(|about| about.modified()).ok();
         let mut all: Vec<(PathBuf, u64)> = files(folder).collect();
-        all.sort();
+        all.sort_by_cached_key(|(path, _)| (written(path), path.clone()));
         let open = lock(&self.open).clone();
         let is_open =
             |path: &Path| path.file_name().and_then(|name| name.to_str()).is_some_and(|name| open.contains(name));

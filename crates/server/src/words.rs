@@ -11,8 +11,8 @@ use crate::serve::ServeError;
 use behaviour::BODY_MAX_CHARS;
 use engine::Fault;
 use protocol::{
-    ADDRESS_MAX_CHARS, CODE_MAX_CHARS, LOGIN_MAX_CHARS, MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX,
-    SESSION_MAX_CHARS,
+    ADDRESS_MAX_CHARS, CODE_MAX_CHARS, LOGIN_MAX_CHARS, MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, ROBOT_NAME_MAX_CHARS,
+    ROBOTS_MAX, SESSION_MAX_CHARS,
 };
 use std::fmt;
 use store::files::FILE_MAX_BYTES;
@@ -131,7 +131,13 @@ impl fmt::Display for NotRecorded {
             }
             Self::NotRemoved(error) => write!(to, "it cannot be removed ({error})"),
             Self::Unrecorded => to.write_str("this run is not recorded; switch Record on first"),
-            Self::LongNote => write!(to, "a note has at most {MARK_MAX_CHARS} characters"),
+            Self::LongNote => {
+                write!(to, "a note has at most {MARK_MAX_CHARS} characters, and a word {MARK_WORD_MAX_CHARS}")
+            }
+            Self::NoSpan => to.write_str("a mark ends after it begins, within the recording; look at its times"),
+            Self::TooManyMarks => to.write_str("it has as many marks as a recording may have"),
+            Self::MarkUnwritten(error) => write!(to, "the mark cannot be written ({error}); free some space"),
+            Self::Unread(error) => write!(to, "it cannot be read ({error})"),
             Self::StrangeCode => write!(
                 to,
                 "a code has letters, digits, “-”, “_” and “.” alone, at most {CODE_MAX_CHARS} of them, and is no name"

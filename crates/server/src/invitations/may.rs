@@ -165,6 +165,7 @@ fn of_request(request: &Request) -> Role {
         | Request::CallMe { .. }
         | Request::Runs
         | Request::Recordings
+        | Request::Marks { .. }
         | Request::Watch { .. }
         | Request::Stop { .. } => Role::Viewer,
         // The robots, their rooms and what is recorded.
@@ -176,6 +177,7 @@ fn of_request(request: &Request) -> Role {
         | Request::Record { .. }
         | Request::EndRecording { .. }
         | Request::RemoveRecording { .. }
+        | Request::PutMark { .. }
         | Request::Place { .. }
         | Request::AddRobot { real: None, .. }
         | Request::RenameRobot { .. }

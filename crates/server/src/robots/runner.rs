@@ -289,13 +289,14 @@ impl<'a> Runner<'a> {
     /// Takes what came, and closes the instants up to now; answers with why it ends by itself, if it does.
     pub(super) fn turn(&mut self, post: Post) -> Option<RunFailure> {
         let Post { readings, refused, undone, successor, marks, begin_recording, end_recording } = post;
+        // What comes with it may have come after it.
+        self.begin_recording(begin_recording);
         for reading in readings {
             self.feed(reading);
         }
         self.sink.tally.refused(refused);
         self.successor = self.successor.take().or(successor);
         self.close_instants();
-        self.begin_recording(begin_recording);
         self.undone(undone);
         self.mark(marks);
         self.look_around();

@@ -90,24 +90,14 @@ impl Session {
                 self.state().robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.me.name);
                 self.outbox.say(Some(ask), Reply::Done);
             }
-            Request::Stimulate { behaviour, robot, stream, value } => {
-                let done = self.state().robots.stimulate(&behaviour, robot.as_ref(), (&stream, &value), &self.me.name);
-                self.done(ask, done);
-            }
-            Request::Mark { behaviour, robot, note, ago_ms } => {
-                let done = self.state().robots.mark(&behaviour, robot.as_ref(), &self.me.name, (&note, ago_ms));
-                self.done(ask, done);
-            }
-            Request::Record { behaviour, robot, session } => {
-                let (robots, by) = (self.state().robots.clone(), self.me.name.clone());
-                self.on_files(ask, move || {
-                    robots.record(&behaviour, robot.as_ref(), &by, &session).map(|()| Reply::Done)
-                });
-            }
-            Request::EndRecording { behaviour, robot } => {
-                let done = self.state().robots.end_recording(&behaviour, robot.as_ref(), &self.me.name);
-                self.done(ask, done);
-            }
+            Request::Stimulate { .. }
+            | Request::Mark { .. }
+            | Request::Record { .. }
+            | Request::EndRecording { .. }
+            | Request::Recordings
+            | Request::RemoveRecording { .. }
+            | Request::Marks { .. }
+            | Request::PutMark { .. } => self.operate(ask, request),
             Request::Runs => self.tell_runs(ask),
             Request::Place { .. }
             | Request::AddRobot { .. }
@@ -118,7 +108,6 @@ impl Session {
             Request::CheckRobot { real, robot } => self.check_robot(ask, *real, robot),
             Request::FindRobots => self.later(ask, real::find()),
             Request::ControlRobot { robot, control } => self.control(ask, &robot, control),
-            Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
             Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
             Request::Watch { robot, scene, values } => {
                 self.outbox.put(Out::Watch { robot, scene, values });
@@ -143,7 +132,7 @@ impl Session {
     }
 
     /// Answers what was done at once, or not.
-    fn done(&self, ask: u32, done: Result<(), Refused>) {
+    pub(super) fn done(&self, ask: u32, done: Result<(), Refused>) {
         self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
     }
 
@@ -232,16 +221,6 @@ impl Session {
             _ => Ok(()),
         };
         self.on_files(ask, move || work().map(|()| Reply::Done));
-    }
-
-    /// The folder of the recordings, which may take its time.
-    fn recordings(&self, ask: u32, request: Request) {
-        let recordings = self.state().recordings.clone();
-        let work = move || match request {
-            Request::RemoveRecording { file } => recordings.remove(&file).map(|()| Reply::Done),
-            _ => Ok(Reply::Recordings { recordings: recordings.list() }),
-        };
-        self.on_files(ask, work);
     }
 
     /// Tries a procedure, among the other work.

@@ -25,7 +25,7 @@ use std::time::{Duration, Instant};
 /// Courses that are tried.
 const COURSES: u64 = 100;
 /// Turns of a course.
-const TURNS: u64 = 120;
+const TURNS: u64 = 80;
 
 thread_local! {
     static NOW: Cell<Option<Instant>> = const { Cell::new(None) };

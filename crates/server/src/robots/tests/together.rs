@@ -9,7 +9,7 @@ use protocol::{HeldPart, Refused, RunState};
 use std::sync::Arc;
 
 /// A behaviour that moves the head, and holds it for longer than any test takes.
-fn head(name: &str) -> Start {
+pub(super) fn head(name: &str) -> Start {
     let start = filtered(name, "true");
     let mut file = (*start.file).clone();
     (file.streams[2].resources, file.streams[2].hold_ms) = (Some(vec!["head".to_owned()]), Some(600_000));
