@@ -59,6 +59,10 @@ pub const PING_MS: u64 = 500;
 pub const ALIVE_MS: u64 = 5_000;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
+/// The most that an action is told by hand, with its parameters, as JSON, in bytes.
+pub const HAND_MAX_BYTES: usize = 4_096;
+/// Who keeps a part of the robot, in the place of a behaviour's id, where somebody moves it by hand.
+pub const BY_HAND: &str = "hand";
 /// The longest word of a mark, in characters.
 pub const MARK_WORD_MAX_CHARS: usize = 40;
 /// The most marks of one recording.

@@ -1,7 +1,7 @@
 //! What a client may ask.
 
 use crate::{Lasts, ListQuery, PictureOf, RealRobot, RecordingMark, Role, Session};
-use behaviour::{Change, Helper, Id, Problem, RecordId, Seen, Token, Value};
+use behaviour::{Change, Helper, Id, Params, Problem, RecordId, Seen, Token, Value};
 use robot::{Control, Identity, SceneEdit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -323,6 +323,20 @@ pub enum Request {
         /// On which robot; none means wherever it runs.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
+    },
+    /// Has a robot do something by hand, above all programs that run on it. Answered by `Done` once the robot was told, or by
+    /// `No` with why not.
+    Hand {
+        /// Which robot; none means the first one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
+        /// The name of an action of the catalogue.
+        device: String,
+        /// Its parameters.
+        #[serde(default, skip_serializing_if = "Params::is_empty")]
+        params: Params,
+        /// What it is told. With the parameters at most [`crate::HAND_MAX_BYTES`].
+        value: Value,
     },
     /// Marks this moment in the recording of a running behaviour. Answered by `Done`.
     Mark {

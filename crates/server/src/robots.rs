@@ -30,6 +30,7 @@ mod tally;
 mod tests;
 
 pub use backup::{check_robots, put_robots, robots_in};
+pub(crate) use command_queue::ByHand;
 pub(crate) use host::{Host, Start};
 pub(crate) use live::{LiveValues, Seen};
 pub use refusal::BackupMisfit;

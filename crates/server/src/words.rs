@@ -11,8 +11,8 @@ use crate::serve::ServeError;
 use behaviour::BODY_MAX_CHARS;
 use engine::Fault;
 use protocol::{
-    ADDRESS_MAX_CHARS, CODE_MAX_CHARS, LOGIN_MAX_CHARS, MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, ROBOT_NAME_MAX_CHARS,
-    ROBOTS_MAX, SESSION_MAX_CHARS,
+    ADDRESS_MAX_CHARS, CODE_MAX_CHARS, HAND_MAX_BYTES, LOGIN_MAX_CHARS, MARK_MAX_CHARS, MARK_WORD_MAX_CHARS,
+    ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, SESSION_MAX_CHARS,
 };
 use std::fmt;
 use store::files::FILE_MAX_BYTES;
@@ -177,6 +177,7 @@ impl fmt::Display for NoRun {
             Self::StoppedMeanwhile => to.write_str("it was stopped meanwhile"),
             Self::Ended => to.write_str("it does not run any more"),
             Self::AppliedJustNow => to.write_str("somebody applies a change just now; try again in a moment"),
+            Self::LargeHand => write!(to, "what it is told has more than {HAND_MAX_BYTES} bytes; say less"),
             Self::StillApplying => to.write_str("it takes very long; look in a moment which revision runs"),
             Self::Inside => inside(to),
         }

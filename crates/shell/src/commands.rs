@@ -14,6 +14,7 @@ mod disconnect;
 mod drivers_of;
 mod exit;
 mod find_robots;
+mod hand;
 mod load_program;
 mod load_stream;
 mod mark;
@@ -82,6 +83,7 @@ pub(crate) const ALL: &[&Command] = &[
     &control::STAND,
     &control::SIT,
     &control::FORGET_FACES,
+    &hand::COMMAND,
     &record::COMMAND,
     &mark::COMMAND,
     &recordings::COMMAND,

@@ -172,6 +172,7 @@ fn of_request(request: &Request) -> Role {
         Request::Start { .. }
         | Request::Apply { .. }
         | Request::Stimulate { .. }
+        | Request::Hand { .. }
         | Request::Scene { .. }
         | Request::Mark { .. }
         | Request::Record { .. }

@@ -2,7 +2,7 @@
 //! none of them.
 
 use super::cancel_flag::CancelFlag;
-use super::command_queue::Controlling;
+use super::command_queue::{ByHand, Controlling, Handing};
 use super::live::LiveValues;
 use super::mailbox::Beginning;
 use super::order::Order;
@@ -20,7 +20,7 @@ use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
-use protocol::{AGO_MAX_MS, Refused, RobotState, RunState, STOP_BUTTON, Session};
+use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, Refused, RobotState, RunState, STOP_BUTTON, Session};
 use robot::{Control, RobotFault, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -342,6 +342,32 @@ impl Host {
             Ok(Ok(done)) => done.map_err(|fault| Refused::RobotCannot(fault.to_string())),
             Ok(Err(_)) => Err(Refused::TooFast),
             Err(_) => Err(Refused::RobotCannot(NoRun::Silent.to_string())),
+        }
+    }
+
+    /// Has the robot do something by hand, above what runs on it. A Stop that comes before it makes it void.
+    ///
+    /// # Errors
+    /// Why it was not done.
+    pub(crate) async fn hand(&self, hand: ByHand) -> Result<(), Refused> {
+        let cannot = |why: String| Refused::RobotCannot(why);
+        let shared = self.shared();
+        if let Some(other) = shared.feed.same_as(&shared.robot) {
+            return Err(cannot(NoRun::Twin(other).to_string()));
+        }
+        if recording::json(&hand.value).len() + recording::json(&hand.params).len() > HAND_MAX_BYTES {
+            return Err(cannot(NoRun::LargeHand.to_string()));
+        }
+        let cancel = shared.cancel_flags.add(&shared.robot);
+        let (answer, answered) = oneshot::channel();
+        shared.queue.hand(Handing { hand, cancel: cancel.clone(), answer });
+        let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;
+        // What was answered, or is not waited for, is not stopped any more by its flag.
+        cancel.cancel();
+        match answered {
+            Ok(Ok(done)) => done.map_err(cannot),
+            Ok(Err(_)) => Err(Refused::TooFast),
+            Err(_) => Err(cannot(NoRun::Silent.to_string())),
         }
     }
 

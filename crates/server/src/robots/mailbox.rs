@@ -1,5 +1,6 @@
 //! The mailbox of a run: readings wait here until the run's thread takes them; bounded, and never slowing the robot.
 
+use super::command_queue::ByHand;
 use super::fair::Fair;
 use super::successor::Successor;
 use crate::recordings::Recorder;
@@ -18,6 +19,8 @@ const QUEUE_MAX_READINGS: usize = 256;
 const MARKS_MAX: usize = 32;
 /// Different things that the robot did not do and that may wait to be recorded.
 const UNDONE_MAX: usize = 256;
+/// Things done by hand that may wait to be recorded; more than come while a run looks at its clock.
+const HANDS_MAX: usize = 256;
 
 /// Which readings of a stream are kept while the run is busy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -82,10 +85,30 @@ pub(super) struct Post {
     pub(super) marks: Vec<Mark>,
     /// What the robot did not do: when first, and how often by now.
     pub(super) undone: BTreeMap<Undone, (Instant, u64)>,
+    /// What people did by hand.
+    pub(super) hands: Vec<DoneByHand>,
     /// Where it is recorded from now on.
     pub(super) begin_recording: Option<Beginning>,
     /// Who wants the recording to end.
     pub(super) end_recording: Option<String>,
+}
+
+/// What somebody had the robot do by hand beside the run.
+#[derive(Debug)]
+pub(super) struct DoneByHand {
+    /// When.
+    pub(super) at: Instant,
+    /// What, and who.
+    pub(super) hand: ByHand,
+    /// Why the robot did not do it, if so.
+    pub(super) why: Option<String>,
+}
+
+impl DoneByHand {
+    /// Now.
+    pub(super) fn of(hand: ByHand, why: Option<String>) -> Self {
+        Self { at: Instant::now(), hand, why }
+    }
 }
 
 /// A recording that begins in the middle of a run.
@@ -120,6 +143,7 @@ struct Inbox {
     readings: Fair<(StreamIx, Keep), (Instant, Value, Option<Arc<str>>)>,
     refused: BTreeMap<Id, (u64, String)>,
     undone: BTreeMap<Undone, (Instant, u64)>,
+    hands: Vec<DoneByHand>,
     successor: Option<Successor>,
     marks: Vec<Mark>,
     begin_recording: Option<Beginning>,
@@ -159,6 +183,19 @@ impl Mailbox {
     /// Notes that somebody else keeps what a command of an actuator stream would move. That is no fault, and wakes nobody.
     pub(super) fn held_back(&self, stream: &Id, why: String, with: String) {
         lock(&self.inbox).undone(Undone { stream: stream.clone(), why, with: Some(with) });
+    }
+
+    /// Notes that the robot did not do something that no program wanted.
+    pub(super) fn undone(&self, undone: Undone) {
+        lock(&self.inbox).undone(undone);
+    }
+
+    /// Notes what somebody had the robot do by hand.
+    pub(super) fn done_by_hand(&self, done: DoneByHand) {
+        let mut inbox = lock(&self.inbox);
+        if inbox.hands.len() < HANDS_MAX {
+            inbox.hands.push(done);
+        }
     }
 
     /// Announces the run that follows. Readings that were put in before are still for the one that ends.
@@ -221,6 +258,7 @@ impl Mailbox {
             readings,
             refused: std::mem::take(&mut inbox.refused),
             undone: std::mem::take(&mut inbox.undone),
+            hands: std::mem::take(&mut inbox.hands),
             successor: inbox.successor.take(),
             marks: std::mem::take(&mut inbox.marks),
             begin_recording: inbox.begin_recording.take(),

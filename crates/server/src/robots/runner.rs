@@ -1,11 +1,11 @@
 //! The thread of one run: builds the behaviour, opens its devices, and moves it through logical time until it ends.
 
 use super::cancel_flag::CancelFlag;
-use super::command_queue::{Opening, Wanted};
+use super::command_queue::{ByHand, Opening, Wanted};
 use super::emission_sink::EmissionSink;
 use super::host::Start;
 use super::live::LiveValues;
-use super::mailbox::{Arrived, Beginning, Keep, Mailbox, Mark, Post, Undone};
+use super::mailbox::{Arrived, Beginning, DoneByHand, Keep, Mailbox, Mark, Post, Undone};
 use super::refusal::{NoRun, RunFailure};
 use super::run_table::{Applying, Entry, PausedMemory, Senses};
 use super::shared::RobotShared;
@@ -17,7 +17,7 @@ use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Matching, Run};
 use protocol::{RunPhase, RunState};
-use recording::{Note, Refusal};
+use recording::{Hand, Note, Refusal};
 use robot::Millis;
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -288,7 +288,7 @@ impl<'a> Runner<'a> {
 
     /// Takes what came, and closes the instants up to now; answers with why it ends by itself, if it does.
     pub(super) fn turn(&mut self, post: Post) -> Option<RunFailure> {
-        let Post { readings, refused, undone, successor, marks, begin_recording, end_recording } = post;
+        let Post { readings, refused, undone, hands, successor, marks, begin_recording, end_recording } = post;
         // What comes with it may have come after it.
         self.begin_recording(begin_recording);
         for reading in readings {
@@ -298,6 +298,7 @@ impl<'a> Runner<'a> {
         self.successor = self.successor.take().or(successor);
         self.close_instants();
         self.undone(undone);
+        self.hands(hands);
         self.mark(marks);
         self.look_around();
         self.sink.record(end_recording);
@@ -310,6 +311,7 @@ impl<'a> Runner<'a> {
         let last = self.mailbox.take(Some(Instant::now()));
         self.begin_recording(last.begin_recording);
         self.undone(last.undone);
+        self.hands(last.hands);
         self.mark(last.marks);
         self.sink.tally.tell(&self.run, self.now_ms(), true);
         let (run, dropped) = (self.sink.job.run, self.mailbox.dropped());
@@ -410,6 +412,16 @@ impl<'a> Runner<'a> {
             let (at_ms, count) = (self.ms_at(at), Some(count).filter(|count| *count > 1));
             if let Some(recorder) = &mut self.sink.recorder {
                 recorder.refused(Refusal { at_ms, refused: stream, why, with, count });
+            }
+        }
+    }
+
+    /// What people had the robot do beside it.
+    fn hands(&mut self, hands: Vec<DoneByHand>) {
+        for DoneByHand { at, hand: ByHand { device, params, value, by }, why } in hands {
+            let at_ms = self.ms_at(at);
+            if let Some(recorder) = &mut self.sink.recorder {
+                recorder.hand(Hand { at_ms, hand: device, params, value, by, why });
             }
         }
     }

@@ -2,6 +2,7 @@
 
 mod applying;
 mod between;
+mod by_hand;
 mod ending;
 mod halting;
 mod identities;

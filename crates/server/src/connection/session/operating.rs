@@ -1,6 +1,7 @@
 //! What a client may ask beside a robot: to pretend, to mark, to record, and about what was recorded.
 
 use super::Session;
+use crate::robots::ByHand;
 use protocol::{Reply, Request};
 
 impl Session {
@@ -15,6 +16,10 @@ impl Session {
                 robots.mark(&behaviour, robot.as_ref(), by, (&note, ago_ms))
             }
             Request::EndRecording { behaviour, robot } => robots.end_recording(&behaviour, robot.as_ref(), by),
+            Request::Hand { robot, device, params, value } => {
+                let (host, hand) = (robots.meant(robot.as_ref()), ByHand { device, params, value, by: by.clone() });
+                return self.later(ask, async move { host?.hand(hand).await.map(|()| Reply::Done) });
+            }
             other => return self.on_recordings(ask, other),
         };
         self.done(ask, done);

@@ -91,6 +91,7 @@ impl Session {
                 self.outbox.say(Some(ask), Reply::Done);
             }
             Request::Stimulate { .. }
+            | Request::Hand { .. }
             | Request::Mark { .. }
             | Request::Record { .. }
             | Request::EndRecording { .. }
