@@ -10,11 +10,17 @@ mod header;
 mod lines;
 mod marks;
 mod memory;
+mod private;
 mod read;
+mod spans;
+mod timeline;
 mod words;
 
 pub use check::{Checked, Different, Ending, Told, check};
 pub use header::{FORMAT, Header, Lack};
 pub use lines::{End, Hand, Line, Names, Note, Refusal, RobotLine, json};
 pub use marks::{all_marks, marks, run_marks};
+pub use private::Keep;
 pub use read::{Entry, NoRecording, Open, open, read_line};
+pub use spans::{Span, Track, tracks};
+pub use timeline::{Event, Timeline, What, timeline};

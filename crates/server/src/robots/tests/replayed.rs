@@ -4,8 +4,9 @@
 use super::{PATIENCE_S, filtered, id};
 use crate::library::templates::templates;
 use crate::recordings::{About, Recordings};
+use crate::robots::ByHand;
 use crate::robots::Start;
-use crate::robots::mailbox::{Arrived, Beginning, Mailbox, Mark, Post, Undone};
+use crate::robots::mailbox::{Arrived, Beginning, DoneByHand, Mailbox, Mark, Post, Undone};
 use crate::robots::order::Order;
 use crate::robots::refusal::RunFailure;
 use crate::robots::runner::{self, Job, Runner};
@@ -148,6 +149,11 @@ impl Course {
         if self.dice.one_in(20) {
             let at = now() - Duration::from_millis(self.dice.below(500));
             post.marks.push(Mark { at, by: "Ben".to_owned(), note: "he laughs".to_owned() });
+        }
+        if self.dice.one_in(15) {
+            let (device, params, by) = ("Print".to_owned(), behaviour::Params::default(), "Ben".to_owned());
+            let hand = ByHand { device, params, value: Value::Int(1), by };
+            post.hands.push(DoneByHand::of(hand, None));
         }
         if self.dice.one_in(10) {
             let undone = Undone { stream: id("s"), why: "the head is held".to_owned(), with: Some("Greet".to_owned()) };
@@ -305,7 +311,7 @@ fn without(text: &str, mark: &str) -> String {
 
 #[test]
 fn every_recording_alone_gives_its_own_actions_again() {
-    let (mut actions, mut kinds, mut needed) = (0, [0; 6], [0; 2]);
+    let (mut actions, mut kinds, mut needed) = (0, [0; 7], [0; 2]);
     for seed in 0..COURSES {
         let folder = tempfile::tempdir().unwrap();
         let recordings = Recordings::within(Some(folder.path()));
@@ -315,7 +321,8 @@ fn every_recording_alone_gives_its_own_actions_again() {
             let is = checked(seed, &text);
             assert!(matches!(is.ends, Ending::Whole(_)), "{:?}", is.ends);
             actions += is.actions;
-            let words = ["\"applied\"", "\"memory\"", "\"by\":\"Ben\"}", "\"refused\"", "\"error\"", "it fell"];
+            let words =
+                ["\"applied\"", "\"memory\"", "\"by\":\"Ben\"}", "\"refused\"", "\"error\"", "it fell", "\"hand\""];
             kinds.iter_mut().zip(words).for_each(|(count, word)| *count += usize::from(text.contains(word)));
             needed.iter_mut().zip(["memory", "applied"]).for_each(|(count, mark)| {
                 *count += usize::from(recording::check(&without(&text, mark)) != Ok(is.clone()));
