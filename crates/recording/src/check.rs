@@ -72,9 +72,9 @@ pub enum Different {
     /// The first action that differs.
     Action {
         /// What was recorded, if anything was.
-        recorded: Option<Told>,
+        recorded: Option<Box<Told>>,
         /// What the replay gives, if it gives anything.
-        replayed: Option<Told>,
+        replayed: Option<Box<Told>>,
         /// Values that the clock dropped while it was recorded.
         late: u64,
     },
@@ -105,8 +105,8 @@ struct Replay {
     playing: Option<Playing>,
     /// Whether an edited behaviour follows with the next file.
     applied_ms: Option<u64>,
-    recorded: VecDeque<Told>,
-    replayed: VecDeque<Told>,
+    recorded: VecDeque<Box<Told>>,
+    replayed: VecDeque<Box<Told>>,
     actions: u64,
     readings: u64,
     last_ms: u64,
@@ -255,7 +255,7 @@ impl Replay {
     }
 }
 
-fn told(file: &BehaviourFile, emission: &Emission, to: &mut VecDeque<Told>) {
+fn told(file: &BehaviourFile, emission: &Emission, to: &mut VecDeque<Box<Told>>) {
     if let &Emission::Value { at, stream, value } = emission
         && file.streams[stream.index()].kind == StreamKind::Actuator
     {
@@ -263,7 +263,7 @@ fn told(file: &BehaviourFile, emission: &Emission, to: &mut VecDeque<Told>) {
     }
 }
 
-fn of(file: &BehaviourFile, at_ms: u64, stream: usize, value: &Value) -> Told {
+fn of(file: &BehaviourFile, at_ms: u64, stream: usize, value: &Value) -> Box<Told> {
     let stream = &file.streams[stream];
-    Told { at_ms, stream: stream.id.clone(), name: stream.name.clone(), value: json(value) }
+    Box::new(Told { at_ms, stream: stream.id.clone(), name: stream.name.clone(), value: json(value) })
 }

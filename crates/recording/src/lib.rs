@@ -19,7 +19,7 @@ mod words;
 pub use check::{Checked, Different, Ending, Told, check};
 pub use header::{FORMAT, Header, Lack};
 pub use lines::{End, Hand, Line, Names, Note, Refusal, RobotLine, json};
-pub use marks::{all_marks, marks, run_marks};
+pub use marks::{all_marks, mark, marks, run_marks, run_note};
 pub use private::Keep;
 pub use read::{Entry, NoRecording, Open, open, read_line};
 pub use spans::{Span, Track, tracks};

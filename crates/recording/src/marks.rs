@@ -1,22 +1,26 @@
 //! The marks of a recording: those of the run itself, and those of the file beside it that only grows.
 
 use crate::lines::Note;
-use crate::read::{Entry, Open};
+use crate::read::{Entry, read_line};
 use behaviour::Id;
 use protocol::{MarkSort, RecordingMark};
 use std::collections::BTreeMap;
 
-/// The marks that were made while it ran, called `note-1`, `note-2` and so on.
-pub fn run_marks(lines: Open<'_>) -> impl Iterator<Item = RecordingMark> {
-    // Most lines are none, and are not read.
-    let notes = lines
-        .lines()
-        .filter(|(_, line)| line.contains("\"note\""))
-        .filter_map(|(_, line)| if let Entry::Note(note) = crate::read_line(line) { Some(note) } else { None });
-    notes.enumerate().filter_map(|(at, note)| mark(at + 1, note))
+/// The marks that were made while it ran, called `note-1`, `note-2` and so on, among its lines.
+pub fn run_marks<'t>(lines: impl Iterator<Item = &'t str>) -> impl Iterator<Item = RecordingMark> {
+    lines.filter_map(run_note).enumerate().filter_map(|(at, note)| mark(at + 1, note))
 }
 
-fn mark(number: usize, Note { at_ms, by, note }: Note) -> Option<RecordingMark> {
+/// The mark that a line of a run is, if it is one. Most are none, and are not read.
+#[must_use]
+pub fn run_note(line: &str) -> Option<Note> {
+    let may_be = line.contains("\"mark\":\"note\"");
+    if let Entry::Note(note) = may_be.then(|| read_line(line))? { Some(note) } else { None }
+}
+
+/// The mark that a note of a run is, by its number from 1.
+#[must_use]
+pub fn mark(number: usize, Note { at_ms, by, note }: Note) -> Option<RecordingMark> {
     let id = Id::new(&format!("note-{number}")).ok()?;
     let (until, word, sort, at, gone) = (None, String::new(), MarkSort::Note, String::new(), false);
     Some(RecordingMark { id, t: at_ms, until, word, sort, note, by, at, gone })

@@ -91,7 +91,7 @@ impl What {
 /// If the text is no recording.
 pub fn timeline(text: &str, later_marks: &str, keep: Keep) -> Result<Timeline, NoRecording> {
     let (header, lines) = open(text)?;
-    let all_marks = marks(run_marks(lines), later_marks);
+    let all_marks = marks(run_marks(lines.lines().map(|(_, line)| line)), later_marks);
     let people = std::iter::once(header.by.clone()).chain(all_marks.iter().map(|mark| mark.by.clone()));
     let private = Private::of(keep, people, lines.entries());
     let mut teller = Teller { private, names: BTreeMap::new(), events: Vec::new(), last_ms: 0, is_whole: false };

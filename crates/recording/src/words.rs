@@ -39,7 +39,7 @@ impl fmt::Display for Different {
                 Time(*after_ms)
             ),
             Self::Action { recorded, replayed, late } => {
-                differs(recorded.as_ref(), replayed.as_ref(), to)?;
+                differs(recorded.as_deref(), replayed.as_deref(), to)?;
                 match late {
                     0 => Ok(()),
                     late => write!(

@@ -6,7 +6,7 @@ use behaviour::Id;
 use protocol::{MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, RECORDING_MARKS_MAX, RecordingMark, Refused};
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The largest that file may grow, in bytes.
@@ -46,12 +46,21 @@ impl Recordings {
     }
 
     fn all_marks(&self, path: &Path) -> Result<BTreeMap<Id, RecordingMark>, Refused> {
-        let text = std::fs::read(path).map_err(NotRecorded::Unread)?;
-        let text = String::from_utf8_lossy(&text);
-        let Ok((_, lines)) = recording::open(&text) else { return Err(Refused::NoRecording) };
+        let of_run = of_run(path).map_err(NotRecorded::Unread)?;
         let later = later(&marks_of(path)).map_err(NotRecorded::Unread)?;
-        Ok(recording::all_marks(recording::run_marks(lines), &later))
+        Ok(recording::all_marks(of_run, &later))
     }
+}
+
+/// The marks that were made while it ran, as many as a recording may have. However large it is, a line at a time is read.
+fn of_run(path: &Path) -> io::Result<Vec<RecordingMark>> {
+    let mut lines = BufReader::new(File::open(path)?);
+    let (mut line, mut notes) = (Vec::new(), Vec::new());
+    while notes.len() < RECORDING_MARKS_MAX && lines.read_until(b'\n', &mut line)? > 0 {
+        notes.extend(std::str::from_utf8(&line).ok().and_then(recording::run_note));
+        line.clear();
+    }
+    Ok((1..).zip(notes).filter_map(|(number, note)| recording::mark(number, note)).collect())
 }
 
 /// The text of the later marks; nothing if there are none yet.

@@ -140,7 +140,7 @@ pub(super) struct Mailbox {
 
 #[derive(Debug, Default)]
 struct Inbox {
-    readings: Fair<(StreamIx, Keep), (Instant, Value, Option<Arc<str>>)>,
+    readings: Fair<(StreamIx, Keep), Arrived>,
     refused: BTreeMap<Id, (u64, String)>,
     undone: BTreeMap<Undone, (Instant, u64)>,
     hands: Vec<DoneByHand>,
@@ -164,7 +164,8 @@ impl Mailbox {
 
     fn put_of(&self, stream: StreamIx, keep: Keep, value: Value, by: Option<Arc<str>>) {
         let mut inbox = lock(&self.inbox);
-        inbox.readings.push((stream, keep), keep.readings_max(), (Instant::now(), value, by));
+        let arrived = Arrived { stream, at: Instant::now(), value, by };
+        inbox.readings.push((stream, keep), keep.readings_max(), arrived);
         // Who is woken must not find the mailbox locked.
         drop(inbox);
         self.bell.notify_one();
@@ -252,8 +253,7 @@ impl Mailbox {
             };
         }
         inbox.rung = false;
-        let arrived = |((stream, _), (at, value, by))| Arrived { stream, at, value, by };
-        let readings = inbox.readings.take().map(arrived).collect();
+        let readings = inbox.readings.take().map(|(_, arrived)| arrived).collect();
         Post {
             readings,
             refused: std::mem::take(&mut inbox.refused),

@@ -253,8 +253,10 @@ impl<'a> RobotThread<'a> {
     /// Remembers who kept a part from whom. That is no fault of a connector, and passes.
     fn hold_back(&mut self, user: &Use, held: HeldBy) {
         if let (Some(known), Some((_, with))) = (self.users.get(&user.run), self.holder(held.by.run)) {
-            let how = if held.by.run == HAND { "held by hand" } else { "held" };
-            known.mailbox.held_back(&user.stream, format!("the {} is {how}", held.part), with);
+            let part = &held.part;
+            let by_hand = held.by.run == HAND;
+            let why = if by_hand { format!("the {part} is held by hand") } else { format!("the {part} is held") };
+            known.mailbox.held_back(&user.stream, why, with);
         }
         self.blocked.insert((user.run, user.stream.clone(), held.part), (held.by.run, self.now()));
     }

@@ -35,9 +35,8 @@ impl RobotThread<'_> {
         let done = if cancel.is_cancelled() { Err("Stop was pressed".to_owned()) } else { self.try_by_hand(&hand) };
         // From now on a Stop ends what the robot does.
         cancel.cancel();
-        for user in self.users.values() {
-            user.mailbox.done_by_hand(DoneByHand::of(hand.clone(), done.as_ref().err().cloned()));
-        }
+        let told = |why: Option<String>| DoneByHand::of(hand.clone(), why);
+        self.users.values().for_each(|user| user.mailbox.done_by_hand(told(done.as_ref().err().cloned())));
         // Who gave up waiting does not hear it.
         drop(answer.send(done));
     }
@@ -70,10 +69,8 @@ impl RobotThread<'_> {
 
     /// What was taken by hand and did not come about.
     pub(super) fn refused_by_hand(&self, stream: &Id, fault: &RobotFault) {
-        for user in self.users.values() {
-            let (why, with) = (fault.to_string(), None);
-            user.mailbox.undone(Undone { stream: stream.clone(), why, with });
-        }
+        let undone = Undone { stream: stream.clone(), why: fault.to_string(), with: None };
+        self.users.values().for_each(|user| user.mailbox.undone(undone.clone()));
     }
 
     /// Stop was pressed, or the robot halted: nothing that was done by hand goes on or is held.
