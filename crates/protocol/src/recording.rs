@@ -19,7 +19,7 @@ pub struct Recorded {
     pub gave_way: u64,
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference; on 32 bits it is the smaller one")]
 fn is_none(count: &u64) -> bool {
     *count == 0
 }

@@ -147,6 +147,16 @@ fn record_and_replay(engine: &str) {
     let told = String::from_utf8_lossy(&checked.stderr).into_owned();
     assert!(checked.status.code() == Some(1) && told.starts_with("The replay differs: "), "{told}");
 
+    // Every other program gets it in its own form.
+    for (form, begins) in
+        [("csv", "\u{feff}\"t_ms\""), ("eaf", "<?xml"), ("boris", "0."), ("vtt", "WEBVTT"), ("mcap", "")]
+    {
+        let to = path(&format!("recording.{form}"));
+        fine(&["convert", &trace, "--to", form, "--out", &to]);
+        let made = std::fs::read(&to).expect("it is written");
+        assert!(made.len() > 100 && made.starts_with(begins.as_bytes()), "{form}: {}", String::from_utf8_lossy(&made));
+    }
+
     // An edited behaviour takes the same recording; what it does not have any more is said.
     let mut edited = file.clone();
     let gone = actions[0].clone();
@@ -180,9 +190,7 @@ fn a_server_that_is_killed_leaves_a_recording_that_says_where_it_ends() {
     let template = format!("{}/../../tests/behaviours/track_nearest_arm_in_time.json", env!("CARGO_MANIFEST_DIR"));
     fine(&["import", &template, "--data", &path("data")]);
     let mut server = Server::start(&path("data"));
-    let said = server.console("show programs\n");
-    let name = said.split(" - ").next().unwrap_or(&said).trim().lines().next().expect("a program").to_owned();
-    server.console(&format!("record on\nstart {name}\n"));
+    server.console("record on\nstart Track with nearest arm, in time\n");
     let data = room.path().join("data");
     let (trace, _) = recording(&data, |text| text.lines().count() > LINES);
     server.child.kill().expect("it is killed");
