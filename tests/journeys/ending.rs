@@ -65,7 +65,10 @@ async fn recorded_run(url: &str) -> Outcome<Client> {
         template: Some("Reflect ball color".into()),
     };
     drop(aiko.ask(create).await?);
-    drop(aiko.ask(Request::Start { behaviour, robot: None, record: true }).await?);
+    drop(
+        aiko.ask(Request::Start { behaviour, robot: None, record: true, session: protocol::Session::default() })
+            .await?,
+    );
     let runs = |reply: &Reply| match reply {
         Reply::Runs { runs } => runs.iter().any(|run| run.phase == RunPhase::Running),
         _ => false,

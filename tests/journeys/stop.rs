@@ -71,7 +71,17 @@ async fn stop_works_without_the_program() -> Outcome<()> {
 
     let mut visitor = Visitor::enter(&stage.server).await?;
     let program = visitor.open_newest().await?;
-    assert_eq!(visitor.ask(Request::Start { behaviour: program.id, robot: None, record: false }).await?, Reply::Done);
+    assert_eq!(
+        visitor
+            .ask(Request::Start {
+                behaviour: program.id,
+                robot: None,
+                record: false,
+                session: protocol::Session::default()
+            })
+            .await?,
+        Reply::Done
+    );
     aiko.find("button", "Running").await?;
     silent(&ben, "Stopped. The robot holds still.").await?;
     escape_twice(&ben).await?;

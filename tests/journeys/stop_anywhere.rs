@@ -51,7 +51,16 @@ impl Scene {
     }
 
     async fn start(&mut self) -> Outcome<()> {
-        drop(self.aiko.ask(Request::Start { behaviour: self.program.clone(), robot: None, record: false }).await?);
+        drop(
+            self.aiko
+                .ask(Request::Start {
+                    behaviour: self.program.clone(),
+                    robot: None,
+                    record: false,
+                    session: protocol::Session::default(),
+                })
+                .await?,
+        );
         self.runs(1).await
     }
 

@@ -112,6 +112,8 @@ pub(crate) enum Failure {
     Ended(String),
     /// The behaviour of this name ended by itself; with the engine's reason.
     EndedOf(String, String),
+    /// A recording does not give its own actions again.
+    Differs(recording::Different),
     /// There are neither as many traces as behaviours nor one.
     Traces {
         /// How many traces there are.

@@ -3,6 +3,7 @@
 mod bench;
 mod build;
 mod check;
+mod convert;
 mod data_folder;
 mod devices;
 mod ending;
@@ -47,6 +48,7 @@ enum What {
     Shell(ShellArgs),
     Robot(robot::RobotArgs),
     Replay(replay::ReplayArgs),
+    Convert(convert::ConvertArgs),
     Bench(bench::BenchArgs),
     Load(load::LoadArgs),
     Devices(devices::DevicesArgs),
@@ -90,6 +92,7 @@ const EXAMPLES: &str = "Examples:
   rrp shell                            look around and start behaviours from a terminal
   rrp robot add NAO --address nao.local
   rrp replay --behaviour tracking.json --trace morning.jsonl
+  rrp convert morning.jsonl --to csv --out morning.csv
   rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000
   rrp export \"Track far and close balls\" --format xml --out tracking.xml
   rrp import tracking.xml              bring a behaviour in, as a copy
@@ -117,6 +120,7 @@ pub fn run(page: Page) -> ExitCode {
         What::Shell(args) => console(&args.url),
         What::Robot(args) => robot::robot(&args),
         What::Replay(args) => replay::replay(&args),
+        What::Convert(args) => ended(convert::convert(&args)),
         What::Bench(args) => bench::bench(&args),
         What::Load(args) => load::load(&args),
         What::Devices(args) => devices::devices(&args),

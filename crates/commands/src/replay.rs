@@ -1,5 +1,6 @@
 //! `rrp replay`: recorded traces through behaviours, faster than real time, always with the same output.
 
+mod check;
 mod play;
 mod printer;
 mod recording;
@@ -25,17 +26,23 @@ const FRAME_MS: u64 = 50;
 /// Several behaviours run side by side from instant 0 on; with --arbitrate, the one that is named first wins the parts of
 /// the robot. Each line then says by its number whose it is: "behaviour":1 is the first one.
 ///
-/// Exit codes: 0 done; 2 a behaviour is refused; 3 a trace is refused; 4 a behaviour ended by itself.
+/// With --check a recording is replayed alone, through the program that it has, and compared with what the robot was told.
+///
+/// Exit codes: 0 done; 1 a checked recording differs; 2 a behaviour is refused; 3 a trace is refused; 4 a behaviour ended by
+/// itself.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct ReplayArgs {
     /// The behaviour, rrp-behaviour/1 as JSON or XML; given several times, the upper one first.
-    #[arg(long, value_name = "FILE", required = true)]
+    #[arg(long, value_name = "FILE", required_unless_present = "check")]
     behaviour: Vec<PathBuf>,
     /// The readings, one JSON object a line, or a recording of a run; - reads standard input. One for all behaviours, or
     /// one for each in the same order.
-    #[arg(long, value_name = "FILE|-", required = true)]
+    #[arg(long, value_name = "FILE|-", required_unless_present = "check")]
     trace: Vec<PathBuf>,
+    /// A recording to be checked: whether it alone gives its own actions again.
+    #[arg(long, value_name = "FILE|-", exclusive = true)]
+    check: Option<PathBuf>,
     /// The last instant, in milliseconds since Start; the last one of the trace if absent.
     #[arg(long, value_name = "MS")]
     until: Option<u64>,
@@ -59,6 +66,7 @@ pub(crate) struct ReplayArgs {
 
 const EXAMPLES: &str = "Examples:
   rrp replay --behaviour tracking.json --trace morning.jsonl --probe --errors
+  rrp replay --check 2026-11-21T18-34-06Z-greet.jsonl
   rrp replay --arbitrate --behaviour safety.json --behaviour greeting.json --trace morning.jsonl
   rrp replay --arbitrate --behaviour a.json --behaviour b.json --trace a.jsonl --trace b.jsonl";
 
@@ -93,6 +101,9 @@ struct Trace {
 
 /// Replays, prints, and answers with the exit code.
 pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
+    if let Some(path) = &args.check {
+        return check::check(path);
+    }
     match prepare(args) {
         Ok((files, mut players)) => {
             let printer = Printer::new(args, &files);
@@ -189,6 +200,7 @@ mod tests {
         ReplayArgs {
             behaviour: Vec::new(),
             trace: Vec::new(),
+            check: None,
             until: None,
             probe: false,
             errors: false,

@@ -108,10 +108,9 @@ impl fmt::Display for Failure {
             ),
             Self::Engine(fault) => write!(to, "{fault}"),
             Self::EngineOfFile(fault) => of_file(fault, to),
+            Self::Differs(different) => write!(to, "{different}"),
             Self::EndedOf(name, reason) => write!(to, "{name}: {reason}"),
-            Self::Id(reason) | Self::ServerSays(reason) | Self::Record(reason) | Self::Ended(reason) => {
-                to.write_str(reason)
-            }
+            Self::Id(why) | Self::ServerSays(why) | Self::Record(why) | Self::Ended(why) => to.write_str(why),
             Self::Traces { traces, behaviours } => {
                 write!(to, "{traces} traces for {behaviours} behaviours; give one for all, or one for each")
             }

@@ -25,12 +25,12 @@ pub use library::{
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, RealRobot};
-pub use recording::{Recorded, Recording};
+pub use recording::{MarkSort, Recorded, Recording, RecordingMark, Records, Session};
 pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
 pub use request::{Area, Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 13;
+pub const VERSION: u32 = 14;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
@@ -60,6 +60,20 @@ pub const PING_MS: u64 = 500;
 pub const ALIVE_MS: u64 = 5_000;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
+/// The most that an action is told by hand, with its parameters, as JSON, in bytes.
+pub const HAND_MAX_BYTES: usize = 4_096;
+/// Who keeps a part of the robot, in the place of a behaviour's id, where somebody moves it by hand.
+pub const BY_HAND: &str = "hand";
+/// The longest word of a mark, in characters.
+pub const MARK_WORD_MAX_CHARS: usize = 40;
+/// The most marks of one recording.
+pub const RECORDING_MARKS_MAX: usize = 1_000;
+/// How long before it is sent somebody may have pressed to mark a moment, in milliseconds.
+pub const AGO_MAX_MS: u64 = 60_000;
+/// The longest code of who takes part in a session, in characters.
+pub const CODE_MAX_CHARS: usize = 32;
+/// The longest name of a session, in characters.
+pub const SESSION_MAX_CHARS: usize = 40;
 /// How far from its origin anything on the canvas is pointed at or looked at, in canvas units.
 pub const CANVAS_MAX: f64 = 10_000_000.0;
 /// The most robots of a server.

@@ -1,5 +1,6 @@
 //! What is recorded of runs.
 
+use behaviour::Id;
 use serde::{Deserialize, Serialize};
 
 /// A recording under way.
@@ -13,6 +14,14 @@ pub struct Recorded {
     /// Why nothing more is written, if so.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub trouble: Option<String>,
+    /// How many of the oldest recordings were removed to make room for it.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub gave_way: u64,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference; on 32 bits it is the smaller one")]
+fn is_none(count: &u64) -> bool {
+    *count == 0
 }
 
 /// A recording that is kept, at [`crate::RECORDINGS_PATH`] under its file's name.
@@ -32,7 +41,109 @@ pub struct Recording {
     pub began: String,
     /// Its size.
     pub bytes: u64,
+    /// Who started the run, or the recording of it; empty if that is not known.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub by: String,
+    /// What it is part of, and what it has.
+    #[serde(default, skip_serializing_if = "Session::is_plain")]
+    pub session: Session,
+    /// The time of its last line, in milliseconds since Start; none if that is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length_ms: Option<u64>,
+    /// How many moments were marked while it ran; none if that is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub marks: Option<u64>,
+    /// Whether it is of the older form, which lacks the program that ran and what was pretended, refused or done by hand.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub old_form: bool,
     /// Whether its last lines are missing: the disk was full, or the server ended in the middle.
     #[serde(default)]
     pub cut_off: bool,
+}
+
+/// What a recorded run is part of, and what of it is recorded.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Session {
+    /// The code of who takes part, never a name: letters, digits, `-`, `_` and `.`, at most [`crate::CODE_MAX_CHARS`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub participant: Option<String>,
+    /// Which session it is, at most [`crate::SESSION_MAX_CHARS`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub session: Option<String>,
+    /// What is recorded.
+    #[serde(skip_serializing_if = "Records::is_all")]
+    pub records: Records,
+}
+
+impl Session {
+    /// Whether nothing of it was said.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// What a recording has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Records {
+    /// Readings, actions and marks.
+    #[default]
+    All,
+    /// Actions and marks, and nothing of what was sensed.
+    Marks,
+}
+
+impl Records {
+    /// Whether it has everything.
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+    fn is_all(&self) -> bool {
+        *self == Self::All
+    }
+}
+
+/// A mark of a recording: a moment, or a span.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordingMark {
+    /// Its id: chosen by who adds it, or `note-1`, `note-2`, … for those that were made while it ran.
+    pub id: Id,
+    /// When, in milliseconds since Start.
+    pub t: u64,
+    /// When it ended, if it is a span.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<u64>,
+    /// Its word, at most [`crate::MARK_WORD_MAX_CHARS`]; may be empty.
+    #[serde(default)]
+    pub word: String,
+    /// What it says of the moment.
+    #[serde(default)]
+    pub sort: MarkSort,
+    /// What happened, at most [`crate::MARK_MAX_CHARS`]; may be empty.
+    #[serde(default)]
+    pub note: String,
+    /// Who wrote it.
+    #[serde(default)]
+    pub by: String,
+    /// When it was written: `2026-11-21T18:34:06Z`; empty for one that was made while it ran.
+    #[serde(default)]
+    pub at: String,
+    /// Whether it was removed.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub gone: bool,
+}
+
+/// What a mark says of its moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum MarkSort {
+    /// Something happened.
+    #[default]
+    Note,
+    /// What the robot did was good.
+    Good,
+    /// What it did was not.
+    Bad,
+    /// It should have done something.
+    Now,
 }

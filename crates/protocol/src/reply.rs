@@ -2,7 +2,7 @@
 
 use crate::{
     Area, Checked, Contested, Cursor, Driver, Exercise, FoundRobot, HistoryLine, Invitation, Picture, Pointer,
-    Recording, RobotState, Role, RunState, Similar, Summary, Tagged, Tried, Used, Values,
+    Recording, RecordingMark, RobotState, Role, RunState, Similar, Summary, Tagged, Tried, Used, Values,
 };
 use behaviour::{
     Accepted, Asked, Behaviour, Checkpoint, Fix, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value, ValueType,
@@ -294,6 +294,13 @@ pub enum Reply {
     Recordings {
         /// Newest first.
         recordings: Vec<Recording>,
+    },
+    /// The marks of a recording.
+    Marks {
+        /// Its file.
+        file: String,
+        /// By time; those that are gone are left out.
+        marks: Vec<RecordingMark>,
     },
     /// What a look at a robot found.
     RobotChecked {

@@ -1,7 +1,7 @@
 //! What a client may ask.
 
-use crate::{Lasts, ListQuery, PictureOf, RealRobot, Role};
-use behaviour::{Change, Helper, Id, Problem, RecordId, Seen, Token, Value};
+use crate::{Lasts, ListQuery, PictureOf, RealRobot, RecordingMark, Role, Session};
+use behaviour::{Change, Helper, Id, Params, Problem, RecordId, Seen, Token, Value};
 use robot::{Control, Identity, SceneEdit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -301,6 +301,20 @@ pub enum Request {
         /// Whether its readings, outputs and marks are recorded.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         record: bool,
+        /// What the recording is part of, and what it has.
+        #[serde(default, skip_serializing_if = "Session::is_plain")]
+        session: Session,
+    },
+    /// Records a running behaviour from now on. Answered by `Done`, also if it is recorded already.
+    Record {
+        /// Which.
+        behaviour: Id,
+        /// On which robot; none means wherever it runs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
+        /// What the recording is part of, and what it has.
+        #[serde(default, skip_serializing_if = "Session::is_plain")]
+        session: Session,
     },
     /// Ends the recording of a running behaviour, which runs on. Answered by `Done`.
     EndRecording {
@@ -309,6 +323,20 @@ pub enum Request {
         /// On which robot; none means wherever it runs.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
+    },
+    /// Has a robot do something by hand, above all programs that run on it. Answered by `Done` once the robot was told, or by
+    /// `No` with why not.
+    Hand {
+        /// Which robot; none means the first one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
+        /// The name of an action of the catalogue.
+        device: String,
+        /// Its parameters.
+        #[serde(default, skip_serializing_if = "Params::is_empty")]
+        params: Params,
+        /// What it is told. With the parameters at most [`crate::HAND_MAX_BYTES`].
+        value: Value,
     },
     /// Marks this moment in the recording of a running behaviour. Answered by `Done`.
     Mark {
@@ -319,6 +347,10 @@ pub enum Request {
         robot: Option<Id>,
         /// What happened, in at most [`crate::MARK_MAX_CHARS`]; may be empty.
         note: String,
+        /// How long before this was sent somebody pressed, by the clock of who sends it, in milliseconds. More than
+        /// [`crate::AGO_MAX_MS`] counts as that much, and what was before Start as Start.
+        #[serde(default, rename = "agoMs", skip_serializing_if = "is_zero")]
+        ago_ms: u64,
     },
     /// What runs now and what ended lately, which is also told unasked. Answered by `Runs`.
     Runs,
@@ -338,6 +370,19 @@ pub enum Request {
     RemoveRecording {
         /// Its file.
         file: String,
+    },
+    /// The marks of a recording: those made while it ran, and later ones. Answered by `Marks`.
+    Marks {
+        /// Its file.
+        file: String,
+    },
+    /// Adds a mark to a recording, or changes or removes the one with its id: what was there before stays in the history, and a
+    /// mark that is gone comes back the same way. Answered by `Done`.
+    PutMark {
+        /// Its file.
+        file: String,
+        /// The mark as it shall be; who writes it and when is the server's to say.
+        mark: Box<RecordingMark>,
     },
     /// Lets a running behaviour go on with the revision that is saved: at an instant boundary the new graph takes the
     /// place of the old one, and what did not change keeps its memory. Answered by `Done`, or by `No` while the old one
@@ -465,6 +510,11 @@ pub enum Request {
         /// Live values of the open behaviour.
         values: bool,
     },
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference; on 32 bits it is the smaller one")]
+fn is_zero(number: &u64) -> bool {
+    *number == 0
 }
 
 /// Proves that a client is the one that it was on an earlier link.

@@ -23,7 +23,7 @@ pub use catalogue::{
 };
 pub use condition::{Condition, Control, FACES_MAX, Lacking, Life, Network};
 pub use describe::catalogue_lines;
-pub use devices::{TrackMode, TrackTarget};
+pub use devices::{TrackMode, TrackTarget, is_personal};
 pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
 pub use helpers::{

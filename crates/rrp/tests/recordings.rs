@@ -133,6 +133,30 @@ fn record_and_replay(engine: &str) {
         wanted.lines().count()
     );
 
+    // Alone it gives the same, through the program that it has.
+    let check = |file: &str| rrp(&["replay", "--check", file]).output().expect("rrp starts");
+    let checked = check(&trace);
+    let told = String::from_utf8_lossy(&checked.stdout).into_owned();
+    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
+    let same = format!("It gives its own actions again: {} from ", wanted.lines().count());
+    assert!(told.starts_with(&same) && told.contains("It ends there: it was stopped."), "{told}");
+    let forged = path("forged.jsonl");
+    let first = wanted.lines().next().expect("an action");
+    std::fs::write(&forged, text.replacen(&format!("{first}\n"), "", 1)).expect("written");
+    let checked = check(&forged);
+    let told = String::from_utf8_lossy(&checked.stderr).into_owned();
+    assert!(checked.status.code() == Some(1) && told.starts_with("The replay differs: "), "{told}");
+
+    // Every other program gets it in its own form.
+    for (form, begins) in
+        [("csv", "\u{feff}\"t_ms\""), ("eaf", "<?xml"), ("boris", "0."), ("vtt", "WEBVTT"), ("mcap", "")]
+    {
+        let to = path(&format!("recording.{form}"));
+        fine(&["convert", &trace, "--to", form, "--out", &to]);
+        let made = std::fs::read(&to).expect("it is written");
+        assert!(made.len() > 100 && made.starts_with(begins.as_bytes()), "{form}: {}", String::from_utf8_lossy(&made));
+    }
+
     // An edited behaviour takes the same recording; what it does not have any more is said.
     let mut edited = file.clone();
     let gone = actions[0].clone();
@@ -157,4 +181,25 @@ fn a_live_recording_replayed_gives_the_same_outputs_in_event_mode() {
 #[test]
 fn a_live_recording_replayed_gives_the_same_outputs_in_frame_mode() {
     record_and_replay(r#"{"frame":{"frameMs":40}}"#);
+}
+
+#[test]
+fn a_server_that_is_killed_leaves_a_recording_that_says_where_it_ends() {
+    let room = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let template = format!("{}/../../tests/behaviours/track_nearest_arm_in_time.json", env!("CARGO_MANIFEST_DIR"));
+    fine(&["import", &template, "--data", &path("data")]);
+    let mut server = Server::start(&path("data"));
+    server.console("record on\nstart Track with nearest arm, in time\n");
+    let data = room.path().join("data");
+    let (trace, _) = recording(&data, |text| text.lines().count() > LINES);
+    server.child.kill().expect("it is killed");
+    server.child.wait().expect("it ends");
+    let checked = rrp(&["replay", "--check", &trace]).output().expect("rrp starts");
+    let told = String::from_utf8_lossy(&checked.stdout).into_owned();
+    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
+    assert!(told.contains("It is cut off there"), "{told}");
+    let server = Server::start(&path("data"));
+    let listed = server.console("recordings\n");
+    assert!(listed.contains("its end is missing"), "{listed}");
 }

@@ -1,21 +1,25 @@
 //! Recordings of runs: files of JSON lines in the data folder, each written by a thread of its own.
 
 mod clock;
-mod lines;
+mod described;
+mod marks;
 mod recorder;
+mod session;
+#[cfg(test)]
+mod tests;
 mod writer;
 
 use crate::support::file_name::dashed;
 use crate::support::lock;
-use behaviour::{Id, numbered};
-use lines::Header;
-pub(crate) use lines::Note;
-use protocol::{Recording, Refused};
+use behaviour::{Engine, Id, numbered};
+use described::described;
+use protocol::{Recording, Refused, Session};
 pub(crate) use recorder::{Recorder, Step};
-use serde::Deserialize;
+use recording::Header;
+use session::checked;
 use std::collections::BTreeSet;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 pub(crate) use writer::Stuck;
@@ -26,12 +30,10 @@ pub(crate) const RECORDING_MAX_BYTES: u64 = 256 << 20;
 const ALL_MAX_BYTES: u64 = 4 << 30;
 /// Recordings that are kept.
 const KEPT_MAX: usize = 1_000;
-/// The longest first line that is read, in bytes.
-const HEADER_MAX_BYTES: u64 = 16 << 10;
-/// The longest last line, in bytes.
-const END_MAX_BYTES: u64 = 4 << 10;
 /// What a recording's name ends with.
 const ENDING: &str = ".jsonl";
+/// What the name of the file of its later marks ends with.
+const MARKS_ENDING: &str = ".marks.jsonl";
 
 /// The folder of the recordings. A clone is the same folder.
 #[derive(Clone, Debug, Default)]
@@ -41,6 +43,24 @@ pub(crate) struct Recordings {
     naming: Arc<Mutex<()>>,
     /// The files that are being written.
     open: Arc<Mutex<BTreeSet<String>>>,
+    /// Taken while a mark is written.
+    marking: Arc<Mutex<()>>,
+    bounds: Bounds,
+}
+
+/// How many recordings are kept.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    /// So many.
+    kept: usize,
+    /// With so many bytes together.
+    bytes: u64,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self { kept: KEPT_MAX, bytes: ALL_MAX_BYTES }
+    }
 }
 
 /// Why something about a recording was not done.
@@ -62,8 +82,20 @@ pub(crate) enum NotRecorded {
     NotRemoved(io::Error),
     /// What shall be marked is not recorded.
     Unrecorded,
-    /// The note of a mark is too long.
+    /// The word or the note of a mark is too long.
     LongNote,
+    /// A mark ends before it begins, or is too late.
+    NoSpan,
+    /// The recording has as many marks as it may have.
+    TooManyMarks,
+    /// A mark could not be written.
+    MarkUnwritten(io::Error),
+    /// The recording or its marks cannot be read.
+    Unread(io::Error),
+    /// The code of who takes part has signs that it may not have, or too many.
+    StrangeCode,
+    /// The name of the session is too long.
+    LongSession,
 }
 
 impl From<NotRecorded> for Refused {
@@ -98,7 +130,33 @@ pub(crate) struct About<'a> {
     /// Who started it.
     pub(crate) by: &'a str,
     /// What runs.
-    pub(crate) file: &'a behaviour::BehaviourFile,
+    pub(crate) file: &'a Arc<behaviour::BehaviourFile>,
+    /// What it is part of, and what is recorded.
+    pub(crate) session: &'a Session,
+}
+
+impl About<'_> {
+    fn header(&self, began: &str) -> Header {
+        let (mode, frame_ms) = match self.file.engine.unwrap_or_default() {
+            Engine::Event => ("event", None),
+            Engine::Frame { frame_ms } => ("frame", Some(frame_ms)),
+        };
+        Header {
+            format: recording::FORMAT.to_owned(),
+            behaviour: self.behaviour.to_string(),
+            name: self.file.name.clone(),
+            revision: self.revision,
+            mode: mode.to_owned(),
+            frame_ms,
+            by: self.by.to_owned(),
+            began: began.to_owned(),
+            run: self.run,
+            robot: self.robot.to_owned(),
+            participant: self.session.participant.clone(),
+            session: self.session.session.clone(),
+            records: self.session.records,
+        }
+    }
 }
 
 impl Recordings {
@@ -107,21 +165,21 @@ impl Recordings {
         Self { folder: data.map(|data| data.join("recordings").into()), ..Self::default() }
     }
 
-    /// Begins a recording: when this answers, its first line is on the disk. Nothing that was recorded gives way to it.
+    /// Begins a recording: when this answers, its first lines are on the disk. If there are as many as are kept, the oldest
+    /// give way to it.
     ///
     /// # Errors
     /// Why it cannot be recorded.
     pub(crate) fn begin(&self, about: &About) -> Result<Recorder, NotRecorded> {
         let folder = self.folder.as_deref().ok_or(NotRecorded::NoFolder)?;
+        let session = &checked(about.session.clone())?;
+        let about = &About { session, ..*about };
         let _naming = lock(&self.naming);
         store::disk::make_folder(folder).map_err(|error| NotRecorded::NoneMade(folder.to_owned(), error))?;
-        let (count, bytes) = taken(folder);
-        if count >= KEPT_MAX || bytes + RECORDING_MAX_BYTES > ALL_MAX_BYTES {
-            return Err(NotRecorded::Full);
-        }
+        let gave_way = self.make_room(folder, self.bounds)?;
         let began = clock::now();
         let (name, file) = create(folder, &began, about.file.name.as_str())?;
-        let started = Recorder::start(self.opened(&name), file, &Header::of(about, &began), about.file);
+        let started = Recorder::start(self.opened(&name), file, &about.header(&began), (about.file, gave_way));
         let started = started.and_then(|recorder| store::disk::sync_names(folder).map(|()| recorder));
         started.map_err(|error| {
             // It has not begun; what is left of its file says nothing.
@@ -130,9 +188,39 @@ impl Recordings {
         })
     }
 
+    /// Removes the oldest recordings until there is room for one more; answers how many went.
+    fn make_room(&self, folder: &Path, Bounds { kept, bytes }: Bounds) -> Result<u64, NotRecorded> {
+        let written = |path: &Path| path.metadata().and_then(|about| about.modified()).ok();
+        let mut all: Vec<(PathBuf, u64)> = files(folder).collect();
+        all.sort_by_cached_key(|(path, _)| (written(path), path.clone()));
+        let open = lock(&self.open).clone();
+        let is_open =
+            |path: &Path| path.file_name().and_then(|name| name.to_str()).is_some_and(|name| open.contains(name));
+        let (mut left, mut taken) = (all.len(), all.iter().map(|(_, bytes)| bytes).sum::<u64>());
+        let mut gone = 0;
+        for (path, size) in all.iter().filter(|(path, _)| !is_open(path)) {
+            if left < kept && taken + RECORDING_MAX_BYTES <= bytes {
+                break;
+            }
+            if let Err(error) = removed(path) {
+                tracing::warn!(%error, path = %path.display(), "an old recording could not give way");
+                continue;
+            }
+            tracing::info!(path = %path.display(), "an old recording gave way to a new one");
+            (left, taken, gone) = (left - 1, taken - size, gone + 1);
+        }
+        if left < kept && taken + RECORDING_MAX_BYTES <= bytes { Ok(gone) } else { Err(NotRecorded::Full) }
+    }
+
     fn opened(&self, name: &str) -> Open {
         lock(&self.open).insert(name.to_owned());
         Open { all: self.open.clone(), name: name.to_owned() }
+    }
+
+    /// Whether one is still being written.
+    #[cfg(test)]
+    pub(crate) fn is_writing(&self) -> bool {
+        !lock(&self.open).is_empty()
     }
 
     /// All recordings, newest first. Reads the folder: not for the async threads.
@@ -156,25 +244,40 @@ impl Recordings {
     /// Removes a recording for good.
     pub(crate) fn remove(&self, name: &str) -> Result<(), Refused> {
         let path = self.find(name).ok_or(Refused::NoRecording)?;
-        let removed = std::fs::remove_file(&path);
-        let removed = removed.and_then(|()| store::disk::sync_names(path.parent().unwrap_or(Path::new(""))));
-        removed.map_err(|error| NotRecorded::NotRemoved(error).into())
+        let done = removed(&path);
+        let done = done.and_then(|()| store::disk::sync_names(path.parent().unwrap_or(Path::new(""))));
+        done.map_err(|error| NotRecorded::NotRemoved(error).into())
     }
+}
+
+/// Removes a recording with its later marks.
+fn removed(path: &Path) -> io::Result<()> {
+    std::fs::remove_file(path)?;
+    match std::fs::remove_file(marks_of(path)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// Where the later marks of a recording are.
+fn marks_of(path: &Path) -> PathBuf {
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    path.with_file_name(format!("{}{MARKS_ENDING}", name.trim_end_matches(ENDING)))
 }
 
 /// Recordings in a folder with their sizes.
 fn files(folder: &Path) -> impl Iterator<Item = (PathBuf, u64)> + use<> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     entries.filter_map(|entry| {
-        let is_one = entry.file_name().to_str().is_some_and(|name| name.ends_with(ENDING));
+        let is_one = entry.file_name().to_str().is_some_and(is_recording);
         let about = entry.metadata().ok()?;
         (is_one && about.is_file()).then(|| (entry.path(), about.len()))
     })
 }
 
-/// How many recordings there are, and how large together.
-fn taken(folder: &Path) -> (usize, u64) {
-    files(folder).fold((0, 0), |(count, bytes), (_, more)| (count + 1, bytes + more))
+/// Whether a file of this name is a recording, not its later marks.
+fn is_recording(name: &str) -> bool {
+    name.ends_with(ENDING) && !name.ends_with(MARKS_ENDING)
 }
 
 /// A new file, named by time and behaviour.
@@ -190,35 +293,4 @@ fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File),
         }
     }
     Err(NotRecorded::NameTaken)
-}
-
-/// The first line of a recording, as far as it is shown.
-#[derive(Deserialize)]
-struct First {
-    /// Not in recordings from before there were several.
-    #[serde(default)]
-    robot: String,
-    name: String,
-    revision: u64,
-    began: String,
-}
-
-fn described(path: &Path, bytes: u64) -> Option<Recording> {
-    let mut file = File::open(path).ok()?;
-    let mut line = String::new();
-    BufReader::new((&mut file).take(HEADER_MAX_BYTES)).read_line(&mut line).ok()?;
-    let First { robot, name, revision, began } = serde_json::from_str(&line).ok()?;
-    let (file, cut_off) = (path.file_name()?.to_str()?.to_owned(), !has_its_end(&mut file, bytes));
-    Some(Recording { file, robot, name, revision, began, bytes, cut_off })
-}
-
-/// Whether the last line says that it is the last.
-fn has_its_end(file: &mut File, bytes: u64) -> bool {
-    let mut tail = Vec::new();
-    let from = SeekFrom::Start(bytes.saturating_sub(END_MAX_BYTES));
-    let read = file.seek(from).and_then(|_| file.take(END_MAX_BYTES).read_to_end(&mut tail));
-    let tail = String::from_utf8_lossy(&tail);
-    let last = tail.strip_suffix('\n').map(|text| text.rsplit('\n').next().unwrap_or_default());
-    let says_so = |line: &str| line.contains("\"mark\":\"end\"") || line.contains("\"mark\":\"full\"");
-    read.is_ok() && last.is_some_and(says_so)
 }

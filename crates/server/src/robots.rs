@@ -25,11 +25,13 @@ mod shared;
 mod simulated;
 mod status_feed;
 mod successor;
+mod surroundings;
 mod tally;
 #[cfg(test)]
 mod tests;
 
 pub use backup::{check_robots, put_robots, robots_in};
+pub(crate) use command_queue::ByHand;
 pub(crate) use host::{Host, Start};
 pub(crate) use live::{LiveValues, Seen};
 pub use refusal::BackupMisfit;
@@ -41,7 +43,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
 use engine::Limits;
 use order::Order;
-use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RealRobot, Refused, RobotState, RunState};
+use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RealRobot, Refused, RobotState, RunState, Session};
 use refusal::RobotsUnchanged;
 use register::{Known, Register};
 use robot::SceneEdit;
@@ -203,32 +205,53 @@ impl Robots {
         &self,
         behaviour: &Id,
         robot: Option<&Id>,
-        stream: &Id,
-        value: &Value,
+        (stream, value): (&Id, &Value),
+        by: &str,
     ) -> Result<(), Refused> {
         let hosts = self.running(behaviour, robot)?;
-        hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone()))
+        hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone(), by))
     }
 
-    /// Marks this moment in the recordings of a running behaviour.
+    /// Marks the moment of a press in the recordings of a running behaviour, so many milliseconds ago.
     ///
     /// # Errors
     /// If the behaviour does not run there or is not recorded, the note is too long, or that was too much at once.
-    pub(crate) fn mark(&self, behaviour: &Id, robot: Option<&Id>, by: &str, note: &str) -> Result<(), Refused> {
+    pub(crate) fn mark(
+        &self,
+        behaviour: &Id,
+        robot: Option<&Id>,
+        by: &str,
+        (note, ago_ms): (&str, u64),
+    ) -> Result<(), Refused> {
         if note.chars().count() > MARK_MAX_CHARS {
             return Err(NotRecorded::LongNote.into());
         }
         let hosts = self.running(behaviour, robot)?;
-        hosts.iter().try_for_each(|host| host.mark(behaviour, by, note.trim()))
+        hosts.iter().try_for_each(|host| host.mark(behaviour, by, note.trim(), ago_ms))
     }
 
     /// Ends the recordings of a running behaviour.
     ///
     /// # Errors
     /// If the behaviour does not run there.
-    pub(crate) fn end_recording(&self, behaviour: &Id, robot: Option<&Id>) -> Result<(), Refused> {
+    pub(crate) fn end_recording(&self, behaviour: &Id, robot: Option<&Id>, by: &str) -> Result<(), Refused> {
         let hosts = self.running(behaviour, robot)?;
-        hosts.iter().try_for_each(|host| host.end_recording(behaviour))
+        hosts.iter().try_for_each(|host| host.end_recording(behaviour, by))
+    }
+
+    /// Records a running behaviour from now on. Waits for the disk.
+    ///
+    /// # Errors
+    /// If the behaviour does not run there, or why it cannot be recorded.
+    pub(crate) fn record(
+        &self,
+        behaviour: &Id,
+        robot: Option<&Id>,
+        by: &str,
+        session: &Session,
+    ) -> Result<(), Refused> {
+        let hosts = self.running(behaviour, robot)?;
+        hosts.iter().try_for_each(|host| host.record(behaviour, by, session))
     }
 
     /// Shows of what runs that the invitation of who started it was revoked. It runs on until somebody stops it: what it

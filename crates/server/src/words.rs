@@ -10,7 +10,10 @@ use crate::rooms::knowledge::Unchecked;
 use crate::serve::ServeError;
 use behaviour::BODY_MAX_CHARS;
 use engine::Fault;
-use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
+use protocol::{
+    ADDRESS_MAX_CHARS, CODE_MAX_CHARS, HAND_MAX_BYTES, LOGIN_MAX_CHARS, MARK_MAX_CHARS, MARK_WORD_MAX_CHARS,
+    ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, SESSION_MAX_CHARS,
+};
 use std::fmt;
 use store::files::FILE_MAX_BYTES;
 
@@ -127,8 +130,19 @@ impl fmt::Display for NotRecorded {
                 write!(to, "it cannot be recorded ({error}); free some space, or start it without recording")
             }
             Self::NotRemoved(error) => write!(to, "it cannot be removed ({error})"),
-            Self::Unrecorded => to.write_str("this run is not recorded; tick it before Start"),
-            Self::LongNote => write!(to, "a note has at most {MARK_MAX_CHARS} characters"),
+            Self::Unrecorded => to.write_str("this run is not recorded; switch Record on first"),
+            Self::LongNote => {
+                write!(to, "a note has at most {MARK_MAX_CHARS} characters, and a word {MARK_WORD_MAX_CHARS}")
+            }
+            Self::NoSpan => to.write_str("a mark ends after it begins, within the recording; look at its times"),
+            Self::TooManyMarks => to.write_str("it has as many marks as a recording may have"),
+            Self::MarkUnwritten(error) => write!(to, "the mark cannot be written ({error}); free some space"),
+            Self::Unread(error) => write!(to, "it cannot be read ({error})"),
+            Self::StrangeCode => write!(
+                to,
+                "a code has letters, digits, “-”, “_” and “.” alone, at most {CODE_MAX_CHARS} of them, and is no name"
+            ),
+            Self::LongSession => write!(to, "the name of a session has at most {SESSION_MAX_CHARS} characters"),
         }
     }
 }
@@ -163,6 +177,7 @@ impl fmt::Display for NoRun {
             Self::StoppedMeanwhile => to.write_str("it was stopped meanwhile"),
             Self::Ended => to.write_str("it does not run any more"),
             Self::AppliedJustNow => to.write_str("somebody applies a change just now; try again in a moment"),
+            Self::LargeHand => write!(to, "what it is told has more than {HAND_MAX_BYTES} bytes; say less"),
             Self::StillApplying => to.write_str("it takes very long; look in a moment which revision runs"),
             Self::Inside => inside(to),
         }

@@ -15,6 +15,7 @@ mod disconnect;
 mod drivers_of;
 mod exit;
 mod find_robots;
+mod hand;
 mod load_program;
 mod load_stream;
 mod mark;
@@ -85,6 +86,7 @@ pub(crate) const ALL: &[&Command] = &[
     &control::FORGET_FACES,
     &control::FORGET_FACE,
     &control::SHOW_FACES,
+    &hand::COMMAND,
     &record::COMMAND,
     &mark::COMMAND,
     &recordings::COMMAND,

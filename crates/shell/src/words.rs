@@ -66,9 +66,13 @@ impl fmt::Display for NotDone {
             Self::NoFaceOf => to.write_str("Type “forget face FACE of NAME”; “show faces NAME” shows what there is."),
             Self::NoWay => to.write_str("Type “order NAME up” or “order NAME down”."),
             Self::There(name) => write!(to, "{name} is there already."),
-            Self::NeitherOnNorOff => to.write_str("Type “record on” or “record off”."),
+            Self::NeitherOnNorOff => to.write_str("Type “record on”, “record now” or “record off”."),
             Self::Seconds(most) => write!(to, "Type a number of seconds from 1 to {most}."),
             Self::Id(reason) | Self::NoSense(reason) => to.write_str(reason),
+            Self::NoJson(error) => write!(
+                to,
+                "Type the value and the settings as JSON, such as \"Hello\" with {{\"speed\": 0.5}} ({error})."
+            ),
             Self::NoExample(error) => write!(to, "{error}"),
         }
     }

@@ -77,6 +77,7 @@ impl Desk {
             | Reply::FoundRobots { .. }
             | Reply::Faces { .. }
             | Reply::Done
+            | Reply::Marks { .. }
             | Reply::No { .. } => {}
         }
     }

@@ -48,7 +48,17 @@ pub(crate) fn RecordRow() -> impl IntoView {
         (false, _) => choice().into_any(),
         (true, Some(recorded)) => going(recorded).into_any(),
         // What stands below stays where it is.
-        (true, None) => view! { <p class="record">{words::not_recorded()}</p> }.into_any(),
+        (true, None) => view! {
+            <p class="record">
+                {words::not_recorded()}
+                <Show when=move || may_operate(desk)>
+                    <button class="link" type="button" on:click=move |_| desk.desk().robots.record_now()>
+                        {words::record_now()}
+                    </button>
+                </Show>
+            </p>
+        }
+        .into_any(),
     }
 }
 

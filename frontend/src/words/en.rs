@@ -144,6 +144,7 @@ sentences! {
     stop: "Stop";
     record: "Record the next run";
     end_recording: "End the recording";
+    record_now: "Record from now on";
     mark: "Mark";
     mark_hint: "What happens now?";
     marked: "Marked in the recording.";

@@ -8,24 +8,23 @@ use engine::Run;
 use robot::Millis;
 use std::io::Write;
 
-/// What the first line of a recording says it is.
-const FORMAT: &str = "rrp-recording/1";
-
 /// The readings of a recording; none if the text is no recording. Streams that the behaviour does not have are left
 /// out, as it may have been edited since; gaps, and what a replay cannot repeat, are told on standard error.
 pub(super) fn parse(text: &str, run: &Run) -> Option<Result<Trace, Failure>> {
-    let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
-    let first = serde_json::from_str::<Value>(lines.next()?.1).ok()?;
-    (first.field("format")?.as_text()? == FORMAT).then(|| {
-        let mut reader = Reader { run, readings: Vec::new(), closed: None, lost: 0, late: 0, strange: 0 };
-        for (number, line) in lines {
-            reader.read(line).map_err(|why| Failure::RecordingLine(number, why))?;
-        }
-        for warning in reader.warnings() {
-            let _ = writeln!(std::io::stderr(), "{warning}");
-        }
-        Ok(Trace { readings: reader.readings, closed: reader.closed })
-    })
+    let (_, lines) = recording::open(text).ok()?;
+    Some(read(lines, run))
+}
+
+fn read(lines: recording::Open, run: &Run) -> Result<Trace, Failure> {
+    let mut reader =
+        Reader { run, readings: Vec::new(), closed: None, lost: 0, late: 0, strange: 0, applied: 0, remembers: 0 };
+    for (number, line) in lines.lines() {
+        reader.read(line).map_err(|why| Failure::RecordingLine(number, why))?;
+    }
+    for warning in reader.warnings() {
+        let _ = writeln!(std::io::stderr(), "{warning}");
+    }
+    Ok(Trace { readings: reader.readings, closed: reader.closed })
 }
 
 struct Reader<'r> {
@@ -36,6 +35,10 @@ struct Reader<'r> {
     late: u64,
     /// Lines of streams that the behaviour does not have.
     strange: u64,
+    /// How often an edited program went on.
+    applied: u64,
+    /// Lines of what a continued run remembered.
+    remembers: u64,
 }
 
 impl Reader<'_> {
@@ -64,6 +67,11 @@ impl Reader<'_> {
             Some(&Value::Int(number)) => u64::try_from(number).ok(),
             _ => None,
         };
+        match line.field("mark").and_then(Value::as_text) {
+            Some("applied") => self.applied += 1,
+            Some("memory") => self.remembers += 1,
+            _ => {}
+        }
         self.lost += number("lost").unwrap_or(0);
         self.late += number("late").unwrap_or(0);
         self.closed = number("closed").map(Millis).or(self.closed);
@@ -76,6 +84,11 @@ impl Reader<'_> {
                 self.late,
                 "values were dropped by the clock while it was recorded; a replay has no clock and keeps them.",
             ),
+            (
+                self.applied,
+                "times the program was changed while it ran; this replay keeps one. See rrp replay --check.",
+            ),
+            (self.remembers, "times it went on where it was before; this replay begins anew. See rrp replay --check."),
             (self.strange, "lines of streams that this program does not have were left out."),
         ];
         told.iter().filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect()

@@ -3,11 +3,16 @@
 use super::{Matching, Mode, Run};
 use crate::timeline::RunMemory;
 use crate::values::Stats;
+use serde::{Deserialize, Serialize};
 
-/// The state that a run leaves to the one that follows it; may be handed to another thread.
-#[derive(Clone, Debug)]
+/// The state that a run leaves to the one that follows it; may be handed to another thread. Written down it is all that
+/// decides about the values of the next one, with streams and connectors by their places in the file that ran; counts are
+/// left out.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct Handover {
     memory: RunMemory,
+    #[serde(skip)]
     stats: Stats,
 }
 
@@ -41,11 +46,16 @@ impl Run {
             Mode::Event(event) => event.resume(&mut self.core, memory),
             Mode::Frame(frame) => frame.resume(&mut self.core, memory),
         }
+        let counts = &mut self.core.context.stats;
         for (&from, &to) in &matching.streams {
-            self.core.context.stats.streams[to].clone_from(&stats.streams[from]);
+            if let Some(counted) = stats.streams.get(from) {
+                counts.streams[to].clone_from(counted);
+            }
         }
         for (&from, &to) in &matching.connectors {
-            self.core.context.stats.connectors[to].clone_from(&stats.connectors[from]);
+            if let Some(counted) = stats.connectors.get(from) {
+                counts.connectors[to].clone_from(counted);
+            }
         }
     }
 }

@@ -46,10 +46,14 @@ impl Core {
         self.connectors.enumerate().map(|(at, connector)| (at, connector.memory())).collect()
     }
 
-    /// Lets connectors go on with what others of the same meaning remembered.
+    /// Lets connectors go on with what others of the same meaning remembered. What knows another number of values was
+    /// written down by somebody else, and is left out.
     pub(crate) fn resume(&mut self, memories: Vec<(ConnectorIx, Memory)>) {
         for (connector, memory) in memories {
-            self.connectors[connector].resume(memory);
+            let connector = &mut self.connectors[connector];
+            if connector.memory().known.len() == memory.known.len() {
+                connector.resume(memory);
+            }
         }
     }
 }

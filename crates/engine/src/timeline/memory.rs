@@ -2,9 +2,10 @@
 
 use crate::connectors::Memory;
 use crate::values::{Carried, ConnectorIx, Ix, Pairs, StreamIx};
+use serde::{Deserialize, Serialize};
 
 /// The memory of a run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct RunMemory {
     /// The first instant that is not closed.
     pub(crate) open: u64,

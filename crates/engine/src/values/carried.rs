@@ -1,12 +1,13 @@
 //! A value on its way, with when it was sensed.
 
 use behaviour::Value;
+use serde::{Deserialize, Serialize};
 
 /// The time when something was sensed, and the number of its reading in the run.
 pub(crate) type Origin = (u64, u64);
 
 /// A value with its origin.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Carried {
     pub(crate) value: Value,
     pub(crate) origin: Origin,

@@ -1,5 +1,6 @@
 //! Streams and connectors by number, in the order of the file, and what there is one of for each of them.
 
+use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut};
 
@@ -15,7 +16,8 @@ pub trait Ix: Copy {
 macro_rules! numbers {
     ($(#[$what:meta] $name:ident)+) => {$(
         #[$what]
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+        #[serde(transparent)]
         pub struct $name(u32);
 
         impl $name {

@@ -2,6 +2,7 @@
 //! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
 
 mod inviting;
+mod operating;
 mod past;
 mod requests;
 

@@ -6,7 +6,7 @@ use crate::rooms::Look;
 use crate::state::ServerState;
 use crate::support::identity::Sender;
 use behaviour::{BehaviourFile, Id, Problem};
-use protocol::{Refused, Reply};
+use protocol::{Refused, Reply, Session};
 use std::sync::Arc;
 
 /// Who starts something.
@@ -24,7 +24,7 @@ pub(crate) async fn start(
     state: &ServerState,
     behaviour: Id,
     robot: Option<Id>,
-    record: bool,
+    (record, session): (bool, Session),
     Starter { name: by, sender, entry }: Starter,
 ) -> Result<Reply, Refused> {
     let host = state.robots.meant(robot.as_ref())?;
@@ -37,7 +37,7 @@ pub(crate) async fn start(
         return Err(NoRun::StopPressed(announced.stopped_by()).cannot_start());
     }
     let (id, file, invitation) = (behaviour.clone(), file.into(), entry.invitation().cloned());
-    let start = Start { behaviour: id, revision, file, record, by: by.clone(), invitation };
+    let start = Start { behaviour: id, revision, file, record, session, by: by.clone(), invitation };
     let begun = host.start_announced(&announced, start).await;
     if announced.is_cancelled() {
         return Err(begun.err().unwrap_or(NoRun::StopPressed(announced.stopped_by())).cannot_start());
@@ -71,7 +71,8 @@ pub(crate) async fn apply(
     let file = Arc::new(file);
     for host in hosts {
         let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
-        host.apply(Start { behaviour, revision, file, record: false, by, invitation: None })
+        let session = Session::default();
+        host.apply(Start { behaviour, revision, file, record: false, session, by, invitation: None })
             .await
             .map_err(NoRun::not_applied)?;
     }

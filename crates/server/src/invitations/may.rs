@@ -165,16 +165,20 @@ fn of_request(request: &Request) -> Role {
         | Request::CallMe { .. }
         | Request::Runs
         | Request::Recordings
+        | Request::Marks { .. }
         | Request::Watch { .. }
         | Request::Stop { .. } => Role::Viewer,
         // The robots, their rooms and what is recorded.
         Request::Start { .. }
         | Request::Apply { .. }
         | Request::Stimulate { .. }
+        | Request::Hand { .. }
         | Request::Scene { .. }
         | Request::Mark { .. }
+        | Request::Record { .. }
         | Request::EndRecording { .. }
         | Request::RemoveRecording { .. }
+        | Request::PutMark { .. }
         | Request::Place { .. }
         | Request::AddRobot { real: None, .. }
         | Request::RenameRobot { .. }

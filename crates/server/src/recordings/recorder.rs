@@ -1,11 +1,12 @@
 //! The run's side of a recording: gathers what happened and hands it on without ever waiting.
 
 use super::Open;
-use super::lines::{End, Header, Line, Names, Note, json};
 use super::writer::{Batch, Progress, write};
 use behaviour::{BehaviourFile, Value};
-use engine::{ConnectorIx, StreamIx};
-use protocol::Recorded;
+use engine::{ConnectorIx, Handover, StreamIx};
+use protocol::{Recorded, Records};
+use recording::{End, Hand, Header, Line, Names, Note, Refusal, RobotLine, json};
+use robot::Scene;
 use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
@@ -24,6 +25,11 @@ const LOOK_MS: u64 = 100;
 pub(crate) struct Step(Vec<Line>);
 
 impl Step {
+    /// Somebody pretended a reading, and it was admitted.
+    pub(crate) fn pretended(&mut self, at_ms: u64, stream: StreamIx, value: &Value, by: &Arc<str>) {
+        self.0.push(Line::Pretended { at_ms, stream, value: value.clone(), by: by.clone() });
+    }
+
     /// A reading was admitted, or an action was told a value.
     pub(crate) fn value(&mut self, at_ms: u64, stream: StreamIx, value: &Value) {
         self.0.push(Line::Value { at_ms, stream, value: value.clone() });
@@ -50,13 +56,25 @@ pub(crate) struct Recorder {
     last_ms: u64,
     closed: Option<u64>,
     late: u64,
+    marks: u64,
+    records: Records,
+    /// How many old recordings gave way to it.
+    gave_way: u64,
     told: Option<Recorded>,
 }
 
 impl Recorder {
-    /// Writes the first line, and makes sure that it is on the disk; then starts the writer's thread.
-    pub(super) fn start(open: Open, mut file: File, header: &Header, of: &BehaviourFile) -> std::io::Result<Self> {
-        let first = format!("{}\n", json(header));
+    /// Writes the first lines, which say what is recorded and what runs, and makes sure that they are on the disk; then starts
+    /// the writer's thread.
+    pub(super) fn start(
+        open: Open,
+        mut file: File,
+        header: &Header,
+        (of, gave_way): (&Arc<BehaviourFile>, u64),
+    ) -> std::io::Result<Self> {
+        let mut first = format!("{}\n", json(header));
+        let line = Line::File { at_ms: 0, revision: header.revision, file: of.clone() };
+        Names::of(of).write(&line, &mut first);
         file.write_all(first.as_bytes())?;
         file.sync_all()?;
         let (queue, batches) = sync_channel(QUEUE_MAX_BATCHES);
@@ -67,7 +85,7 @@ impl Recorder {
             write(file, bytes, &batches, &shared);
             drop(open);
         })?;
-        Ok(Self::over(name, queue, progress, of))
+        Ok(Self { records: header.records, gave_way, ..Self::over(name, queue, progress, of) })
     }
 
     /// A recorder that hands on to whoever takes from `queue`.
@@ -83,25 +101,58 @@ impl Recorder {
             last_ms: 0,
             closed: None,
             late: 0,
+            marks: 0,
+            records: Records::All,
+            gave_way: 0,
             told: None,
         }
     }
 
-    /// From now on streams and connectors are those of this behaviour.
-    pub(crate) fn follow(&mut self, file: &BehaviourFile) {
+    /// Whether it has what is sensed.
+    pub(crate) fn has_readings(&self) -> bool {
+        self.records == Records::All
+    }
+
+    /// An edited behaviour goes on after this instant: from now on streams and connectors are its own.
+    pub(crate) fn applied(&mut self, at_ms: u64, revision: u64, file: &Arc<BehaviourFile>) {
         self.flush();
         self.names = Arc::new(Names::of(file));
+        let at_ms = at_ms.max(self.last_ms);
+        self.push(Line::Applied { at_ms, revision });
+        self.push(Line::File { at_ms, revision, file: file.clone() });
     }
 
-    /// An edited behaviour goes on.
-    pub(crate) fn applied(&mut self, at_ms: u64, revision: u64) {
-        self.push(Line::Applied { at_ms: at_ms.max(self.last_ms), revision });
+    /// What runs remembers this, as it began before its recording. What was sensed is part of it.
+    pub(crate) fn memory(&mut self, at_ms: u64, memory: Handover) {
+        if self.has_readings() {
+            self.push(Line::Memory { at_ms, memory: Box::new(memory) });
+        }
     }
 
-    /// Somebody marked a moment; it stands after what was recorded before.
+    /// Somebody marked a moment.
     pub(crate) fn note(&mut self, note: Note) {
-        let at_ms = note.at_ms.max(self.last_ms);
-        self.push(Line::Note(Note { at_ms, ..note }));
+        self.marks += 1;
+        self.push(Line::Note(note));
+    }
+
+    /// The robot did not do something.
+    pub(crate) fn refused(&mut self, refusal: Refusal) {
+        self.push(Line::Refused(Box::new(refusal)));
+    }
+
+    /// Somebody had the robot do something by hand.
+    pub(crate) fn hand(&mut self, hand: Hand) {
+        self.push(Line::Hand(Box::new(hand)));
+    }
+
+    /// How the robot is by now.
+    pub(crate) fn robot(&mut self, line: RobotLine) {
+        self.push(Line::Robot(Box::new(line)));
+    }
+
+    /// How the simulated room is by now.
+    pub(crate) fn room(&mut self, at_ms: u64, scene: Scene) {
+        self.push(Line::Room { at_ms, scene: Box::new(scene) });
     }
 
     /// Takes a step that was carried to its end. `late` values were dropped by the clock.
@@ -137,11 +188,12 @@ impl Recorder {
         }
     }
 
-    /// Ends it with a last line; the writer finishes by itself.
-    pub(crate) fn end(mut self, why: &str) {
+    /// Ends it with a last line that says why, and who wanted it if somebody did; the writer finishes by itself.
+    pub(crate) fn end(mut self, why: &str, by: Option<String>) {
         self.flush();
         let at_ms = self.last_ms.max(self.closed.unwrap_or(0));
-        let end = End { at_ms, closed: self.closed, late: self.late, why: why.to_owned() };
+        let (closed, late, marks) = (self.closed, self.late, Some(self.marks));
+        let end = End { at_ms, closed, late, marks, why: why.to_owned(), by };
         let batch = Batch { names: self.names.clone(), missed: self.missed, lines: vec![Line::End(end)] };
         // The run is over, so now it may wait for room.
         drop(self.queue.send(batch));
@@ -149,7 +201,8 @@ impl Recorder {
 
     /// How it is, if that is new.
     pub(crate) fn news(&mut self) -> Option<Recorded> {
-        let now = Recorded { file: self.file.clone(), lost: self.progress.lost(), trouble: self.progress.trouble() };
+        let (file, gave_way) = (self.file.clone(), self.gave_way);
+        let now = Recorded { file, lost: self.progress.lost(), trouble: self.progress.trouble(), gave_way };
         (self.told.as_ref() != Some(&now)).then(|| self.told.insert(now).clone())
     }
 
@@ -159,13 +212,7 @@ impl Recorder {
     }
 
     fn push(&mut self, line: Line) {
-        match &line {
-            Line::Value { at_ms, .. }
-            | Line::Fault { at_ms, .. }
-            | Line::Applied { at_ms, .. }
-            | Line::Note(Note { at_ms, .. }) => self.last_ms = *at_ms,
-            Line::End(_) => {}
-        }
+        self.last_ms = line.logical_ms().unwrap_or(self.last_ms);
         self.lines.push(line);
         if self.lines.len() >= BATCH_MAX_LINES {
             self.flush();
@@ -175,7 +222,7 @@ impl Recorder {
 
 #[cfg(test)]
 mod tests {
-    use super::{BATCH_MAX_LINES, Header, Open, Progress, Recorder, Step};
+    use super::{BATCH_MAX_LINES, Open, Progress, Recorder, Step};
     use crate::recordings::About;
     use crate::recordings::writer::write;
     use behaviour::{BehaviourFile, Value};
@@ -206,14 +253,14 @@ mod tests {
         let written = std::fs::File::create(&path).unwrap();
         let writer = std::thread::spawn(move || write(written, 0, &batches, &progress));
         recorder.closed(900);
-        recorder.end("the test ended it");
+        recorder.end("the test ended it", Some("Ben".to_owned()));
         writer.join().unwrap();
         let text = std::fs::read_to_string(path).unwrap();
         let lines: Vec<_> = text.lines().collect();
         assert_eq!(lines.len(), BATCH_MAX_LINES + 2);
         assert_eq!(lines[0], r#"{"t":0,"stream":"ball","value":1}"#);
         assert_eq!(lines[lines.len() - 2], r#"{"mark":"gap","lost":512}"#);
-        let end = r#"{"t":900,"mark":"end","closed":900,"late":0,"why":"the test ended it"}"#;
+        let end = r#"{"t":900,"mark":"end","closed":900,"late":0,"marks":0,"why":"the test ended it","by":"Ben"}"#;
         assert_eq!(lines[lines.len() - 1], end);
     }
 
@@ -226,10 +273,11 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn on_a_full_disk_it_does_not_begin() {
-        let (id, file) = (behaviour::Id::new("b").unwrap(), file());
-        let about = About { run: 1, robot: "NAO", behaviour: &id, revision: 1, by: "Aiko", file: &file };
+        let (id, file, session) = (behaviour::Id::new("b").unwrap(), Arc::new(file()), protocol::Session::default());
+        let about =
+            About { run: 1, robot: "NAO", behaviour: &id, revision: 1, by: "Aiko", file: &file, session: &session };
         let open = Open { all: Arc::default(), name: "x".to_owned() };
-        let refused = Recorder::start(open, full(), &Header::of(&about, "today"), &file).unwrap_err();
+        let refused = Recorder::start(open, full(), &about.header("today"), (&file, 0)).unwrap_err();
         assert_eq!(refused.kind(), std::io::ErrorKind::StorageFull);
     }
 

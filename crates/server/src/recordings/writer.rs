@@ -1,8 +1,8 @@
 //! The thread that writes a recording: takes what the run hands on, and says what got lost.
 
 use super::RECORDING_MAX_BYTES;
-use super::lines::{Line, Names};
 use crate::support::lock;
+use recording::{Line, Names};
 use std::fs::File;
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -21,6 +21,8 @@ use tokio::sync::oneshot;
 const EDITS_MAX: usize = 256;
 /// People who want to have the robot that may wait.
 const CONTROLS_MAX: usize = 8;
+/// What people have the robot do by hand that may wait.
+const HANDS_MAX: usize = 16;
 /// Texts of one action that may wait to be spoken or shown.
 const TEXTS_MAX: usize = 8;
 
@@ -52,6 +54,8 @@ pub(super) struct Pending {
     pub(super) edits: VecDeque<SceneEdit>,
     /// Who wants to have the robot.
     pub(super) controls: Vec<Controlling>,
+    /// What people have it do by hand.
+    pub(super) hands: Vec<Handing>,
     commands: Fair<Use, Command>,
 }
 
@@ -81,6 +85,30 @@ pub(super) struct Controlling {
     pub(super) control: Control,
     /// Gets the answer; never waited for.
     pub(super) answer: oneshot::Sender<Result<(), RobotFault>>,
+}
+
+/// What somebody has the robot do by hand.
+#[derive(Clone, Debug)]
+pub(crate) struct ByHand {
+    /// The name of the action.
+    pub(crate) device: String,
+    /// Its parameters.
+    pub(crate) params: Params,
+    /// What it is told.
+    pub(crate) value: Value,
+    /// Who.
+    pub(crate) by: String,
+}
+
+/// Somebody waits for the robot to do something by hand.
+#[derive(Debug)]
+pub(super) struct Handing {
+    /// What.
+    pub(super) hand: ByHand,
+    /// What a Stop sets; then it is void.
+    pub(super) cancel: Arc<CancelFlag>,
+    /// Gets the answer; never waited for.
+    pub(super) answer: oneshot::Sender<Result<(), String>>,
 }
 
 /// One device for one stream.
@@ -219,6 +247,16 @@ impl CommandQueue {
         self.ring();
     }
 
+    /// Hands on what somebody does by hand; too much at once is not answered.
+    pub(super) fn hand(&self, handing: Handing) {
+        let mut pending = lock(&self.pending);
+        if pending.hands.len() < HANDS_MAX {
+            pending.hands.push(handing);
+        }
+        drop(pending);
+        self.ring();
+    }
+
     /// Hands on a value for an action; an older one of the same stream gives way.
     pub(super) fn command(&self, user: Use, device: &str, command: Command) {
         let waiting = robot::device(StreamKind::Actuator, device).map_or(Waiting::Newest, |device| device.waiting);
@@ -256,6 +294,7 @@ impl CommandQueue {
             opens: std::mem::take(&mut pending.opens),
             edits: std::mem::take(&mut pending.edits),
             controls: std::mem::take(&mut pending.controls),
+            hands: std::mem::take(&mut pending.hands),
             commands: Fair::default(),
         };
         (taken, commands)

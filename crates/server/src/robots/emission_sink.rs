@@ -9,6 +9,7 @@ use engine::{ConnectorIx, Emission, End, IndexVec, Run, StreamIx};
 use robot::{Millis, Use};
 use std::cell::Cell;
 use std::rc::Rc;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Where what a run emits goes.
@@ -51,7 +52,7 @@ impl<'a> EmissionSink<'a> {
 
     /// Takes what the run emits.
     pub(super) fn note(&mut self, emission: Emission) {
-        self.clock.set(Instant::now());
+        self.clock.set((self.job.clock)());
         match emission {
             Emission::Value { at, stream, value } => {
                 self.tally.carried(stream, at.0);
@@ -78,9 +79,12 @@ impl<'a> EmissionSink<'a> {
     }
 
     /// A reading is about to be fed.
-    pub(super) fn reading(&mut self, at: Millis, stream: StreamIx, value: &Value) {
-        if self.recorder.is_some() && value.is_finite() {
-            self.step.value(at.0, stream, value);
+    pub(super) fn reading(&mut self, at: Millis, stream: StreamIx, value: &Value, by: Option<&Arc<str>>) {
+        if self.recorder.as_ref().is_some_and(Recorder::has_readings) && value.is_finite() {
+            match by {
+                Some(by) => self.step.pretended(at.0, stream, value, by),
+                None => self.step.value(at.0, stream, value),
+            }
         }
     }
 
@@ -106,22 +110,22 @@ impl<'a> EmissionSink<'a> {
     }
 
     /// Hands on what was recorded, and ends the recording if that is wanted.
-    pub(super) fn record(&mut self, ends: bool) {
+    pub(super) fn record(&mut self, ends: Option<String>) {
         let Some(recorder) = &mut self.recorder else { return };
         recorder.flush();
         if let Some(news) = recorder.news() {
             self.job.shared.recorded(self.job.run, Some(news));
         }
-        if ends {
-            self.end_recording("the recording was ended");
+        if let Some(by) = ends {
+            self.end_recording("the recording was ended", Some(by));
             self.job.shared.recorded(self.job.run, None);
         }
     }
 
     /// Writes the last line.
-    pub(super) fn end_recording(&mut self, why: &str) {
+    pub(super) fn end_recording(&mut self, why: &str, by: Option<String>) {
         if let Some(recorder) = self.recorder.take() {
-            recorder.end(why);
+            recorder.end(why, by);
         }
     }
 }

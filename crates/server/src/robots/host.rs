@@ -2,9 +2,9 @@
 //! none of them.
 
 use super::cancel_flag::CancelFlag;
-use super::command_queue::Controlling;
+use super::command_queue::{ByHand, Controlling, Handing};
 use super::live::LiveValues;
-use super::mailbox::Keep;
+use super::mailbox::Beginning;
 use super::order::Order;
 use super::refusal::NoRun;
 use super::robot_thread::{self, Make};
@@ -13,14 +13,14 @@ use super::runner::{self, Job};
 use super::shared::RobotShared;
 use super::status_feed::StatusFeed;
 use super::successor;
-use crate::recordings::{NotRecorded, Recordings};
+use crate::recordings::{About, NotRecorded, Recordings};
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
 use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
-use protocol::{Refused, RobotState, RunState, STOP_BUTTON};
+use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, Refused, RobotState, RunState, STOP_BUTTON, Session};
 use robot::{Control, RobotFault, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -55,6 +55,8 @@ pub(crate) struct Start {
     pub(crate) file: Arc<BehaviourFile>,
     /// Whether it is recorded.
     pub(crate) record: bool,
+    /// What its recording is part of, and what it has.
+    pub(crate) session: Session,
     /// Who starts it.
     pub(crate) by: String,
     /// By which invitation they came; none if they are the host.
@@ -95,6 +97,8 @@ pub(super) struct Owner {
     pub(super) thread: Mutex<Option<JoinHandle<()>>>,
     limits: fn() -> Limits,
     recordings: Recordings,
+    /// Taken while a recording of what runs begins.
+    beginning: Mutex<()>,
     /// The robot in its room as a message, made from the newest scene.
     pictures: watch::Sender<Utf8Bytes>,
 }
@@ -118,7 +122,8 @@ impl Host {
             std::thread::Builder::new().name("robot".into()).spawn(move || robot_thread::keep(&mine, &make))?;
         shared.feed.add(state);
         let pictures = watch::Sender::new(Utf8Bytes::default());
-        Ok(Self { owner: Arc::new(Owner { shared, thread: Mutex::new(Some(thread)), limits, recordings, pictures }) })
+        let (thread, beginning) = (Mutex::new(Some(thread)), Mutex::default());
+        Ok(Self { owner: Arc::new(Owner { shared, thread, limits, recordings, beginning, pictures }) })
     }
 
     /// Which robot.
@@ -175,7 +180,7 @@ impl Host {
 
     fn job(&self, run: u64, start: Start, cancel: Arc<CancelFlag>) -> Job {
         let (shared, recordings) = (self.shared().clone(), self.owner.recordings.clone());
-        Job { run, start, cancel, shared, recordings, limits: self.owner.limits }
+        Job { run, start, cancel, shared, recordings, limits: self.owner.limits, clock: Instant::now }
     }
 
     /// A thread for a run.
@@ -242,15 +247,15 @@ impl Host {
         ran
     }
 
-    /// Gives a value to a sensor stream of a running behaviour, as if the robot had sensed it.
+    /// Gives a value to a sensor stream of a running behaviour, as if the robot had sensed it; a recording says who did.
     ///
     /// # Errors
     /// If the behaviour does not run, or has no such sensor stream.
-    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value) -> Result<(), Refused> {
+    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value, by: &str) -> Result<(), Refused> {
         let table = lock(&self.shared().table);
         let entry = table.running_of(behaviour).ok_or(Refused::NotRunning)?;
         let &(index, _) = entry.senses.get(stream).ok_or(Refused::NoSensor)?;
-        entry.mailbox.put(index, Keep::All, value);
+        entry.mailbox.pretend(index, value, by);
         Ok(())
     }
 
@@ -265,26 +270,55 @@ impl Host {
         self.shared().place(behaviour, above).map_err(|error| Refused::NotKept(error.to_string()))
     }
 
-    /// Marks this moment in the recording of a running behaviour.
+    /// Marks the moment of a press in the recording of a running behaviour, so many milliseconds ago.
     ///
     /// # Errors
     /// If the behaviour does not run or is not recorded, or if that was too much at once.
-    pub(super) fn mark(&self, behaviour: &Id, by: &str, note: &str) -> Result<(), Refused> {
+    pub(super) fn mark(&self, behaviour: &Id, by: &str, note: &str, ago_ms: u64) -> Result<(), Refused> {
         let table = lock(&self.shared().table);
         let entry = table.running_of(behaviour).ok_or(Refused::NotRunning)?;
         if entry.state.recording.is_none() {
             return Err(NotRecorded::Unrecorded.into());
         }
-        if entry.mailbox.mark(by, note) { Ok(()) } else { Err(Refused::TooFast) }
+        let ago = Duration::from_millis(ago_ms.min(AGO_MAX_MS));
+        if entry.mailbox.mark(by, note, ago) { Ok(()) } else { Err(Refused::TooFast) }
+    }
+
+    /// Records a running behaviour from now on; one that is recorded stays so. Waits for the disk.
+    ///
+    /// # Errors
+    /// If the behaviour does not run, or why it cannot be recorded.
+    pub(crate) fn record(&self, behaviour: &Id, by: &str, session: &Session) -> Result<(), Refused> {
+        // One at a time, so that nothing is recorded twice.
+        let _beginning = lock(&self.owner.beginning);
+        let shared = self.shared();
+        let entry = lock(&shared.table).running_of(behaviour).cloned().ok_or(Refused::NotRunning)?;
+        if entry.state.recording.is_some() {
+            return Ok(());
+        }
+        let (run, revision, file) = (entry.state.run, entry.state.revision, entry.file);
+        let robot = &shared.feed.name(&shared.robot);
+        let about = About { run, robot, behaviour, revision, by, file: &file, session };
+        let mut recorder = self.owner.recordings.begin(&about)?;
+        let news = recorder.news();
+        match lock(&shared.table).running_mut(run) {
+            Some(entry) => entry.mailbox.begin_recording(Beginning { recorder, file }),
+            None => {
+                recorder.end("it did not run any more", None);
+                return Err(Refused::NotRunning);
+            }
+        }
+        shared.recorded(run, news);
+        Ok(())
     }
 
     /// Ends the recording of a running behaviour.
     ///
     /// # Errors
     /// If the behaviour does not run.
-    pub(crate) fn end_recording(&self, behaviour: &Id) -> Result<(), Refused> {
+    pub(crate) fn end_recording(&self, behaviour: &Id, by: &str) -> Result<(), Refused> {
         let table = lock(&self.shared().table);
-        table.running_of(behaviour).ok_or(Refused::NotRunning)?.mailbox.end_recording();
+        table.running_of(behaviour).ok_or(Refused::NotRunning)?.mailbox.end_recording(by);
         Ok(())
     }
 
@@ -314,6 +348,32 @@ impl Host {
     /// The names under which it remembers faces.
     pub(crate) fn faces(&self) -> Vec<String> {
         lock(&self.shared().faces).to_vec()
+    }
+
+    /// Has the robot do something by hand, above what runs on it. A Stop that comes before it makes it void.
+    ///
+    /// # Errors
+    /// Why it was not done.
+    pub(crate) async fn hand(&self, hand: ByHand) -> Result<(), Refused> {
+        let cannot = |why: String| Refused::RobotCannot(why);
+        let shared = self.shared();
+        if let Some(other) = shared.feed.same_as(&shared.robot) {
+            return Err(cannot(NoRun::Twin(other).to_string()));
+        }
+        if recording::json(&hand.value).len() + recording::json(&hand.params).len() > HAND_MAX_BYTES {
+            return Err(cannot(NoRun::LargeHand.to_string()));
+        }
+        let cancel = shared.cancel_flags.add(&shared.robot);
+        let (answer, answered) = oneshot::channel();
+        shared.queue.hand(Handing { hand, cancel: cancel.clone(), answer });
+        let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;
+        // What was answered, or is not waited for, is not stopped any more by its flag.
+        cancel.cancel();
+        match answered {
+            Ok(Ok(done)) => done.map_err(cannot),
+            Ok(Err(_)) => Err(Refused::TooFast),
+            Err(_) => Err(cannot(NoRun::Silent.to_string())),
+        }
     }
 
     /// Makes the robot anew, as its settings are by now.

@@ -1,20 +1,26 @@
 //! The mailbox of a run: readings wait here until the run's thread takes them; bounded, and never slowing the robot.
 
+use super::command_queue::ByHand;
 use super::fair::Fair;
 use super::successor::Successor;
+use crate::recordings::Recorder;
 use crate::support::lock;
-use behaviour::{Id, StreamKind, Value};
+use behaviour::{BehaviourFile, Id, StreamKind, Value};
 use engine::StreamIx;
 use robot::Waiting;
 use std::collections::BTreeMap;
-use std::sync::{Condvar, Mutex};
-use std::time::Instant;
+use std::sync::{Arc, Condvar, Mutex};
+use std::time::{Duration, Instant};
 
 /// Readings of one stream that may wait when every one counts (touches).
 const QUEUE_MAX_READINGS: usize = 256;
 
 /// Marks that may wait.
 const MARKS_MAX: usize = 32;
+/// Different things that the robot did not do and that may wait to be recorded.
+const UNDONE_MAX: usize = 256;
+/// Things done by hand that may wait to be recorded; more than come while a run looks at its clock.
+const HANDS_MAX: usize = 256;
 
 /// Which readings of a stream are kept while the run is busy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -51,6 +57,19 @@ pub(super) struct Arrived {
     pub(super) at: Instant,
     /// What was read.
     pub(super) value: Value,
+    /// Who pretended it, if it was not sensed.
+    pub(super) by: Option<Arc<str>>,
+}
+
+/// Something that an action was told and the robot did not do.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Undone {
+    /// The action's stream.
+    pub(super) stream: Id,
+    /// Why, in words.
+    pub(super) why: String,
+    /// Who keeps the part of the robot, if somebody does.
+    pub(super) with: Option<String>,
 }
 
 /// What the run's thread takes out.
@@ -64,8 +83,41 @@ pub(super) struct Post {
     pub(super) successor: Option<Successor>,
     /// Moments that somebody marked.
     pub(super) marks: Vec<Mark>,
-    /// Whether the recording shall end.
-    pub(super) end_recording: bool,
+    /// What the robot did not do: when first, and how often by now.
+    pub(super) undone: BTreeMap<Undone, (Instant, u64)>,
+    /// What people did by hand.
+    pub(super) hands: Vec<DoneByHand>,
+    /// Where it is recorded from now on.
+    pub(super) begin_recording: Option<Beginning>,
+    /// Who wants the recording to end.
+    pub(super) end_recording: Option<String>,
+}
+
+/// What somebody had the robot do by hand beside the run.
+#[derive(Debug)]
+pub(super) struct DoneByHand {
+    /// When.
+    pub(super) at: Instant,
+    /// What, and who.
+    pub(super) hand: ByHand,
+    /// Why the robot did not do it, if so.
+    pub(super) why: Option<String>,
+}
+
+impl DoneByHand {
+    /// Now.
+    pub(super) fn of(hand: ByHand, why: Option<String>) -> Self {
+        Self { at: Instant::now(), hand, why }
+    }
+}
+
+/// A recording that begins in the middle of a run.
+#[derive(Debug)]
+pub(super) struct Beginning {
+    /// Where it goes.
+    pub(super) recorder: Recorder,
+    /// What ran when it was begun.
+    pub(super) file: Arc<BehaviourFile>,
 }
 
 /// A moment that somebody marked.
@@ -88,19 +140,32 @@ pub(super) struct Mailbox {
 
 #[derive(Debug, Default)]
 struct Inbox {
-    readings: Fair<(StreamIx, Keep), (Instant, Value)>,
+    readings: Fair<(StreamIx, Keep), Arrived>,
     refused: BTreeMap<Id, (u64, String)>,
+    undone: BTreeMap<Undone, (Instant, u64)>,
+    hands: Vec<DoneByHand>,
     successor: Option<Successor>,
     marks: Vec<Mark>,
-    end_recording: bool,
+    begin_recording: Option<Beginning>,
+    end_recording: Option<String>,
     rung: bool,
 }
 
 impl Mailbox {
     /// Puts a reading in.
     pub(super) fn put(&self, stream: StreamIx, keep: Keep, value: Value) {
+        self.put_of(stream, keep, value, None);
+    }
+
+    /// Puts a reading in that somebody pretended; every one counts.
+    pub(super) fn pretend(&self, stream: StreamIx, value: Value, by: &str) {
+        self.put_of(stream, Keep::All, value, Some(by.into()));
+    }
+
+    fn put_of(&self, stream: StreamIx, keep: Keep, value: Value, by: Option<Arc<str>>) {
         let mut inbox = lock(&self.inbox);
-        inbox.readings.push((stream, keep), keep.readings_max(), (Instant::now(), value));
+        let arrived = Arrived { stream, at: Instant::now(), value, by };
+        inbox.readings.push((stream, keep), keep.readings_max(), arrived);
         // Who is woken must not find the mailbox locked.
         drop(inbox);
         self.bell.notify_one();
@@ -109,10 +174,29 @@ impl Mailbox {
     /// Notes that the robot dropped a command of an actuator stream.
     pub(super) fn refuse(&self, stream: &Id, reason: String) {
         let mut inbox = lock(&self.inbox);
+        inbox.undone(Undone { stream: stream.clone(), why: reason.clone(), with: None });
         let noted = inbox.refused.entry(stream.clone()).or_default();
         *noted = (noted.0 + 1, reason);
         drop(inbox);
         self.bell.notify_one();
+    }
+
+    /// Notes that somebody else keeps what a command of an actuator stream would move. That is no fault, and wakes nobody.
+    pub(super) fn held_back(&self, stream: &Id, why: String, with: String) {
+        lock(&self.inbox).undone(Undone { stream: stream.clone(), why, with: Some(with) });
+    }
+
+    /// Notes that the robot did not do something that no program wanted.
+    pub(super) fn undone(&self, undone: Undone) {
+        lock(&self.inbox).undone(undone);
+    }
+
+    /// Notes what somebody had the robot do by hand.
+    pub(super) fn done_by_hand(&self, done: DoneByHand) {
+        let mut inbox = lock(&self.inbox);
+        if inbox.hands.len() < HANDS_MAX {
+            inbox.hands.push(done);
+        }
     }
 
     /// Announces the run that follows. Readings that were put in before are still for the one that ends.
@@ -121,22 +205,32 @@ impl Mailbox {
         self.bell.notify_one();
     }
 
-    /// Marks this moment in the recording; false if too many marks wait.
-    pub(super) fn mark(&self, by: &str, note: &str) -> bool {
+    /// Marks the moment of a press in the recording; false if too many marks wait.
+    pub(super) fn mark(&self, by: &str, note: &str, ago: Duration) -> bool {
         let mut inbox = lock(&self.inbox);
         let has_room = inbox.marks.len() < MARKS_MAX;
         if has_room {
-            inbox.marks.push(Mark { at: Instant::now(), by: by.to_owned(), note: note.to_owned() });
+            let now = Instant::now();
+            let at = now.checked_sub(ago).unwrap_or(now);
+            inbox.marks.push(Mark { at, by: by.to_owned(), note: note.to_owned() });
         }
         inbox.rung = true;
         self.bell.notify_one();
         has_room
     }
 
-    /// Wants the recording to end.
-    pub(super) fn end_recording(&self) {
+    /// Records from now on.
+    pub(super) fn begin_recording(&self, beginning: Beginning) {
         let mut inbox = lock(&self.inbox);
-        (inbox.end_recording, inbox.rung) = (true, true);
+        (inbox.begin_recording, inbox.rung) = (Some(beginning), true);
+        drop(inbox);
+        self.bell.notify_one();
+    }
+
+    /// Wants the recording to end.
+    pub(super) fn end_recording(&self, by: &str) {
+        let mut inbox = lock(&self.inbox);
+        (inbox.end_recording, inbox.rung) = (Some(by.to_owned()), true);
         drop(inbox);
         self.bell.notify_one();
     }
@@ -159,10 +253,17 @@ impl Mailbox {
             };
         }
         inbox.rung = false;
-        let readings = inbox.readings.take().map(|((stream, _), (at, value))| Arrived { stream, at, value }).collect();
-        let successor = inbox.successor.take();
-        let (end_recording, marks) = (std::mem::take(&mut inbox.end_recording), std::mem::take(&mut inbox.marks));
-        Post { readings, refused: std::mem::take(&mut inbox.refused), successor, marks, end_recording }
+        let readings = inbox.readings.take().map(|(_, arrived)| arrived).collect();
+        Post {
+            readings,
+            refused: std::mem::take(&mut inbox.refused),
+            undone: std::mem::take(&mut inbox.undone),
+            hands: std::mem::take(&mut inbox.hands),
+            successor: inbox.successor.take(),
+            marks: std::mem::take(&mut inbox.marks),
+            begin_recording: inbox.begin_recording.take(),
+            end_recording: inbox.end_recording.take(),
+        }
     }
 
     /// How many readings gave way to newer ones.
@@ -172,6 +273,13 @@ impl Mailbox {
 }
 
 impl Inbox {
+    /// The same again only counts; of more different things than may wait the newest are left out.
+    fn undone(&mut self, undone: Undone) {
+        if self.undone.len() < UNDONE_MAX || self.undone.contains_key(&undone) {
+            self.undone.entry(undone).or_insert_with(|| (Instant::now(), 0)).1 += 1;
+        }
+    }
+
     fn is_quiet(&self) -> bool {
         !self.rung && self.readings.is_empty() && self.refused.is_empty() && self.successor.is_none()
     }

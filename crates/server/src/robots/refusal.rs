@@ -46,6 +46,8 @@ pub(crate) enum NoRun {
     AppliedJustNow,
     /// Nobody knows yet whether it was applied.
     StillApplying,
+    /// What it is told by hand is too large.
+    LargeHand,
     /// The server itself failed.
     Inside,
 }

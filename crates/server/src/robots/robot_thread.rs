@@ -1,6 +1,8 @@
 //! The robot's thread: the only one that touches the robot. It makes a step when one is due, empties the command queue when
 //! somebody rings, and looks at Stop first either way.
 
+mod by_hand;
+
 use super::cancel_flag::CancelFlag;
 use super::command_queue::{Command, CommandQueue, Controlling, Opening, Wanted};
 use super::mailbox::{Keep, Mailbox};
@@ -8,6 +10,7 @@ use super::refusal::{NoRun, RunFailure};
 use super::shared::RobotShared;
 use crate::support::lock;
 use behaviour::Id;
+use by_hand::{HAND, Hands};
 use engine::{HeldBy, Precedence, StreamIx};
 use protocol::HeldPart;
 use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
@@ -74,6 +77,8 @@ pub(super) struct RobotThread<'a> {
     may_sense: Instant,
     /// Who holds which part of the robot.
     parts: Precedence,
+    /// What people do by hand.
+    hands: Hands,
     blocked: Blocked,
     /// What was shown of that last.
     shown: HashMap<u64, Vec<HeldPart>>,
@@ -104,6 +109,7 @@ impl<'a> RobotThread<'a> {
             readings: Vec::new(),
             may_sense: Instant::now(),
             parts: Precedence::default(),
+            hands: Hands::default(),
             blocked: Blocked::new(),
             shown: HashMap::new(),
         }
@@ -128,7 +134,7 @@ impl<'a> RobotThread<'a> {
     }
 
     /// Does what waits, at the robot time of the coming step.
-    fn serve(&mut self) {
+    pub(super) fn serve(&mut self) {
         self.end_what_ended();
         self.empty_the_queue();
         self.end_what_ended();
@@ -146,7 +152,7 @@ impl<'a> RobotThread<'a> {
     }
 
     /// Pictures are of the step before, and made first: after it, a reading's action would wait for them.
-    fn step(&mut self) {
+    pub(super) fn step(&mut self) {
         if self.steps % STEPS_PER_PICTURE == 1 {
             self.show();
             self.show_held();
@@ -159,11 +165,14 @@ impl<'a> RobotThread<'a> {
         }
         self.readings = readings;
         for (user, fault) in self.robot.take_refused() {
-            if let Some(known) = self.users.get(&user.run) {
+            if user.run == HAND {
+                self.refused_by_hand(&user.stream, &fault);
+            } else if let Some(known) = self.users.get(&user.run) {
                 known.mailbox.refuse(&user.stream, fault.to_string());
             }
         }
         if let Some(reason) = self.robot.take_halt() {
+            self.end_by_hand();
             self.shared.pause_all(&RunFailure::Halt(reason));
             self.end_what_ended();
         }
@@ -175,6 +184,7 @@ impl<'a> RobotThread<'a> {
     fn end_what_ended(&mut self) {
         if self.queue().take_stop() {
             self.robot.stop(self.now());
+            self.end_by_hand();
         }
         for run in self.queue().take_closes() {
             self.close(run);
@@ -200,6 +210,10 @@ impl<'a> RobotThread<'a> {
             self.end_what_ended();
             // Who gave up waiting does not hear it.
             drop(answer.send(self.robot.control(control, self.now())));
+        }
+        for handing in pending.hands {
+            self.end_what_ended();
+            self.by_hand(handing);
         }
         for (user, command) in commands {
             self.end_what_ended();
@@ -229,7 +243,7 @@ impl<'a> RobotThread<'a> {
         let behaviour = |run: u64| users.get(&run).map(|known| &known.behaviour.0);
         let is_above = |one, other| match (behaviour(one), behaviour(other)) {
             (Some(one), Some(other)) => order.is_above(one, other),
-            _ => false,
+            (_, of_run) => one == HAND && of_run.is_some(),
         };
         self.parts.command(now, user, &wanted.claim, is_above)?;
         let got = |run: u64, part: &String| run == user.run && wanted.claim.resources.contains(part);
@@ -239,19 +253,31 @@ impl<'a> RobotThread<'a> {
 
     /// Remembers who kept a part from whom. That is no fault of a connector, and passes.
     fn hold_back(&mut self, user: &Use, held: HeldBy) {
+        if let (Some(known), Some((_, with))) = (self.users.get(&user.run), self.holder(held.by.run)) {
+            let part = &held.part;
+            let by_hand = held.by.run == HAND;
+            let why = if by_hand { format!("the {part} is held by hand") } else { format!("the {part} is held") };
+            known.mailbox.held_back(&user.stream, why, with);
+        }
         self.blocked.insert((user.run, user.stream.clone(), held.part), (held.by.run, self.now()));
+    }
+
+    /// Whose a run is: its behaviour with its name, or who does something by hand.
+    fn holder(&self, run: u64) -> Option<(Id, String)> {
+        if run == HAND { self.hands.holder() } else { self.users.get(&run).map(|known| known.behaviour.clone()) }
     }
 
     /// Shows who keeps what from whom, if that changed.
     fn show_held(&mut self) {
         let (now, users) = (self.now(), &self.users);
         let is_new = |at: Millis| now.0.saturating_sub(at.0) < HELD_SHOWN_MS;
-        self.blocked.retain(|(run, ..), (by, at)| is_new(*at) && users.contains_key(run) && users.contains_key(by));
+        let is_there = |run: &u64| *run == HAND || users.contains_key(run);
+        self.blocked.retain(|(run, ..), (by, at)| is_new(*at) && users.contains_key(run) && is_there(by));
         let mut held: HashMap<u64, Vec<HeldPart>> = HashMap::new();
         let mut blocked: Vec<_> = self.blocked.iter().collect();
         blocked.sort_unstable();
         for ((run, stream, part), (by, _)) in blocked {
-            if let Some((by, name)) = users.get(by).map(|holder| holder.behaviour.clone()) {
+            if let Some((by, name)) = self.holder(*by) {
                 held.entry(*run).or_default().push(HeldPart { part: part.clone(), stream: stream.clone(), by, name });
             }
         }
@@ -325,6 +351,12 @@ impl<'a> RobotThread<'a> {
         if let Some(&(stream, keep)) = user.streams.get(&reading.to.stream) {
             user.mailbox.put(stream, keep, reading.value);
         }
+    }
+
+    /// The room as it is just now.
+    #[cfg(test)]
+    pub(super) fn scene(&self) -> robot::Scene {
+        self.robot.scene()
     }
 
     /// Shows the room and the robot's state, each only if it changed.

@@ -168,6 +168,14 @@ impl RunTable {
         self.paused.insert(run, Paused { cancel, memory: None });
     }
 
+    /// Why the robot interrupted a run, if it did.
+    pub(super) fn halted(&self, run: u64) -> Option<String> {
+        match &self.get(run)?.state.phase {
+            RunPhase::Paused(why) => Some(why.clone()),
+            RunPhase::Running | RunPhase::Stopped(_) | RunPhase::Faulted(_) => None,
+        }
+    }
+
     /// What an interrupted run remembers; of any other run that is not kept.
     pub(super) fn keep_memory(&mut self, run: u64, memory: impl FnOnce() -> PausedMemory) {
         if let Some(paused) = self.paused.get_mut(&run) {

@@ -1,23 +1,26 @@
 //! The thread of one run: builds the behaviour, opens its devices, and moves it through logical time until it ends.
 
 use super::cancel_flag::CancelFlag;
-use super::command_queue::{Opening, Wanted};
+use super::command_queue::{ByHand, Opening, Wanted};
 use super::emission_sink::EmissionSink;
 use super::host::Start;
 use super::live::LiveValues;
-use super::mailbox::{Arrived, Keep, Mailbox, Mark};
+use super::mailbox::{Arrived, Beginning, DoneByHand, Keep, Mailbox, Mark, Post, Undone};
 use super::refusal::{NoRun, RunFailure};
 use super::run_table::{Applying, Entry, PausedMemory, Senses};
 use super::shared::RobotShared;
 use super::successor::{RunHandover, Successor};
+use super::surroundings::Surroundings;
 use super::tally::Tally;
-use crate::recordings::{About, NotRecorded, Note, Recorder, Recordings};
+use crate::recordings::{About, NotRecorded, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Matching, Run};
 use protocol::{RunPhase, RunState};
+use recording::{Hand, Note, Refusal};
 use robot::Millis;
 use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -49,10 +52,12 @@ pub(super) struct Job {
     pub(super) recordings: Recordings,
     /// Limits of procedures; the hook comes on top.
     pub(super) limits: fn() -> Limits,
+    /// The clock of logical time.
+    pub(super) clock: fn() -> Instant,
 }
 
 /// How a run ended.
-enum End {
+pub(super) enum End {
     /// By itself, with the reason.
     Fault(RunFailure),
     /// It was stopped, or did not come to be.
@@ -103,13 +108,24 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
     let devices = devices(&run, &job.start.file);
     wait_for_robot(job);
     open(job, &mailbox, devices.clone(), false)?;
-    let mut entry = entry(job, &run, &mailbox, &devices);
+    begin(job, run, mailbox, &devices, clock)
+}
+
+/// Begins a run whose devices are open, where the robot interrupted it if it did.
+pub(super) fn begin<'a>(
+    job: &'a Job,
+    run: Run,
+    mailbox: Arc<Mailbox>,
+    devices: &[Wanted],
+    clock: Rc<Cell<Instant>>,
+) -> Result<(Runner<'a>, RunState), NoRun> {
+    let mut entry = entry(job, &run, &mailbox, devices);
     let tally = Tally::new(entry.live.clone(), &run);
     let mut runner = Runner::new(job, run, mailbox, tally, clock);
     job.shared.order.add(&job.start.behaviour).map_err(NoRun::Unordered)?;
     runner.sink.recorder = recorder(job)?;
     entry.state.recording = runner.sink.recorder.as_mut().and_then(Recorder::news);
-    runner.began = Instant::now();
+    runner.began = (job.clock)();
     let kept = lock(&job.shared.table).take_memory(&job.start.behaviour);
     if let Some(kept) = kept {
         runner.go_on(kept);
@@ -118,7 +134,7 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
     if job.shared.begin(entry) {
         return Ok((runner, state));
     }
-    runner.sink.end_recording(&NoRun::StoppedBefore.to_string());
+    runner.sink.end_recording(&NoRun::StoppedBefore.to_string(), None);
     Err(NoRun::StoppedBefore)
 }
 
@@ -132,23 +148,24 @@ fn wait_for_robot(job: &Job) {
 }
 
 fn recorder(job: &Job) -> Result<Option<Recorder>, NotRecorded> {
-    let Start { behaviour, revision, file, record, by, .. } = &job.start;
+    let Start { behaviour, revision, file, record, by, session, .. } = &job.start;
     let robot = &job.shared.feed.name(&job.shared.robot);
-    let about = About { run: job.run, robot, behaviour, revision: *revision, by, file };
+    let about = About { run: job.run, robot, behaviour, revision: *revision, by, file, session };
     record.then(|| job.recordings.begin(&about)).transpose()
 }
 
 /// Compiles what is to run. `clock` says when the procedure that runs began.
 pub(super) fn build(job: &Job, clock: &Rc<Cell<Instant>>) -> Result<Run, NoRun> {
     let cancel = job.cancel.clone();
-    let limits = (job.limits)().interrupted_by(interrupt(job.cancel.clone(), clock.clone()));
+    let limits = (job.limits)().interrupted_by(interrupt(job.cancel.clone(), clock.clone(), job.clock));
     let limits = limits.stopped_by(move || cancel.is_cancelled());
     Run::build(&job.start.file, limits).map_err(NoRun::Faults)
 }
 
 /// Ends a procedure at its deadline, or at once when the run is stopped.
-fn interrupt(cancel: Arc<CancelFlag>, clock: Rc<Cell<Instant>>) -> impl Fn() -> bool {
-    move || cancel.is_cancelled() || clock.get().elapsed() > Duration::from_millis(PROCEDURE_MAX_MS)
+fn interrupt(cancel: Arc<CancelFlag>, clock: Rc<Cell<Instant>>, now: fn() -> Instant) -> impl Fn() -> bool {
+    let deadline = Duration::from_millis(PROCEDURE_MAX_MS);
+    move || cancel.is_cancelled() || now().saturating_duration_since(clock.get()) > deadline
 }
 
 /// The devices it uses, actions before senses, each in file order.
@@ -223,13 +240,16 @@ pub(super) struct Runner<'a> {
     open_ms: u64,
     /// Who follows, as soon as no frame is open.
     successor: Option<Successor>,
+    /// What a recording has of the robot and its room.
+    surroundings: Surroundings,
 }
 
 impl<'a> Runner<'a> {
     /// A run whose logical time begins now.
     pub(super) fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, tally: Tally, clock: Rc<Cell<Instant>>) -> Self {
         let sink = EmissionSink::new(job, tally, &run, clock);
-        Self { run, mailbox, sink, began: Instant::now(), open_ms: 0, successor: None }
+        let surroundings = Surroundings::default();
+        Self { run, mailbox, sink, began: (job.clock)(), open_ms: 0, successor: None, surroundings }
     }
 
     /// This run with the time and the recording of the run that it follows.
@@ -237,8 +257,7 @@ impl<'a> Runner<'a> {
         (self.began, self.open_ms) = (began, open_ms);
         if let Some(mut recorder) = recorder {
             let start = &self.sink.job.start;
-            recorder.follow(&start.file);
-            recorder.applied(open_ms.saturating_sub(1), start.revision);
+            recorder.applied(open_ms.saturating_sub(1), start.revision, &start.file);
             self.sink.recorder = Some(recorder);
         }
         self
@@ -249,6 +268,9 @@ impl<'a> Runner<'a> {
         self.run.resume_from(kept.memory, &Matching::between(&kept.file, &self.sink.job.start.file));
         self.open_ms = kept.open_ms;
         self.began = self.began.checked_sub(Duration::from_millis(kept.open_ms)).unwrap_or(self.began);
+        if let Some(recorder) = &mut self.sink.recorder {
+            recorder.memory(self.open_ms, self.run.handover());
+        }
     }
 
     /// What an interrupted run remembers, unless it was in the middle of a frame.
@@ -266,42 +288,79 @@ impl<'a> Runner<'a> {
         let mut reason = None;
         while reason.is_none() && !self.sink.job.cancel.is_cancelled() {
             let post = self.mailbox.take(self.next_wake());
-            for reading in post.readings {
-                self.feed(reading);
-            }
-            self.sink.tally.refused(post.refused);
-            self.successor = self.successor.or(post.successor);
-            self.close_instants();
-            self.mark(post.marks);
-            self.sink.record(post.end_recording);
-            reason = self.failure();
-            if self.may_follow()
-                && let Some(successor) = self.successor.take_if(|_| reason.is_none())
+            reason = self.turn(post);
+            if reason.is_none()
+                && let Some(successor) = self.follower()
             {
                 return self.hand_over(successor);
             }
             self.sink.tally.tell(&self.run, self.now_ms(), false);
         }
-        // A mark that was answered just before the end counts.
+        self.finish(reason)
+    }
+
+    /// Takes what came, and closes the instants up to now; answers with why it ends by itself, if it does.
+    pub(super) fn turn(&mut self, post: Post) -> Option<RunFailure> {
+        let Post { readings, refused, undone, hands, successor, marks, begin_recording, end_recording } = post;
+        // What comes with it may have come after it.
+        self.begin_recording(begin_recording);
+        for reading in readings {
+            self.feed(reading);
+        }
+        self.sink.tally.refused(refused);
+        self.successor = self.successor.take().or(successor);
+        self.close_instants();
+        self.undone(undone);
+        self.hands(hands);
+        self.mark(marks);
+        self.look_around();
+        self.sink.record(end_recording);
+        self.failure()
+    }
+
+    /// Comes to its end.
+    pub(super) fn finish(mut self, reason: Option<RunFailure>) -> End {
+        // What was answered just before the end counts.
         let last = self.mailbox.take(Some(Instant::now()));
+        self.begin_recording(last.begin_recording);
+        self.undone(last.undone);
+        self.hands(last.hands);
         self.mark(last.marks);
         self.sink.tally.tell(&self.run, self.now_ms(), true);
         let (run, dropped) = (self.sink.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
-        let why = reason.as_ref().map(RunFailure::to_string);
         if reason.is_none() {
             self.keep_memory();
         }
-        self.sink.end_recording(why.as_deref().unwrap_or("it was stopped"));
+        self.end_recording(reason.as_ref());
         reason.map_or(End::Stopped, End::Fault)
     }
 
-    /// Whether another run may follow just now.
-    fn may_follow(&self) -> bool {
-        self.successor.is_some() && self.run.is_between() && !self.sink.job.cancel.is_cancelled()
+    /// Writes the last line of its recording: why it ended, and who ended it.
+    fn end_recording(&mut self, reason: Option<&RunFailure>) {
+        let job = self.sink.job;
+        let by = job.cancel.stopped_by().map(str::to_owned);
+        let halt = lock(&job.shared.table).halted(job.run);
+        if let (Some(halt), Some(recorder)) = (&halt, &mut self.sink.recorder) {
+            self.surroundings.halt(job, halt, self.open_ms, recorder);
+        }
+        let why = reason.map(RunFailure::to_string).or(halt).unwrap_or_else(|| "it was stopped".to_owned());
+        self.sink.end_recording(&why, by.filter(|_| reason.is_none()));
     }
 
-    fn hand_over(self, to: Successor) -> End {
+    /// Whether it is recorded.
+    #[cfg(test)]
+    pub(super) fn is_recorded(&self) -> bool {
+        self.sink.recorder.is_some()
+    }
+
+    /// Who follows, if another run may follow just now.
+    pub(super) fn follower(&mut self) -> Option<Successor> {
+        let may_follow = self.run.is_between() && !self.sink.job.cancel.is_cancelled();
+        self.successor.take_if(|_| may_follow)
+    }
+
+    pub(super) fn hand_over(self, to: Successor) -> End {
         let handover = RunHandover {
             memory: self.run.handover(),
             tally: self.sink.tally,
@@ -321,8 +380,8 @@ impl<'a> Runner<'a> {
         self.open_ms = self.open_ms.max(arrived_ms);
         self.close_before_reading();
         let (sink, at) = (&mut self.sink, Millis(self.open_ms));
-        sink.clock.set(Instant::now());
-        sink.reading(at, reading.stream, &reading.value);
+        sink.clock.set((sink.job.clock)());
+        sink.reading(at, reading.stream, &reading.value, reading.by.as_ref());
         self.run.feed(at, reading.stream, reading.value, &mut |emission| sink.note(emission));
         sink.settle(&self.run);
     }
@@ -331,7 +390,7 @@ impl<'a> Runner<'a> {
     fn close_before_reading(&mut self) {
         let sink = &mut self.sink;
         if let (Some(_), Some(before)) = (&sink.recorder, self.open_ms.checked_sub(1)) {
-            sink.clock.set(Instant::now());
+            sink.clock.set((sink.job.clock)());
             self.run.until(Millis(before), &mut |emission| sink.note(emission));
             sink.settle_until(&self.run, before);
         }
@@ -345,7 +404,7 @@ impl<'a> Runner<'a> {
             return;
         }
         let sink = &mut self.sink;
-        sink.clock.set(Instant::now());
+        sink.clock.set((sink.job.clock)());
         self.run.until(Millis(until_ms), &mut |emission| sink.note(emission));
         sink.settle_until(&self.run, until_ms);
         self.open_ms = until_ms + 1;
@@ -360,10 +419,52 @@ impl<'a> Runner<'a> {
         }
     }
 
+    /// What the robot did not do.
+    fn undone(&mut self, undone: BTreeMap<Undone, (Instant, u64)>) {
+        for (Undone { stream, why, with }, (at, count)) in undone {
+            let (at_ms, count) = (self.ms_at(at), Some(count).filter(|count| *count > 1));
+            if let Some(recorder) = &mut self.sink.recorder {
+                recorder.refused(Refusal { at_ms, refused: stream, why, with, count });
+            }
+        }
+    }
+
+    /// What people had the robot do beside it.
+    fn hands(&mut self, hands: Vec<DoneByHand>) {
+        for DoneByHand { at, hand: ByHand { device, params, value, by }, why } in hands {
+            let at_ms = self.ms_at(at);
+            if let Some(recorder) = &mut self.sink.recorder {
+                recorder.hand(Hand { at_ms, hand: device, params, value, by, why });
+            }
+        }
+    }
+
+    /// Is recorded from here on: what it remembers comes first, so that the recording alone gives its actions again.
+    fn begin_recording(&mut self, beginning: Option<Beginning>) {
+        let Some(Beginning { mut recorder, file }) = beginning else { return };
+        let start = &self.sink.job.start;
+        if !Arc::ptr_eq(&file, &start.file) {
+            recorder.applied(self.open_ms.saturating_sub(1), start.revision, &start.file);
+        }
+        recorder.memory(self.open_ms, self.run.handover());
+        self.surroundings = Surroundings::default();
+        self.sink.recorder = Some(recorder);
+    }
+
+    /// Records how the robot and its room are, if that is new.
+    fn look_around(&mut self) {
+        let at_ms = self.now_ms();
+        if let Some(recorder) = &mut self.sink.recorder {
+            self.surroundings.look(self.sink.job, at_ms, recorder);
+        }
+    }
+
     fn next_wake(&self) -> Option<Instant> {
         let due = self.run.next_due().map(|due| self.began + Duration::from_millis(due.0));
-        let recorded = self.sink.recorder.as_ref().and_then(Recorder::next_look).map(|look| Instant::now() + look);
-        [due, self.sink.tally.next_telling(), recorded].into_iter().flatten().min()
+        let recorder = self.sink.recorder.as_ref();
+        let recorded = recorder.and_then(Recorder::next_look).map(|look| Instant::now() + look);
+        let around = recorder.and(self.surroundings.next_ms()).map(|ms| self.began + Duration::from_millis(ms));
+        [due, self.sink.tally.next_telling(), recorded, around].into_iter().flatten().min()
     }
 
     /// Why it ends by itself now, if it does.
@@ -381,7 +482,7 @@ impl<'a> Runner<'a> {
     }
 
     fn now_ms(&self) -> u64 {
-        self.ms_at(Instant::now())
+        self.ms_at((self.sink.job.clock)())
     }
 
     fn ms_at(&self, at: Instant) -> u64 {

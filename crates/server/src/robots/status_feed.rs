@@ -32,6 +32,11 @@ impl StatusFeed {
         robots.iter().find(|known| known.robot == *robot).map(|known| known.name.clone()).unwrap_or_default()
     }
 
+    /// How a robot is; none if it is gone.
+    pub(super) fn state(&self, robot: &Id) -> Option<RobotState> {
+        self.robots.borrow().iter().find(|known| known.robot == *robot).cloned()
+    }
+
     /// The name of another robot that is the same body.
     pub(super) fn same_as(&self, robot: &Id) -> Option<String> {
         self.robots.borrow().iter().find(|known| known.robot == *robot)?.same_as.clone()

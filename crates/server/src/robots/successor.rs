@@ -21,7 +21,7 @@ use tokio::sync::oneshot;
 
 /// Where a run hands over to the one that follows it.
 #[derive(Debug)]
-pub(super) struct Successor(SyncSender<RunHandover>);
+pub(super) struct Successor(pub(super) SyncSender<RunHandover>);
 
 /// What one run hands over to the next.
 pub(super) struct RunHandover {
@@ -81,7 +81,7 @@ fn handover(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<RunHandover,
     handed.recv().map_err(|_| NoRun::StoppedMeanwhile)
 }
 
-fn go_on<'a>(
+pub(super) fn go_on<'a>(
     job: &'a Job,
     mut run: Run,
     handover: RunHandover,

@@ -2,6 +2,7 @@
 
 mod applying;
 mod between;
+mod by_hand;
 mod connecting;
 mod ending;
 mod halting;
@@ -9,6 +10,7 @@ mod identities;
 mod multiplying;
 mod puppet;
 mod recording;
+mod replayed;
 mod running;
 mod several;
 mod simulated;
@@ -18,7 +20,7 @@ mod together;
 
 use super::{Host, Start};
 use behaviour::{BehaviourFile, FORMAT, FileConnector, FileStream, Id, StreamKind, Value};
-use protocol::{RunPhase, RunState};
+use protocol::{RunPhase, RunState, Session};
 use puppet::Puppet;
 use std::time::{Duration, Instant};
 
@@ -88,6 +90,7 @@ fn filtered(name: &str, body: &str) -> Start {
         revision: 1,
         file: file.into(),
         record: false,
+        session: Session::default(),
         by: "Aiko".to_owned(),
         invitation: None,
     }

@@ -53,13 +53,13 @@ This program does not run. Press Start first.
 > start
 Far runs
 > record
-Type “record on” or “record off”.
+Type “record on”, “record now” or “record off”.
 > record on
 What you start from now on is recorded
 > start
 It cannot start: this server has no data folder; start it with --data DIR.
 > mark she smiles
-The recording did not do this: this run is not recorded; tick it before Start.
+The recording did not do this: this run is not recorded; switch Record on first.
 > record off
 Nothing is recorded
 > recordings
@@ -72,6 +72,12 @@ Far is there already.
 Far goes on as it is saved now
 > stimulate ba {\"x\": 0.5}
 Ball got #{x: 0.5}
+> hand say
+“say” could be one of these: SayInput, SayParameter. Type more of the name.
+> hand SayInput Hello
+Type the value and the settings as JSON, such as \"Hello\" with {\"speed\": 0.5} (expected value at line 1 column 1).
+> hand sayinput \"Hello\" with {}
+SayInput got \"Hello\" by hand
 > stop far
 Far is stopped
 > apply far

@@ -16,6 +16,7 @@ mod links;
 mod lists;
 mod locks;
 mod mutated;
+mod operating;
 mod proxied;
 mod renaming;
 mod roles;

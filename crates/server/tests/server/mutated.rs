@@ -34,7 +34,7 @@ fn samples() -> Vec<String> {
         Request::Since { behaviour: id("b"), revision: 0 },
         Request::Check { arguments: vec!["x".into()], body: "x + 1".into(), inputs: vec![vec![1.into()]] },
         Request::Types { behaviour: id("b"), seen: Seen::from([(id("s"), ValueType::Text)]) },
-        Request::Start { behaviour: id("b"), robot: None, record: true },
+        Request::Start { behaviour: id("b"), robot: None, record: true, session: protocol::Session::default() },
         Request::Stimulate { behaviour: id("b"), robot: None, stream: id("s"), value: 1.into() },
         Request::Present { pointer: None, selected: Some(id("s")), view: None },
         Request::CallMe { name: "Aiko".to_owned() },

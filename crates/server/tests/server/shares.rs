@@ -57,7 +57,7 @@ async fn who_opens_pages_again_and_again_locks_out_neither_host_nor_colleague() 
 
 /// What bounds what a viewer may ask, besides what everything passes: eight links, and the requests that a person and those
 /// of one invitation have in a time (`connection/budgets.rs`).
-const BOUNDS: [(&str, &str); 23] = [
+const BOUNDS: [(&str, &str); 24] = [
     ("hello", "answered at once; the greeting has one of the eight half open places of a person"),
     ("list", "eight under way of a person; one lookup at a time of an invitation"),
     ("pictures", "as a list; so many of one request; drawn by the workers, one at a time of an invitation"),
@@ -79,6 +79,7 @@ const BOUNDS: [(&str, &str); 23] = [
     ("callMe", "known in memory; written with others once in a while, apart from revoking"),
     ("runs", "answered at once, from memory"),
     ("recordings", "eight under way of a person; the threads for files, one at a time of an invitation"),
+    ("marks", "as the recordings; a line of the file at a time, and as many marks as a recording may have"),
     ("watch", "answered at once; the newest is told at the link's own pace"),
     ("stop", "never bounded: it passes before all that"),
 ];

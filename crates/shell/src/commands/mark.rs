@@ -15,6 +15,6 @@ pub(crate) const COMMAND: Command = Command {
 async fn run(console: &mut Console, note: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let (behaviour, robot) = (program.behaviour, console.robot.clone());
-    console.ask(Request::Mark { behaviour, robot, note: note.to_owned() }).await?;
+    console.ask(Request::Mark { behaviour, robot, note: note.to_owned(), ago_ms: 0 }).await?;
     Ok("Marked".to_owned())
 }

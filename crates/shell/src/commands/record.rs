@@ -3,12 +3,12 @@
 use super::Command;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::{Request, Session};
 
 pub(crate) const COMMAND: Command = Command {
     name: "record",
-    words: "on|off",
-    help: "Records what is started from now on, or not; “off” also ends the recordings under way.",
+    words: "on|now|off",
+    help: "Records what is started from now on, or not; “now” also what runs, “off” ends the recordings under way.",
     run: |console, words| Box::pin(run(console, words)),
 };
 
@@ -18,6 +18,11 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
             console.records = true;
             Ok("What you start from now on is recorded".to_owned())
         }
+        "now" => {
+            console.records = true;
+            record_all(console).await?;
+            Ok("What runs is recorded, and what you start from now on".to_owned())
+        }
         "off" => {
             console.records = false;
             end_all(console).await?;
@@ -25,6 +30,14 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
         }
         _ => Err(NotDone::NeitherOnNorOff),
     }
+}
+
+async fn record_all(console: &mut Console) -> Result<(), NotDone> {
+    for run in console.running().await?.into_iter().filter(|run| run.recording.is_none()) {
+        let (behaviour, robot, session) = (run.behaviour, Some(run.robot), Session::default());
+        console.ask(Request::Record { behaviour, robot, session }).await?;
+    }
+    Ok(())
 }
 
 async fn end_all(console: &mut Console) -> Result<(), NotDone> {

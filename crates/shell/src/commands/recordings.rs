@@ -20,8 +20,9 @@ async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
 }
 
 fn line(recording: &Recording) -> String {
-    let Recording { file, robot, name, revision, began, bytes, cut_off } = recording;
+    let Recording { file, robot, name, revision, began, bytes, session, cut_off, .. } = recording;
     let on = if robot.is_empty() { String::new() } else { format!(" on {robot}") };
+    let of = session.participant.as_ref().map(|code| format!(", {code}")).unwrap_or_default();
     let (size, end) = (bytes.div_ceil(1024), if *cut_off { ", its end is missing" } else { "" });
-    format!("{name}{on}, revision {revision}, {began}, {size} KiB{end}: {RECORDINGS_PATH}/{file}")
+    format!("{name}{on}{of}, revision {revision}, {began}, {size} KiB{end}: {RECORDINGS_PATH}/{file}")
 }

@@ -3,7 +3,7 @@
 use super::Command;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::{Request, Session};
 
 pub(crate) const COMMAND: Command = Command {
     name: "start",
@@ -15,6 +15,6 @@ pub(crate) const COMMAND: Command = Command {
 async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, behaviour) = console.meant(wanted).await?;
     let (record, robot) = (console.records, console.robot.clone());
-    console.ask(Request::Start { behaviour, robot, record }).await?;
+    console.ask(Request::Start { behaviour, robot, record, session: Session::default() }).await?;
     Ok(if record { format!("{name} runs and is recorded") } else { format!("{name} runs") })
 }

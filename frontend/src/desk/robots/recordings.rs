@@ -4,9 +4,17 @@ use super::Robots;
 use crate::desk::tab::set_if_new;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{Reply, Request};
+use protocol::{Reply, Request, Session};
 
 impl Robots {
+    /// Records the open behaviour, which runs, from now on.
+    pub(crate) fn record_now(&self) {
+        if let Some(behaviour) = self.document.open.get_untracked() {
+            let (robot, session) = (self.chosen_id(), Session::default());
+            self.tab.ask_or_say(Request::Record { behaviour, robot, session }, |_| {});
+        }
+    }
+
     /// Ends the recording of the open behaviour, which runs on.
     pub(crate) fn end_recording(&self) {
         if let Some(behaviour) = self.document.open.get_untracked() {
@@ -19,7 +27,9 @@ impl Robots {
     pub(crate) fn mark(&self, note: &str) {
         if let Some(behaviour) = self.document.open.get_untracked() {
             let (tab, robot, note) = (self.tab.clone(), self.chosen_id(), note.to_owned());
-            self.tab.ask_or_say(Request::Mark { behaviour, robot, note }, move |_| tab.say(words::marked(), false));
+            self.tab.ask_or_say(Request::Mark { behaviour, robot, note, ago_ms: 0 }, move |_| {
+                tab.say(words::marked(), false)
+            });
         }
     }
 

@@ -5,7 +5,7 @@ use super::Robots;
 use crate::{link, words};
 use behaviour::{Id, Value};
 use leptos::prelude::*;
-use protocol::{Reply, Request, Role};
+use protocol::{Reply, Request, Role, Session};
 use robot::SceneEdit;
 
 /// The wish that the robot is to do with the open behaviour once it is saved.
@@ -58,7 +58,7 @@ impl Robots {
         match now {
             Some(Wish::Start) => {
                 let (robot, record) = (self.chosen_id(), self.records.get_untracked());
-                self.tab.ask_or_say(Request::Start { behaviour, robot, record }, |_| {})
+                self.tab.ask_or_say(Request::Start { behaviour, robot, record, session: Session::default() }, |_| {})
             }
             Some(Wish::Apply) => self.ask_to_apply(behaviour),
             None => {}

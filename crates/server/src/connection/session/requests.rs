@@ -76,9 +76,10 @@ impl Session {
                 self.tell_open(Note::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
             }
             Request::CallMe { name } => self.call_me(ask, &name),
-            Request::Start { behaviour, robot, record } => {
+            Request::Start { behaviour, robot, record, session } => {
                 let (state, who) = (Arc::clone(self.state()), self.starter());
-                self.later(ask, async move { start::start(&state, behaviour, robot, record, who).await });
+                let recorded = (record, session);
+                self.later(ask, async move { start::start(&state, behaviour, robot, recorded, who).await });
             }
             Request::Apply { behaviour, robot } => {
                 let (state, who) = (Arc::clone(self.state()), self.starter());
@@ -89,18 +90,15 @@ impl Session {
                 self.state().robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.me.name);
                 self.outbox.say(Some(ask), Reply::Done);
             }
-            Request::Stimulate { behaviour, robot, stream, value } => {
-                let done = self.state().robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
-                self.done(ask, done);
-            }
-            Request::Mark { behaviour, robot, note } => {
-                let done = self.state().robots.mark(&behaviour, robot.as_ref(), &self.me.name, &note);
-                self.done(ask, done);
-            }
-            Request::EndRecording { behaviour, robot } => {
-                let done = self.state().robots.end_recording(&behaviour, robot.as_ref());
-                self.done(ask, done);
-            }
+            Request::Stimulate { .. }
+            | Request::Hand { .. }
+            | Request::Mark { .. }
+            | Request::Record { .. }
+            | Request::EndRecording { .. }
+            | Request::Recordings
+            | Request::RemoveRecording { .. }
+            | Request::Marks { .. }
+            | Request::PutMark { .. } => self.operate(ask, request),
             Request::Runs => self.tell_runs(ask),
             Request::Place { .. }
             | Request::AddRobot { .. }
@@ -115,7 +113,6 @@ impl Session {
                 let faces = self.state().robots.meant(Some(&robot)).map(|host| Reply::Faces { faces: host.faces() });
                 self.outbox.say(Some(ask), faces.unwrap_or_else(|no| Reply::No { no }));
             }
-            Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
             Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
             Request::Watch { robot, scene, values } => {
                 self.outbox.put(Out::Watch { robot, scene, values });
@@ -140,7 +137,7 @@ impl Session {
     }
 
     /// Answers what was done at once, or not.
-    fn done(&self, ask: u32, done: Result<(), Refused>) {
+    pub(super) fn done(&self, ask: u32, done: Result<(), Refused>) {
         self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
     }
 
@@ -229,16 +226,6 @@ impl Session {
             _ => Ok(()),
         };
         self.on_files(ask, move || work().map(|()| Reply::Done));
-    }
-
-    /// The folder of the recordings, which may take its time.
-    fn recordings(&self, ask: u32, request: Request) {
-        let recordings = self.state().recordings.clone();
-        let work = move || match request {
-            Request::RemoveRecording { file } => recordings.remove(&file).map(|()| Reply::Done),
-            _ => Ok(Reply::Recordings { recordings: recordings.list() }),
-        };
-        self.on_files(ask, work);
     }
 
     /// Tries a procedure, among the other work.

@@ -86,7 +86,7 @@ async fn what_did_not_change_remembers_and_its_counts_go_on() {
     let robots = puppet.robots(Limits::default);
     let run = robots.start(pair()).await.unwrap();
     let live = robots.values(run.run).unwrap();
-    let send = |stream, value| robots.stimulate(&id("pair"), &id(stream), Value::Int(value)).unwrap();
+    let send = |stream, value| robots.stimulate(&id("pair"), &id(stream), Value::Int(value), "Ben").unwrap();
     send("ball", 10);
     send("touch", 1);
     until("the first sum", || puppet.told(run.run) == [Value::Int(11)]).await;

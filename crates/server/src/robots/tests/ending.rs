@@ -35,7 +35,7 @@ async fn what_replaces_a_behaviour_and_what_faults_disturb_nobody_else() {
     let stops = puppet.stops();
     until("it ends by itself", || {
         if phase(&robots, &bad) == RunPhase::Running {
-            robots.stimulate(&id("bad"), &id("ball"), Value::Int(1)).unwrap_or_default();
+            robots.stimulate(&id("bad"), &id("ball"), Value::Int(1), "Ben").unwrap_or_default();
         }
         matches!(phase(&robots, &bad), RunPhase::Faulted(_))
     })
@@ -62,7 +62,7 @@ async fn a_behaviour_speaks_on_while_its_neighbour_is_stopped() {
     nao.start(speaking("story")).await.unwrap();
     nao.start(speaking("other")).await.unwrap();
     let saying = || nao.scene().borrow().body.saying.clone();
-    nao.stimulate(&id("story"), &id("ball"), Value::Int(1)).unwrap();
+    nao.stimulate(&id("story"), &id("ball"), Value::Int(1), "Ben").unwrap();
     until("it speaks", || saying().starts_with("story")).await;
     assert!(nao.stop(Some(&id("other")), "Ben"));
     // The robot has done what is in its queue before it shows a ball that moves afterwards.

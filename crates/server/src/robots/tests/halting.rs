@@ -40,7 +40,7 @@ fn distinct(name: &str) -> Start {
 async fn shows_of_five_and_six(puppet: &Puppet, robots: &Host) -> (RunState, Vec<Value>) {
     let run = robots.start(distinct("one")).await.unwrap();
     for value in [5, 6] {
-        robots.stimulate(&id("one"), &id("ball"), Value::Int(value)).unwrap();
+        robots.stimulate(&id("one"), &id("ball"), Value::Int(value), "Ben").unwrap();
     }
     until("the six comes out", || puppet.told(run.run).contains(&Value::Int(6))).await;
     let told = puppet.told(run.run);

@@ -48,7 +48,7 @@ async fn it_ends_with_its_reason_and_its_recording_replays_to_the_same_values() 
     let puppet = Puppet::default();
     let robots = puppet.robots_with(Limits::default, recordings.clone());
     let run = robots.start(recorded(diamonds("one"))).await.unwrap();
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(1)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(1), "Ben").unwrap();
     until("it ends by itself", || phase(&robots, &run) != RunPhase::Running).await;
     let RunPhase::Faulted(why) = phase(&robots, &run) else { panic!("{:?}", phase(&robots, &run)) };
     assert!(why.starts_with("values multiply at “m"), "{why}");
@@ -69,7 +69,7 @@ async fn nothing_of_it_outlives_stop() {
     let robots = puppet.robots_with(without_a_bound, recordings.clone());
     for pass in 0..3 {
         let run = robots.start(recorded(diamonds("one"))).await.unwrap();
-        robots.stimulate(&id("one"), &id("ball"), Value::Int(1)).unwrap();
+        robots.stimulate(&id("one"), &id("ball"), Value::Int(1), "Ben").unwrap();
         until("values are on their way", || !puppet.told(run.run).is_empty()).await;
         assert!(robots.stop(None, "Ben"), "pass {pass}");
         until("its thread ends", || robots.shared().threads() == 0).await;

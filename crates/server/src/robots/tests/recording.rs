@@ -1,12 +1,13 @@
 //! Recording what runs.
 
 use super::puppet::Puppet;
+use super::together::head;
 use super::{PATIENCE_S, filtered, id, until};
 use crate::recordings::Recordings;
 use crate::robots::{Host, Start};
 use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Limits, Run};
-use protocol::Refused;
+use protocol::{Records, Refused, Session};
 use robot::Millis;
 use std::sync::Arc;
 use std::time::Instant;
@@ -65,7 +66,7 @@ pub(super) fn outputs(lines: &[Value]) -> Vec<(u64, Value)> {
 }
 
 fn stimulate(robots: &Host, value: i64) {
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(value)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(value), "Ben").unwrap();
 }
 
 #[tokio::test]
@@ -79,12 +80,12 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
         stimulate(&robots, value);
         until("the value was taken", || value <= 3 || puppet.told(run.run).contains(&Value::Int(value))).await;
     }
-    robots.mark(&id("one"), "Ben", "she \"smiles\"").unwrap();
+    robots.mark(&id("one"), "Ben", "she \"smiles\"", 0).unwrap();
     let shown = robots.runs().borrow()[0].recording.clone().unwrap();
     assert_eq!((shown.lost, shown.trouble.as_deref()), (0, None));
     robots.stop(None, "Ben");
     let lines = lines(&recordings).await;
-    assert_eq!(text(&lines[0], "format"), Some("rrp-recording/1"));
+    assert_eq!(text(&lines[0], "format"), Some("rrp-recording/2"));
     assert_eq!(text(&lines[0], "robot"), Some("Puppet"));
     assert_eq!((text(&lines[0], "behaviour"), text(&lines[0], "mode")), (Some("one"), Some("event")));
     assert_eq!(text(lines.last().unwrap(), "why"), Some("it was stopped"));
@@ -107,7 +108,7 @@ async fn a_recording_goes_on_with_what_is_applied_and_ends_when_somebody_wants()
     let recordings = Recordings::within(Some(folder.path()));
     let puppet = Puppet::default();
     let robots = puppet.robots_with(Limits::default, recordings.clone());
-    assert_eq!(robots.end_recording(&id("one")), Err(Refused::NotRunning));
+    assert_eq!(robots.end_recording(&id("one"), "Ben"), Err(Refused::NotRunning));
     let run = robots.start(recorded(filtered("one", "ball > 3"))).await.unwrap();
     stimulate(&robots, 5);
     until("the first", || puppet.told(run.run) == [Value::Int(5)]).await;
@@ -116,7 +117,7 @@ async fn a_recording_goes_on_with_what_is_applied_and_ends_when_somebody_wants()
     robots.apply(edited).await.unwrap();
     stimulate(&robots, 2);
     until("the second", || puppet.told(run.run) == [5, 2].map(Value::Int)).await;
-    robots.end_recording(&id("one")).unwrap();
+    robots.end_recording(&id("one"), "Ben").unwrap();
     let lines = lines(&recordings).await;
     let applied = lines.iter().position(|line| mark(line) == Some("applied")).unwrap();
     assert_eq!(lines[applied].field("revision"), Some(&Value::Int(9)));
@@ -137,7 +138,7 @@ async fn before_the_first_reading_it_is_listed_and_can_be_marked() {
     assert_eq!(listed.len(), 1);
     assert_eq!(run.recording.map(|recorded| recorded.file).as_ref(), Some(&listed[0].file));
     assert!(!listed[0].cut_off, "it is being written");
-    assert_eq!(robots.mark(&id("one"), "Ben", "quiet"), Ok(()));
+    assert_eq!(robots.mark(&id("one"), "Ben", "quiet", 0), Ok(()));
     robots.stop(None, "Ben");
     let lines = lines(&recordings).await;
     assert!(lines.iter().any(|line| text(line, "note") == Some("quiet")));
@@ -146,6 +147,95 @@ async fn before_the_first_reading_it_is_listed_and_can_be_marked() {
     let whole = std::fs::read_to_string(&path).unwrap();
     std::fs::write(&path, &whole[..whole.len() - 5]).unwrap();
     until("its last line is not whole", || recordings.list()[0].cut_off).await;
+}
+
+#[tokio::test]
+async fn what_runs_can_be_recorded_from_its_middle_on_and_says_who_pretended_what() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let puppet = Puppet::default();
+    let robots = puppet.robots_with(Limits::default, recordings.clone());
+    let (one, session) = (id("one"), Session { participant: Some("C-07".to_owned()), ..Session::default() });
+    assert_eq!(robots.record(&one, "Ben", &session), Err(Refused::NotRunning));
+    let run = robots.start(counting("one")).await.unwrap();
+    stimulate(&robots, 5);
+    until("the first", || puppet.told(run.run) == [Value::Int(5)]).await;
+    assert!(robots.mark(&one, "Ben", "too early", 0).is_err());
+    robots.record(&one, "Ben", &session).unwrap();
+    robots.record(&one, "Cleo", &Session::default()).unwrap();
+    assert_eq!(recordings.list().len(), 1, "once is enough");
+    robots.mark(&one, "Ben", "long ago", 10_000_000).unwrap();
+    stimulate(&robots, 2);
+    until("the second", || puppet.told(run.run) == [5, 7].map(Value::Int)).await;
+    robots.stop(None, "Cleo");
+    let lines = lines(&recordings).await;
+    assert_eq!((text(&lines[0], "by"), text(&lines[0], "participant")), (Some("Ben"), Some("C-07")));
+    let reading = lines.iter().find(|line| text(line, "stream") == Some("ball")).unwrap();
+    assert_eq!(text(reading, "by"), Some("Ben"));
+    let note = lines.iter().find(|line| mark(line) == Some("note")).unwrap();
+    assert_eq!(note.field("t"), Some(&Value::Int(0)), "what was before Start counts as Start");
+    let end = lines.last().unwrap();
+    assert_eq!((text(end, "why"), text(end, "by")), (Some("it was stopped"), Some("Cleo")));
+    assert_eq!(end.field("marks"), Some(&Value::Int(1)));
+    let path = recordings.find(&recordings.list()[0].file).unwrap();
+    let checked = recording::check(&std::fs::read_to_string(path).unwrap()).unwrap();
+    assert_eq!((checked.actions, checked.readings), (1, 1), "what it remembered is in it");
+}
+
+/// A behaviour that shows the sum of all balls so far.
+fn counting(name: &str) -> Start {
+    let start = filtered(name, "true");
+    let mut file = (*start.file).clone();
+    let connector = &mut file.connectors[0];
+    (connector.operation, connector.start) = ("scan".to_owned(), Some(Value::Int(0)));
+    connector.body = Some("soFar + ball".to_owned());
+    Start { file: file.into(), ..start }
+}
+
+#[tokio::test]
+async fn a_recording_of_marks_has_nothing_of_what_was_sensed() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let puppet = Puppet::default();
+    let robots = puppet.robots_with(Limits::default, recordings.clone());
+    let session = Session { records: Records::Marks, ..Session::default() };
+    let run = robots.start(Start { record: true, session, ..filtered("one", "ball > 3") }).await.unwrap();
+    for value in [1, 5] {
+        stimulate(&robots, value);
+    }
+    until("the second", || puppet.told(run.run) == [Value::Int(5)]).await;
+    robots.stop(None, "Ben");
+    let lines = lines(&recordings).await;
+    assert!(lines.iter().all(|line| text(line, "stream") != Some("ball")), "{lines:?}");
+    assert_eq!(outputs(&lines).len(), 1);
+    let path = recordings.find(&recordings.list()[0].file).unwrap();
+    let why = recording::check(&std::fs::read_to_string(path).unwrap()).unwrap_err().to_string();
+    assert!(why.contains("marks and actions only"), "{why}");
+}
+
+#[tokio::test]
+async fn what_the_robot_did_not_do_and_how_it_was_is_recorded() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let puppet = Puppet::default();
+    let robots = puppet.robots_with(Limits::default, recordings.clone());
+    let upper = robots.start(head("upper")).await.unwrap();
+    let run = robots.start(recorded(head("one"))).await.unwrap();
+    let holds = |value| robots.stimulate(&id("upper"), &id("ball"), Value::Int(value), "Ben").unwrap();
+    holds(7);
+    until("the upper one shows it", || puppet.told(upper.run).len() == 1).await;
+    stimulate(&robots, 5);
+    let is_held = || robots.runs().borrow().iter().any(|known| known.run == run.run && !known.held.is_empty());
+    until("it is held", is_held).await;
+    puppet.halt("it fell");
+    until("it is interrupted", || robots.shared().threads() == 0).await;
+    let lines = lines(&recordings).await;
+    let refused = lines.iter().find(|line| text(line, "refused") == Some("page")).unwrap();
+    assert_eq!((text(refused, "with"), text(refused, "why")), (Some("upper"), Some("the head is held")));
+    let robot: Vec<_> = lines.iter().filter(|line| mark(line) == Some("robot")).collect();
+    assert!(robot.first().unwrap().field("link").is_some());
+    assert!(text(robot.last().unwrap(), "halt").unwrap().starts_with("it fell"));
+    assert!(text(lines.last().unwrap(), "why").unwrap().starts_with("it fell"));
 }
 
 #[tokio::test]

@@ -64,7 +64,7 @@ async fn starting_again_replaces_and_a_bad_start_does_not() {
 async fn a_stimulus_reaches_the_sensor_stream_only() {
     let puppet = Puppet::default();
     let robots = puppet.robots(Limits::default);
-    let stimulate = |stream| robots.stimulate(&id("one"), &id(stream), Value::Int(42));
+    let stimulate = |stream| robots.stimulate(&id("one"), &id(stream), Value::Int(42), "Ben");
     assert_eq!(stimulate("ball"), Err(Refused::NotRunning));
     let run = robots.start(filtered("one", "true")).await.unwrap();
     assert_eq!(stimulate("good"), Err(Refused::NoSensor));
@@ -79,7 +79,7 @@ async fn values_tell_what_is_new() {
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
     let (live, mut seen) = (robots.values(run.run).unwrap(), Seen::default());
     assert!(robots.values(run.run + 1).is_none());
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(5)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(5), "Ben").unwrap();
     let mut values = None;
     until("they are told", || {
         values = live.since(&mut seen);
@@ -106,11 +106,11 @@ async fn a_fault_and_a_command_that_the_robot_drops_are_shown_on_their_connector
         let values = live.since(&mut Seen::default())?;
         values.connectors.into_iter().find(|sample| sample.connector == id(connector))?.error
     };
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(5)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(5), "Ben").unwrap();
     until("the fault of the filter", || error_of("test").is_some()).await;
     let run = robots.start(filtered("one", "true")).await.unwrap();
     let live = robots.values(run.run).unwrap();
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(13)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(13), "Ben").unwrap();
     let dropped = || {
         let values = live.since(&mut Seen::default())?;
         values.connectors.into_iter().find(|sample| sample.connector == id("show"))?.error
@@ -126,7 +126,7 @@ async fn the_rate_of_a_silent_stream_fades() {
     let live = robots.values(run.run).unwrap();
     let rate = || Some(live.since(&mut Seen::default())?.streams.first()?.rate);
     // Told again until it is seen: on a busy machine the rate of one value may fade before anybody looks.
-    let told = || robots.stimulate(&id("one"), &id("ball"), Value::Int(5)).unwrap();
+    let told = || robots.stimulate(&id("one"), &id("ball"), Value::Int(5), "Ben").unwrap();
     until("a rate", || {
         told();
         rate().is_some_and(|rate| rate > 0.0)

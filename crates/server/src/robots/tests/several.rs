@@ -39,7 +39,7 @@ async fn one_behaviour_runs_on_two_robots_and_each_is_stopped_by_itself() {
     let two = start(&robots, "greeting", &momo).await;
     assert_eq!([&one.robot, &two.robot], [&first, &momo]);
     assert_ne!(one.run, two.run);
-    let tell = |on: Option<&Id>, value| robots.stimulate(&id("greeting"), on, &id("ball"), &Value::Int(value));
+    let tell = |on: Option<&Id>, value| robots.stimulate(&id("greeting"), on, (&id("ball"), &Value::Int(value)), "Ben");
     tell(Some(&momo), 7).unwrap();
     until("Momo prints", || printed(&robots, &momo) == "7").await;
     assert_eq!(printed(&robots, &first), "", "the other one heard nothing");

@@ -18,6 +18,7 @@ async fn a_green_ball_makes_the_eyes_green() {
         revision: 3,
         file: file.into(),
         record: false,
+        session: protocol::Session::default(),
         by: "Aiko".to_owned(),
         invitation: None,
     })

@@ -41,10 +41,10 @@ async fn an_endless_loop_delays_neither_stop_nor_another_behaviour() {
     let robots = puppet.robots(endless);
     let bad = robots.start(filtered("bad", LOOP)).await.unwrap();
     let good = robots.start(filtered("good", "true")).await.unwrap();
-    robots.stimulate(&id("bad"), &id("ball"), Value::Int(1)).unwrap();
-    robots.stimulate(&id("good"), &id("ball"), Value::Int(7)).unwrap();
+    robots.stimulate(&id("bad"), &id("ball"), Value::Int(1), "Ben").unwrap();
+    robots.stimulate(&id("good"), &id("ball"), Value::Int(7), "Ben").unwrap();
     until("the good one goes on", || puppet.told(good.run).contains(&Value::Int(7))).await;
-    robots.stimulate(&id("bad"), &id("ball"), Value::Int(1)).unwrap();
+    robots.stimulate(&id("bad"), &id("ball"), Value::Int(1), "Ben").unwrap();
     assert!(robots.stop(Some(&id("bad")), "Ben"));
     assert_eq!((phase(&robots, &bad), phase(&robots, &good)), (stopped_by("Ben"), RunPhase::Running));
     until("the thread of the bad one ends", || robots.shared().threads() == 1).await;
@@ -55,8 +55,8 @@ async fn the_engine_ends_a_plain_loop_and_the_behaviour_goes_on() {
     let puppet = Puppet::default();
     let robots = puppet.robots(Limits::default);
     let run = robots.start(filtered("one", LOOP)).await.unwrap();
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(1)).unwrap();
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(2)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(1), "Ben").unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(2), "Ben").unwrap();
     until("the next value passes", || puppet.told(run.run) == [Value::Int(2)]).await;
     assert_eq!(phase(&robots, &run), RunPhase::Running);
 }
@@ -69,7 +69,7 @@ async fn three_procedures_in_a_row_that_take_too_long_end_the_behaviour_safely()
     let stops = puppet.stops();
     for value in [1, 1, 2, 1, 1, 1] {
         assert_eq!(phase(&robots, &run), RunPhase::Running);
-        robots.stimulate(&id("one"), &id("ball"), Value::Int(value)).unwrap();
+        robots.stimulate(&id("one"), &id("ball"), Value::Int(value), "Ben").unwrap();
     }
     until("it ends", || phase(&robots, &run) != RunPhase::Running).await;
     let reason = "a procedure took too long three times; look at the one that makes “good”".to_owned();
@@ -110,7 +110,7 @@ async fn shutting_down_ends_every_thread() {
     let puppet = Puppet::default();
     let robots = puppet.robots(endless);
     let run = robots.start(filtered("one", LOOP)).await.unwrap();
-    robots.stimulate(&id("one"), &id("ball"), Value::Int(1)).unwrap();
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(1), "Ben").unwrap();
     let ended = robots.clone();
     tokio::task::spawn_blocking(move || ended.shut_down()).await.unwrap();
     assert_eq!(phase(&robots, &run), stopped_by("the server"));

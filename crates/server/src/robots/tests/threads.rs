@@ -103,7 +103,7 @@ fn read_every(pause_us: u64, times: usize, probe: &Probe, robots: &Host) {
     for time in 0..times as u64 {
         let due = began + Duration::from_micros(time * pause_us);
         std::thread::sleep(due.saturating_duration_since(Instant::now()));
-        robots.stimulate(&id("one"), &id("ball"), probe.reads()).unwrap();
+        robots.stimulate(&id("one"), &id("ball"), probe.reads(), "Ben").unwrap();
     }
     std::thread::sleep(Duration::from_millis(LAST_MS));
 }

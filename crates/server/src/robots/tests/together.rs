@@ -9,7 +9,7 @@ use protocol::{HeldPart, Refused, RunState};
 use std::sync::Arc;
 
 /// A behaviour that moves the head, and holds it for longer than any test takes.
-fn head(name: &str) -> Start {
+pub(super) fn head(name: &str) -> Start {
     let start = filtered(name, "true");
     let mut file = (*start.file).clone();
     (file.streams[2].resources, file.streams[2].hold_ms) = (Some(vec!["head".to_owned()]), Some(600_000));
@@ -17,7 +17,7 @@ fn head(name: &str) -> Start {
 }
 
 fn send(robots: &Host, name: &str, value: i64) {
-    robots.stimulate(&id(name), &id("ball"), Value::Int(value)).unwrap();
+    robots.stimulate(&id(name), &id("ball"), Value::Int(value), "Ben").unwrap();
 }
 
 fn state(robots: &Host, run: &RunState) -> RunState {

@@ -1,0 +1,107 @@
+//! `rrp convert`: a recording in the form of another program, by default without names and what is about people.
+
+mod boris;
+mod csv;
+mod eaf;
+mod mcap;
+#[cfg(test)]
+mod tests;
+mod vtt;
+
+use crate::failure::Failure;
+use crate::trace::read_trace;
+use clap::{Args, ValueEnum};
+use recording::{Keep, Timeline};
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// The largest file of later marks that is read, in bytes.
+const MARKS_MAX_BYTES: u64 = 4 << 20;
+
+/// Writes a recording in the form of another program, to standard output or --out.
+///
+/// The people who pressed are called P1, P2 and so on, and texts that come of faces and recognised words are left out, unless
+/// they are asked for. Marks that were made later are in it, if their file is beside the recording.
+///
+/// Exit codes: 0 written; 1 the file is no recording, or cannot be read or written.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  rrp convert 2026-11-21T18-34-06Z-greet.jsonl --to csv > greet.csv
+  rrp convert greet.jsonl --to eaf --out greet.eaf
+  rrp convert greet.jsonl --to csv --semicolon --names --out greet.csv")]
+pub(crate) struct ConvertArgs {
+    /// The recording, as it was downloaded; - reads standard input.
+    #[arg(value_name = "FILE|-")]
+    recording: PathBuf,
+    /// The form to write.
+    #[arg(long, value_enum)]
+    to: Form,
+    /// The file to write instead of standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Keeps the names of the people who pressed.
+    #[arg(long)]
+    names: bool,
+    /// Keeps texts that come of faces and recognised words.
+    #[arg(long)]
+    personal: bool,
+    /// Separates the columns of a CSV by semicolons, as spreadsheets expect where numbers have a decimal comma.
+    #[arg(long)]
+    semicolon: bool,
+}
+
+/// The form of another program.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Form {
+    /// A table for spreadsheets: everything, a line each.
+    Csv,
+    /// ELAN: marks, actions and troubles as tiers.
+    Eaf,
+    /// BORIS: events to paste into an observation.
+    Boris,
+    /// WebVTT: subtitles beside a video.
+    Vtt,
+    /// MCAP: everything, for Lichtblick, Rerun and the like.
+    Mcap,
+}
+
+/// Converts, or says why not.
+pub(crate) fn convert(args: &ConvertArgs) -> Result<(), Failure> {
+    let text = read_trace(&args.recording)?;
+    let keep = Keep { names: args.names, personal: args.personal };
+    let timeline = recording::timeline(&text, &later_marks(&args.recording)?, keep)
+        .map_err(|recording::NoRecording| Failure::Differs(recording::Different::NoRecording))?;
+    let bytes = written(&timeline, args)?;
+    match &args.out {
+        Some(path) => std::fs::write(path, bytes).map_err(|error| Failure::Unwritten(path.clone(), error)),
+        None => std::io::stdout().lock().write_all(&bytes).map_err(Failure::UnwrittenOut),
+    }
+}
+
+fn written(timeline: &Timeline, args: &ConvertArgs) -> Result<Vec<u8>, Failure> {
+    Ok(match args.to {
+        Form::Csv => csv::written(timeline, if args.semicolon { ';' } else { ',' }).into_bytes(),
+        Form::Eaf => eaf::written(timeline).map_err(Failure::UnwrittenOut)?,
+        Form::Boris => boris::written(timeline).into_bytes(),
+        Form::Vtt => vtt::written(timeline).into_bytes(),
+        Form::Mcap => mcap::written(timeline).map_err(|why| Failure::UnwrittenOut(std::io::Error::other(why)))?,
+    })
+}
+
+/// The later marks beside a recording; nothing if there are none.
+fn later_marks(recording: &Path) -> Result<String, Failure> {
+    let name = recording.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    let Some(stem) = name.strip_suffix(".jsonl") else { return Ok(String::new()) };
+    let path = recording.with_file_name(format!("{stem}.marks.jsonl"));
+    match path.metadata().map(|about| about.len()) {
+        Ok(bytes) if bytes > MARKS_MAX_BYTES => Err(Failure::Large(path, MARKS_MAX_BYTES)),
+        Ok(_) => std::fs::read_to_string(&path).map_err(|error| Failure::Unopened(path, error)),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(String::new()),
+        Err(error) => Err(Failure::Unopened(path, error)),
+    }
+}
+
+/// A time as `0:01:02.350`.
+fn clock(ms: u64) -> String {
+    format!("{}:{:02}:{:02}.{:03}", ms / 3_600_000, ms / 60_000 % 60, ms / 1_000 % 60, ms % 1_000)
+}

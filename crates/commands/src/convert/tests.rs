@@ -1,0 +1,293 @@
+//! A recording in the forms of other programs, each read again by its own rules.
+
+use super::{boris, csv, eaf, mcap, vtt};
+use quick_xml::Reader;
+use quick_xml::events::Event;
+use recording::{Keep, Timeline, timeline};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Names that stand in the recording: of who pressed, of a face, and a word that was recognised.
+const NAMES: [&str; 6] = ["Aiko", "Ben", "Cleo", "Emma", "banana", "hello Emma"];
+
+fn recording() -> String {
+    let file = r#"{"format":"rrp-behaviour/1","name":"Greet","helpers":[],
+        "streams":[{"id":"face","kind":"sensor","name":"Face","device":"FaceDetection"},
+            {"id":"word","kind":"sensor","name":"Word","device":"WordRecognized"},
+            {"id":"ball","kind":"sensor","name":"Ball","device":"RedBall"},
+            {"id":"hello","kind":"ordinary","name":"Hello"},
+            {"id":"say","kind":"actuator","name":"Say, \"loud\"","device":"SayInput"},
+            {"id":"eyes","kind":"actuator","name":"Eyes","device":"EyeColor"}],
+        "connectors":[{"id":"c","type":"map","inputs":["face"],"output":"hello","body":"\"hello \" + face.label"},
+            {"id":"d","type":"subscribe","inputs":["hello"],"output":"say"},
+            {"id":"e","type":"subscribe","inputs":["ball"],"output":"eyes"}]}"#
+        .replace('\n', " ");
+    let lines = [
+        r#"{"format":"rrp-recording/2","behaviour":"b","name":"Greet","revision":1,"mode":"event","by":"Aiko","began":"2026-11-21T18:34:06Z","run":1,"robot":"NAO","participant":"C-07"}"#.to_owned(),
+        format!(r#"{{"t":0,"mark":"file","revision":1,"file":{file}}}"#),
+        r#"{"t":0,"mark":"robot","link":"ready","battery":80}"#.to_owned(),
+        r#"{"t":10,"stream":"face","value":{"label":"Emma","size":0.5}}"#.to_owned(),
+        r#"{"t":10,"stream":"say","value":"hello Emma"}"#.to_owned(),
+        r#"{"t":40,"stream":"word","value":{"word":"banana","confidence":0.6}}"#.to_owned(),
+        r#"{"t":50,"stream":"ball","value":{"x":0.1},"by":"Ben"}"#.to_owned(),
+        r#"{"t":100,"stream":"eyes","value":{"r":0.1}}"#.to_owned(),
+        r#"{"t":400,"stream":"eyes","value":{"r":0.2}}"#.to_owned(),
+        r#"{"t":900,"stream":"eyes","value":{"r":0.3}}"#.to_owned(),
+        r#"{"t":2900,"stream":"eyes","value":"red"}"#.to_owned(),
+        r#"{"t":2900,"stream":"eyes","value":"blue"}"#.to_owned(),
+        r#"{"t":3000,"hand":"SayInput","value":"=1+1; <b>--> & \"so\"","by":"Cleo"}"#.to_owned(),
+        r#"{"t":3100,"refused":"say","why":"the voice is held by hand","with":"Cleo"}"#.to_owned(),
+        r#"{"t":3200,"connector":"c","error":"no\ttext"}"#.to_owned(),
+        r#"{"t":2000,"mark":"note","by":"Ben","note":"told Aiko, so"}"#.to_owned(),
+        r#"{"mark":"gap","lost":3}"#.to_owned(),
+        r#"{"t":4000,"mark":"end","closed":4000,"late":0,"why":"it was stopped","by":"Ben"}"#.to_owned(),
+    ];
+    lines.map(|line| line + "\n").concat()
+}
+
+fn marks() -> String {
+    let line =
+        |id: &str, rest: &str| format!(r#"{{"id":"{id}","t":1000,{rest},"by":"Cleo","at":"2026-11-22T00:00:00Z"}}"#);
+    let all = [
+        line("a", r#""word":"laughs","sort":"good","until":1500"#),
+        line("b", r#""word":"laughs","until":2500,"note":"with Ben""#),
+        line("c", r#""word":"gone","gone":true"#),
+    ];
+    all.join("\n")
+}
+
+fn told(keep: Keep) -> Timeline {
+    timeline(&recording(), &marks(), keep).unwrap()
+}
+
+/// Every form of a recording, as a text.
+fn all_forms(of: &Timeline) -> Vec<(&'static str, String)> {
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    vec![
+        ("csv", csv::written(of, ',')),
+        ("csv;", csv::written(of, ';')),
+        ("eaf", text(eaf::written(of).unwrap())),
+        ("boris", boris::written(of)),
+        ("vtt", vtt::written(of)),
+        ("mcap", messages(&mcap::written(of).unwrap()).into_iter().map(|(.., text)| text).collect()),
+    ]
+}
+
+/// What an MCAP has: topic, time and text.
+fn messages(bytes: &[u8]) -> Vec<(String, u64, String)> {
+    let read = ::mcap::MessageStream::new(bytes).unwrap().map(|message| {
+        let message = message.unwrap();
+        assert_eq!(message.channel.message_encoding, "json");
+        let text = String::from_utf8(message.data.into_owned()).unwrap();
+        (message.channel.topic.clone(), message.log_time, text)
+    });
+    read.collect()
+}
+
+#[test]
+fn no_name_is_in_any_of_them_unless_it_is_wanted() {
+    for (form, text) in all_forms(&told(Keep::default())) {
+        for name in NAMES {
+            assert!(!text.contains(name), "{name} is in {form}:\n{text}");
+        }
+        assert!(text.contains("P1") && text.contains("(left out)"), "{form}:\n{text}");
+    }
+    let all = told(Keep { names: true, personal: true });
+    let csv = csv::written(&all, ',');
+    assert!(NAMES.iter().all(|name| csv.contains(name)), "{csv}");
+    let old = recording().replacen("rrp-recording/2", "rrp-recording/1", 1);
+    let old: String = old.lines().filter(|line| !line.contains("\"file\"")).map(|line| format!("{line}\n")).collect();
+    let csv = csv::written(&timeline(&old, "", Keep::default()).unwrap(), ',');
+    assert!(
+        NAMES.iter().all(|name| !csv.contains(name)),
+        "an old recording does not say which texts are personal: {csv}"
+    );
+}
+
+/// The rows of a CSV, as a spreadsheet reads them.
+fn rows(text: &str, separator: char) -> Vec<Vec<String>> {
+    let (mut rows, mut row, mut field, mut quoted) = (Vec::new(), Vec::new(), String::new(), false);
+    let mut letters = text.strip_prefix('\u{feff}').expect("it begins with the mark of UTF-8").chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '"' if quoted && letters.peek() == Some(&'"') => field.extend(letters.next()),
+            '"' => quoted = !quoted,
+            letter if letter == separator && !quoted => row.push(std::mem::take(&mut field)),
+            '\n' if !quoted => {
+                row.push(std::mem::take(&mut field).trim_end_matches('\r').to_owned());
+                rows.push(std::mem::take(&mut row));
+            }
+            letter => field.push(letter),
+        }
+    }
+    rows
+}
+
+#[test]
+fn a_table_is_the_same_with_commas_and_with_semicolons() {
+    let of = told(Keep::default());
+    let table = rows(&csv::written(&of, ','), ',');
+    assert_eq!(table, rows(&csv::written(&of, ';'), ';'));
+    assert_eq!(table[0], ["t_ms", "clock", "what", "subject", "value", "by", "until_ms"]);
+    assert!(table.iter().all(|row| row.len() == 7));
+    assert!(table[1..].iter().all(|row| row[0].parse::<u64>().is_ok() && !row[0].contains(['.', ','])));
+    let has = |row: [&str; 7]| assert!(table.iter().any(|known| known == &row), "{row:?} is not in {table:#?}");
+    has(["50", "0:00:00.050", "pretended", "Ball", r#"{"x":0.1}"#, "P4", ""]
+        .map(|field| if field == "P4" { code(&of, "Ball") } else { field }));
+    has(["10", "0:00:00.010", "action", "Say, \"loud\"", "(left out)", "", ""]);
+    has(["3000", "0:00:03.000", "by hand", "SayInput", "'=1+1; <b>--> & \"so\"", code(&of, "SayInput"), ""]);
+    has(["1000", "0:00:01.000", "mark", "laughs", "", code(&of, "SayInput"), "1500"]);
+}
+
+/// Who did something with this.
+fn code<'t>(of: &'t Timeline, subject: &str) -> &'t str {
+    let event = of.events.iter().find(|event| event.subject == subject && !event.by.is_empty());
+    event.map_or("", |event| event.by.as_str())
+}
+
+/// The rules of the schema of EAF 3.0 for what is written of it.
+#[test]
+fn a_document_of_elan_keeps_to_its_schema() {
+    let bytes = eaf::written(&told(Keep::default())).unwrap();
+    let mut reader = Reader::from_reader(&bytes[..]);
+    let (mut path, mut order, mut ids) = (Vec::<String>::new(), Vec::new(), BTreeSet::new());
+    let (mut times, mut annotations, mut tier) =
+        (BTreeMap::new(), BTreeMap::<String, Vec<(u64, u64)>>::new(), String::new());
+    loop {
+        let (event, is_empty) = match reader.read_event().unwrap() {
+            Event::Eof => break,
+            Event::End(_) => {
+                path.pop();
+                continue;
+            }
+            Event::Start(start) => (start.into_owned(), false),
+            Event::Empty(start) => (start.into_owned(), true),
+            _ => continue,
+        };
+        let name = String::from_utf8(event.name().as_ref().to_vec()).unwrap();
+        let all: BTreeMap<String, String> = event
+            .attributes()
+            .map(|one| {
+                let one = one.unwrap();
+                let key = String::from_utf8(one.key.as_ref().to_vec()).unwrap();
+                (key, one.unescape_value().unwrap().into_owned())
+            })
+            .collect();
+        let under = path.last().map_or("", String::as_str);
+        let may_stand_under = match name.as_str() {
+            "ANNOTATION_DOCUMENT" => "",
+            "HEADER" | "TIME_ORDER" | "TIER" | "LINGUISTIC_TYPE" => "ANNOTATION_DOCUMENT",
+            "TIME_SLOT" => "TIME_ORDER",
+            "ANNOTATION" => "TIER",
+            "ALIGNABLE_ANNOTATION" => "ANNOTATION",
+            "ANNOTATION_VALUE" => "ALIGNABLE_ANNOTATION",
+            other => panic!("{other} is not in the schema as we know it"),
+        };
+        assert_eq!(under, may_stand_under, "{name}");
+        match name.as_str() {
+            "ANNOTATION_DOCUMENT" => {
+                assert_eq!((all["FORMAT"].as_str(), all["VERSION"].as_str()), ("3.0", "3.0"));
+                assert_eq!(all["DATE"], "2026-11-21T18:34:06Z");
+                assert!(all.contains_key("AUTHOR") && all["xsi:noNamespaceSchemaLocation"].ends_with("EAFv3.0.xsd"));
+            }
+            "TIME_SLOT" => {
+                assert!(ids.insert(all["TIME_SLOT_ID"].clone()), "ids are unique");
+                times.insert(all["TIME_SLOT_ID"].clone(), all["TIME_VALUE"].parse::<u64>().unwrap());
+            }
+            "TIER" => {
+                tier = all["TIER_ID"].clone();
+                assert!(
+                    annotations.insert(tier.clone(), Vec::new()).is_none(),
+                    "tiers have names of their own: {tier}"
+                );
+                assert_eq!(all["LINGUISTIC_TYPE_REF"], "default-lt");
+            }
+            "ALIGNABLE_ANNOTATION" => {
+                assert!(ids.insert(all["ANNOTATION_ID"].clone()), "ids are unique");
+                let span = (times[&all["TIME_SLOT_REF1"]], times[&all["TIME_SLOT_REF2"]]);
+                annotations.get_mut(&tier).unwrap().push(span);
+            }
+            "LINGUISTIC_TYPE" => assert_eq!(all["LINGUISTIC_TYPE_ID"], "default-lt"),
+            _ => {}
+        }
+        if under == "ANNOTATION_DOCUMENT" {
+            order
+                .push(["HEADER", "TIME_ORDER", "TIER", "LINGUISTIC_TYPE"].iter().position(|one| *one == name).unwrap());
+        }
+        if !is_empty {
+            path.push(name);
+        }
+    }
+    assert!(order.is_sorted() && order.contains(&3), "elements come in the order of the schema: {order:?}");
+    assert_eq!(
+        annotations["action: Eyes"],
+        [(100, 900), (2_900, 2_901), (2_901, 3_400)],
+        "bars are joined below a second"
+    );
+    let laughs = ["mark: laughs", "mark: laughs 2"].map(|tier| annotations[tier][0]);
+    assert_eq!(laughs, [(1_000, 1_500), (1_000, 2_500)], "marks that overlap stand on two tiers");
+    for (tier, spans) in annotations {
+        assert!(spans.iter().all(|(from, until)| from < until), "{tier} has one without a length: {spans:?}");
+        assert!(spans.windows(2).all(|pair| pair[0].1 <= pair[1].0), "{tier} has some that overlap: {spans:?}");
+    }
+}
+
+#[test]
+fn a_table_for_boris_has_its_columns_and_pairs_states() {
+    let text = boris::written(&told(Keep::default()));
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split('\t').collect()).collect();
+    assert!(rows.iter().all(|row| row.len() == 5), "{text}");
+    assert!(rows.iter().all(|row| row[0].split('.').all(|part| part.parse::<u64>().is_ok())), "{text}");
+    let times: Vec<f64> = rows.iter().map(|row| row[0].parse().unwrap()).collect();
+    assert!(times.is_sorted(), "{times:?}");
+    let of = |code: &str| rows.iter().filter(|row| row[2] == code).map(|row| (row[0], row[1])).collect::<Vec<_>>();
+    assert_eq!(of("laughs"), [("1.000", "C-07"), ("1.500", "C-07")]);
+    assert_eq!(of("laughs 2"), [("1.000", "C-07"), ("2.500", "C-07")]);
+    assert_eq!(of("marks"), [("2.000", "C-07")], "a moment is no state");
+    assert_eq!(of("action: Eyes")[..2], [("0.100", "robot"), ("0.900", "robot")]);
+}
+
+#[test]
+fn subtitles_can_be_parsed() {
+    let text = vtt::written(&told(Keep::default()));
+    let mut blocks = text.split("\n\n");
+    assert_eq!(blocks.next(), Some("WEBVTT"));
+    let ms = |clock: &str| {
+        let (time, rest) = clock.split_once('.').unwrap();
+        let parts: Vec<u64> = time.split(':').map(|part| part.parse().unwrap()).collect();
+        assert_eq!((parts.len(), rest.len()), (3, 3), "{clock}");
+        (parts[0] * 3_600 + parts[1] * 60 + parts[2]) * 1_000 + rest.parse::<u64>().unwrap()
+    };
+    let mut last = 0;
+    for (number, block) in (1..).zip(blocks) {
+        let lines: Vec<&str> = block.trim_end().lines().collect();
+        let [name, times, says] = lines[..] else { panic!("{block}") };
+        assert_eq!(name, number.to_string());
+        let (from, until) = times.split_once(" --> ").unwrap();
+        assert!(last <= ms(from) && ms(from) < ms(until), "{block}");
+        assert!(!says.contains("-->") && !says.contains('<'), "{says}");
+        last = ms(from);
+    }
+    assert!(text.contains("by hand: SayInput: =1+1; &lt;b&gt;--&gt; &amp; \"so\"\n"), "{text}");
+}
+
+#[test]
+fn an_mcap_is_read_back_by_its_library() {
+    let of = told(Keep::default());
+    let bytes = mcap::written(&of).unwrap();
+    let all = messages(&bytes);
+    assert_eq!(all.len(), of.events.len() + of.marks.len());
+    assert!(all.windows(2).all(|pair| pair[0].1 <= pair[1].1), "by time");
+    let ball = all.iter().find(|(topic, ..)| topic == "/pretended/Ball").unwrap();
+    assert_eq!(
+        (ball.1, ball.2.as_str()),
+        (50_000_000, format!(r#"{{"value":{{"x":0.1}},"by":"{}"}}"#, code(&of, "Ball")).as_str())
+    );
+    let topics: BTreeSet<&str> = all.iter().map(|(topic, ..)| topic.as_str()).collect();
+    for topic in
+        ["/sensed/Face", "/action/Eyes", "/by-hand/SayInput", "/mark/laughs", "/not-done/Say,-\"loud\"", "/robot"]
+    {
+        assert!(topics.contains(topic), "{topic} is not in {topics:?}");
+    }
+    let summary = ::mcap::Summary::read(&bytes).unwrap().expect("a summary at its end");
+    assert_eq!(summary.stats.unwrap().message_count, all.len() as u64);
+}

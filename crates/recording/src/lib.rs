@@ -1,0 +1,26 @@
+//! What a run was, as a file: `rrp-recording/2`, its lines written and read again, and whether a file alone gives its own
+//! actions again.
+//!
+//! The first line is the [`Header`]. Every other line is one [`Entry`]; who reads meets lines that they do not know, and leaves
+//! them out. A file is never rewritten: it only grows at its end.
+#![warn(missing_docs)]
+
+mod check;
+mod header;
+mod lines;
+mod marks;
+mod memory;
+mod private;
+mod read;
+mod spans;
+mod timeline;
+mod words;
+
+pub use check::{Checked, Different, Ending, Told, check};
+pub use header::{FORMAT, Header, Lack};
+pub use lines::{End, Hand, Line, Names, Note, Refusal, RobotLine, json};
+pub use marks::{all_marks, mark, marks, run_marks, run_note};
+pub use private::Keep;
+pub use read::{Entry, NoRecording, Open, open, read_line};
+pub use spans::{Span, Track, tracks};
+pub use timeline::{Event, Timeline, What, timeline};

@@ -1,0 +1,260 @@
+//! The lines of a recording as they are written: small enough to wait until somebody has time to write them.
+
+use crate::memory;
+use behaviour::{BehaviourFile, Id, Params, Value};
+use engine::{ConnectorIx, Handover, IndexVec, StreamIx};
+use robot::{Condition, Scene};
+use serde::{Deserialize, Serialize};
+use std::fmt::Write;
+use std::sync::Arc;
+
+/// One line to be.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// A reading, or what an action was told.
+    Value {
+        /// When.
+        at_ms: u64,
+        /// Of which stream.
+        stream: StreamIx,
+        /// The value.
+        value: Value,
+    },
+    /// A reading that somebody pretended.
+    Pretended {
+        /// When.
+        at_ms: u64,
+        /// Of which stream.
+        stream: StreamIx,
+        /// The value.
+        value: Value,
+        /// Who.
+        by: Arc<str>,
+    },
+    /// A value that a procedure dropped.
+    Fault {
+        /// When.
+        at_ms: u64,
+        /// Of which connector.
+        connector: ConnectorIx,
+        /// Why, in words.
+        error: String,
+    },
+    /// What an action was told and the robot did not do.
+    Refused(Box<Refusal>),
+    /// What somebody had the robot do by hand.
+    Hand(Box<Hand>),
+    /// An edited behaviour goes on from here.
+    Applied {
+        /// The last instant of what ran before.
+        at_ms: u64,
+        /// The revision that follows.
+        revision: u64,
+    },
+    /// What runs from here on, with its helpers.
+    File {
+        /// From when.
+        at_ms: u64,
+        /// Its revision.
+        revision: u64,
+        /// All of it.
+        file: Arc<BehaviourFile>,
+    },
+    /// What a run that is continued, or recorded from its middle on, remembers here.
+    Memory {
+        /// When.
+        at_ms: u64,
+        /// By places in the file before it.
+        memory: Box<Handover>,
+    },
+    /// How the robot is, as that is new.
+    Robot(Box<RobotLine>),
+    /// The simulated room, as something in it moved.
+    Room {
+        /// When.
+        at_ms: u64,
+        /// All that stands in it; of the robot only where it is.
+        scene: Box<Scene>,
+    },
+    /// Somebody marked a moment.
+    Note(Note),
+    /// The last line.
+    End(End),
+}
+
+/// What an action was told and the robot did not do.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Refusal {
+    /// When the robot said so.
+    #[serde(rename = "t")]
+    pub at_ms: u64,
+    /// The action's stream.
+    pub refused: Id,
+    /// Why, in words.
+    pub why: String,
+    /// Who keeps the part of the robot that it uses, if somebody does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub with: Option<String>,
+    /// How often, if that was more than once by then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub count: Option<u64>,
+}
+
+/// What somebody had the robot do by hand.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Hand {
+    /// When.
+    #[serde(rename = "t")]
+    pub at_ms: u64,
+    /// With which action of the catalogue.
+    pub hand: String,
+    /// Its parameters.
+    #[serde(default)]
+    pub params: Params,
+    /// What it was told.
+    pub value: Value,
+    /// Who pressed.
+    pub by: String,
+    /// Why the robot did not do it, if so.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
+}
+
+/// A moment that somebody marked. Its time is that of the press, so that it may be earlier than that of the line before.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Note {
+    /// When.
+    #[serde(rename = "t")]
+    pub at_ms: u64,
+    /// Who.
+    pub by: String,
+    /// What happened; may be empty.
+    pub note: String,
+}
+
+/// How the robot is.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct RobotLine {
+    /// When.
+    #[serde(rename = "t")]
+    pub at_ms: u64,
+    /// How the link is, in a word: `ready`, `degraded`, `lost`.
+    pub link: String,
+    /// Why, if it is not ready.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
+    /// How its body is.
+    #[serde(flatten)]
+    pub condition: Condition,
+    /// Why it interrupted what ran, if it did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub halt: Option<String>,
+}
+
+/// How a recording ends.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct End {
+    /// The time of the last line.
+    #[serde(rename = "t")]
+    pub at_ms: u64,
+    /// The last instant whose ticks ran; none if none did.
+    pub closed: Option<u64>,
+    /// Values that the clock dropped because a procedure took too long: a replay has no clock.
+    pub late: u64,
+    /// How many moments were marked while it ran.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub marks: Option<u64>,
+    /// Why.
+    pub why: String,
+    /// Who ended it, if a person did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub by: Option<String>,
+}
+
+/// The ids of streams and connectors as JSON texts.
+#[derive(Debug)]
+pub struct Names {
+    streams: IndexVec<StreamIx, String>,
+    connectors: IndexVec<ConnectorIx, String>,
+}
+
+impl Names {
+    /// Those of a behaviour.
+    #[must_use]
+    pub fn of(file: &BehaviourFile) -> Self {
+        Self {
+            streams: file.streams.iter().map(|stream| json(&stream.id)).collect(),
+            connectors: file.connectors.iter().map(|connector| json(&connector.id)).collect(),
+        }
+    }
+
+    /// Appends a line.
+    pub fn write(&self, line: &Line, to: &mut String) {
+        let written = match line {
+            Line::Value { at_ms, stream, value } => {
+                writeln!(to, r#"{{"t":{at_ms},"stream":{},"value":{}}}"#, self.streams[*stream], json(value))
+            }
+            Line::Pretended { at_ms, stream, value, by } => {
+                let (stream, value, by) = (&self.streams[*stream], json(value), json(by));
+                writeln!(to, r#"{{"t":{at_ms},"stream":{stream},"value":{value},"by":{by}}}"#)
+            }
+            Line::Fault { at_ms, connector, error } => {
+                writeln!(to, r#"{{"t":{at_ms},"connector":{},"error":{}}}"#, self.connectors[*connector], json(error))
+            }
+            Line::Refused(refusal) => writeln!(to, "{}", json(refusal)),
+            Line::Hand(hand) => writeln!(to, "{}", json(hand)),
+            Line::Applied { at_ms, revision } => {
+                writeln!(to, r#"{{"t":{at_ms},"mark":"applied","revision":{revision}}}"#)
+            }
+            Line::File { at_ms, revision, file } => {
+                writeln!(to, r#"{{"t":{at_ms},"mark":"file","revision":{revision},"file":{}}}"#, json(file))
+            }
+            Line::Memory { at_ms, memory } => {
+                let memory = memory::written(memory).unwrap_or_else(|| "null".to_owned());
+                writeln!(to, r#"{{"t":{at_ms},"mark":"memory","memory":{memory}}}"#)
+            }
+            Line::Robot(robot) => writeln!(to, "{}", marked("robot", robot)),
+            Line::Room { at_ms, scene } => writeln!(to, r#"{{"t":{at_ms},"mark":"room","scene":{}}}"#, json(scene)),
+            Line::Note(Note { at_ms, by, note }) => {
+                writeln!(to, r#"{{"t":{at_ms},"mark":"note","by":{},"note":{}}}"#, json(by), json(note))
+            }
+            Line::End(end) => writeln!(to, "{}", marked("end", end)),
+        };
+        debug_assert!(written.is_ok(), "a text takes whatever is written");
+    }
+}
+
+impl Line {
+    /// The time of a line that stands in the order of logical time; the others say when people and the robot did something.
+    #[must_use]
+    pub fn logical_ms(&self) -> Option<u64> {
+        match self {
+            Self::Value { at_ms, .. }
+            | Self::Pretended { at_ms, .. }
+            | Self::Fault { at_ms, .. }
+            | Self::Applied { at_ms, .. } => Some(*at_ms),
+            Self::Refused(_)
+            | Self::Hand(_)
+            | Self::File { .. }
+            | Self::Memory { .. }
+            | Self::Robot(_)
+            | Self::Room { .. }
+            | Self::Note(_)
+            | Self::End(_) => None,
+        }
+    }
+}
+
+/// As JSON: floats bit for bit, whole numbers without a point.
+pub fn json<T: Serialize + ?Sized>(value: &T) -> String {
+    serde_json::to_string(value).unwrap_or_default()
+}
+
+/// A line that is one of a kind, with its time first.
+fn marked<T: Serialize>(kind: &'static str, line: &T) -> String {
+    let text = json(line);
+    // Every such line begins with its time.
+    text.replacen(',', &format!(r#","mark":"{kind}","#), 1)
+}

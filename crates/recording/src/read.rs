@@ -1,0 +1,204 @@
+//! The lines of a recording as they are read again, whatever version wrote them.
+
+use crate::header::Header;
+use crate::lines::{End, Hand, Note, Refusal, RobotLine};
+use crate::memory;
+use behaviour::{BehaviourFile, Value};
+use engine::Handover;
+use robot::Scene;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+/// A recording that was opened: its header, and its other lines with their numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Open<'t> {
+    rest: &'t str,
+    /// How many lines come before the rest.
+    before: usize,
+}
+
+/// The text is no recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoRecording;
+
+/// One line.
+#[derive(Clone, Debug)]
+pub enum Entry {
+    /// A reading, or what an action was told.
+    Value {
+        /// When.
+        at_ms: u64,
+        /// The id of its stream.
+        stream: String,
+        /// The value.
+        value: Value,
+        /// Who pretended it, if it was not sensed.
+        by: Option<String>,
+    },
+    /// A value that a procedure dropped.
+    Fault {
+        /// When.
+        at_ms: u64,
+        /// The id of its connector.
+        connector: String,
+        /// Why.
+        error: String,
+    },
+    /// What the robot did not do.
+    Refused(Refusal),
+    /// What somebody had it do by hand.
+    Hand(Hand),
+    /// An edited behaviour goes on.
+    Applied {
+        /// The last instant of what ran before.
+        at_ms: u64,
+        /// The revision that follows.
+        revision: u64,
+    },
+    /// What runs from here on.
+    File {
+        /// From when.
+        at_ms: u64,
+        /// Its revision.
+        revision: u64,
+        /// All of it; none if this program cannot read it.
+        file: Option<Box<BehaviourFile>>,
+    },
+    /// What the run remembers here.
+    Memory {
+        /// When.
+        at_ms: u64,
+        /// The memory; none if it was too large to be kept.
+        memory: Option<Box<Handover>>,
+    },
+    /// How the robot is.
+    Robot(Box<RobotLine>),
+    /// The simulated room.
+    Room {
+        /// When.
+        at_ms: u64,
+        /// What stands in it.
+        scene: Box<Scene>,
+    },
+    /// A moment that somebody marked.
+    Note(Note),
+    /// Lines are missing here.
+    Gap {
+        /// How many.
+        lost: u64,
+    },
+    /// It has as many bytes as it may have, and ends here.
+    Full,
+    /// The last line.
+    End(End),
+    /// Something that this program does not know.
+    Unknown,
+}
+
+/// Opens the text of a recording.
+///
+/// # Errors
+/// If its first line is not that of a recording.
+pub fn open(text: &str) -> Result<(Header, Open<'_>), NoRecording> {
+    let mut before = 0;
+    let mut rest = text;
+    while let Some((line, after)) = rest.split_once('\n') {
+        before += 1;
+        rest = after;
+        if !line.trim().is_empty() {
+            return header(line).map(|header| (header, Open { rest, before })).ok_or(NoRecording);
+        }
+    }
+    header(rest).map(|header| (header, Open { rest: "", before })).ok_or(NoRecording)
+}
+
+fn header(line: &str) -> Option<Header> {
+    serde_json::from_str::<Header>(line).ok().filter(Header::is_one)
+}
+
+impl<'t> Open<'t> {
+    /// Its other lines, each with its number. A last line that is not whole is left out.
+    pub fn lines(self) -> impl Iterator<Item = (usize, &'t str)> {
+        let whole = self.rest.rsplit_once('\n').map_or("", |(whole, _)| whole);
+        let last = &self.rest[(whole.len() + 1).min(self.rest.len())..];
+        // Who edited it may have left out the last end of a line.
+        let last = Some(last).filter(|last| serde_json::from_str::<Value>(last).is_ok());
+        let lines = whole.lines().chain(last);
+        (self.before + 1..).zip(lines).filter(|(_, line)| !line.trim().is_empty())
+    }
+
+    /// Its other lines as entries.
+    pub fn entries(self) -> impl Iterator<Item = Entry> {
+        self.lines().map(|(_, line)| read_line(line))
+    }
+}
+
+/// What a line says. Whoever writes more than this program knows is understood as far as it goes.
+#[must_use]
+pub fn read_line(text: &str) -> Entry {
+    read(text).unwrap_or(Entry::Unknown)
+}
+
+fn read(text: &str) -> Option<Entry> {
+    let line: Value = serde_json::from_str(text).ok()?;
+    let words = |name: &str| line.field(name).and_then(Value::as_text).map(str::to_owned);
+    let at_ms = number(&line, "t");
+    if let Some(mark) = line.field("mark") {
+        return marked(mark.as_text()?, &line, text);
+    }
+    if line.field("hand").is_some() {
+        return whole(text).map(Entry::Hand);
+    }
+    if line.field("refused").is_some() {
+        return whole(text).map(Entry::Refused);
+    }
+    if let Some(connector) = words("connector") {
+        return Some(Entry::Fault { at_ms: at_ms?, connector, error: words("error")? });
+    }
+    let (stream, value) = (words("stream")?, line.field("value")?.clone());
+    Some(Entry::Value { at_ms: at_ms?, stream, value, by: words("by") })
+}
+
+fn marked(mark: &str, line: &Value, text: &str) -> Option<Entry> {
+    let at_ms = number(line, "t");
+    Some(match mark {
+        "applied" => Entry::Applied { at_ms: at_ms?, revision: number(line, "revision")? },
+        "file" => {
+            let (revision, file) = (number(line, "revision").unwrap_or(0), file(text).map(Box::new));
+            Entry::File { at_ms: at_ms.unwrap_or(0), revision, file }
+        }
+        "memory" => Entry::Memory { at_ms: at_ms.unwrap_or(0), memory: memory::read(text).map(Box::new) },
+        "robot" => Entry::Robot(whole(text)?),
+        "room" => Entry::Room { at_ms: at_ms?, scene: Box::new(scene(text)?) },
+        "note" => Entry::Note(whole(text)?),
+        "gap" => Entry::Gap { lost: number(line, "lost").unwrap_or(0) },
+        "full" => Entry::Full,
+        "end" => Entry::End(whole(text)?),
+        _ => return None,
+    })
+}
+
+fn whole<T: DeserializeOwned>(text: &str) -> Option<T> {
+    serde_json::from_str(text).ok()
+}
+
+fn file(text: &str) -> Option<BehaviourFile> {
+    #[derive(Deserialize)]
+    struct Kept {
+        file: BehaviourFile,
+    }
+    whole::<Kept>(text).map(|kept| kept.file)
+}
+
+fn scene(text: &str) -> Option<Scene> {
+    #[derive(Deserialize)]
+    struct Kept {
+        scene: Scene,
+    }
+    whole::<Kept>(text).map(|kept| kept.scene)
+}
+
+fn number(line: &Value, name: &str) -> Option<u64> {
+    let Some(&Value::Int(number)) = line.field(name) else { return None };
+    u64::try_from(number).ok()
+}

@@ -1,0 +1,201 @@
+//! A recording as what happened one after the other, for other programs and for reports.
+
+use crate::header::Header;
+use crate::lines::{Hand, Refusal};
+use crate::marks::{marks, run_marks};
+use crate::private::{Keep, Private, said};
+use crate::read::{Entry, NoRecording, open};
+use behaviour::{BehaviourFile, FileStream, StreamKind, Value};
+use protocol::RecordingMark;
+use std::collections::BTreeMap;
+
+/// What happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timeline {
+    /// What was recorded; who started it is told as far as that may be.
+    pub header: Header,
+    /// The time of the last line.
+    pub until_ms: u64,
+    /// Whether its last line is missing.
+    pub cut_off: bool,
+    /// By time.
+    pub events: Vec<Event>,
+    /// By time.
+    pub marks: Vec<RecordingMark>,
+}
+
+/// One thing that happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// When.
+    pub at_ms: u64,
+    /// What kind of thing.
+    pub what: What,
+    /// Of which stream, action or connector, as people call it.
+    pub subject: String,
+    /// The value, where there is one.
+    pub value: Option<Value>,
+    /// The value or the reason, in words.
+    pub says: String,
+    /// Who did it, or who kept it from being done.
+    pub by: String,
+}
+
+/// What kind of thing happened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum What {
+    /// The robot sensed something.
+    Sensed,
+    /// Somebody pretended that it did.
+    Pretended,
+    /// The program told an action something.
+    Action,
+    /// A value of a recording that does not say which.
+    Value,
+    /// Somebody had the robot do something by hand.
+    ByHand,
+    /// The robot did not do what it was told.
+    NotDone,
+    /// A procedure failed.
+    Failed,
+    /// The program was changed while it ran.
+    Changed,
+    /// The robot was another way.
+    Robot,
+    /// Lines are missing.
+    Missing,
+}
+
+impl What {
+    /// A word for it, the same in every export.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Sensed => "sensed",
+            Self::Pretended => "pretended",
+            Self::Action => "action",
+            Self::Value => "value",
+            Self::ByHand => "by hand",
+            Self::NotDone => "not done",
+            Self::Failed => "failed",
+            Self::Changed => "program changed",
+            Self::Robot => "robot",
+            Self::Missing => "lines missing",
+        }
+    }
+}
+
+/// What happened in a recording, with its later marks. What is about people is left out unless it is kept.
+///
+/// # Errors
+/// If the text is no recording.
+pub fn timeline(text: &str, later_marks: &str, keep: Keep) -> Result<Timeline, NoRecording> {
+    let (header, lines) = open(text)?;
+    let all_marks = marks(run_marks(lines.lines().map(|(_, line)| line)), later_marks);
+    let people = std::iter::once(header.by.clone()).chain(all_marks.iter().map(|mark| mark.by.clone()));
+    let private = Private::of(keep, people, lines.entries());
+    let mut teller = Teller { private, names: BTreeMap::new(), events: Vec::new(), last_ms: 0, is_whole: false };
+    lines.entries().for_each(|entry| teller.tell(entry));
+    let Teller { private, mut events, last_ms, is_whole, .. } = teller;
+    events.sort_by_key(|event| event.at_ms);
+    let told = |mark: RecordingMark| RecordingMark {
+        word: private.text(&mark.word),
+        note: private.text(&mark.note),
+        by: private.name(&mark.by),
+        ..mark
+    };
+    let marks: Vec<_> = all_marks.into_iter().map(told).collect();
+    let header = Header { by: private.name(&header.by), name: private.text(&header.name), ..header };
+    Ok(Timeline { header, until_ms: last_ms, cut_off: !is_whole, events, marks })
+}
+
+struct Teller {
+    private: Private,
+    /// By id what streams and connectors are.
+    names: BTreeMap<String, (String, Option<StreamKind>)>,
+    events: Vec<Event>,
+    last_ms: u64,
+    is_whole: bool,
+}
+
+impl Teller {
+    fn tell(&mut self, entry: Entry) {
+        match entry {
+            Entry::Value { at_ms, stream, value, by } => self.value(at_ms, &stream, &value, by.as_deref()),
+            Entry::Fault { at_ms, connector, error } => {
+                let (subject, says) = (self.name(&connector), self.private.text(&error));
+                self.add(at_ms, What::Failed, subject, (None, says), String::new());
+            }
+            Entry::Refused(refusal) => self.refused(&refusal),
+            Entry::Hand(hand) => self.hand(&hand),
+            Entry::Applied { at_ms, revision } => {
+                self.add(at_ms, What::Changed, String::new(), (None, format!("revision {revision}")), String::new());
+            }
+            Entry::File { file, .. } => file.into_iter().for_each(|file| self.file(&file)),
+            Entry::Robot(line) => {
+                let battery = line.condition.battery.map(|percent| format!("battery {percent} %"));
+                let says: Vec<String> = [Some(line.link), line.why, battery, line.halt].into_iter().flatten().collect();
+                let says = self.private.text(&says.join(", "));
+                self.add(line.at_ms, What::Robot, String::new(), (None, says), String::new());
+            }
+            Entry::Gap { lost } => {
+                self.add(self.last_ms, What::Missing, String::new(), (None, lost.to_string()), String::new());
+            }
+            Entry::Full => self.is_whole = true,
+            Entry::End(end) => {
+                (self.is_whole, self.last_ms) = (true, self.last_ms.max(end.at_ms));
+            }
+            Entry::Memory { .. } | Entry::Room { .. } | Entry::Note(_) | Entry::Unknown => {}
+        }
+    }
+
+    fn file(&mut self, file: &BehaviourFile) {
+        let streams = file.streams.iter();
+        self.names.extend(streams.map(|FileStream { id, name, kind, .. }| (id.clone(), (name.clone(), Some(*kind)))));
+        for connector in &file.connectors {
+            let name = self.name(&connector.output);
+            self.names.insert(connector.id.clone(), (name, None));
+        }
+    }
+
+    fn name(&self, id: &str) -> String {
+        let name = self.names.get(id).map_or(id, |(name, _)| name);
+        self.private.text(name)
+    }
+
+    fn value(&mut self, at_ms: u64, stream: &str, value: &Value, by: Option<&str>) {
+        let what = match (self.names.get(stream).and_then(|(_, kind)| *kind), by) {
+            (Some(StreamKind::Sensor), None) => What::Sensed,
+            (_, Some(_)) => What::Pretended,
+            (Some(StreamKind::Actuator), None) => What::Action,
+            (Some(StreamKind::Ordinary) | None, None) => What::Value,
+        };
+        let (told, by) = (self.private.value(stream, value), by.map(|by| self.private.name(by)));
+        let says = said(&told);
+        self.add(at_ms, what, self.name(stream), (Some(told), says), by.unwrap_or_default());
+    }
+
+    fn refused(&mut self, refusal: &Refusal) {
+        let often = refusal.count.map(|count| format!(" ({count} times)")).unwrap_or_default();
+        let says = format!("{}{often}", self.private.text(&refusal.why));
+        let by = refusal.with.as_deref().map(|with| self.private.name(with)).unwrap_or_default();
+        self.add(refusal.at_ms, What::NotDone, self.name(refusal.refused.as_str()), (None, says), by);
+    }
+
+    fn hand(&mut self, hand: &Hand) {
+        let told = self.private.told(&hand.value, false);
+        let (says, by) = (said(&told), self.private.name(&hand.by));
+        match &hand.why {
+            None => self.add(hand.at_ms, What::ByHand, hand.hand.clone(), (Some(told), says), by),
+            Some(why) => {
+                let says = self.private.text(why);
+                self.add(hand.at_ms, What::NotDone, hand.hand.clone(), (Some(told), says), by);
+            }
+        }
+    }
+
+    fn add(&mut self, at_ms: u64, what: What, subject: String, (value, says): (Option<Value>, String), by: String) {
+        self.last_ms = self.last_ms.max(at_ms);
+        self.events.push(Event { at_ms, what, subject, value, says, by });
+    }
+}

@@ -1,0 +1,97 @@
+//! What people have the robot do by hand: a source of commands of its own, above every program, and under the robot's own limits
+//! and Stop as they are.
+
+use super::RobotThread;
+use crate::robots::command_queue::{ByHand, Handing};
+use crate::robots::mailbox::{DoneByHand, Undone};
+use behaviour::{FileStream, Id, Params, StreamKind};
+use engine::Claim;
+use protocol::BY_HAND;
+use robot::{RobotFault, Use};
+use std::collections::BTreeMap;
+
+/// The number of no run: that of what is done by hand.
+pub(super) const HAND: u64 = 0;
+
+/// What people do by hand.
+#[derive(Debug, Default)]
+pub(super) struct Hands {
+    /// The actions that are open, with their parameters. Bounded by the catalogue.
+    open: BTreeMap<Id, Params>,
+    /// Who did something last.
+    by: String,
+}
+
+impl Hands {
+    /// Who keeps a part of the robot by hand.
+    pub(super) fn holder(&self) -> Option<(Id, String)> {
+        Some((Id::new(BY_HAND).ok()?, self.by.clone()))
+    }
+}
+
+impl RobotThread<'_> {
+    /// Does what somebody wants by hand, unless Stop was pressed since, and answers with what became of it.
+    pub(super) fn by_hand(&mut self, Handing { hand, cancel, answer }: Handing) {
+        let done = if cancel.is_cancelled() { Err("Stop was pressed".to_owned()) } else { self.try_by_hand(&hand) };
+        // From now on a Stop ends what the robot does.
+        cancel.cancel();
+        let told = |why: Option<String>| DoneByHand::of(hand.clone(), why);
+        self.users.values().for_each(|user| user.mailbox.done_by_hand(told(done.as_ref().err().cloned())));
+        // Who gave up waiting does not hear it.
+        drop(answer.send(done));
+    }
+
+    fn try_by_hand(&mut self, hand: &ByHand) -> Result<(), String> {
+        let device = robot::device(StreamKind::Actuator, &hand.device).map_err(|fault| fault.to_string())?;
+        device.check(&hand.params).map_err(|fault| fault.to_string())?;
+        let stream = Id::new(device.name).map_err(|fault| fault.to_string())?;
+        self.command_by_hand(hand, &stream).map_err(|fault| fault.to_string())
+    }
+
+    fn command_by_hand(
+        &mut self,
+        ByHand { device, params, value, by }: &ByHand,
+        stream: &Id,
+    ) -> Result<(), RobotFault> {
+        let user = Use { run: HAND, stream: stream.clone() };
+        if self.hands.open.get(stream) != Some(params) {
+            self.hands.open.remove(stream);
+            self.robot.open(&user, device, params)?;
+            self.hands.open.insert(stream.clone(), params.clone());
+        }
+        self.hands.by.clone_from(by);
+        let claim = claim(stream, device, params);
+        // Nobody stands above it.
+        let held = self.parts.command(self.now(), &user, &claim, |one, other| one == HAND && other != HAND);
+        held.map_err(|held| RobotFault::NotNow(format!("the {} is held", held.part)))?;
+        self.robot.command(&user, value, self.now())
+    }
+
+    /// What was taken by hand and did not come about.
+    pub(super) fn refused_by_hand(&self, stream: &Id, fault: &RobotFault) {
+        let undone = Undone { stream: stream.clone(), why: fault.to_string(), with: None };
+        self.users.values().for_each(|user| user.mailbox.undone(undone.clone()));
+    }
+
+    /// Stop was pressed, or the robot halted: nothing that was done by hand goes on or is held.
+    pub(super) fn end_by_hand(&mut self) {
+        self.parts.let_go(HAND);
+        for stream in std::mem::take(&mut self.hands.open).into_keys() {
+            self.robot.close(&Use { run: HAND, stream });
+        }
+    }
+}
+
+/// The parts of the robot that an action takes, as if it were a program's.
+fn claim(stream: &Id, device: &str, params: &Params) -> Claim {
+    Claim::of(&FileStream {
+        id: stream.to_string(),
+        kind: StreamKind::Actuator,
+        name: device.to_owned(),
+        device: Some(device.to_owned()),
+        params: Some(params.clone()),
+        resources: None,
+        priority: None,
+        hold_ms: None,
+    })
+}

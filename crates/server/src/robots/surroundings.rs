@@ -1,0 +1,69 @@
+//! What a recording has of the robot and its room: told when it is new, at most once a second.
+
+use super::runner::Job;
+use crate::recordings::Recorder;
+use protocol::RobotState;
+use recording::RobotLine;
+use robot::{Body, Health, Scene};
+
+/// How often it is looked at, in milliseconds.
+const LOOK_MS: u64 = 1_000;
+
+/// What was recorded last of the robot and its room.
+#[derive(Debug, Default)]
+pub(super) struct Surroundings {
+    robot: Option<RobotLine>,
+    room: Scene,
+    /// When it is looked at again.
+    next_ms: Option<u64>,
+}
+
+impl Surroundings {
+    /// When it is looked at again, in logical time.
+    pub(super) fn next_ms(&self) -> Option<u64> {
+        self.next_ms
+    }
+
+    /// Records what is new by now.
+    pub(super) fn look(&mut self, job: &Job, at_ms: u64, recorder: &mut Recorder) {
+        if self.next_ms.is_some_and(|next_ms| at_ms < next_ms) {
+            return;
+        }
+        self.next_ms = Some(at_ms + LOOK_MS);
+        if let Some(line) = line(job)
+            && self.robot.as_ref() != Some(&line)
+        {
+            recorder.robot(RobotLine { at_ms, ..line.clone() });
+            self.robot = Some(line);
+        }
+        let room = room(&job.shared.scene.borrow());
+        if room != self.room {
+            recorder.room(at_ms, room.clone());
+            self.room = room;
+        }
+    }
+
+    /// Records that the robot interrupted what ran.
+    pub(super) fn halt(&mut self, job: &Job, why: &str, at_ms: u64, recorder: &mut Recorder) {
+        let line = line(job).unwrap_or_default();
+        recorder.robot(RobotLine { at_ms, halt: Some(why.to_owned()), ..line });
+    }
+}
+
+fn line(job: &Job) -> Option<RobotLine> {
+    let RobotState { health, condition, .. } = job.shared.feed.state(&job.shared.robot)?;
+    let (link, why) = match health {
+        Health::Connecting => ("connecting", None),
+        Health::Ready | Health::Safe => ("ready", None),
+        Health::Degraded(why) => ("degraded", Some(why)),
+        Health::Lost(why) => ("lost", Some(why)),
+        Health::Stranger(_) => ("stranger", None),
+    };
+    Some(RobotLine { link: link.to_owned(), why, condition, ..RobotLine::default() })
+}
+
+/// What stands in a room. Of the robot only its place counts: what it does is told by its actions.
+fn room(scene: &Scene) -> Scene {
+    let body = Body { base: scene.body.base, ..Body::default() };
+    Scene { at_ms: 0, body, ..scene.clone() }
+}

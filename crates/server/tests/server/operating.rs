@@ -1,0 +1,86 @@
+//! Operating: recorded from the middle of a run on, marked at the moment of the press, done by hand, and marked again later.
+
+use crate::house::{House, connect, connector_id, printer, stream, stream_id};
+use behaviour::{Id, Params, Record, StreamKind, Value, connectors};
+use protocol::{MarkSort, Recording, RecordingMark, Refused, Reply, Request, Session};
+use shell::{Client, Trouble};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use store::MemoryStore;
+
+async fn recordings(aiko: &Client) -> Vec<Recording> {
+    let Reply::Recordings { recordings } = aiko.ask(Request::Recordings).await.unwrap() else { panic!() };
+    recordings
+}
+
+async fn marks(aiko: &Client, file: &str) -> Vec<RecordingMark> {
+    let Reply::Marks { marks, .. } = aiko.ask(Request::Marks { file: file.to_owned() }).await.unwrap() else {
+        panic!()
+    };
+    marks
+}
+
+#[tokio::test]
+async fn what_runs_is_recorded_marked_and_marked_again_later() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    aiko.put("Add", stream_id("head"), Some(Record::Stream(stream("Head", StreamKind::Sensor, Some("HeadTouch")))))
+        .await
+        .unwrap();
+    aiko.put("Add", stream_id("out"), Some(printer("Out"))).await.unwrap();
+    let through = connect(connectors::subscribe::SPEC.with(()), &["head"], "out");
+    aiko.put("Add", connector_id("c"), Some(through)).await.unwrap();
+    let (behaviour, robot) = (play.clone(), None);
+    let session = Session { participant: Some("C-07".to_owned()), ..Session::default() };
+    let record = Request::Record { behaviour: behaviour.clone(), robot: None, session };
+    assert_eq!(aiko.ask(record.clone()).await, Err(Trouble::No(Refused::NotRunning)));
+    let start =
+        Request::Start { behaviour: behaviour.clone(), robot: None, record: false, session: Session::default() };
+    aiko.ask(start.clone()).await.unwrap();
+    aiko.ask(record).await.unwrap();
+    let value = Value::Int(7);
+    aiko.ask(Request::Stimulate { behaviour: play.clone(), robot: None, stream: "head".parse().unwrap(), value })
+        .await
+        .unwrap();
+    let hand = |device: &str| {
+        let (device, params, value) = (device.to_owned(), Params::default(), Value::text("Hello"));
+        aiko.ask(Request::Hand { robot: None, device, params, value })
+    };
+    assert_eq!(hand("SayInput").await, Ok(Reply::Done));
+    assert!(matches!(hand("Dance").await, Err(Trouble::No(Refused::RobotCannot(why))) if why.contains("Dance")));
+    let note = "she smiles".to_owned();
+    aiko.ask(Request::Mark { behaviour: play.clone(), robot: None, note, ago_ms: 86_400_000 }).await.unwrap();
+    aiko.ask(Request::Stop { behaviour: None, robot }).await.unwrap();
+    let began = Instant::now();
+    let listed = loop {
+        let listed = recordings(&aiko).await;
+        if listed.first().is_some_and(|one| one.marks.is_some()) {
+            break listed;
+        }
+        assert!(began.elapsed() < Duration::from_secs(60), "it never ends: {listed:?}");
+    };
+    let [known] = &listed[..] else { panic!("{listed:?}") };
+    assert_eq!((known.session.participant.as_deref(), known.by.as_str(), known.marks), (Some("C-07"), "Aiko", Some(1)));
+    let first = marks(&aiko, &known.file).await;
+    assert_eq!((first[0].id.as_str(), first[0].t, first[0].note.as_str()), ("note-1", 0, "she smiles"));
+    let (file, id) = (known.file.clone(), Id::new("m1").unwrap());
+    let mark =
+        RecordingMark { id, t: 5, until: Some(9), word: "laughs".to_owned(), sort: MarkSort::Good, ..first[0].clone() };
+    aiko.ask(Request::PutMark { file: file.clone(), mark: Box::new(mark.clone()) }).await.unwrap();
+    assert_eq!(marks(&aiko, &file).await.len(), 2);
+    aiko.ask(Request::PutMark { file: file.clone(), mark: Box::new(RecordingMark { gone: true, ..mark }) })
+        .await
+        .unwrap();
+    assert_eq!(marks(&aiko, &file).await, first);
+    let path = folder.path().join("recordings").join(&file);
+    let text = std::fs::read_to_string(path).unwrap();
+    assert!(text.contains(r#""hand":"SayInput""#) && text.contains(r#""by":"Aiko""#), "{text}");
+    let Ok(Reply::Done) = aiko.ask(Request::RemoveRecording { file: file.clone() }).await else { panic!() };
+    assert_eq!(aiko.ask(Request::Marks { file }).await, Err(Trouble::No(Refused::NoRecording)));
+    // A name is no code, and such a Start does not begin.
+    let session = Session { participant: Some("Emma Smith".to_owned()), ..Session::default() };
+    let no = aiko.ask(Request::Start { behaviour: play, robot: None, record: true, session }).await.unwrap_err();
+    assert!(no.to_string().contains("is no name"), "{no}");
+    house.close().await;
+}
