@@ -52,7 +52,7 @@ pub(crate) enum NotDone {
     Id(String),
     /// There is no such sense; with what the catalogue says.
     NoSense(String),
-    /// What is typed as a value or as settings is none.
+    /// A word stands where a value or settings should.
     NoJson(serde_json::Error),
     /// The catalogue's own example is no value.
     NoExample(serde_json::Error),
