@@ -34,7 +34,7 @@ cargo xtask COMMAND
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
   bench nao [PART]          measure a robot over the link against the stand-in, beside the Python client of libqi; PART is
-                            calls, reactions or stops
+                            calls, reactions, stops or calm
   bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 8
   bench sentences           measure how long typed sentences take to be read
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours

@@ -74,6 +74,7 @@ pub(crate) fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "checkRobot", "real": {"address": "nao"}}), Host),
         (json!({"is": "findRobots"}), Host),
         (json!({"is": "controlRobot", "robot": "none", "control": "take"}), Operator),
+        (json!({"is": "faces", "robot": "none"}), Operator),
         (json!({"is": "removeRobot", "robot": "none"}), Operator),
         (json!({"is": "invite", "role": "viewer", "lasts": "day", "label": ""}), Host),
         (json!({"is": "invitations"}), Host),

@@ -109,10 +109,7 @@ impl Session {
             Request::CheckRobot { real, robot } => self.check_robot(ask, *real, robot),
             Request::FindRobots => self.later(ask, real::find()),
             Request::ControlRobot { robot, control } => self.control(ask, &robot, control),
-            Request::Faces { robot } => {
-                let faces = self.state().robots.meant(Some(&robot)).map(|host| Reply::Faces { faces: host.faces() });
-                self.outbox.say(Some(ask), faces.unwrap_or_else(|no| Reply::No { no }));
-            }
+            Request::Faces { robot } => self.faces(ask, &robot),
             Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
             Request::Watch { robot, scene, values } => {
                 self.outbox.put(Out::Watch { robot, scene, values });
@@ -199,6 +196,12 @@ impl Session {
     fn control(&self, ask: u32, robot: &Id, control: Control) {
         let (host, by) = (self.state().robots.meant(Some(robot)), self.me.name.clone());
         self.later(ask, async move { host?.control(control, &by).await.map(|()| Reply::Done) });
+    }
+
+    /// The names under which a robot remembers faces.
+    fn faces(&self, ask: u32, robot: &Id) {
+        let faces = self.state().robots.meant(Some(robot)).map(|host| Reply::Faces { faces: host.faces() });
+        self.outbox.say(Some(ask), faces.unwrap_or_else(|no| Reply::No { no }));
     }
 
     /// Whether a robot can be reached.
