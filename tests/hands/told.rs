@@ -224,8 +224,7 @@ async fn a_sentence_is_added_with_fingers() -> Outcome<()> {
     let program = stage.wire.make("Fingers", BALLS).await?;
     let aiko = stage.fingers("aiko", &program).await?;
     rests(&aiko, "Ball, sensor stream").await?;
-    aiko.tap("button", "Menu").await?;
-    aiko.tap("menuitem", "Find or add*").await?;
+    aiko.key("Control+f").await?;
     let dialog = aiko.within("dialog", "Find or add*");
     dialog.fill("searchbox", "Or say what it does", "Please wave at everyone you know!").await?;
     aiko.until(&understood_is("When a known face is seen, the robot waves."), "it is understood").await?;

@@ -1,6 +1,8 @@
 //! How long a sentence takes to be read: random strings and sentences with slips, and what is understood.
 //! `cargo xtask bench sentences`; it fails if a bar is missed.
 
+#![expect(clippy::print_stdout, reason = "a benchmark says what it measured")]
+
 #[path = "../tests/sentences/dice.rs"]
 mod dice;
 #[path = "../tests/sentences/said.rs"]
@@ -12,20 +14,20 @@ use sentences::{Language, Lexicon, read_speech};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// How many texts of each kind.
+/// How many texts of each kind, if no number is given.
 const COUNT: usize = 100_000;
 /// The bars: half of the texts, and each of them.
 const MEDIAN: Duration = Duration::from_millis(5);
 const WORST: Duration = Duration::from_millis(50);
 
 /// How long each text takes, sorted, and the longest one with its text.
-fn times(mut text: impl FnMut(&mut Dice, usize) -> (String, Language)) -> (Vec<Duration>, String) {
+fn times(count: usize, mut text: impl FnMut(&mut Dice, usize) -> (String, Language)) -> (Vec<Duration>, String) {
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();
     let mut dice = Dice::seeded(36);
-    let mut all = Vec::with_capacity(COUNT);
+    let mut all = Vec::with_capacity(count);
     let (mut longest, mut of) = (Duration::ZERO, String::new());
-    for at in 0..COUNT {
+    for at in 0..count {
         let (text, language) = text(&mut dice, at);
         let started = Instant::now();
         let reading = read_speech(&text, language, Lexicon::of(language), &helpers, None);
@@ -42,12 +44,15 @@ fn times(mut text: impl FnMut(&mut Dice, usize) -> (String, Language)) -> (Vec<D
 
 fn main() -> ExitCode {
     // The words of both languages are read once.
-    Language::ALL.map(|language| drop(read_speech("wave", language, Lexicon::of(language), &[], None)));
-    let strange = times(|dice, at| {
+    for language in Language::ALL {
+        drop(read_speech("wave", language, Lexicon::of(language), &[], None));
+    }
+    let count = std::env::args().find_map(|word| word.parse().ok()).unwrap_or(COUNT).max(1);
+    let strange = times(count, |dice, at| {
         let language = Language::ALL[at % 2];
         (said::strange(dice, language, at % 5 == 0), language)
     });
-    let plain = times(|dice, at| {
+    let plain = times(count, |dice, at| {
         let language = Language::ALL[at % 2];
         (said::random(dice, language), language)
     });

@@ -54,10 +54,10 @@ pub(crate) fn nao(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     tools::run(cargo.args(words).env("RRP_QI_PYTHON", python), "The benchmark of the robot")
 }
 
-/// Measures how long typed sentences take to be read.
-pub(crate) fn sentences(workspace: &Workspace) -> Outcome<()> {
-    let mut cargo = workspace.cargo(&["bench", "--package", "sentences", "--bench", "reader"]);
-    tools::run(&mut cargo, "The benchmark of typed sentences")
+/// Measures how long typed sentences take to be read; a number says how many.
+pub(crate) fn sentences(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+    let mut cargo = workspace.cargo(&["bench", "--package", "sentences", "--bench", "reader", "--"]);
+    tools::run(cargo.args(words), "The benchmark of typed sentences")
 }
 
 /// Measures the engine, how long runaway procedures hold it, and the hand-overs between the threads around it; `words`

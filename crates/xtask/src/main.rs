@@ -78,7 +78,7 @@ fn obey(words: &[String]) -> Outcome<()> {
         ["bench", "nao", rest @ ..] if rest.len() < 2 && rest.iter().all(|word| !word.starts_with('-')) => {
             bench::nao(&Workspace::here()?, rest)
         }
-        ["bench", "sentences"] => bench::sentences(&Workspace::here()?),
+        ["bench", "sentences", rest @ ..] => bench::sentences(&Workspace::here()?, rest),
         ["bench", "stores"] => bench::stores(&Workspace::here()?),
         ["test"] => test::all(&Workspace::here()?),
         ["test", filter] if !filter.starts_with('-') => test::only(&Workspace::here()?, filter),

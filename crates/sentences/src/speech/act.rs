@@ -256,7 +256,7 @@ fn count(bag: &mut Bag, at: usize) -> Option<Act> {
 /// One of several texts, by chance: *say “a” or “b” at random*.
 fn any_of(bag: &mut Bag) -> Option<Act> {
     let quotes = bag.atoms.iter().filter(|atom| is_quote(atom)).count();
-    if quotes < 2 || quotes > CHANCES_MAX || !bag.has("chance", "") || bag.has("and", "") {
+    if !(2..=CHANCES_MAX).contains(&quotes) || !bag.has("chance", "") || bag.has("and", "") {
         return None;
     }
     let texts: Vec<String> = std::iter::from_fn(|| bag.quote()).collect();

@@ -57,15 +57,7 @@ impl Said {
                     is_open = false;
                 }
                 Segment::AtMost(ms) => rule.at_most = Some(*ms),
-                Segment::Apart(ms) => {
-                    let at_once = rule.acts.iter().all(|(later, ..)| *later == 0);
-                    if !at_once || rule.acts.len() < 2 {
-                        self.doubts.push(span.clone());
-                    }
-                    for (at, act) in rule.acts.iter_mut().enumerate() {
-                        act.0 = ms * at as u64;
-                    }
-                }
+                Segment::Apart(ms) => self.spread(&mut rule, *ms, span),
                 Segment::Once => rule.once = true,
                 Segment::Later(ms, then) => {
                     let first = rule.acts.is_empty();
@@ -123,6 +115,28 @@ impl Said {
         self.doubts.append(&mut alone);
         if is_open || !rule.acts.is_empty() || rule.event.is_some() {
             self.finish(rule, goes_on);
+        }
+    }
+
+    /// Puts a time between all that a rule does.
+    fn spread(&mut self, rule: &mut Rule, ms: u64, span: &Span) {
+        let at_once = rule.acts.iter().all(|(later, ..)| *later == 0);
+        if !at_once || rule.acts.len() < 2 {
+            self.doubts.push(span.clone());
+        }
+        for (at, act) in rule.acts.iter_mut().enumerate() {
+            act.0 = ms * at as u64;
+        }
+    }
+
+    /// What was said is not done again for a time; `words` says that it is words that are not said.
+    fn pause(&mut self, rule: &mut Rule, ms: u64, words: bool, span: &Span) {
+        let alone = rule.acts.is_empty() && rule.event.is_none() && rule.every.is_none();
+        let said = if alone { self.rules.last_mut() } else { Some(rule).filter(|rule| !rule.acts.is_empty()) };
+        let fits = |said: &&mut Rule| said.pause.is_none() && (!words || said.acts.iter().all(|(_, act, _)| says(act)));
+        match said.filter(fits) {
+            Some(said) => said.pause = Some(ms),
+            None => self.doubts.push(span.clone()),
         }
     }
 
@@ -304,18 +318,7 @@ impl Said {
                     continue;
                 }
                 Act::NotFor(ms, words) => {
-                    let alone = rule.acts.is_empty() && rule.event.is_none() && rule.every.is_none();
-                    let said = if alone {
-                        self.rules.last_mut()
-                    } else {
-                        Some(&mut *rule).filter(|rule| !rule.acts.is_empty())
-                    };
-                    match said.filter(|said| {
-                        said.pause.is_none() && (!words || said.acts.iter().all(|(_, act, _)| says(act)))
-                    }) {
-                        Some(said) => said.pause = Some(*ms),
-                        None => self.doubts.push(span.clone()),
-                    }
+                    self.pause(rule, *ms, *words, span);
                     continue;
                 }
                 Act::Keeps => {
