@@ -14,7 +14,7 @@ use crate::{canvas, panels, words};
 use behaviour::Id;
 use leptos::prelude::*;
 use leptos::wasm_split::{SplitLoaderError, wasm_split};
-use protocol::Exercise;
+use protocol::{Exercise, Recorded};
 use web_sys::KeyboardEvent;
 
 /// How long a browser that does not say when it is idle is left alone, in milliseconds.
@@ -78,8 +78,12 @@ pub(crate) struct Rest {
     pub(crate) minimap: fn() -> AnyView,
     /// Whose changes the robot does not use yet, and the button that lets it.
     pub(crate) apply: fn() -> AnyView,
-    /// In the list of robots, who has this one and what its body does at a press.
-    pub(crate) robot_controls: fn() -> AnyView,
+    /// In the menu of robots, all of them, and what can be done with the one that is looked at.
+    pub(crate) robot_list: fn() -> AnyView,
+    /// How the recording of a run goes, with the field for marks; without a recording only that field, which rests.
+    pub(crate) recorded: fn(Option<Recorded>, RwSignal<String>) -> AnyView,
+    /// The recordings that are kept.
+    pub(crate) recordings: fn() -> AnyView,
     /// What may happen in the simulated room.
     pub(crate) room_tools: fn() -> AnyView,
     /// What the robot's camera sees.
@@ -131,7 +135,9 @@ fn rest() -> Result<Rest, NotLoaded> {
         carry: canvas::carry,
         minimap: canvas::minimap,
         apply: panels::apply,
-        robot_controls: panels::robot_controls,
+        robot_list: panels::robot_list,
+        recorded: panels::recorded,
+        recordings: panels::recordings,
         room_tools: panels::room_tools,
         camera: panels::camera,
         stranger: panels::stranger,

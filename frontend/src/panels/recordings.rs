@@ -2,6 +2,7 @@
 
 use super::hold::hold;
 use super::may::may_operate;
+use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{MARK_MAX_CHARS, RECORDINGS_PATH, Recorded, Recording};
@@ -26,27 +27,14 @@ pub(crate) fn RecordRow() -> impl IntoView {
                 {words::record()}
             </label>
             // Where it will stand once the run is recorded, so that nothing moves then.
-            <Show when=move || desk.desk().robots.records.get()><Mark note idle=true /></Show>
-        }
-    };
-    let going = move |recorded: Recorded| {
-        let bad = recorded.lost > 0 || recorded.trouble.is_some();
-        view! {
-            <p class="record" class:bad=bad role="status">
-                <span class="dot" aria-hidden="true"></span>
-                {words::recording_goes(recorded.lost, recorded.trouble.as_deref())}
-                <Show when=move || may_operate(desk)>
-                    <button class="link" type="button" on:click=move |_| desk.desk().robots.end_recording()>
-                        {words::end_recording()}
-                    </button>
-                </Show>
-            </p>
-            <Mark note />
+            <Show when=move || desk.desk().robots.records.get()><Later show=move |rest| (rest.recorded)(None, note) /></Show>
         }
     };
     move || match (runs.get(), recorded.get()) {
         (false, _) => choice().into_any(),
-        (true, Some(recorded)) => going(recorded).into_any(),
+        (true, Some(recorded)) => {
+            view! { <Later show=move |rest| (rest.recorded)(Some(recorded.clone()), note) /> }.into_any()
+        }
         // What stands below stays where it is.
         (true, None) => view! {
             <p class="record">
@@ -60,6 +48,26 @@ pub(crate) fn RecordRow() -> impl IntoView {
         }
         .into_any(),
     }
+}
+
+/// How a recording goes, with the field for marks, as a view; without one only that field, which rests.
+pub(crate) fn recorded(recorded: Option<Recorded>, note: RwSignal<String>) -> AnyView {
+    let desk = hold();
+    let Some(recorded) = recorded else { return view! { <Mark note idle=true /> }.into_any() };
+    let bad = recorded.lost > 0 || recorded.trouble.is_some();
+    view! {
+        <p class="record" class:bad=bad role="status">
+            <span class="dot" aria-hidden="true"></span>
+            {words::recording_goes(recorded.lost, recorded.trouble.as_deref())}
+            <Show when=move || may_operate(desk)>
+                <button class="link" type="button" on:click=move |_| desk.desk().robots.end_recording()>
+                    {words::end_recording()}
+                </button>
+            </Show>
+        </p>
+        <Mark note />
+    }
+    .into_any()
 }
 
 /// A note of what happens now, for whoever looks at the recording later.
@@ -93,15 +101,29 @@ fn Mark(note: RwSignal<String>, #[prop(optional)] idle: bool) -> impl IntoView {
 #[component]
 pub(crate) fn Recordings() -> impl IntoView {
     let desk = hold();
+    let opened = RwSignal::new(false);
+    let toggle = move |_| {
+        opened.set(true);
+        desk.desk().robots.list_recordings();
+    };
+    view! {
+        <details class="recordings" on:toggle=toggle>
+            <summary>{words::recordings()}</summary>
+            <Show when=move || opened.get()><Later show=|rest| (rest.recordings)() /></Show>
+        </details>
+    }
+}
+
+/// The recordings that are kept, as a view.
+pub(crate) fn recordings() -> AnyView {
+    let desk = hold();
     let list = move || desk.desk().robots.recordings.get();
     let rows = move || list().into_iter().map(|recording| view! { <Row recording /> }).collect_view();
     view! {
-        <details class="recordings" on:toggle=move |_| desk.desk().robots.list_recordings()>
-            <summary>{words::recordings()}</summary>
-            <p class="faint" hidden=move || !list().is_empty()>{words::no_recordings()}</p>
-            <ul>{rows}</ul>
-        </details>
+        <p class="faint" hidden=move || !list().is_empty()>{words::no_recordings()}</p>
+        <ul>{rows}</ul>
     }
+    .into_any()
 }
 
 #[component]

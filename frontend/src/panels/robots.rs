@@ -19,9 +19,14 @@ pub(crate) fn RobotPicker() -> impl IntoView {
     let label = Signal::derive(move || words::robot_named(&desk.desk().robots.name()));
     view! {
         <Menu label word=name icon="chevron" class="robot-picker" alone=true>
-            <Items />
+            <Later show=|rest| (rest.robot_list)() />
         </Menu>
     }
+}
+
+/// All robots, and what can be done with them, as a view.
+pub(crate) fn robot_list() -> AnyView {
+    view! { <Items /> }.into_any()
 }
 
 #[component]
@@ -56,16 +61,12 @@ fn Items() -> impl IntoView {
                 })}
             }
         }}
-        <Later show=|rest| (rest.robot_controls)() />
+        <Controls />
         {others}
     }
 }
 
-/// Who has the robot, and what its body does at a press, as a view.
-pub(crate) fn robot_controls() -> AnyView {
-    view! { <Controls /> }.into_any()
-}
-
+/// Who has the robot, and what its body does at a press.
 #[component]
 fn Controls() -> impl IntoView {
     let desk = hold();
