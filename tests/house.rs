@@ -100,7 +100,7 @@ const FUNCTION_MAX: usize = 90;
 /// First words that turn a sentence of a doc comment into a noun clause, without a named subject and an early verb.
 const VERBLESS: [&str; 5] = ["What", "Who", "How", "Whether", "Its"];
 /// Files and folders of whose doc comments no line begins with one of these words.
-const PLAIN: [&str; 18] = [
+const PLAIN: [&str; 19] = [
     "crates/behaviour/",
     "crates/engine/",
     "crates/host_key/",
@@ -108,6 +108,7 @@ const PLAIN: [&str; 18] = [
     "crates/protocol/",
     "crates/qi/",
     "crates/recording/",
+    "crates/robot/",
     "crates/shell/",
     "crates/store/",
     "crates/xtask/",
@@ -121,7 +122,7 @@ const PLAIN: [&str; 18] = [
     "tests/src/",
 ];
 /// The most such lines in all other files. A ratchet: it may only go down.
-const VERBLESS_MAX: usize = 2143;
+const VERBLESS_MAX: usize = 2008;
 
 #[test]
 fn plain_rooms_use_only_the_libraries_on_their_list() -> Outcome<()> {
