@@ -29,7 +29,7 @@ pub struct Device {
     /// Which of its values count when several wait: readings of a sense for a behaviour, commands of an action for the
     /// robot.
     pub waiting: Waiting,
-    /// The pace at which its values come, or at which it is done with one of them.
+    /// The way in which its values come, or the time for which one of them keeps it busy.
     pub pace: Pace,
     /// The parameter that says what stands on the button by which an operator gives its values; none if there is no button.
     pub button: Option<&'static str>,
@@ -50,7 +50,7 @@ pub enum Waiting {
     Every,
 }
 
-/// The pace at which values of a sense come, or at which an action is done with one.
+/// The way in which values of a sense come, or the time for which an action is busy with one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pace {
     /// A sense that reads many times a second, always.
