@@ -100,13 +100,18 @@ const FUNCTION_MAX: usize = 90;
 /// First words that turn a sentence of a doc comment into a noun clause, without a named subject and an early verb.
 const VERBLESS: [&str; 5] = ["What", "Who", "How", "Whether", "Its"];
 /// Files and folders of whose doc comments no line begins with one of these words.
-const PLAIN: [&str; 16] = [
+const PLAIN: [&str; 21] = [
     "crates/behaviour/",
     "crates/engine/",
     "crates/host_key/",
     "crates/load/",
+    "crates/nao/",
+    "crates/protocol/",
     "crates/qi/",
+    "crates/recording/",
+    "crates/robot/",
     "crates/shell/",
+    "crates/simulation/",
     "crates/store/",
     "crates/xtask/",
     "frontend/src/canvas",
@@ -119,7 +124,7 @@ const PLAIN: [&str; 16] = [
     "tests/src/",
 ];
 /// The most such lines in all other files. A ratchet: it may only go down.
-const VERBLESS_MAX: usize = 2450;
+const VERBLESS_MAX: usize = 1640;
 
 #[test]
 fn plain_rooms_use_only_the_libraries_on_their_list() -> Outcome<()> {

@@ -1,6 +1,6 @@
-//! What the robot does for behaviours: the newest of each kind at the motion cycle, one voice, one walk, what it follows, and
-//! what takes its time. Nothing here is waited for; what was wanted before a Stop is void; what goes on is sent in pieces that
-//! end by themselves, so that a robot that hears no more of us comes to rest.
+//! The actions of the robot for behaviours: the newest of each kind at the motion cycle, one voice, one walk, what it
+//! follows, and what takes its time. Nothing here is waited for; what was wanted before a Stop is void; what goes on is
+//! sent in pieces that end by themselves, so that a robot that hears no more of us comes to rest.
 
 mod moving;
 
@@ -23,26 +23,26 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
 
-/// How long speaking a text may take at most, beside so much for each character.
+/// The longest that speaking a text may take, beside so much for each character.
 const SAY: Duration = Duration::from_secs(15);
 const SAY_CHAR: Duration = Duration::from_millis(150);
 
 /// A kind of which only the newest counts.
 type Slot = &'static str;
-/// What the names of animations begin with.
+/// The beginning of the names of animations.
 const ANIMATION: &str = "animations/";
-/// What stands before the name of an installed behaviour, among all that may last.
+/// The prefix of the name of an installed behaviour, among all that may last.
 const BEHAVIOR: &str = "behaviour ";
 /// The longest that an installed behaviour may take.
 const BEHAVIOR_WITHIN: Duration = Duration::from_secs(600);
-/// What has the tablet, and the kind of everything that it shows.
+/// The service that has the tablet, and the kind of everything that it shows.
 const TABLET: Slot = "ALTabletService";
 /// The kind of everything that joints do.
 const JOINTS: Slot = "joints";
-/// What hears words, and its own voice too.
+/// The service that hears words, and its own voice too.
 const HEARING: &str = crate::hearing::SERVICE;
 
-/// What came to its end, or was seen.
+/// An action that came to its end, or a target that was seen.
 pub(crate) enum Done {
     Slot(Slot),
     Said,
@@ -68,12 +68,12 @@ pub(crate) struct Acting {
     speech: Speech,
     moving: Moving,
     lasting: Lastings,
-    /// What this server subscribes by.
+    /// The name by which this server subscribes.
     own_name: String,
     voicing: Voicing,
     /// Groups of lights that are not the robot's own now, and who lit them.
     lit: BTreeMap<Slot, Use>,
-    /// Who shows something on the tablet.
+    /// The use that shows something on the tablet.
     shown: Option<Use>,
 }
 
@@ -224,7 +224,7 @@ impl Acting {
         self.send_newest();
     }
 
-    /// What is due at the motion cycle.
+    /// Sends everything that is due at the motion cycle.
     pub(crate) fn cycle(&mut self) {
         self.look_at_gate();
         let now = Instant::now();
@@ -328,7 +328,7 @@ impl Acting {
         self.show();
     }
 
-    /// What people see of it.
+    /// Notes what people see of it.
     fn show(&self) {
         let mut state = self.shared.state();
         self.speech.saying().clone_into(&mut state.saying);

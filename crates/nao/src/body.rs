@@ -24,7 +24,8 @@ const JOINTS: [Row; 14] = [
     ("RHand", 0.0, 1.0),
 ];
 
-/// How far the head may nod at a yaw, up and down: |yaw|, lowest and highest pitch in radians, linear between.
+/// The range in which the head may nod at a yaw, up and down: |yaw|, lowest and highest pitch in radians, linear
+/// between.
 const NOD: [(f64, f64, f64); 7] = [
     (0.0, -0.672, 0.5149),
     (0.486, -0.672, 0.422),
@@ -46,7 +47,7 @@ pub(crate) fn joints_of(name: &str) -> Option<Vec<&'static str>> {
     }
 }
 
-/// How fast a joint goes at most, in radians a second, a hand from closed to open in one.
+/// Returns the top speed of a joint in radians a second; a hand goes from closed to open in one.
 pub(crate) fn top_speed(joint: &str) -> f64 {
     match joint {
         "HeadPitch" => 7.19,
@@ -56,12 +57,12 @@ pub(crate) fn top_speed(joint: &str) -> f64 {
     }
 }
 
-/// Whether a joint of a NAO or Pepper stands on the ground: the robot's own `stopMove` has it until that has answered.
+/// True if a joint of a NAO or Pepper stands on the ground: the robot's own `stopMove` has it until that has answered.
 pub(crate) fn is_leg(joint: &str) -> bool {
     ["Hip", "Knee", "Ankle"].iter().any(|part| joint.contains(part))
 }
 
-/// Whether angles can be wanted of it: the wheels of a Pepper only roll.
+/// True if angles can be wanted of it: the wheels of a Pepper only roll.
 pub(crate) fn is_joint(name: &str) -> bool {
     !name.starts_with("Wheel")
 }

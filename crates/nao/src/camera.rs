@@ -17,9 +17,9 @@ const VIDEO: &str = "ALVideoDevice";
 const CHOICE: [i32; 4] = [0, 1, 11, 10];
 /// Pause between two pictures, in milliseconds: ten a second.
 const EVERY_MS: u64 = 100;
-/// How long a picture may take on its way.
+/// The longest that a picture may take on its way.
 const PICTURE: Duration = Duration::from_secs(3);
-/// How long it may take to say that no more pictures are wanted.
+/// The longest that it may take to say that no more pictures are wanted.
 const LEAVE: Duration = Duration::from_secs(1);
 /// Pause before the link is made again, in milliseconds.
 const AGAIN_MS: u64 = 1_000;
@@ -34,14 +34,14 @@ struct Inner {
     seen: Mutex<Seen>,
 }
 
-/// What is seen, and by whom.
+/// The pictures that are seen, and the wish to see some.
 #[derive(Default)]
 struct Seen {
     looks: bool,
-    /// Whether there is a thread that fetches pictures.
+    /// True if there is a thread that fetches pictures.
     fetches: bool,
     newest: Option<Arc<Picture>>,
-    /// How many pictures came so far.
+    /// The number of pictures that came so far.
     count: u64,
 }
 
@@ -152,7 +152,8 @@ impl Inner {
     }
 }
 
-/// As whom pictures are asked for. A subscription outlives the process that made it, so the name is found by it again.
+/// Returns the name under which pictures are asked for. A subscription outlives the process that made it, so the name
+/// is found by it again.
 fn name(own_name: &str) -> String {
     format!("{own_name}/camera")
 }

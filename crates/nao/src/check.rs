@@ -8,17 +8,17 @@ use qi::{Cause, QiError, Session, Stage};
 use robot::{Identity, Lacking};
 use std::time::Duration;
 
-/// How long a whole look may take, in milliseconds.
+/// The longest that a whole look may take, in milliseconds.
 const LOOK_MS: u64 = 18_000;
 
-/// What was found.
+/// The findings of a look at a robot.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Found {
     /// The steps that went well, in order; the last one may have failed.
     pub steps: Vec<(Step, Option<String>)>,
-    /// What the robot calls itself; may be empty.
+    /// The name that the robot gives itself; may be empty.
     pub name: String,
-    /// What it is: "NAO, NAOqi 2.8.7"; empty if that is not known.
+    /// The kind of robot, with its system: "NAO, NAOqi 2.8.7"; empty if that is not known.
     pub model: String,
     /// The SHA-256 of the certificate that it showed, as `AB:CD:…`.
     pub fingerprint: Option<String>,
@@ -31,7 +31,7 @@ pub struct Found {
 /// A step on the way to a robot, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {
-    /// Its name has a number in the network.
+    /// The name has a number in the network.
     Name,
     /// Something answers there.
     Tcp,

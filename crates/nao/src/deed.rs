@@ -1,4 +1,4 @@
-//! What an action wants of the robot: made from a value on the robot's thread, done on the link's.
+//! The deeds that actions want of the robot: made from a value on the robot's thread, done on the link's.
 
 use crate::following::Track;
 use crate::legs::Speeds;
@@ -20,7 +20,7 @@ impl Call {
     }
 }
 
-/// What is to be done.
+/// A deed that is to be done.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Deed {
     /// The eyes get a colour, red, green and blue from 0 to 1, and keep their brightness; the newest counts.
@@ -31,34 +31,34 @@ pub(crate) enum Deed {
     Joints {
         joints: Vec<&'static str>,
         angles: Vec<f64>,
-        /// As a fraction of the top speed.
+        /// The speed as a fraction of the top speed.
         speed: f64,
     },
     /// Something that takes its time; not begun again while it lasts.
     Lasting {
-        /// What it is, among all that may last.
+        /// The name of it, among all that may last.
         what: String,
-        /// What is called, one after the other.
+        /// The calls that begin it, one after the other.
         calls: Vec<Call>,
-        /// What ends it early.
+        /// The calls that end it early.
         end: Vec<Call>,
         /// The longest it may take.
         within: Duration,
-        /// Whether the robot must be awake and on its feet.
+        /// True if the robot must be awake and on its feet.
         moves: bool,
     },
     /// An installed behaviour; it takes the place of another one.
     Behavior(String),
-    /// How it speaks from now on.
+    /// The manner in which it speaks from now on.
     Voice(Manner),
     /// A light of this group, which is the robot's own again at the end of the use.
     Light {
         /// In ALLeds.
         group: &'static str,
-        /// What is called; the newest counts.
+        /// The call that sets the light; the newest counts.
         call: Call,
     },
-    /// What the tablet shows, until the end of the use.
+    /// The page or picture that the tablet shows, until the end of the use.
     Tablet(Call),
     /// Words to speak.
     Say(String),
@@ -71,7 +71,7 @@ pub(crate) enum Deed {
 }
 
 impl Deed {
-    /// Whether the robot must be awake and on its feet for it.
+    /// True if the robot must be awake and on its feet for it.
     pub(crate) fn moves(&self) -> bool {
         match self {
             Self::Joints { .. } | Self::Walk(_) | Self::Track(_) | Self::Behavior(_) => true,
@@ -86,7 +86,7 @@ impl Deed {
         }
     }
 
-    /// Whether it walks or turns the whole body.
+    /// True if it walks or turns the whole body.
     pub(crate) fn walks(&self) -> bool {
         match self {
             Self::Walk(_) => true,

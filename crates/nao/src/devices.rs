@@ -69,7 +69,7 @@ pub(crate) const ALL: [&Driver; 34] = [
 
 /// A device of this robot.
 pub(crate) struct Driver {
-    /// Its name in the catalogue.
+    /// The name of the device in the catalogue.
     pub(crate) name: &'static str,
     /// The services without which it is not there.
     pub(crate) services: &'static [&'static str],
@@ -95,7 +95,7 @@ impl Opened {
     }
 }
 
-/// What was chosen for a device.
+/// The parameters that were chosen for a device.
 pub(crate) struct Chosen(pub(crate) Params);
 
 impl Chosen {
@@ -124,27 +124,29 @@ pub(crate) trait Sense: Send + Sync {
         None
     }
 
-    /// What is called before that, one after the other; all of it, also if something of it fails.
+    /// Returns what is called before that, one after the other; all of it, also if something of it fails.
     fn begin(&self) -> Vec<Call> {
         Vec::new()
     }
 
-    /// What is asked once at first, and read under the key `first`.
+    /// Returns what is asked once at first, and read under the key `first`.
     fn first(&self) -> Option<Call> {
         None
     }
 
-    /// What is asked again and again, and read under the key `poll`, with the period in milliseconds.
+    /// Returns what is asked again and again, and read under the key `poll`, with the period in milliseconds.
     fn poll(&self) -> Option<(Call, u64)> {
         None
     }
 
-    /// What has to be set on the robot before it is asked, if there is one of that only: uses that want it otherwise take turns.
+    /// Returns what has to be set on the robot before it is asked, if there is one of that only: uses that want it
+    /// otherwise take turns.
     fn turn(&self) -> Option<Turn> {
         None
     }
 
-    /// Its turn has come, and is set on the robot since this moment: what was told before is of another use.
+    /// Notes that the turn of the sense has come, and is set on the robot since this moment: what was told before is of
+    /// another use.
     fn turned(&mut self, since_ms: u64) {
         let _nothing = since_ms;
     }
@@ -159,12 +161,13 @@ pub(crate) trait Sense: Send + Sync {
         None
     }
 
-    /// How often it beats by robot time alone, in microseconds.
+    /// Returns the period at which it beats by robot time alone, in microseconds.
     fn beat_us(&self) -> Option<u64> {
         None
     }
 
-    /// What of the robot there is one of only, and how it is used: two uses that want it otherwise do not go together.
+    /// Returns what of the robot there is one of only, and how it is used: two uses that want it otherwise do not go
+    /// together.
     fn only(&self) -> Option<(&'static str, String)> {
         None
     }
@@ -176,15 +179,15 @@ pub(crate) trait Sense: Send + Sync {
 /// A turn of a sense at something that there is one of only.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turn {
-    /// What sets it.
+    /// The calls that set it.
     pub(crate) calls: Vec<Call>,
-    /// How long it takes after that until an answer is for this turn, in milliseconds.
+    /// The time after that until an answer is for this turn, in milliseconds.
     pub(crate) wait_ms: u64,
 }
 
 /// An action in use.
 pub(crate) trait Act: Send {
-    /// What a finite value wants.
+    /// Returns what a finite value wants.
     fn deed(&self, value: &Value) -> Result<Deed, RobotFault>;
 
     /// The sense that it needs, by its name in the catalogue.

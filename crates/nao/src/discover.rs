@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::time::Duration;
 
-/// What NAOqi announces.
+/// The kind of service that NAOqi announces.
 const KIND: &str = "_naoqi._tcp.local.";
 /// The most robots that are told.
 const FOUND_MAX: usize = 32;
@@ -13,9 +13,9 @@ const FOUND_MAX: usize = 32;
 /// A robot that announces itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Announced {
-    /// What it calls itself.
+    /// The name that the robot gives itself.
     pub name: String,
-    /// How it is reached: a number in the network, with its port.
+    /// The address at which it is reached: a number in the network, with its port.
     pub address: String,
 }
 

@@ -17,7 +17,7 @@ use tokio::sync::mpsc;
 
 /// A follower follows for so long after a value.
 pub(crate) const HOLD: Duration = Duration::from_millis(1_000);
-/// What was not seen for so long is lost: then nothing walks after it.
+/// A target that was not seen for so long is lost: then nothing walks after it.
 pub(crate) const LOST: Duration = Duration::from_millis(500);
 /// Speed of a head that follows and an arm that points, as a fraction of the top speed.
 pub(crate) const SPEED: f64 = 0.3;
@@ -32,15 +32,15 @@ const AHEAD: f64 = 0.50;
 /// The top speeds, in metres and radians a second.
 const TOP_MPS: f64 = 0.06;
 const TOP_RPS: f64 = 0.5;
-/// How quickly it turns for each radian that the target is aside.
+/// The speed at which it turns for each radian that the target is aside.
 const TURN_GAIN: f64 = 1.5;
-/// How far the cameras look down when the head is level, in radians: the upper one, and the lower one.
+/// The angles by which the cameras look down when the head is level, in radians: the upper one, and the lower one.
 const TILT: [f64; 2] = [0.021, 0.693];
 /// A shoulder in the frame of the torso, of the left arm, in metres; and the least bend of an elbow, in radians.
 const SHOULDER: [f64; 3] = [0.0, 0.098, 0.1];
 const BEND: f64 = 0.0349;
 
-/// What is followed, and how.
+/// The target that is followed, and the parts that follow it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Track {
     pub(crate) target: TrackTarget,
@@ -57,7 +57,7 @@ pub(crate) enum Arm {
     Nearest,
 }
 
-/// What sees a target: the sense of the catalogue, and what the robot has for that, its event and its service.
+/// Returns what sees a target: the sense of the catalogue, and what the robot has for that, its event and its service.
 pub(crate) fn seen_by(target: TrackTarget) -> (&'static str, &'static str, &'static str) {
     match target {
         TrackTarget::RedBall => ("RedBall", "redBallDetected", "ALRedBallDetection"),
@@ -65,7 +65,7 @@ pub(crate) fn seen_by(target: TrackTarget) -> (&'static str, &'static str, &'sta
     }
 }
 
-/// How wide a target is, in metres.
+/// Returns the width of a target, in metres.
 fn width(target: TrackTarget) -> f64 {
     match target {
         TrackTarget::RedBall => 0.06,
@@ -74,7 +74,7 @@ fn width(target: TrackTarget) -> f64 {
 }
 
 impl Track {
-    /// What it does, in the words of the simulated robot.
+    /// Returns what it does, in the words of the simulated robot.
     pub(crate) fn words(&self) -> String {
         let side = match self.arm {
             Arm::None => "",
@@ -93,7 +93,7 @@ pub(crate) struct Follow {
     pub(crate) track: Track,
     /// When it was told to last.
     pub(crate) told: Instant,
-    /// Whether the whole body is turning.
+    /// True if the whole body is turning.
     turning: bool,
 }
 
@@ -102,7 +102,7 @@ impl Follow {
         Self { user, track, told: now, turning: false }
     }
 
-    /// How the legs go after what is seen.
+    /// Returns the speeds at which the legs go after what is seen.
     pub(crate) fn speeds(&mut self, seen: &Seen) -> Speeds {
         let [x, y, _] = seen.place;
         let (aside, far) = (y.atan2(x), x.hypot(y));
@@ -152,7 +152,7 @@ fn pointing(place: [f64; 3], is_left: bool) -> [(&'static str, f64); 5] {
     [(one, pitch), (two, roll), (three, 0.0), (four, -BEND * sign), (five, 0.0)]
 }
 
-/// What one picture says of the target.
+/// The place of the target, as one picture says it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Seen {
     /// Where it is in the frame of the torso, in metres.

@@ -24,10 +24,10 @@ const USES_MAX: usize = 512;
 /// Deeds that may wait for the link's thread.
 const DEEDS_MAX: usize = 1_024;
 
-/// What a robot with a life of its own does beside what runs.
+/// Says what a robot with a life of its own does beside what runs.
 const LIVES: &str = "its own life is on, so it may move its head and arms and change its lights and voice by itself; take control first";
 
-/// What the link's thread is told.
+/// An order to the link's thread.
 pub(crate) enum Order {
     Open(Use, Box<dyn Sense>),
     Close(Use),
@@ -88,7 +88,7 @@ impl Nao {
         self.shared.state().used = !self.acts.is_empty() || !self.senses.is_empty();
     }
 
-    /// Whether another use wants what there is one of only in another way.
+    /// Checks that no other use wants what there is one of only in another way.
     fn check_only(&self, sense: &dyn Sense) -> Result<(), RobotFault> {
         let Some((what, how)) = sense.only() else { return Ok(()) };
         let other = self.senses.values().filter_map(|open| open.only.as_ref());
@@ -98,7 +98,7 @@ impl Nao {
         Ok(())
     }
 
-    /// Whether the sense that an action needs is there.
+    /// Checks that the sense that an action needs is there.
     fn check_needs(&self, act: &dyn Act) -> Result<(), RobotFault> {
         let Some(sense) = act.needs() else { return Ok(()) };
         let state = self.shared.state();

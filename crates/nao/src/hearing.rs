@@ -6,10 +6,10 @@ use crate::kept;
 use crate::link::try_call;
 use qi::{Session, Value};
 
-/// What hears words.
+/// The service that hears words.
 pub(crate) const SERVICE: &str = "ALSpeechRecognition";
 
-/// What is kept of it: the language that it heard before.
+/// The name under which it is kept: the language that it heard before.
 pub(crate) const WHAT: &str = "hearing";
 
 /// Notes how it is before it is set, unless that is noted already.

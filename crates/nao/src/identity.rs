@@ -15,7 +15,7 @@ use std::time::Duration;
 const SERIAL: &str = "Device/DeviceList/ChestBoard/BodyId";
 /// The longest name or number that is believed, in characters.
 const TEXT_MAX_CHARS: usize = 80;
-/// How often the eyes go dark and bright for a sign, and how long each takes, in milliseconds.
+/// The number of times that the eyes go dark and bright for a sign, and how long each takes, in milliseconds.
 const BLINKS: usize = 3;
 const BLINK_MS: u64 = 300;
 
@@ -66,7 +66,7 @@ pub(crate) async fn read(session: &Session, needs_serial: bool) -> Result<Identi
     Ok(Identity { name, body, serial, head })
 }
 
-/// What is seen of a text, and no more than a person reads.
+/// Returns what is seen of a text, and no more than a person reads.
 fn text(value: &Value) -> String {
     let text = value.as_text().unwrap_or_default();
     text.chars().filter(|sign| !sign.is_control()).take(TEXT_MAX_CHARS).collect::<String>().trim().to_owned()

@@ -1,5 +1,5 @@
-//! What is installed on the robot, how many faces it remembers, and how it is in the network: asked at first and now and then,
-//! as people change it meanwhile.
+//! The inventory of the robot: what is installed on it, how many faces it remembers, and how it is in the network. It
+//! is asked at first and now and then, as people change it meanwhile.
 
 use crate::deed::Call;
 use crate::link::try_call;
@@ -9,7 +9,7 @@ use robot::{FACES_MAX, Installed, Network};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How often it is looked again.
+/// The pause before it is looked again.
 const AGAIN: Duration = Duration::from_secs(10);
 /// Most sets of sounds that are looked into.
 const SETS_MAX: usize = 8;
@@ -17,7 +17,7 @@ const SETS_MAX: usize = 8;
 const LIGHTS_MAX: usize = 200;
 /// The longest name of a face that is told, in characters.
 const FACE_MAX_CHARS: usize = 100;
-/// What the names of gestures begin with, among the behaviours.
+/// The beginning of the names of gestures, among the behaviours.
 const GESTURE: &str = "animations/";
 
 /// Looks for as long as the link lasts, and at once when somebody rings.

@@ -1,5 +1,5 @@
-//! What was set on a robot for us and has to be put back: how it was is kept in the robot's own memory, so that the next
-//! connection finds it, whatever became of who set it.
+//! The settings that were changed on a robot for us and have to be put back: how they were is kept in the robot's own
+//! memory, so that the next connection finds it, whatever became of who set them.
 
 use crate::deed::Call;
 use crate::link::try_call;
@@ -15,7 +15,7 @@ fn memory(method: &'static str, arguments: impl Into<Vec<Value>>) -> Call {
     Call::new("ALMemory", method, arguments)
 }
 
-/// What was kept, if something was.
+/// Returns what was kept, if something was.
 pub(crate) async fn kept(session: &Session, own_name: &str, what: &str) -> Option<Value> {
     let value = try_call(session, &memory("getData", [key(own_name, what).into()])).await?;
     let is_gone = value.as_text().is_some_and(|text| text.is_empty());

@@ -1,4 +1,5 @@
-//! What takes its time, like a gesture or a sound: begun once, however many want it, and ended with the last of them.
+//! Actions that take their time, like a gesture or a sound: begun once, however many want them, and ended with the last
+//! of these.
 
 use crate::acting::Done;
 use crate::deed::Call;
@@ -11,16 +12,16 @@ use std::time::Duration;
 use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
 
-/// How many different things may last at once.
+/// The most different things that may last at once.
 const LASTING_MAX: usize = 32;
 
-/// What is to be done.
+/// An action that is to be done.
 pub(crate) struct Work {
-    /// What it is, among all that may last.
+    /// The name of it, among all that may last.
     pub(crate) what: String,
-    /// What is called, one after the other.
+    /// The calls that begin it, one after the other.
     pub(crate) calls: Vec<Call>,
-    /// What ends it early.
+    /// The calls that end it early.
     pub(crate) end: Vec<Call>,
     /// The longest that a call may take.
     pub(crate) within: Duration,
@@ -102,7 +103,7 @@ impl Lastings {
         ends.into_iter().flatten().collect()
     }
 
-    /// What is called like this ends, but for one: answers with what ends it on the robot.
+    /// Ends everything that is called like this, but for one; returns the calls that end it on the robot.
     pub(crate) fn replace(&mut self, family: &str, but: &str) -> Vec<Call> {
         let is_other = |what: &String| what.starts_with(family) && what != but;
         let others: Vec<String> = self.all.keys().filter(|what| is_other(what)).cloned().collect();
@@ -120,7 +121,7 @@ impl Lastings {
         self.all.clear();
     }
 
-    /// What lasts.
+    /// Returns the names of what lasts.
     pub(crate) fn names(&self) -> BTreeSet<String> {
         self.all.keys().cloned().collect()
     }

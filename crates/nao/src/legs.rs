@@ -13,8 +13,8 @@ use std::time::{Duration, Instant};
 /// Ahead, to the left and turning, in metres and radians a second.
 pub(crate) type Speeds = [f64; 3];
 
-/// So long a piece lasts, in seconds: a little more than a step, so that it is at least one. The robot brakes at its end, and
-/// puts down the foot that is in the air.
+/// The time that a piece lasts, in seconds: a little more than a step, so that it is at least one. The robot brakes at
+/// its end, and puts down the foot that is in the air.
 const PIECE_S: f64 = 0.45;
 /// After so long the next piece takes its place.
 const RENEW: Duration = Duration::from_millis(150);
@@ -28,12 +28,12 @@ const WAITING_MAX: usize = 12;
 pub(crate) const SILENT: Duration = Duration::from_millis(350);
 /// A step of a NAO, in seconds, at its highest frequency; to the side and turning takes two of them.
 const STEP_S: f64 = 0.42;
-/// How far apart its feet are in a step to the side, in metres.
+/// The distance between its feet in a step to the side, in metres.
 const APART_M: f64 = 0.1;
 /// Below this a Pepper's wheels cannot be told to drive, in metres and radians a second.
 const WHEELS_MIN: [f64; 2] = [0.1, 0.2];
 
-/// What is to be sent.
+/// A stride that is to be sent.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Stride {
     /// Nothing now.
@@ -53,7 +53,7 @@ pub(crate) struct Legs {
 }
 
 impl Legs {
-    /// What is due, so that it goes on with these speeds.
+    /// Returns what is due, so that it goes on with these speeds.
     pub(crate) fn due(&mut self, wanted: Speeds, now: Instant, is_pepper: bool) -> Stride {
         if is_still(&wanted) {
             return if self.sent.take().is_some() { Stride::Stand } else { Stride::Nothing };

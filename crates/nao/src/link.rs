@@ -4,7 +4,7 @@ use crate::deed::Call;
 use qi::{QiError, Session, Value};
 use std::time::Duration;
 
-/// How long a call may take that answers at once.
+/// The longest that a call may take that answers at once.
 pub(crate) const CALL: Duration = Duration::from_millis(2_000);
 
 /// Calls and waits for the answer.

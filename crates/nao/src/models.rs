@@ -5,7 +5,7 @@ use behaviour::{Params, Value};
 /// A kind of robot.
 #[derive(Clone, Copy, Debug)]
 pub struct Model {
-    /// What people call it.
+    /// The name for people.
     pub name: &'static str,
     /// The devices of the catalogue that it does not have.
     pub lacks: &'static [&'static str],

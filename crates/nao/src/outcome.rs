@@ -1,5 +1,5 @@
-//! What came of something that was asked of the robot, in words for people: never the robot's own text, which names files
-//! and lines of its code.
+//! The outcome of something that was asked of the robot, in words for people: never the robot's own text, which names
+//! files and lines of its code.
 
 use crate::deed::Call;
 use qi::{QiError, Value};

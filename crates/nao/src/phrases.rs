@@ -6,7 +6,7 @@ const PIECE_MS: u32 = 1_850;
 const SENTENCE: &str = ".!?。！？\n…";
 const CLAUSE: &str = ",;:、，；：—)）」』";
 
-/// How long a character takes, in milliseconds, at the usual speed of the voice.
+/// Returns the time that a character takes, in milliseconds, at the usual speed of the voice.
 fn takes_ms(character: char) -> u32 {
     match character {
         '0'..='9' => 300,
@@ -35,7 +35,7 @@ pub(crate) fn pieces(text: &str, speed: f32) -> Vec<String> {
     parts
 }
 
-/// What is too long, behind characters like these; neighbours that are short enough together stay together.
+/// Divides what is too long, behind characters like these; neighbours that are short enough together stay together.
 fn divided(parts: Vec<String>, most_ms: u32, is_end: &dyn Fn(char) -> bool) -> Vec<String> {
     let mut all = Vec::new();
     for part in parts {

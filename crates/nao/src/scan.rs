@@ -1,4 +1,4 @@
-//! What the robot at the other end has: its services, its body, and what an ended server left behind on it.
+//! Scans what the robot at the other end has: its services, its body, and what an ended server left behind on it.
 
 use crate::body::joint_words;
 use crate::deed::Call;
@@ -22,12 +22,12 @@ const EXTRACTORS: [&str; 8] = [
     "ALSonar",
     "ALSoundLocalization",
 ];
-/// What is said of a robot without a tablet.
+/// The words about a robot without a tablet.
 const NO_TABLET: &str = "it has no tablet; a Pepper has one";
-/// What `getRobotType` and the model say of a Pepper.
+/// The word of `getRobotType` and the model for a Pepper.
 const PEPPER: &str = "Juliette";
 
-/// What a look at a robot found.
+/// The findings of a look at a robot.
 pub(crate) struct Scanned {
     pub(crate) name: String,
     pub(crate) version: String,

@@ -21,7 +21,7 @@ use tokio_util::sync::CancellationToken;
 const EVENTS_MAX: usize = 256;
 /// Words that are listened for at once.
 const WORDS_MAX: usize = 200;
-/// How often a joint is read, in milliseconds.
+/// The period at which a joint is read, in milliseconds.
 const JOINT_MS: u64 = 50;
 /// The period that extractors are asked for, in milliseconds, and their precision, which is not used.
 const PERIOD_MS: i32 = 33;
@@ -31,7 +31,7 @@ const NEVER_MS: u64 = 3_600_000;
 /// Whose turn it is at what there is one of only, on one link, and since when that is set.
 pub(crate) type Turns = Arc<tokio::sync::Mutex<Option<(Turn, Instant)>>>;
 
-/// What is heard of keys of ALMemory, with the moment at which it came.
+/// The values that are heard of keys of ALMemory, with the moment at which they came.
 type Heard = mpsc::Receiver<(&'static str, Value, Instant)>;
 
 /// Runs a sense until it is cancelled.
@@ -99,7 +99,7 @@ pub(crate) async fn run(
     }
 }
 
-/// What this server subscribes by: what the name of a use begins with.
+/// Returns the name by which this server subscribes: the beginning of the name of a use.
 fn own_name<'a>(name: &'a str, user: &Use) -> &'a str {
     name.strip_suffix(&format!("/{}/{}", user.run, user.stream)).unwrap_or(name)
 }
@@ -136,14 +136,14 @@ async fn begin(
     begun
 }
 
-/// What the robot measures for a sense only, from when it is asked to until it no longer is.
+/// A measurement that the robot makes for a sense only, from when it is asked to until it no longer is.
 struct Measuring<'a> {
     session: &'a Session,
     shared: &'a Shared,
     name: &'a str,
     /// The service that was asked, and the number of that among all that is measured for us.
     asked: Option<(&'static str, u64)>,
-    /// Whether the robot has answered; until then a Stop may come by its own link before the question does.
+    /// True if the robot has answered; until then a Stop may come by its own link before the question does.
     is_known: bool,
 }
 

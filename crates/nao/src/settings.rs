@@ -1,4 +1,4 @@
-//! How a robot is reached.
+//! The settings by which a robot is reached.
 
 use qi::{Address, Cause, Credentials, Fingerprint, Options, QiError, Scheme, Stage, Trust};
 use robot::Identity;
@@ -9,19 +9,19 @@ use std::time::Duration;
 const PORT: u16 = 9559;
 /// Where NAOqi listens from 2.9 on, by TLS, with user and password.
 const PORT_TLS: u16 = 9503;
-/// How long one stage of connecting may take, in milliseconds.
+/// The longest that one stage of connecting may take, in milliseconds.
 const STAGE_MS: u64 = 4_000;
 
-/// How a robot is reached, and as whom.
+/// The settings by which a robot is reached, and as whom.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Its name or number in the network: `nao.local`, `192.168.1.7:9559`, `tcps://nao.local:9503`. Without a port both
-    /// that NAOqi uses are tried: 9559 in the clear, then 9503 by TLS.
+    /// The robot's name or number in the network: `nao.local`, `192.168.1.7:9559`, `tcps://nao.local:9503`. Without a
+    /// port both that NAOqi uses are tried: 9559 in the clear, then 9503 by TLS.
     pub address: String,
     /// User and password, for robots that ask for them.
     pub login: Option<Login>,
-    /// What everything begins with that this server subscribes to on the robot, so that what an ended one left behind is
-    /// found: always the same for one server and robot.
+    /// The beginning of every name under which this server subscribes on the robot, so that what an ended one left
+    /// behind is found: always the same for one server and robot.
     pub own_name: String,
     /// Names like that of robots that are here no more, under which something may be left on this one.
     pub former: Vec<String>,
@@ -80,7 +80,7 @@ impl Settings {
         std::iter::once(self.own_name.as_str()).chain(self.former.iter().map(String::as_str))
     }
 
-    /// Whether this address may be tried: a password is said, and a certificate looked at, by TLS only.
+    /// Checks that this address may be tried: a password is said, and a certificate looked at, by TLS only.
     pub(crate) fn check_secret(&self, address: &Address) -> Result<(), QiError> {
         if is_secure(address) || (self.login.is_none() && self.trusted.is_none()) {
             return Ok(());
@@ -100,7 +100,7 @@ impl Settings {
     }
 }
 
-/// Whether nothing secret is said in the clear.
+/// True if nothing secret is said in the clear.
 pub(crate) fn is_secure(address: &Address) -> bool {
     address.scheme == Scheme::Tcps
 }

@@ -1,4 +1,4 @@
-//! What the robot's thread and the link's thread have in common.
+//! The state that the robot's thread and the link's thread have in common.
 
 use crate::body::Limits;
 use crate::subscribed::Subscribed;
@@ -19,7 +19,7 @@ const REFUSED_MAX: usize = 256;
 const SLOW: &str = "it answers slowly";
 /// Why it is while its legs may still move.
 const LEGS: &str = "its legs did not answer to Stop; look whether it stands, and use its own button if it does not";
-/// How long a fall may take.
+/// The longest that a fall may take.
 const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
 const PRINTED_MAX: usize = 20;
@@ -32,21 +32,21 @@ pub(crate) struct Shared {
     wake: OnceLock<Wake>,
     /// Grows with every Stop: what was wanted before it is void.
     gate: AtomicU64,
-    /// Whether a Stop was not carried out yet.
+    /// True if a Stop was not carried out yet.
     stop_wanted: AtomicBool,
-    /// Whether the robot is to rest once it holds.
+    /// True if the robot is to rest once it holds.
     rest_wanted: AtomicBool,
     /// Rung when what changes seldom may have changed.
     pub(crate) looking: Notify,
     /// Rung when it is wanted.
     pub(crate) stopping: Notify,
-    /// Whether everything is to end.
+    /// True if everything is to end.
     pub(crate) ended: AtomicBool,
     /// Rung when everything is to end.
     pub(crate) ending: Notify,
 }
 
-/// What is known.
+/// The state of the robot, as far as it is known.
 pub(crate) struct State {
     pub(crate) health: Health,
     /// Which body it is, or must be.
@@ -65,41 +65,41 @@ pub(crate) struct State {
     pub(crate) angles: BTreeMap<String, f64>,
     /// Where it stands: x and y in metres, heading in radians.
     pub(crate) base: [f64; 3],
-    /// What its eyes shine: the colour that was wanted last times the brightness.
+    /// The light of its eyes: the colour that was wanted last times the brightness.
     pub(crate) eyes: [f32; 3],
-    /// That colour: red, green and blue from 0 to 1.
+    /// The colour of its eyes: red, green and blue from 0 to 1.
     pub(crate) eye_color: [f32; 3],
-    /// That brightness, from 0 to 1.
+    /// The brightness of its eyes, from 0 to 1.
     pub(crate) eye_brightness: f32,
     pub(crate) saying: String,
     pub(crate) tracking: String,
     pub(crate) posture: String,
-    /// Whether the motors of its legs hold, and whether a foot feels the ground.
+    /// True if the motors of its legs hold; the next is true if a foot feels the ground.
     pub(crate) stiff_legs: Option<bool>,
     pub(crate) on_ground: Option<bool>,
     pub(crate) playing: BTreeSet<String>,
     pub(crate) printed: VecDeque<Printed>,
     /// The animations that were begun, until they are known to have ended.
     pub(crate) animations: BTreeSet<String>,
-    /// What is measured only for us, until the robot has said that it no longer is.
+    /// Subscriptions to what is measured only for us, until the robot has said that it no longer is.
     pub(crate) subscribed: Subscribed,
-    /// What the catalogue calls the sense of each use.
+    /// The names of the catalogue for the sense of each use.
     pub(crate) labels: BTreeMap<Use, &'static str>,
-    /// What is installed on it.
+    /// The names that are installed on it.
     pub(crate) installed: Arc<Installed>,
     /// The names under which it remembers faces.
     pub(crate) faces: Arc<[String]>,
-    /// Its groups of lights; empty before they are known.
+    /// The groups of its lights; empty before they are known.
     pub(crate) lights: BTreeSet<String>,
-    /// How it spoke before that was changed; none if it was not.
+    /// The voice as it was before it was changed; none if it was not.
     pub(crate) voice_before: Option<Before>,
-    /// Whether it moves its arms when it speaks.
+    /// True if it moves its arms when it speaks.
     pub(crate) gestures: bool,
-    /// How fast it speaks, in percent of the usual speed.
+    /// The speed at which it speaks, in percent of the usual speed.
     pub(crate) voice_speed: f32,
     /// The words that each use listens for.
     pub(crate) words: BTreeMap<Use, Vec<String>>,
-    /// Whether anybody uses it.
+    /// True if anybody uses it.
     pub(crate) used: bool,
     /// True while its link is slow.
     is_slow: bool,
@@ -345,7 +345,7 @@ impl Shared {
         }
     }
 
-    /// What counts now; a deed that was wanted at another gate is void.
+    /// Returns the gate that counts now; a deed that was wanted at another gate is void.
     pub(crate) fn gate(&self) -> u64 {
         self.gate.load(Ordering::SeqCst)
     }
@@ -372,7 +372,7 @@ impl Shared {
         self.stop();
     }
 
-    /// Whether it is to rest now; asked once.
+    /// True if it is to rest now; asked once.
     pub(crate) fn take_rest(&self) -> bool {
         self.rest_wanted.swap(false, Ordering::SeqCst)
     }

@@ -19,9 +19,9 @@ pub(crate) struct Wish {
 /// The voice.
 #[derive(Default)]
 pub(crate) struct Speech {
-    /// What is said now.
+    /// The text that is said now.
     now: Option<Wish>,
-    /// Whether the rest of that is left out.
+    /// True if the rest of that text is left out.
     cut: Arc<AtomicBool>,
     waiting: VecDeque<Wish>,
 }
@@ -43,7 +43,7 @@ impl Speech {
         }
     }
 
-    /// What is to be said next, if nothing is said now, and what tells that the rest of it is left out.
+    /// Returns what is to be said next, if nothing is said now, and what tells that the rest of it is left out.
     pub(crate) fn begin(&mut self) -> Option<(String, Arc<AtomicBool>)> {
         if self.now.is_none() {
             self.now = self.waiting.pop_front();
@@ -58,7 +58,7 @@ impl Speech {
         self.now.is_some() && !self.cut.swap(true, Ordering::SeqCst)
     }
 
-    /// What was said is over.
+    /// Notes that what was said is over.
     pub(crate) fn over(&mut self) {
         self.now = None;
     }
@@ -77,7 +77,7 @@ impl Speech {
         self.waiting.clear();
     }
 
-    /// What is said now, or an empty text.
+    /// Returns what is said now, or an empty text.
     pub(crate) fn saying(&self) -> &str {
         self.now.as_ref().map_or("", |wish| &wish.text)
     }

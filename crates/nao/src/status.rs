@@ -1,5 +1,5 @@
-//! How the body is: battery, motors, own life, heat, falls. Heard from events, and asked again and again in case one was missed.
-//! What endangers the robot halts everything.
+//! The status of the body: battery, motors, own life, heat, falls. It is heard from events, and asked again and again
+//! in case one was missed. Everything halts on a sign of danger to the robot.
 
 use crate::body::is_leg;
 use crate::deed::Call;
@@ -30,7 +30,7 @@ const KEYS: [&str; 11] = [
 ];
 /// Events that may wait.
 const EVENTS_MAX: usize = 256;
-/// How often the joints are read, and how often everything else, in milliseconds.
+/// The periods at which the joints are read, and at which everything else is, in milliseconds.
 const ANGLES_MS: u64 = 50;
 const ALL_MS: u64 = 1_500;
 /// Below this the motors do not hold.
@@ -104,7 +104,7 @@ fn truth(value: &Value) -> Option<bool> {
     value.as_bool().or_else(|| value.as_f64().map(|number| number != 0.0))
 }
 
-/// What an event or an answer says; what is not as expected says nothing.
+/// Notes what an event or an answer says; what is not as expected says nothing.
 fn note(shared: &Shared, key: &str, value: &Value) {
     let why = {
         let mut state = shared.state();

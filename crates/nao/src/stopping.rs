@@ -20,13 +20,13 @@ use std::time::Duration;
 
 /// Pause before the link is tried again, in milliseconds.
 const AGAIN_MS: u64 = 250;
-/// How often it is looked whether the link is still there, in milliseconds.
+/// The pause before it is looked again whether the link is still there, in milliseconds.
 const PING_MS: u64 = 1_000;
-/// How often what did not answer is told again.
+/// The number of times that a call without an answer is told again.
 const TRIES: usize = 5;
-/// How long sitting down may take.
+/// The longest that sitting down may take.
 const REST: Duration = Duration::from_secs(30);
-/// How fast joints go back to where they are, as a fraction of the top speed.
+/// The speed at which joints go back to where they are, as a fraction of the top speed.
 const HOLD_SPEED: f64 = 0.2;
 /// The services that Stop needs.
 const SERVICES: [&str; 7] = [
@@ -39,7 +39,7 @@ const SERVICES: [&str; 7] = [
     "ALSpeechRecognition",
 ];
 
-/// What ends, whatever was begun; the walk and the joints besides.
+/// The calls that end whatever was begun; the walk and the joints besides.
 const EVERYTHING: [(&str, &str); 5] = [
     ("ALTracker", "stopTracker"),
     ("ALTracker", "unregisterAllTargets"),
@@ -131,8 +131,8 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
     true
 }
 
-/// What a Stop ends of measuring and playing. What begins meanwhile is not of it; what is not known to have ended is put back
-/// for the next try.
+/// The part of measuring and playing that a Stop ends. It has nothing of what begins meanwhile; what is not known to
+/// have ended is put back for the next try.
 struct Taken<'a> {
     shared: &'a Shared,
     animations: BTreeSet<String>,
@@ -162,7 +162,7 @@ impl Drop for Taken<'_> {
 /// The link is over.
 pub(crate) struct Over;
 
-/// Whether a call had no answer.
+/// True if a call had no answer.
 pub(crate) fn is_silent(done: &Result<Value, QiError>) -> Result<bool, Over> {
     match done {
         Ok(_) | Err(QiError::NoService { .. } | QiError::NoMethod { .. } | QiError::Remote { .. }) => Ok(false),

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// How often one that has just started is asked again who it is, in milliseconds.
+/// The pause before one that has just started is asked again who it is, in milliseconds.
 const ASK_MS: u64 = 500;
 
 /// Waits until it is gone; with the reason.

@@ -1,9 +1,9 @@
-//! What the robot measures for us only.
+//! The subscriptions to what the robot measures for us only.
 
 use std::collections::BTreeMap;
 
-/// What is measured only for us: service and the name that we subscribed by, and a number by which one that began anew under
-/// the same name is another one.
+/// The subscriptions to what is measured only for us: service and the name that we subscribed by, and a number by which
+/// one that began anew under the same name is another one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Subscribed {
     all: BTreeMap<(&'static str, String), u64>,
@@ -18,7 +18,7 @@ impl Subscribed {
         self.last
     }
 
-    /// Whether nobody has ended it.
+    /// True if nobody has ended it.
     pub(crate) fn has(&self, service: &'static str, name: &str, number: u64) -> bool {
         self.all.get(&(service, name.to_owned())) == Some(&number)
     }
@@ -30,7 +30,7 @@ impl Subscribed {
         }
     }
 
-    /// Whether a service measures for us.
+    /// True if a service measures for us.
     pub(crate) fn uses(&self, service: &str) -> bool {
         self.all.keys().any(|(known, _)| *known == service)
     }

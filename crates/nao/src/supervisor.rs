@@ -26,18 +26,19 @@ use tokio_util::sync::CancellationToken;
 /// Pauses before the next try, in milliseconds: at first, and at most.
 const AGAIN_MIN_MS: u64 = 250;
 const AGAIN_MAX_MS: u64 = 5_000;
-/// How often the robot is asked whether it is there, in milliseconds.
+/// The pause before the robot is asked again whether it is there, in milliseconds.
 const PING_MS: u64 = 1_000;
 /// It is degraded when nothing came for so long, and lost then, in milliseconds.
 const DEGRADED_MS: u128 = 2_200;
 const LOST_MS: u128 = 5_000;
 /// The motion cycle of the robot, if it does not tell another, in milliseconds.
 const CYCLE_MS: u64 = 20;
-/// How long waking up and resting may take.
+/// The longest that waking up and resting may take.
 const BODY: Duration = Duration::from_secs(30);
 /// Pause before it is looked again what there is, in milliseconds.
 const SCAN_MS: u64 = 300;
-/// How long the last Stop may take at the end, in milliseconds, and one of before until the robot is used all the same.
+/// The longest that the last Stop may take at the end, in milliseconds, and one of before until the robot is used all
+/// the same.
 const LAST_STOP_MS: u64 = 1_000;
 const FIRST_STOP_MS: u64 = 3_000;
 
@@ -160,7 +161,7 @@ async fn end_well(shared: &Shared, within_ms: u64) {
     let _its_time = tokio::time::timeout(Duration::from_millis(within_ms), done).await;
 }
 
-/// What was wanted of a robot that is gone is void.
+/// Drops all orders: what was wanted of a robot that is gone is void.
 pub(crate) fn drain(orders: &mut Orders, waiting: &AtomicUsize) {
     while let Ok(order) = orders.try_recv() {
         if matches!(order, Order::Do(..)) {

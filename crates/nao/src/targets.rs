@@ -17,11 +17,11 @@ struct Target {
     joint: &'static str,
     /// In radians, a hand from 0 closed to 1 open.
     angle: f64,
-    /// As a fraction of the top speed.
+    /// The speed as a fraction of the top speed.
     speed: f64,
 }
 
-/// What was wanted and is not on its way yet, oldest joint first.
+/// Targets that were wanted and are not on their way yet, oldest joint first.
 #[derive(Default)]
 pub(crate) struct Targets(Vec<Target>);
 

@@ -1,5 +1,5 @@
-//! How the robot speaks: changed by an action, and put back at its end, at a Stop, and after a loss as soon as it is there
-//! again, also by a server that was started anew.
+//! The voice of the robot: changed by an action, and put back at its end, at a Stop, and after a loss as soon as it is
+//! there again, also by a server that was started anew.
 
 use crate::deed::Call;
 use crate::kept;
@@ -10,25 +10,25 @@ use robot::Use;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// What is kept of it on the robot: volume, speed and language of before, each empty if it is not known.
+/// The name under which it is kept on the robot: volume, speed and language of before, each empty if it is not known.
 pub(crate) const WHAT: &str = "voice";
 /// The speed of a voice that nobody changed, in percent.
 pub(crate) const USUAL_SPEED: f32 = 100.0;
 
-/// How to speak.
+/// The manner in which to speak.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Manner {
     /// From 0 to 1.
     pub(crate) volume: f32,
     /// In percent of the usual speed.
     pub(crate) speed: f32,
-    /// Whether it moves its arms meanwhile.
+    /// True if it moves its arms meanwhile.
     pub(crate) gestures: bool,
     /// By its English name; none leaves it.
     pub(crate) language: Option<String>,
 }
 
-/// How the robot spoke before.
+/// The manner in which the robot spoke before.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Before {
     volume: Option<f32>,
@@ -38,7 +38,7 @@ pub(crate) struct Before {
 }
 
 impl Before {
-    /// As the robot keeps it.
+    /// Returns the value in the form in which the robot keeps it.
     fn value(&self) -> Value {
         let number = |number: Option<f32>| number.map_or_else(|| "".into(), Value::F32);
         let language = self.language.as_deref().unwrap_or_default();
@@ -46,7 +46,7 @@ impl Before {
         Value::List(parts.into_iter().map(Value::dynamic).collect())
     }
 
-    /// What the robot kept; what is odd there says nothing.
+    /// Reads what the robot kept; what is odd there says nothing.
     fn of(value: &Value) -> Self {
         let part = |at: usize| value.items()?.get(at);
         let number = |at| part(at)?.as_f64().map(|number| number as f32);
@@ -55,10 +55,10 @@ impl Before {
     }
 }
 
-/// Who changed the voice last.
+/// The changes of the voice, and the use that changed it last.
 pub(crate) struct Voicing {
     user: Option<Use>,
-    /// What this server keeps things on the robot under.
+    /// The name under which this server keeps things on the robot.
     own_name: String,
     /// One change after the other.
     turn: Arc<tokio::sync::Mutex<()>>,

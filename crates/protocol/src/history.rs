@@ -1,4 +1,4 @@
-//! What a page of the history of a behaviour tells.
+//! One page of the history of a behaviour.
 
 use behaviour::{Accepted, Edit, Id, Kind};
 use serde::{Deserialize, Serialize};
@@ -19,22 +19,22 @@ pub struct HistoryLine {
     pub revision: u64,
     /// The name of the change.
     pub op: Id,
-    /// Who made it, as they were called then.
+    /// The name of the person who made it, as they were called then.
     pub author: String,
     /// The id of the person, as in the list of people; none in changes of older versions and of the server.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub by: Option<Id>,
-    /// What it does, in a few words.
+    /// Says what the change does, in a few words.
     pub label: String,
     /// When it was made, in milliseconds since 1970.
     pub at_ms: u64,
     /// The change that it takes back; if that took one back itself, this one does it again.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub undoes: Option<Id>,
-    /// Whether it took a stream or a connector away, which [`crate::Request::BringBack`] brings back.
+    /// True if it took a stream or a connector away, which [`crate::Request::BringBack`] brings back.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub removes: bool,
-    /// What it changed, without where things stand; empty if that is much, and from servers of older versions.
+    /// The edits of the change, without where things stand; empty if that is much, and from servers of older versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub edits: Vec<Edit>,
 }

@@ -8,12 +8,12 @@ use std::fmt;
 pub const INVITATIONS_MAX: usize = 100;
 /// The longest note on an invitation, in characters.
 pub const LABEL_MAX_CHARS: usize = 60;
-/// How many of those who came by an invitation are listed.
+/// The most people who came by an invitation that are listed.
 pub const CAME_MAX: usize = 32;
-/// How long an invitation for a day lasts, and one for one person waits for them, in milliseconds.
+/// The time that an invitation for a day lasts, and that one for one person waits for them, in milliseconds.
 pub const DAY_MS: u64 = 24 * 60 * 60 * 1_000;
 
-/// What somebody may do; each may do what those before it may.
+/// The rights of a person; each role may do what those before it may.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Role {
@@ -32,7 +32,7 @@ impl Role {
     pub const ALL: [Self; 4] = [Self::Viewer, Self::Operator, Self::Editor, Self::Host];
 }
 
-/// Its name in a sentence: "an editor".
+/// Writes the role's name in a sentence: "an editor".
 impl fmt::Display for Role {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         to.write_str(match self {
@@ -44,13 +44,13 @@ impl fmt::Display for Role {
     }
 }
 
-/// How long an invitation lasts.
+/// The time that an invitation lasts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Lasts {
-    /// Its link works once, within a day; who came by it may come again until it is revoked.
+    /// The link of the invitation works once, within a day; who came by it may come again until it is revoked.
     Once,
-    /// Its link works for a day; then it is over for all who came by it.
+    /// The link of the invitation works for a day; then it is over for all who came by it.
     Day,
     /// Until it is revoked.
     UntilRevoked,
@@ -62,9 +62,9 @@ pub enum Lasts {
 pub struct Invitation {
     /// Which.
     pub id: Id,
-    /// What who comes by it may do; never [`Role::Host`].
+    /// The role of who comes by it; never [`Role::Host`].
     pub role: Role,
-    /// How long it lasts.
+    /// The time that it lasts.
     pub lasts: Lasts,
     /// For whom it is, in the words of who made it; may be empty.
     pub label: String,
@@ -75,14 +75,14 @@ pub struct Invitation {
     /// When it ends by itself, in milliseconds since 1970; of [`Lasts::Once`], until somebody came by it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ends_ms: Option<u64>,
-    /// Who came by it, newest first; at most [`CAME_MAX`].
+    /// The people who came by it, newest first; at most [`CAME_MAX`].
     #[serde(default)]
     pub came: Vec<Came>,
-    /// Whether it was revoked.
+    /// True if it was revoked.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub revoked: bool,
-    /// Whether it stands nowhere on the server's disk yet that it was revoked: it is tried again, and a restart before that
-    /// would undo it.
+    /// True if it stands nowhere on the server's disk yet that it was revoked: it is tried again, and a restart before
+    /// that would undo it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub unwritten: bool,
 }
@@ -95,7 +95,7 @@ pub struct Came {
     pub name: String,
     /// When they came last, in milliseconds since 1970.
     pub at_ms: u64,
-    /// Whether they are here now.
+    /// True if they are here now.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub here: bool,
 }

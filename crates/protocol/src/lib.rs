@@ -1,4 +1,4 @@
-//! What page and server say to each other over the WebSocket at [`PATH`]: one JSON text a message.
+//! The messages between page and server over the WebSocket at [`PATH`]: one JSON text a message.
 //!
 //! A client first says [`Request::Hello`] with its [`VERSION`]; everything else before the welcome is refused. Every
 //! request travels in an [`Ask`] with a number of the client's choice; the reply that answers it carries the same number.
@@ -35,7 +35,8 @@ pub const VERSION: u32 = 14;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
-/// Who stopped, where nobody said who they are: who is at the robot's computer presses the button of the page.
+/// The name of who stopped, where nobody said who they are: who is at the robot's computer presses the button of the
+/// page.
 pub const STOP_BUTTON: &str = "the Stop button";
 /// The code with which the server closes the socket of who came by an invitation that ended.
 pub const CLOSE_REVOKED: u16 = 4001;
@@ -50,31 +51,31 @@ pub const HOST_LINK_PATH: &str = "/api/host-link";
 pub const RECORDINGS_PATH: &str = "/api/recordings";
 /// The largest message either side accepts, in bytes.
 pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
-/// How often live values and pictures of the room are sent at most, per second and client.
+/// The most times that live values and pictures of the room are sent, per second and client.
 pub const UPDATES_PER_SECOND_MAX: u64 = 30;
-/// How often the server says that it is there and which revisions there are, in milliseconds.
+/// The time between two pings, in milliseconds: the server says that it is there and which revisions there are.
 /// A ping has about 100 bytes and looks nothing up: for 500 people it is a thousand small writes a second.
 pub const PING_MS: u64 = 500;
-/// How often the server asks whether the client is there, by a ping of the WebSocket that a browser answers by itself,
-/// in milliseconds. Who answers none of two is gone.
+/// The time between two questions of the server whether the client is there, by a ping of the WebSocket that a browser
+/// answers by itself, in milliseconds. Who answers none of two is gone.
 pub const ALIVE_MS: u64 = 5_000;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
 /// The most that an action is told by hand, with its parameters, as JSON, in bytes.
 pub const HAND_MAX_BYTES: usize = 4_096;
-/// Who keeps a part of the robot, in the place of a behaviour's id, where somebody moves it by hand.
+/// The keeper of a part of the robot, in the place of a behaviour's id, where somebody moves it by hand.
 pub const BY_HAND: &str = "hand";
 /// The longest word of a mark, in characters.
 pub const MARK_WORD_MAX_CHARS: usize = 40;
 /// The most marks of one recording.
 pub const RECORDING_MARKS_MAX: usize = 1_000;
-/// How long before it is sent somebody may have pressed to mark a moment, in milliseconds.
+/// The longest time before it is sent that somebody may have pressed to mark a moment, in milliseconds.
 pub const AGO_MAX_MS: u64 = 60_000;
 /// The longest code of who takes part in a session, in characters.
 pub const CODE_MAX_CHARS: usize = 32;
 /// The longest name of a session, in characters.
 pub const SESSION_MAX_CHARS: usize = 40;
-/// How far from its origin anything on the canvas is pointed at or looked at, in canvas units.
+/// The farthest from its origin that anything on the canvas is pointed at or looked at, in canvas units.
 pub const CANVAS_MAX: f64 = 10_000_000.0;
 /// The most robots of a server.
 pub const ROBOTS_MAX: usize = 8;

@@ -1,4 +1,5 @@
-//! What the library page asks and gets: pages of behaviours, their pictures, and what they have to do with each other.
+//! The questions and answers of the library page: pages of behaviours, their pictures, and what they have to do with
+//! each other.
 
 use behaviour::library::{Cursor, Place, Sort};
 use behaviour::{Id, StreamKind};
@@ -29,7 +30,7 @@ pub struct ListQuery {
     pub sort: Sort,
     /// After which line the page begins.
     pub after: Option<Cursor>,
-    /// How many lines, at most [`LIST_MAX_LINES`].
+    /// The most lines that come, at most [`LIST_MAX_LINES`].
     pub most: u32,
 }
 
@@ -51,25 +52,25 @@ impl Default for ListQuery {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Summary {
-    /// Its id; for a template its name in files.
+    /// The id of the behaviour; for a template its name in files.
     pub id: String,
-    /// Its name.
+    /// The name of the behaviour or template.
     pub name: String,
     /// The number of changes ever made; 0 for a template.
     pub revision: u64,
     /// When it was changed last (in the bin: removed), in milliseconds since 1970.
     pub changed_ms: u64,
-    /// Who changed or removed it last; for a template what it does, in a sentence.
+    /// The name of who changed or removed it last; for a template what it does, in a sentence.
     pub by: String,
-    /// Who made it; nobody for a template.
+    /// The name of who made it; empty for a template.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub owner: String,
-    /// How many streams it has.
+    /// The number of its streams.
     pub streams: u32,
-    /// Its tags.
+    /// The tags of the behaviour.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tags: Vec<String>,
-    /// What its graph looks like: for a template.
+    /// The picture of its graph: for a template.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,
 }
@@ -78,11 +79,11 @@ pub struct Summary {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Exercise {
-    /// What one begins with, as a template of which the id says which exercise it is.
+    /// The behaviour with which one begins, as a template of which the id says which exercise it is.
     pub start: Summary,
-    /// What it shall become, in a sentence.
+    /// Says what it shall become, in a sentence.
     pub goal: String,
-    /// What one is asked about what it does; where there is something, it is explained and not changed.
+    /// The questions about what it does; where there are some, it is explained and not changed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub asks: Vec<ExerciseQuestion>,
 }
@@ -93,7 +94,7 @@ pub struct Exercise {
 pub struct ExerciseQuestion {
     /// In a sentence.
     pub ask: String,
-    /// What can be answered.
+    /// The answers to choose from.
     pub answers: Vec<String>,
 }
 
@@ -105,7 +106,7 @@ impl Exercise {
     }
 }
 
-/// What a rehearsal of an exercise shows.
+/// The result of a rehearsal of an exercise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Tried {
@@ -113,9 +114,9 @@ pub enum Tried {
     Reached(String),
     /// Something is not as it shall be.
     Missed {
-        /// What, in a sentence.
+        /// Says what was missed, in a sentence.
         says: String,
-        /// What went wrong first in a procedure, if anything did.
+        /// The first fault of a procedure, if there was one.
         fault: Option<String>,
     },
     /// There is nothing in the behaviour yet.
@@ -142,7 +143,7 @@ pub struct PictureOf {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Picture {
-    /// Its streams, at most [`Picture::STREAMS_MAX`].
+    /// The streams of the graph, at most [`Picture::STREAMS_MAX`].
     pub streams: Vec<PictureStream>,
     /// From which stream to which values flow, as places in `streams`.
     pub lines: Vec<[u16; 2]>,
@@ -159,7 +160,7 @@ impl Picture {
 pub struct PictureStream {
     /// The middle of its top edge, to the right, in canvas units.
     pub x: f32,
-    /// Its top edge, downwards.
+    /// The top edge of the stream, downwards.
     pub y: f32,
     /// Sensor, ordinary or actuator.
     pub kind: StreamKind,

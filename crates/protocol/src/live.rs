@@ -1,4 +1,4 @@
-//! What the running robot tells: its state, its runs and their values.
+//! The live side of a robot: its state, its runs and their values.
 
 use crate::Recorded;
 use behaviour::{Id, Value};
@@ -12,11 +12,11 @@ use std::sync::Arc;
 pub struct RobotState {
     /// Which robot.
     pub robot: Id,
-    /// Its name: "Simulated NAO".
+    /// The name of the robot: "Simulated NAO".
     pub name: String,
-    /// Its kind: `nao`.
+    /// The kind of the robot: `nao`.
     pub kind: String,
-    /// How the link is.
+    /// The state of the link.
     pub health: Health,
     /// The names of the devices it has.
     #[serde(default)]
@@ -24,19 +24,19 @@ pub struct RobotState {
     /// The devices of the catalogue that it does not have, and why not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lacking: Vec<Lacking>,
-    /// What is installed on it and can be chosen by name: one for all who are told of it.
+    /// The things that are installed on it and can be chosen by name: one for all who are told of it.
     #[serde(default, skip_serializing_if = "is_unknown", with = "one_for_all")]
     pub installed: Arc<Installed>,
-    /// How its body is.
+    /// The state of its body.
     #[serde(default)]
     pub condition: Condition,
-    /// How it is reached; none for a simulated one.
+    /// The address at which it is reached; none for a simulated one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub address: Option<String>,
-    /// Whether people may look through a camera of it.
+    /// True if people may look through a camera of it.
     #[serde(default, skip_serializing_if = "is_not")]
     pub camera: bool,
-    /// Whether somebody does.
+    /// True if somebody looks through its camera.
     #[serde(default, skip_serializing_if = "is_not")]
     pub watched: bool,
     /// Which body it is, once that is known.
@@ -102,27 +102,27 @@ pub struct RunState {
     pub robot: Id,
     /// Which behaviour.
     pub behaviour: Id,
-    /// Its name at Start.
+    /// The name of the behaviour at Start.
     pub name: String,
     /// The revision that runs: the one at Start, or the one that was applied last.
     pub revision: u64,
     /// The fingerprint of what runs ([`behaviour::BehaviourFile::fingerprint`]): if what is edited has another one, it would
     /// run differently.
     pub fingerprint: u32,
-    /// Who pressed Start.
+    /// The name of the person who pressed Start.
     pub by: String,
-    /// Whether the invitation by which they came was revoked since.
+    /// True if the invitation by which they came was revoked since.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub revoked: bool,
-    /// Whether it runs.
+    /// The phase of the run.
     pub phase: RunPhase,
-    /// Its place in the order on its robot: how many behaviours stand above it. If they disagree, the upper one wins.
+    /// The number of behaviours that stand above it in the order on its robot. If they disagree, the upper one wins.
     #[serde(default)]
     pub place: usize,
-    /// What it wanted to move a moment ago and could not, because a behaviour above it holds it.
+    /// The parts that it wanted to move a moment ago and could not, because a behaviour above it holds them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub held: Vec<HeldPart>,
-    /// How its recording goes, if it is recorded.
+    /// The state of its recording, if it is recorded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub recording: Option<Recorded>,
 }
@@ -137,11 +137,11 @@ pub struct HeldPart {
     pub stream: Id,
     /// The behaviour that holds it.
     pub by: Id,
-    /// Its name.
+    /// The name of that behaviour.
     pub name: String,
 }
 
-/// Whether a run runs.
+/// The phases of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum RunPhase {
@@ -156,7 +156,7 @@ pub enum RunPhase {
     Paused(String),
 }
 
-/// What changed in a running behaviour since the last such message.
+/// The changes in a running behaviour since the last such message.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Values {
@@ -176,7 +176,7 @@ pub struct Values {
 pub struct StreamSample {
     /// Which stream.
     pub stream: Id,
-    /// How many values it carried since Start.
+    /// The number of values that it carried since Start.
     pub count: u64,
     /// Values per second over the last two seconds.
     pub rate: f32,
@@ -186,15 +186,15 @@ pub struct StreamSample {
     pub value: Value,
 }
 
-/// How a connector is doing.
+/// The state of a connector.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ConnectorSample {
     /// Which connector.
     pub connector: Id,
-    /// How often it passed something on since Start.
+    /// The number of times that it passed something on since Start.
     pub fired: u64,
-    /// How often its procedure failed since Start.
+    /// The number of times that its procedure failed since Start.
     pub faults: u64,
     /// Why it failed last, in one sentence, if it ever did.
     #[serde(default, skip_serializing_if = "Option::is_none")]

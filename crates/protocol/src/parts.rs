@@ -7,7 +7,8 @@ use std::ops::Bound;
 /// The records of one part, in bytes as [`behaviour::record_bytes`] counts them; a larger record is a part of its own.
 pub const PART_MAX_BYTES: usize = 128 << 10;
 
-/// How far the records of a behaviour were given, part after part; each is copied only when it is its turn.
+/// The place up to which the records of a behaviour were given, part after part; each is copied only when it is its
+/// turn.
 #[derive(Clone, Debug, Default)]
 pub struct Parts {
     /// The last record that was given.
@@ -77,7 +78,8 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// What is to be heard now: the message itself, the whole of what came in parts with its last one, or nothing yet.
+    /// Returns what is to be heard now: the message itself, the whole of what came in parts with its last one, or
+    /// nothing yet.
     ///
     /// # Errors
     /// If a part is missing: then everything has to be fetched anew.

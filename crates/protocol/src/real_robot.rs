@@ -9,16 +9,16 @@ pub const ADDRESS_MAX_CHARS: usize = 200;
 /// The longest user name and password of a robot, in characters.
 pub const LOGIN_MAX_CHARS: usize = 200;
 
-/// How a real robot is reached. A password goes to the server only; nobody is ever told one.
+/// The address and login of a real robot. A password goes to the server only; nobody is ever told one.
 #[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct RealRobot {
-    /// Its name or number in the network, with a port if it is not 9559 or 9503: `nao.local`, `192.168.1.7`.
+    /// The robot's name or number in the network, with a port if it is not 9559 or 9503: `nao.local`, `192.168.1.7`.
     pub address: String,
-    /// Its user; none where the robot asks for nobody.
+    /// The user of the robot; none where the robot asks for nobody.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub user: Option<String>,
-    /// That user's password.
+    /// The password of that user.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub password: Option<String>,
     /// The SHA-256 of the certificate that it must show, as `AB:CD:…`; none trusts the first one.
@@ -43,7 +43,7 @@ impl fmt::Debug for RealRobot {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum CheckStage {
-    /// Its name has a number in the network.
+    /// The name has a number in the network.
     Name,
     /// Something answers there.
     Tcp,
@@ -57,7 +57,7 @@ pub enum CheckStage {
     Services,
 }
 
-/// How a step went.
+/// The result of a step.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CheckStep {
@@ -68,15 +68,15 @@ pub struct CheckStep {
     pub failed: Option<String>,
 }
 
-/// What a look at a robot found.
+/// The findings of a look at a robot.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Checked {
     /// The steps in order, up to the first that failed.
     pub steps: Vec<CheckStep>,
-    /// What the robot calls itself; may be empty.
+    /// The name that the robot gives itself; may be empty.
     pub name: String,
-    /// What it is: "NAO, NAOqi 2.8.7".
+    /// The kind of robot, with its system: "NAO, NAOqi 2.8.7".
     pub model: String,
     /// The SHA-256 of the certificate that it showed, if it showed one.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -95,9 +95,9 @@ pub struct Checked {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct FoundRobot {
-    /// What it calls itself.
+    /// The name that it gives itself.
     pub name: String,
-    /// How it is reached.
+    /// The address at which it is reached.
     pub address: String,
 }
 

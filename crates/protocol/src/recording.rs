@@ -1,4 +1,4 @@
-//! What is recorded of runs.
+//! Recordings of runs, as the page sees them.
 
 use behaviour::Id;
 use serde::{Deserialize, Serialize};
@@ -7,14 +7,14 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Recorded {
-    /// Its file.
+    /// The name of the recording's file.
     pub file: String,
     /// Lines that could not be written in time and are missing.
     pub lost: u64,
     /// Why nothing more is written, if so.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub trouble: Option<String>,
-    /// How many of the oldest recordings were removed to make room for it.
+    /// The number of the oldest recordings that were removed to make room for it.
     #[serde(default, skip_serializing_if = "is_none")]
     pub gave_way: u64,
 }
@@ -28,7 +28,7 @@ fn is_none(count: &u64) -> bool {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Recording {
-    /// Its file.
+    /// The name of the recording's file.
     pub file: String,
     /// The name of the robot; empty if it is not known.
     #[serde(default)]
@@ -39,29 +39,30 @@ pub struct Recording {
     pub revision: u64,
     /// When it began: `2026-11-21T18:34:06Z`.
     pub began: String,
-    /// Its size.
+    /// The size of the file, in bytes.
     pub bytes: u64,
-    /// Who started the run, or the recording of it; empty if that is not known.
+    /// The name of who started the run, or the recording of it; empty if that is not known.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub by: String,
-    /// What it is part of, and what it has.
+    /// The session that it is part of, and what it has.
     #[serde(default, skip_serializing_if = "Session::is_plain")]
     pub session: Session,
     /// The time of its last line, in milliseconds since Start; none if that is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length_ms: Option<u64>,
-    /// How many moments were marked while it ran; none if that is not known.
+    /// The number of moments that were marked while it ran; none if that is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub marks: Option<u64>,
-    /// Whether it is of the older form, which lacks the program that ran and what was pretended, refused or done by hand.
+    /// True if it is of the older form, which lacks the program that ran and what was pretended, refused or done by
+    /// hand.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub old_form: bool,
-    /// Whether its last lines are missing: the disk was full, or the server ended in the middle.
+    /// True if its last lines are missing: the disk was full, or the server ended in the middle.
     #[serde(default)]
     pub cut_off: bool,
 }
 
-/// What a recorded run is part of, and what of it is recorded.
+/// The session that a recorded run is part of, and what of it is recorded.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Session {
@@ -71,20 +72,20 @@ pub struct Session {
     /// Which session it is, at most [`crate::SESSION_MAX_CHARS`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub session: Option<String>,
-    /// What is recorded.
+    /// The kinds of lines that are recorded.
     #[serde(skip_serializing_if = "Records::is_all")]
     pub records: Records,
 }
 
 impl Session {
-    /// Whether nothing of it was said.
+    /// True if nothing of the session was said.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         *self == Self::default()
     }
 }
 
-/// What a recording has.
+/// The kinds of lines that a recording has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Records {
@@ -96,7 +97,7 @@ pub enum Records {
 }
 
 impl Records {
-    /// Whether it has everything.
+    /// True if the recording has everything.
     #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
     fn is_all(&self) -> bool {
         *self == Self::All
@@ -106,43 +107,43 @@ impl Records {
 /// A mark of a recording: a moment, or a span.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RecordingMark {
-    /// Its id: chosen by who adds it, or `note-1`, `note-2`, … for those that were made while it ran.
+    /// The id of the mark: chosen by who adds it, or `note-1`, `note-2`, … for those that were made while it ran.
     pub id: Id,
     /// When, in milliseconds since Start.
     pub t: u64,
     /// When it ended, if it is a span.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until: Option<u64>,
-    /// Its word, at most [`crate::MARK_WORD_MAX_CHARS`]; may be empty.
+    /// The word of the mark, at most [`crate::MARK_WORD_MAX_CHARS`]; may be empty.
     #[serde(default)]
     pub word: String,
-    /// What it says of the moment.
+    /// The verdict of the mark on the moment.
     #[serde(default)]
     pub sort: MarkSort,
-    /// What happened, at most [`crate::MARK_MAX_CHARS`]; may be empty.
+    /// A note of what happened, at most [`crate::MARK_MAX_CHARS`]; may be empty.
     #[serde(default)]
     pub note: String,
-    /// Who wrote it.
+    /// The name of the person who wrote it.
     #[serde(default)]
     pub by: String,
     /// When it was written: `2026-11-21T18:34:06Z`; empty for one that was made while it ran.
     #[serde(default)]
     pub at: String,
-    /// Whether it was removed.
+    /// True if it was removed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub gone: bool,
 }
 
-/// What a mark says of its moment.
+/// The verdict of a mark on its moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum MarkSort {
     /// Something happened.
     #[default]
     Note,
-    /// What the robot did was good.
+    /// The robot did something, and that was good.
     Good,
-    /// What it did was not.
+    /// The robot did something, and that was not good.
     Bad,
     /// It should have done something.
     Now,

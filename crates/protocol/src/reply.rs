@@ -1,4 +1,4 @@
-//! What the server says, asked or unasked.
+//! The messages of the server, asked or unasked.
 
 use crate::{
     Area, Checked, Contested, Cursor, Driver, Exercise, FoundRobot, HistoryLine, Invitation, Picture, Pointer,
@@ -17,7 +17,7 @@ pub struct Message {
     /// The ask's number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ask: Option<u32>,
-    /// What is said.
+    /// The message itself.
     pub reply: Reply,
 }
 
@@ -31,8 +31,8 @@ pub struct UnknownName {
     pub near: Option<String>,
 }
 
-/// What the server says. Named from outside (`{"opened": {..}}`), so that it is read as it comes: a name within would mean to
-/// gather all of it first, and twice the code to read each part of it.
+/// A message of the server. It is named from outside (`{"opened": {..}}`), so that it is read as it comes: a name
+/// within would mean to gather all of it first, and twice the code to read each part of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Reply {
@@ -42,9 +42,9 @@ pub enum Reply {
         version: u32,
         /// Grows by one with every start of the server.
         epoch: u64,
-        /// Who this client is to others.
+        /// The person that this client is to others.
         you: Person,
-        /// What this client may do.
+        /// The role that this client has.
         role: Role,
         /// Proves that it is them on a later link: see [`crate::Credential`].
         secret: Id,
@@ -53,7 +53,7 @@ pub enum Reply {
         /// True if the other records follow as [`Reply::Records`].
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         more: bool,
-        /// Its revision.
+        /// The revision of the library.
         library_revision: u64,
         /// Names and sentences of the templates.
         templates: Vec<Summary>,
@@ -66,28 +66,28 @@ pub enum Reply {
         programs: Vec<Summary>,
         /// Where the next page begins, if there is one.
         next: Option<Cursor>,
-        /// How many behaviours are in that place altogether, whatever was asked for.
+        /// The number of behaviours in that place altogether, whatever was asked for.
         total: u64,
     },
     /// The list of behaviours or the bin changed; who shows some of it asks again.
     ProgramsChanged,
-    /// What some graphs look like. Behaviours that are gone are left out.
+    /// The pictures of some graphs. Behaviours that are gone are left out.
     Pictures {
         /// Which, and its picture.
         pictures: Vec<(Id, Picture)>,
     },
-    /// Who uses a helper.
+    /// The users of a helper.
     WhereUsed {
         /// Nearest uses first, at most [`crate::FOUND_MAX`].
         uses: Vec<Used>,
-        /// How many there are altogether.
+        /// The number of uses altogether.
         total: u64,
     },
-    /// Who drives an action.
+    /// The drivers of an action.
     Drivers {
         /// At most [`crate::FOUND_MAX`].
         drivers: Vec<Driver>,
-        /// How many there are altogether.
+        /// The number of drivers altogether.
         total: u64,
     },
     /// Actions that several behaviours drive.
@@ -115,25 +115,25 @@ pub enum Reply {
     },
     /// A behaviour was made.
     Created {
-        /// Its id.
+        /// The id of the new behaviour.
         behaviour: Id,
     },
     /// A behaviour was opened: all of it as it is now.
     Opened {
-        /// Its id.
+        /// The id of the behaviour.
         behaviour: Id,
-        /// Its revision.
+        /// The revision of the behaviour.
         revision: u64,
-        /// Its records, or the first of them.
+        /// The records of the behaviour, or the first of them.
         records: Box<Behaviour>,
         /// True if the others follow as [`Reply::Records`].
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         more: bool,
-        /// Its problems.
+        /// The problems of the behaviour.
         problems: Vec<Problem>,
-        /// What [`RunState::fingerprint`] would be if it were started now.
+        /// The [`RunState::fingerprint`] that a run would have if it were started now.
         fingerprint: u32,
-        /// Who is there, this client included.
+        /// The people who are there, this client included.
         people: Vec<Person>,
     },
     /// More records of the `Welcome`, `Opened` or `At` before it, which is told in parts; nothing that needs the whole comes in
@@ -180,7 +180,7 @@ pub enum Reply {
         behaviour: Id,
         /// After which revision.
         revision: u64,
-        /// Its records then, or the first of them.
+        /// The records of the behaviour then, or the first of them.
         records: Box<Behaviour>,
         /// True if the others follow as [`Reply::Records`].
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -201,17 +201,17 @@ pub enum Reply {
         revision: u64,
         /// All of them.
         problems: Vec<Problem>,
-        /// What [`RunState::fingerprint`] would be if it were started now.
+        /// The [`RunState::fingerprint`] that a run would have if it were started now.
         fingerprint: u32,
     },
     /// A behaviour went to the bin or is gone; who has it open has to choose another.
     Removed {
         /// Which.
         behaviour: Id,
-        /// Who removed it.
+        /// The name of the person who removed it.
         by: String,
     },
-    /// What a procedure makes of the given values.
+    /// The results of a procedure for the given values.
     Checked {
         /// Why it cannot run at all, in one sentence.
         error: Option<String>,
@@ -221,25 +221,25 @@ pub enum Reply {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         unknown: Option<UnknownName>,
     },
-    /// What mends a problem, the likeliest first; none if only people know.
+    /// The changes that mend a problem, the likeliest first; none if only people know.
     Fixes {
         /// Each one change.
         fixes: Vec<Fix>,
     },
-    /// What a rehearsal of an exercise showed.
+    /// The result of a rehearsal of an exercise.
     Tried {
-        /// What.
+        /// The result.
         tried: Tried,
     },
-    /// What every stream carries.
+    /// The types of the values that streams carry.
     Types {
         /// By stream; of an action, what it takes.
         types: BTreeMap<Id, ValueType>,
-        /// What is probably not meant, as far as only what was seen tells it.
+        /// Problems that are only probable: what is probably not meant, as far as only what was seen tells it.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         hints: Vec<Problem>,
     },
-    /// Who is in a behaviour, with pointers and selections.
+    /// The people in a behaviour, with pointers and selections.
     People {
         /// In which behaviour.
         behaviour: Id,
@@ -248,17 +248,17 @@ pub enum Reply {
     },
     /// A lock was given.
     Locked {
-        /// Its token goes with every change made under it.
+        /// The grant of the lock: its token goes with every change made under it.
         grant: Grant,
     },
-    /// What becomes of asking for what somebody else is editing.
+    /// The state of a wish to edit what somebody else is editing.
     Asked {
         /// When this was said, on the clock of [`Asked`].
         now_ms: u64,
-        /// What becomes of it.
+        /// The state of the wish.
         asked: Asked,
     },
-    /// Who is editing what in a behaviour; told when that changes, newest wins.
+    /// The locks in a behaviour: who is editing what; told when that changes, newest wins.
     Locks {
         /// In which behaviour.
         behaviour: Id,
@@ -271,10 +271,10 @@ pub enum Reply {
         behaviour: Id,
         /// When this was said, on the clock of the event.
         now_ms: u64,
-        /// What happened.
+        /// The event.
         event: Box<LockEvent>,
     },
-    /// Whether behaviours can be saved; told at first and when that changes.
+    /// The state of the store: if behaviours can be saved; told at first and when that changes.
     Store {
         /// Why they cannot be saved now, if so. Everything can go on; a change refused with [`Refused::Store`] may be sent
         /// again once this is none.
@@ -285,7 +285,7 @@ pub enum Reply {
         /// All of them, oldest first; there is always one.
         robots: Vec<RobotState>,
     },
-    /// What runs on the robots changed.
+    /// The runs on the robots, told when they change.
     Runs {
         /// All running behaviours and those that ended lately, on all robots.
         runs: Vec<RunState>,
@@ -297,12 +297,12 @@ pub enum Reply {
     },
     /// The marks of a recording.
     Marks {
-        /// Its file.
+        /// The name of the recording's file.
         file: String,
         /// By time; those that are gone are left out.
         marks: Vec<RecordingMark>,
     },
-    /// What a look at a robot found.
+    /// The findings of a look at a robot.
     RobotChecked {
         /// Step by step.
         checked: Box<Checked>,
@@ -323,7 +323,7 @@ pub enum Reply {
         invitation: Box<Invitation>,
         /// The link to give to who is invited.
         link: String,
-        /// That link as a QR code: a row of `0` and `1` each, without the quiet zone of four around it.
+        /// A QR code of that link: a row of `0` and `1` each, without the quiet zone of four around it.
         qr: Vec<String>,
         /// The SHA-256 of the server's certificate, as browsers show it, if it made that itself.
         fingerprint: Option<String>,
@@ -335,7 +335,7 @@ pub enum Reply {
     },
     /// Live values of the open behaviour on the watched robot.
     Values {
-        /// What changed since the last.
+        /// The changes since the last such message.
         values: Box<Values>,
     },
     /// The watched robot in its room.
@@ -425,7 +425,7 @@ pub enum Refused {
     NothingOpen,
     /// Only somebody who may more may do this; at least this.
     Role(Role),
-    /// Who asks was not invited, or not any more.
+    /// The person who asks was not invited, or not any more.
     NotInvited,
     /// Nobody else can come in, as the server answers this computer only.
     NobodyComes,
@@ -507,13 +507,13 @@ impl std::fmt::Display for Refused {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct LockShown {
-    /// Who is editing, as in the list of people.
+    /// The id of who is editing, as in the list of people.
     pub client: Id,
     /// Their name.
     pub name: String,
-    /// What they are editing.
+    /// The records that they are editing.
     pub records: BTreeSet<RecordId>,
-    /// Whether their link ended, and the lock is kept for them for a moment.
+    /// True if their link ended, and the lock is kept for them for a moment.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub away: bool,
 }
@@ -534,7 +534,7 @@ pub struct Person {
     /// Selected stream or connector.
     #[serde(default)]
     pub selected: Option<Id>,
-    /// What part of the canvas they see.
+    /// The part of the canvas that they see.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub view: Option<Area>,
 }

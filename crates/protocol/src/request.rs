@@ -1,4 +1,4 @@
-//! What a client may ask.
+//! The requests of a client.
 
 use crate::{Lasts, ListQuery, PictureOf, RealRobot, RecordingMark, Role, Session};
 use behaviour::{Change, Helper, Id, Params, Problem, RecordId, Seen, Token, Value};
@@ -11,11 +11,11 @@ use std::collections::BTreeSet;
 pub struct Ask {
     /// The reply carries the same number.
     pub ask: u32,
-    /// What is asked.
+    /// The request itself.
     pub request: Request,
 }
 
-/// What a client may ask.
+/// A request of a client.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", tag = "is")]
 pub enum Request {
@@ -23,10 +23,10 @@ pub enum Request {
     Hello {
         /// The client's protocol version.
         version: u32,
-        /// What others see: "Aiko".
+        /// The name that others see: "Aiko".
         name: String,
-        /// Who this client was on an earlier link, which this one replaces. Anybody else gets an id of the server's
-        /// choice, and nobody is told the secret of another.
+        /// The identity of this client on an earlier link, which this one replaces. Anybody else gets an id of the
+        /// server's choice, and nobody is told the secret of another.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         again: Option<Credential>,
     },
@@ -36,35 +36,35 @@ pub enum Request {
         #[serde(default)]
         query: ListQuery,
     },
-    /// What graphs look like. Answered by `Pictures`.
+    /// Asks for pictures of graphs. Answered by `Pictures`.
     Pictures {
         /// Which; at most [`crate::PICTURES_MAX`].
         of: Vec<PictureOf>,
     },
-    /// Who uses a helper of the library, also through other helpers. Answered by `WhereUsed`.
+    /// Asks who uses a helper of the library, also through other helpers. Answered by `WhereUsed`.
     WhereUsed {
-        /// Its name.
+        /// The name of the helper.
         helper: String,
     },
     /// Which behaviours drive an action of the robot, and from which senses. Answered by `Drivers`.
     Drivers {
-        /// Its name in the catalogue.
+        /// The name of the action in the catalogue.
         actuator: String,
     },
     /// Actions that more than one behaviour drives. Answered by `Contested`.
     Contested,
     /// Behaviours that use the same senses and actions. Answered by `Similar`.
     Similar {
-        /// As which.
+        /// The behaviour to which the others are similar.
         behaviour: Id,
     },
     /// The tags of all behaviours. Answered by `Tags`.
     Tags,
     /// A new behaviour, empty or from a template. Answered by `Created`.
     Create {
-        /// Its id, chosen by the client so that asking twice makes one.
+        /// The id of the new behaviour, chosen by the client so that asking twice makes one.
         behaviour: Id,
-        /// Its name; a number is appended if it is taken.
+        /// The name of the new behaviour; a number is appended if it is taken.
         name: String,
         /// The template's name, or none for an empty one.
         template: Option<String>,
@@ -90,7 +90,7 @@ pub enum Request {
     Propose {
         /// Which behaviour, or [`crate::LIBRARY`].
         behaviour: Id,
-        /// What changes.
+        /// The change to make.
         change: Change,
         /// Of the locks that this client holds there: what somebody locked is changed only with the lock's own token.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -101,7 +101,7 @@ pub enum Request {
     Lock {
         /// Which behaviour.
         behaviour: Id,
-        /// What, all of it there already; at most [`behaviour::LOCKED_PER_SESSION_MAX`].
+        /// The records to lock, all of them there already; at most [`behaviour::LOCKED_PER_SESSION_MAX`].
         records: BTreeSet<RecordId>,
     },
     /// Gives a lock back, unless it ended already. Answered by `Done`.
@@ -122,17 +122,17 @@ pub enum Request {
     AskFor {
         /// In which behaviour.
         behaviour: Id,
-        /// What.
+        /// The record that is asked for.
         record: RecordId,
     },
-    /// Who asked for a record wants it no more. Answered by `Done`.
+    /// Takes a wish back: who asked for a record wants it no more. Answered by `Done`.
     Withdraw {
         /// In which behaviour.
         behaviour: Id,
-        /// What was asked for.
+        /// The record that was asked for.
         record: RecordId,
     },
-    /// What the holder of a lock says to who asks for it. Answered by `Done`.
+    /// The answer of the holder of a lock to who asks for it. Answered by `Done`.
     HandOver {
         /// In which behaviour.
         behaviour: Id,
@@ -145,7 +145,7 @@ pub enum Request {
     TakeOver {
         /// In which behaviour.
         behaviour: Id,
-        /// What.
+        /// The record that is asked for.
         record: RecordId,
     },
     /// The changes after a revision, for a client that missed some. Answered by `Missed`, or by `Opened` if they are many.
@@ -192,7 +192,8 @@ pub enum Request {
         revision: u64,
         /// The name of the new change, chosen by the client: sent twice, it is made once.
         op: Id,
-        /// What its author calls that revision, such as the time of day where they are; its own name if it has one.
+        /// The name that its author gives that revision, such as the time of day where they are; its own name if it has
+        /// one.
         #[serde(default, skip_serializing_if = "String::is_empty")]
         called: String,
         /// Of the locks that this client holds there.
@@ -203,7 +204,7 @@ pub enum Request {
     BringBack {
         /// Which behaviour, or [`crate::LIBRARY`].
         behaviour: Id,
-        /// What the change of this revision removed.
+        /// The revision whose change removed it.
         revision: u64,
         /// The name of the new change, chosen by the client: sent twice, it is made once.
         op: Id,
@@ -232,12 +233,12 @@ pub enum Request {
     RenameHelper {
         /// Which.
         helper: Id,
-        /// As this person saw it.
+        /// The helper as this person saw it.
         seen: Box<Helper>,
-        /// As it shall be.
+        /// The helper as it shall be.
         after: Box<Helper>,
     },
-    /// Whether a procedure can run, and what it makes of given values. Answered by `Checked`.
+    /// Asks if a procedure can run, and what it makes of given values. Answered by `Checked`.
     Check {
         /// Argument names.
         arguments: Vec<String>,
@@ -246,7 +247,7 @@ pub enum Request {
         /// Sets of argument values to try it on; at most 8.
         inputs: Vec<Vec<Value>>,
     },
-    /// What mends a problem of a behaviour as it is saved. Answered by `Fixes`; proposing one is up to who asked.
+    /// Asks what mends a problem of a behaviour as it is saved. Answered by `Fixes`; proposing one is up to who asked.
     Fixes {
         /// Which behaviour.
         behaviour: Id,
@@ -256,8 +257,8 @@ pub enum Request {
         #[serde(default, skip_serializing_if = "Seen::is_empty")]
         seen: Seen,
     },
-    /// What every stream of a behaviour carries, as far as one can tell before it runs, else by what was seen. Answered by
-    /// `Types`.
+    /// Asks what every stream of a behaviour carries, as far as one can tell before it runs, else by what was seen.
+    /// Answered by `Types`.
     Types {
         /// Which behaviour.
         behaviour: Id,
@@ -265,14 +266,14 @@ pub enum Request {
         #[serde(default, skip_serializing_if = "Seen::is_empty")]
         seen: Seen,
     },
-    /// Whether a behaviour as it is saved reaches the goal of an exercise: it is rehearsed on fixed readings in logical time,
-    /// without a robot. Answered by `Tried`.
+    /// Asks if a behaviour as it is saved reaches the goal of an exercise: it is rehearsed on fixed readings in logical
+    /// time, without a robot. Answered by `Tried`.
     TryExercise {
         /// Which behaviour.
         behaviour: Id,
         /// The id of its start.
         exercise: String,
-        /// What is answered to its questions, in their order: which of the answers, counted from 0.
+        /// The answers to its questions, in their order: which of the answers, counted from 0.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         answers: Vec<u8>,
     },
@@ -282,11 +283,12 @@ pub enum Request {
         pointer: Option<Pointer>,
         /// Selected stream or connector.
         selected: Option<Id>,
-        /// What part of the canvas is in view, for who follows; none where there is no canvas.
+        /// The part of the canvas that is in view, for who follows; none where there is no canvas.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         view: Option<Area>,
     },
-    /// What others see as this person's name from now on, also beside what they are editing. Answered by `Done`.
+    /// Changes the name of this person that others see from now on, also beside what they are editing. Answered by
+    /// `Done`.
     CallMe {
         /// Tidied as that of the greeting.
         name: String,
@@ -298,10 +300,10 @@ pub enum Request {
         /// On which robot; none means the first one.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
-        /// Whether its readings, outputs and marks are recorded.
+        /// True if its readings, outputs and marks are recorded.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         record: bool,
-        /// What the recording is part of, and what it has.
+        /// The session that the recording is part of, and what it has.
         #[serde(default, skip_serializing_if = "Session::is_plain")]
         session: Session,
     },
@@ -312,7 +314,7 @@ pub enum Request {
         /// On which robot; none means wherever it runs.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
-        /// What the recording is part of, and what it has.
+        /// The session that the recording is part of, and what it has.
         #[serde(default, skip_serializing_if = "Session::is_plain")]
         session: Session,
     },
@@ -332,10 +334,10 @@ pub enum Request {
         robot: Option<Id>,
         /// The name of an action of the catalogue.
         device: String,
-        /// Its parameters.
+        /// The parameters of the action.
         #[serde(default, skip_serializing_if = "Params::is_empty")]
         params: Params,
-        /// What it is told. With the parameters at most [`crate::HAND_MAX_BYTES`].
+        /// The value that it is told. With the parameters at most [`crate::HAND_MAX_BYTES`].
         value: Value,
     },
     /// Marks this moment in the recording of a running behaviour. Answered by `Done`.
@@ -345,14 +347,14 @@ pub enum Request {
         /// On which robot; none means wherever it runs.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
-        /// What happened, in at most [`crate::MARK_MAX_CHARS`]; may be empty.
+        /// A note of what happened, in at most [`crate::MARK_MAX_CHARS`]; may be empty.
         note: String,
-        /// How long before this was sent somebody pressed, by the clock of who sends it, in milliseconds. More than
-        /// [`crate::AGO_MAX_MS`] counts as that much, and what was before Start as Start.
+        /// The time before this was sent at which somebody pressed, by the clock of who sends it, in milliseconds. More
+        /// than [`crate::AGO_MAX_MS`] counts as that much, and what was before Start as Start.
         #[serde(default, rename = "agoMs", skip_serializing_if = "is_zero")]
         ago_ms: u64,
     },
-    /// What runs now and what ended lately, which is also told unasked. Answered by `Runs`.
+    /// Asks what runs now and what ended lately, which is also told unasked. Answered by `Runs`.
     Runs,
     /// Puts a behaviour just above another one in the order on a robot, or at the end. Answered by `Done`.
     Place {
@@ -368,18 +370,18 @@ pub enum Request {
     Recordings,
     /// Removes a recording for good. Answered by `Done`.
     RemoveRecording {
-        /// Its file.
+        /// The name of the recording's file.
         file: String,
     },
     /// The marks of a recording: those made while it ran, and later ones. Answered by `Marks`.
     Marks {
-        /// Its file.
+        /// The name of the recording's file.
         file: String,
     },
     /// Adds a mark to a recording, or changes or removes the one with its id: what was there before stays in the history, and a
     /// mark that is gone comes back the same way. Answered by `Done`.
     PutMark {
-        /// Its file.
+        /// The name of the recording's file.
         file: String,
         /// The mark as it shall be; who writes it and when is the server's to say.
         mark: Box<RecordingMark>,
@@ -409,7 +411,7 @@ pub enum Request {
         /// On which robot; none means wherever it runs.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
-        /// Its sensor stream.
+        /// The sensor stream of the behaviour.
         stream: Id,
         /// The value.
         value: Value,
@@ -419,16 +421,16 @@ pub enum Request {
         /// Whose room; none means that of the first robot.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
-        /// What is done.
+        /// The edit of the room.
         edit: SceneEdit,
     },
     /// Adds a robot for everyone and for good: a real one, or a simulated one in a room of its own. Answered by `Done`.
     AddRobot {
-        /// Its id, chosen by the client so that asking twice makes one.
+        /// The id of the robot, chosen by the client so that asking twice makes one.
         robot: Id,
-        /// Its name, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
+        /// The name of the robot, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
         name: String,
-        /// How it is reached; none for a simulated one.
+        /// The address and login of a real robot; none for a simulated one.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         real: Option<Box<RealRobot>>,
     },
@@ -436,7 +438,7 @@ pub enum Request {
     RenameRobot {
         /// Which.
         robot: Id,
-        /// Its name, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
+        /// The name of the robot, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
         name: String,
     },
     /// Gives a real robot another address, and another login if one is said. Refused while something runs on it. Answered
@@ -444,7 +446,7 @@ pub enum Request {
     ReachRobot {
         /// Which.
         robot: Id,
-        /// How it is reached from now on; its identity stays.
+        /// The address and login from now on; its identity stays.
         real: Box<RealRobot>,
     },
     /// From now on the body that answers at a robot's address is this robot. Answered by `Done`.
@@ -456,7 +458,7 @@ pub enum Request {
     },
     /// Looks step by step whether a robot can be reached, and what it is. Answered by `RobotChecked` within 20 seconds.
     CheckRobot {
-        /// How it is reached.
+        /// The address and login to check.
         real: Box<RealRobot>,
         /// The robot whose login counts where none is said.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -474,7 +476,7 @@ pub enum Request {
     ControlRobot {
         /// Which robot.
         robot: Id,
-        /// What shall be.
+        /// The change to make to who has the robot, or to its body or its memory.
         control: Control,
     },
     /// Removes a robot, with its room and its order. Refused while something runs on it, and for the last one. Answered
@@ -485,9 +487,9 @@ pub enum Request {
     },
     /// Makes an invitation. Answered by `Invited`. Only for [`Role::Host`], as are the two that follow.
     Invite {
-        /// What who comes by it may do; not [`Role::Host`].
+        /// The role of who comes by it; not [`Role::Host`].
         role: Role,
-        /// How long it lasts.
+        /// The time that it lasts.
         lasts: Lasts,
         /// For whom it is, at most [`crate::LABEL_MAX_CHARS`]; may be empty.
         label: String,
@@ -522,7 +524,7 @@ fn is_zero(number: &u64) -> bool {
 pub struct Credential {
     /// The id that the server gave it.
     pub client: Id,
-    /// What only it was told, in [`crate::Reply::Welcome`].
+    /// The secret that only it was told, in [`crate::Reply::Welcome`].
     pub secret: Id,
 }
 
@@ -538,9 +540,9 @@ pub struct Pointer {
 /// A part of the canvas, in canvas units; no side of it is larger than [`crate::CANVAS_MAX`].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Area {
-    /// Its left end.
+    /// The left end of the area.
     pub x: f64,
-    /// Its upper end.
+    /// The upper end of the area.
     pub y: f64,
     /// To the right of that.
     pub width: f64,

@@ -1,5 +1,5 @@
-//! Whether a recording alone gives its own actions again: its readings through its own program, with what was applied and what a
-//! continued run remembered, in logical time.
+//! Checks if a recording alone gives its own actions again: its readings through its own program, with what was applied
+//! and what a continued run remembered, in logical time.
 
 use crate::header::{Header, Lack};
 use crate::lines::{End, json};
@@ -12,17 +12,17 @@ use std::collections::VecDeque;
 /// A recording that gives its own actions again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
-    /// How many actions were compared.
+    /// The number of actions that were compared.
     pub actions: u64,
     /// From how many readings they come.
     pub readings: u64,
     /// Until when.
     pub until_ms: u64,
-    /// How it ends.
+    /// The way in which the recording ends.
     pub ends: Ending,
 }
 
-/// How a recording ends.
+/// The ways in which a recording ends.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ending {
     /// With its last line.
@@ -33,7 +33,7 @@ pub enum Ending {
     CutOff,
 }
 
-/// What an action was told.
+/// A value that an action was told.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
     /// When.
@@ -64,16 +64,16 @@ pub enum Different {
     },
     /// Lines are missing; what comes after cannot be told. What comes before was checked.
     Missing {
-        /// How many.
+        /// The number of lines that are missing.
         lost: u64,
         /// After when.
         after_ms: u64,
     },
     /// The first action that differs.
     Action {
-        /// What was recorded, if anything was.
+        /// The action as it was recorded, if one was.
         recorded: Option<Box<Told>>,
-        /// What the replay gives, if it gives anything.
+        /// The action that the replay gives, if it gives one.
         replayed: Option<Box<Told>>,
         /// Values that the clock dropped while it was recorded.
         late: u64,
@@ -103,7 +103,7 @@ pub fn check(text: &str) -> Result<Checked, Different> {
 struct Replay {
     revision: u64,
     playing: Option<Playing>,
-    /// Whether an edited behaviour follows with the next file.
+    /// The time at which an edited behaviour was applied, if it follows with the next file.
     applied_ms: Option<u64>,
     recorded: VecDeque<Box<Told>>,
     replayed: VecDeque<Box<Told>>,
@@ -113,7 +113,7 @@ struct Replay {
     ends: Option<Ending>,
 }
 
-/// What runs.
+/// The program that runs, with its file.
 struct Playing {
     file: BehaviourFile,
     run: Run,
@@ -200,7 +200,7 @@ impl Replay {
         Ok(())
     }
 
-    /// What comes before missing lines is compared; what comes after is not known.
+    /// Compares everything before missing lines; what comes after is not known.
     fn missing(&mut self, lost: u64) -> Different {
         self.until(self.last_ms);
         let missing = Different::Missing { lost, after_ms: self.last_ms };

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// The format's name and version, in the first line of what is written now.
 pub const FORMAT: &str = "rrp-recording/2";
-/// How the format's name begins in every version.
+/// The beginning of the format's name in every version.
 const FAMILY: &str = "rrp-recording/";
 
 /// The first line.
@@ -20,12 +20,12 @@ pub struct Header {
     pub name: String,
     /// The revision that ran at first.
     pub revision: u64,
-    /// How time ran: `event` or `frame`.
+    /// The way in which time ran: `event` or `frame`.
     pub mode: String,
     /// The length of a frame in milliseconds, in frame mode.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frame_ms: Option<u64>,
-    /// Who started the run, or the recording of it.
+    /// The name of the person who started the run, or the recording of it.
     pub by: String,
     /// When it began: `2026-11-21T18:34:06Z`.
     pub began: String,
@@ -39,7 +39,7 @@ pub struct Header {
     /// Which session it is, if that was said.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub session: Option<String>,
-    /// What it has.
+    /// The kinds of lines that it has.
     pub records: Records,
 }
 
@@ -50,26 +50,26 @@ pub enum Lack {
     Program,
     /// Everything, as it is cut off before it said what runs.
     Everything,
-    /// What was sensed, as only marks and actions were recorded.
+    /// The readings of senses, as only marks and actions were recorded.
     Readings,
-    /// What a continued run remembered, which was too large.
+    /// The memory of a continued run, which was too large.
     Memory,
 }
 
 impl Header {
-    /// Whether a line's format is one of a recording, of any version.
+    /// True if the format is one of a recording, of any version.
     #[must_use]
     pub fn is_one(&self) -> bool {
         self.format.starts_with(FAMILY)
     }
 
-    /// Whether it is of the first form.
+    /// True if the recording is of the first form.
     #[must_use]
     pub fn is_first_form(&self) -> bool {
         self.format == "rrp-recording/1"
     }
 
-    /// What it lacks from the beginning.
+    /// Returns what the recording lacks from the beginning, if anything.
     #[must_use]
     pub fn lacks(&self) -> Option<Lack> {
         if self.is_first_form() {

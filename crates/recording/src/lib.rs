@@ -1,4 +1,4 @@
-//! What a run was, as a file: `rrp-recording/2`, its lines written and read again, and whether a file alone gives its own
+//! A run as a file: `rrp-recording/2`, its lines written and read again, and a check if a file alone gives its own
 //! actions again.
 //!
 //! The first line is the [`Header`]. Every other line is one [`Entry`]; who reads meets lines that they do not know, and leaves

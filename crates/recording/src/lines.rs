@@ -28,7 +28,7 @@ pub enum Line {
         stream: StreamIx,
         /// The value.
         value: Value,
-        /// Who.
+        /// The name of the person who pretended it.
         by: Arc<str>,
     },
     /// A value that a procedure dropped.
@@ -40,9 +40,9 @@ pub enum Line {
         /// Why, in words.
         error: String,
     },
-    /// What an action was told and the robot did not do.
+    /// A value that an action was told and that the robot did not do.
     Refused(Box<Refusal>),
-    /// What somebody had the robot do by hand.
+    /// An action that somebody had the robot do by hand.
     Hand(Box<Hand>),
     /// An edited behaviour goes on from here.
     Applied {
@@ -51,23 +51,23 @@ pub enum Line {
         /// The revision that follows.
         revision: u64,
     },
-    /// What runs from here on, with its helpers.
+    /// The behaviour that runs from here on, with its helpers.
     File {
         /// From when.
         at_ms: u64,
-        /// Its revision.
+        /// The revision of the behaviour.
         revision: u64,
         /// All of it.
         file: Arc<BehaviourFile>,
     },
-    /// What a run that is continued, or recorded from its middle on, remembers here.
+    /// The memory, at this point, of a run that is continued or recorded from its middle on.
     Memory {
         /// When.
         at_ms: u64,
         /// By places in the file before it.
         memory: Box<Handover>,
     },
-    /// How the robot is, as that is new.
+    /// The state of the robot, as that is new.
     Robot(Box<RobotLine>),
     /// The simulated room, as something in it moved.
     Room {
@@ -82,7 +82,7 @@ pub enum Line {
     End(End),
 }
 
-/// What an action was told and the robot did not do.
+/// A value that an action was told and that the robot did not do.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Refusal {
     /// When the robot said so.
@@ -92,15 +92,15 @@ pub struct Refusal {
     pub refused: Id,
     /// Why, in words.
     pub why: String,
-    /// Who keeps the part of the robot that it uses, if somebody does.
+    /// The one who keeps the part of the robot that it uses, if somebody does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub with: Option<String>,
-    /// How often, if that was more than once by then.
+    /// The number of times, if that was more than once by then.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub count: Option<u64>,
 }
 
-/// What somebody had the robot do by hand.
+/// An action that somebody had the robot do by hand.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hand {
     /// When.
@@ -108,12 +108,12 @@ pub struct Hand {
     pub at_ms: u64,
     /// With which action of the catalogue.
     pub hand: String,
-    /// Its parameters.
+    /// The parameters of the action.
     #[serde(default)]
     pub params: Params,
-    /// What it was told.
+    /// The value that it was told.
     pub value: Value,
-    /// Who pressed.
+    /// The name of the person who pressed.
     pub by: String,
     /// Why the robot did not do it, if so.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -126,25 +126,25 @@ pub struct Note {
     /// When.
     #[serde(rename = "t")]
     pub at_ms: u64,
-    /// Who.
+    /// The name of the person who marked it.
     pub by: String,
-    /// What happened; may be empty.
+    /// A note of what happened; may be empty.
     pub note: String,
 }
 
-/// How the robot is.
+/// The state of the robot.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct RobotLine {
     /// When.
     #[serde(rename = "t")]
     pub at_ms: u64,
-    /// How the link is, in a word: `ready`, `degraded`, `lost`.
+    /// The state of the link, in a word: `ready`, `degraded`, `lost`.
     pub link: String,
     /// Why, if it is not ready.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
-    /// How its body is.
+    /// The state of its body.
     #[serde(flatten)]
     pub condition: Condition,
     /// Why it interrupted what ran, if it did.
@@ -152,7 +152,7 @@ pub struct RobotLine {
     pub halt: Option<String>,
 }
 
-/// How a recording ends.
+/// The last line: how a recording ends.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct End {
@@ -163,12 +163,12 @@ pub struct End {
     pub closed: Option<u64>,
     /// Values that the clock dropped because a procedure took too long: a replay has no clock.
     pub late: u64,
-    /// How many moments were marked while it ran.
+    /// The number of moments that were marked while it ran.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<u64>,
     /// Why.
     pub why: String,
-    /// Who ended it, if a person did.
+    /// The name of the person who ended it, if a person did.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub by: Option<String>,
 }
@@ -247,7 +247,7 @@ impl Line {
     }
 }
 
-/// As JSON: floats bit for bit, whole numbers without a point.
+/// Returns a value as JSON: floats bit for bit, whole numbers without a point.
 pub fn json<T: Serialize + ?Sized>(value: &T) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! What a continued run remembers, as a line: written only up to a bound.
+//! The memory of a continued run as a line: it is written only up to a bound.
 
 use crate::lines::json;
 use engine::Handover;

@@ -1,14 +1,15 @@
-//! What is left out where a recording is handed on: names of people, and what the robot may have sensed of who somebody is.
+//! The parts that are left out where a recording is handed on: names of people, and what the robot may have sensed of
+//! who somebody is.
 
 use crate::lines::json;
 use crate::read::Entry;
 use behaviour::{BehaviourFile, StreamKind, Value};
 use std::collections::BTreeSet;
 
-/// What stands in the place of a text that is left out.
+/// The words in the place of a text that is left out.
 const LEFT_OUT: &str = "(left out)";
 
-/// What is kept although it is about people.
+/// The parts that are kept although they are about people.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Keep {
     /// The names of who pressed, instead of `P1`, `P2`, ….
@@ -25,7 +26,7 @@ pub(crate) struct Private {
     people: Vec<String>,
     /// The ids of streams whose texts are about people.
     streams: BTreeSet<String>,
-    /// Whether a file said which streams those are.
+    /// True if a file said which streams those are.
     knows_streams: bool,
 }
 
@@ -59,7 +60,7 @@ impl Private {
         }
     }
 
-    /// What comes of a sense that is about people is about people too.
+    /// Notes the streams that are about people: whatever comes of a sense that is about people is about people too.
     fn file(&mut self, file: &BehaviourFile) {
         self.knows_streams = true;
         let senses = file.streams.iter().filter(|stream| {
@@ -79,7 +80,7 @@ impl Private {
         }
     }
 
-    /// What a person is called.
+    /// Returns what a person is called.
     pub(crate) fn name(&self, name: &str) -> String {
         match self.people.iter().position(|known| known == name) {
             Some(at) if !self.keep.names => format!("P{}", at + 1),

@@ -13,7 +13,7 @@ use serde::de::DeserializeOwned;
 #[derive(Clone, Copy, Debug)]
 pub struct Open<'t> {
     rest: &'t str,
-    /// How many lines come before the rest.
+    /// The number of lines before the rest.
     before: usize,
 }
 
@@ -32,7 +32,7 @@ pub enum Entry {
         stream: String,
         /// The value.
         value: Value,
-        /// Who pretended it, if it was not sensed.
+        /// The name of the person who pretended it, if it was not sensed.
         by: Option<String>,
     },
     /// A value that a procedure dropped.
@@ -44,9 +44,9 @@ pub enum Entry {
         /// Why.
         error: String,
     },
-    /// What the robot did not do.
+    /// A value that the robot did not do.
     Refused(Refusal),
-    /// What somebody had it do by hand.
+    /// An action that somebody had it do by hand.
     Hand(Hand),
     /// An edited behaviour goes on.
     Applied {
@@ -55,36 +55,36 @@ pub enum Entry {
         /// The revision that follows.
         revision: u64,
     },
-    /// What runs from here on.
+    /// The behaviour that runs from here on.
     File {
         /// From when.
         at_ms: u64,
-        /// Its revision.
+        /// The revision of the behaviour.
         revision: u64,
         /// All of it; none if this program cannot read it.
         file: Option<Box<BehaviourFile>>,
     },
-    /// What the run remembers here.
+    /// The memory of the run at this point.
     Memory {
         /// When.
         at_ms: u64,
         /// The memory; none if it was too large to be kept.
         memory: Option<Box<Handover>>,
     },
-    /// How the robot is.
+    /// The state of the robot.
     Robot(Box<RobotLine>),
     /// The simulated room.
     Room {
         /// When.
         at_ms: u64,
-        /// What stands in it.
+        /// The things that stand in it.
         scene: Box<Scene>,
     },
     /// A moment that somebody marked.
     Note(Note),
     /// Lines are missing here.
     Gap {
-        /// How many.
+        /// The number of lines that are missing.
         lost: u64,
     },
     /// It has as many bytes as it may have, and ends here.
@@ -117,7 +117,7 @@ fn header(line: &str) -> Option<Header> {
 }
 
 impl<'t> Open<'t> {
-    /// Its other lines, each with its number. A last line that is not whole is left out.
+    /// Returns its other lines, each with its number. A last line that is not whole is left out.
     pub fn lines(self) -> impl Iterator<Item = (usize, &'t str)> {
         let whole = self.rest.rsplit_once('\n').map_or("", |(whole, _)| whole);
         let last = &self.rest[(whole.len() + 1).min(self.rest.len())..];
@@ -127,13 +127,13 @@ impl<'t> Open<'t> {
         (self.before + 1..).zip(lines).filter(|(_, line)| !line.trim().is_empty())
     }
 
-    /// Its other lines as entries.
+    /// Returns its other lines as entries.
     pub fn entries(self) -> impl Iterator<Item = Entry> {
         self.lines().map(|(_, line)| read_line(line))
     }
 }
 
-/// What a line says. Whoever writes more than this program knows is understood as far as it goes.
+/// Returns what a line says. A line of a writer that says more than this program knows is understood as far as it goes.
 #[must_use]
 pub fn read_line(text: &str) -> Entry {
     read(text).unwrap_or(Entry::Unknown)

@@ -1,18 +1,18 @@
-//! What went on for a while, as bars on tracks: what is told again and again within a second is one bar.
+//! Things that went on for a while, as bars on tracks: what is told again and again within a second is one bar.
 
 use crate::timeline::{Event, Timeline, What};
 
-/// What comes sooner after the same than this goes on, in milliseconds.
+/// A pause shorter than this, in milliseconds, does not end a thing that goes on.
 const JOINED_MS: u64 = 1_000;
-/// How long something is shown that only began, in milliseconds.
+/// The length at which something is shown that only began, in milliseconds.
 const MOMENT_MS: u64 = 500;
 
 /// The bars of one thing, by time; none overlaps another, and each lasts at least a millisecond.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Track {
-    /// What they are of: unique among the tracks.
+    /// The name of the thing that they are of: unique among the tracks.
     pub name: String,
-    /// What kind of thing; none for marks.
+    /// The kind of thing; none for marks.
     pub what: Option<What>,
     /// The bars.
     pub spans: Vec<Span>,
@@ -25,11 +25,11 @@ pub struct Span {
     pub from_ms: u64,
     /// Until when; later than that.
     pub until_ms: u64,
-    /// Whether it had no length of its own.
+    /// True if it had no length of its own.
     pub is_moment: bool,
-    /// What was said or told.
+    /// The words that were said or the value that was told.
     pub says: String,
-    /// Who.
+    /// The name of the one who did it, or who kept it from being done.
     pub by: String,
 }
 
@@ -100,7 +100,7 @@ fn push(tracks: &mut Vec<Track>, name: &str, what: What, span: Span) {
     }
 }
 
-/// Whether a value is told all the time with other numbers.
+/// True if a value is told all the time with other numbers.
 fn is_number(says: &str) -> bool {
     says.starts_with(['{', '[', '-']) || says.starts_with(|letter: char| letter.is_ascii_digit())
 }

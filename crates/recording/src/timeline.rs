@@ -9,14 +9,14 @@ use behaviour::{BehaviourFile, FileStream, StreamKind, Value};
 use protocol::RecordingMark;
 use std::collections::BTreeMap;
 
-/// What happened.
+/// The events of a recording, with its marks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Timeline {
-    /// What was recorded; who started it is told as far as that may be.
+    /// The header of the recording; who started it is told as far as that may be.
     pub header: Header,
     /// The time of the last line.
     pub until_ms: u64,
-    /// Whether its last line is missing.
+    /// True if its last line is missing.
     pub cut_off: bool,
     /// By time.
     pub events: Vec<Event>,
@@ -29,7 +29,7 @@ pub struct Timeline {
 pub struct Event {
     /// When.
     pub at_ms: u64,
-    /// What kind of thing.
+    /// The kind of thing that happened.
     pub what: What,
     /// Of which stream, action or connector, as people call it.
     pub subject: String,
@@ -37,11 +37,11 @@ pub struct Event {
     pub value: Option<Value>,
     /// The value or the reason, in words.
     pub says: String,
-    /// Who did it, or who kept it from being done.
+    /// The name of the one who did it, or who kept it from being done.
     pub by: String,
 }
 
-/// What kind of thing happened.
+/// The kinds of things that happen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum What {
     /// The robot sensed something.
@@ -85,7 +85,7 @@ impl What {
     }
 }
 
-/// What happened in a recording, with its later marks. What is about people is left out unless it is kept.
+/// Returns what happened in a recording, with its later marks. Everything about people is left out unless it is kept.
 ///
 /// # Errors
 /// If the text is no recording.

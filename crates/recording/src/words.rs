@@ -1,4 +1,4 @@
-//! What is found about a recording, said in English.
+//! The findings about a recording, said in English.
 
 use crate::check::{Checked, Different, Ending, Told};
 use crate::header::Lack;

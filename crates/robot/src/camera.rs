@@ -1,4 +1,4 @@
-//! What the camera of a robot sees, as pictures for people. Pictures are made only while somebody looks, and kept nowhere:
+//! The camera of a robot, as pictures for people. Pictures are made only while somebody looks, and kept nowhere:
 //! the newest takes the place of the one before.
 
 /// One picture of a camera.

@@ -10,17 +10,17 @@ use std::borrow::Cow;
 /// A sense or an action.
 #[derive(Clone, Copy, Debug)]
 pub struct Device {
-    /// Its name in files and in the thesis: `RedBall`.
+    /// The name of the device in files and in the thesis: `RedBall`.
     pub name: &'static str,
     /// Sensor or actuator.
     pub kind: StreamKind,
-    /// What the page calls it; the name the thesis and its figures use.
+    /// The name on the page; the thesis and its figures use it too.
     pub label: &'static str,
-    /// What it does, in a sentence.
+    /// Says what the device does, in a sentence.
     pub says: &'static str,
-    /// Its picture: a name in the icon set.
+    /// The picture of the device: a name in the icon set.
     pub icon: &'static str,
-    /// Its parameters.
+    /// The parameters of the device.
     pub params: &'static [Param],
     /// The shape of the values it gives, or takes.
     pub shape: Shape,
@@ -29,15 +29,15 @@ pub struct Device {
     /// Which of its values count when several wait: readings of a sense for a behaviour, commands of an action for the
     /// robot.
     pub waiting: Waiting,
-    /// How its values come, or how long one of them keeps it busy.
+    /// The way in which its values come, or the time for which one of them keeps it busy.
     pub pace: Pace,
     /// The parameter that says what stands on the button by which an operator gives its values; none if there is no button.
     pub button: Option<&'static str>,
-    /// How an action is offered as the next step of a stream.
+    /// The way in which an action is offered as the next step of a stream.
     pub next_step: NextStep,
     /// An example value in JSON, for stimulating by hand.
     pub example: Example,
-    /// What can be pretended of a sense at one press; nothing for an action.
+    /// The values of a sense that can be pretended at one press; empty for an action.
     pub pretend: &'static [Pretend],
 }
 
@@ -50,7 +50,7 @@ pub enum Waiting {
     Every,
 }
 
-/// How values of a sense come, or how long an action is busy with one.
+/// The way in which values of a sense come, or the time for which an action is busy with one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pace {
     /// A sense that reads many times a second, always.
@@ -67,16 +67,16 @@ pub enum Pace {
     Lasting,
 }
 
-/// How an action is offered as the next step of a stream.
+/// The way in which an action is offered as the next step of a stream.
 #[derive(Clone, Copy, Debug)]
 pub struct NextStep {
     /// For streams that carry one of these, with what is chosen for its parameters then.
     pub for_streams: &'static [(Carries, &'static [(&'static str, &'static str)])],
-    /// What the button says, if not its name.
+    /// The words on the button, if not the action's name.
     pub label: Option<&'static str>,
-    /// What its stream is called, if not by its name.
+    /// The name of the action's new stream, if not the action's own.
     pub stream: Option<&'static str>,
-    /// Whether its parameters are asked for at once.
+    /// True if its parameters are asked for at once.
     pub asks: bool,
 }
 
@@ -84,7 +84,7 @@ impl NextStep {
     /// Only where all actions are.
     pub const NEVER: Self = Self { for_streams: &[], label: None, stream: None, asks: false };
 
-    /// What is chosen for its parameters out of a stream that carries this, if it is offered there.
+    /// Returns the parameters that are chosen for a stream that carries this; none if the action is not offered there.
     #[must_use]
     pub fn params(&self, carries: Carries) -> Option<Params> {
         let (_, chosen) = self.for_streams.iter().find(|(one, _)| *one == carries)?;
@@ -111,7 +111,7 @@ pub enum Resources {
 /// Something that can be pretended: what a sense would tell then.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pretend {
-    /// What there would be, behind "as if": `ball near`.
+    /// Says what there would be, behind "as if": `ball near`.
     pub says: &'static str,
     /// The value.
     pub value: Example,
@@ -135,7 +135,7 @@ pub enum Resource {
     Voice,
     /// The eye lights.
     Eyes,
-    /// What it remembers of faces.
+    /// The memory of faces.
     Memory,
 }
 
@@ -156,7 +156,7 @@ pub enum Shape {
     ObjectOrFirst(&'static [Field]),
     /// A list of such values.
     List(&'static Shape),
-    /// What the parameter says.
+    /// The shape that a parameter says.
     By {
         /// The parameter.
         param: &'static str,
@@ -170,11 +170,11 @@ pub enum Shape {
 /// A field of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Field {
-    /// Its name.
+    /// The name of the field.
     pub name: &'static str,
-    /// What it is, with its unit.
+    /// Says what the field is, with its unit.
     pub says: &'static str,
-    /// Its shape.
+    /// The shape of the field.
     pub of: Shape,
 }
 
@@ -193,7 +193,7 @@ impl Shape {
 }
 
 impl Device {
-    /// What stands on its button with these parameters, if it has one.
+    /// Returns the words on its button with these parameters, if it has one.
     #[must_use]
     pub fn button_words<'a>(&'a self, params: &'a Params) -> Option<Cow<'a, str>> {
         let param = self.params.iter().find(|param| Some(param.name) == self.button)?;
@@ -202,7 +202,7 @@ impl Device {
         chosen.map(Cow::Borrowed).or_else(default)
     }
 
-    /// Whether these parameters fit: known names, right kinds, inside their ranges.
+    /// Checks that these parameters fit: known names, right kinds, inside their ranges.
     ///
     /// # Errors
     /// The first parameter that does not fit.
@@ -224,7 +224,7 @@ pub fn actuators() -> impl Iterator<Item = &'static Device> {
 /// One device by kind and name.
 ///
 /// # Errors
-/// Its kind and name, if there is none.
+/// The kind and name that were asked for, if there is no such device.
 pub fn device(kind: StreamKind, name: &str) -> Result<&'static Device, DeviceFault> {
     let found = devices::ALL.iter().copied().find(|device| device.kind == kind && device.name == name);
     found.ok_or_else(|| DeviceFault::Unknown(kind, name.to_owned()))

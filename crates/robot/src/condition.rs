@@ -1,47 +1,47 @@
-//! How the robot's body is: what an operator looks at before pressing Start.
+//! The condition of the robot's body: what an operator looks at before pressing Start.
 
 use serde::{Deserialize, Serialize};
 
 /// Most names of faces that are told of one robot.
 pub const FACES_MAX: usize = 200;
 
-/// How the body is; what is not known is none. For people, as plain lights with words.
+/// The condition of the body; what is not known is none. For people, as plain lights with words.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Condition {
-    /// How full the battery is, from 0 to 100 percent.
+    /// The charge of the battery, from 0 to 100 percent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub battery: Option<u8>,
-    /// Whether it is charging or on the cable.
+    /// True if it is charging or on the cable.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plugged: Option<bool>,
-    /// Whether it is awake: its motors are on and it holds a posture.
+    /// True if it is awake: its motors are on and it holds a posture.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub awake: Option<bool>,
-    /// Whether the motors are stiff enough to move.
+    /// True if the motors are stiff enough to move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiff: Option<bool>,
-    /// What it does of its own accord.
+    /// The life of its own: what it does of its own accord.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub life: Option<Life>,
     /// Joints that are too hot, by their names in [`crate::JOINTS`].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub hot: Vec<String>,
-    /// Whether it lies where it fell.
+    /// True if it lies where it fell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fallen: Option<bool>,
     /// Why it cannot walk or turn its whole body now, in a few English words: "it sits; let it stand up first".
     #[serde(skip_serializing_if = "Option::is_none")]
     pub legs: Option<String>,
-    /// How it is in the network.
+    /// The way in which it is in the network.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub network: Option<Network>,
-    /// How many faces it remembers.
+    /// The number of faces that it remembers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub faces: Option<u16>,
 }
 
-/// What a NAO does of its own accord: the states of ALAutonomousLife (NAOqi 2.8).
+/// The own life of a NAO: the states of ALAutonomousLife (NAOqi 2.8).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Life {
@@ -55,7 +55,7 @@ pub enum Life {
     Interactive,
 }
 
-/// How a robot is in the network.
+/// The way in which a robot is in the network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Network {
@@ -65,7 +65,7 @@ pub enum Network {
     Wifi(u8),
 }
 
-/// Who has the robot, and what a person has it do with its body or its memory.
+/// A change of who has the robot, or something that a person has it do with its body or its memory.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Control {
@@ -90,13 +90,13 @@ pub enum Control {
 }
 
 impl Control {
-    /// Whether what runs is ended for it.
+    /// True if everything that runs is ended for it.
     #[must_use]
     pub fn ends_runs(&self) -> bool {
         matches!(self, Self::GiveBack | Self::Rest)
     }
 
-    /// Whether it moves the body, so that it waits until nothing runs.
+    /// True if it moves the body, so that it waits until nothing runs.
     #[must_use]
     pub fn needs_quiet(&self) -> bool {
         matches!(self, Self::WakeUp | Self::Stand | Self::Sit)

@@ -4,13 +4,13 @@ use crate::{Device, Param, ParamKind};
 use behaviour::StreamKind;
 
 impl Device {
-    /// Whether it is a sense or an action, in a word.
+    /// Returns a word for the kind of device: sense or action.
     #[must_use]
     pub fn kind_word(&self) -> &'static str {
         if self.kind == StreamKind::Sensor { "sense" } else { "action" }
     }
 
-    /// What it gives or takes: "a number in m"; for an object its fields, comma by comma.
+    /// Returns what it gives or takes: "a number in m"; for an object its fields, comma by comma.
     #[must_use]
     pub fn value_words(&self) -> String {
         let shape = self.shape.usual();
@@ -22,7 +22,7 @@ impl Device {
 }
 
 impl Param {
-    /// What it may be: "from 0 to 1, else 0.4"; the first choice counts when nobody chose.
+    /// Returns the values that it may have: "from 0 to 1, else 0.4"; the first choice counts when nobody chose.
     #[must_use]
     pub fn range_words(&self) -> String {
         match self.kind {

@@ -141,7 +141,7 @@ pub(crate) const MOVED_CHOICES: &[(&str, &str)] = &[
     ("RArm", "right arm: all six"),
 ];
 
-/// Whether what a sense reads may tell who somebody is or what they said: its texts are left out of what is handed on.
+/// True if readings of a sense may tell who somebody is or what they said: its texts are left out of what is handed on.
 #[must_use]
 pub fn is_personal(sense: &str) -> bool {
     [face_detection::DEVICE.name, word_recognized::DEVICE.name].contains(&sense)

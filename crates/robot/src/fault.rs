@@ -9,9 +9,9 @@ use std::fmt;
 pub enum RobotFault {
     /// It has no device of this name.
     NoDevice(String),
-    /// Its body or its software lacks what the device needs; with the reason: "its body has no left hand".
+    /// The body or the software lacks what the device needs; with the reason: "its body has no left hand".
     Lacks(String),
-    /// What was chosen for the device does not fit.
+    /// The parameters that were chosen for the device do not fit.
     Device(DeviceFault),
     /// It cannot use the device of this name with what was chosen for it.
     Unusable(String),
@@ -33,7 +33,7 @@ pub enum RobotFault {
     NothingToSay,
     /// The text to say is longer than so many characters.
     TextTooLong(usize),
-    /// So many texts wait to be said already.
+    /// The queue of texts to say is full: so many wait already.
     TextsWait(usize),
     /// No behaviour is named, neither for the action nor by the value.
     NoBehavior,
@@ -43,7 +43,7 @@ pub enum RobotFault {
     NoGroup(usize),
     /// It cannot do this as it is now; with the reason: "it lies on the floor".
     NotNow(String),
-    /// Its link is gone, or not there yet.
+    /// The link is gone, or not there yet.
     NoLink,
 }
 

@@ -1,4 +1,4 @@
-//! Whether a behaviour can run on a robot, and what is missing if not.
+//! Checks if a behaviour can run on a robot, and what is missing if not.
 
 use crate::{DeviceFault, Lacking, device};
 use behaviour::{Behaviour, Id, StreamKind};
@@ -9,7 +9,7 @@ use std::fmt;
 pub struct Missing {
     /// The stream.
     pub stream: Id,
-    /// Its name.
+    /// The name of the stream.
     pub name: String,
     /// Why not.
     pub why: Why,
@@ -40,8 +40,8 @@ impl fmt::Display for Missing {
     }
 }
 
-/// What a robot with these devices lacks to run a behaviour, in file order; nothing if it can run it. It says of those that
-/// it lacks why.
+/// Returns what a robot with these devices lacks to run a behaviour, in file order; nothing if it can run it. The reasons
+/// why devices are not there come from `lacking`.
 #[must_use]
 pub fn missing<D: AsRef<str>>(behaviour: &Behaviour, devices: &[D], lacking: &[Lacking]) -> Vec<Missing> {
     let why = |name: &str| lacking.iter().find(|one| one.device == name).map(|one| one.why.clone());

@@ -5,9 +5,9 @@ use behaviour::{Declared, Helper, Signature, Unit, ValueType};
 /// A helper of a fresh library.
 struct Shipped {
     name: &'static str,
-    /// How people call it.
+    /// The name that people call it by.
     label: &'static str,
-    /// What a stream is called that it makes.
+    /// The name of a stream that it makes.
     stream: &'static str,
     param: &'static str,
     body: &'static str,
@@ -89,36 +89,38 @@ pub fn shipped_helpers() -> Vec<Helper> {
     SHIPPED.iter().map(Shipped::helper).collect()
 }
 
-/// How people call one of these helpers: “Distance in cm”; none for a helper of that name with another procedure.
+/// Returns the name by which people call one of these helpers: “Distance in cm”; none for a helper of that name with
+/// another procedure.
 #[must_use]
 pub fn helper_label(helper: &Helper) -> Option<&'static str> {
     Shipped::of(helper).map(|shipped| shipped.label)
 }
 
-/// How people call each of these helpers.
+/// Returns the names by which people call these helpers.
 pub fn helper_labels() -> impl Iterator<Item = &'static str> {
     SHIPPED.iter().map(|shipped| shipped.label)
 }
 
-/// What streams are called that each of these helpers makes.
+/// Returns the names of the streams that these helpers make.
 pub fn helper_streams() -> impl Iterator<Item = &'static str> {
     SHIPPED.iter().map(|shipped| shipped.stream)
 }
 
-/// How people call the helper of this name, if it is one of these: “Distance in cm” of `distance`.
+/// Returns the name by which people call the helper of this name, if it is one of these: “Distance in cm” of
+/// `distance`.
 #[must_use]
 pub fn helper_label_of(name: &str) -> Option<&'static str> {
     SHIPPED.iter().find(|shipped| shipped.name == name).map(|shipped| shipped.label)
 }
 
-/// What a stream is called that the helper of this name makes, if it is one of these.
+/// Returns the name of a stream that the helper of this name makes, if it is one of these.
 #[must_use]
 pub fn helper_stream(name: &str) -> Option<&'static str> {
     SHIPPED.iter().find(|shipped| shipped.name == name).map(|shipped| shipped.stream)
 }
 
-/// What one of these helpers takes and gives, also where a library of before does not say so; none for a helper of that
-/// name with another procedure.
+/// Returns what one of these helpers takes and gives, also where a library of before does not say so; none for a helper
+/// of that name with another procedure.
 #[must_use]
 pub fn shipped_signature(helper: &Helper) -> Option<Signature> {
     let shipped = Shipped::of(helper)?;

@@ -9,9 +9,9 @@ const TAIL_CHARS: usize = 4;
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Identity {
-    /// What the robot calls itself; people can change it, and several may have the same.
+    /// The name that the robot gives itself; people can change it, and several may have the same.
     pub name: String,
-    /// Its kind: "NAO", "NAO without hands (H21)", "Pepper".
+    /// The kind of the robot: "NAO", "NAO without hands (H21)", "Pepper".
     pub body: String,
     /// The number of its body, which is printed on it.
     #[serde(skip_serializing_if = "String::is_empty")]
@@ -25,15 +25,15 @@ pub struct Identity {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Stranger {
-    /// Who was expected.
+    /// The identity that was expected.
     pub expected: Identity,
-    /// Who answers.
+    /// The identity of the robot that answers.
     pub found: Identity,
 }
 
 impl Identity {
-    /// Whether both are one robot: no number that is known of both differs. Where no number is known of both, name and kind
-    /// have to be the same.
+    /// True if both are one robot: no number that is known of both differs. Where no number is known of both, name and
+    /// kind have to be the same.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
         let differ = |one: &str, other: &str| !one.is_empty() && !other.is_empty() && one != other;
@@ -45,13 +45,13 @@ impl Identity {
         agree(&self.serial, &other.serial) || (same_kind && (agree(&self.head, &other.head) || self.name == other.name))
     }
 
-    /// Whether it has a number, so that another robot can be told from it.
+    /// True if it has a number, so that another robot can be told from it.
     #[must_use]
     pub fn is_proven(&self) -> bool {
         !self.serial.is_empty() || !self.head.is_empty()
     }
 
-    /// What is known now, with what was known before where that says nothing.
+    /// Returns what is known now, with what was known before where that says nothing.
     #[must_use]
     pub fn or(self, before: &Self) -> Self {
         let known = |now: String, before: &String| if now.is_empty() { before.clone() } else { now };

@@ -1,4 +1,4 @@
-//! What is installed on a robot and can be chosen by its name there: behaviours, gestures, sounds and languages.
+//! Names that are installed on a robot and can be chosen there: behaviours, gestures, sounds and languages.
 
 use crate::devices::ONLY_WITH;
 use crate::{Device, DeviceFault, Missing, ParamKind, RobotFault, Why};
@@ -41,7 +41,7 @@ pub struct Installed {
     /// Languages.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub languages: Vec<String>,
-    /// Whether there is more than these lists hold.
+    /// True if there is more than these lists hold.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub more: bool,
 }
@@ -86,7 +86,7 @@ impl Installed {
         }
     }
 
-    /// Whether it is known that nothing of this name is there. A path is a file, and files are in no list.
+    /// True if it is known that nothing of this name is there. A path is a file, and files are in no list.
     #[must_use]
     pub fn lacks(&self, of: Offers, name: &str) -> bool {
         let (list, name) = (self.list(of), name.trim());
@@ -95,7 +95,7 @@ impl Installed {
     }
 }
 
-/// Whether a sound is called by the path of its file, and not by its name in a set of sounds.
+/// True if a sound is called by the path of its file, and not by its name in a set of sounds.
 #[must_use]
 pub fn is_file(sound: &str) -> bool {
     sound.starts_with(['/', '~']) || sound.contains('.')
@@ -131,7 +131,7 @@ impl Offers {
 }
 
 impl Device {
-    /// Whether what is chosen by name for it is installed, as far as that is known.
+    /// Checks that everything that is chosen by name for it is installed, as far as that is known.
     ///
     /// # Errors
     /// The first name that is not there.
@@ -146,7 +146,7 @@ impl Device {
         Ok(())
     }
 
-    /// Whether a parameter counts with the others: the name of a file does only for a sound from a file.
+    /// True if a parameter counts with the others: the name of a file does only for a sound from a file.
     fn uses(&self, param: &str, params: &Params) -> bool {
         let Some((by, when)) = self.only_with(param) else { return true };
         let default = self.params.iter().find(|known| known.name == by).map(crate::Param::default);
@@ -163,7 +163,7 @@ impl Device {
 }
 
 impl Installed {
-    /// Whether a behaviour of this name, given as a value, may be there.
+    /// Checks that a behaviour of this name, given as a value, may be there.
     ///
     /// # Errors
     /// If it is known that it is not.

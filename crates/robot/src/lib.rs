@@ -1,4 +1,4 @@
-//! What a robot promises: the [`Robot`] trait, the catalogue of senses and actions, the shapes of their values, and
+//! The promises of a robot: the [`Robot`] trait, the catalogue of senses and actions, the shapes of their values, and
 //! the picture of the robot in its room. No robot in particular, and no connection to one, lives here.
 #![warn(missing_docs)]
 
@@ -50,22 +50,22 @@ pub struct Millis(pub u64);
 pub struct Use {
     /// The running behaviour.
     pub run: u64,
-    /// Its stream.
+    /// The stream that uses the device.
     pub stream: Id,
 }
 
-/// What a sense read.
+/// A value that a sense read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// For which stream.
     pub to: Use,
     /// When it was sensed, in robot time.
     pub at: Millis,
-    /// What was sensed, in the device's shape.
+    /// The value that was sensed, in the device's shape.
     pub value: Value,
 }
 
-/// How the link to the robot is.
+/// The state of the link to the robot.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", tag = "state", content = "reason")]
 pub enum Health {
@@ -84,7 +84,7 @@ pub enum Health {
     Stranger(Box<Stranger>),
 }
 
-/// What a robot rings when its senses have read something.
+/// The bell that a robot rings when its senses have read something.
 pub type Wake = std::sync::Arc<dyn Fn() + Send + Sync>;
 
 /// A robot, real or simulated: owned by one thread, never blocking.
@@ -98,7 +98,7 @@ pub trait Robot {
     /// The devices of the catalogue that it does not have, and why not; empty before it is known.
     fn lacking(&self) -> Vec<Lacking>;
 
-    /// What is installed on it and can be chosen by name; empty before it is known.
+    /// Returns what is installed on it and can be chosen by name; empty before it is known.
     fn installed(&self) -> std::sync::Arc<Installed> {
         std::sync::Arc::default()
     }
@@ -162,10 +162,10 @@ pub trait Robot {
     /// before a person presses Start.
     fn take_halt(&mut self) -> Option<String>;
 
-    /// How the link is.
+    /// Returns the state of the link.
     fn health(&self) -> Health;
 
-    /// How the body is.
+    /// Returns the condition of the body.
     fn condition(&self) -> Condition;
 
     /// Which body it is, once that is known; none for one without a body.
@@ -176,7 +176,7 @@ pub trait Robot {
     /// The robot in its room, for pictures.
     fn scene(&self) -> Scene;
 
-    /// Its camera, if people may look through one.
+    /// Returns its camera, if people may look through one.
     fn camera(&self) -> Option<std::sync::Arc<dyn Camera>> {
         None
     }

@@ -15,13 +15,13 @@ pub enum DeviceFault {
     Choice(&'static str, &'static [(&'static str, &'static str)]),
     /// The parameter is no number within its range.
     Number {
-        /// What a person calls it.
+        /// The name for people.
         label: &'static str,
         /// The smallest.
         min: f64,
         /// The largest.
         max: f64,
-        /// Its unit.
+        /// The unit of the number.
         unit: &'static str,
     },
     /// The parameter of this label is no text.
@@ -38,15 +38,15 @@ const SHOWN_MAX_CHARS: usize = 40;
 /// One parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct Param {
-    /// Its name in files.
+    /// The name of the parameter in files.
     pub name: &'static str,
-    /// What a person calls it.
+    /// The name of the parameter for people.
     pub label: &'static str,
-    /// What it may be.
+    /// The kind of values that it may have.
     pub kind: ParamKind,
 }
 
-/// What a parameter may be.
+/// The kinds of values that a parameter may have.
 #[derive(Clone, Copy, Debug)]
 pub enum ParamKind {
     /// One of these, as `(in files, for people)`; the first is the default.
@@ -59,7 +59,7 @@ pub enum ParamKind {
         max: f64,
         /// The step of the form.
         step: f64,
-        /// Its unit.
+        /// The unit of the number.
         unit: &'static str,
         /// The default.
         default: f64,
@@ -76,7 +76,7 @@ pub enum ParamKind {
 }
 
 impl Param {
-    /// What it is when nobody chose.
+    /// Returns the value of the parameter when nobody chose one.
     #[must_use]
     pub fn default(&self) -> Value {
         match self.kind {

@@ -4,7 +4,7 @@ use crate::{Device, Resource, Resources};
 use behaviour::Params;
 
 impl Resource {
-    /// What people call it.
+    /// Returns the name of the part for people.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

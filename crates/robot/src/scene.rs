@@ -47,7 +47,7 @@ pub struct Scene {
     pub balls: Vec<Ball>,
     /// The people.
     pub people: Vec<Person>,
-    /// What stands in the way.
+    /// The things that stand in the way.
     pub obstacles: Vec<Obstacle>,
     /// The printed marks.
     pub landmarks: Vec<Mark>,
@@ -75,11 +75,11 @@ pub struct Body {
     pub joints: Vec<f32>,
     /// Colour of the eyes: red, green, blue from 0 to 1, brightness included.
     pub eyes: [f32; 3],
-    /// What it is saying, empty when silent.
+    /// The text that it is saying, empty when silent.
     pub saying: String,
-    /// What it follows and how, empty when it follows nothing: "red ball with head".
+    /// The target that it follows and how, empty when it follows nothing: "red ball with head".
     pub tracking: String,
-    /// What was printed last, newest last; at most 20.
+    /// The texts that were printed last, newest last; at most 20.
     pub printed: Vec<Printed>,
     /// Where the head's top camera is and its direction in the room: x, y, z, yaw, pitch (down positive).
     pub gaze: [f32; 5],
@@ -87,23 +87,25 @@ pub struct Body {
     pub gaze_half: f32,
     /// The hands in the room, left then right: x, y, z.
     pub hands: [[f32; 3]; 2],
-    /// How high the middle of the torso is above the floor, in metres, and how far it leans ahead, in radians.
+    /// The height of the middle of the torso above the floor, in metres, and its lean ahead, in radians.
     pub torso: [f32; 2],
     /// Where it is being touched or pressed, in the order of [`Touchable::ALL`].
     pub touched: Vec<Touchable>,
-    /// How full the battery is, in percent; 0 if that is not known.
+    /// The charge of the battery, in percent; 0 if that is not known.
     pub battery: u8,
-    /// Whether it is on the cable.
+    /// True if it is on the cable.
     pub plugged: bool,
-    /// Its posture, in the families of NAOqi: "Standing", "Crouching", "Sitting", "LyingBelly", or "Unknown" between them.
+    /// The posture of the robot, in the families of NAOqi: "Standing", "Crouching", "Sitting", "LyingBelly", or
+    /// "Unknown" between them.
     pub posture: String,
-    /// Whether it lies where it fell.
+    /// True if it lies where it fell.
     pub fallen: bool,
     /// The gesture and the sounds that it plays, for people; empty when it plays nothing: "waving, beep".
     pub playing: String,
     /// The words that it heard last; empty before any.
     pub heard: String,
-    /// What its lights shine beside the eyes, by the parts of the action *Lights*, as far as a program has lit them.
+    /// The colours of its lights beside the eyes, by the parts of the action *Lights*, as far as a program has lit
+    /// them.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub lights: BTreeMap<String, [f32; 3]>,
 }
@@ -152,7 +154,7 @@ impl Touchable {
         Self::BumperRight,
     ];
 
-    /// What people call it.
+    /// Returns the name of the place for people.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
@@ -175,15 +177,15 @@ impl Touchable {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Ball {
-    /// Its name for [`SceneEdit`]: `red`, `green`, `blue`.
+    /// The name of the ball for [`SceneEdit`]: `red`, `green`, `blue`.
     pub id: String,
-    /// Its colour: `red`, `green` or `blue`.
+    /// The colour of the ball: `red`, `green` or `blue`.
     pub color: String,
-    /// Its middle.
+    /// The middle of the ball: x, y and z in metres.
     pub at: [f32; 3],
-    /// Its radius in metres.
+    /// The radius of the ball in metres.
     pub radius: f32,
-    /// Whether the robot sees it now.
+    /// True if the robot sees it now.
     pub seen: bool,
 }
 
@@ -197,11 +199,11 @@ pub struct Person {
     pub at: [f32; 2],
     /// Height in metres.
     pub height: f32,
-    /// Whether the robot sees the face now.
+    /// True if the robot sees the face now.
     pub seen: bool,
-    /// Whether the robot has learned the face.
+    /// True if the robot has learned the face.
     pub known: bool,
-    /// Whether the person is in the room.
+    /// True if the person is in the room.
     pub present: bool,
 }
 
@@ -209,15 +211,15 @@ pub struct Person {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Obstacle {
-    /// Its name for [`SceneEdit`]: `box`, `block`.
+    /// The name of the obstacle for [`SceneEdit`]: `box`, `block`.
     pub id: String,
-    /// Its colour: `red`, `green`, `blue` or `grey`.
+    /// The colour of the obstacle: `red`, `green`, `blue` or `grey`.
     pub color: String,
-    /// Its middle on the floor.
+    /// The middle of the obstacle on the floor: x and y in metres.
     pub at: [f32; 2],
-    /// How long it is along x and y, and how high, in metres.
+    /// The length along x and y, and the height, in metres.
     pub size: [f32; 3],
-    /// Whether it is in the room.
+    /// True if it is in the room.
     pub present: bool,
 }
 
@@ -225,19 +227,19 @@ pub struct Obstacle {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Mark {
-    /// Its name for [`SceneEdit`]: `mark64`, `mark80`.
+    /// The name of the mark for [`SceneEdit`]: `mark64`, `mark80`.
     pub id: String,
-    /// Its number.
+    /// The number of the mark.
     pub number: u16,
-    /// Its middle.
+    /// The middle of the mark: x, y and z in metres.
     pub at: [f32; 3],
     /// Where its front looks: a heading in radians, 0 along x, left positive.
     pub facing: f32,
-    /// Its radius in metres.
+    /// The radius of the mark in metres.
     pub radius: f32,
-    /// Whether the robot sees it well enough to read it now.
+    /// True if the robot sees it well enough to read it now.
     pub seen: bool,
-    /// Whether it is in the room.
+    /// True if it is in the room.
     pub present: bool,
 }
 
@@ -249,12 +251,12 @@ pub enum SceneEdit {
     MoveBall {
         /// Which.
         id: String,
-        /// Its middle in metres; clamped to the room.
+        /// The new middle of the ball in metres; clamped to the room.
         at: [f32; 3],
     },
     /// Moves a person there, facing the robot.
     MovePerson {
-        /// Who.
+        /// The person who moves.
         id: String,
         /// Feet in metres.
         at: [f32; 2],
@@ -263,21 +265,21 @@ pub enum SceneEdit {
     MoveObstacle {
         /// Which.
         id: String,
-        /// Its middle on the floor in metres; clamped to the room.
+        /// The new middle of the obstacle on the floor in metres; clamped to the room.
         at: [f32; 2],
     },
     /// Moves a printed mark.
     MoveLandmark {
         /// Which.
         id: String,
-        /// Its middle in metres; clamped to the room.
+        /// The new middle of the mark in metres; clamped to the room.
         at: [f32; 3],
         /// Where its front looks: a heading in radians.
         facing: f32,
     },
     /// Brings a person, an obstacle or a printed mark in, or sends it out.
     SetPresent {
-        /// Who or which.
+        /// The person, obstacle or mark.
         id: String,
         /// In the room or not.
         present: bool,

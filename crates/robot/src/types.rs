@@ -1,4 +1,5 @@
-//! What the rules are told about devices: kinds of values with their units, how fast they come, and what they use.
+//! The facts about devices that the rules are told: kinds of values with their units, how fast they come, and what they
+//! use.
 
 use crate::{Device, Pace, Shape, Waiting, device, with_defaults};
 use behaviour::{Claims, DeviceType, Params, StreamKind, Value, ValueType};
@@ -6,14 +7,14 @@ use behaviour::{Claims, DeviceType, Params, StreamKind, Value, ValueType};
 /// A beat of less than so many milliseconds is as good as always.
 const STEADY_BELOW_MS: f64 = 500.0;
 
-/// What is known about a device with these parameters; nothing if there is no such device.
+/// Returns what is known about a device with these parameters; nothing if there is no such device.
 #[must_use]
 pub fn device_type(kind: StreamKind, name: &str, params: &Params) -> DeviceType {
     device(kind, name).map_or_else(|_| DeviceType::default(), |device| device.types(params))
 }
 
 impl Device {
-    /// What is known about it with these parameters.
+    /// Returns what is known about the device with these parameters.
     #[must_use]
     pub fn types(&self, params: &Params) -> DeviceType {
         let chosen = with_defaults(self.params, params);

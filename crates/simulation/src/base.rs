@@ -9,11 +9,11 @@ pub(crate) const WALK_MPS: f32 = 0.10;
 pub(crate) const ASIDE_MPS: f32 = 0.06;
 /// Fastest turn on the spot in radians a second; our planning value.
 pub(crate) const TURN_RPS: f32 = 0.50;
-/// How quickly the walk speeds up, in metres a second squared.
+/// The acceleration of the walk, in metres a second squared.
 const WALK_MPS2: f32 = 0.20;
-/// How quickly a turn speeds up, in radians a second squared.
+/// The acceleration of a turn, in radians a second squared.
 const TURN_RPS2: f32 = 1.50;
-/// How far from the middle of the room the robot may walk, in metres.
+/// The farthest from the middle of the room that the robot may walk, in metres.
 const REACH_M: f32 = 1.8;
 
 /// The standing place and how it changes.
@@ -40,7 +40,7 @@ impl Base {
         self.wanted = [within(ahead, WALK_MPS), within(aside, ASIDE_MPS), within(turn, TURN_RPS)];
     }
 
-    /// Whether it neither moves nor is about to.
+    /// True if it neither moves nor is about to.
     pub(crate) fn is_still(&self) -> bool {
         self.speed.iter().chain(&self.wanted).all(|speed| *speed == 0.0)
     }

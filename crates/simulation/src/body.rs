@@ -29,7 +29,7 @@ impl Side {
         if self == Self::Left { 'L' } else { 'R' }
     }
 
-    /// Its word.
+    /// Returns the word for the side.
     pub(crate) fn word(self) -> &'static str {
         if self == Self::Left { "left" } else { "right" }
     }
@@ -84,7 +84,7 @@ impl Body {
         self.links[self.model.camera.link]
     }
 
-    /// How high the torso is above the floor, in metres.
+    /// Returns the height of the torso above the floor, in metres.
     pub(crate) fn height(&self) -> f32 {
         self.torso_height
     }
@@ -132,7 +132,7 @@ impl Body {
     }
 }
 
-/// How low a shape reaches in the room, in metres.
+/// Returns how low a shape reaches in the room, in metres.
 fn lowest(shape: &Shape, link: &Pose) -> f32 {
     let height = |at: [f32; 3]| link.transform_point(vector(at)).z;
     match shape {

@@ -62,7 +62,7 @@ enum Thing {
     },
 }
 
-/// What the camera has before it at one moment.
+/// The things that the camera has before it at one moment.
 #[derive(Debug)]
 struct View {
     number: u64,
@@ -71,7 +71,7 @@ struct View {
     things: Vec<Thing>,
 }
 
-/// What the robot's thread and those who look have in common.
+/// The state that the robot's thread and those who look have in common.
 #[derive(Debug, Default)]
 pub(crate) struct Shown {
     looks: AtomicBool,
@@ -175,7 +175,7 @@ impl View {
 }
 
 impl Thing {
-    /// How far along a ray the thing is, and its colour there.
+    /// Returns how far along a ray the thing is, and its colour there.
     fn meet(&self, from: Vector, way: Vector) -> Option<(f32, Color)> {
         match *self {
             Self::Ball { at, radius, color } => {
@@ -223,7 +223,7 @@ fn lit(color: Color, out: Vector) -> Color {
     color.map(|shade| (f32::from(shade) * part) as u8)
 }
 
-/// How far along a ray a sphere is, with `from` as seen from its middle.
+/// Returns how far along a ray a sphere is, with `from` as seen from its middle.
 fn sphere(from: Vector, way: Vector, radius: f32) -> Option<f32> {
     let half = from.dot(way);
     let under = half * half - from.dot(from) + radius * radius;
@@ -231,7 +231,7 @@ fn sphere(from: Vector, way: Vector, radius: f32) -> Option<f32> {
     (under >= 0.0 && far > 0.0).then_some(far)
 }
 
-/// How far along a ray an upright cylinder on the floor is, and where its surface looks there.
+/// Returns how far along a ray an upright cylinder on the floor is, and where its surface looks there.
 fn upright(from: Vector, way: Vector, at: [f32; 2], height: f32) -> Option<(f32, Vector)> {
     let (x, y) = (from.x - at[0], from.y - at[1]);
     let (a, half) = (way.x * way.x + way.y * way.y, x * way.x + y * way.y);
@@ -245,7 +245,7 @@ fn upright(from: Vector, way: Vector, at: [f32; 2], height: f32) -> Option<(f32,
     (far > 0.0 && (0.0..=height).contains(&met.z)).then_some((far, out))
 }
 
-/// How far along a ray a box is, and where the side that it meets looks.
+/// Returns how far along a ray a box is, and where the side that it meets looks.
 fn cuboid(from: Vector, way: Vector, low: Vector, high: Vector) -> Option<(f32, Vector)> {
     let (from, way) = (from.to_array(), way.to_array());
     let (low, high) = (low.to_array(), high.to_array());
@@ -270,7 +270,7 @@ fn cuboid(from: Vector, way: Vector, low: Vector, high: Vector) -> Option<(f32, 
     (enters > 0.0 && enters <= leaves).then_some((enters, out))
 }
 
-/// How far along a ray the floor, a wall or the ceiling is, and its colour.
+/// Returns how far along a ray the floor, a wall or the ceiling is, and its colour.
 fn room(from: Vector, way: Vector) -> (f32, Color) {
     let side = |at: f32, along: f32| match along {
         0.0 => f32::INFINITY,

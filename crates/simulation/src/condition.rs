@@ -1,4 +1,4 @@
-//! How the robot is, who has it, and why everything ends.
+//! The condition of the robot, who has it, and why everything ends.
 
 use crate::devices::{Kind, face};
 use crate::hash::Digest;
@@ -6,21 +6,21 @@ use crate::nao::SimulatedNao;
 use robot::{Condition, Control, Life, RobotFault};
 use std::sync::Arc;
 
-/// How fast it stands up and crouches for control, as a fraction of the speed of a posture.
+/// The speed at which it stands up and crouches for control, as a fraction of the speed of a posture.
 const SPEED: f32 = 0.5;
 
-/// What is the robot's own.
+/// The robot's own state: motors, life of its own, rest.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Own {
-    /// Its motors are on and it holds a posture.
+    /// True if its motors are on and it holds a posture.
     pub(crate) awake: bool,
     pub(crate) stiff: bool,
     life: Life,
-    /// Its life before control was taken.
+    /// The life of its own before control was taken.
     before: Option<Life>,
     /// Crouching, to rest then.
     resting: bool,
-    /// Whether its battery is known to be empty.
+    /// True if its battery is known to be empty.
     pub(crate) empty: bool,
 }
 
@@ -38,7 +38,7 @@ impl Own {
 }
 
 impl SimulatedNao {
-    /// Whether it may move its body.
+    /// Checks that it may move its body.
     ///
     /// # Errors
     /// Why not now, and what to do.
@@ -48,7 +48,7 @@ impl SimulatedNao {
         if rests { Err(RobotFault::NotNow("it rests; take control first".to_owned())) } else { Ok(()) }
     }
 
-    /// Whether it could move its body if it were awake.
+    /// Checks that it could move its body if it were awake.
     fn able(&self) -> Result<(), RobotFault> {
         let why = match (self.lean.is_fallen(), self.own.empty) {
             (true, _) => "it lies on the floor; help it up first",
@@ -143,7 +143,7 @@ impl SimulatedNao {
         self.known.iter().enumerate().filter(|(_, known)| **known).map(|(person, _)| face(person)).collect()
     }
 
-    /// How the body is, for people.
+    /// Returns the condition of the body, for people.
     pub(crate) fn condition_now(&self) -> Condition {
         Condition {
             battery: Some(self.charge.percent()),

@@ -49,7 +49,7 @@ use robot::{RobotFault, Use, with_defaults};
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// What the simulation does for a device.
+/// A device and what the simulation does for it.
 pub(crate) struct Driver {
     /// The device's name in the catalogue.
     pub(crate) name: &'static str,
@@ -105,7 +105,7 @@ pub(crate) enum Opened {
 pub(crate) enum Beat {
     /// In every step.
     Step,
-    /// So often a second, counted from when it was opened.
+    /// The sense is asked so often a second, counted from when it was opened.
     PerSecond(u64),
     /// Every so many microseconds; it says the exact moment instead of that of the step.
     Micros(u64),
@@ -116,13 +116,13 @@ pub(crate) trait Sense: Debug + Send {
     /// When it is asked.
     fn beat(&self) -> Beat;
 
-    /// What it gives now, being asked for the `count`th time.
+    /// Returns what it gives now, being asked for the `count`th time.
     fn read(&mut self, nao: &mut SimulatedNao, count: u64) -> Option<Value>;
 }
 
 /// An action with its settings, all of them in its `Debug`.
 pub(crate) trait Act: Debug + Send + Sync {
-    /// Whether it moves the body, which a robot that rests or lies on the floor does not.
+    /// True if it moves the body, which a robot that rests or lies on the floor does not.
     fn moves(&self) -> bool;
 
     /// Does what it does with a finite value.

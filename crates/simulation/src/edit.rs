@@ -1,4 +1,4 @@
-//! What people do in the simulated room.
+//! The things that people do in the simulated room.
 
 use crate::base::Base;
 use crate::body::Body;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// Fastest throw in metres a second; a child throws at 1.5 to 5.
 const THROW_MPS: f32 = 300.0;
 
-/// How loud somebody speaks, and a clap is, from 0 to 1; our planning values.
+/// The loudness of somebody who speaks, and of a clap, from 0 to 1; our planning values.
 const LOUDNESS: [f32; 2] = [0.6, 0.95];
 /// Somebody who is not there speaks so far ahead of the robot, and so high, in metres.
 const VOICE_M: [f32; 2] = [1.0, 1.0];
@@ -37,9 +37,9 @@ pub enum RoomFault {
     Nothing(String),
     /// Nothing was said.
     NoWords,
-    /// What was said is longer than so many characters.
+    /// The words that were said are longer than so many characters.
     WordsTooLong(usize),
-    /// So much is heard at once that this is left out.
+    /// The sound is left out, as so much is heard at once.
     TooLoud,
     /// A battery cannot be so full, in percent.
     TooFull(u8),

@@ -1,4 +1,4 @@
-//! What the robot hears: words and noises, one a step, but nothing while it is loud itself.
+//! The hearing of the robot: words and noises, one a step, but nothing while it is loud itself.
 
 use crate::hash::Digest;
 use crate::math::Vector;
@@ -15,7 +15,7 @@ pub(crate) struct Heard {
     /// The words, if somebody speaks.
     pub(crate) words: Option<Arc<str>>,
     pub(crate) at: Vector,
-    /// How loud it is near by, from 0 to 1.
+    /// The loudness near by, from 0 to 1.
     pub(crate) loudness: f32,
 }
 
@@ -23,7 +23,7 @@ pub(crate) struct Heard {
 #[derive(Default)]
 pub(crate) struct Hearing {
     waiting: VecDeque<Heard>,
-    /// What is heard in this step.
+    /// The sound that is heard in this step.
     pub(crate) now: Option<Heard>,
     /// The last words.
     pub(crate) words: Option<Arc<str>>,

@@ -1,10 +1,10 @@
-//! What is installed on the simulated robot: a few names of its own, so that everything can be tried without a robot.
+//! Names that are installed on the simulated robot: a few of its own, so that everything can be tried without a robot.
 
 use crate::devices::{BEHAVIORS, paths};
 use robot::Installed;
 use std::sync::{Arc, OnceLock};
 
-/// Its sounds, by set and name.
+/// The sounds of the robot, by set and name.
 const SOUNDS: [&str; 3] = ["Aldebaran/sfx_confirmation_1", "Aldebaran/sfx_validation_1", "Aldebaran/sfx_warning_1"];
 /// The languages that it speaks.
 const LANGUAGES: [&str; 4] = ["English", "French", "German", "Japanese"];

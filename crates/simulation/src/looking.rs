@@ -22,14 +22,14 @@ const LEARN_M: f32 = 2.0;
 const BALL_M: f32 = 0.03;
 
 impl SimulatedNao {
-    /// What the camera sees of a ball, undisturbed.
+    /// Returns what the camera sees of a ball, undisturbed.
     pub(crate) fn ball_in_view(&self, ball: usize) -> Option<Sighting> {
         let ball = &self.world.balls[ball];
         let round = Round { at: self.world.ball_at(ball), radius: ball.radius, body: ball.body };
         look(&self.world, &self.body.camera(), self.model.camera.half, &round)
     }
 
-    /// What the camera sees of a face, undisturbed. People always face the robot.
+    /// Returns what the camera sees of a face, undisturbed. People always face the robot.
     pub(crate) fn face_in_view(&self, person: usize) -> Option<Sighting> {
         let someone = &self.world.people[person];
         if !someone.present || self.face_distance(person) > FACE_M {
@@ -48,7 +48,7 @@ impl SimulatedNao {
         (World::head_at(&self.world.people[person]) - self.body.camera().translation).length()
     }
 
-    /// Whether a face is near enough to be learned.
+    /// True if a face is near enough to be learned.
     pub(crate) fn is_near(&self, person: usize) -> bool {
         self.face_distance(person) < LEARN_M
     }
@@ -67,7 +67,7 @@ impl SimulatedNao {
         self.random.disturb(self.noise, seen.1).map(|disturbed| (seen.0, disturbed))
     }
 
-    /// What the camera sees of anything of a colour: its largest ball or box, the latter as a circle as large.
+    /// Returns what the camera sees of anything of a colour: its largest ball or box, the latter as a circle as large.
     pub(crate) fn see_colored(&mut self, color: &str) -> Option<Sighting> {
         let boxes = self.world.in_the_way().filter(|obstacle| obstacle.color == color);
         let boxes = boxes.filter_map(|obstacle| self.box_in_view(obstacle));
@@ -94,7 +94,7 @@ impl SimulatedNao {
         seen.into_iter().filter_map(disturbed).collect()
     }
 
-    /// What the camera sees of a printed mark that it can read, undisturbed.
+    /// Returns what the camera sees of a printed mark that it can read, undisturbed.
     pub(crate) fn mark_in_view(&self, mark: usize) -> Option<Sighting> {
         let mark = &self.world.marks[mark];
         let camera = self.body.camera();

@@ -26,7 +26,7 @@ pub(crate) struct Hinge {
     pub(crate) axis: Vector,
 }
 
-/// What a motor can do: radians and radians a second; a hand counts in fractions of open.
+/// The limits of a motor: radians and radians a second; a hand counts in fractions of open.
 pub(crate) struct Motor {
     pub(crate) limits: [f32; 2],
     pub(crate) top_speed: f32,

@@ -1,4 +1,4 @@
-//! Who moves each motor: when a use of the robot ends, what it moves holds, and nothing else does.
+//! The use that moves each motor: when a use of the robot ends, what it moves holds, and nothing else does.
 
 use crate::hash::{Digest, digest_use};
 use robot::Use;
@@ -25,7 +25,7 @@ impl Movers {
         own
     }
 
-    /// Whether a motor was last sent somewhere by this use.
+    /// True if a motor was last sent somewhere by this use.
     pub(crate) fn is(&self, motor: usize, user: &Use) -> bool {
         self.0.get(&motor) == Some(user)
     }

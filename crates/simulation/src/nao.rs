@@ -50,7 +50,7 @@ pub struct SimulatedNao {
     pub(crate) eyes: Eyes,
     pub(crate) lights: Lights,
     pub(crate) printed: VecDeque<Printed>,
-    /// What people see through its camera; no part of what it computes.
+    /// The pictures that people see through its camera; no part of what it computes.
     pub(crate) shown: Arc<Shown>,
     pub(crate) known: Vec<bool>,
     pub(crate) safe: bool,
@@ -111,7 +111,7 @@ impl SimulatedNao {
         motor(name).map(|motor| self.servo.now[motor])
     }
 
-    /// What was said, oldest first, at most 100.
+    /// Returns what was said, oldest first, at most 100.
     #[must_use]
     pub fn spoken(&self) -> &[Spoken] {
         self.speech.log()
@@ -123,8 +123,8 @@ impl SimulatedNao {
         self.noise = Noise { angle: sound(noise.angle), size: sound(noise.size), drop: sound(noise.drop) };
     }
 
-    /// How it speaks by the last action that changed that: "80 %, 50 % fast, with gestures, in Japanese"; none if it speaks
-    /// as usual.
+    /// Returns how it speaks by the last action that changed that: "80 %, 50 % fast, with gestures, in Japanese"; none
+    /// if it speaks as usual.
     #[must_use]
     pub fn speaks(&self) -> Option<String> {
         self.speech.voice.as_ref().map(|(_, voice)| voice.words())

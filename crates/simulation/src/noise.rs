@@ -3,7 +3,7 @@
 use crate::hash::Digest;
 use crate::sight::Sighting;
 
-/// How much the camera's measurements err.
+/// The errors of the camera's measurements.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Noise {
     /// Standard deviation of angles in radians.

@@ -1,4 +1,4 @@
-//! How the floor, the walls, the people and the robot's parts are shaped for rapier.
+//! The shapes of the floor, the walls, the people and the robot's parts for rapier.
 
 use crate::body::Body;
 use crate::math::{Pose, Vector, vector};
@@ -7,7 +7,7 @@ use crate::room::{HALF_M, HEAD_M, ObstacleKind, PersonKind, WAIST_M};
 use crate::table::{Link, Shape};
 use rapier3d::prelude::{ColliderBuilder, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle};
 
-/// Who meets whom: the robot's parts meet things, never each other.
+/// The groups that meet each other: the robot's parts meet things, never each other.
 pub(crate) mod group {
     use rapier3d::prelude::{Group, InteractionGroups, InteractionTestMode};
 

@@ -1,4 +1,4 @@
-//! What every robot can do, done by the simulated one.
+//! The simulated robot as a [`Robot`]: it does what every robot can do.
 
 use crate::devices::{Opened, names, open};
 use crate::installed::installed;

@@ -30,12 +30,12 @@ impl Senses {
         self.open.remove(user);
     }
 
-    /// Whether it is open.
+    /// True if the sense of this use is open.
     pub(crate) fn has(&self, user: &Use) -> bool {
         self.open.contains_key(user)
     }
 
-    /// How many are open.
+    /// Returns the number of open senses.
     pub(crate) fn len(&self) -> usize {
         self.open.len()
     }

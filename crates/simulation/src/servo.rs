@@ -17,7 +17,7 @@ pub(crate) struct Servo {
     pub(crate) reference: [f32; MOTORS],
     /// Where they shall end.
     pub(crate) target: [f32; MOTORS],
-    /// How fast, as a fraction of each motor's top speed.
+    /// The speeds of the motors, as a fraction of each motor's top speed.
     pub(crate) speed: [f32; MOTORS],
     follow: f32,
 }

@@ -1,4 +1,4 @@
-//! What the top camera sees, by geometry: field of view and lines of sight, no picture.
+//! The sight of the top camera, by geometry: field of view and lines of sight, no picture.
 
 use crate::math::{Pose, Vector};
 use crate::world::World;
@@ -53,7 +53,7 @@ fn project(camera: &Pose, half: [f32; 2], round: &Round) -> Option<Sighting> {
     inside.then(|| Sighting { x, y, size: libm::asinf(round.radius / distance) })
 }
 
-/// What the camera sees of a round thing: nothing if it is out of view or hidden by two thirds.
+/// Returns what the camera sees of a round thing: nothing if it is out of view or hidden by two thirds.
 pub(crate) fn look(world: &World, camera: &Pose, half: [f32; 2], round: &Round) -> Option<Sighting> {
     let sighting = project(camera, half, round)?;
     let (left, up) = (camera.transform_vector(Vector::Y), camera.transform_vector(Vector::Z));

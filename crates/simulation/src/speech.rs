@@ -27,7 +27,7 @@ pub struct Spoken {
     pub from: Millis,
     /// When it ended; none while it is being said.
     pub until: Option<Millis>,
-    /// Whether it was stopped before its end.
+    /// True if it was stopped before its end.
     pub cut: bool,
 }
 
@@ -35,18 +35,18 @@ pub struct Spoken {
 #[derive(Default)]
 pub(crate) struct Speech {
     ends: Option<u64>,
-    /// Who wants what is being said.
+    /// The uses that want what is being said.
     users: Vec<Use>,
     waiting: VecDeque<Wish>,
     log: Vec<Spoken>,
-    /// How it speaks, and who wants that.
+    /// The way in which it speaks, and the use that wants that.
     pub(crate) voice: Option<(Use, Voice)>,
 }
 
 /// A text that waits.
 struct Wish {
     text: String,
-    /// Who wants it said.
+    /// The uses that want it said.
     users: Vec<Use>,
 }
 
@@ -74,7 +74,7 @@ impl Speech {
         Ok(())
     }
 
-    /// Who wants this text, if it is being said or the last one that waits.
+    /// Returns the uses that want this text, if it is being said or the last one that waits.
     fn users_of(&mut self, text: &str) -> Option<&mut Vec<Use>> {
         if text == self.saying() {
             return Some(&mut self.users);
@@ -95,7 +95,7 @@ impl Speech {
         }
     }
 
-    /// What is being said, or an empty text.
+    /// Returns what is being said, or an empty text.
     pub(crate) fn saying(&self) -> &str {
         match (self.ends, self.log.last()) {
             (Some(_), Some(last)) => &last.text,
@@ -103,7 +103,7 @@ impl Speech {
         }
     }
 
-    /// What was said, oldest first.
+    /// Returns what was said, oldest first.
     pub(crate) fn log(&self) -> &[Spoken] {
         &self.log
     }

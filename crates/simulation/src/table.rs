@@ -8,7 +8,7 @@ use std::fmt;
 pub(crate) enum TableFault {
     /// It is not written as one.
     Unreadable(toml::de::Error),
-    /// Its joints are not in the order of [`robot::JOINTS`].
+    /// The joints are not in the order of [`robot::JOINTS`].
     Order,
     /// A posture has too few angles, or too many.
     Posture,
@@ -32,7 +32,7 @@ impl fmt::Display for TableFault {
     }
 }
 
-/// What the file says.
+/// The contents of the file.
 #[derive(Deserialize)]
 pub(crate) struct Table {
     pub(crate) links: Vec<Link>,

@@ -158,7 +158,7 @@ impl World {
         self.obstacles.iter().filter(|obstacle| obstacle.present)
     }
 
-    /// Whether a foot would meet an obstacle on the way from `base` to `next`, and more than it does already.
+    /// True if a foot would meet an obstacle on the way from `base` to `next`, and more than it does already.
     pub(crate) fn obstacle_blocks(&self, robot: &Body, base: [f32; 3], next: [f32; 2]) -> bool {
         let way = Vector::new(next[0] - base[0], next[1] - base[1], 0.0);
         self.in_the_way().any(|obstacle| {
@@ -170,20 +170,21 @@ impl World {
         })
     }
 
-    /// Whether anything is there that a foot could meet.
+    /// True if anything is there that a foot could meet.
     pub(crate) fn is_anything_low(&self) -> bool {
         let low = |ball: &BallBody| self.ball_at(ball).z < room::FOOT_M + ball.radius;
         self.in_the_way().next().is_some() || self.balls.iter().any(low)
     }
 
-    /// How far the nearest obstacle or ball is from a point, in metres; negative inside of it.
+    /// Returns the distance of the nearest obstacle or ball from a point, in metres; negative inside of it.
     pub(crate) fn distance_to_things(&self, point: Vector) -> f32 {
         let obstacles = self.in_the_way().map(|obstacle| obstacle.distance(point));
         let balls = self.balls.iter().map(|ball| (self.ball_at(ball) - point).length() - ball.radius);
         obstacles.chain(balls).fold(f32::INFINITY, f32::min)
     }
 
-    /// How far a sonar's ray goes before something sends it back: neither the robot, nor what it grazes.
+    /// Returns how far a sonar's ray goes before something sends it back, in metres: neither the robot, nor what it
+    /// grazes. None if that is more than `most`.
     pub(crate) fn echo(&self, from: Vector, way: Vector, most: f32) -> Option<f32> {
         let things = InteractionGroups::new(group::ALL, group::THING, InteractionTestMode::And);
         let (ray, filter) = (Ray::new(from, way), QueryFilter::new().groups(things));
@@ -191,7 +192,7 @@ impl World {
         (-hit.normal.dot(way) > ECHO_COS).then_some(hit.time_of_impact)
     }
 
-    /// Whether somebody stands closer to `next` than the robot may walk, and nearer than from `base`.
+    /// True if somebody stands closer to `next` than the robot may walk, and nearer than from `base`.
     pub(crate) fn person_blocks(&self, base: [f32; 3], next: [f32; 2]) -> bool {
         let far = |person: &PersonBody, x: f32, y: f32| libm::hypotf(person.at[0] - x, person.at[1] - y);
         self.people.iter().filter(|person| person.present).any(|person| {
@@ -200,7 +201,7 @@ impl World {
         })
     }
 
-    /// Whether a straight line of sight from the head to a point of `target` is free. The head itself never hides.
+    /// True if a straight line of sight from the head to a point of `target` is free. The head itself never hides.
     pub(crate) fn free(&self, from: Vector, to: Vector, target: RigidBodyHandle) -> bool {
         let way = to - from;
         let distance = way.length();
@@ -261,7 +262,7 @@ impl World {
 }
 
 impl ObstacleBody {
-    /// How far its surface is from a point, in metres; negative inside.
+    /// Returns the distance of its surface from a point, in metres; negative inside.
     fn distance(&self, point: Vector) -> f32 {
         let half = self.size.map(|size| size / 2.0);
         let out = [

@@ -1,4 +1,4 @@
-//! How long a call takes, from before its arguments are written until its answer is read.
+//! Measures how long a call takes, from before its arguments are written until its answer is read.
 
 use crate::client::Client;
 use crate::driver::Driver;
@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 /// Calls of each kind in a round, and rounds; who is measured takes turns.
 const CALLS: usize = 250;
 const ROUNDS: usize = 20;
-/// What is called, and by which name here and in `client.py`.
+/// The methods that are called, each with its name here and in `client.py`.
 const KINDS: [(&str, &str); 3] = [
     ("ServiceDirectory.machineId, answered by libqi", "machineId"),
     ("ALMotion.ping, an empty function in Python", "ping"),

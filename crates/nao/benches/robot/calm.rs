@@ -1,5 +1,5 @@
-//! How long a robot goes on by itself when whoever began it is killed, frozen or cut off: by the stand-in's clock, in
-//! milliseconds.
+//! Measures how long a robot goes on by itself when whoever began it is killed, frozen or cut off: by the stand-in's
+//! clock, in milliseconds.
 
 use crate::figures::Verdict;
 use crate::harm::{ACTIVITIES, HARMS, calm_after};

@@ -29,7 +29,7 @@ impl Client {
         serde_json::from_str(&line).unwrap()
     }
 
-    /// How long each of so many calls took, in microseconds.
+    /// Returns how long each of so many calls took, in microseconds.
     pub(crate) fn calls(&mut self, what: &str, count: usize) -> Vec<f64> {
         let taken = self.told(&json!({"do": "calls", "what": what, "count": count}));
         taken.as_array().unwrap().iter().map(|taken| taken.as_f64().unwrap()).collect()

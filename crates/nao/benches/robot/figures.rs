@@ -9,7 +9,7 @@ pub(crate) fn monotonic_us() -> f64 {
     at(ClockId::Monotonic)
 }
 
-/// What this thread has computed, in microseconds.
+/// Returns the time that this thread has computed, in microseconds.
 pub(crate) fn computed_us() -> f64 {
     at(ClockId::ThreadCPUTime)
 }
@@ -45,17 +45,17 @@ impl Times {
     }
 }
 
-/// What the columns are.
+/// Prints the names of the columns.
 pub(crate) fn title(what: &str, beside: &str) {
     println!("\n{what:<66}{:>8}{:>10}{:>10}{:>10}{beside:>12}", "times", "p50 ms", "p99 ms", "worst ms");
 }
 
-/// What was measured beyond its bar.
+/// The measurements that were beyond their bar.
 #[derive(Default)]
 pub(crate) struct Verdict(Vec<String>);
 
 impl Verdict {
-    /// What was not measured holds no bar either.
+    /// Prints a measurement and whether it held its bar. A time that was not measured holds no bar either.
     pub(crate) fn at_most(&mut self, what: &str, measured_us: f64, bar_us: f64) {
         let holds = measured_us <= bar_us;
         println!(

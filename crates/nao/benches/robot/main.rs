@@ -1,4 +1,5 @@
-//! How quick a robot is over the link, on loopback against the stand-in, beside the Python client of libqi on the same work.
+//! Measures how quick a robot is over the link, on loopback against the stand-in, beside the Python client of libqi on
+//! the same work.
 //!
 //! `cargo xtask bench nao` prints calls, passages from events to actions, Stops, and how long a robot goes on whose server was
 //! killed or cut off; `calls`, `reactions`, `stops` or `calm` picks one. It says all of them before it fails: beyond a bar, or

@@ -27,10 +27,10 @@ const UNEVEN_US: u64 = 28_371;
 const BAR_US: f64 = 1_000.0;
 const BAR: f64 = 1.1;
 const KEY: &str = "FrontTactilTouched";
-/// How often the server polls the robot, beside what the robot rings for.
+/// The time between two polls of the server, beside what the robot rings for.
 const STEP: Duration = Duration::from_millis(10);
 
-/// Who reacts.
+/// The ways to react.
 #[derive(Clone, Copy)]
 enum Way {
     Python,
@@ -74,7 +74,7 @@ pub(crate) async fn measure(verdict: &mut Verdict) {
     }
 }
 
-/// How long it takes to wake another thread and to be woken by it, in microseconds.
+/// Measures how long it takes to wake another thread and to be woken by it, in microseconds.
 fn bare() -> Times {
     let (ask, asked) = mpsc::sync_channel::<()>(0);
     let (answer, answered) = mpsc::sync_channel::<()>(0);
@@ -133,7 +133,7 @@ impl Watched {
         passages(&calls, name)
     }
 
-    /// How often it was called so.
+    /// Returns how often it was called so.
     async fn count(&self, name: &str) -> usize {
         self.told("calls").await.as_array().unwrap().iter().filter(|call| called(call) == name).count()
     }
@@ -222,7 +222,7 @@ fn by_qi(address: &str, action: &str, ended: &AtomicBool) {
     });
 }
 
-/// As the server does it, on one thread instead of two: readings into the behaviour, its commands to the robot.
+/// Reacts as the server does it, on one thread instead of two: readings into the behaviour, its commands to the robot.
 fn by_nao(address: String, action: &str, ended: &AtomicBool) {
     let settings = Settings {
         address,

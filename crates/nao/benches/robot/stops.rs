@@ -94,7 +94,7 @@ async fn load(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
     }
 }
 
-/// How many extractors measure for us.
+/// Returns the number of extractors that measure for us.
 fn used_by_us(state: &Json) -> usize {
     let subscribers = state["subscribers"].as_object().unwrap();
     subscribers.values().filter(|names| names.to_string().contains("rrp-test")).count()
@@ -104,7 +104,7 @@ fn follows(state: &Json) -> bool {
     state["subscribers"].to_string().contains("rrp-test/follow/")
 }
 
-/// What has to end, and whether it goes on.
+/// A part that has to end, and a test whether it goes on.
 type Part = (&'static str, fn(&Json) -> bool);
 
 const PARTS: [Part; 7] = [

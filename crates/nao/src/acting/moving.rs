@@ -1,4 +1,4 @@
-//! What moves: joints, legs, and what follows something. Everything goes in pieces.
+//! Everything that moves: joints, legs, and what follows something. All of it goes in pieces.
 
 use super::Acting;
 use crate::body::top_speed;
@@ -20,7 +20,7 @@ const PIECE_S: f64 = 0.6;
 const RENEW: Duration = Duration::from_millis(150);
 /// A joint that has not arrived so long after it should have is not sent on any more.
 const LATE: Duration = Duration::from_millis(2_000);
-/// How fast joints go back to where they are, as a fraction of the top speed.
+/// The speed at which joints go back to where they are, as a fraction of the top speed.
 const HOLD_SPEED: f64 = 0.3;
 /// Whoever follows leaves the head alone for so long after somebody else moved it.
 const TAKEN: Duration = Duration::from_millis(1_000);
@@ -33,7 +33,7 @@ const HEAD: [&str; 2] = ["HeadYaw", "HeadPitch"];
 struct Goal {
     /// In radians, a hand from 0 closed to 1 open.
     angle: f64,
-    /// As a fraction of the top speed.
+    /// The speed as a fraction of the top speed.
     speed: f64,
     /// When it is given up.
     until: Instant,
@@ -48,7 +48,7 @@ pub(super) struct Moving {
     /// Where the legs go after what is followed, and when that was seen.
     chase: Option<(Speeds, Instant)>,
     looking: BTreeMap<TrackTarget, (Newest, DropGuard)>,
-    /// How often it began to look.
+    /// The number of times that it began to look.
     looks: u64,
     /// Joints that one piece does not bring to where they are to be.
     goals: BTreeMap<&'static str, Goal>,
@@ -57,12 +57,12 @@ pub(super) struct Moving {
     yaw: f64,
     /// When the head was moved by who does not follow.
     taken: Option<Instant>,
-    /// Who moved joints last, to hold them when that ends.
+    /// The use that moved each joint last, to hold the joint when that use ends.
     movers: BTreeMap<&'static str, Use>,
 }
 
 impl Moving {
-    /// What is followed, for people.
+    /// Returns what is followed, for people.
     pub(super) fn tracking(&self) -> String {
         self.follows.iter().map(|follow| follow.track.words()).collect::<Vec<_>>().join(", ")
     }
@@ -87,7 +87,7 @@ impl Acting {
         self.hold(user);
     }
 
-    /// What is due at the motion cycle.
+    /// Does everything that is due at the motion cycle.
     pub(super) fn go_on(&mut self, now: Instant) {
         if self.moving.walk.as_ref().is_some_and(|walk| now.duration_since(walk.2) > WALK_HOLD) {
             self.stand();

@@ -24,16 +24,16 @@ pub(super) const BLOB: Driver = Driver {
     open: |chosen| Opened::sense(Blob::of(chosen.text("color")?, false, chosen.number("size")?)),
 };
 
-/// How far a colour may be off, of 255. With the colours below it is a guess: cameras and lamps differ.
+/// The most that a colour may be off, of 255. With the colours below it is a guess: cameras and lamps differ.
 const THRESHOLD: i32 = 90;
 /// The smallest blob, in pixels; and the diameter that is assumed for the distance, in metres.
 const PIXELS_MIN: i32 = 20;
 const SPAN_M: f32 = 0.06;
 /// After so long a picture was looked at for another colour, in milliseconds: two at 15 a second.
 const PICTURES_MS: u64 = 140;
-/// What is raised for each picture in which there is one; nothing is raised when it is gone.
+/// The event that is raised for each picture in which there is one; nothing is raised when it is gone.
 const DETECTED: &str = "ALTracker/ColorBlobDetected";
-/// So long after that it is lost, in milliseconds: a few pictures, as one can be late.
+/// The time after that at which it is lost, in milliseconds: a few pictures, as one can be late.
 const LOST_MS: u64 = 300;
 /// The pictures that are looked at: columns and rows, of which places are told in parts.
 const COLUMNS: f64 = 320.0;
@@ -65,7 +65,7 @@ struct Blob {
     size: f64,
     /// When the robot said last that there is one.
     detected_ms: Option<u64>,
-    /// What it said before is of another colour.
+    /// The moment, in milliseconds, from which on it tells of this colour; before, it told of another one.
     since_ms: u64,
 }
 
@@ -74,7 +74,7 @@ impl Blob {
         Self { color: color.to_owned(), round, size, detected_ms: None, since_ms: 0 }
     }
 
-    /// Whether there is one: the circle of the last one stays on the robot when it is gone.
+    /// True if there is one: the circle of the last one stays on the robot when it is gone.
     fn is_there(&self, at_ms: u64) -> bool {
         self.detected_ms.is_some_and(|told| told >= self.since_ms && at_ms.saturating_sub(told) <= LOST_MS)
     }

@@ -1,4 +1,4 @@
-//! How full the battery is.
+//! The charge of the battery.
 
 use super::{Driver, Opened, Sense};
 use crate::deed::Call;

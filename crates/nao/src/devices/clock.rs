@@ -1,4 +1,4 @@
-//! What needs no robot: a beat of robot time, and a button that is pressed on the page.
+//! Senses that need no robot: a beat of robot time, and a button that is pressed on the page.
 
 use super::{Driver, Opened, Sense};
 use behaviour::Value;

@@ -14,7 +14,7 @@ pub(super) const COLOR: Driver = Driver {
 pub(super) const BRIGHTNESS: Driver =
     Driver { name: "EyeBrightness", services: &["ALLeds"], joints: &[], open: |_| Opened::act(Brightness) };
 
-/// How long a colour takes to come, in seconds.
+/// The time that a colour takes to come, in seconds.
 const FADE_S: f32 = 0.1;
 
 /// A colour by its name, or `Value`.
@@ -36,8 +36,8 @@ impl Act for Brightness {
     }
 }
 
-/// What lets the eyes shine in a colour. A brightness is said as a darker colour: the intensity of a group that has lamps
-/// of several colours is that of each of them, so setting it turns every colour into grey.
+/// Returns the call that lets the eyes shine in a colour. A brightness is said as a darker colour: the intensity of a
+/// group that has lamps of several colours is that of each of them, so setting it turns every colour into grey.
 pub(crate) fn shine(parts: [f32; 3]) -> Call {
     let [red, green, blue] = parts.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as i32);
     Call::new("ALLeds", "fadeRGB", ["FaceLeds".into(), (red << 16 | green << 8 | blue).into(), FADE_S.into()])

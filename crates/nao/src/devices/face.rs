@@ -18,9 +18,9 @@ pub(super) const REMEMBER: Driver =
 
 /// Names that are kept of faces in view: a name is told again only after a pause.
 const LABELS_MAX: usize = 32;
-/// What `recognised` is when one face has a name, `[2, [name]]`.
+/// The number `recognised` when one face has a name, `[2, [name]]`.
 const RECOGNISED: f64 = 2.0;
-/// What `recognised` is when a face was looked at for long and is not known.
+/// The number `recognised` when a face was looked at for long and is not known.
 const UNKNOWN: f64 = 4.0;
 /// The longest that learning a face may take.
 const LEARN: Duration = Duration::from_secs(20);

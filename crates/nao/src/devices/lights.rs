@@ -19,7 +19,7 @@ pub(super) const DRIVER: Driver = Driver {
     },
 };
 
-/// How long a colour takes to come, in seconds.
+/// The time that a colour takes to come, in seconds.
 const FADE_S: f32 = 0.1;
 /// Below this its chest shows that the battery is low, in percent.
 const LOW_PERCENT: u8 = 15;
@@ -28,11 +28,11 @@ const LOW_PERCENT: u8 = 15;
 struct Part {
     /// In the catalogue.
     name: &'static str,
-    /// Its group in ALLeds.
+    /// The name of its group in ALLeds.
     group: &'static str,
-    /// Whether it has all colours.
+    /// True if it has all colours.
     is_colored: bool,
-    /// What is said where it is not there.
+    /// The words that are said where it is not there.
     lacks: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! Who is near.
+//! The people who are near.
 
 use super::{Driver, Opened, Sense, at, float, time, within};
 use behaviour::Value;

@@ -1,4 +1,4 @@
-//! How far the nearest thing is. The sonars only measure while somebody subscribes to ALSonar.
+//! The distance of the nearest thing. The sonars only measure while somebody subscribes to ALSonar.
 
 use super::{Driver, Opened, Sense, at, float};
 use crate::deed::Call;
@@ -19,8 +19,8 @@ pub(super) const DRIVER: Driver = Driver {
     },
 };
 
-/// What they measured last, in metres: on a NAO left and right, on a Pepper ahead and behind. A body has no value under the
-/// keys of the other.
+/// The keys of what they measured last, in metres: on a NAO left and right, on a Pepper ahead and behind. A body has no
+/// value under the keys of the other.
 const KEYS: [&str; 4] = [
     "Device/SubDeviceList/US/Left/Sensor/Value",
     "Device/SubDeviceList/US/Right/Sensor/Value",
@@ -31,9 +31,9 @@ const LEFT: usize = 0;
 const RIGHT: usize = 1;
 const AHEAD: usize = 2;
 const BEHIND: usize = 3;
-/// How far they reach, in metres.
+/// The farthest that they reach, in metres.
 const REACH_M: f64 = 2.55;
-/// How often they measure, in milliseconds.
+/// The period at which they measure, in milliseconds.
 const PERIOD_MS: u64 = 100;
 
 struct Sonar(&'static [usize]);

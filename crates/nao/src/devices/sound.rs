@@ -14,7 +14,7 @@ pub(super) const LOCATED: Driver = Driver {
     open: |chosen| Opened::sense(Located(chosen.number("sensitivity")? as f32)),
 };
 
-/// How long a beep is, in seconds.
+/// The length of a beep, in seconds.
 const BEEP_S: f32 = 0.3;
 /// The longest that a sound may take.
 const WITHIN: Duration = Duration::from_secs(120);

@@ -28,11 +28,11 @@ const APPS: &str = "http://198.18.0.1/apps/";
 /// Longest text in characters.
 const TEXT_MAX_CHARS: usize = 200;
 
-/// What is shown.
+/// The things that the tablet can show.
 enum Tablet {
     Text(String),
     Value,
-    /// Its address.
+    /// The picture at this address.
     Picture(String),
 }
 

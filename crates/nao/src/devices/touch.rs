@@ -12,7 +12,7 @@ pub(super) const BUMPER: Driver = Driver { name: "Bumper", services: &["ALMemory
 struct Touch {
     keys: Vec<&'static str>,
     release: bool,
-    /// What is touched now.
+    /// The keys of the fields that are touched now.
     down: BTreeSet<String>,
 }
 

@@ -1,4 +1,4 @@
-//! How the robot speaks from now on; at the end it is as before.
+//! The manner in which the robot speaks from now on; at the end it is as before.
 
 use super::{Act, Driver, Opened};
 use crate::deed::Deed;

@@ -1,4 +1,4 @@
-//! What is called for each action, and what the body does then.
+//! Tests of what is called for each action, and what the body does then.
 
 use crate::driver::Driver;
 use crate::peer::Peer;

@@ -1,4 +1,5 @@
-//! What begins while a Stop is not over yet: it is neither broken off by that Stop nor forgotten by the next one.
+//! Tests of what begins while a Stop is not over yet: it is neither broken off by that Stop nor forgotten by the next
+//! one.
 
 use crate::driver::{Driver, settings};
 use crate::peer::{PAUSE, Peer};

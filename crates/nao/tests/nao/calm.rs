@@ -3,7 +3,7 @@
 use crate::harm::{ACTIVITIES, HARMS, calm_after, drive_if_told};
 use std::io::Write;
 
-/// What this program is started with to drive a robot until it is killed.
+/// The arguments with which this program is started to drive a robot until it is killed.
 const DRIVES: &[&str] = &["calm::drives_until_it_is_killed", "--exact", "--ignored"];
 
 #[test]

@@ -1,5 +1,5 @@
-//! What a clinic's robot brings along: installed behaviours, gestures and sounds of its own, its voice, its lights, the faces
-//! it remembers, and what a person has it do with its body.
+//! Tests of what a clinic's robot brings along: installed behaviours, gestures and sounds of its own, its voice, its
+//! lights, the faces it remembers, and what a person has it do with its body.
 
 use crate::driver::{Driver, user};
 use crate::peer::Peer;

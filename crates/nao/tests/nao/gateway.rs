@@ -1,4 +1,5 @@
-//! What NAOqi has from 2.9 on: a gateway that speaks TLS, lets in by user and password, and leads to the robot behind it.
+//! The gateway that NAOqi has from 2.9 on: it speaks TLS, lets in by user and password, and leads to the robot behind
+//! it.
 
 use qi::{Frame, Framer, Header, Kind, Layout, Signature, Value, decode, encode};
 use rustls::pki_types::PrivateKeyDer;
@@ -55,7 +56,7 @@ fn acceptor() -> TlsAcceptor {
     TlsAcceptor::from(Arc::new(config.with_single_cert(vec![certificate.der().clone()], key).unwrap()))
 }
 
-/// Who is let in is led to the robot, which is told of no password.
+/// Leads a client that is let in to the robot, which is told of no password.
 async fn lead(acceptor: TlsAcceptor, client: TcpStream, peer: &str) {
     let Ok(mut client) = acceptor.accept(client).await else { return };
     let (mut framer, mut bytes) = (Framer::default(), vec![0; 4_096]);

@@ -18,7 +18,7 @@ const ROBOT: &str = "RRP_HARM_ROBOT";
 /// It is calm when it was quiet for so long, in milliseconds; pieces follow each other closer.
 const QUIET_MS: f64 = 1_500.0;
 
-/// What the robot does when the harm comes.
+/// The activity of the robot when the harm comes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Activity {
     pub(crate) name: &'static str,
@@ -26,7 +26,7 @@ pub(crate) struct Activity {
     params: &'static [(&'static str, &'static str)],
     /// Of the times that the stand-in tells.
     last: &'static str,
-    /// Whether it is at it.
+    /// True if it is at it.
     is_on: fn(&Json) -> bool,
     /// The longest that it may go on, in milliseconds.
     pub(crate) within_ms: f64,
@@ -125,7 +125,7 @@ pub(crate) const ACTIVITIES: [Activity; 7] = [
     },
 ];
 
-/// What happens to who drives the robot.
+/// The harms that happen to who drives the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Harm {
     Killed,

@@ -1,4 +1,4 @@
-//! What comes late, fails on the way or is shared: nothing is left over of it.
+//! Tests of what comes late, fails on the way or is shared: nothing is left over of it.
 
 use crate::driver::Driver;
 use crate::peer::Peer;

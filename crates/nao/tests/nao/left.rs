@@ -1,4 +1,4 @@
-//! What a server that is gone left on a robot: the next connection ends it, and puts back what it had set.
+//! Tests of what a server that is gone left on a robot: the next connection ends it, and puts back what it had set.
 
 use crate::driver::{Driver, settings};
 use crate::peer::Peer;
@@ -17,7 +17,7 @@ fn is_odd(state: &Json) -> bool {
     state["language"] == "Japanese" && state["voice_volume"] == 0.5 && state["voice"]["speed"] == 80.0
 }
 
-/// As the stand-in was at first.
+/// True if it is as the stand-in was at first.
 fn is_usual(state: &Json) -> bool {
     let volume = state["voice_volume"].as_f64().unwrap();
     state["language"] == "English" && (volume - 0.7).abs() < 1e-6 && state["voice"]["speed"] == 100.0

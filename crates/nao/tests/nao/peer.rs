@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-/// How long anything may take before a test gives up.
+/// The longest that anything may take before a test gives up.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 /// Pause between two looks at what it says.
 pub(crate) const PAUSE: Duration = Duration::from_millis(10);
@@ -110,7 +110,7 @@ impl Peer {
         memory.call("insertData", &[key.into(), qi::Value::dynamic(value)]).await.unwrap();
     }
 
-    /// What it keeps in its memory under names with this in them.
+    /// Returns what it keeps in its memory under names with this in them.
     pub(crate) async fn remembers(&self, part: &str) -> Vec<String> {
         let memory = self.session.service("ALMemory").await.unwrap();
         let keys = memory.call("getDataList", &[part.into()]).await.unwrap();

@@ -13,7 +13,7 @@ pub(crate) struct Proxy {
     count: Arc<AtomicUsize>,
 }
 
-/// How a line is cut for good; what is connected later leads nowhere either.
+/// The ways in which a line is cut for good; what is connected later leads nowhere either.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cut {
     /// Nothing gets to the robot.
@@ -25,7 +25,7 @@ pub(crate) enum Cut {
     HalfOpen,
 }
 
-/// What it does with what comes.
+/// The treatment of what comes.
 #[derive(Clone, Copy, Default, PartialEq)]
 pub(crate) struct How {
     /// The connection whose bytes lead nowhere.
@@ -36,7 +36,7 @@ pub(crate) struct How {
     cuts: usize,
     /// One byte at a time.
     pub(crate) crumbs: bool,
-    /// Whether it is cut for good.
+    /// The way in which it is cut for good, if it is.
     line: Option<Cut>,
 }
 

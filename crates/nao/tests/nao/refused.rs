@@ -1,4 +1,4 @@
-//! What a robot does not do as it is now: it says why, and what to do about it.
+//! Tests of what a robot does not do as it is now: it says why, and what to do about it.
 
 use crate::driver::Driver;
 use crate::peer::Peer;

@@ -1,4 +1,4 @@
-//! What each sense gives for what is in the room.
+//! Tests of what each sense gives for what is in the room.
 
 use crate::driver::{Driver, number};
 use crate::peer::{PATIENCE, Peer};

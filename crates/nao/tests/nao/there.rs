@@ -1,4 +1,4 @@
-//! That it is there: what it has, what it lacks, how its body is, and a look step by step.
+//! Tests that it is there: what it has, what it lacks, how its body is, and a look step by step.
 
 use crate::driver::{Driver, user};
 use crate::peer::Peer;

@@ -1,4 +1,4 @@
-//! How full the battery is.
+//! The charge of the battery.
 
 use super::PERCENT;
 use crate::{Device, NextStep, Pace, Pretend, Resources, Waiting};

@@ -1,4 +1,4 @@
-//! Who is near, as ALPeoplePerception sees them (NAOqi 2.8): up to 3.5 m, not nearer than half a metre.
+//! The people who are near, as ALPeoplePerception sees them (NAOqi 2.8): up to 3.5 m, not nearer than half a metre.
 
 use super::{METRES, MILLISECONDS, NUMBER, RADIANS};
 use crate::{Device, Field, NextStep, Pace, Pretend, Resources, Shape, Waiting};

@@ -12,7 +12,7 @@ pub(crate) const BALL: &[Field] = &[
     Field { name: "time", says: "when it was seen, in milliseconds of robot time", of: MILLISECONDS },
 ];
 
-/// What balls can be pretended.
+/// The balls that can be pretended.
 pub(crate) const BALLS: &[Pretend] = &[
     Pretend { says: "ball near", value: r#"{"x":0.0,"y":0.0,"size":0.1,"time":0}"# },
     Pretend { says: "ball far", value: r#"{"x":0.0,"y":0.0,"size":0.02,"time":0}"# },

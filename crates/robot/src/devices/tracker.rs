@@ -8,7 +8,7 @@ use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape
 use behaviour::connectors::Carries;
 use behaviour::{Params, StreamKind, Value};
 
-/// What is chosen to follow the ball.
+/// The parameters that are chosen to follow the ball.
 const BALL: &[(&str, &str)] = &[("target", "RedBall")];
 
 pub(crate) const DEVICE: Device = Device {

@@ -1,4 +1,4 @@
-//! How the robot speaks, as ALTextToSpeech and ALAnimatedSpeech have it (NAOqi 2.8).
+//! The voice of the robot, as ALTextToSpeech and ALAnimatedSpeech have it (NAOqi 2.8).
 
 use crate::{Device, NextStep, Offers, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;

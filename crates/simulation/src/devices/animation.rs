@@ -48,12 +48,12 @@ impl Playing {
         &GESTURES[self.gesture]
     }
 
-    /// Its name for people.
+    /// Returns its name for people.
     pub(crate) fn words(&self) -> &'static str {
         self.behavior.unwrap_or(self.gesture().words)
     }
 
-    /// Whether it is this behaviour.
+    /// True if it is this behaviour.
     pub(super) fn is_behavior(&self, name: &str) -> bool {
         self.behavior == Some(name)
     }

@@ -8,28 +8,28 @@ use behaviour::Value;
 
 pub(super) const DRIVER: Driver = Driver { name: "Battery", open: |_| Opened::sense(Battery(None)) };
 
-/// What a full battery holds: walking drains 30 a step, so that it lasts for 60 minutes.
+/// The energy of a full battery: walking drains 30 a step, so that it lasts for 60 minutes.
 const FULL: u32 = 60 * 60 * 100 * 30;
-/// What a step takes: resting, standing and walking. Who stands by while a program is built sees no percentage fall by the
-/// minute: it lasts for 15 and 10 hours then. Our planning values.
+/// The energy that a step takes: resting, standing and walking. Who stands by while a program is built sees no
+/// percentage fall by the minute: it lasts for 15 and 10 hours then. Our planning values.
 const DRAIN: [u32; 3] = [2, 3, 30];
-/// How much is left at least unless somebody takes it.
+/// The least energy that is left unless somebody takes it.
 const LEFT_MIN: u32 = FULL / 5;
-/// What a step on the cable gives: full in 90 minutes.
+/// The energy that a step on the cable gives: full in 90 minutes.
 const CHARGE: u32 = 20;
 
-/// What it said last.
+/// The sense, with the percentage that it said last.
 #[derive(Debug)]
 struct Battery(Option<u8>);
 
-/// How full the battery is.
+/// The charge of the battery.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Charge {
     left: u32,
     pub(crate) plugged: bool,
 }
 
-/// What the robot does with its energy.
+/// The efforts that take the robot's energy.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Effort {
     Rest,
@@ -54,7 +54,7 @@ impl Charge {
         self.left = FULL / 100 * u32::from(percent.min(100));
     }
 
-    /// Whether the robot cannot go on.
+    /// True if the robot cannot go on.
     pub(crate) fn is_empty(&self) -> bool {
         self.left == 0 && !self.plugged
     }

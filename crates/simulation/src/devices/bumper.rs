@@ -21,7 +21,7 @@ fn open(chosen: &Chosen) -> Option<Opened> {
 }
 
 impl SimulatedNao {
-    /// Whether something in the room presses the left and the right bumper.
+    /// Returns whether something in the room presses the left and the right bumper.
     pub(crate) fn bumped(&self) -> [bool; 2] {
         if !self.world.is_anything_low() {
             return [false; 2];

@@ -30,7 +30,7 @@ impl Default for Eyes {
 }
 
 impl Eyes {
-    /// What they shine: colour times brightness.
+    /// Returns what they shine: colour times brightness.
     pub(crate) fn shine(&self) -> [f32; 3] {
         self.color.map(|part| part * self.brightness)
     }

@@ -11,25 +11,25 @@ use core::f32::consts::FRAC_PI_2;
 
 pub(super) const DRIVER: Driver = Driver { name: "Fall", open };
 
-/// How fast it falls, and is helped up, in radians a second.
+/// The speeds at which it falls, and is helped up, in radians a second.
 const SPEED_RPS: [f32; 2] = [FRAC_PI_2 / 0.5, FRAC_PI_2 / 1.5];
-/// How fast it stands up when helped, as a fraction of the speed of a posture.
+/// The speed at which it stands up when helped, as a fraction of the speed of a posture.
 const UP_SPEED: f32 = 0.5;
 
-/// Whether it also tells when the robot stands again.
+/// The sense, which tells on request also when the robot stands again.
 #[derive(Debug)]
 struct Fall {
     release: bool,
 }
 
-/// How the robot leans.
+/// The lean of the robot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Lean {
-    /// How far ahead, in radians.
+    /// The angle by which it leans ahead, in radians.
     pub(crate) angle: f32,
-    /// Whether it was pushed and nobody helped it up yet.
+    /// True if it was pushed and nobody helped it up yet.
     pushed: bool,
-    /// Whether it has fallen and does not stand again, and whether that was so in the step before.
+    /// True if it has fallen and does not stand again: now, and in the step before.
     fallen: [bool; 2],
 }
 
@@ -38,7 +38,7 @@ fn open(chosen: &Chosen) -> Option<Opened> {
 }
 
 impl Lean {
-    /// Whether it falls, lies, or is being helped up.
+    /// True if it falls, lies, or is being helped up.
     pub(crate) fn is_fallen(&self) -> bool {
         self.pushed || self.angle > 0.0
     }

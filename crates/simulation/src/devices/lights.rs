@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 pub(super) const DRIVER: Driver = Driver { name: "Lights", open };
 
-/// What is lit, by part, and by whom.
+/// The colours that are lit, by part, and by whom.
 #[derive(Default)]
 pub(crate) struct Lights(BTreeMap<&'static str, (Use, [f32; 3])>);
 
@@ -28,7 +28,7 @@ fn open(chosen: &Chosen) -> Option<Opened> {
 }
 
 impl Lights {
-    /// What they shine.
+    /// Returns what they shine.
     pub(crate) fn shine(&self) -> BTreeMap<String, [f32; 3]> {
         self.0.iter().map(|(part, (_, color))| ((*part).to_owned(), *color)).collect()
     }
@@ -43,7 +43,7 @@ impl Lights {
     }
 }
 
-/// What a light of this part makes of a colour: some have one colour only.
+/// Returns what a light of this part makes of a colour: some have one colour only.
 fn shines(part: &str, color: [f32; 3]) -> [f32; 3] {
     let bright = color.into_iter().fold(0.0, f32::max);
     match part {

@@ -20,7 +20,7 @@ const ARRIVED: f32 = 0.02;
 const READY: f32 = 0.1;
 /// Legs further from a posture than this are in none, in radians.
 const NONE: f32 = 0.6;
-/// How fast legs get ready to walk, as a fraction of the speed of a posture.
+/// The speed at which legs get ready to walk, as a fraction of the speed of a posture.
 const READY_SPEED: f32 = 0.5;
 
 /// A posture of the table.
@@ -79,7 +79,7 @@ struct Posture {
     speed: f32,
 }
 
-/// What it said last.
+/// The sense, with the posture that it said last.
 #[derive(Debug)]
 struct Changed(Option<&'static str>);
 
@@ -88,7 +88,7 @@ fn open(chosen: &Chosen) -> Option<Opened> {
 }
 
 impl SimulatedNao {
-    /// How far these joints are from a posture at most, in radians.
+    /// Returns how far these joints are from a posture at most, in radians.
     fn away(&self, kind: Kind, joints: Range<usize>) -> f32 {
         let pairs = self.servo.now[joints.clone()].iter().zip(&kind.angles(self.model)[joints]);
         pairs.fold(0.0, |most: f32, (now, then)| most.max((now - then).abs()))
@@ -105,7 +105,7 @@ impl SimulatedNao {
         sure.map_or("Unknown", |(kind, _)| kind.family())
     }
 
-    /// Whether it stands so that it may walk.
+    /// True if it stands so that it may walk.
     pub(crate) fn may_step(&self) -> bool {
         self.own.awake && !self.lean.is_fallen() && self.away(Kind::StandInit, LEGS) < READY
     }

@@ -39,7 +39,7 @@ impl Sense for Sonar {
 }
 
 impl SimulatedNao {
-    /// How far the nearest thing is that sends an echo to this sonar, in metres.
+    /// Returns the distance of the nearest thing that sends an echo to this sonar, in metres.
     fn echo(&self, sonar: usize) -> f32 {
         let sonar = &self.model.sonars[sonar];
         let at = self.body.links()[sonar.link] * sonar.mount;

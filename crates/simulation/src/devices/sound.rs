@@ -12,13 +12,13 @@ pub(super) const DRIVER: Driver = Driver { name: "Sound", open };
 const PLAYING_MAX: usize = 4;
 /// Entries of the log; the oldest go first.
 const LOG_MAX: usize = 100;
-/// How long a beep and a file play, in milliseconds: there are no files, so every one is as long.
+/// The times that a beep and a file play, in milliseconds: there are no files, so every one is as long.
 const LASTS_MS: [u64; 2] = [300, 2_000];
 
 /// A sound that was played, or plays.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Played {
-    /// Its name: `beep`, `low`, `high`, or the file on the robot.
+    /// The name of the sound: `beep`, `low`, `high`, or the file on the robot.
     pub sound: String,
     /// From 0 to 100 percent.
     pub volume: u8,
@@ -26,11 +26,11 @@ pub struct Played {
     pub from: Millis,
     /// When it ended; none while it plays.
     pub until: Option<Millis>,
-    /// Whether it was stopped before its end.
+    /// True if it was stopped before its end.
     pub cut: bool,
 }
 
-/// What plays and what was played.
+/// The sounds that play and those that were played.
 #[derive(Default)]
 pub(crate) struct Sounds {
     playing: Vec<Tone>,
@@ -111,7 +111,7 @@ impl Sounds {
         });
     }
 
-    /// Whether it can be heard.
+    /// True if it can be heard.
     pub(crate) fn is_loud(&self) -> bool {
         self.playing.iter().any(|tone| tone.sound.volume > 0)
     }
@@ -121,7 +121,7 @@ impl Sounds {
         self.playing.iter().map(|tone| tone.sound.name.as_str())
     }
 
-    /// What was played, oldest first.
+    /// Returns what was played, oldest first.
     pub(crate) fn log(&self) -> &[Played] {
         &self.log
     }

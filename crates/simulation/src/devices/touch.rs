@@ -10,24 +10,24 @@ use robot::Touchable;
 pub(super) const HEAD: Driver = Driver { name: "HeadTouch", open: head };
 pub(super) const HAND: Driver = Driver { name: "HandTouch", open: hand };
 
-/// How often somebody may touch or let go of one part between two steps; more are left out in pairs.
+/// The most times that somebody may touch or let go of one part between two steps; more are left out in pairs.
 const TOUCHES_MAX: u8 = 16;
 const PARTS: usize = Touchable::ALL.len();
 
-/// What all parts feel.
+/// The feelings of all parts.
 #[derive(Default)]
 pub(crate) struct Pads {
     pads: [Pad; PARTS],
 }
 
-/// What one part feels.
+/// The feelings of one part.
 #[derive(Clone, Copy, Default)]
 struct Pad {
-    /// Whether a hand is there, as people know it.
+    /// True if a hand is there, as people know it.
     hand: bool,
-    /// How often the hand came or left and that is not yet felt.
+    /// The number of times that the hand came or left and that is not yet felt.
     waiting: u8,
-    /// Whether it is felt, and was in the step before.
+    /// True if it is felt: now, and in the step before.
     felt: [bool; 2],
 }
 
@@ -78,7 +78,7 @@ impl Pads {
 #[derive(Debug)]
 pub(super) struct Touch {
     parts: Vec<Touchable>,
-    /// Whether it also tells when they are let go.
+    /// True if it also tells when they are let go.
     release: bool,
 }
 

@@ -30,7 +30,7 @@ const NEAR_M: f32 = 0.35;
 /// It only walks ahead when the target is not further to the side than this, in radians.
 const AHEAD: f32 = 0.50;
 
-/// What it follows, and with what.
+/// The action: its target, and the parts that follow.
 #[derive(Debug)]
 struct Tracker {
     target: TrackTarget,

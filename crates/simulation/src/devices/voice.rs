@@ -1,4 +1,4 @@
-//! How it speaks: for as long as the use lasts that changed it last.
+//! The way in which it speaks: for as long as the use lasts that changed it last.
 
 use super::{Act, Chosen, Driver, Opened};
 use crate::nao::SimulatedNao;
@@ -7,7 +7,7 @@ use robot::{RobotFault, Use};
 
 pub(super) const DRIVER: Driver = Driver { name: "Voice", open };
 
-/// How it speaks.
+/// The way in which it speaks.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Voice {
     /// From 0 to 100 percent.

@@ -6,14 +6,15 @@ use behaviour::Value;
 
 pub(super) const DRIVER: Driver = Driver { name: "WordRecognized", open };
 
-/// How sure the robot is of words that are all that was said, and of words among others; our planning values.
+/// The confidence of the robot in words that are all that was said, and in words among others, from 0 to 1; our
+/// planning values.
 const SURE: [f64; 2] = [0.8, 0.6];
 /// Languages that put no spaces between words.
 const WITHOUT_SPACES: [&str; 2] = ["Japanese", "Chinese"];
 
 #[derive(Debug)]
 struct Words {
-    /// As they were chosen, and as they are looked for.
+    /// The words as they were chosen, and as they are looked for.
     words: Vec<(String, Vec<String>)>,
     spaces: bool,
     confidence: f64,

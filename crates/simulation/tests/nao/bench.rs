@@ -97,7 +97,7 @@ impl Bench {
         self.nao.joint(name).expect("there is this joint")
     }
 
-    /// What a stream read since last asked.
+    /// Returns what a stream read since last asked.
     pub(crate) fn values(&mut self, stream: &str) -> Vec<Value> {
         self.read(stream).into_iter().map(|reading| reading.value).collect()
     }
@@ -109,7 +109,7 @@ impl Bench {
         taken
     }
 
-    /// How far a place is to the side of where the robot stands and faces, in radians.
+    /// Returns how far a place is to the side of where the robot stands and faces, in radians.
     pub(crate) fn bearing(&self, at: [f32; 3]) -> f32 {
         let base = self.nao.scene().body.base;
         libm::atan2f(at[1] - base[1], at[0] - base[0]) - base[2]

@@ -1,4 +1,4 @@
-//! Who has the robot, how it is, and what it does not do while it rests.
+//! Tests of who has the robot, how it is, and what it does not do while it rests.
 
 use crate::bench::Bench;
 use robot::{Condition, Control, Life, Millis, Robot, RobotFault, SceneEdit};

@@ -1,4 +1,4 @@
-//! What ends with a use of the robot, and what goes on.
+//! Tests of what ends with a use of the robot, and what goes on.
 
 use super::bench::{Bench, user};
 use robot::Robot;

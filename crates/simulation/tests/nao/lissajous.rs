@@ -3,7 +3,7 @@
 use crate::bench::{Bench, number, user};
 use behaviour::Value;
 
-/// How often the ball goes to and fro, and up and down, in a second.
+/// The frequencies at which the ball goes to and fro, and up and down, in hertz.
 const HZ: [f32; 2] = [0.1, 0.15];
 const STEP_MS: u64 = 10;
 const UNTIL_MS: u64 = 60_000;

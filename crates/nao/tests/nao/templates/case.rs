@@ -22,10 +22,10 @@ const PAUSE: Duration = Duration::from_millis(5);
 const LOOK: u64 = 10;
 /// Before a phase that never becomes as it should is given up.
 const PATIENCE: Duration = Duration::from_secs(30);
-/// So many values of before a change may still be on their way.
+/// The most values of before a change that may still be on their way.
 const LATE: usize = 2;
 
-/// What has to be called in a phase.
+/// The calls that have to come in a phase.
 pub(crate) enum Wanted {
     /// These calls in this order.
     These(Vec<Call>),
@@ -49,7 +49,7 @@ pub(crate) struct Case {
     pub(crate) template: &'static str,
     /// A step on the stand-in in milliseconds of robot time, which may go some times as fast as that of the clock.
     pub(crate) step_ms: u64,
-    /// Whether the same call may come again and again.
+    /// True if the same call may come again and again.
     pub(crate) again: bool,
     /// Streams whose values differ on the two robots, of which only the form is compared.
     pub(crate) apart: &'static [&'static str],
@@ -65,7 +65,7 @@ pub(crate) fn phase(changes: &'static [Change], for_ms: u64, calls: Vec<Call>) -
     Phase { changes, for_ms, wanted: Wanted::These(calls) }
 }
 
-/// What follows something: these parts of the body, and perhaps those.
+/// Returns a phase in which these parts of the body follow something, and perhaps those.
 pub(crate) fn follows(
     changes: &'static [Change],
     for_ms: u64,
@@ -247,7 +247,7 @@ fn as_set(list: &[(String, String)]) -> BTreeSet<(String, String)> {
     list.iter().cloned().collect()
 }
 
-/// Whether the calls so far may still become those that are wanted.
+/// True if the calls so far may still become those that are wanted.
 fn begins(wanted: &Wanted, calls: &[Noted]) -> bool {
     match wanted {
         Wanted::These(wanted) => calls.len() <= wanted.len() && are(&wanted[..calls.len()], calls),
@@ -258,12 +258,12 @@ fn begins(wanted: &Wanted, calls: &[Noted]) -> bool {
     }
 }
 
-/// Whether the calls begin with these.
+/// True if the calls begin with these.
 fn are(group: &[Call], calls: &[Noted]) -> bool {
     group.len() <= calls.len() && group.iter().zip(calls).all(|(wanted, call)| call.is(wanted))
 }
 
-/// What is wrong with the calls of a phase, if anything is.
+/// Returns what is wrong with the calls of a phase, if anything is.
 fn wrong_calls(wanted: &Wanted, calls: &[Noted]) -> Option<String> {
     let is_right = match wanted {
         Wanted::These(wanted) => wanted.len() == calls.len() && are(wanted, calls),
@@ -280,7 +280,7 @@ fn wrong_calls(wanted: &Wanted, calls: &[Noted]) -> Option<String> {
     (!is_right).then(|| format!("called: {}\n  not: {wanted}", said.join(" ")))
 }
 
-/// What is wrong with the values of a phase, if anything is.
+/// Returns what is wrong with the values of a phase, if anything is.
 fn wrong_values(real: &Newest, simulated: &Newest, apart: &[&str]) -> Option<String> {
     let mut wrong = Vec::new();
     for (stream, (value, _)) in simulated.iter().filter(|(stream, _)| !apart.contains(&stream.as_str())) {

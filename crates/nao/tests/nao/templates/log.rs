@@ -1,4 +1,4 @@
-//! What of the stand-in's log of calls makes the robot do something.
+//! The calls of the stand-in's log that make the robot do something.
 
 use crate::peer::Peer;
 use serde_json::{Value as Json, json};
@@ -49,14 +49,14 @@ pub(crate) struct Noted {
 #[derive(Default)]
 pub(crate) struct Log {
     seq: i32,
-    /// What makes the robot do something, in order.
+    /// The calls that make the robot do something, in order.
     pub(crate) acting: Vec<Noted>,
     /// The service and name of every subscription that was begun, and that was ended.
     pub(crate) begun: Vec<(String, String)>,
     pub(crate) ended: Vec<(String, String)>,
     /// Every colour that was looked for, once.
     pub(crate) colors: Vec<Json>,
-    /// What moved in this phase.
+    /// The parts of the body that moved in this phase.
     moving: BTreeSet<&'static str>,
 }
 
@@ -89,7 +89,7 @@ impl Log {
         self.moving.clear();
     }
 
-    /// What follows is noted once a phase and part of the body, as only the body knows how it goes.
+    /// Notes a call. A part of the body that follows is noted once a phase, as only the body knows how it goes.
     fn note(&mut self, what: String, args: &Json) {
         for part in parts(&what, args) {
             if self.moving.insert(part) {
@@ -101,7 +101,7 @@ impl Log {
         }
     }
 
-    /// What was called after the first so many; where the same may come again, without what came just before.
+    /// Returns what was called after the first so many; where the same may come again, without what came just before.
     pub(crate) fn since(&self, first: usize, again: bool) -> Vec<Noted> {
         if !again {
             return self.acting[first..].to_vec();
@@ -133,7 +133,8 @@ fn near(one: &Json, other: &Json) -> bool {
     }
 }
 
-/// What is followed is looked for beside what behaviours sense, for as long as something follows it.
+/// True if this name looks for what is followed: that goes on beside what behaviours sense, for as long as something
+/// follows it.
 fn is_following(name: &Json) -> bool {
     name.as_str().unwrap().starts_with("rrp-test/follow/")
 }

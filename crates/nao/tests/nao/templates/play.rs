@@ -17,7 +17,7 @@ pub(crate) struct Play<R> {
     actions: BTreeMap<StreamIx, Use>,
     readings: Vec<Reading>,
     pub(crate) now_ms: u64,
-    /// What came in this phase.
+    /// The values that came in this phase.
     pub(crate) newest: Newest,
     /// Of which forms the values of each stream were, in all phases.
     pub(crate) shapes: BTreeMap<String, BTreeSet<String>>,
@@ -44,7 +44,7 @@ impl<R: Robot> Play<R> {
         Self { robot, run, uses, actions, readings: Vec::new(), now_ms: 0, newest, shapes, troubles: Vec::new() }
     }
 
-    /// What the robot senses, what the graph makes of it, and what the robot does then.
+    /// Makes a step: what the robot senses, what the graph makes of it, and what the robot does then.
     pub(crate) fn step(&mut self, by_ms: u64) {
         self.now_ms += by_ms;
         let now = Millis(self.now_ms);
@@ -95,7 +95,7 @@ fn shape(value: &Value) -> String {
     }
 }
 
-/// How far angles in radians, distances in metres and brightnesses may be apart.
+/// The most that angles in radians, distances in metres and brightnesses may be apart.
 const NEAR: f64 = 0.02;
 /// Fields that are moments.
 const MOMENTS: [&str; 2] = ["time", "t"];
@@ -104,7 +104,7 @@ fn is_moment(field: &std::sync::Arc<str>) -> bool {
     MOMENTS.contains(&field.as_ref())
 }
 
-/// Whether two values say the same.
+/// True if two values say the same.
 pub(crate) fn alike(one: &Value, other: &Value) -> bool {
     match (one, other) {
         (Value::Float(one), Value::Float(other)) => (one - other).abs() < NEAR,

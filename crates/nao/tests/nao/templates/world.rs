@@ -1,4 +1,4 @@
-//! What people do in the room, told to the stand-in and to the simulation.
+//! The things that people do in the room, told to the stand-in and to the simulation.
 
 use robot::{SceneEdit, Touchable};
 use serde_json::{Value as Json, json};

@@ -1,4 +1,5 @@
-//! What the Tracker of the catalogue follows and with what: as every robot reads its settings, and tells people what it does.
+//! The target of the catalogue's Tracker and the part that follows it: as every robot reads its settings, and tells
+//! people what it does.
 
 /// A target that a tracker follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,7 +34,7 @@ impl TrackTarget {
         }
     }
 
-    /// Its name for people.
+    /// Returns the name of the target for people.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {

@@ -5,11 +5,11 @@ use crate::model::motor;
 
 /// A gesture.
 pub(super) struct Gesture {
-    /// Its name in files.
+    /// The name of the gesture in files.
     pub(super) name: &'static str,
-    /// Its name among those that are installed, as on a NAO6; empty if none of them is like it.
+    /// The name among those that are installed, as on a NAO6; empty if none of them is like it.
     pub(super) path: &'static str,
-    /// What people call it.
+    /// The name for people.
     pub(super) words: &'static str,
     pub(super) rows: &'static [Row],
 }
@@ -164,7 +164,7 @@ pub(super) const GESTURES: &[Gesture] = &[
 ];
 
 impl Gesture {
-    /// How long it takes until all joints are back, in milliseconds.
+    /// Returns the time until all joints are back, in milliseconds.
     pub(super) fn lasts_ms(&self) -> u64 {
         self.rows.iter().map(Row::lasts_ms).max().unwrap_or(0)
     }

@@ -1,4 +1,4 @@
-//! What the trackers do: who asked to follow what, with which part of the body, and until when.
+//! The work of the trackers: who asked to follow what, with which part of the body, and until when.
 
 use crate::body::Side;
 use crate::hash::{Digest, digest_use};
@@ -31,7 +31,7 @@ pub(crate) struct Follow {
     pub(crate) mode: TrackMode,
     pub(crate) until: u64,
     pub(crate) pictures: Pictures,
-    /// Whether the whole body is turning.
+    /// True if the whole body is turning.
     pub(crate) turning: bool,
 }
 
@@ -53,7 +53,7 @@ impl Pictures {
         Self { from, taken: 0 }
     }
 
-    /// Whether a picture is due; takes it.
+    /// Takes a picture if one is due; true if it is.
     pub(crate) fn due(&mut self, now: u64) -> bool {
         let due = self.from + (self.taken + 1) * 1_000 / 30 <= now;
         self.taken += u64::from(due);
@@ -77,7 +77,7 @@ impl Follow {
         self.pictures.digest(digest);
     }
 
-    /// What it does, in words.
+    /// Returns what it does, in words.
     pub(crate) fn words(&self) -> String {
         format!("{} with {}", self.target.words(), self.mode.words())
     }
@@ -93,7 +93,7 @@ impl Point {
         self.pictures.digest(digest);
     }
 
-    /// What it does, in words.
+    /// Returns what it does, in words.
     pub(crate) fn words(&self) -> String {
         format!("{} with {} arm", self.target.words(), self.side.or(self.wish).map_or("nearest", Side::word))
     }

@@ -69,7 +69,7 @@ mod tests {
     use crate::model::Model;
     use crate::servo::Servo;
 
-    /// How far the line from the shoulder to the palm misses a place in the torso's frame, in radians.
+    /// Returns how far the line from the shoulder to the palm misses a place in the torso's frame, in radians.
     fn miss(side: Side, target: Vector) -> f32 {
         let (mut servo, mut body) = (Servo::new(Model::nao()), Body::new(Model::nao()));
         point(&mut servo, side, target);

@@ -1,4 +1,4 @@
-//! What the robot says, shows, plays and remembers.
+//! Tests of what the robot says, shows, plays and remembers.
 
 use crate::bench::{Bench, user};
 use behaviour::Value;

@@ -1,4 +1,4 @@
-//! How the robot is: its posture, falling, its battery, its time.
+//! Tests of how the robot is: its posture, falling, its battery, its time.
 
 use crate::bench::Bench;
 use behaviour::Value;

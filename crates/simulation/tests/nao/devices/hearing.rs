@@ -1,4 +1,4 @@
-//! What the robot hears.
+//! Tests of what the robot hears.
 
 use crate::bench::{Bench, number};
 use behaviour::Value;

@@ -1,4 +1,4 @@
-//! How the robot moves.
+//! Tests of how the robot moves.
 
 use crate::bench::{Bench, user};
 use behaviour::Value;

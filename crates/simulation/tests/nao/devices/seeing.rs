@@ -1,4 +1,4 @@
-//! What the robot sees.
+//! Tests of what the robot sees.
 
 use crate::bench::{Bench, number};
 use behaviour::Value;

@@ -1,4 +1,4 @@
-//! What the robot feels, and what is near.
+//! Tests of what the robot feels, and what is near.
 
 use crate::bench::{Bench, user};
 use behaviour::Value;
