@@ -265,7 +265,7 @@ mod tests {
         let mut queue = Queue::default();
         (0..WAITING_MAX).for_each(|at| assert!(queue.push(id("b"), change(&format!("op{at}"), ""), Way::Propose)));
         assert!(!queue.push(id("b"), change("more", ""), Way::Propose));
-        queue.made(&id("one"), 7, (5.0, true));
+        queue.made(&id(&format!("op{}", WAITING_MAX - 1)), 7, (5.0, true));
         let kept = serde_json::to_string(&queue).unwrap();
         let again = serde_json::from_str::<Queue>(&kept).unwrap();
         assert_eq!(again.len(), WAITING_MAX);
