@@ -12,6 +12,7 @@ pub(crate) mod meaning;
 mod phrases;
 mod segments;
 mod tokens;
+mod turned;
 
 pub use lexicon::Lexicon;
 
@@ -23,6 +24,7 @@ use atoms::{Atom, atoms};
 use meaning::{Body, Event, Phase, Rule, Vague};
 use std::ops::Range;
 use tokens::{What, tokens};
+use turned::turned;
 
 /// What was said.
 #[derive(Debug, Default)]
@@ -70,7 +72,7 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
     while at < all.len() {
         let stops = |at: usize| matches!(all[at].what, What::Sign('.' | '!' | '?' | ';'));
         let end = (at..all.len()).find(|end| stops(*end)).unwrap_or(all.len());
-        let part = atoms(&all, at, end, lexicon, language);
+        let part = turned(atoms(&all, at, end, lexicon, language), language);
         if !part.is_empty() {
             said.spoken_of = spoken_of(&all[..end], lexicon, language, said.spoken_of);
             let asks = all.get(end).is_some_and(|token| token.what == What::Sign('?'));
