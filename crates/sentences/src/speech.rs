@@ -165,8 +165,12 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
             _ => vec![range.start],
         };
         let whole = range.clone();
-        for start in starts {
-            let range = start..whole.end;
+        // A slip may reach into words that are known: おじきをする.
+        let rest = text[whole.end..].find(['、', '。', '，', ',']).map_or(text.len(), |length| whole.end + length);
+        let ends =
+            if language == Language::Japanese && rest > whole.end { vec![rest, whole.end] } else { vec![whole.end] };
+        let ranges = ends.iter().flat_map(|end| starts.iter().map(move |start| *start..*end));
+        for range in ranges {
             let Some(words) = text.get(range.clone()) else { continue };
             // Doubts may overlap: what was mended is not mended again.
             if mended.get(range.clone()) != Some(words) {
@@ -176,7 +180,7 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
                 Language::English => lexicon.like(&words.to_lowercase()),
                 Language::Japanese => lexicon.inflected_like(words),
             };
-            let mut good = Vec::new();
+            let (mut good, mut hidden) = (Vec::new(), Vec::new());
             let mut best = left;
             let mut best_text = None;
             for word in like {
@@ -186,9 +190,13 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
                 }
                 let mut other = mended.clone();
                 other.replace_range(range.clone(), &word);
-                let again = heard(&other, language, lexicon).doubts.len();
+                let doubts = heard(&other, language, lexicon).doubts;
+                let again = doubts.len();
                 if again < left {
-                    if again < best {
+                    // A word for what cannot be done hides what else is in doubt.
+                    if doubts.iter().any(|(.., why)| why.is_some()) {
+                        hidden.push(word);
+                    } else if again < best {
                         (best, best_text) = (again, Some(other));
                         good.insert(0, word);
                     } else {
@@ -196,6 +204,7 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
                     }
                 }
             }
+            good.append(&mut hidden);
             if good.is_empty() {
                 continue;
             }

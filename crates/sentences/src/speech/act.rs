@@ -348,6 +348,10 @@ fn value(bag: &mut Bag) -> Option<Value> {
     }
     let far = bag.take_all("noun", "distance");
     if far {
+        // 人と人の距離: only that to the robot is known.
+        if bag.atoms.iter().any(|atom| atom.is("p", "to")) && !bag.has("robot", "") {
+            return None;
+        }
         bag.take_all("adj", "far");
         for verb in ["exist", "see"] {
             bag.take_all("v", verb);

@@ -458,7 +458,7 @@ impl Said {
     /// A rule is over.
     fn finish(&mut self, mut rule: Rule, goes_on: bool) {
         let is_empty = rule.acts.is_empty() && rule.event.is_none() && rule.states.is_empty() && rule.every.is_none();
-        if is_empty && !rule.otherwise {
+        if is_empty && !rule.otherwise && rule.unfollows.is_none() {
             if rule.at_most.is_some() || rule.once {
                 match self.rules.last_mut() {
                     Some(last) => {

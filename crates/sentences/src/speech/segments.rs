@@ -606,6 +606,10 @@ impl Chart<'_> {
                 (from, to)
             }
         };
+        // *Hears nothing*
+        if to == from + 1 && atoms[from].is("none", "thing") {
+            return None;
+        }
         let ends = ["lead", "otherwise", "then", "but", "every"];
         let is_other = |atom: &Atom| ends.iter().any(|kind| atom.is(kind, "")) || atom.is("v", "say");
         if from >= to || atoms[from..to].iter().any(is_other) {

@@ -170,7 +170,10 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
 
 /// A ball, or one of several.
 fn ball(bag: &mut Bag) -> Option<Event> {
-    bag.take("noun", "colored");
+    // *A ball of any colour*: the robot looks for one.
+    if bag.take("noun", "colored").is_some() && !bag.has("color", "") {
+        return None;
+    }
     // *It is the ball that …*
     bag.take("it", "");
     let mut all = vec![Event::Ball(color(bag))];
