@@ -20,6 +20,8 @@ pub(super) struct Said {
     moved: Option<Event>,
     /// Whether the battery was spoken of.
     is_charge: bool,
+    /// Whether what was said last is what is not followed any more.
+    is_unfollowed: bool,
     /// Parts that texts speak of.
     pub(super) spoken_of: Vec<Event>,
 }
@@ -446,11 +448,13 @@ impl Said {
             _ => false,
         };
         let fits = |last: &&mut Rule| {
-            let bare = last.until.is_none() && !last.once && !last.otherwise && !last.lasts;
+            // What a press begins, another one would begin again.
+            let own = last.event.as_ref().is_none_or(|event| matches!(event.what, Event::Ball(_) | Event::Face(_)));
+            let bare = own && last.until.is_none() && !last.once && !last.otherwise && !last.lasts;
             bare && last.acts.iter().all(|(later, act, _)| *later == 0 && follows(act))
         };
         match (self.rules.last_mut().filter(fits), rule.event.filter(plain)) {
-            (Some(last), Some(end)) if alone => last.until = Some(end),
+            (Some(last), Some(end)) if alone => (last.until, self.is_unfollowed) = (Some(end), true),
             _ => self.doubts.push(span.clone()),
         }
     }
@@ -491,6 +495,9 @@ impl Said {
             self.is_missing = true;
             return;
         }
+        if std::mem::take(&mut self.is_unfollowed) && rule.otherwise {
+            self.doubts.push(rule.span.clone());
+        }
         // *Instead* of what is done otherwise: only where both cannot come at once.
         if let Some(span) = rule.instead.take().filter(|_| !rule.otherwise && !excludes(self.rules.last(), &rule)) {
             self.doubts.push(span);
@@ -515,6 +522,10 @@ impl Said {
             && let Some(Rule { event: Some(answer), unanswered: asked @ Some(_), .. }) = self.rules.last()
             && answer.within.is_some()
         {
+            // When nobody answers is when: nothing else can be.
+            if let Some(other) = rule.event.iter().chain(&rule.states).next() {
+                self.doubts.push(other.span.clone());
+            }
             let event = Cond { not: !answer.not, ..answer.clone() };
             rule = Rule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
         }

@@ -369,7 +369,12 @@ impl Chart<'_> {
             let leads = |atom: &Atom| {
                 atom.is("lead", "") || atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba))
             };
-            once.is_some_and(|once| rest[..once].iter().any(leads))
+            // What is done once is what is done at the first time: nothing else stands between.
+            let between = |atom: &&Atom| !atom.is("void", "") && !atom.is_sign(',');
+            once.is_some_and(|once| {
+                rest[..once].iter().filter(|atom| leads(atom)).count() == 1
+                    && rest[..once].iter().rfind(between).is_some_and(leads)
+            })
         };
         if first_once {
             found.push((at + 1, Segment::Once));
@@ -894,6 +899,11 @@ fn is_suspicious(text: &[Atom]) -> bool {
         return true;
     }
     if text.iter().all(|atom| atom.is("void", "")) || first.is("wh", "") {
+        return true;
+    }
+    // *Tells you to sit down*
+    let whom = |atom: &Atom| atom.is("who", "") || atom.is("robot", "");
+    if whom(first) && text.get(1).is_some_and(|next| next.is("prep", "to")) {
         return true;
     }
     // *Tell the child to sit down*, *hears you*
