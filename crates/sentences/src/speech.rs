@@ -12,6 +12,7 @@ pub(crate) mod meaning;
 mod phrases;
 mod segments;
 mod tokens;
+mod turned;
 
 pub use lexicon::Lexicon;
 
@@ -23,6 +24,7 @@ use atoms::{Atom, atoms};
 use meaning::{Body, Event, Phase, Rule, Vague};
 use std::ops::Range;
 use tokens::{What, tokens};
+use turned::turned;
 
 /// What was said.
 #[derive(Debug, Default)]
@@ -70,7 +72,7 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
     while at < all.len() {
         let stops = |at: usize| matches!(all[at].what, What::Sign('.' | '!' | '?' | ';'));
         let end = (at..all.len()).find(|end| stops(*end)).unwrap_or(all.len());
-        let part = atoms(&all, at, end, lexicon, language);
+        let part = turned(atoms(&all, at, end, lexicon, language), language);
         if !part.is_empty() {
             said.spoken_of = spoken_of(&all[..end], lexicon, language, said.spoken_of);
             let asks = all.get(end).is_some_and(|token| token.what == What::Sign('?'));
@@ -163,8 +165,12 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
             _ => vec![range.start],
         };
         let whole = range.clone();
-        for start in starts {
-            let range = start..whole.end;
+        // A slip may reach into words that are known: おじきをする.
+        let rest = text[whole.end..].find(['、', '。', '，', ',']).map_or(text.len(), |length| whole.end + length);
+        let ends =
+            if language == Language::Japanese && rest > whole.end { vec![rest, whole.end] } else { vec![whole.end] };
+        let ranges = ends.iter().flat_map(|end| starts.iter().map(move |start| *start..*end));
+        for range in ranges {
             let Some(words) = text.get(range.clone()) else { continue };
             // Doubts may overlap: what was mended is not mended again.
             if mended.get(range.clone()) != Some(words) {
@@ -174,7 +180,7 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
                 Language::English => lexicon.like(&words.to_lowercase()),
                 Language::Japanese => lexicon.inflected_like(words),
             };
-            let mut good = Vec::new();
+            let (mut good, mut hidden) = (Vec::new(), Vec::new());
             let mut best = left;
             let mut best_text = None;
             for word in like {
@@ -184,9 +190,13 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
                 }
                 let mut other = mended.clone();
                 other.replace_range(range.clone(), &word);
-                let again = heard(&other, language, lexicon).doubts.len();
+                let doubts = heard(&other, language, lexicon).doubts;
+                let again = doubts.len();
                 if again < left {
-                    if again < best {
+                    // A word for what cannot be done hides what else is in doubt.
+                    if doubts.iter().any(|(.., why)| why.is_some()) {
+                        hidden.push(word);
+                    } else if again < best {
                         (best, best_text) = (again, Some(other));
                         good.insert(0, word);
                     } else {
@@ -194,6 +204,7 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
                     }
                 }
             }
+            good.append(&mut hidden);
             if good.is_empty() {
                 continue;
             }

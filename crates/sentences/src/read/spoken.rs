@@ -587,6 +587,7 @@ impl<'b, 'a> Making<'b, 'a> {
             Act::Remember => self.put("RememberFace", &[], at, span),
             Act::Nothing => Some(()),
             Act::Color(_) | Act::Count(_) | Act::Again | Act::Not | Act::NotFor(..) | Act::Text(_) | Act::Keeps => None,
+            Act::Instead | Act::Unfollow(_) => None,
         }
     }
 

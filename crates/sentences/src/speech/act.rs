@@ -49,7 +49,11 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
         atoms.iter().any(|atom| atom.senses.iter().any(goes_on) && !atom.is("v", "keep"))
     });
     keeps.into_iter().for_each(|at| bag.use_up(at));
+    let instead = bag.take("adv", "instead").is_some();
     let mut acts = done(bag)?;
+    if instead {
+        acts.push(Act::Instead);
+    }
     if matches!(acts[..], [Act::Follow(..), ..] | [Act::Eyes(_), ..]) {
         bag.take_all("adv", "ongoing");
     } else if keeps.is_some() {
@@ -115,6 +119,14 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
         bag.take_all("adj", "new");
         return Some(vec![Act::Remember]);
     }
+    if bag.take("v", "unfollow").is_some() {
+        return unfollow(bag).map(|act| vec![act]);
+    }
+    // *Let me know with a beep*, 音で知らせる
+    let with_sound = bag.atoms.iter().any(|atom| atom.is("v", "say") && atom.is("v", "play")) && plays_sound(bag);
+    if with_sound && !bag.atoms.iter().any(is_quote) {
+        return sound(bag).map(|act| vec![act]);
+    }
     if let Some(at) = bag.find("v", "say") {
         bag.use_up(at);
         return say(bag).map(|act| vec![act]);
@@ -176,15 +188,39 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     None
 }
 
+/// Whether a sound is spoken of that can be played: a voice cannot.
+fn plays_sound(bag: &Bag) -> bool {
+    bag.has("noun", "sound") && !bag.has("noun", "voice")
+}
+
+/// What is not followed any more: it, or what is named.
+fn unfollow(bag: &mut Bag) -> Option<Act> {
+    bag.take_all("it", "");
+    bag.take_all("poss", "own");
+    if bag.take("noun", "ball").is_some() {
+        bag.take("color", "red");
+        return Some(Act::Unfollow(Some(Target::Ball)));
+    }
+    if bag.take_all("noun", "face") | bag.take_all("who", "") {
+        bag.take_all("who", "");
+        return Some(Act::Unfollow(Some(Target::Face)));
+    }
+    Some(Act::Unfollow(None))
+}
+
 fn sound(bag: &mut Bag) -> Option<Act> {
     let beeps = bag.take("v", "beep").is_some();
-    let plays = ["play", "turn", "make"].iter().any(|verb| bag.has("v", verb));
-    let plays = plays && bag.has("noun", "sound");
+    let gives = bag.has("v", "give");
+    let plays = ["play", "turn", "make", "give"].iter().any(|verb| bag.has("v", verb));
+    let plays = plays && plays_sound(bag);
     if !beeps && !plays {
         return None;
     }
-    for verb in ["play", "turn", "make"] {
+    for verb in ["play", "turn", "make", "give"] {
         bag.take_all("v", verb);
+    }
+    if gives {
+        bag.take_all("who", "");
     }
     bag.take_all("noun", "sound");
     bag.take_all("noun", "file");
@@ -312,6 +348,10 @@ fn value(bag: &mut Bag) -> Option<Value> {
     }
     let far = bag.take_all("noun", "distance");
     if far {
+        // 人と人の距離: only that to the robot is known.
+        if bag.atoms.iter().any(|atom| atom.is("p", "to")) && !bag.has("robot", "") {
+            return None;
+        }
         bag.take_all("adj", "far");
         for verb in ["exist", "see"] {
             bag.take_all("v", verb);

@@ -20,6 +20,8 @@ pub(super) struct Said {
     moved: Option<Event>,
     /// Whether the battery was spoken of.
     is_charge: bool,
+    /// Whether what was said last is what is not followed any more.
+    is_unfollowed: bool,
     /// Parts that texts speak of.
     pub(super) spoken_of: Vec<Event>,
 }
@@ -47,6 +49,11 @@ impl Said {
                 Segment::Otherwise => {
                     self.next(&mut rule, span, goes_on);
                     (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
+                }
+                Segment::Unheard(words) => {
+                    self.next(&mut rule, span, goes_on);
+                    (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
+                    rule.unheard = Some(words.clone());
                 }
                 Segment::Every(ms) => rule.every = Some(*ms),
                 Segment::AtMost(ms) if is_alone(&rule, rest) => {
@@ -96,6 +103,10 @@ impl Said {
                     }
                     goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
                     if is_trailed {
+                        self.next(&mut rule, span, goes_on);
+                        (goes_on, later, is_trailed) = (false, 0, false);
+                    }
+                    if matches!(acts[..], [Act::Unfollow(_), ..]) && !rule.acts.is_empty() {
                         self.next(&mut rule, span, goes_on);
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
@@ -231,10 +242,17 @@ impl Said {
                 None => return false,
             },
             Event::ItTouched => match (&self.touched, &self.moved, &self.spoken_of[..]) {
-                (Some(touched), _, _) => cond.what = touched.clone(),
+                (Some(Event::Touch(body, params, _)), _, _) => {
+                    cond.what = Event::Touch(*body, params.clone(), Phase::Begins);
+                }
+                (Some(_), _, _) => return false,
                 (None, Some(moved), []) => cond.what = moved.clone(),
                 (None, None, [part]) => cond.what = part.clone(),
                 _ => return false,
+            },
+            Event::ItLetGo => match self.touched.as_ref().and_then(ended) {
+                Some(over) => cond.what = over,
+                None => return false,
             },
             Event::ItCharge(bounds) => {
                 if !self.is_charge {
@@ -325,6 +343,14 @@ impl Said {
                     rule.keeps = Some(span.clone());
                     continue;
                 }
+                Act::Instead => {
+                    rule.instead = Some(span.clone());
+                    continue;
+                }
+                Act::Unfollow(target) => {
+                    rule.unfollows = Some((span.clone(), *target));
+                    continue;
+                }
                 Act::Text(text) => Act::Say(text.clone()),
                 Act::Again => match &self.did {
                     Some(did) => did.clone(),
@@ -412,10 +438,31 @@ impl Said {
         })
     }
 
+    /// What the rule before follows is followed only until this.
+    fn unfollow(&mut self, rule: Rule, span: &Span, target: Option<Target>) {
+        let alone = rule.acts.is_empty() && rule.states.is_empty() && rule.until.is_none() && rule.every.is_none();
+        let alone = alone && !rule.otherwise && !rule.once && !rule.lasts;
+        let plain = |cond: &Cond| cond.within.is_none();
+        let follows = |act: &Act| match act {
+            Act::Follow(followed, ..) => target.is_none_or(|target| target == *followed),
+            _ => false,
+        };
+        let fits = |last: &&mut Rule| {
+            // What a press begins, another one would begin again.
+            let own = last.event.as_ref().is_none_or(|event| matches!(event.what, Event::Ball(_) | Event::Face(_)));
+            let bare = own && last.until.is_none() && !last.once && !last.otherwise && !last.lasts;
+            bare && last.acts.iter().all(|(later, act, _)| *later == 0 && follows(act))
+        };
+        match (self.rules.last_mut().filter(fits), rule.event.filter(plain)) {
+            (Some(last), Some(end)) if alone => (last.until, self.is_unfollowed) = (Some(end), true),
+            _ => self.doubts.push(span.clone()),
+        }
+    }
+
     /// A rule is over.
     fn finish(&mut self, mut rule: Rule, goes_on: bool) {
         let is_empty = rule.acts.is_empty() && rule.event.is_none() && rule.states.is_empty() && rule.every.is_none();
-        if is_empty && !rule.otherwise {
+        if is_empty && !rule.otherwise && rule.unfollows.is_none() {
             if rule.at_most.is_some() || rule.once {
                 match self.rules.last_mut() {
                     Some(last) => {
@@ -440,9 +487,20 @@ impl Said {
             }
             return;
         }
+        if let Some((span, target)) = rule.unfollows.take() {
+            self.unfollow(rule, &span, target);
+            return;
+        }
         if rule.acts.is_empty() {
             self.is_missing = true;
             return;
+        }
+        if std::mem::take(&mut self.is_unfollowed) && rule.otherwise {
+            self.doubts.push(rule.span.clone());
+        }
+        // *Instead* of what is done otherwise: only where both cannot come at once.
+        if let Some(span) = rule.instead.take().filter(|_| !rule.otherwise && !excludes(self.rules.last(), &rule)) {
+            self.doubts.push(span);
         }
         // The start is a moment of its own.
         let starts = |cond: &Cond| cond.what == Event::Start;
@@ -455,11 +513,19 @@ impl Said {
         if let Some(span) = rule.keeps.take().filter(|_| rule.every.is_none()) {
             self.doubts.push(span);
         }
+        let waits = |last: &Rule| last.event.as_ref().is_some_and(|answer| answer.within.is_some() && !answer.not);
+        if let Some(span) = rule.unheard.take().filter(|_| !self.rules.last().is_some_and(waits)) {
+            self.doubts.push(span);
+        }
         // *If not*, after *if … within 10 seconds*
         if rule.otherwise
             && let Some(Rule { event: Some(answer), unanswered: asked @ Some(_), .. }) = self.rules.last()
             && answer.within.is_some()
         {
+            // When nobody answers is when: nothing else can be.
+            if let Some(other) = rule.event.iter().chain(&rule.states).next() {
+                self.doubts.push(other.span.clone());
+            }
             let event = Cond { not: !answer.not, ..answer.clone() };
             rule = Rule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
         }
@@ -482,6 +548,24 @@ impl Said {
             rule.is_own = true;
         }
         self.rules.push(rule);
+    }
+}
+
+/// Whether what one rule waits for and what another one waits for cannot come at once.
+fn excludes(one: Option<&Rule>, other: &Rule) -> bool {
+    let plain = |rule: &Rule| rule.states.is_empty() && rule.every.is_none() && !rule.lasts;
+    let event = |rule: &Rule| rule.event.clone().filter(|event| plain(rule) && !event.not && event.during.is_none());
+    match (one.and_then(event), event(other)) {
+        (Some(one), Some(other)) => match (&one.what, &other.what) {
+            (Event::Face(Who::New), Event::Face(Who::Known)) | (Event::Face(Who::Known), Event::Face(Who::New)) => true,
+            (Event::Touch(body, one, phase), Event::Touch(other_body, other, other_phase)) => {
+                body == other_body && phase == other_phase && one != other && !one.is_empty() && !other.is_empty()
+            }
+            (Event::Words(one), Event::Words(other)) => one.iter().all(|word| !other.contains(word)),
+            (Event::Mark(Some(one)), Event::Mark(Some(other))) => one != other,
+            _ => false,
+        },
+        _ => false,
     }
 }
 

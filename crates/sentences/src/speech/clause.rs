@@ -125,8 +125,9 @@ impl<'a> Bag<'a> {
     }
 
     pub(super) fn span(&self) -> Span {
-        let start = self.atoms.first().map_or(0, |first| first.span.start);
-        start..self.atoms.last().map_or(start, |last| last.span.end)
+        // Their order may not be that in which they stand.
+        let start = self.atoms.iter().map(|atom| atom.span.start).min().unwrap_or(0);
+        start..self.atoms.iter().map(|atom| atom.span.end).max().unwrap_or(start)
     }
 }
 
@@ -171,6 +172,10 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     }
     let is_within = time.is_some() && within_at.is_some();
     bag.take("adj", "during");
+    // 触ったまま5秒
+    if time.is_some() && !is_within {
+        bag.take("still", "");
+    }
     // *… and stays there for three seconds*
     if let (Some(stays), Some((ms, _)), false) = (bag.find("v", "stay"), time, is_within) {
         bag.use_up(stays);
@@ -249,7 +254,8 @@ fn times(bag: &mut Bag) -> Option<Times> {
     });
     if let Some((at, number)) = counted {
         bag.use_up(at);
-        return Some(Times::After(number));
+        let each = bag.take("every", "").is_some();
+        return Some(if each { Times::EachTime(number) } else { Times::After(number) });
     }
     if let Some((times, _)) = bag.measure(counts) {
         let each = bag.take("every", "").is_some();

@@ -215,7 +215,8 @@ impl Lexicon {
         let mut like: Vec<(usize, &String)> = known
             .filter_map(|(known, _)| Some((apart(&letters, &known.chars().collect::<Vec<_>>(), most)?, known)))
             .collect();
-        like.sort();
+        // Slips are seldom in the first letter.
+        like.sort_by_key(|(apart, known)| (*apart, known.chars().next() != letters.first().copied(), *known));
         like.truncate(3);
         like.into_iter().map(|(_, known)| known.clone()).collect()
     }
@@ -238,12 +239,17 @@ impl Lexicon {
                 }
                 continue;
             };
-            if !text.starts_with(&stem) {
+            // A mark of the voice that is missing is a slip within the beginning: おじき.
+            let starts = stem.chars().count() <= letters.len()
+                && text.chars().zip(stem.chars()).all(|(typed, known)| bare(typed) == bare(known));
+            if !starts {
                 continue;
             }
             for (ending, form) in endings {
                 let whole: Vec<char> = stem.chars().chain(ending.chars()).collect();
-                if let Some(distance) = apart(&letters, &whole, 1)
+                let bare_alike =
+                    letters.len() == whole.len() && letters.iter().zip(&whole).all(|(a, b)| bare(*a) == bare(*b));
+                if let Some(distance) = if bare_alike { Some(0) } else { apart(&letters, &whole, 1) }
                     && !form.not
                     && !like.iter().any(|(.., known)| known.chars().eq(whole.iter().copied()))
                 {
@@ -255,6 +261,18 @@ impl Lexicon {
         like.truncate(3);
         like.into_iter().map(|(.., whole)| whole).collect()
     }
+}
+
+/// A letter of kana large and without the mark of its voice: つ of っ, き of ぎ.
+fn bare(kana: char) -> char {
+    const VOICED: &str = "がかぎきぐくげけごこざさじしずすぜせぞそだたぢちづつでてどとばはびひぶふべへぼほぱはぴひぷふぺへぽほっつゃやゅゆょよぁあぃいぅうぇえぉお";
+    let mut pairs = VOICED.chars();
+    while let (Some(marked), Some(plain)) = (pairs.next(), pairs.next()) {
+        if marked == kana {
+            return plain;
+        }
+    }
+    kana
 }
 
 /// How many slips two words are apart, if not more than so many.

@@ -90,6 +90,8 @@ pub(crate) enum Event {
     ItSeen,
     /// What was touched last.
     ItTouched,
+    /// What was touched last is let go.
+    ItLetGo,
     /// What was said last, with another side or part.
     Same(Vec<(&'static str, &'static str)>, Option<&'static str>),
 }
@@ -162,6 +164,10 @@ pub(crate) enum Act {
     Text(String),
     /// It goes on being done.
     Keeps,
+    /// It is done in the place of what was said before.
+    Instead,
+    /// What is followed, if that is named, is not followed any more.
+    Unfollow(Option<Target>),
 }
 
 /// A value that is said or shown.
@@ -212,6 +218,12 @@ pub(crate) struct Rule {
     pub(crate) denied: Option<Span>,
     /// Whether what it does goes on, and the words for that.
     pub(crate) keeps: Option<Span>,
+    /// The words that say that it is done in the place of what the rule before does.
+    pub(crate) instead: Option<Span>,
+    /// The words that say that what the rule before follows is not followed any more, and what that is.
+    pub(crate) unfollows: Option<(Span, Option<Target>)>,
+    /// The words that say that nobody answers what the rule before waits for.
+    pub(crate) unheard: Option<Span>,
     /// Whether its actions go by senses of their own.
     pub(crate) is_own: bool,
     /// What is done so many milliseconds later.

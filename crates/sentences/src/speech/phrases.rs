@@ -13,10 +13,13 @@ const LIST_MAX: usize = 14;
 impl Chart<'_> {
     /// Whether somebody stands here of whom a clause tells more: *anyone who comes in*, *everyone you know*.
     pub(super) fn is_relative(&self, at: usize) -> bool {
-        let Some(atom) = self.atoms.get(at).filter(|atom| atom.is("who", "") && !atom.is("robot", "")) else {
+        let names = |atom: &&Atom| atom.is("whom", "") || atom.is("who", "") && !atom.is("robot", "");
+        let Some(atom) = self.atoms.get(at).filter(names) else {
             return false;
         };
-        let follows_prep = at > 0 && (self.atoms[at - 1].is("prep", "") || self.atoms[at - 1].is("do", ""));
+        // *To any stranger*
+        let before = self.atoms[..at].iter().rposition(|before| !before.is("void", "") || !atom.is("whom", ""));
+        let follows_prep = before.is_some_and(|at| self.atoms[at].is("prep", "") || self.atoms[at].is("do", ""));
         let new = self.atoms[at].is("adj", "new");
         let next = self.atoms.get(at + 1);
         let tells = next.is_some_and(|next| {
@@ -26,7 +29,7 @@ impl Chart<'_> {
                 || next.is("it", "that")
                 || next.is("robot", "") && self.atoms.get(at + 2).is_some_and(|verb| verb.is("v", "see"))
         });
-        follows_prep && (tells || new || atom.is("lead", "whom"))
+        follows_prep && (tells || new || atom.is("whom", "") || atom.is("lead", "whom"))
     }
 
     /// *Wave at everyone you know*: whom it is done to is what happens.

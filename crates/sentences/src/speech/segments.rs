@@ -29,6 +29,8 @@ pub(super) enum Segment {
     Then,
     But,
     Otherwise,
+    /// Nobody answers what was waited for.
+    Unheard(Span),
     Sign,
     /// Means nothing here.
     Nothing,
@@ -183,9 +185,12 @@ impl Chart<'_> {
             ("otherwise", Segment::Otherwise),
         ];
         for (kind, segment) in words {
-            if atom.is(kind, "") {
+            if atom.is(kind, "") && !atom.is("otherwise", "unheard") {
                 all.push((false, plain(at + 1, segment, WORD)));
             }
+        }
+        if atom.is("otherwise", "unheard") {
+            all.push((false, plain(at + 1, Segment::Unheard(atom.span.clone()), CLAUSE)));
         }
         let after_or = at > 0 && self.atoms[at - 1].is("or", "");
         if (atom.is("void", "") && !after_or)
@@ -357,7 +362,23 @@ impl Chart<'_> {
         if is(at, "once", "") {
             found.push((at + 1, Segment::Once));
         }
-        if is(at, "start", "") {
+        // 最初に…とき、一度だけ: once.
+        let first_once = is(at, "start", "first") && {
+            let rest = &self.atoms[at + 1..];
+            let once = rest.iter().position(|atom| atom.is("once", ""));
+            let leads = |atom: &Atom| {
+                atom.is("lead", "") || atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba))
+            };
+            // What is done once is what is done at the first time: nothing else stands between.
+            let between = |atom: &&Atom| !atom.is("void", "") && !atom.is_sign(',');
+            once.is_some_and(|once| {
+                rest[..once].iter().filter(|atom| leads(atom)).count() == 1
+                    && rest[..once].iter().rfind(between).is_some_and(leads)
+            })
+        };
+        if first_once {
+            found.push((at + 1, Segment::Once));
+        } else if is(at, "start", "") {
             let starts = Cond::of(Event::Start, self.atoms[at].span.clone());
             found.push((at + 1, Segment::Cond(Lead::When, Rc::new(starts))));
         }
@@ -420,13 +441,15 @@ impl Chart<'_> {
         self.relative(at, most, all);
         self.asked_of_people(at, most, all);
         self.text_alone(at, all);
-        let mut starts: Vec<(Lead, usize)> = leads.iter().map(|lead| (*lead, at + 1)).collect();
+        // *With every fifth pat …*: at every so many, and not at the fifth.
+        let counts = |next: &Atom| next.is("ord", "") || matches!(next.value, Value::Measure(_));
+        let is_each = atom.is("every", "") && self.atoms.get(at + 1).is_some_and(counts);
+        let mut starts: Vec<(Lead, usize)> = leads.iter().map(|lead| (*lead, at + 1)).filter(|_| !is_each).collect();
         // *Every third time …*
         if atom.is("every", "")
-            && self
-                .atoms
-                .get(at + 1)
-                .is_some_and(|next| next.is("ord", "") || matches!(next.value, Value::Measure(Measure::Times(_))))
+            && self.atoms.get(at + 1).is_some_and(|next| {
+                next.is("ord", "") || matches!(next.value, Value::Measure(Measure::Times(_) | Measure::Number(_)))
+            })
         {
             starts.push((Lead::When, at));
         }
@@ -538,7 +561,10 @@ impl Chart<'_> {
     }
 
     fn span(&self, start: usize, end: usize) -> Span {
-        self.atoms[start].span.start..self.atoms[end - 1].span.end
+        // Their order may not be that in which they stand.
+        let atoms = &self.atoms[start..end];
+        let first = atoms.iter().map(|atom| atom.span.start).min().unwrap_or_default();
+        first..atoms.iter().map(|atom| atom.span.end).max().unwrap_or(first)
     }
 
     /// The words that somebody says, without quotes, as a quote.
@@ -585,6 +611,10 @@ impl Chart<'_> {
                 (from, to)
             }
         };
+        // *Hears nothing*
+        if to == from + 1 && atoms[from].is("none", "thing") {
+            return None;
+        }
         let ends = ["lead", "otherwise", "then", "but", "every"];
         let is_other = |atom: &Atom| ends.iter().any(|kind| atom.is(kind, "")) || atom.is("v", "say");
         if from >= to || atoms[from..to].iter().any(is_other) {
@@ -796,6 +826,15 @@ impl Chart<'_> {
                 _ => {}
             }
         }
+        // 触ったまま5秒たったら
+        let is_time = |at: usize| self.time(at).is_some();
+        if end >= at + 4 && last.is("later", "") {
+            let time = if is_time(end - 2) { end - 2 } else { end - 3 };
+            let between = time == end - 2 || self.is(end - 2, "cmp", "atleast");
+            if between && is_time(time) && time > at + 1 && self.is(time - 1, "still", "") {
+                found.push((Lead::When, end - 1, CLAUSE));
+            }
+        }
         found.dedup();
         found
     }
@@ -860,6 +899,11 @@ fn is_suspicious(text: &[Atom]) -> bool {
         return true;
     }
     if text.iter().all(|atom| atom.is("void", "")) || first.is("wh", "") {
+        return true;
+    }
+    // *Tells you to sit down*
+    let whom = |atom: &Atom| atom.is("who", "") || atom.is("robot", "");
+    if whom(first) && text.get(1).is_some_and(|next| next.is("prep", "to")) {
         return true;
     }
     // *Tell the child to sit down*, *hears you*

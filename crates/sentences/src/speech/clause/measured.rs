@@ -112,7 +112,11 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         return None;
     }
     let side = if bag.take("noun", "ahead").is_some() { Some("nearest") } else { None };
-    bag.take("noun", "distance");
+    // 人と人との距離: only that to the robot is known.
+    let names = bag.take("noun", "distance").is_some();
+    if names && bag.atoms.iter().any(|atom| atom.is("p", "to")) && !bag.has("robot", "") {
+        return None;
+    }
     let of = subject(bag, side)?;
     bag.take_all("robot", "");
     bag.take_all("noun", "ahead");

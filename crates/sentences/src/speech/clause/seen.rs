@@ -95,7 +95,7 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     // Somebody who stands comes only where the place is said: *stands in front of you*, 目の前に立つ.
     let has_place = bag.has("noun", "view") || bag.has("noun", "ahead");
     found.retain(|(_, at)| has_place || !bag.atoms[*at].is("pose", ""));
-    let of_kind = bag.has("adj", "known") || bag.has("adj", "new") && bag.has("who", "");
+    let of_kind = bag.has("adj", "known") || bag.has("adj", "new") && bag.has("who", "") || bag.has("whom", "");
     if found.is_empty() && !is_be && !nobody && !of_kind {
         return None;
     }
@@ -155,7 +155,9 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
         bag.take_all("noun", "colored");
         return Some(Event::Thing(color(bag)));
     }
-    if bag.take("it", "").is_some() {
+    // *It is somebody new*
+    let of_somebody = bag.has("whom", "") || bag.has("who", "") && (bag.has("adj", "new") || bag.has("adj", "known"));
+    if bag.take("it", "").is_some() && !(of_somebody && is_be) {
         return Some(Event::ItSeen);
     }
     if let Some(person) = person(bag, nobody, has("know")) {
@@ -168,7 +170,10 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
 
 /// A ball, or one of several.
 fn ball(bag: &mut Bag) -> Option<Event> {
-    bag.take("noun", "colored");
+    // *A ball of any colour*: the robot looks for one.
+    if bag.take("noun", "colored").is_some() && !bag.has("color", "") {
+        return None;
+    }
     // *It is the ball that …*
     bag.take("it", "");
     let mut all = vec![Event::Ball(color(bag))];

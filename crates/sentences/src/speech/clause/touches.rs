@@ -1,12 +1,24 @@
 //! Touches: which part is touched, pressed, held or let go.
 
 use super::{Bag, agent};
-use crate::speech::atoms::{Value, form};
+use crate::speech::atoms::{Atom, Value, form};
 use crate::speech::lexicon::End;
 use crate::speech::meaning::{Body, Event, Phase};
 
 /// What is touched; none if this tells of no touch, nothing inside if it tells of one that cannot be felt.
 pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Option<Event>> {
+    given(bag);
+    // How gently, no sense tells.
+    let denies = |atom: &Atom| {
+        ["not", "none", "but"].iter().any(|kind| atom.is(kind, "")) || atom.senses.iter().any(|sense| sense.form.not)
+    };
+    let touches = ["touch", "hold", "press", "bump"].iter().any(|verb| bag.has("v", verb));
+    if touches && !bag.atoms.iter().any(denies) {
+        bag.take_all("manner", "soft");
+    }
+    if let Some(let_go) = let_go(bag) {
+        return Some(Some(let_go));
+    }
     if let Some(button) = pressed(bag) {
         return Some(Some(button));
     }
@@ -20,6 +32,38 @@ pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Optio
         }
     }
     None
+}
+
+/// *Give your head a pat*: the touch is the noun.
+fn given(bag: &mut Bag) {
+    let Some(give) = bag.find("v", "give") else { return };
+    let is_touch = |at: &usize| {
+        let touch = ["touch", "hold", "press", "bump"].iter().find_map(|verb| bag.atoms[*at].sense("v", verb));
+        let mut before = bag.atoms[give + 1..*at].iter().rev().skip_while(|atom| atom.is("manner", "soft"));
+        touch.is_some_and(|sense| sense.form.end == End::Plain)
+            && (before.next().is_some_and(|before| before.is("void", "det")) || bag.atoms[*at].is("noun", "touch"))
+    };
+    if (give + 1..bag.atoms.len()).any(|at| is_touch(&at)) {
+        bag.use_up(give);
+    }
+}
+
+/// *I let go*, of what was touched.
+fn let_go(bag: &mut Bag) -> Option<Event> {
+    let at = bag.find("v", "release").filter(|_| !bag.has("part", "") && !bag.has("robot", ""))?;
+    let denies = bag.atoms[at].sense("v", "release").is_some_and(|sense| sense.form.not);
+    let left = bag.left();
+    let other = |atom: &Atom| {
+        let known = [("who", ""), ("it", ""), ("v", "release")];
+        left.contains(&atom.span) && !known.iter().any(|(kind, arg)| atom.is(kind, arg))
+    };
+    if denies || bag.atoms.iter().any(other) {
+        return None;
+    }
+    bag.use_up(at);
+    agent(bag);
+    bag.take("it", "");
+    Some(Event::ItLetGo)
 }
 
 fn pressed(bag: &mut Bag) -> Option<Event> {
@@ -51,6 +95,10 @@ fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -
     bag.use_up(at);
     bag.take_all("v", verb);
     if verb == "release" {
+        // The robot does not feel that it lets go itself.
+        if bag.has("robot", "") && !form.passive {
+            return None;
+        }
         // 頭から手が離れた: the hand is whose it is that touches.
         if let (Some(first), Some(second)) = (bag.find("part", ""), bag.find("part", "hand"))
             && first != second
@@ -83,7 +131,7 @@ fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -
         return same(bag);
     }
     // What was said last; if it was something else, that stays in doubt.
-    Some(Event::ItTouched)
+    Some(if verb == "release" || over { Event::ItLetGo } else { Event::ItTouched })
 }
 
 /// A touch of the parts that the bag has.
