@@ -36,16 +36,13 @@ pub(crate) fn RecordRow() -> impl IntoView {
             view! { <Later show=move |rest| (rest.recorded)(Some(recorded.clone()), note) /> }.into_any()
         }
         // What stands below stays where it is.
-        (true, None) => view! {
+        (true, None) if may_operate(desk) => view! {
             <p class="record">
-                {words::not_recorded()}
-                <Show when=move || may_operate(desk)>
-                    <button class="link" type="button" on:click=move |_| desk.desk().robots.record_now()>
-                        {words::record_now()}
-                    </button>
-                </Show>
+                <button class="link" type="button" on:click=move |_| desk.desk().robots.record_now()>{words::record_now()}</button>
             </p>
         }
+        .into_any(),
+        (true, None) => view! { <p class="record">{words::not_recorded()}</p> }
         .into_any(),
     }
 }

@@ -107,16 +107,28 @@ pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>
         let after = desk.clone();
         desk.document.put_ghost(ghost, move |answer| after.say_refusal(answer));
     };
+    let enter = move || match untrack(|| doubt.get()).map(|doubt| doubt.suggestions.into_iter().next()) {
+        Some(Some(best)) => take(&best),
+        Some(None) => {}
+        None => add(),
+    };
+    // A text that was entered before the words were here is entered once they are, if it is the same still.
+    let early = RwSignal::new(None::<String>);
     Effect::new(move |before: Option<u32>| {
         let entered = typing.entered.get();
         if before.is_some_and(|before| before != entered) {
-            match untrack(|| doubt.get()).map(|doubt| doubt.suggestions.into_iter().next()) {
-                Some(Some(best)) => take(&best),
-                Some(None) => {}
-                None => add(),
-            }
+            let text = typing.text.get_untracked();
+            if words_come(&text) { early.set(Some(text)) } else { enter() }
         }
         entered
+    });
+    Effect::new(move |_| {
+        reading.track();
+        let text = typing.text.get_untracked();
+        if early.read_untracked().as_ref() == Some(&text) && !words_come(&text) {
+            early.set(None);
+            enter();
+        }
     });
     view! {
         <Show when=move || is_open.get()>
@@ -217,7 +229,12 @@ fn WouldAdd(reading: Memo<Option<Reading>>) -> impl IntoView {
     }
 }
 
-/// What is typed as a sentence, if it is one and somebody here may edit. Reactive, but for the program itself.
+/// True while the words are fetched by which a text is understood.
+fn words_come(text: &str) -> bool {
+    matches!(untrack(|| lexicon::words(language_of(text))), Words::Come)
+}
+
+/// Reads what is typed as a sentence, if it is one and somebody here may edit. Reactive, but for the program itself.
 fn reading(desk: Hold, text: &str) -> Option<Reading> {
     let is_open = desk.desk().document.open.read().is_some();
     if !is_open || !may_edit(desk) || !looks_like_sentence(text) {

@@ -57,10 +57,7 @@ impl Said {
                 }
                 Segment::Every(ms) => rule.every = Some(*ms),
                 Segment::AtMost(ms) if is_alone(&rule, rest) => {
-                    match self.rules.last_mut() {
-                        Some(last) => last.at_most = Some(*ms),
-                        None => rule.at_most = Some(*ms),
-                    }
+                    self.rules.last_mut().unwrap_or(&mut rule).at_most = Some(*ms);
                     is_open = false;
                 }
                 Segment::AtMost(ms) => rule.at_most = Some(*ms),
@@ -81,13 +78,9 @@ impl Said {
                 Segment::Cond(lead, cond) => {
                     let follows = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
                     let restricts = matches!(lead, Lead::Until | Lead::Unless);
-                    let is_new = !rule.acts.is_empty() && rule.event.is_some() && follows && !restricts && !is_trailed;
-                    let is_next = !rule.acts.is_empty()
-                        && !restricts
-                        && follows
-                        && matches!(before, Some(Segment::And | Segment::But | Segment::Otherwise))
-                        && rule.event.is_some();
-                    if is_new || is_next {
+                    let is_joined = matches!(before, Some(Segment::And | Segment::But | Segment::Otherwise));
+                    let is_whole = !rule.acts.is_empty() && rule.event.is_some();
+                    if is_whole && follows && !restricts && (!is_trailed || is_joined) {
                         self.next(&mut rule, span, goes_on);
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
@@ -102,11 +95,8 @@ impl Said {
                         self.doubts.push(act_span.clone());
                     }
                     goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
-                    if is_trailed {
-                        self.next(&mut rule, span, goes_on);
-                        (goes_on, later, is_trailed) = (false, 0, false);
-                    }
-                    if matches!(acts[..], [Act::Unfollow(_), ..]) && !rule.acts.is_empty() {
+                    let unfollows = matches!(acts[..], [Act::Unfollow(_), ..]);
+                    if is_trailed || unfollows && !rule.acts.is_empty() {
                         self.next(&mut rule, span, goes_on);
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
@@ -316,6 +306,17 @@ impl Said {
         }
     }
 
+    /// Notes words that say of a rule how it is meant, and do nothing by themselves.
+    fn restrict(&mut self, rule: &mut Rule, act: &Act, span: &Span) {
+        match act {
+            Act::NotFor(ms, words) => self.pause(rule, *ms, *words, span),
+            Act::Unfollow(target) => rule.unfollows = Some((span.clone(), *target)),
+            Act::Keeps => rule.keeps = Some(span.clone()),
+            Act::Instead => rule.instead = Some(span.clone()),
+            _ => rule.denied = Some(span.clone()),
+        }
+    }
+
     fn acts(&mut self, rule: &mut Rule, acts: &Rc<Vec<Act>>, span: &Span, later: u64) {
         for act in acts.iter() {
             let act = match act {
@@ -331,24 +332,8 @@ impl Said {
                     rule.counts = true;
                     continue;
                 }
-                Act::Not => {
-                    rule.denied = Some(span.clone());
-                    continue;
-                }
-                Act::NotFor(ms, words) => {
-                    self.pause(rule, *ms, *words, span);
-                    continue;
-                }
-                Act::Keeps => {
-                    rule.keeps = Some(span.clone());
-                    continue;
-                }
-                Act::Instead => {
-                    rule.instead = Some(span.clone());
-                    continue;
-                }
-                Act::Unfollow(target) => {
-                    rule.unfollows = Some((span.clone(), *target));
+                Act::Not | Act::NotFor(..) | Act::Keeps | Act::Instead | Act::Unfollow(_) => {
+                    self.restrict(rule, act, span);
                     continue;
                 }
                 Act::Text(text) => Act::Say(text.clone()),

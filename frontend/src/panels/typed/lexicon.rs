@@ -3,6 +3,8 @@
 use crate::browser;
 use leptos::prelude::*;
 use sentences::{Language, Lexicon};
+use std::cell::Cell;
+use std::rc::Rc;
 
 /// How it goes with the words of a language.
 #[derive(Clone, Copy)]
@@ -17,6 +19,7 @@ pub(super) enum Words {
 #[derive(Clone, Default)]
 struct Shelf {
     words: ArcRwSignal<Option<Words>>,
+    asked: Rc<Cell<bool>>,
 }
 
 thread_local! {
@@ -39,10 +42,14 @@ pub(super) fn words(language: Language) -> Words {
     if browser::window().is_none() {
         return Words::Lost;
     }
+    if shelf.asked.replace(true) {
+        return Words::Come;
+    }
     leptos::task::spawn_local(async move {
         let text = browser::text_at(address(language)).await;
         let words =
             text.map_or(Words::Lost, |text| Words::Here(Box::leak(Box::new(Lexicon::read(text.leak(), language)))));
+        shelf.asked.set(false);
         shelf.words.set(Some(words));
     });
     Words::Come
