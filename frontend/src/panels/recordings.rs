@@ -30,7 +30,8 @@ pub(crate) fn RecordRow() -> impl IntoView {
             <Show when=move || desk.desk().robots.records.get()><Later show=move |rest| (rest.recorded)(None, note) /></Show>
         }
     };
-    move || match (runs.get(), recorded.get()) {
+    move || {
+        match (runs.get(), recorded.get()) {
         (false, _) => choice().into_any(),
         (true, Some(recorded)) => {
             view! { <Later show=move |rest| (rest.recorded)(Some(recorded.clone()), note) /> }.into_any()
@@ -44,6 +45,7 @@ pub(crate) fn RecordRow() -> impl IntoView {
         .into_any(),
         (true, None) => view! { <p class="record">{words::not_recorded()}</p> }
         .into_any(),
+    }
     }
 }
 
