@@ -35,13 +35,14 @@ pub(crate) fn TextField(
     #[prop(optional, into)]
     offers: Option<Signal<Vec<String>>>,
 ) -> impl IntoView {
+    let typed = StoredValue::new(false);
     let select = move |event: FocusEvent| {
+        typed.set_value(false);
         let field = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok());
         if let Some(field) = field.filter(|_| proposed.is_some_and(|proposed| proposed.get_untracked())) {
-            let proposal = field.value();
             // After the press that brought the keyboard here has put the caret somewhere; not if somebody types already.
             crate::browser::after(0, move || {
-                if field.value() == proposal {
+                if typed.try_get_value() == Some(false) {
                     field.select();
                 }
             });
@@ -71,7 +72,10 @@ pub(crate) fn TextField(
                 spellcheck=if mono { "false" } else { "true" }
                 maxlength=max_chars.to_string()
                 prop:value=move || value.get()
-                on:input:target=move |event| value.set(event.target().value())
+                on:input:target=move |event| {
+                    typed.set_value(true);
+                    value.set(event.target().value());
+                }
             />
         </label>
         {list}

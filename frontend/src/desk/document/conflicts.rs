@@ -108,8 +108,8 @@ impl Document {
 
     /// A change touches what somebody is editing. One that was made without a connection, or that meets nothing but a lock
     /// of this page from before, is kept until that is free; gives it back if it is no such change.
-    pub(super) fn waits_for_lock(&self, waiting: Waiting, by: &str) -> Option<Waiting> {
-        let is_others = untrack(|| self.is_edited_by_others(&waiting.change));
+    pub(super) fn waits_for_lock(&self, waiting: Waiting) -> Option<Waiting> {
+        let is_others = self.other_editor(&waiting.change).is_some();
         let is_kept = waiting.way == Way::Propose && is_worth_keeping(&waiting.change);
         let mut all = self.conflicts.get_untracked();
         if !is_kept || is_others && !waiting.offline || all.len() >= CONFLICTS_MAX {
@@ -119,9 +119,7 @@ impl Document {
         let Some(new) = Conflict::of(of, waiting.change.clone(), made, Vec::new(), &now) else { return Some(waiting) };
         all.push(Conflict { locked: true, ..new });
         self.set_conflicts(all);
-        if is_others {
-            self.tab.say(&words::waits_until_free(by), true);
-        }
+        self.look_at_locks();
         None
     }
 
@@ -129,24 +127,33 @@ impl Document {
         self.with_confirmed(Behaviour::clone)
     }
 
-    fn is_edited_by_others(&self, change: &Change) -> bool {
-        let edited = self.edited_by_others();
-        change.edits.iter().any(|edit| edited.iter().any(|(record, _)| *record == edit.id))
+    /// The name of somebody else who is editing something that a change touches, as far as this page knows by now.
+    fn other_editor(&self, change: &Change) -> Option<String> {
+        let mut edited = untrack(|| self.edited_by_others()).into_iter();
+        edited.find(|(record, _)| change.edits.iter().any(|edit| edit.id == *record)).map(|(_, editor)| editor.name)
     }
 
-    /// Proposes what waited for locks that are free now.
+    /// Who is editing what was heard: names once who is editing what a kept change touches.
+    fn look_at_locks(&self) {
+        let mut all = self.conflicts.get_untracked();
+        for waits in all.iter_mut().filter(|conflict| conflict.locked && !conflict.shown) {
+            if let Some(name) = self.other_editor(&waits.mine) {
+                waits.shown = true;
+                self.tab.say(&words::waits_until_free(&name), true);
+            }
+        }
+        self.set_conflicts(all);
+    }
+
+    /// Proposes what waited for locks that are free now, and names who holds the others.
     pub(super) fn propose_what_is_free(&self) {
         let mut all = self.conflicts.get_untracked();
         let is_free = |conflict: &mut Conflict| {
-            conflict.locked
-                && self.is_open(&conflict.behaviour)
-                && !untrack(|| self.is_edited_by_others(&conflict.mine))
+            conflict.locked && self.is_open(&conflict.behaviour) && self.other_editor(&conflict.mine).is_none()
         };
         let free: Vec<Conflict> = all.extract_if(.., is_free).collect();
-        if free.is_empty() {
-            return;
-        }
         self.set_conflicts(all);
+        self.look_at_locks();
         for conflict in free {
             let again = Change { op: new_id(), ..conflict.mine };
             let tab = self.tab.clone();

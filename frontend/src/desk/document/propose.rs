@@ -176,7 +176,7 @@ impl Document {
         }
         let on_answer = self.settle(&waiting.change);
         let waiting = match &answer {
-            Err(Refused::Change(Refusal::Locked { by, .. })) => match self.waits_for_lock(waiting, by) {
+            Err(Refused::Change(Refusal::Locked { .. })) => match self.waits_for_lock(waiting) {
                 Some(waiting) => waiting,
                 None => return self.pump(),
             },
