@@ -133,7 +133,7 @@ impl Document {
         edited.find(|(record, _)| change.edits.iter().any(|edit| edit.id == *record)).map(|(_, editor)| editor.name)
     }
 
-    /// Who is editing what was heard: names once who is editing what a kept change touches.
+    /// Names, once for each kept change, the person who is editing something that it touches.
     fn look_at_locks(&self) {
         let mut all = self.conflicts.get_untracked();
         for waits in all.iter_mut().filter(|conflict| conflict.locked && !conflict.shown) {
