@@ -647,6 +647,21 @@ impl Two<'_> {
         self.propose(self.program.clone(), change).await
     }
 
+    /// Aiko types at a test without a connection, and Ben edits a filter meanwhile.
+    async fn types_offline(&mut self, socket: &Switch<'_>, test: &Where, theirs: (&str, &str)) -> Outcome<()> {
+        let aiko = self.aiko;
+        self.reset().await?;
+        self.both("distance < 0.5", "distance >= 0.5", "as it was").await?;
+        shows(aiko, &self.now().await?.records, &test.key()?).await?;
+        socket.cut().await?;
+        says(aiko, "Offline").await?;
+        self.types(test).await?;
+        aiko.key(test.save).await?;
+        self.leaves().await?;
+        agreed(self.edits(theirs.0, theirs.1).await?, theirs.0)?;
+        socket.mend().await
+    }
+
     /// Waits until the server has both sides like this.
     async fn both(&mut self, test: &str, rest: &str, what: &str) -> Outcome<()> {
         let began = std::time::Instant::now();
@@ -707,32 +722,14 @@ async fn an_otherwise_follows_whoever_is_first_and_nobody_who_types_at_it_loses_
     two.ben.freed(&test.key()?).await?;
 
     // Without a connection, at the test that Ben changes with its otherwise: both follow what Aiko keeps.
-    two.reset().await?;
-    two.both("distance < 0.5", "distance >= 0.5", "as it was").await?;
-    shows(&aiko, &two.now().await?.records, &test.key()?).await?;
-    socket.cut().await?;
-    says(&aiko, "Offline").await?;
-    two.types(test).await?;
-    aiko.key(test.save).await?;
-    two.leaves().await?;
-    agreed(two.edits("near", "distance < 0.7").await?, "the test")?;
-    socket.mend().await?;
+    two.types_offline(&socket, test, ("near", "distance < 0.7")).await?;
     aiko.find("dialog", "Ben changed this filter too").await?;
     aiko.press("button", "Keep mine").await?;
     aiko.gone("dialog", "Ben changed this filter too").await?;
     two.both("distance < 0.35", "distance >= 0.35", "Aiko keeps hers").await?;
 
     // Without a connection, at the test whose otherwise Ben makes one of his own: hers is saved, and his stays.
-    two.reset().await?;
-    two.both("distance < 0.5", "distance >= 0.5", "as it was").await?;
-    shows(&aiko, &two.now().await?.records, &test.key()?).await?;
-    socket.cut().await?;
-    says(&aiko, "Offline").await?;
-    two.types(test).await?;
-    aiko.key(test.save).await?;
-    two.leaves().await?;
-    agreed(two.edits("rest", "distance > 0.9").await?, "the otherwise")?;
-    socket.mend().await?;
+    two.types_offline(&socket, test, ("rest", "distance > 0.9")).await?;
     two.both("distance < 0.35", "distance > 0.9", "each has their own").await?;
     calm(&aiko)
 }
