@@ -99,7 +99,10 @@ fn setting(param: &Param, given: Option<&Value>) -> Option<String> {
                 Some(format!("{number} {}", words::label_of(unit)).trim_end().to_owned())
             }
         }
-        ParamKind::Text { .. } => value.as_text().map(words::saying),
+        // A text that nobody chose is not told.
+        ParamKind::Text { .. } => {
+            value.as_text().filter(|text| !text.is_empty() || *value != default).map(words::saying)
+        }
     }
 }
 

@@ -35,7 +35,10 @@ pub(crate) fn just_made() {
 pub(crate) fn EmptyStage() -> impl IntoView {
     let desk = hold();
     let none_open = Memo::new(move |_| desk.desk().document.open.read().is_none());
-    let is_empty = Memo::new(move |_| desk.desk().document.stream_ids.read().is_empty());
+    // What a typed sentence would add is drawn in the place of what is offered.
+    let is_empty = Memo::new(move |_| {
+        desk.desk().document.stream_ids.read().is_empty() && desk.desk().document.ghost.read().is_none()
+    });
     view! {
         <Show when=move || none_open.get()><Library /></Show>
         <Show when=move || !none_open.get() && is_empty.get()><FirstSenses /></Show>
