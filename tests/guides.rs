@@ -1,4 +1,5 @@
-//! What the pages for engineers promise, compared with the code: `crates/ARCHITECTURE.md`, `crates/ADDING.md`, `tests/TESTING.md`.
+//! Compares what the pages for engineers promise with the code: `crates/ARCHITECTURE.md`, `crates/ADDING.md`,
+//! `tests/TESTING.md`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,9 +10,9 @@ use house::{Outcome, Trouble};
 use super::{none, rooms};
 
 const ALL: [&str; 3] = [ARCHITECTURE, TESTING, ADDING];
-/// What is read in ten minutes.
+/// The most words that are read in ten minutes.
 const WORDS_MAX: usize = 2_300;
-/// What engineers ask for most; each has to have a row.
+/// The things that engineers ask for most; each has to have a row.
 const ADDED: [&str; 8] = [
     "a connector",
     "a sensor or an actuator",

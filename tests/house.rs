@@ -70,7 +70,7 @@ const TOP: [&str; 13] = [
 /// Where cargo and the tests put what they make; never in a commit.
 const MADE: &str = "target";
 
-/// Where connectors may be named: their own files, and the engine that runs them.
+/// The places where connectors may be named: their own files, and the engine that runs them.
 const CONNECTOR_ROOMS: [&str; 2] = ["crates/behaviour/src/connectors", "crates/engine/src/"];
 /// Where devices may be named: their own files, the robots that have them, and what sentences say of each.
 const DEVICE_ROOMS: [&str; 6] = [
@@ -124,7 +124,7 @@ const PLAIN: [&str; 21] = [
     "tests/src/",
 ];
 /// The most such lines in all other files. A ratchet: it may only go down.
-const VERBLESS_MAX: usize = 1642;
+const VERBLESS_MAX: usize = 1511;
 
 #[test]
 fn plain_rooms_use_only_the_libraries_on_their_list() -> Outcome<()> {

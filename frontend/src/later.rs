@@ -80,7 +80,7 @@ pub(crate) struct Rest {
     pub(crate) apply: fn() -> AnyView,
     /// In the menu of robots, all of them, and what can be done with the one that is looked at.
     pub(crate) robot_list: fn() -> AnyView,
-    /// How the recording of a run goes, with the field for marks; without a recording only that field, which rests.
+    /// Shows how a run's recording goes, with the field for marks; without a recording only that field, which rests.
     pub(crate) recorded: fn(Option<Recorded>, RwSignal<String>) -> AnyView,
     /// The recordings that are kept.
     pub(crate) recordings: fn() -> AnyView,

@@ -63,7 +63,7 @@ async fn a_whole_program_that_is_pasted_is_offered_to_be_opened() -> Outcome<()>
         }})(), 0"
     );
     aiko.find("heading", "Add a sense to begin").await?;
-    // Who leaves it goes on with what is there; who opens it has it as a program of its own.
+    // A person who leaves it goes on with what is there. One who opens it has it as a program of its own.
     for (button, name, count) in [("Leave it", "Seen", 0), ("Open it", "Pasted 2", 6)] {
         aiko.eval(&paste).await?;
         aiko.within("dialog", "Open what you pasted?").press("button", button).await?;

@@ -177,12 +177,12 @@ async fn what_is_said_in_other_words_is_understood_or_said_to_be_impossible() ->
     aiko.no_errors()
 }
 
-/// What the field that finds has.
+/// Returns a script that is true if the field that finds has `text`.
 fn typed_is(text: &str) -> String {
     format!("document.querySelector('#find').value === {}", serde_json::json!(text))
 }
 
-/// What was understood of what is typed.
+/// Returns a script that is true if `text` is what was understood of what is typed.
 fn understood_is(text: &str) -> String {
     format!("document.querySelector('.understood')?.textContent === {}", serde_json::json!(text))
 }

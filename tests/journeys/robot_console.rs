@@ -7,10 +7,10 @@ use std::io::Write;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How long an answer may take that has to come.
+/// The longest time for an answer that has to come.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// What the console said.
+/// The text that the console said.
 #[derive(Clone, Default)]
 struct Said(Arc<Mutex<Vec<u8>>>);
 
@@ -83,11 +83,11 @@ async fn a_robot_is_reached_accepted_and_blinks_by_the_console() -> Outcome<()> 
     );
     assert_eq!(talk.line("forget face \"Ken\" of Blue").await, "Blue forgets Ken");
     talk.until("show faces Blue", |said| said == "Hana").await;
-    // How many it knew is told a moment later than that one is gone.
+    // The number of faces that it knew is told a moment later than that one is gone.
     assert!(talk.line("forget faces Blue").await.starts_with("Blue forgets the "));
     talk.until("show faces Blue", |said| said == "Blue remembers no face").await;
 
-    // Where nobody answers it is not reached, and stays where it is.
+    // The robot is not reached where nobody answers, and stays where it is.
     assert_eq!(talk.line("reach robot Blue").await, "Type “reach robot NAME at ADDRESS”.");
     let nowhere = talk.line("reach robot Blue at 127.0.0.1:9").await;
     assert!(nowhere.starts_with("The robot keeps its address. "), "{nowhere}");

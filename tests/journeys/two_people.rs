@@ -624,7 +624,7 @@ async fn add_otherwise(two: &mut Two<'_>) -> Outcome<()> {
     Ok(())
 }
 
-/// What a filter of the program asks now.
+/// Returns what a filter of the program asks now.
 fn asks(now: &Behaviour, connector: &str) -> Outcome<String> {
     match now.connector(&id(connector)?).and_then(|one| one.operation.procedure()) {
         Some(Procedure::Body { body, .. }) => Ok(body.clone()),
@@ -734,7 +734,7 @@ async fn an_otherwise_follows_whoever_is_first_and_nobody_who_types_at_it_loses_
     calm(&aiko)
 }
 
-/// What one changed without a connection, and a colleague is editing when the connection is back: it waits for them, and is
+/// A change without a connection waits for a colleague who is editing the same when the connection is back. It is
 /// neither lost nor put over what they save.
 #[tokio::test]
 async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
@@ -755,7 +755,7 @@ async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
         two.types(place).await?;
         aiko.key(place.save).await?;
         two.leaves().await?;
-        // Who opens a program once more gives back what they had locked there, so Ben looks before.
+        // A person who opens a program once more gives back what they had locked there, so Ben looks before.
         let now = two.now().await?.records;
         let (behaviour, records) = (two.program.clone(), [record.clone()].into());
         let Reply::Locked { grant } = two.ben.ask(Request::Lock { behaviour, records }).await? else {

@@ -296,7 +296,7 @@ mod tests {
         theirs.apply(&edited(&before, "test", "near", "distance < 70"));
         let left = without_late_followers(&theirs, mine);
         assert_eq!(test_only(&left), ["connector/test"], "they edited the test, and theirs follows");
-        // Who edits both is asked about both.
+        // A person who edits both is asked about both.
         let both = edited(&before, "test", "near", "distance < 45");
         let both = both.put(&before, key(Kind::Connector, "other"), filter("far", "distance >= 50"));
         let known = both.edits.len();

@@ -63,7 +63,7 @@ enum What {
 }
 
 impl What {
-    /// Whether it is a server, or may talk to one, by what is remembered of this user's servers.
+    /// True if it is a server, or may talk to one by what is remembered of this user's servers.
     fn uses_a_server(&self) -> bool {
         let only_files = matches!(
             self,

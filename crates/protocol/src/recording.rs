@@ -109,9 +109,9 @@ impl Records {
 pub struct RecordingMark {
     /// The id of the mark: chosen by who adds it, or `note-1`, `note-2`, … for those that were made while it ran.
     pub id: Id,
-    /// When, in milliseconds since Start.
+    /// The time of the moment, or of the beginning of the span, in milliseconds since Start.
     pub t: u64,
-    /// When it ended, if it is a span.
+    /// The time of the end of the span, in milliseconds since Start; none for a moment.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until: Option<u64>,
     /// The word of the mark, at most [`crate::MARK_WORD_MAX_CHARS`]; may be empty.
@@ -126,7 +126,7 @@ pub struct RecordingMark {
     /// The name of the person who wrote it.
     #[serde(default)]
     pub by: String,
-    /// When it was written: `2026-11-21T18:34:06Z`; empty for one that was made while it ran.
+    /// The time at which it was written: `2026-11-21T18:34:06Z`; empty for one that was made while it ran.
     #[serde(default)]
     pub at: String,
     /// True if it was removed.

@@ -36,7 +36,7 @@ pub enum Ending {
 /// A value that an action was told.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
-    /// When.
+    /// The time at which it was told, in milliseconds since Start.
     pub at_ms: u64,
     /// The id of its stream.
     pub stream: String,
@@ -46,7 +46,7 @@ pub struct Told {
     pub value: String,
 }
 
-/// Why a recording does not give its own actions again.
+/// The reason why a recording does not give its own actions again.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Different {
     /// The text is no recording.
@@ -57,7 +57,7 @@ pub enum Different {
     Program(String),
     /// The program in it has no such stream.
     Stream {
-        /// When.
+        /// The time of the value, in milliseconds since Start.
         at_ms: u64,
         /// The stream's id.
         stream: String,
@@ -222,7 +222,7 @@ impl Replay {
         let late = if let Ending::Whole(end) = &ends { end.late } else { 0 };
         match &ends {
             Ending::Whole(end) => end.closed.into_iter().for_each(|closed_ms| self.until(closed_ms)),
-            // How far the last instant was carried by then, nobody knows.
+            // Nobody knows how far the last instant was carried by then.
             Ending::Full | Ending::CutOff => self.until(self.last_ms),
         }
         self.compare(late)?;

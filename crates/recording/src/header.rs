@@ -27,7 +27,7 @@ pub struct Header {
     pub frame_ms: Option<u64>,
     /// The name of the person who started the run, or the recording of it.
     pub by: String,
-    /// When it began: `2026-11-21T18:34:06Z`.
+    /// The time at which it began: `2026-11-21T18:34:06Z`.
     pub began: String,
     /// The number of the run.
     pub run: u64,

@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub enum Line {
     /// A reading, or what an action was told.
     Value {
-        /// When.
+        /// The time of the value, in milliseconds since Start.
         at_ms: u64,
         /// Of which stream.
         stream: StreamIx,
@@ -22,7 +22,7 @@ pub enum Line {
     },
     /// A reading that somebody pretended.
     Pretended {
-        /// When.
+        /// The time of the reading, in milliseconds since Start.
         at_ms: u64,
         /// Of which stream.
         stream: StreamIx,
@@ -33,11 +33,11 @@ pub enum Line {
     },
     /// A value that a procedure dropped.
     Fault {
-        /// When.
+        /// The time of the drop, in milliseconds since Start.
         at_ms: u64,
         /// Of which connector.
         connector: ConnectorIx,
-        /// Why, in words.
+        /// The reason, in words.
         error: String,
     },
     /// A value that an action was told and that the robot did not do.
@@ -62,7 +62,7 @@ pub enum Line {
     },
     /// The memory, at this point, of a run that is continued or recorded from its middle on.
     Memory {
-        /// When.
+        /// The time of this point, in milliseconds since Start.
         at_ms: u64,
         /// By places in the file before it.
         memory: Box<Handover>,
@@ -71,7 +71,7 @@ pub enum Line {
     Robot(Box<RobotLine>),
     /// The simulated room, as something in it moved.
     Room {
-        /// When.
+        /// The time of this state of the room, in milliseconds since Start.
         at_ms: u64,
         /// All that stands in it; of the robot only where it is.
         scene: Box<Scene>,
@@ -85,12 +85,12 @@ pub enum Line {
 /// A value that an action was told and that the robot did not do.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Refusal {
-    /// When the robot said so.
+    /// The time at which the robot said so, in milliseconds since Start.
     #[serde(rename = "t")]
     pub at_ms: u64,
     /// The action's stream.
     pub refused: Id,
-    /// Why, in words.
+    /// The reason, in words.
     pub why: String,
     /// The one who keeps the part of the robot that it uses, if somebody does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -103,7 +103,7 @@ pub struct Refusal {
 /// An action that somebody had the robot do by hand.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hand {
-    /// When.
+    /// The time of the press, in milliseconds since Start.
     #[serde(rename = "t")]
     pub at_ms: u64,
     /// With which action of the catalogue.
@@ -115,7 +115,7 @@ pub struct Hand {
     pub value: Value,
     /// The name of the person who pressed.
     pub by: String,
-    /// Why the robot did not do it, if so.
+    /// The reason why the robot did not do it; none if it did.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
@@ -123,7 +123,7 @@ pub struct Hand {
 /// A moment that somebody marked. Its time is that of the press, so that it may be earlier than that of the line before.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Note {
-    /// When.
+    /// The time of the moment, in milliseconds since Start.
     #[serde(rename = "t")]
     pub at_ms: u64,
     /// The name of the person who marked it.
@@ -136,18 +136,18 @@ pub struct Note {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct RobotLine {
-    /// When.
+    /// The time of this state, in milliseconds since Start.
     #[serde(rename = "t")]
     pub at_ms: u64,
     /// The state of the link, in a word: `ready`, `degraded`, `lost`.
     pub link: String,
-    /// Why, if it is not ready.
+    /// The reason why the link is not ready, where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
     /// The state of its body.
     #[serde(flatten)]
     pub condition: Condition,
-    /// Why it interrupted what ran, if it did.
+    /// The reason why it interrupted what ran; none if it did not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub halt: Option<String>,
 }
@@ -166,7 +166,7 @@ pub struct End {
     /// The number of moments that were marked while it ran.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<u64>,
-    /// Why.
+    /// The reason of the end, in words.
     pub why: String,
     /// The name of the person who ended it, if a person did.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -26,7 +26,7 @@ pub struct NoRecording;
 pub enum Entry {
     /// A reading, or what an action was told.
     Value {
-        /// When.
+        /// The time of the value, in milliseconds since Start.
         at_ms: u64,
         /// The id of its stream.
         stream: String,
@@ -37,11 +37,11 @@ pub enum Entry {
     },
     /// A value that a procedure dropped.
     Fault {
-        /// When.
+        /// The time of the drop, in milliseconds since Start.
         at_ms: u64,
         /// The id of its connector.
         connector: String,
-        /// Why.
+        /// The reason, in words.
         error: String,
     },
     /// A value that the robot did not do.
@@ -66,7 +66,7 @@ pub enum Entry {
     },
     /// The memory of the run at this point.
     Memory {
-        /// When.
+        /// The time of this point, in milliseconds since Start.
         at_ms: u64,
         /// The memory; none if it was too large to be kept.
         memory: Option<Box<Handover>>,
@@ -75,7 +75,7 @@ pub enum Entry {
     Robot(Box<RobotLine>),
     /// The simulated room.
     Room {
-        /// When.
+        /// The time of this state of the room, in milliseconds since Start.
         at_ms: u64,
         /// The things that stand in it.
         scene: Box<Scene>,
@@ -121,7 +121,7 @@ impl<'t> Open<'t> {
     pub fn lines(self) -> impl Iterator<Item = (usize, &'t str)> {
         let whole = self.rest.rsplit_once('\n').map_or("", |(whole, _)| whole);
         let last = &self.rest[(whole.len() + 1).min(self.rest.len())..];
-        // Who edited it may have left out the last end of a line.
+        // A person who edited it may have left out the last end of a line.
         let last = Some(last).filter(|last| serde_json::from_str::<Value>(last).is_ok());
         let lines = whole.lines().chain(last);
         (self.before + 1..).zip(lines).filter(|(_, line)| !line.trim().is_empty())

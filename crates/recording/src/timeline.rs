@@ -27,7 +27,7 @@ pub struct Timeline {
 /// One thing that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
-    /// When.
+    /// The time at which it happened, in milliseconds since Start.
     pub at_ms: u64,
     /// The kind of thing that happened.
     pub what: What,

@@ -1,4 +1,4 @@
-//! How long a sentence takes to be read: random strings and sentences with slips, and what is understood.
+//! Measures how long a sentence takes to be read: random strings and sentences with slips, and what is understood.
 //! `cargo xtask bench sentences`; it fails if a bar is missed.
 
 #![expect(clippy::print_stdout, reason = "a benchmark says what it measured")]
@@ -14,13 +14,13 @@ use sentences::{Language, Lexicon, read_speech};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// How many texts of each kind, if no number is given.
+/// The number of texts of each kind, if no other number is given.
 const COUNT: usize = 100_000;
 /// The bars: half of the texts, and each of them.
 const MEDIAN: Duration = Duration::from_millis(5);
 const WORST: Duration = Duration::from_millis(50);
 
-/// How long each text takes, sorted, and the longest one with its text.
+/// Returns the time that each text takes, sorted, and the text that takes longest.
 fn times(count: usize, mut text: impl FnMut(&mut Dice, usize) -> (String, Language)) -> (Vec<Duration>, String) {
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();

@@ -134,7 +134,7 @@ impl Does {
         if let Calc::Helper(name) = self.calc()? { Some(name) } else { None }
     }
 
-    /// What its connector means.
+    /// Returns the meaning of its connector.
     pub(crate) fn meaning(&self) -> ConnectorMeaning {
         match self {
             Self::Make(_) => ConnectorMeaning::Makes,

@@ -32,7 +32,7 @@ const ALL_MAX_BYTES: u64 = 4 << 30;
 const KEPT_MAX: usize = 1_000;
 /// What a recording's name ends with.
 const ENDING: &str = ".jsonl";
-/// What the name of the file of its later marks ends with.
+/// The ending of the name of the file of a recording's later marks.
 const MARKS_ENDING: &str = ".marks.jsonl";
 
 /// The folder of the recordings. A clone is the same folder.
@@ -48,12 +48,12 @@ pub(crate) struct Recordings {
     bounds: Bounds,
 }
 
-/// How many recordings are kept.
+/// The bounds of the recordings that are kept.
 #[derive(Clone, Copy, Debug)]
 struct Bounds {
-    /// So many.
+    /// The most that are kept.
     kept: usize,
-    /// With so many bytes together.
+    /// The most bytes that they have together.
     bytes: u64,
 }
 
@@ -131,7 +131,7 @@ pub(crate) struct About<'a> {
     pub(crate) by: &'a str,
     /// What runs.
     pub(crate) file: &'a Arc<behaviour::BehaviourFile>,
-    /// What it is part of, and what is recorded.
+    /// The session that it is part of, and what is recorded.
     pub(crate) session: &'a Session,
 }
 
@@ -217,7 +217,7 @@ impl Recordings {
         Open { all: self.open.clone(), name: name.to_owned() }
     }
 
-    /// Whether one is still being written.
+    /// True if one is still being written.
     #[cfg(test)]
     pub(crate) fn is_writing(&self) -> bool {
         !lock(&self.open).is_empty()
@@ -259,7 +259,7 @@ fn removed(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Where the later marks of a recording are.
+/// Returns the path of the later marks of a recording.
 fn marks_of(path: &Path) -> PathBuf {
     let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
     path.with_file_name(format!("{}{MARKS_ENDING}", name.trim_end_matches(ENDING)))
@@ -275,7 +275,7 @@ fn files(folder: &Path) -> impl Iterator<Item = (PathBuf, u64)> + use<> {
     })
 }
 
-/// Whether a file of this name is a recording, not its later marks.
+/// True if a file of this name is a recording, not its later marks.
 fn is_recording(name: &str) -> bool {
     name.ends_with(ENDING) && !name.ends_with(MARKS_ENDING)
 }

@@ -39,7 +39,7 @@ pub(super) fn enter(desk: &Desk, id: &Id) {
 fn enter_soon(desk: Desk, what: Selected, before: focus::Before, looks: u32) {
     browser::after(SOON_MS, move || {
         let is_still = desk.document.selected.with_untracked(|selected| *selected == Some(what.clone()));
-        // Who came there faster types already, or has left again.
+        // A person who came there faster types already, or has left again.
         if !is_still || before.is_left() {
             return;
         }

@@ -79,7 +79,7 @@ fn NameField(id: Id) -> impl IntoView {
     let first = name.clone();
     Effect::new(move |_| {
         if let Some(field) = field.get() {
-            // Its text is put into it after this; what somebody typed or chose in it meanwhile stays.
+            // The text is put into the field after this; what somebody typed or chose in it meanwhile stays.
             let first = first.clone();
             let _ = request_animation_frame(move || {
                 let is_there = focus::is_at(&field);

@@ -35,7 +35,7 @@ pub(crate) fn just_made() {
 pub(crate) fn EmptyStage() -> impl IntoView {
     let desk = hold();
     let none_open = Memo::new(move |_| desk.desk().document.open.read().is_none());
-    // What a typed sentence would add is drawn in the place of what is offered.
+    // The drawing of what a typed sentence would add takes the place of what is offered.
     let is_empty = Memo::new(move |_| {
         desk.desk().document.stream_ids.read().is_empty() && desk.desk().document.ghost.read().is_none()
     });

@@ -21,7 +21,7 @@ pub(crate) fn active() -> Option<HtmlElement> {
     document()?.active_element()?.dyn_into().ok()
 }
 
-/// Whether an element has the keyboard.
+/// True if an element has the keyboard.
 pub(crate) fn is_at(element: &Element) -> bool {
     active().is_some_and(|active| active.is_same_node(Some(element)))
 }
@@ -40,7 +40,7 @@ impl Before {
         Self(active())
     }
 
-    /// Whether somebody left it since, though it is there still.
+    /// True if somebody left it since, though it is there still.
     pub(crate) fn is_left(&self) -> bool {
         self.0.as_ref().is_some_and(|before| before.is_connected() && !is_at(before))
     }

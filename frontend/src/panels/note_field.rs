@@ -32,7 +32,7 @@ pub(crate) fn NoteField(
     let field = NodeRef::<leptos::html::Textarea>::new();
     Effect::new(move |_| {
         if let Some(field) = field.get() {
-            // Its text is put into it after this. Who came there faster keeps what they chose in it.
+            // The text is put into the field after this. A person who came there faster keeps what they chose in it.
             let _ = request_animation_frame(move || {
                 if focus::is_at(&field) {
                     return;

@@ -49,7 +49,7 @@ pub(crate) fn RecordRow() -> impl IntoView {
     }
 }
 
-/// How a recording goes, with the field for marks, as a view; without one only that field, which rests.
+/// Returns a view of how a recording goes, with the field for marks; without one only that field, which rests.
 pub(crate) fn recorded(recorded: Option<Recorded>, note: RwSignal<String>) -> AnyView {
     let desk = hold();
     let Some(recorded) = recorded else { return view! { <Mark note idle=true /> }.into_any() };

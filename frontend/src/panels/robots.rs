@@ -66,7 +66,7 @@ fn Items() -> impl IntoView {
     }
 }
 
-/// Who has the robot, and what its body does at a press.
+/// The menu items that take or give back the robot, and those of what its body does at a press.
 #[component]
 fn Controls() -> impl IntoView {
     let desk = hold();

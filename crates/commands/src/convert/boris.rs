@@ -23,7 +23,7 @@ pub(super) fn written(timeline: &Timeline) -> String {
             }
         }
     }
-    // Where one state ends as the next begins, the end comes first, as it was put first.
+    // The end of one state stays before the beginning of the next at the same time, as it was put first.
     rows.sort_by_key(|(at_ms, _)| *at_ms);
     rows.into_iter().map(|(_, row)| row).collect()
 }

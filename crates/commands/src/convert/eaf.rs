@@ -6,7 +6,7 @@ use quick_xml::events::{BytesDecl, BytesText, Event};
 use recording::{Span, Timeline, Track, tracks};
 use std::io;
 
-/// Where ELAN finds the schema.
+/// The address at which ELAN finds the schema.
 const SCHEMA: &str = "http://www.mpi.nl/tools/elan/EAFv3.0.xsd";
 /// The only type of tier.
 const TYPE: &str = "default-lt";

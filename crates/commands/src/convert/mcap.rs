@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
-/// What each message is: an object.
+/// The schema of each message: an object.
 const SCHEMA: &[u8] = br#"{"type":"object"}"#;
 /// Nanoseconds in a millisecond.
 const NS: u64 = 1_000_000;

@@ -72,7 +72,7 @@ fn all_forms(of: &Timeline) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// What an MCAP has: topic, time and text.
+/// Returns the messages of an MCAP, each with its topic, its time in nanoseconds and its text.
 fn messages(bytes: &[u8]) -> Vec<(String, u64, String)> {
     let read = ::mcap::MessageStream::new(bytes).unwrap().map(|message| {
         let message = message.unwrap();
@@ -138,7 +138,7 @@ fn a_table_is_the_same_with_commas_and_with_semicolons() {
     has(["1000", "0:00:01.000", "mark", "laughs", "", code(&of, "SayInput"), "1500"]);
 }
 
-/// Who did something with this.
+/// Returns the name or code of the one who did something with `subject`; empty if nobody did.
 fn code<'t>(of: &'t Timeline, subject: &str) -> &'t str {
     let event = of.events.iter().find(|event| event.subject == subject && !event.by.is_empty());
     event.map_or("", |event| event.by.as_str())

@@ -35,7 +35,7 @@ struct Reader<'r> {
     late: u64,
     /// Lines of streams that the behaviour does not have.
     strange: u64,
-    /// How often an edited program went on.
+    /// The number of times that an edited program went on.
     applied: u64,
     /// Lines of what a continued run remembered.
     remembers: u64,

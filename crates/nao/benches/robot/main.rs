@@ -57,7 +57,7 @@ fn main() -> std::process::ExitCode {
     let mut verdict = figures::Verdict::default();
     let mut part = |name: &str, measures: Measures| {
         if words.is_empty() || words.iter().any(|word| word == name) {
-            // What the robot does not do in one part keeps nothing of the others from being said.
+            // A panic in one part, as of what the robot does not do, keeps nothing of the others from being said.
             let done = catch_unwind(AssertUnwindSafe(|| runtime.block_on(measures(&mut verdict))));
             done.unwrap_or_else(|_| verdict.broke_off(name));
         }

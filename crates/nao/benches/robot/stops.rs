@@ -167,7 +167,7 @@ async fn stop(driver: &mut Driver, peer: &Peer, ends: &mut Ends) {
         call["method"] == "setAngles" && joints > UPPER_MIN && call["args"][0][0] == "HeadYaw"
     };
     let stopped = |call: &Json| call["service"] == "ALMotion" && call["method"] == "stopMove";
-    // What stood and was silent already is calm before it is held.
+    // A part that stood and was silent already is calm before it is held.
     let held = loop {
         let calls = peer.calls_since(0).await;
         let held = first(&calls, &all_held).max(first(&calls, &stopped));

@@ -208,7 +208,7 @@ impl<'a> Builder<'a> {
         at
     }
 
-    /// Whether what a node carries is measured, and so written with a decimal point.
+    /// True if what a node carries is measured, and so written with a decimal point.
     pub(super) fn is_measured(&self, at: usize, field: Option<&str>) -> bool {
         match self.nodes[at].carried.measure(field) {
             Measure::Distance(unit) => unit == "m",

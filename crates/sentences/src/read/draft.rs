@@ -25,15 +25,15 @@ pub struct Reading {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Vague {
-    /// Its bytes in the text.
+    /// The range of the word in the text, in bytes.
     pub range: Range<usize>,
     /// The number that it got.
     pub value: f64,
     /// In `cm`, `m` or `%`.
     pub unit: &'static str,
-    /// What stands before the number and its unit in words that say it.
+    /// The text before the number and its unit, in words that say it.
     before: String,
-    /// What stands behind them.
+    /// The text behind the number and its unit.
     after: String,
 }
 

@@ -16,7 +16,7 @@ use robot::with_defaults;
 /// What was not seen for so long is not seen any more.
 const UNSEEN_MS: u64 = 1_000;
 
-/// How often walking is said again: before the robot ends it by itself.
+/// The time until walking is said again, in milliseconds: before the robot ends it by itself.
 const STEP_MS: u64 = 250;
 
 /// A sense and what is made of it.
@@ -116,7 +116,7 @@ impl<'b, 'a> Making<'b, 'a> {
             } else {
                 let (first, rest) = moment_first(event, &rule.states);
                 let mut at = self.event_of_rule(first, rule, &mut chain)?;
-                // What was so for a while is not what comes.
+                // The value that comes is not that of the sense if something has to be so for a while.
                 seen = device_of(&first.what).filter(|_| first.during.is_none());
                 for state in rest {
                     let Some(kept) = self.state(at, state, &mut chain) else {
@@ -162,7 +162,7 @@ impl<'b, 'a> Making<'b, 'a> {
         Some(())
     }
 
-    /// What comes, and then nothing more for a time: by the time of the last one that passed.
+    /// Returns the node of what comes, and then nothing more for a time: by the time of the last one that passed.
     fn paused(&mut self, at: usize, period: u64, span: &Span, chain: &mut Vec<usize>) -> usize {
         let at = self.made(Does::Stamp, vec![at], span, chain);
         let args = vec!["soFar".to_owned(), "value".to_owned()];
@@ -255,7 +255,7 @@ impl<'b, 'a> Making<'b, 'a> {
         Some(at)
     }
 
-    /// What comes within a time after something else.
+    /// Returns the node of what comes within a time after something else.
     fn in_time(&mut self, asked: usize, answered: usize, event: &Cond, chain: &mut Vec<usize>) -> usize {
         let asks = self.made(number(1.0), vec![asked], &event.span, chain);
         let over = self.made(Does::Quiet(event.within.unwrap_or_default()), vec![asks], &event.span, chain);
@@ -458,7 +458,7 @@ impl<'b, 'a> Making<'b, 'a> {
         Some(kept)
     }
 
-    /// What comes while something is in view: it was seen within the last moment.
+    /// Returns the node of what comes while something is in view: it was seen within the last moment.
     fn in_view(&mut self, at: usize, cond: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
         let seen = self.event(cond, &mut Vec::new(), None)?;
         if seen == at {
@@ -669,7 +669,7 @@ impl<'b, 'a> Making<'b, 'a> {
     }
 }
 
-/// Whether the robot knows when something is over, so that what is done can end with it.
+/// True if the robot knows when something is over, so that what is done can end with it.
 fn lasts(event: &Cond, rule: &Rule) -> bool {
     let is_moment = matches!(
         event.what,
@@ -684,7 +684,7 @@ fn unseen(sense: Feed, cond: &Cond) -> Feed {
     Feed { steps: vec![Does::Quiet(cond.during.unwrap_or(UNSEEN_MS))], ..sense }
 }
 
-/// Whether a rule says what the eyes do when what another one lasts for is over.
+/// True if a rule says what the eyes do when what another one lasts for is over.
 fn ends(rule: &Rule, lasting: &Rule) -> bool {
     let (Some(event), Some(over)) = (&rule.event, &lasting.event) else { return false };
     let is_end = (event.not && event.what == over.what) || ended(&over.what).as_ref() == Some(&event.what);

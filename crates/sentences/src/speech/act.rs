@@ -188,12 +188,12 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     None
 }
 
-/// Whether a sound is spoken of that can be played: a voice cannot.
+/// True if a sound is spoken of that can be played: a voice cannot.
 fn plays_sound(bag: &Bag) -> bool {
     bag.has("noun", "sound") && !bag.has("noun", "voice")
 }
 
-/// What is not followed any more: it, or what is named.
+/// Returns the act of not following any more: it, or what is named.
 fn unfollow(bag: &mut Bag) -> Option<Act> {
     bag.take_all("it", "");
     bag.take_all("poss", "own");

@@ -18,9 +18,9 @@ pub(super) struct Said {
     did: Option<Act>,
     /// The part of the body that was moved, if it can be touched.
     moved: Option<Event>,
-    /// Whether the battery was spoken of.
+    /// True if the battery was spoken of.
     is_charge: bool,
-    /// Whether what was said last is what is not followed any more.
+    /// True if the last sentence says what is not followed any more.
     is_unfollowed: bool,
     /// Parts that texts speak of.
     pub(super) spoken_of: Vec<Event>,
@@ -130,7 +130,7 @@ impl Said {
         }
     }
 
-    /// What was said is not done again for a time; `words` says that it is words that are not said.
+    /// Keeps what was said from being done again for `ms` milliseconds; with `words`, words from being said.
     fn pause(&mut self, rule: &mut Rule, ms: u64, words: bool, span: &Span) {
         let alone = rule.acts.is_empty() && rule.event.is_none() && rule.every.is_none();
         let said = if alone { self.rules.last_mut() } else { Some(rule).filter(|rule| !rule.acts.is_empty()) };
@@ -423,7 +423,7 @@ impl Said {
         })
     }
 
-    /// What the rule before follows is followed only until this.
+    /// Ends what the rule before follows: it is followed only until this.
     fn unfollow(&mut self, rule: Rule, span: &Span, target: Option<Target>) {
         let alone = rule.acts.is_empty() && rule.states.is_empty() && rule.until.is_none() && rule.every.is_none();
         let alone = alone && !rule.otherwise && !rule.once && !rule.lasts;
@@ -433,7 +433,7 @@ impl Said {
             _ => false,
         };
         let fits = |last: &&mut Rule| {
-            // What a press begins, another one would begin again.
+            // A second press would begin again what a press begins.
             let own = last.event.as_ref().is_none_or(|event| matches!(event.what, Event::Ball(_) | Event::Face(_)));
             let bare = own && last.until.is_none() && !last.once && !last.otherwise && !last.lasts;
             bare && last.acts.iter().all(|(later, act, _)| *later == 0 && follows(act))
@@ -507,7 +507,7 @@ impl Said {
             && let Some(Rule { event: Some(answer), unanswered: asked @ Some(_), .. }) = self.rules.last()
             && answer.within.is_some()
         {
-            // When nobody answers is when: nothing else can be.
+            // The rule waits until nobody answered: it can wait for nothing else.
             if let Some(other) = rule.event.iter().chain(&rule.states).next() {
                 self.doubts.push(other.span.clone());
             }
@@ -536,7 +536,7 @@ impl Said {
     }
 }
 
-/// Whether what one rule waits for and what another one waits for cannot come at once.
+/// True if what one rule waits for and what another one waits for cannot come at once.
 fn excludes(one: Option<&Rule>, other: &Rule) -> bool {
     let plain = |rule: &Rule| rule.states.is_empty() && rule.every.is_none() && !rule.lasts;
     let event = |rule: &Rule| rule.event.clone().filter(|event| plain(rule) && !event.not && event.during.is_none());
@@ -554,12 +554,12 @@ fn excludes(one: Option<&Rule>, other: &Rule) -> bool {
     }
 }
 
-/// Whether words are said.
+/// True if words are said.
 fn says(act: &Act) -> bool {
     matches!(act, Act::Say(_) | Act::SayAny(_) | Act::SayValue(_))
 }
 
-/// What a joint that is moved is called when it is touched.
+/// Returns the touch of a joint that is moved; `before` for a joint of no hand.
 fn moved(joint: &str, before: Option<Event>) -> Option<Event> {
     let hand = |side| Event::Touch(Body::Hand, vec![("hand", side)], Phase::Begins);
     match joint {

@@ -56,7 +56,7 @@ impl<'a> Bag<'a> {
         }
     }
 
-    /// Whether there is an unused sign of this kind.
+    /// True if there is an unused sign of this kind.
     pub(super) fn has_sign(&self, sign: char) -> bool {
         (0..self.atoms.len()).any(|at| self.is_free(at) && self.atoms[at].is_sign(sign))
     }
@@ -289,7 +289,7 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     found.or_else(|| body(bag)).or_else(|| seen::seen(bag, not, nobody, nothing))
 }
 
-/// Whether a part of somebody's body is spoken of: *the child's hand* is none that the robot feels.
+/// True if a part of somebody's body is spoken of: *the child's hand* is none that the robot feels.
 fn is_anothers_body(atoms: &[Atom]) -> bool {
     atoms.windows(3).any(|three| {
         let owns = three[0].is("who", "") && !three[0].is("robot", "") && three[1].is("aux", "s");

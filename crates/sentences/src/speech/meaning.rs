@@ -33,7 +33,7 @@ pub(crate) struct Cond {
 pub(crate) struct Vague {
     pub(crate) span: Span,
     pub(crate) bound: Bound,
-    /// Whether it is a movement: *approaches*.
+    /// True if it is a movement: *approaches*.
     pub(crate) moves: bool,
 }
 
@@ -82,15 +82,15 @@ pub(crate) enum Event {
     Counted(u32),
     /// One of several.
     Any(Vec<Event>),
-    /// So full is what was said to be full last: the battery.
+    /// The battery, if it was spoken of before, is so full.
     ItCharge(Vec<Bound>),
-    /// What was said last, that it goes on being so.
+    /// The event that was said last goes on being so.
     Stays,
     /// What was seen last.
     ItSeen,
     /// What was touched last.
     ItTouched,
-    /// What was touched last is let go.
+    /// The part that was touched last is let go.
     ItLetGo,
     /// What was said last, with another side or part.
     Same(Vec<(&'static str, &'static str)>, Option<&'static str>),
@@ -158,7 +158,7 @@ pub(crate) enum Act {
     Nothing,
     /// What was said is not done.
     Not,
-    /// What was said is not done again for so many milliseconds; whether it is words that are not said.
+    /// The last thing said is not done again for so many milliseconds; true if it is words that are not said.
     NotFor(u64, bool),
     /// A text without its verb: the one before it, or after it in Japanese, is meant.
     Text(String),
@@ -166,7 +166,7 @@ pub(crate) enum Act {
     Keeps,
     /// It is done in the place of what was said before.
     Instead,
-    /// What is followed, if that is named, is not followed any more.
+    /// The robot stops following: the target, if one is named.
     Unfollow(Option<Target>),
 }
 
@@ -216,7 +216,7 @@ pub(crate) struct Rule {
     pub(crate) lasts: bool,
     /// The words that say that it is not done then.
     pub(crate) denied: Option<Span>,
-    /// Whether what it does goes on, and the words for that.
+    /// The words that say that what it does goes on, if it does.
     pub(crate) keeps: Option<Span>,
     /// The words that say that it is done in the place of what the rule before does.
     pub(crate) instead: Option<Span>,

@@ -11,7 +11,7 @@ use std::rc::Rc;
 const LIST_MAX: usize = 14;
 
 impl Chart<'_> {
-    /// Whether somebody stands here of whom a clause tells more: *anyone who comes in*, *everyone you know*.
+    /// True if somebody stands here of whom a clause tells more: *anyone who comes in*, *everyone you know*.
     pub(super) fn is_relative(&self, at: usize) -> bool {
         let names = |atom: &&Atom| atom.is("whom", "") || atom.is("who", "") && !atom.is("robot", "");
         let Some(atom) = self.atoms.get(at).filter(names) else {
@@ -86,7 +86,7 @@ impl Chart<'_> {
         all.push((false, self.plain(at + 1, acts, prices::CLAUSE + 8)));
     }
 
-    /// Whether a comma stands in a list: *red, blue or green*.
+    /// True if a comma stands in a list: *red, blue or green*.
     pub(super) fn is_list(&self, comma: usize) -> bool {
         let rest = self.atoms.get(comma + 1..).unwrap_or_default();
         let or = rest.iter().take(LIST_MAX).position(|atom| atom.is("or", ""));

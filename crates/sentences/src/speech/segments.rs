@@ -21,7 +21,7 @@ pub(super) enum Segment {
     Once,
     /// So many milliseconds later: what is done then, next or before.
     Later(u64, Then),
-    /// So many milliseconds between what is done.
+    /// The time between things that are done, in milliseconds.
     Apart(u64),
     /// Between clauses.
     And,
@@ -69,7 +69,7 @@ pub(super) struct Cover {
     pub(super) texts: Vec<Span>,
 }
 
-/// What clauses cost, for those of other files.
+/// The costs of clauses, for those of other files.
 pub(super) mod prices {
     pub(in crate::speech) const CLAUSE: usize = super::CLAUSE;
 }
@@ -113,7 +113,7 @@ type Quoting = (Vec<Atom>, Vec<Span>, Vec<Span>, usize);
 pub(super) struct Chart<'a> {
     pub(super) atoms: &'a [Atom],
     language: Language,
-    /// Whether the sentence ends with a question mark and asks the robot for nothing: what is said may be a question.
+    /// True if the sentence ends with a question mark and asks the robot for nothing: what is said may be a question.
     asks: bool,
     /// The source of a span of tokens.
     source: &'a dyn Fn(&Span) -> String,
@@ -225,7 +225,7 @@ impl Chart<'_> {
         Edge { to, segment, cost, doubts: Vec::new(), texts: Vec::new(), after: Before::Else }
     }
 
-    /// Whether enough was tried.
+    /// True if enough was tried.
     pub(super) fn is_spent(&self) -> bool {
         self.tries >= TRIES_MAX
     }
@@ -369,7 +369,7 @@ impl Chart<'_> {
             let leads = |atom: &Atom| {
                 atom.is("lead", "") || atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba))
             };
-            // What is done once is what is done at the first time: nothing else stands between.
+            // The thing that is done once is the thing that is done at the first time: nothing else stands between.
             let between = |atom: &&Atom| !atom.is("void", "") && !atom.is_sign(',');
             once.is_some_and(|once| {
                 rest[..once].iter().filter(|atom| leads(atom)).count() == 1
@@ -850,7 +850,7 @@ fn lead(arg: &str) -> Lead {
     }
 }
 
-/// Whether something else is done first: 立って目を白くする.
+/// True if something else is done first: 立って目を白くする.
 fn holds_another(atoms: &[Atom]) -> bool {
     let leads_on = |atom: &Atom| {
         let ends = |sense: &super::lexicon::Sense| {
@@ -864,7 +864,7 @@ fn holds_another(atoms: &[Atom]) -> bool {
     })
 }
 
-/// Whether words are a question as one asks it: *where are you*, not *where you are*, and not one that the robot can answer.
+/// True if words are a question as one asks it: *where are you*, not *where you are*. The robot cannot answer it.
 fn is_question(text: &[Atom]) -> bool {
     let asks =
         text.first().is_some_and(|first| first.is("wh", "")) && text.get(1).is_some_and(|next| next.is("aux", ""));

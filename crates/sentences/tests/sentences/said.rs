@@ -3,7 +3,7 @@
 use crate::dice::Dice;
 use sentences::Language;
 
-/// What may happen, in English and Japanese.
+/// The events that may happen, in English and Japanese.
 const EVENTS: [&[&str]; 2] = [
     &[
         "the head is touched",
@@ -83,7 +83,7 @@ const EVENTS: [&[&str]; 2] = [
     ],
 ];
 
-/// What may be done, in English and Japanese.
+/// The actions that may be done, in English and Japanese.
 const ACTS: [&[&str]; 2] = [
     &[
         "say \"well done\"",
@@ -180,7 +180,7 @@ pub(crate) fn random(dice: &mut Dice, language: Language) -> String {
     }
 }
 
-/// What no sentence has, or has elsewhere.
+/// The pieces that no sentence has, or has elsewhere.
 const PIECES: [&str; 34] = [
     "(",
     "“",

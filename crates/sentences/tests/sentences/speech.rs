@@ -91,10 +91,10 @@ fn two_thousand_random_programs_are_told_and_understood_again() {
     assert!(understood > 1_700, "{understood}");
 }
 
-/// How many strange and mutated sentences are tried; as many as this names, in the whole run.
+/// The environment variable that says how many strange and mutated sentences are tried in the whole run.
 const STRANGE: &str = "RRP_STRANGE_SENTENCES";
 
-/// Whether every word of a text that was understood means something in what was made of it, or nothing anywhere.
+/// True if every word of a text that was understood means something in what was made of it, or nothing anywhere.
 fn uses_every_word(text: &str, language: Language, unknown: &str) -> bool {
     let mut chars: Vec<char> = text.chars().collect();
     // A word that nobody knows, put between others, is never passed over.
@@ -106,7 +106,7 @@ fn uses_every_word(text: &str, language: Language, unknown: &str) -> bool {
     !reading.is_whole() || reading.texts.iter().any(|range| text[range.clone()].contains(unknown.trim()))
 }
 
-/// Whether a place lies between words and outside of quotes.
+/// True if a place lies between words and outside of quotes.
 fn is_between(chars: &[char], at: usize) -> bool {
     let before = &chars[..at];
     let count = |of: &[char]| before.iter().filter(|c| of.contains(c)).count();

@@ -1,4 +1,4 @@
-//! What a list says of a recording: read from its first and its last line alone, however long it is.
+//! The description of a recording in a list: read from its first and its last line alone, however long it is.
 
 use protocol::{Recording, Session};
 use recording::{Entry, read_line};
@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// The longest first line that is read, in bytes.
 const HEADER_MAX_BYTES: u64 = 16 << 10;
-/// How much is read of its end, in bytes.
+/// The most bytes that are read of its end.
 const END_MAX_BYTES: u64 = 16 << 10;
 
 /// A recording for the list; none if the file is none.
@@ -36,7 +36,7 @@ pub(super) fn described(path: &Path, bytes: u64) -> Option<Recording> {
     })
 }
 
-/// How a recording ends, as far as its end says so.
+/// The end of a recording, as far as its last bytes say so.
 #[derive(Default)]
 struct End {
     is_whole: bool,

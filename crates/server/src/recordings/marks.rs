@@ -76,7 +76,7 @@ fn later(path: &Path) -> io::Result<String> {
 
 fn append(path: &Path, mark: &RecordingMark) -> Result<(), NotRecorded> {
     let before = later(path).map_err(NotRecorded::Unread)?;
-    // What a power cut tore stays a line of its own.
+    // A line that a power cut tore stays a line of its own.
     let torn = if before.is_empty() || before.ends_with('\n') { "" } else { "\n" };
     let line = format!("{torn}{}\n", recording::json(mark));
     if (before.len() + line.len()) as u64 > MARKS_MAX_BYTES {

@@ -58,7 +58,7 @@ pub(crate) struct Recorder {
     late: u64,
     marks: u64,
     records: Records,
-    /// How many old recordings gave way to it.
+    /// The number of old recordings that gave way to it.
     gave_way: u64,
     told: Option<Recorded>,
 }
@@ -108,7 +108,7 @@ impl Recorder {
         }
     }
 
-    /// Whether it has what is sensed.
+    /// True if it has what is sensed.
     pub(crate) fn has_readings(&self) -> bool {
         self.records == Records::All
     }
@@ -122,7 +122,7 @@ impl Recorder {
         self.push(Line::File { at_ms, revision, file: file.clone() });
     }
 
-    /// What runs remembers this, as it began before its recording. What was sensed is part of it.
+    /// Records the memory of a run that began before its recording. What was sensed is part of the memory.
     pub(crate) fn memory(&mut self, at_ms: u64, memory: Handover) {
         if self.has_readings() {
             self.push(Line::Memory { at_ms, memory: Box::new(memory) });
@@ -145,12 +145,12 @@ impl Recorder {
         self.push(Line::Hand(Box::new(hand)));
     }
 
-    /// How the robot is by now.
+    /// Records the state of the robot by now.
     pub(crate) fn robot(&mut self, line: RobotLine) {
         self.push(Line::Robot(Box::new(line)));
     }
 
-    /// How the simulated room is by now.
+    /// Records the state of the simulated room by now.
     pub(crate) fn room(&mut self, at_ms: u64, scene: Scene) {
         self.push(Line::Room { at_ms, scene: Box::new(scene) });
     }

@@ -1,9 +1,9 @@
-//! What is said of a session before it is recorded: a code that is no name.
+//! The check of what is said of a session before it is recorded: a code that is no name.
 
 use super::NotRecorded;
 use protocol::{CODE_MAX_CHARS, SESSION_MAX_CHARS, Session};
 
-/// What was said of a session, tidied.
+/// Returns what was said of a session, tidied.
 ///
 /// # Errors
 /// If the code has other signs than letters, digits, `-`, `_` and `.`, or if something is too long.

@@ -1,4 +1,4 @@
-//! What is kept of recordings, and their later marks.
+//! Tests of the recordings that are kept, and of their later marks.
 
 use super::{About, Bounds, RECORDING_MAX_BYTES, Recordings};
 use behaviour::{BehaviourFile, Id};
@@ -52,14 +52,14 @@ fn the_newest_recordings_survive() {
     recordings.put_mark(&all[2], mark("m", 1, "laughs"), "Aiko").unwrap();
     let left = |recordings: &Recordings| recordings.list().into_iter().map(|one| one.file).collect::<BTreeSet<_>>();
     assert_eq!(left(&recordings), BTreeSet::from_iter(all[2..].iter().cloned()));
-    // So many bytes leave room for one more besides the last.
+    // The bound leaves room for one more besides the last.
     let last = std::fs::metadata(recordings.find(&all[4]).unwrap()).unwrap().len();
     let few = Recordings { bounds: Bounds { kept: 9, bytes: last + RECORDING_MAX_BYTES }, ..recordings.clone() };
     let newest = record(&few, &Session::default());
     assert_eq!(left(&few), BTreeSet::from([all[4].clone(), newest]));
     let names = std::fs::read_dir(folder.path().join("recordings")).unwrap().count();
     assert_eq!(names, 2, "their marks went with them");
-    // What is being written never gives way; then nothing more begins.
+    // A recording that is being written never gives way; then nothing more begins.
     let (file, session) = (file(), Session::default());
     let about =
         About { run: 1, robot: "NAO", behaviour: &id("b"), revision: 1, by: "Aiko", file: &file, session: &session };

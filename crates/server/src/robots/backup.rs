@@ -40,14 +40,14 @@ fn reached(real: &RealRobot) -> Reached {
     Reached { address, user, fingerprint, body }
 }
 
-/// Its password has to be given again.
+/// Returns the way to a robot as it is kept here, without its password: that has to be given again.
 fn real(reached: &Reached) -> RealRobot {
     let Reached { address, user, fingerprint, body } = reached.clone();
     let identity = body.map(|Body { name, kind, serial, head }| Identity { name, body: kind, serial, head });
     RealRobot { address, user, password: None, fingerprint, identity }
 }
 
-/// Whether robots are the same, whatever was learned of their bodies meanwhile.
+/// True if robots are the same, whatever was learned of their bodies meanwhile.
 fn are_same(these: &[Robot], those: &[Robot]) -> bool {
     let bare = |robots: &[Robot]| -> Vec<Robot> {
         let mut robots = robots.to_vec();
@@ -57,7 +57,7 @@ fn are_same(these: &[Robot], those: &[Robot]) -> bool {
     bare(these) == bare(those)
 }
 
-/// Whether a robot can have told this of itself.
+/// True if a robot can have told this of itself.
 fn is_told(body: &Body) -> bool {
     let fits = |text: &String| text.chars().count() <= BODY_MAX_CHARS && !has_unseen(text);
     [&body.name, &body.kind, &body.serial, &body.head].into_iter().all(fits)
@@ -102,7 +102,7 @@ pub fn put_robots(data: &Path, robots: &[Robot]) -> std::io::Result<()> {
     };
     let mut known: Vec<_> = robots.iter().map(known).collect();
     let mut register = Register::within(Some(data), SEED);
-    // What is known of a body by now is not forgotten for a backup from before.
+    // The register keeps what it knows of a body by now, where a backup from before does not know it.
     for Known { robot, real, .. } in &mut known {
         if let (Some(real), Some(before)) = (real, register.real(robot)) {
             real.identity = real.identity.take().or_else(|| before.identity.clone());

@@ -21,7 +21,7 @@ use tokio::sync::oneshot;
 const EDITS_MAX: usize = 256;
 /// People who want to have the robot that may wait.
 const CONTROLS_MAX: usize = 8;
-/// What people have the robot do by hand that may wait.
+/// The most actions by hand that may wait.
 const HANDS_MAX: usize = 16;
 /// Texts of one action that may wait to be spoken or shown.
 const TEXTS_MAX: usize = 8;
@@ -54,7 +54,7 @@ pub(super) struct Pending {
     pub(super) edits: VecDeque<SceneEdit>,
     /// Who wants to have the robot.
     pub(super) controls: Vec<Controlling>,
-    /// What people have it do by hand.
+    /// The actions that people have it do by hand.
     pub(super) hands: Vec<Handing>,
     commands: Fair<Use, Command>,
 }
@@ -87,25 +87,25 @@ pub(super) struct Controlling {
     pub(super) answer: oneshot::Sender<Result<(), RobotFault>>,
 }
 
-/// What somebody has the robot do by hand.
+/// An action that somebody has the robot do by hand.
 #[derive(Clone, Debug)]
 pub(crate) struct ByHand {
     /// The name of the action.
     pub(crate) device: String,
-    /// Its parameters.
+    /// The parameters of the action.
     pub(crate) params: Params,
-    /// What it is told.
+    /// The value that the action is told.
     pub(crate) value: Value,
-    /// Who.
+    /// The name of the person who has it done.
     pub(crate) by: String,
 }
 
 /// Somebody waits for the robot to do something by hand.
 #[derive(Debug)]
 pub(super) struct Handing {
-    /// What.
+    /// The action.
     pub(super) hand: ByHand,
-    /// What a Stop sets; then it is void.
+    /// The flag that a Stop sets; then the action is void.
     pub(super) cancel: Arc<CancelFlag>,
     /// Gets the answer; never waited for.
     pub(super) answer: oneshot::Sender<Result<(), String>>,

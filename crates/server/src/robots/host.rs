@@ -55,7 +55,7 @@ pub(crate) struct Start {
     pub(crate) file: Arc<BehaviourFile>,
     /// Whether it is recorded.
     pub(crate) record: bool,
-    /// What its recording is part of, and what it has.
+    /// The session that its recording is part of, and what the recording has.
     pub(crate) session: Session,
     /// Who starts it.
     pub(crate) by: String,
@@ -353,7 +353,7 @@ impl Host {
     /// Has the robot do something by hand, above what runs on it. A Stop that comes before it makes it void.
     ///
     /// # Errors
-    /// Why it was not done.
+    /// If the robot has another one's body, refuses it or is silent for 5 s, or if the values are too large or many.
     pub(crate) async fn hand(&self, hand: ByHand) -> Result<(), Refused> {
         let cannot = |why: String| Refused::RobotCannot(why);
         let shared = self.shared();
@@ -367,7 +367,7 @@ impl Host {
         let (answer, answered) = oneshot::channel();
         shared.queue.hand(Handing { hand, cancel: cancel.clone(), answer });
         let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;
-        // What was answered, or is not waited for, is not stopped any more by its flag.
+        // The flag no longer stops what was answered or is not waited for.
         cancel.cancel();
         match answered {
             Ok(Ok(done)) => done.map_err(cannot),

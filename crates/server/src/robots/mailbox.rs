@@ -57,7 +57,7 @@ pub(super) struct Arrived {
     pub(super) at: Instant,
     /// What was read.
     pub(super) value: Value,
-    /// Who pretended it, if it was not sensed.
+    /// The name of the person who pretended it; none if it was sensed.
     pub(super) by: Option<Arc<str>>,
 }
 
@@ -66,9 +66,9 @@ pub(super) struct Arrived {
 pub(super) struct Undone {
     /// The action's stream.
     pub(super) stream: Id,
-    /// Why, in words.
+    /// The reason, in words.
     pub(super) why: String,
-    /// Who keeps the part of the robot, if somebody does.
+    /// The one who keeps the part of the robot, if somebody does.
     pub(super) with: Option<String>,
 }
 
@@ -83,24 +83,24 @@ pub(super) struct Post {
     pub(super) successor: Option<Successor>,
     /// Moments that somebody marked.
     pub(super) marks: Vec<Mark>,
-    /// What the robot did not do: when first, and how often by now.
+    /// The values that the robot did not do: each with the time of the first and the number by now.
     pub(super) undone: BTreeMap<Undone, (Instant, u64)>,
-    /// What people did by hand.
+    /// The actions that people did by hand.
     pub(super) hands: Vec<DoneByHand>,
-    /// Where it is recorded from now on.
+    /// The recording that the run has from now on.
     pub(super) begin_recording: Option<Beginning>,
-    /// Who wants the recording to end.
+    /// The name of the person who wants the recording to end.
     pub(super) end_recording: Option<String>,
 }
 
-/// What somebody had the robot do by hand beside the run.
+/// An action that somebody had the robot do by hand beside the run.
 #[derive(Debug)]
 pub(super) struct DoneByHand {
-    /// When.
+    /// The time at which the robot did it or refused it.
     pub(super) at: Instant,
-    /// What, and who.
+    /// The action, with the name of the person.
     pub(super) hand: ByHand,
-    /// Why the robot did not do it, if so.
+    /// The reason why the robot did not do it; none if it did.
     pub(super) why: Option<String>,
 }
 
@@ -114,9 +114,9 @@ impl DoneByHand {
 /// A recording that begins in the middle of a run.
 #[derive(Debug)]
 pub(super) struct Beginning {
-    /// Where it goes.
+    /// The recorder that it goes to.
     pub(super) recorder: Recorder,
-    /// What ran when it was begun.
+    /// The behaviour that ran when the recording was begun.
     pub(super) file: Arc<BehaviourFile>,
 }
 

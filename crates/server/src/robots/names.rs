@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Its file in the data folder.
+/// The name of the file of names in the data folder.
 const FILE: &str = "robot-names.json";
-/// What all names of this server begin with.
+/// The word that all names of this server begin with.
 pub(super) const OWN_NAME: &str = "rrp";
 /// Most names that are remembered of what is no more; the oldest go first.
 const FORMER_MAX: usize = 64;
@@ -24,21 +24,21 @@ pub(super) struct Names {
 #[derive(Clone, Default, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 struct Kept {
-    /// How many other bodies a robot was before, if it was one.
+    /// The number of other bodies that a robot was before, if it was one.
     bodies: BTreeMap<Id, u32>,
     /// Names that no robot has any more, oldest first.
     former: Vec<String>,
 }
 
 impl Names {
-    /// What is kept in a data folder.
+    /// Returns the names that are kept in a data folder; none if there is no folder.
     pub(super) fn within(data: Option<&Path>) -> Self {
         let path = data.map(|data| data.join(FILE));
         let kept = path.as_deref().and_then(atomic_file::read).unwrap_or_default();
         Self { path, kept }
     }
 
-    /// What a robot's subscriptions begin with.
+    /// Returns the name that a robot's subscriptions begin with.
     pub(super) fn own(&self, robot: &Id) -> String {
         match self.kept.bodies.get(robot) {
             Some(before) => format!("{OWN_NAME}-{robot}-{}", before + 1),
@@ -74,7 +74,7 @@ impl Names {
         self.kept.former.drain(..over);
         if let Some(path) = &self.path {
             let text = serde_json::to_string(&self.kept).map_err(std::io::Error::other);
-            // What is left under a name that is forgotten only measures for nobody.
+            // A subscription that is left under a forgotten name only measures for nobody.
             if let Err(error) = text.and_then(|text| atomic_file::put(path, &text)) {
                 tracing::warn!(%error, "a name that no robot has any more could not be kept");
             }

@@ -46,7 +46,7 @@ pub(crate) enum NoRun {
     AppliedJustNow,
     /// Nobody knows yet whether it was applied.
     StillApplying,
-    /// What it is told by hand is too large.
+    /// The value and parameters that it is told by hand are too large.
     LargeHand,
     /// The server itself failed.
     Inside,

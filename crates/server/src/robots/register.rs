@@ -117,7 +117,7 @@ impl Register {
         self.known.iter().find(|known| known.robot == *robot)?.real.as_ref()
     }
 
-    /// What a robot's subscriptions begin with, and what those of robots did that are no more.
+    /// Returns the name that a robot's subscriptions begin with, and the names that no robot has any more.
     pub(super) fn names(&self, robot: &Id) -> (String, Vec<String>) {
         (self.names.own(robot), self.names.former(self.known.iter().map(|known| &known.robot)))
     }

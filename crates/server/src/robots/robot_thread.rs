@@ -77,7 +77,7 @@ pub(super) struct RobotThread<'a> {
     may_sense: Instant,
     /// Who holds which part of the robot.
     parts: Precedence,
-    /// What people do by hand.
+    /// The actions that people do by hand.
     hands: Hands,
     blocked: Blocked,
     /// What was shown of that last.

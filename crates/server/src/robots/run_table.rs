@@ -168,7 +168,7 @@ impl RunTable {
         self.paused.insert(run, Paused { cancel, memory: None });
     }
 
-    /// Why the robot interrupted a run, if it did.
+    /// Returns the reason why the robot interrupted a run; none if it did not.
     pub(super) fn halted(&self, run: u64) -> Option<String> {
         match &self.get(run)?.state.phase {
             RunPhase::Paused(why) => Some(why.clone()),

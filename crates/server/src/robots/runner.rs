@@ -240,7 +240,7 @@ pub(super) struct Runner<'a> {
     open_ms: u64,
     /// Who follows, as soon as no frame is open.
     successor: Option<Successor>,
-    /// What a recording has of the robot and its room.
+    /// The state of the robot and its room, as a recording has it.
     surroundings: Surroundings,
 }
 
@@ -302,7 +302,7 @@ impl<'a> Runner<'a> {
     /// Takes what came, and closes the instants up to now; answers with why it ends by itself, if it does.
     pub(super) fn turn(&mut self, post: Post) -> Option<RunFailure> {
         let Post { readings, refused, undone, hands, successor, marks, begin_recording, end_recording } = post;
-        // What comes with it may have come after it.
+        // The rest of the post may have come after the recording.
         self.begin_recording(begin_recording);
         for reading in readings {
             self.feed(reading);
@@ -320,7 +320,7 @@ impl<'a> Runner<'a> {
 
     /// Comes to its end.
     pub(super) fn finish(mut self, reason: Option<RunFailure>) -> End {
-        // What was answered just before the end counts.
+        // A request that was answered just before the end counts.
         let last = self.mailbox.take(Some(Instant::now()));
         self.begin_recording(last.begin_recording);
         self.undone(last.undone);
@@ -348,13 +348,13 @@ impl<'a> Runner<'a> {
         self.sink.end_recording(&why, by.filter(|_| reason.is_none()));
     }
 
-    /// Whether it is recorded.
+    /// True if it is recorded.
     #[cfg(test)]
     pub(super) fn is_recorded(&self) -> bool {
         self.sink.recorder.is_some()
     }
 
-    /// Who follows, if another run may follow just now.
+    /// Returns the run that follows, if another run may follow just now.
     pub(super) fn follower(&mut self) -> Option<Successor> {
         let may_follow = self.run.is_between() && !self.sink.job.cancel.is_cancelled();
         self.successor.take_if(|_| may_follow)
@@ -419,7 +419,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// What the robot did not do.
+    /// Records what the robot did not do.
     fn undone(&mut self, undone: BTreeMap<Undone, (Instant, u64)>) {
         for (Undone { stream, why, with }, (at, count)) in undone {
             let (at_ms, count) = (self.ms_at(at), Some(count).filter(|count| *count > 1));
@@ -429,7 +429,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// What people had the robot do beside it.
+    /// Records what people had the robot do beside it.
     fn hands(&mut self, hands: Vec<DoneByHand>) {
         for DoneByHand { at, hand: ByHand { device, params, value, by }, why } in hands {
             let at_ms = self.ms_at(at);

@@ -32,7 +32,7 @@ impl StatusFeed {
         robots.iter().find(|known| known.robot == *robot).map(|known| known.name.clone()).unwrap_or_default()
     }
 
-    /// How a robot is; none if it is gone.
+    /// Returns the state of a robot; none if it is gone.
     pub(super) fn state(&self, robot: &Id) -> Option<RobotState> {
         self.robots.borrow().iter().find(|known| known.robot == *robot).cloned()
     }
@@ -42,7 +42,7 @@ impl StatusFeed {
         self.robots.borrow().iter().find(|known| known.robot == *robot)?.same_as.clone()
     }
 
-    /// Whether a robot is being reached just now.
+    /// True if a robot is being reached just now.
     pub(super) fn is_connecting(&self, robot: &Id) -> bool {
         self.robots.borrow().iter().any(|known| known.robot == *robot && known.health == Health::Connecting)
     }

@@ -1,4 +1,4 @@
-//! What a recording has of the robot and its room: told when it is new, at most once a second.
+//! The robot and its room as a recording has them: told when they are new, at most once a second.
 
 use super::runner::Job;
 use crate::recordings::Recorder;
@@ -6,20 +6,20 @@ use protocol::RobotState;
 use recording::RobotLine;
 use robot::{Body, Health, Scene};
 
-/// How often it is looked at, in milliseconds.
+/// The time between two looks at them, in milliseconds.
 const LOOK_MS: u64 = 1_000;
 
-/// What was recorded last of the robot and its room.
+/// The robot and its room as they were recorded last.
 #[derive(Debug, Default)]
 pub(super) struct Surroundings {
     robot: Option<RobotLine>,
     room: Scene,
-    /// When it is looked at again.
+    /// The logical time of the next look, in milliseconds; none before the first.
     next_ms: Option<u64>,
 }
 
 impl Surroundings {
-    /// When it is looked at again, in logical time.
+    /// Returns the logical time of the next look, in milliseconds; none before the first.
     pub(super) fn next_ms(&self) -> Option<u64> {
         self.next_ms
     }
@@ -62,7 +62,7 @@ fn line(job: &Job) -> Option<RobotLine> {
     Some(RobotLine { link: link.to_owned(), why, condition, ..RobotLine::default() })
 }
 
-/// What stands in a room. Of the robot only its place counts: what it does is told by its actions.
+/// Returns what stands in a room. Of the robot only its place counts: its actions tell what it does.
 fn room(scene: &Scene) -> Scene {
     let body = Body { base: scene.body.base, ..Body::default() };
     Scene { at_ms: 0, body, ..scene.clone() }

@@ -177,7 +177,7 @@ impl Document {
         let record = self.edited(|now| now.record.clone()).filter(|_| self.edits_freely());
         let is_there = record.is_some_and(|record| self.with_confirmed(|whole| whole.records.contains_key(&record)));
         if is_there {
-            // What was typed meanwhile is sent with that lock.
+            // The text that was typed meanwhile is sent with that lock.
             self.change_editing(|now| now.writing = Writing::Opening);
             self.take_lock();
         }

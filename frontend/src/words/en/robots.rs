@@ -202,12 +202,12 @@ pub(crate) fn forget_faces_of(robot: &str, count: u16) -> String {
     }
 }
 
-/// What is asked before one face is forgotten.
+/// Returns the question that is asked before one face is forgotten.
 pub(crate) fn forget_face_of(robot: &str, face: &str) -> String {
     say!("“{robot}” forgets the face that it remembers as “{face}”. This cannot be undone.", robot, face)
 }
 
-/// Why nothing is forgotten any more.
+/// Returns the reason why nothing is forgotten any more.
 pub(crate) fn robot_removed(robot: &str) -> String {
     say!("Somebody has removed “{robot}” meanwhile. Nothing was forgotten.", robot)
 }

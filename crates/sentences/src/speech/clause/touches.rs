@@ -8,7 +8,7 @@ use crate::speech::meaning::{Body, Event, Phase};
 /// What is touched; none if this tells of no touch, nothing inside if it tells of one that cannot be felt.
 pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Option<Event>> {
     given(bag);
-    // How gently, no sense tells.
+    // No sense tells how gently something is touched.
     let denies = |atom: &Atom| {
         ["not", "none", "but"].iter().any(|kind| atom.is(kind, "")) || atom.senses.iter().any(|sense| sense.form.not)
     };

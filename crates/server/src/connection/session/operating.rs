@@ -1,4 +1,4 @@
-//! What a client may ask beside a robot: to pretend, to mark, to record, and about what was recorded.
+//! The requests of a client beside a robot: to pretend, to mark, to record, and about what was recorded.
 
 use super::Session;
 use crate::robots::ByHand;

@@ -1,5 +1,5 @@
-//! What people have the robot do by hand: a source of commands of its own, above every program, and under the robot's own limits
-//! and Stop as they are.
+//! The actions that people have the robot do by hand: a source of commands of its own, above every program, and under
+//! the robot's own limits and Stop as they are.
 
 use super::RobotThread;
 use crate::robots::command_queue::{ByHand, Handing};
@@ -13,17 +13,17 @@ use std::collections::BTreeMap;
 /// The number of no run: that of what is done by hand.
 pub(super) const HAND: u64 = 0;
 
-/// What people do by hand.
+/// The actions that people do by hand.
 #[derive(Debug, Default)]
 pub(super) struct Hands {
     /// The actions that are open, with their parameters. Bounded by the catalogue.
     open: BTreeMap<Id, Params>,
-    /// Who did something last.
+    /// The name of the person who did something last.
     by: String,
 }
 
 impl Hands {
-    /// Who keeps a part of the robot by hand.
+    /// Returns the one who keeps a part of the robot by hand.
     pub(super) fn holder(&self) -> Option<(Id, String)> {
         Some((Id::new(BY_HAND).ok()?, self.by.clone()))
     }
@@ -37,7 +37,7 @@ impl RobotThread<'_> {
         cancel.cancel();
         let told = |why: Option<String>| DoneByHand::of(hand.clone(), why);
         self.users.values().for_each(|user| user.mailbox.done_by_hand(told(done.as_ref().err().cloned())));
-        // Who gave up waiting does not hear it.
+        // A person who gave up waiting does not hear it.
         drop(answer.send(done));
     }
 
@@ -67,7 +67,7 @@ impl RobotThread<'_> {
         self.robot.command(&user, value, self.now())
     }
 
-    /// What was taken by hand and did not come about.
+    /// Tells every run of what was taken by hand and did not come about.
     pub(super) fn refused_by_hand(&self, stream: &Id, fault: &RobotFault) {
         let undone = Undone { stream: stream.clone(), why: fault.to_string(), with: None };
         self.users.values().for_each(|user| user.mailbox.undone(undone.clone()));

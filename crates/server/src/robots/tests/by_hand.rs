@@ -1,4 +1,4 @@
-//! What people do by hand: above every program, under the robot's limits and Stop, and recorded with who pressed.
+//! Tests of actions by hand: above every program, under the robot's limits and Stop, and recorded with who pressed.
 
 use super::puppet::Puppet;
 use super::recording::{lines, recorded, text};

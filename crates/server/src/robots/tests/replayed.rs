@@ -1,5 +1,5 @@
-//! What is recorded gives its own actions again: courses of a run in virtual time, each by its seed, and every recording of it
-//! checked alone.
+//! Tests that a recording gives its own actions again: courses of a run in virtual time, each by its seed, and every
+//! recording of it checked alone.
 
 use super::{PATIENCE_S, filtered, id};
 use crate::library::templates::templates;
@@ -143,7 +143,7 @@ impl Course {
         readings
     }
 
-    /// What comes in one turn.
+    /// Returns the post of one turn.
     fn post(&mut self) -> Post {
         let mut post = Post { readings: self.readings(), ..Post::default() };
         if self.dice.one_in(20) {

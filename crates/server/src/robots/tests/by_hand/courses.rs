@@ -25,10 +25,10 @@ use tokio::sync::oneshot;
 
 const COURSES: u64 = 1_000;
 const TURNS: u64 = 14;
-/// What limits are told with.
+/// The table that tells the limits.
 const TABLE: &str = include_str!("../../../../../simulation/src/nao_body.toml");
 
-/// What reached the robot.
+/// A call that reached the robot.
 #[derive(Clone, Debug)]
 enum Reached {
     Open(Use, Params),
@@ -144,7 +144,7 @@ struct Course<'a> {
     programs: Vec<Program>,
     runs: u64,
     now: Millis,
-    /// What hands hold: by part, which action and until when.
+    /// The parts that hands hold: for each, the action and the time until which it holds.
     held: BTreeMap<String, (Id, Millis)>,
     /// With which parameters a hand has an action open.
     hands: BTreeMap<Id, Params>,
