@@ -40,9 +40,10 @@ const KEPT_KIB: u64 = 100 << 10;
 /// An attack, which goes on until it is dropped.
 type Attack = fn(Target) -> BoxFuture<'static, ()>;
 
-const ATTACKS: [(&str, Attack); 11] = [
+const ATTACKS: [(&str, Attack); 12] = [
     ("proposals that are slow to check", |target| Box::pin(messages::procedures(target))),
     ("requests as fast as they go", |target| Box::pin(messages::floods(target))),
+    ("actions by hand as fast as they go", |target| Box::pin(messages::hands(target))),
     ("sockets that ask and never read", |target| Box::pin(messages::unread(target))),
     ("behaviours that are opened and never read", |target| Box::pin(messages::openers(target))),
     ("sockets that never greet", |target| Box::pin(connections::half_open(target))),

@@ -82,17 +82,26 @@ fn slow_map() -> [(RecordId, Option<Record>); 3] {
 
 /// Requests without a pause, their answers read and thrown away.
 pub(crate) async fn floods(target: Target) {
-    crowd(FLOODS, || flood(target.clone())).await;
+    crowd(FLOODS, || flood(target.clone(), |_| Request::Runs)).await;
 }
 
-async fn flood(target: Target) -> Outcome<()> {
+/// Actions by hand without a pause, with other settings each time.
+pub(crate) async fn hands(target: Target) {
+    let hand = |ask: u32| {
+        let params = [("speed".to_owned(), if ask % 2 == 0 { 0.05 } else { 0.06 }.into())].into_iter().collect();
+        Request::Hand { robot: None, device: "Walk".to_owned(), params, value: 1.into() }
+    };
+    crowd(FLOODS, || flood(target.clone(), hand)).await;
+}
+
+async fn flood(target: Target, request: impl Fn(u32) -> Request) -> Outcome<()> {
     let (mut to, from) = greeted(&target).await?.split();
     let reading = tokio::spawn(from.for_each(|_| std::future::ready(())));
     for ask in 2.. {
         if ask % 64 == 0 {
             tokio::task::yield_now().await;
         }
-        to.send(said(ask, Request::Runs)?).await?;
+        to.send(said(ask, request(ask))?).await?;
         if reading.is_finished() {
             break;
         }

@@ -2,7 +2,7 @@
 //! meanwhile. Who comes second is told by name who is at it; where no lock could be had, who types is told who was first,
 //! no field is overwritten under their hands, and nothing of what they typed is lost.
 
-use behaviour::{Behaviour, Change, Edit, Group, Helper, Id, Kind, Note, Procedure, Record, RecordId, Settings};
+use behaviour::{Behaviour, Change, Edit, Group, Helper, Id, Kind, Note, Procedure, Record, RecordId, Settings, Token};
 use house::{Outcome, Page, Switch, skip};
 use protocol::{LIBRARY, Reply, Request};
 use serde_json::json;
@@ -734,8 +734,33 @@ async fn an_otherwise_follows_whoever_is_first_and_nobody_who_types_at_it_loses_
     calm(&aiko)
 }
 
-/// A change without a connection waits for a colleague who is editing the same when the connection is back. It is
-/// neither lost nor put over what they save.
+impl Two<'_> {
+    /// Aiko changes a filter without a connection, Ben locks it, and Aiko hears of that when she is back. Returns the records
+    /// as they were before and Ben's token.
+    async fn locked_meanwhile(&mut self, socket: &Switch<'_>, place: &Where) -> Outcome<(Behaviour, Token)> {
+        let (aiko, record) = (self.aiko, place.key()?);
+        self.reset().await?;
+        shows(aiko, &self.now().await?.records, &record).await?;
+        socket.cut().await?;
+        says(aiko, "Offline").await?;
+        self.types(place).await?;
+        aiko.key(place.save).await?;
+        self.leaves().await?;
+        // A person who opens a program once more gives back their locks there, so Ben looks before.
+        let now = self.now().await?.records;
+        let (behaviour, records) = (self.program.clone(), [record].into());
+        let Reply::Locked { grant } = self.ben.ask(Request::Lock { behaviour, records }).await? else {
+            return Err("Ben has no lock".into());
+        };
+        socket.mend().await?;
+        says(aiko, "Ben is editing this. What you changed is kept").await?;
+        says(aiko, "All other changes saved").await?;
+        Ok((now, grant.token))
+    }
+}
+
+/// A change that was made without a connection waits for the colleague who is editing the same: it is neither lost nor put
+/// over what they save.
 #[tokio::test]
 async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
     if !skip::ready("journey: two people, one offline and one editing") {
@@ -748,23 +773,8 @@ async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
     let place = &PLACES[0];
     let record = place.key()?;
     for saves in [false, true] {
-        two.reset().await?;
-        shows(&aiko, &two.now().await?.records, &record).await?;
-        socket.cut().await?;
-        says(&aiko, "Offline").await?;
-        two.types(place).await?;
-        aiko.key(place.save).await?;
-        two.leaves().await?;
-        // A person who opens a program once more gives back what they had locked there, so Ben looks before.
-        let now = two.now().await?.records;
-        let (behaviour, records) = (two.program.clone(), [record.clone()].into());
-        let Reply::Locked { grant } = two.ben.ask(Request::Lock { behaviour, records }).await? else {
-            return Err("Ben has no lock".into());
-        };
-        socket.mend().await?;
-        says(&aiko, "Ben is editing this. What you changed while you were offline is kept").await?;
-        says(&aiko, "All other changes saved").await?;
-        let (behaviour, token) = (two.program.clone(), grant.token);
+        let (now, token) = two.locked_meanwhile(&socket, place).await?;
+        let behaviour = two.program.clone();
         if saves {
             // Refused if hers was saved before.
             let change = made(two.change()?, &now, Event::Saves, &record, 0);
@@ -780,4 +790,24 @@ async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
         two.ben.freed(&record).await?;
     }
     calm(&aiko)
+}
+
+/// A change that waits for a colleague is saved when the server is back without them: nobody tells of locks there.
+#[tokio::test]
+async fn what_waits_for_a_colleague_is_saved_when_a_new_server_has_no_locks() -> Outcome<()> {
+    if !skip::ready("journey: two people, and a server that is killed") {
+        return Ok(());
+    }
+    let mut stage = Stage::set().await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
+    let mut two = two(&stage, &aiko).await?;
+    let place = &PLACES[0];
+    two.locked_meanwhile(&socket, place).await?;
+    stage.server.kill9().await?;
+    says(&aiko, "Offline").await?;
+    stage.server.restart().await?;
+    two.ben = Visitor::enter_as(&stage.server, "Ben").await?;
+    two.until_kept(place, "the server is back").await?;
+    calm_but_lost(&aiko)
 }

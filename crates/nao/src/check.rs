@@ -171,28 +171,17 @@ mod tests {
     use super::{Step, check};
     use crate::settings::Settings;
 
-    fn settings(address: &str) -> Settings {
-        Settings {
-            address: address.into(),
-            login: None,
-            own_name: "rrp".into(),
-            trusted: None,
-            expected: None,
-            former: Vec::new(),
-        }
-    }
-
     #[tokio::test]
     async fn the_first_step_that_fails_says_what_to_do() {
-        let found = check(&settings("nobody.invalid")).await;
+        let found = check(&Settings::at("nobody.invalid")).await;
         let (step, why) = found.steps.last().cloned().unwrap();
         assert_eq!(step, Step::Name);
         assert!(why.unwrap().contains("chest button"));
         let nothing = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
-        let found = check(&settings(&nothing.to_string())).await;
+        let found = check(&Settings::at(&nothing.to_string())).await;
         assert_eq!(found.steps[0], (Step::Name, None));
         assert_eq!(found.steps[1].0, Step::Tcp);
         assert!(found.steps[1].1.is_some() && found.steps.len() == 2);
-        assert!(check(&settings("")).await.steps[0].1.is_some());
+        assert!(check(&Settings::at("")).await.steps[0].1.is_some());
     }
 }

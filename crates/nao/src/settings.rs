@@ -106,19 +106,20 @@ pub(crate) fn is_secure(address: &Address) -> bool {
 }
 
 #[cfg(test)]
+impl Settings {
+    /// The settings of a robot at an address of which nothing else is known.
+    pub(crate) fn at(address: &str) -> Self {
+        let (address, own_name) = (address.to_owned(), "rrp".to_owned());
+        Self { address, login: None, own_name, trusted: None, expected: None, former: Vec::new() }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::{Login, Settings};
 
     fn tried(address: &str) -> Vec<String> {
-        let settings = Settings {
-            address: address.into(),
-            login: None,
-            own_name: "rrp".into(),
-            trusted: None,
-            expected: None,
-            former: Vec::new(),
-        };
-        settings.addresses().iter().map(ToString::to_string).collect()
+        Settings::at(address).addresses().iter().map(ToString::to_string).collect()
     }
 
     #[test]
@@ -132,14 +133,7 @@ mod tests {
 
     #[test]
     fn a_password_is_said_in_secret_only() {
-        let open = Settings {
-            address: "nao".into(),
-            login: None,
-            own_name: "rrp".into(),
-            trusted: None,
-            expected: None,
-            former: Vec::new(),
-        };
+        let open = Settings::at("nao");
         let login = Some(Login { user: "nao".into(), password: "hush".into() });
         let secret = Settings { login, ..open.clone() };
         let pinned = Settings { trusted: Some("nonsense".into()), ..open.clone() };

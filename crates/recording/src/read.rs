@@ -119,8 +119,7 @@ fn header(line: &str) -> Option<Header> {
 impl<'t> Open<'t> {
     /// Returns its other lines, each with its number. A last line that is not whole is left out.
     pub fn lines(self) -> impl Iterator<Item = (usize, &'t str)> {
-        let whole = self.rest.rsplit_once('\n').map_or("", |(whole, _)| whole);
-        let last = &self.rest[(whole.len() + 1).min(self.rest.len())..];
+        let (whole, last) = self.rest.rsplit_once('\n').unwrap_or(("", self.rest));
         // A person who edited it may have left out the last end of a line.
         let last = Some(last).filter(|last| serde_json::from_str::<Value>(last).is_ok());
         let lines = whole.lines().chain(last);
@@ -201,4 +200,26 @@ fn scene(text: &str) -> Option<Scene> {
 fn number(line: &Value, name: &str) -> Option<u64> {
     let Some(&Value::Int(number)) = line.field(name) else { return None };
     u64::try_from(number).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Entry, Header, open};
+    use crate::header::FORMAT;
+
+    #[test]
+    fn a_last_line_counts_if_it_is_whole() {
+        let header = Header { format: FORMAT.to_owned(), ..Header::default() };
+        let header = crate::lines::json(&header);
+        let read = |rest: &str| {
+            let text = format!("{header}\n{rest}");
+            let (_, rest) = open(&text).unwrap();
+            rest.entries().collect::<Vec<_>>()
+        };
+        let full = r#"{"t":1,"mark":"full"}"#;
+        assert!(matches!(read(full)[..], [Entry::Full]), "without its end");
+        assert!(matches!(read(&format!("{full}\n"))[..], [Entry::Full]));
+        assert!(matches!(read(&format!("{full}\n{{\"t\":2,\"ma"))[..], [Entry::Full]), "cut off");
+        assert!(read("é").is_empty() && read("").is_empty(), "no line at all");
+    }
 }

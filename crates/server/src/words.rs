@@ -5,7 +5,7 @@ use crate::http::origin::NotAllowed;
 use crate::invitations::NotIn;
 use crate::library::import::NotImported;
 use crate::recordings::{NotRecorded, Stuck};
-use crate::robots::refusal::{BackupMisfit, NoRun, RobotsUnchanged, RunFailure};
+use crate::robots::refusal::{BackupMisfit, NoRun, NotByHand, RobotsUnchanged, RunFailure};
 use crate::rooms::knowledge::Unchecked;
 use crate::serve::ServeError;
 use behaviour::BODY_MAX_CHARS;
@@ -177,9 +177,20 @@ impl fmt::Display for NoRun {
             Self::StoppedMeanwhile => to.write_str("it was stopped meanwhile"),
             Self::Ended => to.write_str("it does not run any more"),
             Self::AppliedJustNow => to.write_str("somebody applies a change just now; try again in a moment"),
-            Self::LargeHand => write!(to, "what it is told has more than {HAND_MAX_BYTES} bytes; say less"),
             Self::StillApplying => to.write_str("it takes very long; look in a moment which revision runs"),
             Self::Inside => inside(to),
+        }
+    }
+}
+
+impl fmt::Display for NotByHand {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::StopPressed => write!(to, "{}", NoRun::StopPressed(None)),
+            Self::Twin(name) => write!(to, "{}", NoRun::Twin(name.clone())),
+            Self::Large => write!(to, "what it is told has more than {HAND_MAX_BYTES} bytes; say less"),
+            Self::Silent => write!(to, "{}", NoRun::Silent),
+            Self::Robot(fault) => write!(to, "{fault}"),
         }
     }
 }

@@ -2,7 +2,7 @@
 //! one.
 
 use crate::driver::{Driver, settings};
-use crate::peer::{PAUSE, Peer};
+use crate::peer::Peer;
 use crate::stops::is_calm;
 use behaviour::Value;
 use nao::Nao;
@@ -103,9 +103,7 @@ async fn a_robot_is_there_when_the_stop_for_what_was_left_is_over() {
     peer.subscribe("ALRedBallDetection", "rrp-test/1/ball").await;
     linger(&peer, "ALMotion", "moveIsActive").await;
     let mut driver = Driver::new(Nao::start(settings(&peer.address)));
-    while driver.nao.health() != Health::Ready {
-        tokio::time::sleep(PAUSE).await;
-    }
+    driver.until("it is there", |driver| driver.nao.health() == Health::Ready).await;
     assert_eq!(peer.calls("ALMotion.killAll").await.len(), 1, "nothing that begins now is ended by it");
     driver.sees(&peer, "nothing is measured", is_calm).await;
 }

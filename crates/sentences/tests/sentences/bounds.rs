@@ -2,6 +2,7 @@
 
 use crate::dice::Dice;
 use crate::graphs::graph;
+use crate::said::slip;
 use crate::support::{Made, reading, sentences_of, templates};
 use behaviour::connectors::{spec, to_action};
 use behaviour::{Id, Params, Procedure, StreamKind};
@@ -92,48 +93,12 @@ fn strange_texts_are_read_without_a_panic_and_in_time() {
             seeds.push((sentences_of(&template.behaviour, &template.helpers, language).join(" "), language));
         }
     }
-    let pieces = [
-        "(",
-        ")",
-        "“",
-        "”",
-        "`",
-        "「",
-        "」",
-        ",",
-        ".",
-        "-",
-        "9",
-        "1e9",
-        "99999999999999999999",
-        "\u{0}",
-        "é",
-        "とき",
-        "、",
-        "when ",
-        "or ",
-        "and ",
-        "every ",
-        "が",
-        "😀",
-        "\n",
-        "|",
-        "ー",
-        "００",
-    ];
     let mut dice = Dice::seeded(7);
     let started = Instant::now();
     for _ in 0..200 {
         let (text, language) = dice.one(&seeds).clone();
         let mut chars: Vec<char> = text.chars().collect();
-        for _ in 0..=dice.below(6) {
-            let at = dice.below(chars.len() + 1);
-            match dice.below(3) {
-                0 if at < chars.len() => drop(chars.remove(at)),
-                1 => chars.truncate(at.max(3)),
-                _ => drop(chars.splice(at..at, dice.one(&pieces).chars())),
-            }
-        }
+        slip(&mut dice, &mut chars);
         let text: String = chars.into_iter().collect();
         let read = reading(&text, language, &[]);
         for range in read.doubts.iter().map(|doubt| &doubt.range).chain(read.understood.iter().map(|one| &one.range)) {

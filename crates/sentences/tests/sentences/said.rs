@@ -181,8 +181,10 @@ pub(crate) fn random(dice: &mut Dice, language: Language) -> String {
 }
 
 /// The pieces that no sentence has, or has elsewhere.
-const PIECES: [&str; 34] = [
+const PIECES: [&str; 36] = [
     "(",
+    ")",
+    "`",
     "“",
     "”",
     "「",
@@ -218,13 +220,8 @@ const PIECES: [&str; 34] = [
     "ないで",
 ];
 
-/// Signs and letters by chance, or a sentence with a few slips.
-pub(crate) fn strange(dice: &mut Dice, language: Language, is_random: bool) -> String {
-    let mut chars: Vec<char> = if is_random {
-        (0..dice.below(40)).flat_map(|_| dice.one(&PIECES).chars()).collect()
-    } else {
-        random(dice, language).chars().collect()
-    };
+/// Makes a few slips in a text: letters that are missing, an end that is cut off, pieces that do not belong there.
+pub(crate) fn slip(dice: &mut Dice, chars: &mut Vec<char>) {
     for _ in 0..=dice.below(6) {
         let at = dice.below(chars.len() + 1);
         match dice.below(3) {
@@ -233,5 +230,15 @@ pub(crate) fn strange(dice: &mut Dice, language: Language, is_random: bool) -> S
             _ => drop(chars.splice(at..at, dice.one(&PIECES).chars())),
         }
     }
+}
+
+/// Signs and letters by chance, or a sentence with a few slips.
+pub(crate) fn strange(dice: &mut Dice, language: Language, is_random: bool) -> String {
+    let mut chars: Vec<char> = if is_random {
+        (0..dice.below(40)).flat_map(|_| dice.one(&PIECES).chars()).collect()
+    } else {
+        random(dice, language).chars().collect()
+    };
+    slip(dice, &mut chars);
     chars.into_iter().collect()
 }

@@ -4,7 +4,7 @@
 use super::cancel_flag::CancelFlag;
 use super::fair::Fair;
 use super::mailbox::Mailbox;
-use super::refusal::NoRun;
+use super::refusal::{NoRun, NotByHand};
 use crate::support::lock;
 use behaviour::{Id, Params, StreamKind, Value};
 use engine::{Claim, StreamIx};
@@ -108,7 +108,7 @@ pub(super) struct Handing {
     /// The flag that a Stop sets; then the action is void.
     pub(super) cancel: Arc<CancelFlag>,
     /// Gets the answer; never waited for.
-    pub(super) answer: oneshot::Sender<Result<(), String>>,
+    pub(super) answer: oneshot::Sender<Result<(), NotByHand>>,
 }
 
 /// One device for one stream.

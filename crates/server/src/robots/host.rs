@@ -6,7 +6,7 @@ use super::command_queue::{ByHand, Controlling, Handing};
 use super::live::LiveValues;
 use super::mailbox::Beginning;
 use super::order::Order;
-use super::refusal::NoRun;
+use super::refusal::{NoRun, NotByHand};
 use super::robot_thread::{self, Make};
 use super::run_table;
 use super::runner::{self, Job};
@@ -355,24 +355,23 @@ impl Host {
     /// # Errors
     /// If the robot has another one's body, refuses it or is silent for 5 s, or if the values are too large or many.
     pub(crate) async fn hand(&self, hand: ByHand) -> Result<(), Refused> {
-        let cannot = |why: String| Refused::RobotCannot(why);
         let shared = self.shared();
         if let Some(other) = shared.feed.same_as(&shared.robot) {
-            return Err(cannot(NoRun::Twin(other).to_string()));
+            return Err(NotByHand::Twin(other).refused());
         }
         if recording::json(&hand.value).len() + recording::json(&hand.params).len() > HAND_MAX_BYTES {
-            return Err(cannot(NoRun::LargeHand.to_string()));
+            return Err(NotByHand::Large.refused());
         }
         let cancel = shared.cancel_flags.add(&shared.robot);
         let (answer, answered) = oneshot::channel();
         shared.queue.hand(Handing { hand, cancel: cancel.clone(), answer });
         let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;
-        // The flag no longer stops what was answered or is not waited for.
+        // An action that was answered, or is not waited for, is not stopped any more by its flag.
         cancel.cancel();
         match answered {
-            Ok(Ok(done)) => done.map_err(cannot),
+            Ok(Ok(done)) => done.map_err(NotByHand::refused),
             Ok(Err(_)) => Err(Refused::TooFast),
-            Err(_) => Err(cannot(NoRun::Silent.to_string())),
+            Err(_) => Err(NotByHand::Silent.refused()),
         }
     }
 

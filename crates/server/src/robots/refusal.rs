@@ -3,6 +3,7 @@
 use crate::recordings::NotRecorded;
 use engine::Fault;
 use protocol::Refused;
+use robot::RobotFault;
 use std::io;
 use std::path::PathBuf;
 
@@ -46,8 +47,6 @@ pub(crate) enum NoRun {
     AppliedJustNow,
     /// Nobody knows yet whether it was applied.
     StillApplying,
-    /// The value and parameters that it is told by hand are too large.
-    LargeHand,
     /// The server itself failed.
     Inside,
 }
@@ -70,6 +69,34 @@ impl NoRun {
             Self::Ended | Self::StoppedMeanwhile => Refused::NotRunning,
             why => Refused::NotApplied(why.to_string().trim_end_matches('.').to_owned()),
         }
+    }
+}
+
+/// The reason why something was not done by hand.
+#[derive(Debug, PartialEq)]
+pub(crate) enum NotByHand {
+    /// Stop was pressed before.
+    StopPressed,
+    /// The robot is the same body as another one, of this name.
+    Twin(String),
+    /// The value and settings have too many bytes.
+    Large,
+    /// The robot does not answer in time.
+    Silent,
+    /// The robot does not do it, for its own reason.
+    Robot(RobotFault),
+}
+
+impl<F: Into<RobotFault>> From<F> for NotByHand {
+    fn from(fault: F) -> Self {
+        Self::Robot(fault.into())
+    }
+}
+
+impl NotByHand {
+    /// Returns this as the refusal that a client hears.
+    pub(crate) fn refused(self) -> Refused {
+        Refused::RobotCannot(self.to_string())
     }
 }
 

@@ -1,6 +1,6 @@
 //! Who answers for what the robot does: who pressed Stop, who started it, and what only the host may do to robots.
 
-use crate::house::{House, make};
+use crate::house::{House, make, start};
 use crate::invited::Scene;
 use protocol::{Refused, Reply, Request, Role, RunPhase, RunState};
 use shell::{Client, Trouble};
@@ -21,28 +21,10 @@ async fn people_are_told_who_pressed_stop_by_whatever_way() {
     let greet = make(&scene.aiko, "Greet", Some("Greeter")).await;
     let (browser, _) = scene.guest(Role::Viewer).await;
     let _ben = browser.socket("Ben").await.unwrap();
-    scene
-        .aiko
-        .ask(Request::Start {
-            behaviour: greet.clone(),
-            robot: None,
-            record: false,
-            session: protocol::Session::default(),
-        })
-        .await
-        .unwrap();
+    scene.aiko.ask(start(&greet)).await.unwrap();
     assert!(browser.post("/stop", "").await.contains("stopped"));
     run_like(&mut scene.aiko, |run| run.phase == RunPhase::Stopped("Ben".into())).await;
-    scene
-        .aiko
-        .ask(Request::Start {
-            behaviour: greet.clone(),
-            robot: None,
-            record: false,
-            session: protocol::Session::default(),
-        })
-        .await
-        .unwrap();
+    scene.aiko.ask(start(&greet)).await.unwrap();
     scene.aiko.ask(Request::Stop { behaviour: Some(greet), robot: None }).await.unwrap();
     run_like(&mut scene.aiko, |run| run.phase == RunPhase::Stopped("Aiko".into())).await;
     scene.house.close().await;
@@ -54,14 +36,7 @@ async fn what_a_revoked_operator_started_is_shown_as_such_and_runs_until_it_is_s
     let greet = make(&scene.aiko, "Greet", Some("Greeter")).await;
     let (browser, invitation) = scene.guest(Role::Operator).await;
     let mut ben = browser.socket("Ben").await.unwrap();
-    let started = ben
-        .ask(Request::Start {
-            behaviour: greet.clone(),
-            robot: None,
-            record: false,
-            session: protocol::Session::default(),
-        })
-        .await;
+    let started = ben.ask(start(&greet)).await;
     assert_eq!(started, Reply::Done);
     let run = run_like(&mut scene.aiko, |run| run.phase == RunPhase::Running).await;
     assert!(run.by == "Ben" && !run.revoked, "{run:?}");

@@ -1,7 +1,7 @@
 //! A server in this process on a free port, and things to put into behaviours.
 
 use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind, connectors};
-use protocol::{Reply, Request};
+use protocol::{Reply, Request, Session};
 use server::{Config, Network, Ready, Secured, serve_with};
 use shell::{Client, Trouble};
 use std::net::SocketAddr;
@@ -106,6 +106,11 @@ pub(crate) async fn make(client: &Client, name: &str, template: Option<&str>) ->
         Reply::Created { behaviour } => behaviour,
         other => panic!("{other:?}"),
     }
+}
+
+/// Starts a behaviour on the first robot, without recording it.
+pub(crate) fn start(behaviour: &Id) -> Request {
+    Request::Start { behaviour: behaviour.clone(), robot: None, record: false, session: Session::default() }
 }
 
 pub(crate) fn id(text: &str) -> Id {

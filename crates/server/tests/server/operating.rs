@@ -1,6 +1,6 @@
 //! Operating: recorded from the middle of a run on, marked at the moment of the press, done by hand, and marked again later.
 
-use crate::house::{House, connect, connector_id, printer, stream, stream_id};
+use crate::house::{House, connect, connector_id, printer, start, stream, stream_id};
 use behaviour::{Id, Params, Record, StreamKind, Value, connectors};
 use protocol::{MarkSort, Recording, RecordingMark, Refused, Reply, Request, Session};
 use shell::{Client, Trouble};
@@ -35,9 +35,7 @@ async fn what_runs_is_recorded_marked_and_marked_again_later() {
     let session = Session { participant: Some("C-07".to_owned()), ..Session::default() };
     let record = Request::Record { behaviour: behaviour.clone(), robot: None, session };
     assert_eq!(aiko.ask(record.clone()).await, Err(Trouble::No(Refused::NotRunning)));
-    let start =
-        Request::Start { behaviour: behaviour.clone(), robot: None, record: false, session: Session::default() };
-    aiko.ask(start.clone()).await.unwrap();
+    aiko.ask(start(&behaviour)).await.unwrap();
     aiko.ask(record).await.unwrap();
     let value = Value::Int(7);
     aiko.ask(Request::Stimulate { behaviour: play.clone(), robot: None, stream: "head".parse().unwrap(), value })

@@ -1,6 +1,6 @@
 //! Running: problems stop Start, Stop stops, values come.
 
-use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, stream, stream_id};
+use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, start, stream, stream_id};
 use behaviour::{Seen, Value, connectors};
 use protocol::{Refused, Reply, Request, RunPhase};
 use shell::Trouble;
@@ -12,10 +12,7 @@ async fn problems_stop_start() {
     aiko.put("Add", stream_id("ball"), Some(ball("Red ball"))).await.unwrap();
     aiko.put("Add", stream_id("far"), Some(plain("Far"))).await.unwrap();
     aiko.put("Add", connector_id("c"), Some(map("", "ball", "far"))).await.unwrap();
-    let no = aiko
-        .ask(Request::Start { behaviour: play, robot: None, record: false, session: protocol::Session::default() })
-        .await
-        .unwrap_err();
+    let no = aiko.ask(start(&play)).await.unwrap_err();
     assert!(matches!(&no, Trouble::No(Refused::Problems(problems)) if problems.len() == 1), "{no:?}");
     house.close().await;
 }
@@ -29,14 +26,7 @@ async fn a_behaviour_runs_tells_its_values_and_stops() {
     aiko.put("Add", connector_id("c"), Some(connect(connectors::subscribe::SPEC.with(()), &["head"], "out")))
         .await
         .unwrap();
-    aiko.ask(Request::Start {
-        behaviour: play.clone(),
-        robot: None,
-        record: false,
-        session: protocol::Session::default(),
-    })
-    .await
-    .unwrap();
+    aiko.ask(start(&play)).await.unwrap();
     aiko.ask(Request::Stimulate {
         behaviour: play.clone(),
         robot: None,
@@ -62,14 +52,8 @@ async fn a_stop_of_one_behaviour_leaves_the_start_of_another_alone() {
     let greet = make(&aiko, "Greet", Some("Greeter")).await;
     let other = make(&aiko, "Other", Some("Reflect ball color")).await;
     for _ in 0..20 {
-        let start = Request::Start {
-            behaviour: greet.clone(),
-            robot: None,
-            record: false,
-            session: protocol::Session::default(),
-        };
         let stop = || ben.ask(Request::Stop { behaviour: Some(other.clone()), robot: None });
-        let (started, ..) = tokio::join!(aiko.ask(start), stop(), stop(), stop());
+        let (started, ..) = tokio::join!(aiko.ask(start(&greet)), stop(), stop(), stop());
         assert_eq!(started, Ok(Reply::Done));
         aiko.ask(Request::Stop { behaviour: Some(greet.clone()), robot: None }).await.unwrap();
     }
@@ -82,12 +66,7 @@ async fn nothing_runs_that_is_in_the_bin() {
     let (mut aiko, ben) = (house.person("Aiko").await, house.person("Ben").await);
     for number in 0..20 {
         let play = make(&aiko, &format!("Play {number}"), Some("Reflect ball color")).await;
-        let start = aiko.ask(Request::Start {
-            behaviour: play.clone(),
-            robot: None,
-            record: false,
-            session: protocol::Session::default(),
-        });
+        let start = aiko.ask(start(&play));
         let remove = ben.ask(Request::Remove { behaviour: play.clone() });
         let (started, gone) = tokio::join!(start, remove);
         assert!(started.is_err() || gone.is_err(), "{started:?} {gone:?}");
@@ -112,14 +91,7 @@ async fn edits_disturb_nothing_until_they_are_applied() {
         .unwrap();
     let apply = Request::Apply { behaviour: play.clone(), robot: None };
     assert_eq!(aiko.ask(apply.clone()).await, Err(Trouble::No(Refused::NotRunning)));
-    aiko.ask(Request::Start {
-        behaviour: play.clone(),
-        robot: None,
-        record: false,
-        session: protocol::Session::default(),
-    })
-    .await
-    .unwrap();
+    aiko.ask(start(&play)).await.unwrap();
     aiko.put("Edit", connector_id("m"), Some(map("head + 2", "head", "next"))).await.unwrap();
     let seven =
         |value| Request::Stimulate { behaviour: play.clone(), robot: None, stream: "head".parse().unwrap(), value };
@@ -144,9 +116,7 @@ async fn templates_start() {
     let house = House::open().await;
     let aiko = house.person("Aiko").await;
     let play = make(&aiko, "Far", Some("Track far and close balls")).await;
-    aiko.ask(Request::Start { behaviour: play, robot: None, record: false, session: protocol::Session::default() })
-        .await
-        .unwrap();
+    aiko.ask(start(&play)).await.unwrap();
     house.close().await;
 }
 

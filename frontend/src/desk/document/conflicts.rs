@@ -32,7 +32,9 @@ impl Document {
             let only_followers_were_late =
                 waiting.change.edits.len() < whole && self.with_confirmed(|now| !is_late(&waiting.change, now));
             if only_followers_were_late {
+                let was = waiting.change.op.clone();
                 let again = Change { op: new_id(), ..waiting.change };
+                self.retries_as(&was, &again.op);
                 return self.propose_and(again, on_answer);
             }
         }
@@ -74,7 +76,12 @@ impl Document {
         let is_there_already = |new: &Conflict| new.on_top(&now, self.change("")).edits.is_empty();
         let mut all = self.conflicts.get_untracked();
         if let Some(known) = all.iter_mut().find(|known| known.retry.as_ref() == Some(&waiting.change.op)) {
-            (known.retry, known.again, known.theirs) = (None, true, theirs.to_vec());
+            (known.retry, known.again, known.theirs) = (None, !known.locked, theirs.to_vec());
+            // What only waited is to be decided from now on.
+            if std::mem::take(&mut known.locked) {
+                (known.mine.edits, known.shown) = (waiting.change.edits.clone(), false);
+                self.replace_its_editor(known);
+            }
         } else if let Some(known) = all.iter_mut().find(|known| known.retry.is_none() && known.meets(&waiting.change)) {
             known.join(waiting.change.clone());
         } else if all.len() < CONFLICTS_MAX {
@@ -106,25 +113,29 @@ impl Document {
         true
     }
 
-    /// A change touches what somebody is editing. One that was made without a connection, or that meets nothing but a lock
-    /// of this page from before, is kept until that is free; gives it back if it is no such change.
+    /// A change touches a record that somebody is editing. One that was made without a connection, or that meets nothing but a
+    /// lock of this page from before, is kept until that is free; gives it back if it is no such change.
     pub(super) fn waits_for_lock(&self, waiting: Waiting) -> Option<Waiting> {
+        let mut all = self.conflicts.get_untracked();
+        if let Some(known) = all.iter_mut().find(|known| known.retry.as_ref() == Some(&waiting.change.op)) {
+            (known.retry, known.shown) = (None, known.shown && !known.locked);
+            let waits = known.locked;
+            self.set_conflicts(all);
+            self.name_editors();
+            return (!waits).then_some(waiting);
+        }
         let is_others = self.other_editor(&waiting.change).is_some();
         let is_kept = waiting.way == Way::Propose && is_worth_keeping(&waiting.change);
-        let mut all = self.conflicts.get_untracked();
         if !is_kept || is_others && !waiting.offline || all.len() >= CONFLICTS_MAX {
             return Some(waiting);
         }
-        let (of, made, now) = (waiting.behaviour.clone(), (waiting.made_ms, waiting.offline), self.as_now());
-        let Some(new) = Conflict::of(of, waiting.change.clone(), made, Vec::new(), &now) else { return Some(waiting) };
+        let (of, made) = (waiting.behaviour.clone(), (waiting.made_ms, waiting.offline));
+        let new = self.with_confirmed(|now| Conflict::of(of, waiting.change.clone(), made, Vec::new(), now));
+        let Some(new) = new else { return Some(waiting) };
         all.push(Conflict { locked: true, ..new });
         self.set_conflicts(all);
-        self.look_at_locks();
+        self.name_editors();
         None
-    }
-
-    fn as_now(&self) -> Behaviour {
-        self.with_confirmed(Behaviour::clone)
     }
 
     /// The name of somebody else who is editing something that a change touches, as far as this page knows by now.
@@ -134,31 +145,53 @@ impl Document {
     }
 
     /// Names, once for each kept change, the person who is editing something that it touches.
-    fn look_at_locks(&self) {
+    fn name_editors(&self) {
         let mut all = self.conflicts.get_untracked();
-        for waits in all.iter_mut().filter(|conflict| conflict.locked && !conflict.shown) {
-            if let Some(name) = self.other_editor(&waits.mine) {
-                waits.shown = true;
+        let unnamed = all.iter_mut().filter(|kept| kept.locked && kept.retry.is_none() && !kept.shown);
+        for kept in unnamed {
+            if let Some(name) = self.other_editor(&kept.mine) {
+                kept.shown = true;
                 self.tab.say(&words::waits_until_free(&name), true);
             }
         }
         self.set_conflicts(all);
     }
 
-    /// Proposes what waited for locks that are free now, and names who holds the others.
+    /// Proposes the kept changes of which nobody else is editing anything any more, and names who is editing the others.
     pub(super) fn propose_what_is_free(&self) {
+        self.propose_kept(|kept| self.other_editor(&kept.mine).is_none());
+        if self.conflicts.with_untracked(|all| all.iter().any(|kept| kept.locked)) {
+            self.name_editors();
+        }
+    }
+
+    /// Proposes all kept changes of the open program: after it was opened the server alone knows who is editing what.
+    pub(super) fn propose_all_kept(&self) {
+        self.propose_kept(|_| true);
+    }
+
+    fn propose_kept(&self, wanted: impl Fn(&Conflict) -> bool) {
         let mut all = self.conflicts.get_untracked();
-        let is_free = |conflict: &mut Conflict| {
-            conflict.locked && self.is_open(&conflict.behaviour) && self.other_editor(&conflict.mine).is_none()
-        };
-        let free: Vec<Conflict> = all.extract_if(.., is_free).collect();
+        let is_due =
+            |kept: &&mut Conflict| kept.locked && kept.retry.is_none() && self.is_open(&kept.behaviour) && wanted(kept);
+        let mut proposed = Vec::new();
+        for kept in all.iter_mut().filter(is_due) {
+            let again = Change { op: new_id(), ..kept.mine.clone() };
+            kept.retry = Some(again.op.clone());
+            proposed.push((kept.clone(), again));
+        }
+        if proposed.is_empty() {
+            return;
+        }
         self.set_conflicts(all);
-        self.look_at_locks();
-        for conflict in free {
-            let again = Change { op: new_id(), ..conflict.mine };
-            let tab = self.tab.clone();
-            let said = move |answer| tab.say_refusal(answer);
-            self.queue_made(conflict.behaviour, again, (conflict.made_ms, conflict.offline), said);
+        for (kept, again) in proposed {
+            let (document, mine) = (self.clone(), kept.mine.op);
+            self.queue_made(kept.behaviour, again, (kept.made_ms, kept.offline), move |answer| {
+                if answer.is_err() {
+                    document.drop_conflict(&mine);
+                    document.tab.say_refusal(answer);
+                }
+            });
         }
     }
 
@@ -244,6 +277,15 @@ impl Document {
                 on_no(no);
             }
         });
+    }
+
+    /// A change under way that puts one's own on top, or that was kept, goes under another name.
+    fn retries_as(&self, was: &Id, now: &Id) {
+        let mut all = self.conflicts.get_untracked();
+        if let Some(conflict) = all.iter_mut().find(|conflict| conflict.retry.as_ref() == Some(was)) {
+            conflict.retry = Some(now.clone());
+            self.set_conflicts(all);
+        }
     }
 
     /// It could not be put on top, and waits again.

@@ -30,6 +30,7 @@ impl Document {
             self.begin_history(revision);
             self.compare_again();
             self.lock_again();
+            self.propose_all_kept();
             self.told_what_was_missed(id, known);
             self.present_anew();
         }

@@ -129,9 +129,9 @@ pub(crate) fn changed_while_typing(name: &str) -> String {
     say!("{name} changed this while you were typing. What you typed stays: save it to see both.", name)
 }
 
-/// Said to who comes back with a change of what somebody else is editing now.
+/// The sentence for a change that waits while somebody else is editing the same.
 pub(crate) fn waits_until_free(name: &str) -> String {
-    say!("{name} is editing this. What you changed while you were offline is kept, and is saved when it is free.", name)
+    say!("{name} is editing this. What you changed is kept, and is saved when it is free.", name)
 }
 
 /// Said at once to who types into what somebody else has just removed.

@@ -4,6 +4,7 @@
 use super::RobotThread;
 use crate::robots::command_queue::{ByHand, Handing};
 use crate::robots::mailbox::{DoneByHand, Undone};
+use crate::robots::refusal::NotByHand;
 use behaviour::{FileStream, Id, Params, StreamKind};
 use engine::Claim;
 use protocol::BY_HAND;
@@ -32,20 +33,20 @@ impl Hands {
 impl RobotThread<'_> {
     /// Does what somebody wants by hand, unless Stop was pressed since, and answers with what became of it.
     pub(super) fn by_hand(&mut self, Handing { hand, cancel, answer }: Handing) {
-        let done = if cancel.is_cancelled() { Err("Stop was pressed".to_owned()) } else { self.try_by_hand(&hand) };
+        let done = if cancel.is_cancelled() { Err(NotByHand::StopPressed) } else { self.try_by_hand(&hand) };
         // From now on a Stop ends what the robot does.
         cancel.cancel();
-        let told = |why: Option<String>| DoneByHand::of(hand.clone(), why);
-        self.users.values().for_each(|user| user.mailbox.done_by_hand(told(done.as_ref().err().cloned())));
+        let why = done.as_ref().err().map(ToString::to_string);
+        self.users.values().for_each(|user| user.mailbox.done_by_hand(DoneByHand::of(hand.clone(), why.clone())));
         // A person who gave up waiting does not hear it.
         drop(answer.send(done));
     }
 
-    fn try_by_hand(&mut self, hand: &ByHand) -> Result<(), String> {
-        let device = robot::device(StreamKind::Actuator, &hand.device).map_err(|fault| fault.to_string())?;
-        device.check(&hand.params).map_err(|fault| fault.to_string())?;
-        let stream = Id::new(device.name).map_err(|fault| fault.to_string())?;
-        self.command_by_hand(hand, &stream).map_err(|fault| fault.to_string())
+    fn try_by_hand(&mut self, hand: &ByHand) -> Result<(), NotByHand> {
+        let device = robot::device(StreamKind::Actuator, &hand.device)?;
+        device.check(&hand.params)?;
+        let stream = Id::new(device.name).map_err(|_| RobotFault::NoDevice(device.name.to_owned()))?;
+        Ok(self.command_by_hand(hand, &stream)?)
     }
 
     fn command_by_hand(
@@ -55,7 +56,10 @@ impl RobotThread<'_> {
     ) -> Result<(), RobotFault> {
         let user = Use { run: HAND, stream: stream.clone() };
         if self.hands.open.get(stream) != Some(params) {
-            self.hands.open.remove(stream);
+            // The action with other settings ends first.
+            if self.hands.open.remove(stream).is_some() {
+                self.robot.close(&user);
+            }
             self.robot.open(&user, device, params)?;
             self.hands.open.insert(stream.clone(), params.clone());
         }

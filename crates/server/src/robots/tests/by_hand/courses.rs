@@ -5,6 +5,7 @@ use crate::robots::cancel_flag::CancelFlag;
 use crate::robots::command_queue::{ByHand, Command, Handing, Opening, Wanted};
 use crate::robots::mailbox::Mailbox;
 use crate::robots::order::Order;
+use crate::robots::refusal::NotByHand;
 use crate::robots::robot_thread::{RobotThread, RoomRobot};
 use crate::robots::shared::RobotShared;
 use crate::robots::simulated;
@@ -213,7 +214,7 @@ impl Course<'_> {
         for (device, mut answered) in answers {
             let answer = answered.try_recv().unwrap_or_else(|_| panic!("{} was never answered", device.name));
             if stops {
-                assert_eq!(answer, Err("Stop was pressed".to_owned()), "nothing passes Stop");
+                assert_eq!(answer, Err(NotByHand::StopPressed), "nothing passes Stop");
                 self.counts.stopped += 1;
             }
         }
