@@ -88,7 +88,8 @@ pub(crate) async fn floods(target: Target) {
 /// Actions by hand without a pause, with other settings each time.
 pub(crate) async fn hands(target: Target) {
     let hand = |ask: u32| {
-        let params = [("speed".to_owned(), if ask % 2 == 0 { 0.05 } else { 0.06 }.into())].into_iter().collect();
+        let speed = if ask.is_multiple_of(2) { 0.05 } else { 0.06 };
+        let params = [("speed".to_owned(), speed.into())].into_iter().collect();
         Request::Hand { robot: None, device: "Walk".to_owned(), params, value: 1.into() }
     };
     crowd(FLOODS, || flood(target.clone(), hand)).await;
