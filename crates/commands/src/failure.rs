@@ -1,6 +1,5 @@
 //! Why a command did not do what it should. What is said about it stands in `words.rs`; only `main` prints it.
 
-use crate::listening::Muddle;
 use behaviour::Refusal;
 use server::{BackupMisfit, ServeError};
 use std::error::Error;
@@ -19,7 +18,7 @@ pub(crate) enum Failure {
     /// There are no threads to serve with.
     ServerNotStarted(io::Error),
     /// The addresses to listen on do not go together.
-    Listening(Muddle),
+    Listening(ListenConflict),
     /// The server did not start, or ended.
     Serve(ServeError),
     /// Nobody said where the data is, and there is no home folder.
@@ -188,3 +187,18 @@ impl From<serde_json::Error> for Senseless {
         Self::NoReading
     }
 }
+
+/// Why the addresses do not go together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum ListenConflict {
+    /// There are two for this computer, or two for others.
+    TwoOfAKind,
+    /// There is a certificate and nobody to show it to.
+    NoNetwork,
+    /// This is no origin.
+    Origin(String),
+    /// This is no address to listen on.
+    Address(String),
+}
+
+impl std::error::Error for ListenConflict {}

@@ -1,6 +1,6 @@
 //! Where `rrp serve` listens: for its host at this computer, and for others, who come by invitation.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, ListenConflict};
 use clap::Args;
 use protocol::{Lasts, Role};
 use server::{Invited, Network, Secured};
@@ -36,32 +36,17 @@ pub(crate) struct Listening {
     behind_proxy: Option<String>,
 }
 
-/// Why the addresses do not go together.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Muddle {
-    /// There are two for this computer, or two for others.
-    TwoOfAKind,
-    /// There is a certificate and nobody to show it to.
-    NoNetwork,
-    /// This is no origin.
-    Origin(String),
-    /// This is no address to listen on.
-    Address(String),
-}
-
-impl std::error::Error for Muddle {}
-
 impl Listening {
     /// The address for this computer, and the way in for others if there is one.
     pub(crate) fn ways(self) -> Result<(SocketAddr, Option<Network>), Failure> {
         self.sorted().map_err(Failure::Listening)
     }
 
-    fn sorted(self) -> Result<(SocketAddr, Option<Network>), Muddle> {
+    fn sorted(self) -> Result<(SocketAddr, Option<Network>), ListenConflict> {
         let Self { mut listen, cert, key, behind_proxy } = self;
         if let Some(origin) = behind_proxy {
-            let network = listen.pop().ok_or(Muddle::NoNetwork)?;
-            let origin = origin_of(&origin).ok_or(Muddle::Origin(origin))?;
+            let network = listen.pop().ok_or(ListenConflict::NoNetwork)?;
+            let origin = origin_of(&origin).ok_or(ListenConflict::Origin(origin))?;
             let local = only(listen)?.filter(|local| local.ip().is_loopback());
             let local = local.unwrap_or_else(|| beside(network));
             return Ok((local, Some(Network { listen: network, secured: Secured::Proxy { origin } })));
@@ -70,7 +55,7 @@ impl Listening {
         let (own, others) = (only(own)?, only(others)?);
         let secured = match cert.zip(key) {
             Some((certificate, key)) if others.is_some() => Secured::Own { certificate, key },
-            Some(_) => return Err(Muddle::NoNetwork),
+            Some(_) => return Err(ListenConflict::NoNetwork),
             None => Secured::Made,
         };
         let local = own.unwrap_or_else(|| others.map_or(USUAL, beside));
@@ -79,20 +64,20 @@ impl Listening {
 }
 
 /// An address as people write it. Nothing is looked up: what a name means elsewhere may change.
-fn address(said: &str) -> Result<SocketAddr, Muddle> {
+fn address(said: &str) -> Result<SocketAddr, ListenConflict> {
     let own = |port: &str| port.parse().ok().map(|port| SocketAddr::new(Ipv4Addr::LOCALHOST.into(), port));
     let of_this_computer = |said: &str| match said.rsplit_once(':') {
         Some((host, port)) if host.is_empty() || host.eq_ignore_ascii_case("localhost") => own(port),
         _ => None,
     };
-    said.parse().ok().or_else(|| of_this_computer(said)).ok_or_else(|| Muddle::Address(said.to_owned()))
+    said.parse().ok().or_else(|| of_this_computer(said)).ok_or_else(|| ListenConflict::Address(said.to_owned()))
 }
 
-fn only(addresses: Vec<SocketAddr>) -> Result<Option<SocketAddr>, Muddle> {
+fn only(addresses: Vec<SocketAddr>) -> Result<Option<SocketAddr>, ListenConflict> {
     match addresses[..] {
         [] => Ok(None),
         [one] => Ok(Some(one)),
-        _ => Err(Muddle::TwoOfAKind),
+        _ => Err(ListenConflict::TwoOfAKind),
     }
 }
 
@@ -168,10 +153,10 @@ fn picture(rows: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Listening, Muddle, address, origin_of, picture};
+    use super::{ListenConflict, Listening, address, origin_of, picture};
     use server::Secured;
 
-    fn ways(listen: &[&str], proxy: Option<&str>) -> Result<(String, Option<String>), Muddle> {
+    fn ways(listen: &[&str], proxy: Option<&str>) -> Result<(String, Option<String>), ListenConflict> {
         let listen = listen.iter().map(|address| address.parse().unwrap()).collect();
         let at = Listening { listen, cert: None, key: None, behind_proxy: proxy.map(str::to_owned) };
         let (local, network) = at.sorted()?;
@@ -194,8 +179,8 @@ mod tests {
         for (listen, proxy, local, network) in table {
             assert_eq!(ways(listen, proxy), Ok((local.to_owned(), network.map(str::to_owned))), "{listen:?}");
         }
-        assert_eq!(ways(&["127.0.0.1:1", "127.0.0.1:2"], None), Err(Muddle::TwoOfAKind));
-        assert_eq!(ways(&["10.0.0.1:1", "10.0.0.2:2"], None), Err(Muddle::TwoOfAKind));
+        assert_eq!(ways(&["127.0.0.1:1", "127.0.0.1:2"], None), Err(ListenConflict::TwoOfAKind));
+        assert_eq!(ways(&["10.0.0.1:1", "10.0.0.2:2"], None), Err(ListenConflict::TwoOfAKind));
     }
 
     #[test]
@@ -225,7 +210,7 @@ mod tests {
             let (cert, key) = (Some("c.pem".into()), Some("k.pem".into()));
             Listening { listen: vec![listen.parse().unwrap()], cert, key, behind_proxy: None }.sorted()
         };
-        assert_eq!(of("127.0.0.1:1").err(), Some(Muddle::NoNetwork));
+        assert_eq!(of("127.0.0.1:1").err(), Some(ListenConflict::NoNetwork));
         assert!(matches!(of("10.0.0.1:1").unwrap().1.unwrap().secured, Secured::Own { .. }));
     }
 

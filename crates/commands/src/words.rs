@@ -1,7 +1,6 @@
 //! What is said on standard error when a command fails, in English.
 
-use crate::failure::{Failure, Senseless};
-use crate::listening::Muddle;
+use crate::failure::{Failure, ListenConflict, Senseless};
 use engine::Fault;
 use std::fmt;
 use std::path::Path;
@@ -13,7 +12,7 @@ const READING: &str = "{\"t\":500,\"stream\":\"ball\",\"value\":1}";
 /// Names that are shown to somebody who looks for another one.
 const NAMES_MAX: usize = 10;
 
-impl fmt::Display for Muddle {
+impl fmt::Display for ListenConflict {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::TwoOfAKind => to.write_str(

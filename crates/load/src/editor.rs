@@ -4,8 +4,8 @@
 use crate::behaviours::{due_us, note_of, op, text};
 use crate::compare::Wrong;
 use crate::plan::Plan;
-use crate::run::Watch;
 use crate::times::Times;
+use crate::watch::Watch;
 use behaviour::{Behaviour, Change, Id};
 use protocol::{Credential, Refused, Reply, Request};
 use shell::{Client, Mirror, Trouble};

@@ -15,10 +15,12 @@ mod report;
 mod run;
 mod stalled;
 mod times;
+mod watch;
 
 pub use compare::{Known, Wrong, compare};
 pub use dice::Dice;
 pub use plan::Plan;
 pub use report::Report;
-pub use run::{Load, Watch, run, tidy};
+pub use run::{Load, run, tidy};
 pub use times::Times;
+pub use watch::Watch;

@@ -7,6 +7,7 @@ use crate::editor::{Course, Editor};
 use crate::plan::Plan;
 use crate::report::Report;
 use crate::stalled::stall;
+use crate::watch::Watch;
 use behaviour::Id;
 use futures_util::{StreamExt, TryStreamExt};
 use protocol::Request;
@@ -18,7 +19,6 @@ use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 use tokio::task::JoinSet;
 use tokio::time::Instant;
-use tokio_util::sync::CancellationToken;
 
 /// Clients that come in at once.
 const COMING_MAX: usize = 32;
@@ -33,30 +33,6 @@ pub struct Load {
     editors_url: String,
     plan: Plan,
     watch: Watch,
-}
-
-/// The progress of a load. A clone is of the same.
-#[derive(Clone, Debug, Default)]
-pub struct Watch {
-    acknowledged: Arc<AtomicU64>,
-    pub(crate) ends: CancellationToken,
-}
-
-impl Watch {
-    /// Edits that are saved by now.
-    #[must_use]
-    pub fn acknowledged(&self) -> u64 {
-        self.acknowledged.load(Ordering::Relaxed)
-    }
-
-    /// No further edits are made, before the time of the plan is over.
-    pub fn end(&self) {
-        self.ends.cancel();
-    }
-
-    pub(crate) fn one_more(&self) {
-        self.acknowledged.fetch_add(1, Ordering::Relaxed);
-    }
 }
 
 /// Makes behaviours on the server at `url`, lets the clients of a plan edit them, and compares what all have in the end.

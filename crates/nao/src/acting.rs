@@ -6,6 +6,7 @@ mod moving;
 
 use crate::deed::{Call, Deed};
 use crate::devices::eyes::shine;
+use crate::done::{Done, Slot};
 use crate::lasting::{Lastings, Work};
 use crate::link::{CALL, call};
 use crate::phrases;
@@ -16,7 +17,7 @@ use crate::voicing::{self, Voicing};
 use futures_util::future::join_all;
 use moving::Moving;
 use qi::Session;
-use robot::{RobotFault, TrackTarget, Use};
+use robot::Use;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -27,8 +28,6 @@ use tokio::sync::mpsc;
 const SAY: Duration = Duration::from_secs(15);
 const SAY_CHAR: Duration = Duration::from_millis(150);
 
-/// A kind of which only the newest counts.
-type Slot = &'static str;
 /// The beginning of the names of animations.
 const ANIMATION: &str = "animations/";
 /// The prefix of the name of an installed behaviour, among all that may last.
@@ -41,16 +40,6 @@ const TABLET: Slot = "ALTabletService";
 const JOINTS: Slot = "joints";
 /// The service that hears words, and its own voice too.
 const HEARING: &str = crate::hearing::SERVICE;
-
-/// An action that came to its end, or a target that was seen.
-pub(crate) enum Done {
-    Slot(Slot),
-    Said,
-    /// With its number, and why it did not come about, if it did not.
-    Lasted(String, u64, Option<RobotFault>),
-    /// There is a new picture of what is followed.
-    Seen(TrackTarget),
-}
 
 /// Everything that is being done.
 pub(crate) struct Acting {

@@ -1,9 +1,9 @@
 //! The picture of the top camera, on a link of its own that is there only while somebody looks: a picture is large, and what
 //! comes behind it on a link waits for it.
 
+use crate::connecting::find;
 use crate::settings::Settings;
 use crate::shared::Shared;
-use crate::supervisor::find;
 use qi::{Object, QiError, Session, Value};
 use robot::{Camera, Picture};
 use std::sync::atomic::Ordering;

@@ -1,9 +1,7 @@
 //! The deeds that actions want of the robot: made from a value on the robot's thread, done on the link's.
 
-use crate::following::Track;
-use crate::legs::Speeds;
-use crate::voicing::Manner;
 use qi::Value;
+use robot::{TrackMode, TrackTarget};
 use std::time::Duration;
 
 /// A call of a service.
@@ -18,6 +16,39 @@ impl Call {
     pub(crate) fn new(service: &'static str, method: &'static str, arguments: impl Into<Vec<Value>>) -> Self {
         Self { service, method, arguments: arguments.into() }
     }
+}
+
+/// Ahead, to the left and turning, in metres and radians a second.
+pub(crate) type Speeds = [f64; 3];
+
+/// The manner in which to speak.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Manner {
+    /// From 0 to 1.
+    pub(crate) volume: f32,
+    /// In percent of the usual speed.
+    pub(crate) speed: f32,
+    /// True if it moves its arms meanwhile.
+    pub(crate) gestures: bool,
+    /// By its English name; none leaves it.
+    pub(crate) language: Option<String>,
+}
+
+/// The target that is followed, and the parts that follow it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Track {
+    pub(crate) target: TrackTarget,
+    pub(crate) mode: TrackMode,
+    pub(crate) arm: Arm,
+}
+
+/// Which arm points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Arm {
+    None,
+    Left,
+    Right,
+    Nearest,
 }
 
 /// A deed that is to be done.

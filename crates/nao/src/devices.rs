@@ -19,7 +19,7 @@ mod sonar;
 mod sound;
 mod tablet;
 mod touch;
-mod tracker;
+pub(crate) mod tracker;
 mod voice;
 mod walk;
 mod words;

@@ -5,9 +5,10 @@
 //! began it is gone; `lookAt` and `pointAt` may use the whole body for a time that is the robot's. Two that move one head
 //! fight, so nobody may begin a tracker of the robot's own beside this.
 
-use crate::acting::Done;
+use crate::deed::{Arm, Speeds, Track};
+use crate::devices::tracker::seen_by;
 use crate::devices::{Sense, at, within};
-use crate::legs::Speeds;
+use crate::done::Done;
 use behaviour::Value;
 use robot::{TrackMode, TrackTarget, Use};
 use std::f64::consts::FRAC_PI_2;
@@ -39,31 +40,6 @@ const TILT: [f64; 2] = [0.021, 0.693];
 /// A shoulder in the frame of the torso, of the left arm, in metres; and the least bend of an elbow, in radians.
 const SHOULDER: [f64; 3] = [0.0, 0.098, 0.1];
 const BEND: f64 = 0.0349;
-
-/// The target that is followed, and the parts that follow it.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Track {
-    pub(crate) target: TrackTarget,
-    pub(crate) mode: TrackMode,
-    pub(crate) arm: Arm,
-}
-
-/// Which arm points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Arm {
-    None,
-    Left,
-    Right,
-    Nearest,
-}
-
-/// Returns what sees a target: the sense of the catalogue, and what the robot has for that, its event and its service.
-pub(crate) fn seen_by(target: TrackTarget) -> (&'static str, &'static str, &'static str) {
-    match target {
-        TrackTarget::RedBall => ("RedBall", "redBallDetected", "ALRedBallDetection"),
-        TrackTarget::Face => ("FaceDetection", "FaceDetected", "ALFaceDetection"),
-    }
-}
 
 /// Returns the width of a target, in metres.
 fn width(target: TrackTarget) -> f64 {

@@ -4,6 +4,7 @@ use crate::body::joint_words;
 use crate::camera::NaoCamera;
 use crate::deed::Deed;
 use crate::devices::{ALL, Act, Chosen, Opened, Sense};
+use crate::link_commands::LinkCommand;
 use crate::models;
 use crate::settings::Settings;
 use crate::shared::Shared;
@@ -27,20 +28,11 @@ const DEEDS_MAX: usize = 1_024;
 /// Says what a robot with a life of its own does beside what runs.
 const LIVES: &str = "its own life is on, so it may move its head and arms and change its lights and voice by itself; take control first";
 
-/// An order to the link's thread.
-pub(crate) enum Order {
-    Open(Use, Box<dyn Sense>),
-    Close(Use),
-    /// With the gate at which it was wanted.
-    Do(u64, Use, Deed),
-    Control(Control),
-}
-
 /// A NAO or Pepper. It connects by itself, again and again, for as long as it lasts; dropped, it ends what it does on the
 /// robot and its thread.
 pub struct Nao {
     shared: Arc<Shared>,
-    orders: mpsc::UnboundedSender<Order>,
+    orders: mpsc::UnboundedSender<LinkCommand>,
     /// Deeds on their way.
     waiting: Arc<AtomicUsize>,
     acts: BTreeMap<Use, Box<dyn Act>>,
@@ -80,7 +72,7 @@ impl Nao {
         Self { shared, orders, waiting, acts: BTreeMap::new(), senses: BTreeMap::new(), camera, thread: thread.ok() }
     }
 
-    fn tell(&self, order: Order) -> Result<(), RobotFault> {
+    fn tell(&self, order: LinkCommand) -> Result<(), RobotFault> {
         self.orders.send(order).map_err(|_| RobotFault::NoLink)
     }
 
@@ -181,7 +173,7 @@ impl Robot for Nao {
                 let beat = sense.beat_us().map(|period_us| Beat { period_us, since_ms: now_ms, count: 0 });
                 self.shared.state().labels.insert(user.clone(), known.label);
                 self.senses.insert(user.clone(), Open { only: sense.only(), beat });
-                self.tell(Order::Open(user.clone(), sense))?;
+                self.tell(LinkCommand::Open(user.clone(), sense))?;
             }
             Opened::Act(act) => {
                 self.check_needs(&*act)?;
@@ -200,7 +192,7 @@ impl Robot for Nao {
             state.forget_readings_of(user);
             state.labels.remove(user);
             drop(state);
-            let _gone = self.tell(Order::Close(user.clone()));
+            let _gone = self.tell(LinkCommand::Close(user.clone()));
             self.note_use();
         }
     }
@@ -236,7 +228,7 @@ impl Robot for Nao {
             self.waiting.fetch_sub(1, Ordering::SeqCst);
             return Err(RobotFault::NotNow("too much waits for it".to_owned()));
         }
-        self.tell(Order::Do(gate, user.clone(), deed))
+        self.tell(LinkCommand::Do(gate, user.clone(), deed))
     }
 
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
@@ -279,7 +271,7 @@ impl Robot for Nao {
             state.may_rest()
         };
         if control == Control::Blink {
-            return self.tell(Order::Control(control));
+            return self.tell(LinkCommand::Control(control));
         }
         if control == Control::Rest {
             if !may_rest {
@@ -289,7 +281,7 @@ impl Robot for Nao {
             return Ok(());
         }
         self.shared.take_rest();
-        self.tell(Order::Control(control))
+        self.tell(LinkCommand::Control(control))
     }
 
     fn faces(&self) -> Arc<[String]> {

@@ -1,8 +1,8 @@
 //! Actions that take their time, like a gesture or a sound: begun once, however many want them, and ended with the last
 //! of these.
 
-use crate::acting::Done;
 use crate::deed::Call;
+use crate::done::Done;
 use crate::link::call_until;
 use crate::outcome::failed;
 use qi::Session;

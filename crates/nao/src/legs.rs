@@ -5,13 +5,10 @@
 //! up after the steps that are decided already; the gait is that of the call. A `move` or `moveToward` goes on for ever
 //! instead, and the robot has nothing that would end it.
 
-use crate::deed::Call;
+use crate::deed::{Call, Speeds};
 use qi::Value;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-
-/// Ahead, to the left and turning, in metres and radians a second.
-pub(crate) type Speeds = [f64; 3];
 
 /// The time that a piece lasts, in seconds: a little more than a step, so that it is at least one. The robot brakes at
 /// its end, and puts down the foot that is in the air.

@@ -32,3 +32,15 @@ pub(crate) async fn try_call(session: &Session, wanted: &Call) -> Option<Value> 
     })
     .ok()
 }
+
+/// The link is over.
+pub(crate) struct Over;
+
+/// True if a call had no answer.
+pub(crate) fn is_silent(done: &Result<Value, QiError>) -> Result<bool, Over> {
+    match done {
+        Ok(_) | Err(QiError::NoService { .. } | QiError::NoMethod { .. } | QiError::Remote { .. }) => Ok(false),
+        Err(QiError::Disconnected(_)) => Err(Over),
+        Err(_) => Ok(true),
+    }
+}

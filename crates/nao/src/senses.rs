@@ -3,10 +3,9 @@
 use crate::deed::Call;
 use crate::devices::{Sense, Turn};
 use crate::hearing;
-use crate::link::{CALL, call, try_call};
+use crate::link::{CALL, call, is_silent, try_call};
 use crate::outcome;
 use crate::shared::Shared;
-use crate::stopping::is_silent;
 use qi::{Keep, QiError, Session, Value};
 use robot::Use;
 use std::collections::BTreeSet;

@@ -2,7 +2,7 @@
 
 use crate::body::Limits;
 use crate::subscribed::Subscribed;
-use crate::voicing::{Before, USUAL_SPEED};
+use crate::voice_before::{Before, USUAL_SPEED};
 use behaviour::Value;
 use robot::{Condition, Control, Health, Identity, Installed, Lacking, Life, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};

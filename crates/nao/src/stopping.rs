@@ -7,7 +7,7 @@
 
 use crate::body::{is_joint, is_leg};
 use crate::deed::Call;
-use crate::link::{CALL, call};
+use crate::link::{CALL, Over, call, is_silent};
 use crate::settings::Settings;
 use crate::shared::Shared;
 use crate::status;
@@ -156,18 +156,6 @@ impl Drop for Taken<'_> {
             state.animations.append(&mut self.animations);
             state.subscribed.put_back(std::mem::take(&mut self.subscribed));
         }
-    }
-}
-
-/// The link is over.
-pub(crate) struct Over;
-
-/// True if a call had no answer.
-pub(crate) fn is_silent(done: &Result<Value, QiError>) -> Result<bool, Over> {
-    match done {
-        Ok(_) | Err(QiError::NoService { .. } | QiError::NoMethod { .. } | QiError::Remote { .. }) => Ok(false),
-        Err(QiError::Disconnected(_)) => Err(Over),
-        Err(_) => Ok(true),
     }
 }
 

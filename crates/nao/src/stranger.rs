@@ -1,10 +1,11 @@
 //! Another body answers at the address. Nothing is asked of it but to make its eyes blink, so that people see which one it
 //! is; a Stop that somebody presses meanwhile is carried out like any other.
 
-use crate::front::Order;
+use crate::connecting::{Ended, ping};
 use crate::identity::{blink, read};
+use crate::link_commands::LinkCommand;
+use crate::link_commands::{LinkCommands, drain};
 use crate::shared::Shared;
-use crate::supervisor::{Ended, Orders, drain, ping};
 use qi::Session;
 use robot::{Control, Health, Stranger};
 use std::sync::Arc;
@@ -18,7 +19,7 @@ const ASK_MS: u64 = 500;
 pub(crate) async fn meet(
     session: &Session,
     shared: &Arc<Shared>,
-    orders: &mut Orders,
+    orders: &mut LinkCommands,
     waiting: &AtomicUsize,
     mut who: Box<Stranger>,
 ) -> String {
@@ -42,14 +43,14 @@ pub(crate) async fn meet(
             }
             order = orders.recv() => match order {
                 None => return "it is not used any more".to_owned(),
-                Some(Order::Do(..)) => {
+                Some(LinkCommand::Do(..)) => {
                     waiting.fetch_sub(1, Ordering::SeqCst);
                 }
-                Some(Order::Control(Control::Blink)) => {
+                Some(LinkCommand::Control(Control::Blink)) => {
                     // A sign that is asked for anew begins anew.
                     _blinking = Some(Ended(tokio::spawn(blink(session.clone(), None))));
                 }
-                Some(Order::Open(..) | Order::Close(_) | Order::Control(_)) => {}
+                Some(LinkCommand::Open(..) | LinkCommand::Close(_) | LinkCommand::Control(_)) => {}
             },
         }
     }

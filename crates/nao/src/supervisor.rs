@@ -2,16 +2,17 @@
 //! loss nothing goes on by itself.
 
 use crate::acting::Acting;
+use crate::connecting::{Ended, find, ping};
 use crate::deed::Call;
-use crate::front::Order;
-use crate::link::{CALL, call, try_call};
+use crate::link::{call, try_call};
+use crate::link_commands::{LinkCommand, LinkCommands, drain};
 use crate::scan::{clean, scan};
 use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
-use crate::{camera, check, identity, inventory, kept, senses, status, stopping, stranger, voicing};
+use crate::{camera, check, identity, inventory, restoring, senses, status, stopping, stranger, voicing};
 use futures_util::future::join_all;
-use qi::{Address, QiError, Session, Value};
+use qi::{Session, Value};
 use robot::{Control, Health, Use};
 use std::collections::BTreeMap;
 use std::hash::{BuildHasher, RandomState};
@@ -26,11 +27,6 @@ use tokio_util::sync::CancellationToken;
 /// Pauses before the next try, in milliseconds: at first, and at most.
 const AGAIN_MIN_MS: u64 = 250;
 const AGAIN_MAX_MS: u64 = 5_000;
-/// The pause before the robot is asked again whether it is there, in milliseconds.
-const PING_MS: u64 = 1_000;
-/// It is degraded when nothing came for so long, and lost then, in milliseconds.
-const DEGRADED_MS: u128 = 2_200;
-const LOST_MS: u128 = 5_000;
 /// The motion cycle of the robot, if it does not tell another, in milliseconds.
 const CYCLE_MS: u64 = 20;
 /// The longest that waking up and resting may take.
@@ -46,10 +42,8 @@ const FIRST_STOP_MS: u64 = 3_000;
 const ACTORS: [&str; 7] =
     ["ALMotion", "ALTextToSpeech", "ALLeds", "ALAudioPlayer", "ALAnimationPlayer", "ALRobotPosture", "ALFaceDetection"];
 
-pub(crate) type Orders = mpsc::UnboundedReceiver<Order>;
-
 /// The thread of the link.
-pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: Orders, waiting: &AtomicUsize) {
+pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: LinkCommands, waiting: &AtomicUsize) {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     match runtime {
         Ok(runtime) => {
@@ -60,7 +54,7 @@ pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: Orders
     }
 }
 
-async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, waiting: &AtomicUsize) {
+async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut LinkCommands, waiting: &AtomicUsize) {
     let (mut pause_ms, mut tries) = (AGAIN_MIN_MS, 0_u64);
     let chance = RandomState::new();
     // Whether a Stop waits for the robot that was expected.
@@ -117,22 +111,6 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
     }
 }
 
-/// The first address that leads to a robot.
-pub(crate) async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
-    let mut failed = QiError::Address(settings.address.clone());
-    for address in settings.addresses() {
-        if let Err(error) = settings.check_secret(&address) {
-            failed = error;
-            continue;
-        }
-        match Session::connect(&address, settings.options()).await {
-            Ok(session) => return Ok((address, session)),
-            Err(error) => failed = error,
-        }
-    }
-    Err(failed)
-}
-
 /// The link is gone: who used the robot has to begin again.
 fn lose(shared: &Shared, why: &str) {
     shared.halt("the connection to it was lost");
@@ -161,21 +139,12 @@ async fn end_well(shared: &Shared, within_ms: u64) {
     let _its_time = tokio::time::timeout(Duration::from_millis(within_ms), done).await;
 }
 
-/// Drops all orders: what was wanted of a robot that is gone is void.
-pub(crate) fn drain(orders: &mut Orders, waiting: &AtomicUsize) {
-    while let Ok(order) = orders.try_recv() {
-        if matches!(order, Order::Do(..)) {
-            waiting.fetch_sub(1, Ordering::SeqCst);
-        }
-    }
-}
-
 /// A robot that is there; until it is lost, with the reason.
 async fn serve(
     session: &Session,
     settings: &Settings,
     shared: &Arc<Shared>,
-    orders: &mut Orders,
+    orders: &mut LinkCommands,
     waiting: &AtomicUsize,
 ) -> String {
     match scan(session).await {
@@ -188,7 +157,7 @@ async fn serve(
         shared.stop();
     }
     voicing::put_back(session, shared, &settings.own_name).await;
-    kept::put_back(session, &settings.own_name, &settings.former).await;
+    restoring::put_back(session, &settings.own_name, &settings.former).await;
     status::ask(session, shared).await;
     let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
     let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
@@ -217,26 +186,26 @@ async fn serve(
             ending = session.link().ended() => break format!("the connection ended: {ending}"),
             order = orders.recv() => match order {
                 None => break "it is not used any more".to_owned(),
-                Some(Order::Open(user, sense)) => {
+                Some(LinkCommand::Open(user, sense)) => {
                     let (cancel, name) = (CancellationToken::new(), format!("{}/{}/{}", settings.own_name, user.run, user.stream));
                     let task = senses::run(session.clone(), Arc::clone(shared), Turns::clone(&turns), name, user.clone(), sense, cancel.clone());
                     open.insert(user, (cancel, tokio::spawn(task)));
                 }
-                Some(Order::Close(user)) => {
+                Some(LinkCommand::Close(user)) => {
                     if let Some((cancel, _)) = open.remove(&user) {
                         cancel.cancel();
                     }
                     acting.close(&user);
                 }
-                Some(Order::Do(gate, user, deed)) => {
+                Some(LinkCommand::Do(gate, user, deed)) => {
                     waiting.fetch_sub(1, Ordering::SeqCst);
                     acting.act(gate, user, deed);
                 }
-                Some(Order::Control(Control::Blink)) => {
+                Some(LinkCommand::Control(Control::Blink)) => {
                     // A sign that is asked for anew begins anew.
                     _blinking = Some(Ended(tokio::spawn(identity::blink(session.clone(), Some(Arc::clone(shared))))));
                 }
-                Some(Order::Control(control)) => {
+                Some(LinkCommand::Control(control)) => {
                     let life = Arc::clone(&life);
                     controlled = Some(Ended(tokio::spawn(self::control(session.clone(), Arc::clone(shared), life, control))));
                 }
@@ -248,15 +217,6 @@ async fn serve(
     drop((watch, looking, pinging, scanning, controlled));
     open.into_values().for_each(|(cancel, _)| cancel.cancel());
     why
-}
-
-/// A task that ends with its handle.
-pub(crate) struct Ended(pub(crate) JoinHandle<()>);
-
-impl Drop for Ended {
-    fn drop(&mut self) {
-        self.0.abort();
-    }
 }
 
 /// Looks again whenever services come or go: a robot that starts has them one by one.
@@ -272,23 +232,6 @@ async fn scan_again(session: Session, shared: Arc<Shared>) {
         }
         // Many come at once.
         tokio::time::sleep(Duration::from_millis(SCAN_MS)).await;
-    }
-}
-
-/// Asks whether the robot is there; a link that is silent for too long is over.
-pub(crate) async fn ping(session: Session, shared: Arc<Shared>) {
-    let mut beat = tokio::time::interval(Duration::from_millis(PING_MS));
-    beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-    loop {
-        beat.tick().await;
-        let link = session.link().clone();
-        tokio::spawn(async move { drop(link.ping(CALL).await) });
-        let silent = session.link().silent_for().as_millis();
-        if silent > LOST_MS {
-            session.link().close();
-            return;
-        }
-        shared.state().note_slow(silent > DEGRADED_MS);
     }
 }
 

@@ -1,10 +1,11 @@
 //! The voice of the robot: changed by an action, and put back at its end, at a Stop, and after a loss as soon as it is
 //! there again, also by a server that was started anew.
 
-use crate::deed::Call;
+use crate::deed::{Call, Manner};
 use crate::kept;
 use crate::link::{CALL, call, try_call};
 use crate::shared::Shared;
+use crate::voice_before::{Before, USUAL_SPEED};
 use qi::{QiError, Session, Value};
 use robot::Use;
 use std::sync::Arc;
@@ -12,49 +13,6 @@ use std::time::Duration;
 
 /// The name under which it is kept on the robot: volume, speed and language of before, each empty if it is not known.
 pub(crate) const WHAT: &str = "voice";
-/// The speed of a voice that nobody changed, in percent.
-pub(crate) const USUAL_SPEED: f32 = 100.0;
-
-/// The manner in which to speak.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Manner {
-    /// From 0 to 1.
-    pub(crate) volume: f32,
-    /// In percent of the usual speed.
-    pub(crate) speed: f32,
-    /// True if it moves its arms meanwhile.
-    pub(crate) gestures: bool,
-    /// By its English name; none leaves it.
-    pub(crate) language: Option<String>,
-}
-
-/// The manner in which the robot spoke before.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Before {
-    volume: Option<f32>,
-    speed: Option<f32>,
-    /// Only if it was changed.
-    language: Option<String>,
-}
-
-impl Before {
-    /// Returns the value in the form in which the robot keeps it.
-    fn value(&self) -> Value {
-        let number = |number: Option<f32>| number.map_or_else(|| "".into(), Value::F32);
-        let language = self.language.as_deref().unwrap_or_default();
-        let parts = [number(self.volume), number(self.speed), language.into()];
-        Value::List(parts.into_iter().map(Value::dynamic).collect())
-    }
-
-    /// Reads what the robot kept; what is odd there says nothing.
-    fn of(value: &Value) -> Self {
-        let part = |at: usize| value.items()?.get(at);
-        let number = |at| part(at)?.as_f64().map(|number| number as f32);
-        let language = part(2).and_then(Value::as_text).filter(|language| !language.is_empty());
-        Self { volume: number(0), speed: number(1), language: language.map(|language| language.into_owned()) }
-    }
-}
-
 /// The changes of the voice, and the use that changed it last.
 pub(crate) struct Voicing {
     user: Option<Use>,
@@ -189,20 +147,4 @@ pub(crate) async fn say(session: &Session, shared: &Shared, text: &str, within: 
         }
     }
     call(session, &voice("say", [text.into()]), within).await
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Before;
-    use qi::Value;
-
-    #[test]
-    fn what_the_robot_keeps_of_a_voice_is_what_it_was() {
-        let before = Before { volume: Some(0.5), speed: Some(90.0), language: Some("French".to_owned()) };
-        assert_eq!(Before::of(&before.value()), before);
-        assert_eq!(Before::of(&Before::default().value()), Before::default());
-        for odd in [Value::Unit, "French".into(), Value::List(vec![Value::Unit])] {
-            assert_eq!(Before::of(&odd), Before::default());
-        }
-    }
 }

@@ -6,6 +6,7 @@
 use std::fmt;
 use std::time::Duration;
 
+use crate::agreed::{Agreed, Generation};
 use crate::error::{Cause, QiError};
 use crate::link::{Link, Target};
 use crate::signature::Signature;
@@ -33,30 +34,6 @@ impl fmt::Debug for Credentials {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         to.debug_struct("Credentials").field("user", &self.user).finish_non_exhaustive()
     }
-}
-
-/// The kinds of hello that peers know.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Generation {
-    /// NAOqi 2.1 (2014): a message of its own, no login.
-    Capabilities,
-    /// NAOqi 2.3 and later: a call to service 0.
-    Authenticate,
-}
-
-/// The result of the handshake, on which both ends agreed.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Agreed {
-    /// The kind of hello that it was.
-    pub generation: Generation,
-    /// Objects carry a uid.
-    pub object_uid: bool,
-    /// Endpoints may be `qi:NAME`: on the same link as that service.
-    pub relative_endpoints: bool,
-    /// Calls can be cancelled.
-    pub cancelable: bool,
-    /// A password that the peer made for us, to be used from now on.
-    pub new_token: Option<String>,
 }
 
 /// Returns our capabilities. `MetaObjectCache` would change how objects are written.

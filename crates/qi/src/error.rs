@@ -3,8 +3,8 @@
 use std::io;
 use std::time::Duration;
 
+use crate::fingerprint::Fingerprint;
 use crate::malformed::{Malformed, Unfit};
-use crate::tls::Fingerprint;
 
 /// The stages of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

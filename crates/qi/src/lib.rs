@@ -18,8 +18,11 @@
 #![warn(missing_docs)]
 
 mod address;
+mod agreed;
 mod auth;
+mod choose;
 mod error;
+mod fingerprint;
 mod link;
 mod locked;
 mod malformed;
@@ -32,19 +35,20 @@ mod value;
 mod wire;
 
 pub use address::{Address, Scheme};
-pub use auth::{Agreed, Credentials, Generation};
+pub use agreed::{Agreed, Generation};
+pub use auth::Credentials;
+pub use choose::Chosen;
 pub use error::{Cause, Ending, QiError, Stage};
+pub use fingerprint::Fingerprint;
 pub use link::{
     Answer, Event, IN_FLIGHT_MAX, Keep, Link, QUEUE_MAX_BYTES, QUEUE_MAX_FRAMES, SUBSCRIBERS_MAX, Subscription, Target,
     WAITING_MAX_BYTES,
 };
-pub use malformed::{Malformed, Unfit};
-pub use meta::{Chosen, MetaMethod, MetaObject, MetaSignal};
+pub use malformed::{DEPTH_MAX, Malformed, Unfit, VALUES_MAX};
+pub use meta::{MetaMethod, MetaObject, MetaSignal};
 pub use object::{CALL_WITHIN, Object};
 pub use session::{Choice, Options, ServiceInfo, Session, choose_endpoint};
 pub use signature::{Names, Signature};
-pub use tls::{Fingerprint, Trust};
-pub use value::{
-    DEPTH_MAX, Layout, ObjectRef, VALUES_MAX, Value, decode, decode_arguments, encode, encode_arguments, fit,
-};
+pub use tls::Trust;
+pub use value::{Layout, ObjectRef, Value, decode, decode_arguments, encode, encode_arguments, fit};
 pub use wire::{FLAG_DYNAMIC, FLAG_RETURN_SIGNATURE, FRAME_MAX_BYTES, Frame, Framer, HEADER_BYTES, Header, Kind};

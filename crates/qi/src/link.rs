@@ -23,7 +23,7 @@ pub use mailbox::{Event, Keep, WAITING_MAX_BYTES};
 pub use pending::{Answer, IN_FLIGHT_MAX};
 pub use signals::Subscription;
 
-use crate::auth::Agreed;
+use crate::agreed::Agreed;
 use crate::error::{Ending, QiError};
 use crate::value::Layout;
 use crate::wire::{Frame, Header, Kind};

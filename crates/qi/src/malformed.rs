@@ -1,5 +1,10 @@
 //! The reasons why bytes are not what they claim to be, and why a value cannot be written as a type.
 
+/// The greatest depth of values, and types, within each other.
+pub const DEPTH_MAX: u32 = 32;
+/// The most values that one message may hold, types and names of fields included. Some tens of MB when read.
+pub const VALUES_MAX: u32 = 1_000_000;
+
 /// The flaws of bytes that came from a peer.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Malformed {

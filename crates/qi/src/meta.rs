@@ -1,10 +1,5 @@
 //! The abilities of an object, as it tells them itself: methods, signals and properties with their numbers and types.
 
-mod choose;
-mod code;
-
-pub use choose::Chosen;
-
 use crate::signature::Signature;
 
 /// A method.

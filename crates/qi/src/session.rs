@@ -16,9 +16,10 @@ pub use endpoint::{Choice, ServiceInfo, choose as choose_endpoint};
 use crate::address::Address;
 use crate::auth::Credentials;
 use crate::error::{Cause, QiError, Stage};
+use crate::fingerprint::Fingerprint;
 use crate::link::{Keep, Link, Subscription};
 use crate::object::{CALL_WITHIN, Object};
-use crate::tls::{Fingerprint, Trust};
+use crate::tls::Trust;
 use crate::value::Value;
 use cache::Cache;
 

@@ -1,7 +1,5 @@
 //! TLS with trust on first use: certificates of peers are signed by nobody, so each is known again by its fingerprint.
 
-use std::fmt;
-use std::str::FromStr;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
@@ -9,50 +7,13 @@ use rustls::client::danger::{HandshakeSignatureValid, ServerCertVerified, Server
 use rustls::crypto::{CryptoProvider, ring, verify_tls12_signature, verify_tls13_signature};
 use rustls::pki_types::{CertificateDer, ServerName, UnixTime};
 use rustls::{CertificateError, ClientConfig, DigitallySignedStruct, Error, SignatureScheme};
-use sha2::{Digest, Sha256};
 use tokio::net::TcpStream;
 use tokio_rustls::TlsConnector;
 use tokio_rustls::client::TlsStream;
 
 use crate::error::Cause;
+use crate::fingerprint::Fingerprint;
 use crate::locked::locked;
-
-/// SHA-256 of a certificate. Written and read as `AB:CD:…`.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Fingerprint(pub [u8; 32]);
-
-impl Fingerprint {
-    /// Returns the fingerprint of a certificate in DER.
-    pub fn of(certificate: &[u8]) -> Self {
-        Self(Sha256::digest(certificate).into())
-    }
-}
-
-impl fmt::Display for Fingerprint {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let pairs: Vec<String> = self.0.iter().map(|byte| format!("{byte:02X}")).collect();
-        to.write_str(&pairs.join(":"))
-    }
-}
-
-impl fmt::Debug for Fingerprint {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        write!(to, "Fingerprint({self})")
-    }
-}
-
-impl FromStr for Fingerprint {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        let bytes = text.split(':').map(|pair| match pair.len() {
-            2 => u8::from_str_radix(pair, 16).map_err(|_| ()),
-            _ => Err(()),
-        });
-        let bytes: Vec<u8> = bytes.collect::<Result<_, _>>()?;
-        bytes.try_into().map(Self).map_err(|_| ())
-    }
-}
 
 /// The certificates that are accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

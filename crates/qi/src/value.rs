@@ -5,6 +5,7 @@ mod encode;
 mod fit;
 mod from;
 mod look;
+mod meta;
 
 use std::sync::Arc;
 
@@ -14,13 +15,9 @@ pub(crate) use encode::{bytes, count};
 pub use encode::{encode, encode_arguments};
 pub use fit::fit;
 
+use crate::malformed::{DEPTH_MAX, VALUES_MAX};
 use crate::meta::MetaObject;
 use crate::signature::Signature;
-
-/// The greatest depth of values, and types, within each other.
-pub const DEPTH_MAX: u32 = 32;
-/// The most values that one message may hold, types and names of fields included. Some tens of MB when read.
-pub const VALUES_MAX: u32 = 1_000_000;
 
 /// A value of the protocol. Integers and floats keep their width; [`Value::seen`] and the `as_` functions look through
 /// dynamics and widths.

@@ -2,7 +2,8 @@
 //! and what a continued run remembered, in logical time.
 
 use crate::header::{Header, Lack};
-use crate::lines::{End, json};
+use crate::json::json;
+use crate::lines::End;
 use crate::read::{Entry, NoRecording, open};
 use behaviour::{BehaviourFile, StreamKind, Value};
 use engine::{Emission, Handover, Limits, Matching, Run};

@@ -7,6 +7,7 @@
 
 mod check;
 mod header;
+mod json;
 mod lines;
 mod marks;
 mod memory;
@@ -18,7 +19,8 @@ mod words;
 
 pub use check::{Checked, Different, Ending, Told, check};
 pub use header::{FORMAT, Header, Lack};
-pub use lines::{End, Hand, Line, Names, Note, Refusal, RobotLine, json};
+pub use json::json;
+pub use lines::{End, Hand, Line, Names, Note, Refusal, RobotLine};
 pub use marks::{all_marks, mark, marks, run_marks, run_note};
 pub use private::Keep;
 pub use read::{Entry, NoRecording, Open, open, read_line};

@@ -1,5 +1,6 @@
 //! The lines of a recording as they are written: small enough to wait until somebody has time to write them.
 
+use crate::json::json;
 use crate::memory;
 use behaviour::{BehaviourFile, Id, Params, Value};
 use engine::{ConnectorIx, Handover, IndexVec, StreamIx};
@@ -245,11 +246,6 @@ impl Line {
             | Self::End(_) => None,
         }
     }
-}
-
-/// Returns a value as JSON: floats bit for bit, whole numbers without a point.
-pub fn json<T: Serialize + ?Sized>(value: &T) -> String {
-    serde_json::to_string(value).unwrap_or_default()
 }
 
 /// A line that is one of a kind, with its time first.

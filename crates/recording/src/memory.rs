@@ -1,6 +1,6 @@
 //! The memory of a continued run as a line: it is written only up to a bound.
 
-use crate::lines::json;
+use crate::json::json;
 use engine::Handover;
 use serde::Deserialize;
 

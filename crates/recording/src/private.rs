@@ -1,7 +1,7 @@
 //! The parts that are left out where a recording is handed on: names of people, and what the robot may have sensed of
 //! who somebody is.
 
-use crate::lines::json;
+use crate::json::json;
 use crate::read::Entry;
 use behaviour::{BehaviourFile, StreamKind, Value};
 use std::collections::BTreeSet;

@@ -210,7 +210,7 @@ mod tests {
     #[test]
     fn a_last_line_counts_if_it_is_whole() {
         let header = Header { format: FORMAT.to_owned(), ..Header::default() };
-        let header = crate::lines::json(&header);
+        let header = crate::json::json(&header);
         let read = |rest: &str| {
             let text = format!("{header}\n{rest}");
             let (_, rest) = open(&text).unwrap();

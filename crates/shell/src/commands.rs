@@ -116,6 +116,25 @@ pub(crate) struct Command {
 /// A command under way: what to print, or why not.
 pub(crate) type Doing<'a> = BoxFuture<'a, Result<String, NotDone>>;
 
+impl Console {
+    /// Does what a line says and prints the answer. False if it was refused. Empty lines and `#` lines say nothing.
+    pub async fn obey(&mut self, line: &str) -> bool {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            return true;
+        }
+        let answer = match read(line) {
+            Ok((command, rest)) => (command.run)(self, rest).await,
+            Err(why) => Err(why),
+        };
+        match &answer {
+            Ok(text) => self.say(text),
+            Err(why) => self.say(&why.to_string()),
+        }
+        answer.is_ok()
+    }
+}
+
 /// The command that a line means, and the rest of the line. A name typed out wins over beginnings of names.
 pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), NotDone> {
     let typed: Vec<String> = line.split_whitespace().map(str::to_lowercase).collect();

@@ -1,6 +1,5 @@
 //! The console: what is connected, loaded and looked at, and where answers go.
 
-use crate::commands;
 use crate::refusal::{Answer, NotDone};
 use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
@@ -38,23 +37,6 @@ impl Console {
     #[must_use]
     pub fn is_done(&self) -> bool {
         self.done
-    }
-
-    /// Does what a line says and prints the answer. False if it was refused. Empty lines and `#` lines say nothing.
-    pub async fn obey(&mut self, line: &str) -> bool {
-        let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
-            return true;
-        }
-        let answer = match commands::read(line) {
-            Ok((command, rest)) => (command.run)(self, rest).await,
-            Err(why) => Err(why),
-        };
-        match &answer {
-            Ok(text) => self.say(text),
-            Err(why) => self.say(&why.to_string()),
-        }
-        answer.is_ok()
     }
 
     /// Prints lines at once. Nobody may be reading any more; that is no error.

@@ -2,9 +2,10 @@
 
 use super::Acting;
 use crate::body::top_speed;
-use crate::deed::Call;
-use crate::following::{Arm, Follow, HOLD, LOST, Looking, Newest, SPEED, Track, seen_by};
-use crate::legs::{Legs, SILENT, Speeds, Stride, WITHIN};
+use crate::deed::{Arm, Call, Speeds, Track};
+use crate::devices::tracker::seen_by;
+use crate::following::{Follow, HOLD, LOST, Looking, Newest, SPEED};
+use crate::legs::{Legs, SILENT, Stride, WITHIN};
 use crate::link::call;
 use crate::senses::{self, Turns};
 use robot::{TrackMode, TrackTarget, Use};

@@ -2,7 +2,7 @@
 
 use super::{Act, Driver, Opened};
 use crate::deed::Deed;
-use crate::following::{Arm, Track, seen_by};
+use crate::deed::{Arm, Track};
 use behaviour::Value;
 use robot::{RobotFault, TrackMode, TrackTarget};
 
@@ -44,5 +44,13 @@ impl Act for Tracker {
 
     fn needs(&self) -> Option<&'static str> {
         Some(seen_by(self.target).0)
+    }
+}
+
+/// Returns what sees a target: the sense of the catalogue, and what the robot has for that, its event and its service.
+pub(crate) fn seen_by(target: TrackTarget) -> (&'static str, &'static str, &'static str) {
+    match target {
+        TrackTarget::RedBall => ("RedBall", "redBallDetected", "ALRedBallDetection"),
+        TrackTarget::Face => ("FaceDetection", "FaceDetected", "ALFaceDetection"),
     }
 }

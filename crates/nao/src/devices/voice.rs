@@ -2,7 +2,7 @@
 
 use super::{Act, Driver, Opened};
 use crate::deed::Deed;
-use crate::voicing::Manner;
+use crate::deed::Manner;
 use behaviour::Value;
 use robot::RobotFault;
 

@@ -10,8 +10,9 @@ use super::Options;
 use crate::address::{Address, Scheme};
 use crate::auth;
 use crate::error::{Cause, QiError, Stage};
+use crate::fingerprint::Fingerprint;
 use crate::link::Link;
-use crate::tls::{self, Fingerprint};
+use crate::tls;
 
 /// The most addresses of a name that are tried.
 const ADDRESSES_MAX: usize = 8;

@@ -2,7 +2,7 @@
 
 use super::{Names, Signature};
 use crate::malformed::Malformed;
-use crate::value::{DEPTH_MAX, VALUES_MAX};
+use crate::malformed::{DEPTH_MAX, VALUES_MAX};
 
 /// The most of a wrong signature that is repeated in an error, in bytes.
 const SHOWN_MAX_BYTES: usize = 80;

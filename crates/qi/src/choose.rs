@@ -1,6 +1,6 @@
 //! Choosing between methods of one name by the types of the arguments.
 
-use super::{MetaMethod, MetaObject};
+use crate::meta::{MetaMethod, MetaObject};
 use crate::signature::Signature;
 use crate::value::{Value, fit};
 

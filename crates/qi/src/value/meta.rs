@@ -1,8 +1,8 @@
 //! Reading and writing what an object can do.
 
-use super::{MetaMethod, MetaObject, MetaSignal};
+use super::{Layout, Reader, bytes, count};
 use crate::malformed::{Malformed, Unfit};
-use crate::value::{Layout, Reader, bytes, count};
+use crate::meta::{MetaMethod, MetaObject, MetaSignal};
 
 impl MetaObject {
     /// Reads what the method `metaObject` answers.
