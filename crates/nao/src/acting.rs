@@ -46,7 +46,7 @@ pub(crate) struct Acting {
     session: Session,
     shared: Arc<Shared>,
     done: mpsc::UnboundedSender<Done>,
-    gate: u64,
+    stop_generation: u64,
     slots: BTreeMap<Slot, Call>,
     targets: Targets,
     under_way: BTreeSet<Slot>,
@@ -74,12 +74,12 @@ impl Acting {
         cycle: Duration,
         own_name: &str,
     ) -> Self {
-        let gate = shared.gate();
+        let stop_generation = shared.stop_generation();
         Self {
             session,
             shared,
             done,
-            gate,
+            stop_generation,
             slots: BTreeMap::new(),
             targets: Targets::default(),
             under_way: BTreeSet::new(),
@@ -96,9 +96,9 @@ impl Acting {
     }
 
     /// Does what is wanted, if no Stop came since.
-    pub(crate) fn act(&mut self, gate: u64, user: Use, deed: Deed) {
+    pub(crate) fn act(&mut self, stop_generation: u64, user: Use, deed: Deed) {
         self.look_at_gate();
-        if gate != self.gate {
+        if stop_generation != self.stop_generation {
             return;
         }
         match deed {
@@ -114,7 +114,7 @@ impl Acting {
                 self.show();
             }
             Deed::Behavior(name) => self.run_behavior(user, name),
-            Deed::Voice(manner) => self.voicing.set(&self.session, &self.shared, gate, user, manner),
+            Deed::Voice(manner) => self.voicing.set(&self.session, &self.shared, stop_generation, user, manner),
             Deed::Light { group, call } => {
                 self.slots.insert(group, call);
                 self.lit.insert(group, user);
@@ -142,9 +142,9 @@ impl Acting {
 
     /// A Stop forgets everything; the stop link ends it on the robot.
     fn look_at_gate(&mut self) {
-        let gate = self.shared.gate();
-        if gate != self.gate {
-            self.gate = gate;
+        let stop_generation = self.shared.stop_generation();
+        if stop_generation != self.stop_generation {
+            self.stop_generation = stop_generation;
             self.slots.clear();
             self.targets.clear();
             self.speech.clear();
@@ -278,8 +278,8 @@ impl Acting {
 
     /// Calls, one after the other, unless a Stop comes between.
     fn in_turn(&self, calls: Vec<Call>) {
-        let (session, shared, gate) = (self.session.clone(), Arc::clone(&self.shared), self.gate);
-        tokio::spawn(async move { each(&session, &shared, gate, calls).await });
+        let (session, shared, stop_generation) = (self.session.clone(), Arc::clone(&self.shared), self.stop_generation);
+        tokio::spawn(async move { each(&session, &shared, stop_generation, calls).await });
     }
 
     fn post(&self, wanted: Call) {
@@ -289,8 +289,8 @@ impl Acting {
     /// A text is said piece by piece, so that the robot is silent soon when it hears no more of us.
     fn speak(&mut self) {
         let Some((text, cut)) = self.speech.begin() else { return };
-        let (session, shared, done, gate) =
-            (self.session.clone(), Arc::clone(&self.shared), self.done.clone(), self.gate);
+        let (session, shared, done, stop_generation) =
+            (self.session.clone(), Arc::clone(&self.shared), self.done.clone(), self.stop_generation);
         // It would hear itself.
         let hears = self.shared.state().subscribed.uses(HEARING);
         let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
@@ -300,7 +300,7 @@ impl Acting {
             }
             let speed = shared.state().voice_speed;
             for piece in phrases::pieces(&text, speed) {
-                if cut.load(Ordering::SeqCst) || shared.gate() != gate {
+                if cut.load(Ordering::SeqCst) || shared.stop_generation() != stop_generation {
                     break;
                 }
                 let within = SAY + SAY_CHAR * u32::try_from(piece.chars().count()).unwrap_or(u32::MAX);
@@ -327,9 +327,9 @@ impl Acting {
 }
 
 /// Calls, one after the other, unless a Stop comes between.
-async fn each(session: &Session, shared: &Shared, gate: u64, calls: Vec<Call>) {
+async fn each(session: &Session, shared: &Shared, stop_generation: u64, calls: Vec<Call>) {
     for wanted in calls {
-        if shared.gate() != gate {
+        if shared.stop_generation() != stop_generation {
             return;
         }
         attempt(session, &wanted, CALL).await;

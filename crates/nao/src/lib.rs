@@ -17,8 +17,8 @@ mod deed;
 mod devices;
 mod discover;
 mod done;
+mod driver;
 mod following;
-mod front;
 mod hearing;
 mod identity;
 mod inventory;
@@ -47,6 +47,6 @@ mod voicing;
 
 pub use check::{Found, Step, check};
 pub use discover::{Announced, Unheard, discover};
-pub use front::Nao;
+pub use driver::Nao;
 pub use models::{MODELS, Model};
 pub use settings::{Login, Settings};

@@ -10,7 +10,7 @@ use tokio::sync::mpsc;
 pub(crate) enum LinkCommand {
     Open(Use, Box<dyn Sense>),
     Close(Use),
-    /// With the gate at which it was wanted.
+    /// With the stop generation in which it was wanted.
     Do(u64, Use, Deed),
     Control(Control),
 }

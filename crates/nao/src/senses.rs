@@ -148,7 +148,7 @@ struct Measuring<'a> {
 
 impl Measuring<'_> {
     async fn begin(&mut self, service: &'static str) -> Result<(), QiError> {
-        let gate = self.shared.gate();
+        let stop_generation = self.shared.stop_generation();
         let number = self.shared.state().subscribed.add(service, self.name);
         self.asked = Some((service, number));
         let with_period = [self.name.into(), PERIOD_MS.into(), 0.0_f32.into()];
@@ -160,7 +160,7 @@ impl Measuring<'_> {
         }
         // A Stop that came meanwhile may have ended what had not begun.
         let is_ours = self.shared.state().subscribed.has(service, self.name, number);
-        self.is_known = is_ours && self.shared.gate() == gate;
+        self.is_known = is_ours && self.shared.stop_generation() == stop_generation;
         if !self.is_known {
             self.end().await;
         }

@@ -31,7 +31,7 @@ pub(crate) struct Shared {
     /// Rung when a sense has read something.
     wake: OnceLock<Wake>,
     /// Grows with every Stop: what was wanted before it is void.
-    gate: AtomicU64,
+    stop_generation: AtomicU64,
     /// True if a Stop was not carried out yet.
     stop_wanted: AtomicBool,
     /// True if the robot is to rest once it holds.
@@ -345,14 +345,14 @@ impl Shared {
         }
     }
 
-    /// Returns the gate that counts now; a deed that was wanted at another gate is void.
-    pub(crate) fn gate(&self) -> u64 {
-        self.gate.load(Ordering::SeqCst)
+    /// Returns the stop generation that counts now; a deed of another one is void.
+    pub(crate) fn stop_generation(&self) -> u64 {
+        self.stop_generation.load(Ordering::SeqCst)
     }
 
-    /// Closes the gate to everything that was wanted so far, and wants the robot to hold.
+    /// Begins a new stop generation, so that all that was wanted so far is void, and wants the robot to hold.
     pub(crate) fn stop(&self) {
-        self.gate.fetch_add(1, Ordering::SeqCst);
+        self.stop_generation.fetch_add(1, Ordering::SeqCst);
         self.stop_wanted.store(true, Ordering::SeqCst);
         self.stopping.notify_one();
     }
@@ -378,8 +378,8 @@ impl Shared {
     }
 
     /// It was carried out, unless it is wanted anew.
-    pub(crate) fn stopped(&self, gate: u64) {
-        if self.gate() == gate {
+    pub(crate) fn stopped(&self, stop_generation: u64) {
+        if self.stop_generation() == stop_generation {
             self.stop_wanted.store(false, Ordering::SeqCst);
         }
     }

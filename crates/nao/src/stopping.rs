@@ -64,7 +64,7 @@ pub(crate) async fn keep(address: Address, settings: Settings, shared: Arc<Share
 async fn serve(session: &Session, shared: &Shared) {
     loop {
         if shared.wants_stop() {
-            let gate = shared.gate();
+            let stop_generation = shared.stop_generation();
             let ended = tokio::select! {
                 biased;
                 ended = burst(session, shared) => ended,
@@ -74,7 +74,7 @@ async fn serve(session: &Session, shared: &Shared) {
             if !ended {
                 return;
             }
-            shared.stopped(gate);
+            shared.stopped(stop_generation);
             if !shared.wants_stop() && shared.take_rest() {
                 tokio::select! {
                     () = rest(session, shared) => {}

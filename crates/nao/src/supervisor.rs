@@ -197,9 +197,9 @@ async fn serve(
                     }
                     acting.close(&user);
                 }
-                Some(LinkCommand::Do(gate, user, deed)) => {
+                Some(LinkCommand::Do(stop_generation, user, deed)) => {
                     waiting.fetch_sub(1, Ordering::SeqCst);
-                    acting.act(gate, user, deed);
+                    acting.act(stop_generation, user, deed);
                 }
                 Some(LinkCommand::Control(Control::Blink)) => {
                     // A sign that is asked for anew begins anew.
@@ -237,9 +237,9 @@ async fn scan_again(session: Session, shared: Arc<Shared>) {
 
 /// Takes control or gives it back, unless a Stop comes between: then what is left is not done.
 async fn control(session: Session, shared: Arc<Shared>, life: Arc<Mutex<Option<String>>>, control: Control) {
-    let gate = shared.gate();
+    let stop_generation = shared.stop_generation();
     let stopped = async {
-        while shared.gate() == gate {
+        while shared.stop_generation() == stop_generation {
             tokio::time::sleep(Duration::from_millis(10)).await;
         }
     };

@@ -32,13 +32,20 @@ impl Voicing {
     }
 
     /// Speaks like this from now on, unless a Stop comes between.
-    pub(crate) fn set(&mut self, session: &Session, shared: &Arc<Shared>, gate: u64, user: Use, manner: Manner) {
+    pub(crate) fn set(
+        &mut self,
+        session: &Session,
+        shared: &Arc<Shared>,
+        stop_generation: u64,
+        user: Use,
+        manner: Manner,
+    ) {
         self.user = Some(user);
         let (session, shared, turn) = (session.clone(), Arc::clone(shared), Arc::clone(&self.turn));
         let own_name = self.own_name.clone();
         tokio::spawn(async move {
             let _alone = turn.lock().await;
-            if shared.gate() != gate {
+            if shared.stop_generation() != stop_generation {
                 return;
             }
             note_before(&session, &shared, &own_name, manner.language.is_some()).await;
@@ -53,7 +60,7 @@ impl Voicing {
                 voice("setVolume", [manner.volume.into()]),
             ];
             for wanted in language.into_iter().chain(rest) {
-                if shared.gate() != gate {
+                if shared.stop_generation() != stop_generation {
                     return;
                 }
                 let _told_in_the_log = try_call(&session, &wanted).await;

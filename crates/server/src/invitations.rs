@@ -8,7 +8,7 @@ mod guesses;
 mod guest;
 mod host;
 mod keeping;
-mod may;
+mod permissions;
 mod qr;
 mod reserve;
 mod secret;
@@ -18,7 +18,7 @@ pub(crate) use guesses::Source;
 pub(crate) use guest::{Guest, Here};
 pub(crate) use host::HostAccess;
 pub(crate) use keeping::keep;
-pub(crate) use may::{Asked, Route};
+pub(crate) use permissions::{Asked, Route};
 
 use crate::support::digest::Digest;
 use crate::support::{atomic_file, lock, now_ms};

@@ -205,11 +205,12 @@ impl Acting {
             Stride::Nothing => {}
             Stride::Stand => self.post(Call::new("ALMotion", "stopMove", [])),
             Stride::Piece(piece) => {
-                let (session, shared, gate) = (self.session.clone(), Arc::clone(&self.shared), self.gate);
+                let (session, shared, stop_generation) =
+                    (self.session.clone(), Arc::clone(&self.shared), self.stop_generation);
                 let waits = self.moving.legs.hold();
                 tokio::spawn(async move {
                     let _waits = waits;
-                    if shared.gate() == gate
+                    if shared.stop_generation() == stop_generation
                         && let Err(error) = call(&session, &piece, WITHIN).await
                     {
                         tracing::debug!(%error, "the robot did not walk");

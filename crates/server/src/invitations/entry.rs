@@ -1,7 +1,7 @@
 //! As whom somebody is in.
 
 use super::guest::Guest;
-use super::may::{Asked, Route, least};
+use super::permissions::{Asked, Route, least};
 use crate::support::identity::Identity;
 use behaviour::Id;
 use protocol::{Refused, Request, Role};

@@ -1,7 +1,7 @@
 //! Coming in, going, and what is left of it on the disk.
 
 use super::{Entry, Invitations, Invited, NotIn, Source, Terms, Way};
-use crate::invitations::may::{Asked, Route};
+use crate::invitations::permissions::{Asked, Route};
 use protocol::{Lasts, Refused, Request, Role};
 use std::path::Path;
 use std::sync::Arc;

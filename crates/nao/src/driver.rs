@@ -205,7 +205,7 @@ impl Robot for Nao {
             return Err(RobotFault::Infinite);
         }
         let deed = act.deed(value)?;
-        let gate = {
+        let stop_generation = {
             let mut state = self.shared.state();
             state.check_link()?;
             if state.halt.is_some() {
@@ -222,13 +222,13 @@ impl Robot for Nao {
                 state.print(user.clone(), text);
                 return Ok(());
             }
-            self.shared.gate()
+            self.shared.stop_generation()
         };
         if self.waiting.fetch_add(1, Ordering::SeqCst) >= DEEDS_MAX {
             self.waiting.fetch_sub(1, Ordering::SeqCst);
             return Err(RobotFault::NotNow("too much waits for it".to_owned()));
         }
-        self.tell(LinkCommand::Do(gate, user.clone(), deed))
+        self.tell(LinkCommand::Do(stop_generation, user.clone(), deed))
     }
 
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
