@@ -46,6 +46,7 @@ mod where_used;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use futures_util::future::BoxFuture;
+use std::time::Instant;
 
 /// All commands in the order of the thesis's table, then ours.
 pub(crate) const ALL: &[&Command] = &[
@@ -119,10 +120,16 @@ pub(crate) type Doing<'a> = BoxFuture<'a, Result<String, NotDone>>;
 impl Console {
     /// Does what a line says and prints the answer. False if it was refused. Empty lines and `#` lines say nothing.
     pub async fn obey(&mut self, line: &str) -> bool {
+        self.obey_entered(line, Instant::now()).await
+    }
+
+    /// Does what a line says that was entered at this time.
+    pub(crate) async fn obey_entered(&mut self, line: &str, entered: Instant) -> bool {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
             return true;
         }
+        self.entered = entered;
         let answer = match read(line) {
             Ok((command, rest)) => (command.run)(self, rest).await,
             Err(why) => Err(why),

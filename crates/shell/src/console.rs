@@ -5,6 +5,7 @@ use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
 use protocol::{ListQuery, Reply, Request, RobotState, RunPhase, RunState, Summary};
 use std::io::Write;
+use std::time::Instant;
 
 /// Programs that completion knows: those that were changed last.
 const KNOWN_MAX: usize = 200;
@@ -23,6 +24,8 @@ pub struct Console {
     pub(crate) records: bool,
     /// True once exit was typed.
     pub(crate) done: bool,
+    /// The time at which the line was entered that is obeyed.
+    pub(crate) entered: Instant,
     out: Box<dyn Write + Send>,
 }
 
@@ -30,7 +33,7 @@ impl Console {
     /// A console that answers to `out`, not connected yet.
     #[must_use]
     pub fn new(out: Box<dyn Write + Send>) -> Self {
-        Self { client: None, stream: None, robot: None, records: false, done: false, out }
+        Self { client: None, stream: None, robot: None, records: false, done: false, entered: Instant::now(), out }
     }
 
     /// True once exit was typed.

@@ -78,6 +78,8 @@ impl Desk {
             | Reply::Faces { .. }
             | Reply::Done
             | Reply::Marks { .. }
+            | Reply::Marked { .. }
+            | Reply::LiveMarks { .. }
             | Reply::No { .. } => {}
         }
     }

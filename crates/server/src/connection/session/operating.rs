@@ -1,8 +1,11 @@
 //! The requests of a client beside a robot: to pretend, to mark, to record, and about what was recorded.
 
 use super::Session;
-use crate::robots::ByHand;
-use protocol::{Reply, Request};
+use crate::robots::{ByHand, Marked, Press};
+use behaviour::Id;
+use protocol::{AGO_MAX_MS, RecordingMark, Refused, Reply, Request};
+use std::time::{Duration, Instant};
+use uuid::Uuid;
 
 impl Session {
     /// Done at once, unless it waits for the disk.
@@ -12,9 +15,7 @@ impl Session {
             Request::Stimulate { behaviour, robot, stream, value } => {
                 robots.stimulate(&behaviour, robot.as_ref(), (&stream, &value), by)
             }
-            Request::Mark { behaviour, robot, note, ago_ms } => {
-                robots.mark(&behaviour, robot.as_ref(), by, (&note, ago_ms))
-            }
+            Request::Mark { .. } | Request::EditMark { .. } => return self.mark(ask, request),
             Request::EndRecording { behaviour, robot } => robots.end_recording(&behaviour, robot.as_ref(), by),
             Request::Hand { robot, device, params, value } => {
                 let (host, hand) = (robots.meant(robot.as_ref()), ByHand { device, params, value, by: by.clone() });
@@ -23,6 +24,43 @@ impl Session {
             other => return self.on_recordings(ask, other),
         };
         self.done(ask, done);
+    }
+
+    /// Marks at once. Only what comes after the end of its run waits for the disk.
+    fn mark(&self, ask: u32, request: Request) {
+        let (robots, by) = (&self.state().robots, &self.me.name);
+        let press = |ago_ms: u64| {
+            let now = Instant::now();
+            Press { by, at: now.checked_sub(Duration::from_millis(ago_ms.min(AGO_MAX_MS))).unwrap_or(now) }
+        };
+        let marked = match request {
+            Request::Mark { behaviour, robot, id, word, sort, span, note, ago_ms } => {
+                let id = id.unwrap_or_else(|| Id::from_uuid(Uuid::new_v4()));
+                let (until, by, at) = (None, String::new(), String::new());
+                let mark = RecordingMark { id, t: 0, until, word, sort, note, by, at, open: span, gone: false };
+                robots.mark(&behaviour, robot.as_ref(), &mark, press(ago_ms))
+            }
+            Request::EditMark { run, id, edit, ago_ms } => {
+                robots.edit_mark(run, &id, &edit, press(ago_ms)).map(|marked| vec![marked])
+            }
+            _ => Err(Refused::NotRunning),
+        };
+        let answer = |Marked { mark, kept, .. }| Reply::Marked { mark: Box::new(mark), kept };
+        match marked {
+            Ok(marked) if marked.iter().any(|one| one.later.is_some()) => {
+                let recordings = self.state().recordings.clone();
+                self.on_files(ask, move || {
+                    for Marked { mark, later, .. } in &marked {
+                        later.iter().try_for_each(|file| recordings.put_mark(file, mark.clone(), &mark.by))?;
+                    }
+                    marked.into_iter().next().map(answer).ok_or(Refused::NotRunning)
+                });
+            }
+            done => {
+                let first = done.and_then(|marked| marked.into_iter().next().ok_or(Refused::NotRunning));
+                self.outbox.say(Some(ask), first.map_or_else(|no| Reply::No { no }, answer));
+            }
+        }
     }
 
     /// The folder of the recordings, which may take its time.
