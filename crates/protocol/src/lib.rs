@@ -49,6 +49,8 @@ pub const COME_IN_PATH: &str = "/come-in";
 pub const HOST_LINK_PATH: &str = "/api/host-link";
 /// Where recordings are, as plain GETs: the list, and under it each file.
 pub const RECORDINGS_PATH: &str = "/api/recordings";
+/// The report of a recording is at this path, its file's name and `/report`.
+pub const REPORTS_PATH: &str = "/recordings";
 /// The largest message either side accepts, in bytes.
 pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 /// The most times that live values and pictures of the room are sent, per second and client.

@@ -42,13 +42,6 @@ impl Bars {
         self.last_ms = at_ms;
     }
 
-    /// Something lasted from then until then.
-    pub(crate) fn last(&mut self, from_ms: u64, until_ms: u64) {
-        self.total_ms += until_ms.saturating_sub(from_ms);
-        self.begin(from_ms, until_ms);
-        self.last_ms = until_ms;
-    }
-
     fn begin(&mut self, from_ms: u64, until_ms: u64) {
         self.count += 1;
         match self.drawn.last_mut() {

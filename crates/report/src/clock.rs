@@ -111,7 +111,10 @@ mod tests {
             assert_eq!((utc.at(0).as_str(), utc.zone()), ("18:34:06", " UTC"));
         }
         let unknown = Clock::of("yesterday", Zone::default());
-        assert_eq!((unknown.day(Language::English), unknown.at(62_000), unknown.zone()), (String::new(), "1:02".into(), ""));
+        assert_eq!(
+            (unknown.day(Language::English), unknown.at(62_000), unknown.zone()),
+            (String::new(), "1:02".into(), "")
+        );
         assert_eq!([length(59_999), length(3_723_000)], ["0:59", "1:02:03"]);
         assert_eq!(tokyo.at(u64::MAX), length(u64::MAX), "a time that no calendar has");
     }

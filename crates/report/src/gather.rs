@@ -278,7 +278,6 @@ impl Gathered {
             self.programs.push(Program { at_ms, revision, sentences, more });
         }
     }
-
 }
 
 /// The sentences of a program, and the number of those that are too many; none if it is no program.

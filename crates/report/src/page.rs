@@ -61,7 +61,7 @@ pub fn page(of: &Gathered, replayed: Replayed, sessions: &[Session], asked: &Ask
             }
             body {
                 (links::all(of, words, asked))
-                main data-began=(of.header.began) {
+                main data-began=(clean(&of.header.began)) {
                     (facts::head(&sheet, &title))
                     (facts::lacks(&sheet))
                     (facts::program(&sheet))

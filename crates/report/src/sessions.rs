@@ -29,8 +29,8 @@ impl Session {
 
     /// Counts a line of it. Most say nothing here, and are not read.
     pub fn count(&mut self, line: &str) {
-        let is_hand = line.contains("\"hand\":")
-            && matches!(read_line(line), Entry::Hand(recording::Hand { why: None, .. }));
+        let is_hand =
+            line.contains("\"hand\":") && matches!(read_line(line), Entry::Hand(recording::Hand { why: None, .. }));
         self.by_hand += u64::from(is_hand);
     }
 }

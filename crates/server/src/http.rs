@@ -16,6 +16,7 @@ pub(crate) mod origin;
 pub(crate) mod page;
 mod readiness;
 mod recordings;
+mod report;
 pub(crate) mod routes;
 pub(crate) mod serving;
 mod stop;

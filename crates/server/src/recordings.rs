@@ -2,6 +2,7 @@
 
 mod clock;
 mod described;
+mod looked;
 mod marks;
 mod recorder;
 mod session;
@@ -13,11 +14,13 @@ use crate::support::file_name::dashed;
 use crate::support::lock;
 use behaviour::{Engine, Id, numbered};
 use described::described;
+pub(crate) use looked::Looked;
+use marks::later;
 use protocol::{Recording, Refused, Session};
 pub(crate) use recorder::{Recorder, Step};
 use recording::Header;
 use session::checked;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -43,6 +46,8 @@ pub(crate) struct Recordings {
     naming: Arc<Mutex<()>>,
     /// The files that are being written.
     open: Arc<Mutex<BTreeSet<String>>>,
+    /// By file what its replay gave, as long as the file is the same.
+    checked: Arc<Mutex<BTreeMap<String, (looked::Version, report::Replayed)>>>,
     /// Taken while a mark is written.
     marking: Arc<Mutex<()>>,
     bounds: Bounds,
@@ -92,6 +97,8 @@ pub(crate) enum NotRecorded {
     MarkUnwritten(io::Error),
     /// The recording or its marks cannot be read.
     Unread(io::Error),
+    /// It is larger than is converted here.
+    TooLarge,
     /// The code of who takes part has signs that it may not have, or too many.
     StrangeCode,
     /// The name of the session is too long.

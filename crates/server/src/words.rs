@@ -138,6 +138,9 @@ impl fmt::Display for NotRecorded {
             Self::TooManyMarks => to.write_str("it has as many marks as a recording may have"),
             Self::MarkUnwritten(error) => write!(to, "the mark cannot be written ({error}); free some space"),
             Self::Unread(error) => write!(to, "it cannot be read ({error})"),
+            Self::TooLarge => {
+                to.write_str("it is too large to be converted here; download it as it is and use rrp convert with the file")
+            }
             Self::StrangeCode => write!(
                 to,
                 "a code has letters, digits, “-”, “_” and “.” alone, at most {CODE_MAX_CHARS} of them, and is no name"

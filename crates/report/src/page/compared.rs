@@ -6,8 +6,10 @@ use crate::sessions::Session;
 use maud::{Markup, html};
 use std::collections::BTreeMap;
 
-/// The most words that have a column and a plot.
+/// The most words that have a column.
 const WORDS_MAX: usize = 4;
+/// The most words that have a plot.
+const PLOTS_MAX: usize = 2;
 /// The size of a plot, and the height of its tallest bar.
 const WIDTH: f64 = 327.0;
 const HEIGHT: f64 = 88.0;
@@ -22,7 +24,7 @@ pub(super) fn section(sheet: &Sheet, sessions: &[Session], zone: Zone) -> Markup
         section {
             h2 { (words.over_sessions(&clean(code), sessions.len())) }
             div class="columns" {
-                @for (word, lasts) in &most {
+                @for (word, lasts) in most.iter().take(PLOTS_MAX) {
                     @let values = sessions.iter().map(|session| value(session, word, *lasts)).collect::<Vec<_>>();
                     figure {
                         figcaption { (sheet.text(word)) (words.comma()) (words.unit(*lasts)) }
@@ -83,11 +85,11 @@ fn plot(sheet: &Sheet, days: &[Clock], values: &[u64], lasts: bool) -> Markup {
             @for (at, (value, day)) in values.iter().zip(days).enumerate() {
                 @let middle = (at as f64 + 0.5) * step;
                 @let high = *value as f64 / most * TALL;
-                rect class="bar" x=(px(middle - wide / 2.0)) y=(px(floor - high)) width=(px(wide)) height=(px(high));
+                rect class="bar" x=(px(middle - wide / 2.0)) y=(px(floor - high)) width=(px(wide)) height=(px(high)) {}
                 text x=(px(middle)) y=(px(floor - high - 4.0)) text-anchor="middle" { (says(*value)) }
                 text x=(px(middle)) y=(px(HEIGHT - 5.0)) text-anchor="middle" class="faint" { (day.short_day(sheet.of.language)) }
             }
-            path class="axis" d=(format!("M0 {}h{WIDTH}", px(floor)));
+            path class="axis" d=(format!("M0 {}h{WIDTH}", px(floor))) {}
         }
     }
 }

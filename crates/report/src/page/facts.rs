@@ -1,5 +1,6 @@
 //! The head of a report: whose session, when, by whom, with which robot; what the recording lacks; what the program did.
 
+use super::tables::WHO_MAX;
 use super::{Sheet, clean, own};
 use crate::clock::length;
 use crate::gather::{Ended, Program};
@@ -24,7 +25,8 @@ pub(super) fn head(sheet: &Sheet, title: &str) -> Markup {
                 } }
                 div { dt { (words.people()) } dd {
                     @if people.is_empty() { (words.nobody()) }
-                    @for (at, name) in people.iter().enumerate() { @if at > 0 { (words.comma()) } (own(name)) }
+                    @for (at, name) in people.iter().take(WHO_MAX).enumerate() { @if at > 0 { (words.comma()) } (own(name)) }
+                    @if people.len() > WHO_MAX { (words.comma()) (words.more((people.len() - WHO_MAX) as u64)) }
                 } }
                 div { dt { (words.robot()) } dd {
                     @if header.robot.is_empty() { (words.unknown()) } @else { (sheet.text(&header.robot)) }

@@ -9,6 +9,9 @@ use behaviour::StreamKind;
 use maud::{Markup, html};
 use std::collections::BTreeMap;
 
+/// The most people who are named beside one thing.
+pub(super) const WHO_MAX: usize = 12;
+
 pub(super) fn all(sheet: &Sheet) -> Markup {
     html! {
         div class="columns" {
@@ -67,14 +70,14 @@ fn by_hand(sheet: &Sheet) -> Markup {
             h2 { (words.by_hand()) ", " (count) }
             @if count == 0 { p class="faint" { (words.nothing_by_hand()) } } @else {
                 table {
-                    thead { tr { th scope="col" { (words.what()) } th scope="col" { (words.count()) } th scope="col" { (words.by()) } } }
+                    thead { tr class="who" { th scope="col" { (words.what()) } th scope="col" { (words.count()) } th scope="col" { (words.by()) } } }
                     tbody {
                         @for pressed in &sheet.of.hands {
-                            tr { th scope="row" { (action(sheet, &pressed.what)) } td { (pressed.count()) } td { (who(sheet, &pressed.by)) } }
+                            tr class="who" { th scope="row" { (action(sheet, &pressed.what)) } td { (pressed.count()) } td { (who(sheet, &pressed.by)) } }
                         }
                         @for row in pretended() {
                             @let by = row.pretended.iter().map(|(name, bars)| (name.clone(), bars.count)).collect();
-                            tr {
+                            tr class="who" {
                                 th scope="row" { (words.as_if()) (sheet.text(&row.name)) }
                                 td { (row.pretended.values().map(|bars| bars.count).sum::<u64>()) }
                                 td { (who(sheet, &by)) }
@@ -89,17 +92,19 @@ fn by_hand(sheet: &Sheet) -> Markup {
 
 /// An action of the catalogue with the text that it was told.
 fn action(sheet: &Sheet, (device, text): &(String, String)) -> Markup {
-    let label = sentences::device_label(device, sheet.of.language).map_or_else(|| own(device), |label| html! { (label) });
+    let label =
+        sentences::device_label(device, sheet.of.language).map_or_else(|| own(device), |label| html! { (label) });
     html! { (label) @if !text.is_empty() { (sheet.words.colon()) "“" (sheet.text(text)) "”" } }
 }
 
 /// The people who pressed, with how often if there are several.
 fn who(sheet: &Sheet, by: &BTreeMap<String, u64>) -> Markup {
     html! {
-        @for (at, (name, count)) in by.iter().enumerate() {
+        @for (at, (name, count)) in by.iter().take(WHO_MAX).enumerate() {
             @if at > 0 { (sheet.words.comma()) }
             (sheet.person(name)) @if by.len() > 1 { " " (count) }
         }
+        @if by.len() > WHO_MAX { (sheet.words.comma()) (sheet.words.more((by.len() - WHO_MAX) as u64)) }
     }
 }
 
@@ -146,7 +151,7 @@ fn troubles(sheet: &Sheet) -> Markup {
 
 fn sentence(sheet: &Sheet, at_ms: u64, trouble: &Trouble) -> Markup {
     let words = sheet.words;
-    let lasted = |until_ms: &Option<u64>| until_ms.map(|until_ms| length(until_ms.saturating_sub(at_ms)));
+    let lasted = |until_ms: &Option<u64>| until_ms.map(|until_ms| words.lasting(until_ms.saturating_sub(at_ms)));
     let because = |why: &str| html! { @if !why.is_empty() { " (" (sheet.text(why)) ")" } };
     html! {
         @match trouble {

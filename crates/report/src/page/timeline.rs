@@ -42,7 +42,7 @@ pub(super) fn section(sheet: &Sheet) -> Markup {
                 @for (at, row) in rows.iter().enumerate() {
                     g transform=(format!("translate(0 {})", px(HEAD + ROW * at as f64))) {
                         text x="0" y="14" { (row.word) }
-                        path class="axis" d=(format!("M{FROM} 10H{TO}"));
+                        path class="axis" d=(format!("M{FROM} 10H{TO}")) {}
                         (row.shapes)
                     }
                 }
@@ -58,7 +58,11 @@ fn rows(sheet: &Sheet) -> Vec<Drawn> {
         [(Some(StreamKind::Sensor), "sense", 9.0), (Some(StreamKind::Actuator), "action", 5.0), (None, "value", 7.0)]
     {
         let all = || of.rows.iter().filter(move |row| row.kind == kind && row.bars.count > 0);
-        rows.extend(all().take(ROWS_MAX).map(|row| Drawn { word: label(&name(sheet, row)), shapes: bars(sheet, row, class, high) }));
+        rows.extend(
+            all()
+                .take(ROWS_MAX)
+                .map(|row| Drawn { word: label(&name(sheet, row)), shapes: bars(sheet, row, class, high) }),
+        );
         let more = all().count().saturating_sub(ROWS_MAX);
         if more > 0 {
             rows.push(Drawn { word: label(&words.more(more as u64)), shapes: html! {} });
@@ -68,8 +72,8 @@ fn rows(sheet: &Sheet) -> Vec<Drawn> {
     if !of.presses.is_empty() || pretended().next().is_some() {
         let (pressed, as_if) = (places(sheet, of.presses.iter().copied()), places(sheet, pretended().map(|bar| bar.0)));
         let shapes = html! {
-            @for x in pressed { circle class="hand" cx=(px(x)) cy="10" r="4"; }
-            @for x in as_if { circle class="as-if" cx=(px(x)) cy="10" r="4"; }
+            @for x in pressed { circle class="hand" cx=(px(x)) cy="10" r="4" {} }
+            @for x in as_if { circle class="as-if" cx=(px(x)) cy="10" r="4" {} }
         };
         rows.push(Drawn { word: words.by_hand().to_owned(), shapes });
     }
@@ -104,7 +108,7 @@ fn bars(sheet: &Sheet, row: &Row, class: &str, high: f64) -> Markup {
         }
     }
     last.into_iter().for_each(|done| draw(done, &mut path));
-    html! { path class=(class) d=(path); }
+    html! { path class=(class) d=(path) {} }
 }
 
 /// Where moments are drawn, each place once.
@@ -126,7 +130,7 @@ fn marks(sheet: &Sheet) -> Markup {
             let _ = write!(path, "M{} 12h{}v5h-{}z", px(at), px(wide), px(wide));
         }
     }
-    html! { path class="mark" d=(path); }
+    html! { path class="mark" d=(path) {} }
 }
 
 /// Triangles; a lost connection lasts.
@@ -140,7 +144,7 @@ fn troubles(sheet: &Sheet) -> Markup {
             let _ = write!(path, "M{} 12h{}", px(at), px(wide));
         }
     }
-    html! { path class="trouble" d=(path); }
+    html! { path class="trouble" d=(path) {} }
 }
 
 fn versions(sheet: &Sheet) -> Markup {
@@ -150,7 +154,7 @@ fn versions(sheet: &Sheet) -> Markup {
     html! {
         @for (at_ms, revision) in std::iter::once(first).chain(later) {
             @let at = x(sheet, at_ms);
-            path class="version" d=(format!("M{} 3v14", px(at)));
+            path class="version" d=(format!("M{} 3v14", px(at))) {}
             @if at >= free {
                 @let text = revision.to_string();
                 ({ free = at + 12.0 + 7.0 * text.len() as f64; html! {} })
@@ -173,7 +177,7 @@ fn times(sheet: &Sheet) -> Markup {
             @let time = sheet.clock.at(ms);
             @let shown = if step >= 60 { time.get(..5).unwrap_or(&time) } else { &time };
             text x=(px(at.clamp(FROM + 14.0, TO - 20.0))) y="12" text-anchor="middle" class="faint" { (shown) }
-            path class="tick" d=(format!("M{} 16v5", px(at)));
+            path class="tick" d=(format!("M{} 16v5", px(at))) {}
         }
     }
 }

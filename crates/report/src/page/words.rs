@@ -1,5 +1,6 @@
 //! The words of a report, in English and in Japanese.
 
+use crate::clock::length;
 use crate::replayed::Replayed;
 use sentences::Language;
 
@@ -157,7 +158,9 @@ impl Words {
     pub(super) fn goes_on(self, until: &str) -> String {
         self.either(
             format!("The session goes on. This is what was recorded until {until}; reload the page to see more."),
-            format!("セッションは続いています。{until} までの記録です。続きを見るには、ページを読み込み直してください。"),
+            format!(
+                "セッションは続いています。{until} までの記録です。続きを見るには、ページを読み込み直してください。"
+            ),
         )
     }
 
@@ -185,6 +188,14 @@ impl Words {
         self.either(format!("failed{}", self.times(count)), format!("の計算が失敗しました{}", self.times(count)))
     }
 
+    /// A length in a sentence: `8 s`, `1:20`.
+    pub(super) fn lasting(self, ms: u64) -> String {
+        match ms {
+            0..60_000 => self.either(format!("{} s", ms.div_ceil(1_000)), format!("{} 秒", ms.div_ceil(1_000))),
+            _ => length(ms),
+        }
+    }
+
     pub(super) fn no_connection(self, lasted: Option<String>) -> String {
         match lasted {
             Some(lasted) => self.either(
@@ -192,10 +203,7 @@ impl Words {
                 format!("{lasted} の間、ロボットとの接続がありませんでした。"),
             ),
             None => self
-                .said(
-                    "No connection to the robot until the end.",
-                    "最後までロボットとの接続がありませんでした。",
-                )
+                .said("No connection to the robot until the end.", "最後までロボットとの接続がありませんでした。")
                 .to_owned(),
         }
     }
@@ -262,14 +270,20 @@ impl Words {
     pub(super) fn replayed(self, found: Replayed, at: impl Fn(u64) -> String) -> String {
         let plain = match found {
             Replayed::Same => self.said("same as recorded", "記録どおり"),
-            Replayed::OldForm => self.said("not possible: old file without the program", "できません：古い記録でプログラムがありません"),
-            Replayed::MarksOnly => self.said("not possible: marks and actions only", "できません：印と動作だけの記録です"),
-            Replayed::Unknown => {
-                self.said("not possible: it lacks what ran or what that remembered", "できません：実行内容の記録が足りません")
+            Replayed::OldForm => {
+                self.said("not possible: old file without the program", "できません：古い記録でプログラムがありません")
             }
-            Replayed::CannotRun => {
-                self.said("not possible: the program in it cannot run here", "できません：記録の中のプログラムをここでは実行できません")
+            Replayed::MarksOnly => {
+                self.said("not possible: marks and actions only", "できません：印と動作だけの記録です")
             }
+            Replayed::Unknown => self.said(
+                "not possible: it lacks what ran or what that remembered",
+                "できません：実行内容の記録が足りません",
+            ),
+            Replayed::CannotRun => self.said(
+                "not possible: the program in it cannot run here",
+                "できません：記録の中のプログラムをここでは実行できません",
+            ),
             Replayed::TooLong => self.said(
                 "not tried, as it is long; use rrp replay --check with the download",
                 "長いため試していません。ダウンロードして rrp replay --check を使ってください",

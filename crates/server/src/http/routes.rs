@@ -6,7 +6,7 @@ use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
 use super::page::Page;
 use super::readiness::Readiness;
-use super::{camera, catalogue, come_in, cut, page, recordings, stop, transfer, upload};
+use super::{camera, catalogue, come_in, cut, page, recordings, report, stop, transfer, upload};
 use crate::connection::{Connections, NoPlace, session};
 use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
@@ -134,6 +134,9 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::Backup => get(backup).layer(few_at_once),
         Route::Recordings => get(list_recordings).layer(few_at_once),
         Route::Recording => get(recording).layer(few_at_once),
+        Route::Report => get(session_report).layer(few_at_once),
+        Route::ReportStyle => get(|| async { report::style() }),
+        Route::ReportScript => get(|| async { report::script() }),
         Route::Camera => get(camera),
         Route::Import => post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)),
         // Nothing more is added to the way of Stop.
@@ -257,9 +260,30 @@ async fn recording(
     State(app): State<AppState>,
     Extension(entry): Extension<Entry>,
     Path(file): Path<String>,
+    Query(wanted): Query<report::Wanted>,
 ) -> Response {
+    match wanted.form() {
+        None => {}
+        Some(Err(no)) => return no,
+        Some(Ok(form)) => {
+            let analyses = (&app.state().analyses, app.sender(&entry));
+            return report::converted(app.state().recordings.clone(), analyses, (file, form, wanted)).await;
+        }
+    }
     let files = (app.state().files.clone(), app.sender(&entry));
     recordings::download(app.state().recordings.clone(), files, file).await
+}
+
+async fn session_report(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Path(file): Path<String>,
+    Query(wanted): Query<report::Wanted>,
+    headers: HeaderMap,
+) -> Response {
+    let (recordings, knowing) = (app.state().recordings.clone(), Arc::clone(&app.state().knowing));
+    let analyses = (&app.state().analyses, app.sender(&entry));
+    report::page(recordings, knowing, analyses, (file, wanted, Language::of(&headers))).await
 }
 
 async fn download(

@@ -2,7 +2,7 @@
 //! a route is asked here by the compiler.
 
 use super::entry::Least;
-use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, Request, Role, STOP_PATH};
+use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Request, Role, STOP_PATH};
 
 /// What is asked, by whatever way.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +46,12 @@ pub(crate) enum Route {
     Recordings,
     /// One of them.
     Recording,
+    /// The report of one, as a page, with its stylesheet and script.
+    Report,
+    /// The stylesheet of reports.
+    ReportStyle,
+    /// The script of reports.
+    ReportScript,
     /// The next picture of a robot's camera.
     Camera,
     /// Bringing a behaviour in.
@@ -62,7 +68,7 @@ pub(crate) enum Route {
 
 impl Route {
     /// All of them.
-    pub(crate) const ALL: [Self; 19] = [
+    pub(crate) const ALL: [Self; 22] = [
         Self::Page,
         Self::ComeIn,
         Self::ComeInStyle,
@@ -76,6 +82,9 @@ impl Route {
         Self::Backup,
         Self::Recordings,
         Self::Recording,
+        Self::Report,
+        Self::ReportStyle,
+        Self::ReportScript,
         Self::Camera,
         Self::Import,
         Self::Stop,
@@ -100,6 +109,9 @@ impl Route {
             Self::Backup => "/api/backup",
             Self::Recordings => RECORDINGS_PATH,
             Self::Recording => return Some(format!("{RECORDINGS_PATH}/{{file}}")),
+            Self::Report => return Some(format!("{REPORTS_PATH}/{{file}}/report")),
+            Self::ReportStyle => "/report.css",
+            Self::ReportScript => "/report.js",
             Self::Camera => "/api/robots/{robot}/camera",
             Self::Import => "/api/import",
             Self::Stop => STOP_PATH,
@@ -131,6 +143,9 @@ fn of_route(route: Route) -> Least {
         | Route::Download
         | Route::Recordings
         | Route::Recording
+        | Route::Report
+        | Route::ReportStyle
+        | Route::ReportScript
         | Route::Catalogue
         | Route::CatalogueStyle
         | Route::Stop => Least::In(Role::Viewer),
