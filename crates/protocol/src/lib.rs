@@ -77,6 +77,8 @@ pub const AGO_MAX_MS: u64 = 60_000;
 pub const CODE_MAX_CHARS: usize = 32;
 /// The longest name of a session, in characters.
 pub const SESSION_MAX_CHARS: usize = 40;
+/// The longest name that somebody may give a recording, in characters.
+pub const RECORDING_TITLE_MAX_CHARS: usize = 60;
 /// The farthest from its origin that anything on the canvas is pointed at or looked at, in canvas units.
 pub const CANVAS_MAX: f64 = 10_000_000.0;
 /// The most robots of a server.

@@ -5,7 +5,7 @@ mod facts;
 mod links;
 mod tables;
 mod timeline;
-mod words;
+pub(crate) mod words;
 
 use crate::clock::{Clock, Zone};
 use crate::gather::Gathered;
@@ -20,6 +20,9 @@ use words::Words;
 pub const STYLE: &str = include_str!("page/page.css");
 /// The script of the page: times of the reader's zone, and a button that prints.
 pub const SCRIPT: &str = include_str!("page/page.js");
+
+/// The id of the button that prints, which the script knows.
+pub(crate) const SCRIPT_ID: &str = "print";
 
 /// What the reader of a report wants.
 #[derive(Clone, Debug)]
@@ -92,12 +95,12 @@ impl Sheet<'_> {
 }
 
 /// A text of somebody's own: it cannot turn around or hide what stands beside it.
-fn own(text: &str) -> Markup {
+pub(crate) fn own(text: &str) -> Markup {
     html! { bdi { (clean(text)) } }
 }
 
 /// A text without what nobody sees, on one line.
-fn clean(text: &str) -> String {
+pub(crate) fn clean(text: &str) -> String {
     let line: String = text.chars().map(|letter| if letter.is_whitespace() { ' ' } else { letter }).collect();
     without_unseen(&line)
 }

@@ -15,6 +15,7 @@ pub(crate) mod network;
 pub(crate) mod origin;
 pub(crate) mod page;
 mod readiness;
+mod recording_list;
 mod recordings;
 mod report;
 pub(crate) mod routes;

@@ -1,7 +1,7 @@
 //! The links beside a report, which are not printed: other language, names, and the recording in other forms.
 
-use super::Asked;
 use super::words::Words;
+use super::{Asked, SCRIPT_ID};
 use crate::gather::Gathered;
 use maud::{Markup, html};
 use sentences::Language;
@@ -18,7 +18,7 @@ pub(super) fn all(of: &Gathered, words: Words, asked: &Asked) -> Markup {
     html! {
         nav aria-label=(words.beside()) {
             a href="/" { "rrp" }
-            button id="print" type="button" hidden { (words.print()) }
+            button id=(SCRIPT_ID) type="button" hidden { (words.print()) }
             a href=(address(asked, of.language, !asked.names)) { (words.switch_names(asked.names)) }
             a href=(address(asked, other, asked.names)) lang=(other.code()) { (words.other_language()) }
             span { (words.download()) ": "

@@ -6,26 +6,29 @@ use sentences::Language;
 
 /// The words of one language.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Words(pub(super) Language);
+pub(crate) struct Words(pub(crate) Language);
 
-/// Texts without holes: a name, English, Japanese.
+/// Texts without holes, after a name for all of them: a name, English, Japanese.
 macro_rules! said {
-    ($($name:ident: $english:literal, $japanese:literal;)*) => {
+    ($all:ident; $($name:ident: $english:literal, $japanese:literal;)*) => {
         impl Words {
-            $(pub(super) fn $name(self) -> &'static str {
+            $(pub(crate) fn $name(self) -> &'static str {
                 self.said($english, $japanese)
             })*
 
             /// All of them, in both languages.
             #[cfg(test)]
-            fn all() -> Vec<[&'static str; 2]> {
+            pub(crate) fn $all() -> Vec<[&'static str; 2]> {
                 vec![$([$english, $japanese]),*]
             }
         }
     };
 }
 
+pub(crate) use said;
+
 said! {
+    all_of_reports;
     after: "After", "変更後";
     as_if: "As if: ", "ためしに：";
     before: "Before", "変更前";
@@ -91,7 +94,7 @@ said! {
 }
 
 impl Words {
-    fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
+    pub(crate) fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
         match self.0 {
             Language::English => english,
             Language::Japanese => japanese,
@@ -99,7 +102,7 @@ impl Words {
     }
 
     /// One of two texts with holes.
-    fn either(self, english: String, japanese: String) -> String {
+    pub(crate) fn either(self, english: String, japanese: String) -> String {
         match self.0 {
             Language::English => english,
             Language::Japanese => japanese,
@@ -107,22 +110,22 @@ impl Words {
     }
 
     /// The title, of the session of a participant with this code.
-    pub(super) fn title(self, code: Option<&str>) -> String {
+    pub(crate) fn title(self, code: Option<&str>) -> String {
         match code {
             Some(code) => self.either(format!("Session report: {code}"), format!("セッションのレポート：{code}")),
             None => self.said("Session report", "セッションのレポート").to_owned(),
         }
     }
 
-    pub(super) fn version(self, revision: u64) -> String {
+    pub(crate) fn version(self, revision: u64) -> String {
         self.either(format!("version {revision}"), format!("版 {revision}"))
     }
 
-    pub(super) fn from_to(self, from: &str, to: &str, length: &str) -> String {
+    pub(crate) fn from_to(self, from: &str, to: &str, length: &str) -> String {
         self.either(format!("{from} to {to} ({length})"), format!("{from}〜{to}（{length}）"))
     }
 
-    pub(super) fn battery(self, first: u8, last: u8) -> String {
+    pub(crate) fn battery(self, first: u8, last: u8) -> String {
         if first == last {
             self.either(format!("battery {first} %"), format!("バッテリー {first} %"))
         } else {
@@ -130,32 +133,32 @@ impl Words {
         }
     }
 
-    pub(super) fn changed(self, at: &str, revision: u64) -> String {
+    pub(crate) fn changed(self, at: &str, revision: u64) -> String {
         self.either(
             format!("At {at} changed while it ran: version {revision}."),
             format!("{at} に実行中に変更：版 {revision}。"),
         )
     }
 
-    pub(super) fn more(self, count: u64) -> String {
+    pub(crate) fn more(self, count: u64) -> String {
         self.either(format!("and {count} more"), format!("ほか {count} 件"))
     }
 
-    pub(super) fn cut_off(self, until: &str) -> String {
+    pub(crate) fn cut_off(self, until: &str) -> String {
         self.either(
             format!("It ends early, at {until}: the server or the disk ended before its last line was written."),
             format!("{until} で途切れています。最後の行が書かれる前に、サーバーかディスクが終わりました。"),
         )
     }
 
-    pub(super) fn full(self, until: &str) -> String {
+    pub(crate) fn full(self, until: &str) -> String {
         self.either(
             format!("It ends early, at {until}: it is as large as a recording may be."),
             format!("{until} で終わっています。記録が最大の大きさになりました。"),
         )
     }
 
-    pub(super) fn goes_on(self, until: &str) -> String {
+    pub(crate) fn goes_on(self, until: &str) -> String {
         self.either(
             format!("The session goes on. This is what was recorded until {until}; reload the page to see more."),
             format!(
@@ -164,7 +167,7 @@ impl Words {
         )
     }
 
-    pub(super) fn unread(self, until: &str) -> String {
+    pub(crate) fn unread(self, until: &str) -> String {
         self.either(
             format!("The recording is too long to be read at once. This report says what came until {until}; what came after \
                      is in the download."),
@@ -173,30 +176,30 @@ impl Words {
     }
 
     /// `3 times`, for what happened more than once.
-    fn times(self, count: u64) -> String {
+    pub(crate) fn times(self, count: u64) -> String {
         match count {
             1 => String::new(),
             _ => self.either(format!(", {count} times"), format!("（{count} 回）")),
         }
     }
 
-    pub(super) fn not_done(self, count: u64) -> String {
+    pub(crate) fn not_done(self, count: u64) -> String {
         self.either(format!("was refused{}", self.times(count)), format!("は実行されませんでした{}", self.times(count)))
     }
 
-    pub(super) fn failed(self, count: u64) -> String {
+    pub(crate) fn failed(self, count: u64) -> String {
         self.either(format!("failed{}", self.times(count)), format!("の計算が失敗しました{}", self.times(count)))
     }
 
     /// A length in a sentence: `8 s`, `1:20`.
-    pub(super) fn lasting(self, ms: u64) -> String {
+    pub(crate) fn lasting(self, ms: u64) -> String {
         match ms {
             0..60_000 => self.either(format!("{} s", ms.div_ceil(1_000)), format!("{} 秒", ms.div_ceil(1_000))),
             _ => length(ms),
         }
     }
 
-    pub(super) fn no_connection(self, lasted: Option<String>) -> String {
+    pub(crate) fn no_connection(self, lasted: Option<String>) -> String {
         match lasted {
             Some(lasted) => self.either(
                 format!("No connection to the robot for {lasted}."),
@@ -208,7 +211,7 @@ impl Words {
         }
     }
 
-    pub(super) fn weak(self, lasted: Option<String>) -> String {
+    pub(crate) fn weak(self, lasted: Option<String>) -> String {
         match lasted {
             Some(lasted) => self.either(
                 format!("The robot was not wholly ready for {lasted}."),
@@ -220,30 +223,30 @@ impl Words {
         }
     }
 
-    pub(super) fn late(self, count: u64) -> String {
+    pub(crate) fn late(self, count: u64) -> String {
         self.either(
             format!("Values that were dropped in all, as a procedure took too long: {count}."),
             format!("処理に時間がかかりすぎて捨てられた値：合計 {count} 個。"),
         )
     }
 
-    pub(super) fn missing(self, lost: u64) -> String {
+    pub(crate) fn missing(self, lost: u64) -> String {
         self.either(
             format!("Lines that could not be written in time and are missing here: {lost}."),
             format!("書き込みが間に合わず、ここに欠けている行：{lost} 行。"),
         )
     }
 
-    pub(super) fn over_sessions(self, code: &str, count: usize) -> String {
+    pub(crate) fn over_sessions(self, code: &str, count: usize) -> String {
         self.either(format!("{code} over {count} sessions"), format!("{code} の {count} 回のセッション"))
     }
 
     /// The unit of a plot.
-    pub(super) fn unit(self, lasts: bool) -> &'static str {
+    pub(crate) fn unit(self, lasts: bool) -> &'static str {
         if lasts { self.said("minutes:seconds", "分:秒") } else { self.said("times", "回") }
     }
 
-    pub(super) fn switch_names(self, names: bool) -> &'static str {
+    pub(crate) fn switch_names(self, names: bool) -> &'static str {
         if names {
             self.said("Show codes instead of names", "名前の代わりにコードを表示")
         } else {
@@ -251,7 +254,7 @@ impl Words {
         }
     }
 
-    pub(super) fn about_names(self, names: bool) -> &'static str {
+    pub(crate) fn about_names(self, names: bool) -> &'static str {
         if names {
             self.said(
                 "Staff are named here and in the downloads. Faces and recognised words are left out of the tables for other programs; the .jsonl \
@@ -267,7 +270,7 @@ impl Words {
     }
 
     /// The finding of a replay; `at` tells moments.
-    pub(super) fn replayed(self, found: Replayed, at: impl Fn(u64) -> String) -> String {
+    pub(crate) fn replayed(self, found: Replayed, at: impl Fn(u64) -> String) -> String {
         let plain = match found {
             Replayed::Same => self.said("same as recorded", "記録どおり"),
             Replayed::OldForm => {
@@ -309,7 +312,7 @@ mod tests {
 
     #[test]
     fn every_text_has_its_japanese() {
-        for [english, japanese] in Words::all() {
+        for [english, japanese] in [Words::all_of_reports(), Words::all_of_lists()].concat() {
             assert!(!japanese.is_empty() && english != japanese, "{english}");
             let has_kana = japanese.chars().any(|letter| !letter.is_ascii());
             assert!(has_kana || english == "日本語", "{japanese}");

@@ -15,12 +15,12 @@ use report::{Asked, Form, Zone};
 use serde::Deserialize;
 
 /// The addresses of what the page looks like and does.
-pub(crate) const PARTS: [&str; 2] = ["/report.css", "/report.js"];
+const PARTS: [&str; 2] = ["/report.css", "/report.js"];
 
 /// What stands behind the `?` of an address. What is none of what can be asked is taken as not asked.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(crate) struct Wanted {
+pub(super) struct Wanted {
     language: Option<String>,
     names: Option<String>,
     offset: Option<String>,
@@ -34,7 +34,7 @@ impl Wanted {
     }
 
     /// The form in which a recording is wanted; none as it is.
-    pub(crate) fn form(&self) -> Option<Result<Form, Response>> {
+    pub(super) fn form(&self) -> Option<Result<Form, Response>> {
         let separator = if self.semicolon.as_deref() == Some("1") { ';' } else { ',' };
         Some(Ok(match self.r#as.as_deref()? {
             "jsonl" => return None,
@@ -48,10 +48,11 @@ impl Wanted {
 }
 
 /// Tells whoever asks for another form which there are.
-const NO_FORM: &str = "There is no such form here. Choose as=csv, eaf, boris, vtt or jsonl; `rrp convert` also makes MCAP.\n";
+const NO_FORM: &str =
+    "There is no such form here. Choose as=csv, eaf, boris, vtt or jsonl; `rrp convert` also makes MCAP.\n";
 
 /// The page, in the language that is wanted or else that of the browser.
-pub(crate) async fn page(
+pub(super) async fn page(
     recordings: Recordings,
     knowledge: std::sync::Arc<impl Knowledge + Send + Sync + 'static>,
     (analyses, sender): (&Workers, Sender),
@@ -86,7 +87,7 @@ pub(crate) async fn page(
 }
 
 /// A recording in another form, as a file.
-pub(crate) async fn converted(
+pub(super) async fn converted(
     recordings: Recordings,
     (analyses, sender): (&Workers, Sender),
     (name, form, wanted): (String, Form, Wanted),
@@ -111,12 +112,12 @@ pub(crate) async fn converted(
 }
 
 /// The stylesheet.
-pub(crate) fn style() -> Response {
+pub(super) fn style() -> Response {
     ([(header::CONTENT_TYPE, "text/css; charset=utf-8")], report::STYLE).into_response()
 }
 
 /// The script.
-pub(crate) fn script() -> Response {
+pub(super) fn script() -> Response {
     ([(header::CONTENT_TYPE, "text/javascript; charset=utf-8")], report::SCRIPT).into_response()
 }
 
@@ -129,6 +130,6 @@ fn refused(why: &Refused) -> Response {
     (status, format!("{why}\n")).into_response()
 }
 
-fn busy(why: NotDone) -> Response {
+pub(super) fn busy(why: NotDone) -> Response {
     (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::from(why))).into_response()
 }

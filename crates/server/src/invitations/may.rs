@@ -46,10 +46,16 @@ pub(crate) enum Route {
     Recordings,
     /// One of them.
     Recording,
-    /// The report of one, as a page, with its stylesheet and script.
+    /// The recordings as a page.
+    RecordingList,
+    /// Naming one, putting it into the bin, bringing it back, and changing its marks.
+    ChangeRecording,
+    /// The report of one, as a page.
     Report,
     /// The stylesheet of reports.
     ReportStyle,
+    /// The stylesheet of the recordings as a page.
+    RecordingListStyle,
     /// The script of reports.
     ReportScript,
     /// The next picture of a robot's camera.
@@ -68,7 +74,7 @@ pub(crate) enum Route {
 
 impl Route {
     /// All of them.
-    pub(crate) const ALL: [Self; 22] = [
+    pub(crate) const ALL: [Self; 25] = [
         Self::Page,
         Self::ComeIn,
         Self::ComeInStyle,
@@ -82,8 +88,11 @@ impl Route {
         Self::Backup,
         Self::Recordings,
         Self::Recording,
+        Self::RecordingList,
+        Self::ChangeRecording,
         Self::Report,
         Self::ReportStyle,
+        Self::RecordingListStyle,
         Self::ReportScript,
         Self::Camera,
         Self::Import,
@@ -110,7 +119,10 @@ impl Route {
             Self::Recordings => RECORDINGS_PATH,
             Self::Recording => return Some(format!("{RECORDINGS_PATH}/{{file}}")),
             Self::Report => return Some(format!("{REPORTS_PATH}/{{file}}/report")),
+            Self::RecordingList => REPORTS_PATH,
+            Self::ChangeRecording => return Some(format!("{REPORTS_PATH}/{{file}}/change")),
             Self::ReportStyle => "/report.css",
+            Self::RecordingListStyle => "/recordings.css",
             Self::ReportScript => "/report.js",
             Self::Camera => "/api/robots/{robot}/camera",
             Self::Import => "/api/import",
@@ -144,13 +156,15 @@ fn of_route(route: Route) -> Least {
         | Route::Recordings
         | Route::Recording
         | Route::Report
+        | Route::RecordingList
+        | Route::RecordingListStyle
         | Route::ReportStyle
         | Route::ReportScript
         | Route::Catalogue
         | Route::CatalogueStyle
         | Route::Stop => Least::In(Role::Viewer),
         // A picture of people is for who works with them.
-        Route::Camera => Least::In(Role::Operator),
+        Route::Camera | Route::ChangeRecording => Least::In(Role::Operator),
         Route::Backup | Route::Import => Least::In(Role::Editor),
         Route::HostLink => Least::In(Role::Host),
     }

@@ -6,7 +6,7 @@ use crate::support::lock;
 use behaviour::Knowledge;
 use protocol::{Recording, Refused};
 use recording::{Header, Keep, Replay, Timeline, read_line};
-use report::{Gathered, Replayed, Session};
+use report::{Gathered, Listed, Marked, Replayed, Session};
 use sentences::Language;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
@@ -109,6 +109,51 @@ impl Recordings {
         Ok(Looked { gathered, replayed, sessions })
     }
 
+    /// All recordings or all in the bin as a list shows them, with the one that is looked at if there is one of that name. What
+    /// replays give is found out for that one alone. Reads for seconds: on a thread of its own.
+    pub(crate) fn listed(
+        &self,
+        bin: bool,
+        chosen: Option<&str>,
+        token: &CancellationToken,
+    ) -> (Vec<Listed>, Option<Marked>) {
+        let all = if bin { self.binned() } else { self.list() };
+        let marked = chosen.and_then(|name| {
+            let recording = all.iter().find(|one| one.file == name)?.clone();
+            let marks = if bin { Vec::new() } else { self.marks(name).unwrap_or_default() };
+            let replayed = if bin || recording.goes_on { None } else { self.finding(name, token) };
+            Some(Marked { listed: Listed { marks: Some(marks.len() as u64), recording, replayed }, marks })
+        });
+        let listed = |recording: Recording| {
+            let path = self.folder.as_deref().map(|folder| folder.join(&recording.file));
+            let replayed =
+                path.as_deref().and_then(|path| self.known_finding(&recording.file, Version::of(path).ok()?));
+            Listed { marks: path.and_then(|path| marks_by_now(&path, recording.marks)), recording, replayed }
+        };
+        (all.into_iter().map(listed).collect(), marked)
+    }
+
+    /// Returns what a replay of a recording gives, as far as it is found out in time.
+    fn finding(&self, name: &str, token: &CancellationToken) -> Option<Replayed> {
+        let path = self.find(name)?;
+        let version = Version::of(&path).ok()?;
+        if let Some(known) = self.known_finding(name, version) {
+            return Some(known);
+        }
+        let (mut lines, header) = Lines::open(&path).ok()??;
+        let mut replay = Replaying::of(&header, token);
+        while replay.replay.is_some()
+            && let Some(line) = lines.next().ok()?
+        {
+            replay.take(&read_line(line));
+        }
+        let found = replay.found();
+        if !token.is_cancelled() {
+            self.keep_finding(name, version, found);
+        }
+        Some(found)
+    }
+
     /// A recording as a timeline, to be written in another form. Reads for seconds: on a thread of its own.
     ///
     /// # Errors
@@ -163,6 +208,14 @@ impl Recordings {
         }
         checked.insert(name.to_owned(), (version, found));
     }
+}
+
+/// The number of marks by now: those of the run, and what the file of later marks says.
+fn marks_by_now(path: &Path, of_run: Option<u64>) -> Option<u64> {
+    let none = recording::all_marks([], &later(&marks_of(path)).ok()?);
+    let of_run_gone = none.values().filter(|mark| mark.gone && mark.id.as_str().starts_with("note-")).count() as u64;
+    let added = none.values().filter(|mark| !mark.gone && !mark.id.as_str().starts_with("note-")).count() as u64;
+    of_run.map(|of_run| (of_run + added).saturating_sub(of_run_gone))
 }
 
 /// A replay beside the reading, which has less time.
