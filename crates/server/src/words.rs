@@ -96,11 +96,6 @@ impl fmt::Display for NotImported {
             Self::Present => to.write_str(
                 "This program is here already, perhaps in the bin. Import it as a copy, or restore it from the bin.",
             ),
-            Self::GoesOn => to.write_str("it is still being recorded; end its recording first"),
-            Self::LongTitle => {
-                write!(to, "a name has at most {RECORDING_TITLE_MAX_CHARS} characters; choose a shorter one")
-            }
-            Self::TitleUnwritten(error) => write!(to, "its name cannot be written ({error}); free some space"),
             Self::TooLarge => {
                 write!(to, "The file is larger than {FILE_MAX_BYTES} bytes. Split it into several.")
             }
@@ -143,6 +138,11 @@ impl fmt::Display for NotRecorded {
             Self::TooManyMarks => to.write_str("it has as many marks as a recording may have"),
             Self::MarkUnwritten(error) => write!(to, "the mark cannot be written ({error}); free some space"),
             Self::Unread(error) => write!(to, "it cannot be read ({error})"),
+            Self::GoesOn => to.write_str("it is still being recorded; end its recording first"),
+            Self::LongTitle => {
+                write!(to, "a name has at most {RECORDING_TITLE_MAX_CHARS} characters; choose a shorter one")
+            }
+            Self::TitleUnwritten(error) => write!(to, "its name cannot be written ({error}); free some space"),
             Self::TooLarge => to.write_str(
                 "it is too large to be converted here; download it as it is and use rrp convert with the file",
             ),

@@ -115,7 +115,7 @@ pub(super) async fn change(
     let shown = if moves { bin.to_owned() } else { format!("{bin}&chosen={}", encoded(&file)) };
     let done = files.run(sender, move |_| done(&recordings, &file, change, &by));
     match done.await {
-        Ok(Ok(())) => Redirect::to(&(back + &shown)).into_response(),
+        Ok(Ok(())) => Redirect::to(&format!("{back}{shown}")).into_response(),
         Ok(Err(why)) => {
             let status = if why == Refused::NoRecording { StatusCode::NOT_FOUND } else { StatusCode::CONFLICT };
             (status, Html(report::no(&why, language, PARTS, &back))).into_response()
