@@ -1,12 +1,6 @@
 //! `rrp convert`: a recording in the form of another program, by default without names and what is about people.
 
-mod boris;
-mod csv;
-mod eaf;
 mod mcap;
-#[cfg(test)]
-mod tests;
-mod vtt;
 
 use crate::failure::Failure;
 use crate::trace::read_trace;
@@ -79,11 +73,12 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<(), Failure> {
 }
 
 fn written(timeline: &Timeline, args: &ConvertArgs) -> Result<Vec<u8>, Failure> {
+    let of = |form: report::Form| form.written(timeline).map_err(Failure::UnwrittenOut);
     Ok(match args.to {
-        Form::Csv => csv::written(timeline, if args.semicolon { ';' } else { ',' }).into_bytes(),
-        Form::Eaf => eaf::written(timeline).map_err(Failure::UnwrittenOut)?,
-        Form::Boris => boris::written(timeline).into_bytes(),
-        Form::Vtt => vtt::written(timeline).into_bytes(),
+        Form::Csv => of(report::Form::Csv(if args.semicolon { ';' } else { ',' }))?,
+        Form::Eaf => of(report::Form::Eaf)?,
+        Form::Boris => of(report::Form::Boris)?,
+        Form::Vtt => of(report::Form::Vtt)?,
         Form::Mcap => mcap::written(timeline).map_err(|why| Failure::UnwrittenOut(std::io::Error::other(why)))?,
     })
 }
@@ -99,9 +94,4 @@ fn later_marks(recording: &Path) -> Result<String, Failure> {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(String::new()),
         Err(error) => Err(Failure::Unopened(path, error)),
     }
-}
-
-/// A time as `0:01:02.350`.
-fn clock(ms: u64) -> String {
-    format!("{}:{:02}:{:02}.{:03}", ms / 3_600_000, ms / 60_000 % 60, ms / 1_000 % 60, ms % 1_000)
 }

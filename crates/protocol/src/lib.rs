@@ -49,6 +49,8 @@ pub const COME_IN_PATH: &str = "/come-in";
 pub const HOST_LINK_PATH: &str = "/api/host-link";
 /// Where recordings are, as plain GETs: the list, and under it each file.
 pub const RECORDINGS_PATH: &str = "/api/recordings";
+/// The report of a recording is at this path, its file's name and `/report`.
+pub const REPORTS_PATH: &str = "/recordings";
 /// The largest message either side accepts, in bytes.
 pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 /// The most times that live values and pictures of the room are sent, per second and client.
@@ -79,6 +81,8 @@ pub const AGO_MAX_MS: u64 = 60_000;
 pub const CODE_MAX_CHARS: usize = 32;
 /// The longest name of a session, in characters.
 pub const SESSION_MAX_CHARS: usize = 40;
+/// The longest name that somebody may give a recording, in characters.
+pub const RECORDING_TITLE_MAX_CHARS: usize = 60;
 /// The farthest from its origin that anything on the canvas is pointed at or looked at, in canvas units.
 pub const CANVAS_MAX: f64 = 10_000_000.0;
 /// The most robots of a server.

@@ -57,6 +57,12 @@ pub struct Recording {
     /// hand.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub old_form: bool,
+    /// The name that somebody gave it, if somebody did.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// True if it is still being written.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub goes_on: bool,
     /// True if its last lines are missing: the disk was full, or the server ended in the middle.
     #[serde(default)]
     pub cut_off: bool,

@@ -394,7 +394,7 @@ pub enum Request {
     },
     /// The recordings that are kept. Answered by `Recordings`.
     Recordings,
-    /// Removes a recording for good. Answered by `Done`.
+    /// Puts a recording into the bin. Answered by `Done`.
     RemoveRecording {
         /// The name of the recording's file.
         file: String,

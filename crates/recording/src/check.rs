@@ -93,15 +93,12 @@ pub fn check(text: &str) -> Result<Checked, Different> {
     let mut replay = Replay::of(&header);
     for entry in lines.entries() {
         replay.take(entry)?;
-        if replay.ends.is_some() {
-            break;
-        }
     }
     replay.finish()
 }
 
-/// A recording that is replayed while it is read.
-struct Replay {
+/// A recording that is replayed while it is read, an entry at a time.
+pub struct Replay {
     revision: u64,
     playing: Option<Playing>,
     /// The time at which an edited behaviour was applied, if it follows with the next file.
@@ -121,7 +118,9 @@ struct Playing {
 }
 
 impl Replay {
-    fn of(header: &Header) -> Self {
+    /// The replay of a recording with this first line, before its first entry.
+    #[must_use]
+    pub fn of(header: &Header) -> Self {
         Self {
             revision: header.revision,
             playing: None,
@@ -135,7 +134,14 @@ impl Replay {
         }
     }
 
-    fn take(&mut self, entry: Entry) -> Result<(), Different> {
+    /// Takes the next entry; what comes after the end of a recording is left out.
+    ///
+    /// # Errors
+    /// The first difference, or why there is nothing to compare. Nothing is taken after it.
+    pub fn take(&mut self, entry: Entry) -> Result<(), Different> {
+        if self.ends.is_some() {
+            return Ok(());
+        }
         match entry {
             Entry::Value { at_ms, stream, value, .. } => self.value(at_ms, &stream, value)?,
             Entry::Fault { at_ms, .. } => self.last_ms = self.last_ms.max(at_ms),
@@ -215,7 +221,11 @@ impl Replay {
         }
     }
 
-    fn finish(mut self) -> Result<Checked, Different> {
+    /// Compares what is left after the last entry.
+    ///
+    /// # Errors
+    /// The first difference, or why there is nothing to compare.
+    pub fn finish(mut self) -> Result<Checked, Different> {
         if self.playing.is_none() {
             return Err(Different::Lacks(Lack::Everything));
         }

@@ -17,12 +17,12 @@ mod spans;
 mod timeline;
 mod words;
 
-pub use check::{Checked, Different, Ending, Told, check};
+pub use check::{Checked, Different, Ending, Replay, Told, check};
 pub use header::{FORMAT, Header, Lack};
 pub use json::json;
 pub use lines::{End, Hand, Line, Names, Note, Refusal, RobotLine};
 pub use marks::{all_marks, mark, marks, run_marks, run_note};
-pub use private::Keep;
+pub use private::{Keep, Private};
 pub use read::{Entry, NoRecording, Open, open, read_line};
 pub use spans::{Span, Track, tracks};
 pub use timeline::{Event, Timeline, What, timeline};

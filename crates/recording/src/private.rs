@@ -8,6 +8,8 @@ use std::collections::BTreeSet;
 
 /// The words in the place of a text that is left out.
 const LEFT_OUT: &str = "(left out)";
+/// The most people who are told apart; nobody has so many at a robot.
+const PEOPLE_MAX: usize = 200;
 
 /// The parts that are kept although they are about people.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,7 +22,7 @@ pub struct Keep {
 
 /// Leaves out what is not kept.
 #[derive(Debug, Default)]
-pub(crate) struct Private {
+pub struct Private {
     keep: Keep,
     /// The people, in order of appearance.
     people: Vec<String>,
@@ -31,33 +33,47 @@ pub(crate) struct Private {
 }
 
 impl Private {
+    /// Keeps so much, and knows nobody yet.
+    #[must_use]
+    pub fn keeping(keep: Keep) -> Self {
+        Self { keep, ..Self::default() }
+    }
+
     /// For a recording with these people and lines.
     pub(crate) fn of(
         keep: Keep,
         people: impl IntoIterator<Item = String>,
         entries: impl Iterator<Item = Entry>,
     ) -> Self {
-        let mut private = Self { keep, ..Self::default() };
-        people.into_iter().for_each(|name| private.person(name));
-        entries.for_each(|entry| private.hear(entry));
+        let mut private = Self::keeping(keep);
+        people.into_iter().for_each(|name| private.person(&name));
+        entries.for_each(|entry| private.hear(&entry));
         private
     }
 
-    fn hear(&mut self, entry: Entry) {
+    /// Learns from an entry who took part, and which streams are about people.
+    pub fn hear(&mut self, entry: &Entry) {
         match entry {
             Entry::Value { by: Some(by), .. } => self.person(by),
-            Entry::Hand(hand) => self.person(hand.by),
-            Entry::Note(note) => self.person(note.by),
-            Entry::End(end) => end.by.into_iter().for_each(|by| self.person(by)),
-            Entry::File { file: Some(file), .. } => self.file(&file),
+            Entry::Hand(hand) => self.person(&hand.by),
+            Entry::Note(note) => self.person(&note.by),
+            Entry::End(end) => end.by.iter().for_each(|by| self.person(by)),
+            Entry::File { file: Some(file), .. } => self.file(file),
             _ => {}
         }
     }
 
-    fn person(&mut self, name: String) {
-        if !name.trim().is_empty() && !self.people.contains(&name) {
-            self.people.push(name);
+    /// Somebody took part.
+    pub fn person(&mut self, name: &str) {
+        let is_new = !name.trim().is_empty() && !self.people.iter().any(|known| known == name);
+        if is_new && self.people.len() < PEOPLE_MAX {
+            self.people.push(name.to_owned());
         }
+    }
+
+    /// Those who took part, in order of appearance, as they are called here.
+    pub fn people(&self) -> impl Iterator<Item = String> {
+        self.people.iter().map(|name| self.name(name))
     }
 
     /// Notes the streams that are about people: whatever comes of a sense that is about people is about people too.
@@ -81,15 +97,19 @@ impl Private {
     }
 
     /// Returns what a person is called.
-    pub(crate) fn name(&self, name: &str) -> String {
+    #[must_use]
+    pub fn name(&self, name: &str) -> String {
         match self.people.iter().position(|known| known == name) {
             Some(at) if !self.keep.names => format!("P{}", at + 1),
+            // One of more people than are told apart.
+            None if !self.keep.names && self.people.len() >= PEOPLE_MAX => "P?".to_owned(),
             _ => self.text(name),
         }
     }
 
     /// A text without the names of those who pressed.
-    pub(crate) fn text(&self, text: &str) -> String {
+    #[must_use]
+    pub fn text(&self, text: &str) -> String {
         if self.keep.names {
             return text.to_owned();
         }

@@ -1,7 +1,9 @@
 //! Recordings of runs: files of JSON lines in the data folder, each written by a thread of its own.
 
+mod bin;
 mod clock;
 mod described;
+mod looked;
 mod marks;
 mod recorder;
 mod session;
@@ -13,12 +15,14 @@ use crate::support::file_name::dashed;
 use crate::support::lock;
 use behaviour::{Engine, Id, numbered};
 use described::described;
+pub(crate) use looked::Looked;
+use marks::later;
 pub(crate) use marks::tidied;
 use protocol::{Recording, Refused, Session};
 pub(crate) use recorder::{Recorder, Step};
 use recording::Header;
 use session::checked;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -28,7 +32,7 @@ pub(crate) use writer::Stuck;
 /// The largest a recording may grow, in bytes.
 pub(crate) const RECORDING_MAX_BYTES: u64 = 256 << 20;
 /// The most that all recordings may take, in bytes.
-const ALL_MAX_BYTES: u64 = 4 << 30;
+pub(crate) const ALL_MAX_BYTES: u64 = 4 << 30;
 /// Recordings that are kept.
 const KEPT_MAX: usize = 1_000;
 /// What a recording's name ends with.
@@ -44,6 +48,8 @@ pub(crate) struct Recordings {
     naming: Arc<Mutex<()>>,
     /// The files that are being written.
     open: Arc<Mutex<BTreeSet<String>>>,
+    /// By file what its replay gave, as long as the file is the same.
+    checked: Arc<Mutex<BTreeMap<String, (looked::Version, report::Replayed)>>>,
     /// Taken while a mark is written.
     marking: Arc<Mutex<()>>,
     bounds: Bounds,
@@ -95,6 +101,14 @@ pub(crate) enum NotRecorded {
     MarkUnwritten(io::Error),
     /// The recording or its marks cannot be read.
     Unread(io::Error),
+    /// It is still being written.
+    GoesOn,
+    /// The name that it shall have is too long.
+    LongTitle,
+    /// Its name could not be written.
+    TitleUnwritten(io::Error),
+    /// It is larger than is converted here.
+    TooLarge,
     /// The code of who takes part has signs that it may not have, or too many.
     StrangeCode,
     /// The name of the session is too long.
@@ -194,8 +208,11 @@ impl Recordings {
     /// Removes the oldest recordings until there is room for one more; answers how many went.
     fn make_room(&self, folder: &Path, Bounds { kept, bytes }: Bounds) -> Result<u64, NotRecorded> {
         let written = |path: &Path| path.metadata().and_then(|about| about.modified()).ok();
-        let mut all: Vec<(PathBuf, u64)> = files(folder).collect();
-        all.sort_by_cached_key(|(path, _)| (written(path), path.clone()));
+        let bin = self.bin().unwrap_or_default();
+        let is_binned = |path: &Path| path.parent() == Some(&*bin);
+        let mut all: Vec<(PathBuf, u64)> = files(folder).chain(files(&bin)).collect();
+        // The bin gives way first.
+        all.sort_by_cached_key(|(path, _)| (!is_binned(path), written(path), path.clone()));
         let open = lock(&self.open).clone();
         let is_open =
             |path: &Path| path.file_name().and_then(|name| name.to_str()).is_some_and(|name| open.contains(name));
@@ -210,7 +227,7 @@ impl Recordings {
                 continue;
             }
             tracing::info!(path = %path.display(), "an old recording gave way to a new one");
-            (left, taken, gone) = (left - 1, taken - size, gone + 1);
+            (left, taken, gone) = (left - 1, taken - size, gone + u64::from(!is_binned(path)));
         }
         if left < kept && taken + RECORDING_MAX_BYTES <= bytes { Ok(gone) } else { Err(NotRecorded::Full) }
     }
@@ -234,7 +251,10 @@ impl Recordings {
         let mut all: Vec<Recording> = files(folder).filter_map(|(path, bytes)| described(&path, bytes)).collect();
         all.sort_by(|one, other| other.file.cmp(&one.file));
         all.truncate(KEPT_MAX);
-        all.iter_mut().for_each(|recording| recording.cut_off &= !open.contains(&recording.file));
+        for recording in &mut all {
+            recording.goes_on = open.contains(&recording.file);
+            recording.cut_off &= !recording.goes_on;
+        }
         all
     }
 
@@ -243,23 +263,12 @@ impl Recordings {
         let folder = self.folder.as_deref()?;
         files(folder).map(|(path, _)| path).find(|path| path.file_name().is_some_and(|known| known == name))
     }
-
-    /// Removes a recording for good.
-    pub(crate) fn remove(&self, name: &str) -> Result<(), Refused> {
-        let path = self.find(name).ok_or(Refused::NoRecording)?;
-        let done = removed(&path);
-        let done = done.and_then(|()| store::disk::sync_names(path.parent().unwrap_or(Path::new(""))));
-        done.map_err(|error| NotRecorded::NotRemoved(error).into())
-    }
 }
 
-/// Removes a recording with its later marks.
+/// Removes a recording with its later marks and its name.
 fn removed(path: &Path) -> io::Result<()> {
     std::fs::remove_file(path)?;
-    match std::fs::remove_file(marks_of(path)) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    }
+    [marks_of(path), bin::title_of(path)].iter().try_for_each(|beside| bin::none_is_fine(std::fs::remove_file(beside)))
 }
 
 /// Returns the path of the later marks of a recording.

@@ -257,7 +257,8 @@ async fn open(
         }),
     };
     let files = Workers::for_files().map_err(ServeError::Thread)?;
-    Ok(Arc::new(put_together(surroundings, (robots, recordings), (invitations, host), files)))
+    let analyses = Workers::for_analyses().map_err(ServeError::Thread)?;
+    Ok(Arc::new(put_together(surroundings, (robots, recordings), (invitations, host), (files, analyses))))
 }
 
 /// Everything, once its parts are there.
@@ -265,7 +266,7 @@ fn put_together(
     surroundings: Surroundings,
     (robots, recordings): (Robots, Recordings),
     (invitations, host): (Arc<Invitations>, Arc<HostAccess>),
-    files: Workers,
+    (files, analyses): (Workers, Workers),
 ) -> ServerState {
     let Surroundings { store, health, knowing, workers, lookups, tasks, epoch, .. } = &surroundings;
     let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
@@ -284,6 +285,7 @@ fn put_together(
     let thumbnails = Thumbnails::default();
     ServerState {
         files,
+        analyses,
         store,
         health,
         robots,

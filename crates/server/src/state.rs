@@ -30,6 +30,8 @@ pub(crate) struct ServerState {
     pub(crate) workers: Workers,
     /// Reading and writing of files.
     pub(crate) files: Workers,
+    /// Reading recordings for people, which takes seconds.
+    pub(crate) analyses: Workers,
     /// Turns for what has to be looked up in the store.
     pub(crate) lookups: Lookups,
     /// What shows that somebody is the host.

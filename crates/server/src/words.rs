@@ -12,7 +12,7 @@ use behaviour::BODY_MAX_CHARS;
 use engine::Fault;
 use protocol::{
     ADDRESS_MAX_CHARS, CODE_MAX_CHARS, HAND_MAX_BYTES, LOGIN_MAX_CHARS, MARK_MAX_CHARS, MARK_WORD_MAX_CHARS,
-    ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, SESSION_MAX_CHARS,
+    RECORDING_TITLE_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, SESSION_MAX_CHARS,
 };
 use std::fmt;
 use store::files::FILE_MAX_BYTES;
@@ -141,6 +141,14 @@ impl fmt::Display for NotRecorded {
             Self::TooManyMarks => to.write_str("it has as many marks as a recording may have"),
             Self::MarkUnwritten(error) => write!(to, "the mark cannot be written ({error}); free some space"),
             Self::Unread(error) => write!(to, "it cannot be read ({error})"),
+            Self::GoesOn => to.write_str("it is still being recorded; end its recording first"),
+            Self::LongTitle => {
+                write!(to, "a name has at most {RECORDING_TITLE_MAX_CHARS} characters; choose a shorter one")
+            }
+            Self::TitleUnwritten(error) => write!(to, "its name cannot be written ({error}); free some space"),
+            Self::TooLarge => to.write_str(
+                "it is too large to be converted here; download it as it is and use rrp convert with the file",
+            ),
             Self::StrangeCode => write!(
                 to,
                 "a code has letters, digits, “-”, “_” and “.” alone, at most {CODE_MAX_CHARS} of them, and is no name"

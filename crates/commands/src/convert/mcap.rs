@@ -58,3 +58,64 @@ fn topic(what: &str, subject: &str) -> String {
     let word = |text: &str| text.split_whitespace().collect::<Vec<_>>().join("-").replace('/', "-");
     if subject.is_empty() { format!("/{}", word(what)) } else { format!("/{}/{}", word(what), word(subject)) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::written;
+    use recording::{Keep, Timeline, timeline};
+    use std::collections::BTreeSet;
+
+    const RECORDING: &str = include_str!("../../../report/tests/data/greet.jsonl");
+    const MARKS: &str = include_str!("../../../report/tests/data/greet.marks.jsonl");
+
+    /// Returns the messages of an MCAP, each with its topic, its time in nanoseconds and its text.
+    fn messages(bytes: &[u8]) -> Vec<(String, u64, String)> {
+        let read = ::mcap::MessageStream::new(bytes).unwrap().map(|message| {
+            let message = message.unwrap();
+            assert_eq!(message.channel.message_encoding, "json");
+            let text = String::from_utf8(message.data.into_owned()).unwrap();
+            (message.channel.topic.clone(), message.log_time, text)
+        });
+        read.collect()
+    }
+
+    /// Returns the code of the one who did something with `subject`.
+    fn by<'t>(of: &'t Timeline, subject: &str) -> &'t str {
+        of.events.iter().find(|event| event.subject == subject && !event.by.is_empty()).map_or("", |event| &event.by)
+    }
+
+    #[test]
+    fn no_name_is_in_it_unless_it_is_wanted() {
+        let all = |keep| {
+            let of = timeline(RECORDING, MARKS, keep).unwrap();
+            messages(&written(&of).unwrap()).into_iter().map(|(.., text)| text).collect::<String>()
+        };
+        let names = ["Aiko", "Ben", "Cleo", "Emma", "banana"];
+        let plain = all(Keep::default());
+        assert!(names.iter().all(|name| !plain.contains(name)) && plain.contains("P1"), "{plain}");
+        let kept = all(Keep { names: true, personal: true });
+        assert!(names[1..].iter().all(|name| kept.contains(name)), "{kept}");
+    }
+
+    #[test]
+    fn an_mcap_is_read_back_by_its_library() {
+        let of = timeline(RECORDING, MARKS, Keep::default()).unwrap();
+        let bytes = written(&of).unwrap();
+        let all = messages(&bytes);
+        assert_eq!(all.len(), of.events.len() + of.marks.len());
+        assert!(all.windows(2).all(|pair| pair[0].1 <= pair[1].1), "by time");
+        let ball = all.iter().find(|(topic, ..)| topic == "/pretended/Ball").unwrap();
+        assert_eq!(
+            (ball.1, ball.2.as_str()),
+            (50_000_000, format!(r#"{{"value":{{"x":0.1}},"by":"{}"}}"#, by(&of, "Ball")).as_str())
+        );
+        let topics: BTreeSet<&str> = all.iter().map(|(topic, ..)| topic.as_str()).collect();
+        for topic in
+            ["/sensed/Face", "/action/Eyes", "/by-hand/SayInput", "/mark/laughs", "/not-done/Say,-\"loud\"", "/robot"]
+        {
+            assert!(topics.contains(topic), "{topic} is not in {topics:?}");
+        }
+        let summary = ::mcap::Summary::read(&bytes).unwrap().expect("a summary at its end");
+        assert_eq!(summary.stats.unwrap().message_count, all.len() as u64);
+    }
+}

@@ -6,7 +6,7 @@ use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
 use super::page::Page;
 use super::readiness::Readiness;
-use super::{camera, catalogue, come_in, cut, page, recordings, stop, transfer, upload};
+use super::{camera, catalogue, come_in, cut, page, recording_list, recordings, report, stop, transfer, upload};
 use crate::connection::{Connections, NoPlace, session};
 use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
@@ -14,7 +14,7 @@ use crate::support::identity::Sender;
 use crate::support::shares::{Limits, SharedPlaces};
 use crate::support::tasks::boxed;
 use axum::Router;
-use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
+use axum::extract::{DefaultBodyLimit, Form, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
@@ -39,6 +39,8 @@ const READ_BYTES: usize = 8 << 10;
 const REQUEST_MS: u64 = 60_000;
 /// Files that may be on their way to us.
 const UPLOADS: Limits = Limits { all: 8, guest: 2, host: 8, reserved: 2, still_ms: 0 };
+/// The longest form that changes a recording, in bytes.
+const FORM_MAX_BYTES: usize = 8 << 10;
 /// The longest form with a token, in bytes.
 const TOKEN_MAX_BYTES: usize = 1 << 10;
 /// What who gets no place for a socket is told.
@@ -134,6 +136,12 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::Backup => get(backup).layer(few_at_once),
         Route::Recordings => get(list_recordings).layer(few_at_once),
         Route::Recording => get(recording).layer(few_at_once),
+        Route::RecordingList => get(recording_page).layer(few_at_once),
+        Route::RecordingListStyle => get(|| async { recording_list::style() }),
+        Route::ChangeRecording => post(change_recording).layer(DefaultBodyLimit::max(FORM_MAX_BYTES)),
+        Route::Report => get(session_report).layer(few_at_once),
+        Route::ReportStyle => get(|| async { report::style() }),
+        Route::ReportScript => get(|| async { report::script() }),
         Route::Camera => get(camera),
         Route::Import => post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)),
         // Nothing more is added to the way of Stop.
@@ -257,9 +265,58 @@ async fn recording(
     State(app): State<AppState>,
     Extension(entry): Extension<Entry>,
     Path(file): Path<String>,
+    Query(wanted): Query<report::Wanted>,
 ) -> Response {
+    match wanted.form() {
+        None => {}
+        Some(Err(no)) => return no,
+        Some(Ok(form)) => {
+            let analyses = (&app.state().analyses, app.sender(&entry));
+            return report::converted(app.state().recordings.clone(), analyses, (file, form, wanted)).await;
+        }
+    }
     let files = (app.state().files.clone(), app.sender(&entry));
     recordings::download(app.state().recordings.clone(), files, file).await
+}
+
+async fn recording_page(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Query(wanted): Query<recording_list::Wanted>,
+    headers: HeaderMap,
+) -> Response {
+    let may_change = entry.may(Asked::Http(Route::ChangeRecording)).is_ok();
+    let analyses = (&app.state().analyses, app.sender(&entry));
+    let asked = (wanted, Language::of(&headers), may_change);
+    recording_list::page(app.state().recordings.clone(), analyses, asked).await
+}
+
+async fn change_recording(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Path(file): Path<String>,
+    headers: HeaderMap,
+    Form(change): Form<recording_list::Change>,
+) -> Response {
+    let by = match &entry {
+        Entry::Guest(guest) => app.state().invitations.name_of(guest),
+        Entry::Host | Entry::Unproven | Entry::Stranger => recording_list::HOST.to_owned(),
+    };
+    let files = (&app.state().files, app.sender(&entry));
+    let asked = (file, change, by, Language::of(&headers));
+    recording_list::change(app.state().recordings.clone(), files, asked).await
+}
+
+async fn session_report(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Path(file): Path<String>,
+    Query(wanted): Query<report::Wanted>,
+    headers: HeaderMap,
+) -> Response {
+    let (recordings, knowing) = (app.state().recordings.clone(), Arc::clone(&app.state().knowing));
+    let analyses = (&app.state().analyses, app.sender(&entry));
+    report::page(recordings, knowing, analyses, (file, wanted, Language::of(&headers))).await
 }
 
 async fn download(

@@ -2,7 +2,7 @@
 //! a route is asked here by the compiler.
 
 use super::entry::Least;
-use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, Request, Role, STOP_PATH};
+use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Request, Role, STOP_PATH};
 
 /// What is asked, by whatever way.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +46,18 @@ pub(crate) enum Route {
     Recordings,
     /// One of them.
     Recording,
+    /// The recordings as a page.
+    RecordingList,
+    /// Naming one, putting it into the bin, bringing it back, and changing its marks.
+    ChangeRecording,
+    /// The report of one, as a page.
+    Report,
+    /// The stylesheet of reports.
+    ReportStyle,
+    /// The stylesheet of the recordings as a page.
+    RecordingListStyle,
+    /// The script of reports.
+    ReportScript,
     /// The next picture of a robot's camera.
     Camera,
     /// Bringing a behaviour in.
@@ -62,7 +74,7 @@ pub(crate) enum Route {
 
 impl Route {
     /// All of them.
-    pub(crate) const ALL: [Self; 19] = [
+    pub(crate) const ALL: [Self; 25] = [
         Self::Page,
         Self::ComeIn,
         Self::ComeInStyle,
@@ -76,6 +88,12 @@ impl Route {
         Self::Backup,
         Self::Recordings,
         Self::Recording,
+        Self::RecordingList,
+        Self::ChangeRecording,
+        Self::Report,
+        Self::ReportStyle,
+        Self::RecordingListStyle,
+        Self::ReportScript,
         Self::Camera,
         Self::Import,
         Self::Stop,
@@ -100,6 +118,12 @@ impl Route {
             Self::Backup => "/api/backup",
             Self::Recordings => RECORDINGS_PATH,
             Self::Recording => return Some(format!("{RECORDINGS_PATH}/{{file}}")),
+            Self::Report => return Some(format!("{REPORTS_PATH}/{{file}}/report")),
+            Self::RecordingList => REPORTS_PATH,
+            Self::ChangeRecording => return Some(format!("{REPORTS_PATH}/{{file}}/change")),
+            Self::ReportStyle => "/report.css",
+            Self::RecordingListStyle => "/recordings.css",
+            Self::ReportScript => "/report.js",
             Self::Camera => "/api/robots/{robot}/camera",
             Self::Import => "/api/import",
             Self::Stop => STOP_PATH,
@@ -131,11 +155,16 @@ fn of_route(route: Route) -> Least {
         | Route::Download
         | Route::Recordings
         | Route::Recording
+        | Route::Report
+        | Route::RecordingList
+        | Route::RecordingListStyle
+        | Route::ReportStyle
+        | Route::ReportScript
         | Route::Catalogue
         | Route::CatalogueStyle
         | Route::Stop => Least::In(Role::Viewer),
         // A picture of people is for who works with them.
-        Route::Camera => Least::In(Role::Operator),
+        Route::Camera | Route::ChangeRecording => Least::In(Role::Operator),
         Route::Backup | Route::Import => Least::In(Role::Editor),
         Route::HostLink => Least::In(Role::Host),
     }

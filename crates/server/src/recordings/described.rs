@@ -1,5 +1,6 @@
 //! The description of a recording in a list: read from its first and its last line alone, however long it is.
 
+use super::bin::title;
 use protocol::{Recording, Session};
 use recording::{Entry, read_line};
 use std::fs::File;
@@ -32,6 +33,8 @@ pub(super) fn described(path: &Path, bytes: u64) -> Option<Recording> {
         length_ms: end.at_ms,
         marks,
         old_form,
+        title: title(path),
+        goes_on: false,
         cut_off: !end.is_whole,
     })
 }

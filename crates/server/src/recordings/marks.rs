@@ -67,7 +67,7 @@ fn of_run(path: &Path) -> io::Result<Vec<RecordingMark>> {
 }
 
 /// The text of the later marks; nothing if there are none yet.
-fn later(path: &Path) -> io::Result<String> {
+pub(super) fn later(path: &Path) -> io::Result<String> {
     let mut text = Vec::new();
     match File::open(path) {
         Ok(file) => file.take(MARKS_MAX_BYTES).read_to_end(&mut text)?,

@@ -2,7 +2,7 @@
 
 use super::{About, Bounds, RECORDING_MAX_BYTES, Recordings};
 use behaviour::{BehaviourFile, Id};
-use protocol::{MarkSort, RECORDING_MARKS_MAX, RecordingMark, Refused, Session};
+use protocol::{MarkSort, RECORDING_MARKS_MAX, Recorded, RecordingMark, Refused, Session};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -130,6 +130,32 @@ fn marks_are_added_changed_and_removed_and_every_line_stays() {
     assert!(std::fs::read_to_string(&path).unwrap().starts_with(&text), "it only grows");
     recordings.remove(&name).unwrap();
     assert!(!path.exists() && recordings.marks(&name) == Err(Refused::NoRecording));
+    recordings.restore(&name).unwrap();
+    assert_eq!(words().last(), Some(&is("m4", 3_000, "waves")), "they come back with it");
+}
+
+#[test]
+fn the_bin_gives_way_before_any_recording_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings =
+        Recordings { bounds: Bounds { kept: 3, bytes: u64::MAX }, ..Recordings::within(Some(folder.path())) };
+    let [first, second] = [(); 2].map(|()| record(&recordings, &Session::default()));
+    recordings.name(&second, " The second ").unwrap();
+    recordings.remove(&second).unwrap();
+    let binned = || recordings.binned().into_iter().map(|one| (one.file, one.title)).collect::<Vec<_>>();
+    assert_eq!(binned(), [(second.clone(), Some("The second".to_owned()))]);
+    record(&recordings, &Session::default());
+    assert_eq!(binned().len(), 1, "there is room for three");
+    let (file, session) = (file(), Session::default());
+    let about =
+        About { run: 1, robot: "NAO", behaviour: &id("b"), revision: 1, by: "Aiko", file: &file, session: &session };
+    let mut fourth = recordings.begin(&about).unwrap();
+    let Recorded { file, gave_way, .. } = fourth.news().unwrap();
+    assert_eq!(gave_way, 0, "nothing that is kept gave way");
+    assert!(recordings.find(&first).is_some() && binned().is_empty());
+    let still = recordings.remove(&file).unwrap_err().to_string();
+    assert!(still.contains("it is still being recorded; end its recording first"), "{still}");
+    assert!(recordings.list().iter().any(|one| one.goes_on && !one.cut_off));
 }
 
 #[test]

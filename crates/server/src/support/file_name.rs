@@ -31,7 +31,7 @@ pub(crate) fn disposition(name: &str, ending: &str) -> String {
 }
 
 /// Every byte that may not stand in such a name as `%` and its number (RFC 8187).
-fn encoded(name: &str) -> String {
+pub(crate) fn encoded(name: &str) -> String {
     let may_stand = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
     let one = |byte: u8| if may_stand(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") };
     name.bytes().map(one).collect()

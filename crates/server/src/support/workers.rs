@@ -19,6 +19,8 @@ const STACK_BYTES: usize = 16 << 20;
 const THREADS: usize = 2;
 /// Threads that read and write files, which wait for the disk more than they work.
 const FILE_THREADS: usize = 4;
+/// Threads that read whole recordings for people.
+const ANALYSIS_THREADS: usize = 2;
 /// What may wait for threads, and who has how many of them: with 16 tasks of a guest or of a link of the host.
 const BOUNDS: Bounds =
     Bounds { host: usize::MAX, group: 1, sender: 1, sender_waiting: 16, group_waiting: 256, waiting: 4_096 };
@@ -77,6 +79,14 @@ impl Workers {
     /// If a thread cannot be made.
     pub(crate) fn for_files() -> std::io::Result<Self> {
         Self::of(FILE_THREADS, "files", None)
+    }
+
+    /// Starts the threads that read whole recordings, for seconds each: nothing else waits behind them.
+    ///
+    /// # Errors
+    /// If a thread cannot be made.
+    pub(crate) fn for_analyses() -> std::io::Result<Self> {
+        Self::of(ANALYSIS_THREADS, "analysis", Some(Priority::Work))
     }
 
     fn of(threads: usize, name: &str, priority: Option<Priority>) -> std::io::Result<Self> {

@@ -19,6 +19,7 @@ mod mutated;
 mod operating;
 mod proxied;
 mod renaming;
+mod reports;
 mod roles;
 mod runs;
 mod shares;

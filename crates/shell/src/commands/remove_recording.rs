@@ -1,4 +1,4 @@
-//! Removes a recording for good.
+//! Puts a recording into the bin.
 
 use super::Command;
 use crate::console::Console;
@@ -8,12 +8,12 @@ use protocol::Request;
 pub(crate) const COMMAND: Command = Command {
     name: "remove recording",
     words: "FILE",
-    help: "Removes a recording for good; “recordings” shows the files.",
+    help: "Puts a recording into the bin; “recordings” shows the files, and /recordings brings it back.",
     run: |console, words| Box::pin(run(console, words)),
 };
 
 async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let file = words.rsplit('/').next().unwrap_or(words).to_owned();
     console.ask(Request::RemoveRecording { file: file.clone() }).await?;
-    Ok(format!("{file} is removed"))
+    Ok(format!("{file} is in the bin"))
 }

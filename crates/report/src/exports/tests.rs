@@ -1,6 +1,6 @@
 //! A recording in the forms of other programs, each read again by its own rules.
 
-use super::{boris, csv, eaf, mcap, vtt};
+use super::{boris, csv, eaf, vtt};
 use quick_xml::Reader;
 use quick_xml::events::Event;
 use recording::{Keep, Timeline, timeline};
@@ -9,54 +9,11 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Names that stand in the recording: of who pressed, of a face, and a word that was recognised.
 const NAMES: [&str; 6] = ["Aiko", "Ben", "Cleo", "Emma", "banana", "hello Emma"];
 
-fn recording() -> String {
-    let file = r#"{"format":"rrp-behaviour/1","name":"Greet","helpers":[],
-        "streams":[{"id":"face","kind":"sensor","name":"Face","device":"FaceDetection"},
-            {"id":"word","kind":"sensor","name":"Word","device":"WordRecognized"},
-            {"id":"ball","kind":"sensor","name":"Ball","device":"RedBall"},
-            {"id":"hello","kind":"ordinary","name":"Hello"},
-            {"id":"say","kind":"actuator","name":"Say, \"loud\"","device":"SayInput"},
-            {"id":"eyes","kind":"actuator","name":"Eyes","device":"EyeColor"}],
-        "connectors":[{"id":"c","type":"map","inputs":["face"],"output":"hello","body":"\"hello \" + face.label"},
-            {"id":"d","type":"subscribe","inputs":["hello"],"output":"say"},
-            {"id":"e","type":"subscribe","inputs":["ball"],"output":"eyes"}]}"#
-        .replace('\n', " ");
-    let lines = [
-        r#"{"format":"rrp-recording/2","behaviour":"b","name":"Greet","revision":1,"mode":"event","by":"Aiko","began":"2026-11-21T18:34:06Z","run":1,"robot":"NAO","participant":"C-07"}"#.to_owned(),
-        format!(r#"{{"t":0,"mark":"file","revision":1,"file":{file}}}"#),
-        r#"{"t":0,"mark":"robot","link":"ready","battery":80}"#.to_owned(),
-        r#"{"t":10,"stream":"face","value":{"label":"Emma","size":0.5}}"#.to_owned(),
-        r#"{"t":10,"stream":"say","value":"hello Emma"}"#.to_owned(),
-        r#"{"t":40,"stream":"word","value":{"word":"banana","confidence":0.6}}"#.to_owned(),
-        r#"{"t":50,"stream":"ball","value":{"x":0.1},"by":"Ben"}"#.to_owned(),
-        r#"{"t":100,"stream":"eyes","value":{"r":0.1}}"#.to_owned(),
-        r#"{"t":400,"stream":"eyes","value":{"r":0.2}}"#.to_owned(),
-        r#"{"t":900,"stream":"eyes","value":{"r":0.3}}"#.to_owned(),
-        r#"{"t":2900,"stream":"eyes","value":"red"}"#.to_owned(),
-        r#"{"t":2900,"stream":"eyes","value":"blue"}"#.to_owned(),
-        r#"{"t":3000,"hand":"SayInput","value":"=1+1; <b>--> & \"so\"","by":"Cleo"}"#.to_owned(),
-        r#"{"t":3100,"refused":"say","why":"the voice is held by hand","with":"Cleo"}"#.to_owned(),
-        r#"{"t":3200,"connector":"c","error":"no\ttext"}"#.to_owned(),
-        r#"{"t":2000,"mark":"note","by":"Ben","note":"told Aiko, so"}"#.to_owned(),
-        r#"{"mark":"gap","lost":3}"#.to_owned(),
-        r#"{"t":4000,"mark":"end","closed":4000,"late":0,"why":"it was stopped","by":"Ben"}"#.to_owned(),
-    ];
-    lines.map(|line| line + "\n").concat()
-}
-
-fn marks() -> String {
-    let line =
-        |id: &str, rest: &str| format!(r#"{{"id":"{id}","t":1000,{rest},"by":"Cleo","at":"2026-11-22T00:00:00Z"}}"#);
-    let all = [
-        line("a", r#""word":"laughs","sort":"good","until":1500"#),
-        line("b", r#""word":"laughs","until":2500,"note":"with Ben""#),
-        line("c", r#""word":"gone","gone":true"#),
-    ];
-    all.join("\n")
-}
+const RECORDING: &str = include_str!("../../tests/data/greet.jsonl");
+const MARKS: &str = include_str!("../../tests/data/greet.marks.jsonl");
 
 fn told(keep: Keep) -> Timeline {
-    timeline(&recording(), &marks(), keep).unwrap()
+    timeline(RECORDING, MARKS, keep).unwrap()
 }
 
 /// Every form of a recording, as a text.
@@ -68,19 +25,7 @@ fn all_forms(of: &Timeline) -> Vec<(&'static str, String)> {
         ("eaf", text(eaf::written(of).unwrap())),
         ("boris", boris::written(of)),
         ("vtt", vtt::written(of)),
-        ("mcap", messages(&mcap::written(of).unwrap()).into_iter().map(|(.., text)| text).collect()),
     ]
-}
-
-/// Returns the messages of an MCAP, each with its topic, its time in nanoseconds and its text.
-fn messages(bytes: &[u8]) -> Vec<(String, u64, String)> {
-    let read = ::mcap::MessageStream::new(bytes).unwrap().map(|message| {
-        let message = message.unwrap();
-        assert_eq!(message.channel.message_encoding, "json");
-        let text = String::from_utf8(message.data.into_owned()).unwrap();
-        (message.channel.topic.clone(), message.log_time, text)
-    });
-    read.collect()
 }
 
 #[test]
@@ -94,7 +39,7 @@ fn no_name_is_in_any_of_them_unless_it_is_wanted() {
     let all = told(Keep { names: true, personal: true });
     let csv = csv::written(&all, ',');
     assert!(NAMES.iter().all(|name| csv.contains(name)), "{csv}");
-    let old = recording().replacen("rrp-recording/2", "rrp-recording/1", 1);
+    let old = RECORDING.replacen("rrp-recording/2", "rrp-recording/1", 1);
     let old: String = old.lines().filter(|line| !line.contains("\"file\"")).map(|line| format!("{line}\n")).collect();
     let csv = csv::written(&timeline(&old, "", Keep::default()).unwrap(), ',');
     assert!(
@@ -268,26 +213,4 @@ fn subtitles_can_be_parsed() {
         last = ms(from);
     }
     assert!(text.contains("by hand: SayInput: =1+1; &lt;b&gt;--&gt; &amp; \"so\"\n"), "{text}");
-}
-
-#[test]
-fn an_mcap_is_read_back_by_its_library() {
-    let of = told(Keep::default());
-    let bytes = mcap::written(&of).unwrap();
-    let all = messages(&bytes);
-    assert_eq!(all.len(), of.events.len() + of.marks.len());
-    assert!(all.windows(2).all(|pair| pair[0].1 <= pair[1].1), "by time");
-    let ball = all.iter().find(|(topic, ..)| topic == "/pretended/Ball").unwrap();
-    assert_eq!(
-        (ball.1, ball.2.as_str()),
-        (50_000_000, format!(r#"{{"value":{{"x":0.1}},"by":"{}"}}"#, code(&of, "Ball")).as_str())
-    );
-    let topics: BTreeSet<&str> = all.iter().map(|(topic, ..)| topic.as_str()).collect();
-    for topic in
-        ["/sensed/Face", "/action/Eyes", "/by-hand/SayInput", "/mark/laughs", "/not-done/Say,-\"loud\"", "/robot"]
-    {
-        assert!(topics.contains(topic), "{topic} is not in {topics:?}");
-    }
-    let summary = ::mcap::Summary::read(&bytes).unwrap().expect("a summary at its end");
-    assert_eq!(summary.stats.unwrap().message_count, all.len() as u64);
 }

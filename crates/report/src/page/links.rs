@@ -1,0 +1,40 @@
+//! The links beside a report, which are not printed: other language, names, and the recording in other forms.
+
+use super::words::Words;
+use super::{Asked, SCRIPT_ID};
+use crate::gather::Gathered;
+use maud::{Markup, html};
+use sentences::Language;
+
+/// The other forms, by what the server calls them.
+const FORMS: [(&str, &str); 4] = [("csv", "CSV"), ("eaf", "ELAN"), ("boris", "BORIS"), ("vtt", "WebVTT")];
+
+pub(super) fn all(of: &Gathered, words: Words, asked: &Asked) -> Markup {
+    let other = match of.language {
+        Language::English => Language::Japanese,
+        Language::Japanese => Language::English,
+    };
+    let names = if asked.names { "&names=1" } else { "" };
+    html! {
+        nav aria-label=(words.beside()) {
+            a href="/" { "rrp" }
+            button id=(SCRIPT_ID) type="button" hidden { (words.print()) }
+            a href=(address(asked, of.language, !asked.names)) { (words.switch_names(asked.names)) }
+            a href=(address(asked, other, asked.names)) lang=(other.code()) { (words.other_language()) }
+            span { (words.download()) ": "
+                @for (form, name) in FORMS {
+                    a href=(format!("{}?as={form}{names}", asked.download)) download { (name) } " "
+                }
+                a href=(asked.download) download { ".jsonl" }
+            }
+            p { (words.about_names(asked.names)) }
+        }
+    }
+}
+
+/// The same report in a language, with or without names.
+fn address(asked: &Asked, language: Language, names: bool) -> String {
+    let names = if names { "&names=1" } else { "" };
+    let offset = asked.zone.minutes().map(|minutes| format!("&offset={minutes}")).unwrap_or_default();
+    format!("?language={}{names}{offset}", language.code())
+}
