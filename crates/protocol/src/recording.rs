@@ -146,7 +146,7 @@ pub struct RecordingMark {
     pub gone: bool,
 }
 
-/// What follows on a mark of a running session.
+/// A change of a mark of a running session.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum MarkEdit {
