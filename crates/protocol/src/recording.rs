@@ -99,7 +99,6 @@ pub enum Records {
 impl MarkSort {
     /// True if something only happened.
     #[must_use]
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
     pub fn is_note(&self) -> bool {
         *self == Self::Note
     }
