@@ -48,9 +48,7 @@ async fn answer(mut stream: TcpStream) -> std::io::Result<()> {
 
 macro_rules! ready {
     ($part:literal) => {
-        if !skip::ready_browser(concat!("the harness: ", $part)) {
-            return Ok(());
-        }
+        skip::unless!(ready_browser(concat!("the harness: ", $part)));
     };
 }
 

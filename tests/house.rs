@@ -94,6 +94,16 @@ const COMMON_LABELS: [&str; 2] = ["Map", "Delay"];
 /// walk through a tree, the voice as a part of the body.
 const COMMON_DEVICES: [&str; 5] = ["Button", "Lights", "People", "Voice", "Walk"];
 
+/// Where a browser test sleeps, how often, and what for. A ratchet: nothing may be added.
+const SLEEPS: [(&str, usize, &str); 7] = [
+    ("tests/hands/room.rs", 3, "values of a running program go on coming"),
+    ("tests/journeys/by_touch.rs", 1, "between two looks"),
+    ("tests/journeys/library.rs", 1, "before a request that came too fast is sent again"),
+    ("tests/journeys/robot_console.rs", 1, "between two looks"),
+    ("tests/journeys/stop_anywhere.rs", 1, "between two looks"),
+    ("tests/looks/corners.rs", 1, "the card of the tour looks a few times a second where it stands"),
+    ("tests/looks/load.rs", 1, "what else follows the first screen counts as well"),
+];
 /// The longest function, in lines. A ratchet: it may only go down.
 const FUNCTION_MAX: usize = 90;
 
@@ -211,6 +221,37 @@ fn escape_is_heard_in_one_place_of_the_page() -> Outcome<()> {
     assert!(all.iter().any(|path| path == ESCAPE), "it is heard there");
     let elsewhere: Vec<String> = all.into_iter().filter(|path| path != ESCAPE).collect();
     none("files of the page that hear Escape by themselves", &elsewhere)
+}
+
+#[test]
+fn browser_tests_wait_for_the_page_and_not_for_a_time() -> Outcome<()> {
+    let mut wrong = Vec::new();
+    for folder in ["tests/hands", "tests/journeys", "tests/looks"] {
+        for file in Source::below(folder)? {
+            let found = file.code().matches("time::sleep(").count();
+            let may = SLEEPS.iter().find(|(path, ..)| *path == file.path).map_or(0, |(_, may, _)| *may);
+            if found != may {
+                wrong.push(format!("{}: {found}, and {may} are listed", file.path));
+            }
+        }
+    }
+    none("files of browser tests sleep more or less often than they may; wait by `Page::settled` or `until`", &wrong)
+}
+
+#[test]
+fn tests_are_skipped_in_one_line() -> Outcome<()> {
+    let mut wrong = Vec::new();
+    for file in Source::below("tests")?.iter().filter(|file| file.path != "tests/src/skip.rs") {
+        let code = file.code();
+        let lines: Vec<&str> = code.lines().map(str::trim).collect();
+        let is_long = |pair: &[&str]| {
+            let asks = ["if !skip::", "if !house::skip::"].iter().any(|asks| pair[0].starts_with(asks));
+            asks && pair[1] == "return Ok(());"
+        };
+        let found = lines.windows(2).enumerate().filter(|(_, pair)| is_long(pair));
+        wrong.extend(found.map(|(at, _)| format!("{}:{}", file.path, at + 1)));
+    }
+    none("tests skip themselves in several lines; write `skip::unless!(ready(…));`", &wrong)
 }
 
 #[test]

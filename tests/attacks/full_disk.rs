@@ -9,9 +9,8 @@ const PART: &str = "a revocation on a full disk";
 
 #[test]
 fn a_revocation_on_a_full_disk_holds_after_a_restart() -> Outcome<()> {
-    if !skip::optimised(PART) || !skip::linux(PART) {
-        return Ok(());
-    }
+    skip::unless!(optimised(PART));
+    skip::unless!(linux(PART));
     tokio::runtime::Builder::new_current_thread().enable_all().build()?.block_on(revoked())
 }
 

@@ -63,9 +63,7 @@ fn alone() -> MutexGuard<'static, ()> {
 
 #[test]
 fn stop_is_heard_and_memory_stays_under_every_attack() -> Outcome<()> {
-    if !skip::optimised("attacks on the optimised server") {
-        return Ok(());
-    }
+    skip::unless!(optimised("attacks on the optimised server"));
     let _alone = alone();
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     runtime.block_on(async {
@@ -86,9 +84,7 @@ fn stop_is_heard_and_memory_stays_under_every_attack() -> Outcome<()> {
 
 #[test]
 fn a_log_that_nobody_reads_stops_nothing() -> Outcome<()> {
-    if !skip::optimised("a log that nobody reads") {
-        return Ok(());
-    }
+    skip::unless!(optimised("a log that nobody reads"));
     let _alone = alone();
     tokio::runtime::Builder::new_current_thread().enable_all().build()?.block_on(log::unread())
 }
@@ -96,9 +92,7 @@ fn a_log_that_nobody_reads_stops_nothing() -> Outcome<()> {
 /// Built as `cargo xtask serve` builds it, which is how it is attacked here.
 #[test]
 fn a_server_built_without_neo4j_says_so() -> Outcome<()> {
-    if !skip::optimised("a server without Neo4j") {
-        return Ok(());
-    }
+    skip::unless!(optimised("a server without Neo4j"));
     let asked = ["serve", "--listen", "127.0.0.1:0", "--store", "bolt://neo4j@127.0.0.1:1"];
     let said = std::process::Command::new(house::optimised()).args(asked).output()?;
     let words = String::from_utf8_lossy(&said.stderr);

@@ -1,11 +1,9 @@
 //! Carrying things from the left list to the graph: a sense to free ground, an action or a helper to a stream.
 
-use std::time::Duration;
-
 use house::{Outcome, Page};
 use serde_json::json;
 
-use crate::steps::{picture, rests, stage, text};
+use crate::steps::{picture, rests, stage};
 
 const BALLS: Option<&str> = Some("Track far and close balls");
 const FAR: &str = "Far ball, stream";
@@ -121,7 +119,7 @@ async fn escape_and_a_drop_elsewhere_put_it_back_and_a_press_is_a_press() -> Out
     aiko.release(far).await?;
     pull(&aiko, sense, (sense.0 + 20.0, sense.1)).await?;
     aiko.release(sense).await?;
-    tokio::time::sleep(Duration::from_millis(300)).await;
+    aiko.settled().await?;
     assert_eq!(streams(&aiko).await?, before);
     assert_eq!(aiko.eval("document.querySelector('.carried')").await?, json!(null));
     aiko.press_at(sense).await?;
@@ -147,8 +145,7 @@ async fn a_pen_carries_at_once_and_a_finger_after_it_rested() -> Outcome<()> {
         aiko.call("Input.dispatchTouchEvent", json!({ "type": kind, "touchPoints": fingers }))
     };
     touch("touchStart", Some(from)).await?;
-    tokio::time::sleep(Duration::from_millis(420)).await;
-    assert_eq!(text(&aiko.eval("document.querySelector('.carried') ? 'held' : 'no'").await?), "held");
+    aiko.until("document.querySelector('.carried') !== null", "a finger that rests holds it").await?;
     for step in 1..=6 {
         touch("touchMove", Some(between(from, to, f64::from(step) / 6.0))).await?;
     }
@@ -158,7 +155,7 @@ async fn a_pen_carries_at_once_and_a_finger_after_it_rested() -> Outcome<()> {
     // A finger that moves at once scrolls: nothing is carried.
     let before = streams(&aiko).await?;
     aiko.touch_drag(from, to, 6).await?;
-    tokio::time::sleep(Duration::from_millis(500)).await;
+    aiko.settled().await?;
     assert_eq!(streams(&aiko).await?, before);
     assert_eq!(aiko.eval("document.querySelector('.carried')").await?, json!(null));
     aiko.no_errors()

@@ -71,13 +71,7 @@ async fn a_long_press_opens_no_menu_of_the_browser() -> Outcome<()> {
         addEventListener('contextmenu', event => menus.push(event.defaultPrevented)); 0",
     )
     .await?;
-    aiko.call(
-        "Input.dispatchTouchEvent",
-        json!({ "type": "touchStart", "touchPoints": [{ "x": x, "y": y, "id": 0 }] }),
-    )
-    .await?;
-    tokio::time::sleep(std::time::Duration::from_millis(900)).await;
-    aiko.call("Input.dispatchTouchEvent", json!({ "type": "touchEnd", "touchPoints": [] })).await?;
+    aiko.touch_long((x, y)).await?;
     aiko.call("Input.dispatchMouseEvent", json!({ "type": "mousePressed", "x": x, "y": y, "button": "right" })).await?;
     aiko.call("Input.dispatchMouseEvent", json!({ "type": "mouseReleased", "x": x, "y": y, "button": "right" }))
         .await?;

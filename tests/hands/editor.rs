@@ -235,7 +235,6 @@ async fn where_no_list_is_shown_finding_opens_as_a_dialog() -> Outcome<()> {
     dialog.fill("searchbox", "Or say what it does", "face").await?;
     aiko.key("Escape").await?;
     aiko.until("document.querySelector('.dialog input').value === ''", "Escape clears the field first").await?;
-    tokio::time::sleep(std::time::Duration::from_millis(700)).await;
     dialog
         .fill("searchbox", "Or say what it does", "When the red ball is nearer than 40 cm, the head follows it.")
         .await?;

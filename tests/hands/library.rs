@@ -96,9 +96,7 @@ async fn search(page: &Page) -> Outcome<()> {
 
 #[tokio::test]
 async fn a_library_of_thousands_is_as_light_as_one_of_a_hundred() -> Outcome<()> {
-    if !house::skip::ready("hands: a library of thousands") {
-        return Ok(());
-    }
+    house::skip::unless!(ready("hands: a library of thousands"));
     let many = std::env::var("RRP_LIBRARY").ok().and_then(|number| number.parse().ok()).unwrap_or(MANY);
     let (few, all) = (work_with(FEW).await?, work_with(many).await?);
     say(&format!(

@@ -28,7 +28,7 @@ async fn a_tap_a_drag_and_arrow_keys_lead_anywhere_in_a_large_graph() -> Outcome
     aiko.eval(&format!("location.hash = '#/b/{many}', 0")).await?;
     aiko.until("document.querySelector('.minimap') !== null", "120 have a map").await?;
     aiko.eval("document.querySelector('.zoom .percent').click(), 0").await?;
-    tokio::time::sleep(std::time::Duration::from_millis(400)).await;
+    aiko.settled().await?;
     let map = aiko.boxed("group", "The whole graph in small; arrow keys move what is seen").await?;
     let at = |x: f64, y: f64| (map.x + map.width * x, map.y + map.height * y);
     let before = view(&aiko).await?;

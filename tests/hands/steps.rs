@@ -53,7 +53,7 @@ impl Stage {
 pub(crate) async fn rests(page: &Page, stream: &str) -> Outcome<Rect> {
     let mut before = page.boxed("button", stream).await?;
     loop {
-        tokio::time::sleep(std::time::Duration::from_millis(80)).await;
+        page.frames().await?;
         let now = page.boxed("button", stream).await?;
         if now == before {
             return Ok(now);
@@ -92,9 +92,7 @@ pub(crate) fn text(value: &Value) -> &str {
 /// Does something with a fresh stage, or says that the test is skipped.
 macro_rules! stage {
     ($part:literal) => {{
-        if !house::skip::ready(concat!("hands: ", $part)) {
-            return Ok(());
-        }
+        house::skip::unless!(ready(concat!("hands: ", $part)));
         $crate::steps::Stage::set().await?
     }};
 }

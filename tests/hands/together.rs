@@ -70,7 +70,7 @@ async fn a_pointer_is_seen_by_the_other_soon() -> Outcome<()> {
     let mut took = Vec::new();
     for edit in 0..EDITS {
         // It glides to where it was told: only after that the next move is a new one.
-        tokio::time::sleep(Duration::from_millis(300)).await;
+        ben.settled().await?;
         let side = if edit % 2 == 0 { 40.0 } else { -40.0 };
         took.push(until_seen(&ben, NEXT_POINTER, aiko.move_to((x + 150.0 + side, y + 120.0))).await?);
     }
@@ -87,13 +87,13 @@ async fn two(stage: &Stage, program: &str) -> Outcome<(Page, Page)> {
 
 /// How long after somebody does something the other page changes.
 async fn until_seen(other: &Page, change: &str, act: impl Future<Output = Outcome<()>>) -> Outcome<Duration> {
+    // The other page listens before anything is done.
+    other.eval(&format!("globalThis.changed = {change}, 0")).await?;
     let seen = async {
-        other.eval(change).await?;
+        other.eval("globalThis.changed").await?;
         Ok(Instant::now())
     };
     let done = async {
-        // The other page listens by now.
-        tokio::time::sleep(Duration::from_millis(60)).await;
         let began = Instant::now();
         act.await.map(|()| began)
     };

@@ -10,9 +10,7 @@ use crate::visitor::Visitor;
 
 #[tokio::test]
 async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> {
-    if !skip::ready("journey: applying edits") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: applying edits"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;
@@ -52,9 +50,7 @@ async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> 
 
 #[tokio::test]
 async fn only_what_would_run_differently_is_an_edit() -> Outcome<()> {
-    if !skip::ready("journey: what is an edit to what runs") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: what is an edit to what runs"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;
@@ -92,9 +88,7 @@ async fn newest_run(stage: &Stage) -> Outcome<RunState> {
 
 #[tokio::test]
 async fn what_somebody_else_is_still_at_is_not_started_by_a_press() -> Outcome<()> {
-    if !skip::ready("journey: an unfinished change of somebody else") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: an unfinished change of somebody else"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;

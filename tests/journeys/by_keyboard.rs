@@ -151,9 +151,7 @@ impl Hands<'_> {
 
 #[tokio::test]
 async fn the_walkthrough_by_keyboard_alone() -> Outcome<()> {
-    if !skip::ready("journey: by keyboard") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: by keyboard"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     let hands = Hands { page, keys: AtomicU32::new(0) };
@@ -196,9 +194,7 @@ async fn the_walkthrough_by_keyboard_alone() -> Outcome<()> {
 
 #[tokio::test]
 async fn the_tour_by_keyboard_alone() -> Outcome<()> {
-    if !skip::ready("journey: tour by keyboard") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: tour by keyboard"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     let hands = Hands { page, keys: AtomicU32::new(0) };

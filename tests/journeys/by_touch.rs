@@ -120,34 +120,26 @@ async fn walkthrough(size: (u32, u32), on_phone: bool) -> Outcome<()> {
 
 #[tokio::test]
 async fn the_walkthrough_by_touch_on_a_tablet() -> Outcome<()> {
-    if !skip::ready("journey: by touch on a tablet") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: by touch on a tablet"));
     walkthrough((1180, 820), false).await
 }
 
 #[tokio::test]
 async fn the_walkthrough_by_touch_on_a_phone() -> Outcome<()> {
-    if !skip::ready("journey: by touch on a phone") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: by touch on a phone"));
     walkthrough((390, 844), true).await
 }
 
 #[tokio::test]
 async fn the_walkthrough_by_touch_on_a_phone_held_sideways() -> Outcome<()> {
-    if !skip::ready("journey: by touch on a phone held sideways") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: by touch on a phone held sideways"));
     walkthrough((844, 390), false).await
 }
 
 /// A browser keeps a tap for itself that comes soon after a flick: Stop does not wait for the click.
 #[tokio::test]
 async fn stop_is_heard_as_a_finger_comes_down_also_after_a_flick() -> Outcome<()> {
-    if !skip::ready("journey: a finger on Stop") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a finger on Stop"));
     let stage = Stage::set().await?;
     let page = &stage.nobody("aiko").await?;
     page.size(844, 390, true).await?;
@@ -175,9 +167,7 @@ async fn step_is(page: &Page, step: u32) -> Outcome<()> {
 
 #[tokio::test]
 async fn the_tour_by_touch_on_a_phone() -> Outcome<()> {
-    if !skip::ready("journey: tour on a phone") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: tour on a phone"));
     let stage = Stage::set().await?;
     let page = &stage.nobody("aiko").await?;
     page.size(390, 844, true).await?;

@@ -52,9 +52,7 @@ async fn differs(page: &Page, mine: &str, theirs: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn the_second_to_save_sees_both_decides_later_and_goes_on_top() -> Outcome<()> {
-    if !skip::ready("journey: both side by side") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: both side by side"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let (socket, ben) = two(&stage, &aiko).await?;
@@ -96,9 +94,7 @@ async fn the_second_to_save_sees_both_decides_later_and_goes_on_top() -> Outcome
 
 #[tokio::test]
 async fn an_edit_without_connection_that_comes_too_late_asks_by_itself() -> Outcome<()> {
-    if !skip::ready("journey: a late edit") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a late edit"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let (socket, ben) = two(&stage, &aiko).await?;
@@ -125,9 +121,7 @@ async fn an_edit_without_connection_that_comes_too_late_asks_by_itself() -> Outc
 
 #[tokio::test]
 async fn several_come_one_after_the_other() -> Outcome<()> {
-    if !skip::ready("journey: several late edits") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: several late edits"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let (socket, ben) = two(&stage, &aiko).await?;
@@ -162,9 +156,7 @@ async fn rename(page: &Page, from: &str, to: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn what_was_removed_under_a_change_comes_back_with_it() -> Outcome<()> {
-    if !skip::ready("journey: bring it back") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: bring it back"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let (socket, ben) = two(&stage, &aiko).await?;
@@ -185,9 +177,7 @@ async fn what_was_removed_under_a_change_comes_back_with_it() -> Outcome<()> {
 
 #[tokio::test]
 async fn what_is_removed_under_an_open_editor_is_brought_back_from_there() -> Outcome<()> {
-    if !skip::ready("journey: bring it back from an editor") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: bring it back from an editor"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let (socket, ben) = two(&stage, &aiko).await?;
@@ -207,9 +197,7 @@ async fn what_is_removed_under_an_open_editor_is_brought_back_from_there() -> Ou
 
 #[tokio::test]
 async fn who_is_editing_it_keeps_mine_from_going_on_top() -> Outcome<()> {
-    if !skip::ready("journey: a lock on what is compared") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a lock on what is compared"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let (socket, ben) = two(&stage, &aiko).await?;
@@ -236,9 +224,7 @@ async fn who_is_editing_it_keeps_mine_from_going_on_top() -> Outcome<()> {
 
 #[tokio::test]
 async fn the_name_of_a_program_that_comes_too_late_waits_beside_theirs() -> Outcome<()> {
-    if !skip::ready("journey: a late name of a program") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a late name of a program"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let (socket, ben) = two(&stage, &aiko).await?;

@@ -8,9 +8,7 @@ use crate::visitor::{Opened, Visitor, id};
 
 #[tokio::test]
 async fn a_bad_edit_is_answered_and_changes_nothing() -> Outcome<()> {
-    if !skip::ready("journey: bad edits") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: bad edits"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Edits").await?;

@@ -7,9 +7,8 @@ use std::path::Path;
 
 #[tokio::test]
 async fn a_closed_terminal_ends_the_server_in_order() -> Outcome<()> {
-    if !skip::built("journey: a closed terminal") || !skip::linux("journey: a closed terminal") {
-        return Ok(());
-    }
+    skip::unless!(built("journey: a closed terminal"));
+    skip::unless!(linux("journey: a closed terminal"));
     for terminal in [Terminal::Own, Terminal::Lent] {
         let folder = house::folder()?;
         let server = InTerminal::start(folder.path(), terminal).await?;
@@ -23,9 +22,8 @@ async fn a_closed_terminal_ends_the_server_in_order() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_server_that_is_to_outlive_its_terminal_does() -> Outcome<()> {
-    if !skip::built("journey: nohup") || !skip::linux("journey: nohup") {
-        return Ok(());
-    }
+    skip::unless!(built("journey: nohup"));
+    skip::unless!(linux("journey: nohup"));
     let folder = house::folder()?;
     let server = InTerminal::start(folder.path(), Terminal::Outlived).await?;
     let url = server.url().to_owned();
@@ -41,9 +39,7 @@ async fn a_server_that_is_to_outlive_its_terminal_does() -> Outcome<()> {
 
 #[tokio::test]
 async fn every_signal_that_ends_it_lets_the_robots_stop_first() -> Outcome<()> {
-    if !skip::built("journey: signals") {
-        return Ok(());
-    }
+    skip::unless!(built("journey: signals"));
     for signal in ["HUP", "INT", "QUIT", "TERM"] {
         let folder = house::folder()?;
         let mut server = Server::start(folder.path()).await?;

@@ -15,9 +15,7 @@ async fn asks(page: &Page, robot: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn faces_are_forgotten_by_the_robot_that_the_question_is_about() -> Outcome<()> {
-    if !skip::ready("journey: faces") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: faces"));
     let Some(momo) = StandIn::start("journey: faces", &["--name", "Momo"])? else { return Ok(()) };
     momo.world(r#"{"learned": {"1": "Hana", "2": "Ken", "3": "Sora"}}"#).await?;
     let stage = Stage::set().await?;

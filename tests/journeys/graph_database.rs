@@ -12,9 +12,7 @@ const PART: &str = "journey: behaviours in Neo4j";
 
 #[tokio::test]
 async fn neo4j_hangs_dies_and_comes_back() -> Outcome<()> {
-    if !skip::ready(PART) {
-        return Ok(());
-    }
+    skip::unless!(ready(PART));
     let Some(parts) = server::folder(PART) else { return Ok(()) };
     let mut neo4j = server::Neo4j::start(parts);
     let stage = Stage::set_with(house::folder()?, &["--store", &neo4j.url()]).await?;

@@ -6,9 +6,7 @@ use crate::steps::*;
 
 #[tokio::test]
 async fn a_connector_explains_itself_with_marbles() -> Outcome<()> {
-    if !skip::ready("journey: help of connectors") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: help of connectors"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     add_program(page, "Help").await?;

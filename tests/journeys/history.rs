@@ -37,9 +37,7 @@ async fn open_history(page: &Page) -> Outcome<()> {
 
 #[tokio::test]
 async fn each_takes_back_only_their_own() -> Outcome<()> {
-    if !skip::ready("journey: own undo") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: own undo"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     offers_no_undo(&ben).await?;
@@ -64,9 +62,7 @@ async fn each_takes_back_only_their_own() -> Outcome<()> {
 
 #[tokio::test]
 async fn undo_survives_a_reload_and_names_who_changed_it_since() -> Outcome<()> {
-    if !skip::ready("journey: undo after a reload") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: undo after a reload"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     rename_program(&aiko, "Ours", "Aiko's").await?;
@@ -96,9 +92,7 @@ async fn undo_survives_a_reload_and_names_who_changed_it_since() -> Outcome<()> 
 
 #[tokio::test]
 async fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_later() -> Outcome<()> {
-    if !skip::ready("journey: undo offline") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: undo offline"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -141,9 +135,7 @@ async fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_l
 
 #[tokio::test]
 async fn a_version_has_a_name_is_compared_and_gone_back_to() -> Outcome<()> {
-    if !skip::ready("journey: versions") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: versions"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     open_history(&ben).await?;
@@ -181,9 +173,7 @@ async fn a_version_has_a_name_is_compared_and_gone_back_to() -> Outcome<()> {
 
 #[tokio::test]
 async fn two_versions_are_compared_with_the_keyboard() -> Outcome<()> {
-    if !skip::ready("journey: two versions") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two versions"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     ben.close().await?;
@@ -214,9 +204,7 @@ async fn two_versions_are_compared_with_the_keyboard() -> Outcome<()> {
 
 #[tokio::test]
 async fn what_somebody_removed_is_brought_back() -> Outcome<()> {
-    if !skip::ready("journey: bring it back") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: bring it back"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     aiko.press("button", "Red ball, sensor stream").await?;
@@ -236,9 +224,7 @@ async fn what_somebody_removed_is_brought_back() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_program_that_was_removed_comes_back() -> Outcome<()> {
-    if !skip::ready("journey: a removed program") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a removed program"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     remove_program(&aiko).await?;

@@ -38,9 +38,7 @@ pub(crate) async fn keep(page: &Page, name: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn another_body_at_its_address_is_a_question() -> Outcome<()> {
-    if !skip::ready("journey: another body") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: another body"));
     let Some(momo) = StandIn::start("journey: another body", &["--name", "Momo", "--serial", "ALDR1312N090344"])?
     else {
         return Ok(());
@@ -94,9 +92,7 @@ async fn another_body_at_its_address_is_a_question() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_robot_gets_its_new_address_and_is_not_added_twice() -> Outcome<()> {
-    if !skip::ready("journey: a new address") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a new address"));
     let me = ["--name", "Momo", "--serial", "ALDR1312N090344"];
     let Some(before) = StandIn::start("journey: a new address", &me)? else { return Ok(()) };
     let stage = Stage::set().await?;
@@ -142,9 +138,7 @@ async fn a_robot_gets_its_new_address_and_is_not_added_twice() -> Outcome<()> {
 
 #[tokio::test]
 async fn two_robots_with_one_name_are_told_apart() -> Outcome<()> {
-    if !skip::ready("journey: one name twice") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: one name twice"));
     let start = |serial: &str| StandIn::start("journey: one name twice", &["--name", "nao", "--serial", serial]);
     let (Some(one), Some(two)) = (start("ALDR1312N090344")?, start("ALDR1312N090346")?) else { return Ok(()) };
     let stage = Stage::set().await?;

@@ -82,9 +82,7 @@ fn calm_but_uninvited(page: &Page) -> Outcome<()> {
 
 #[tokio::test]
 async fn a_viewer_comes_by_a_link_looks_and_is_out_when_it_is_revoked() -> Outcome<()> {
-    if !skip::ready("journey: a viewer") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a viewer"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "look", "until you revoke it", "Ben, tablet").await?;
     assert!(link.starts_with("https://") && link.contains("/come-in#"), "{link}");
@@ -139,9 +137,7 @@ async fn a_viewer_comes_by_a_link_looks_and_is_out_when_it_is_revoked() -> Outco
 
 #[tokio::test]
 async fn an_operator_starts_and_stops_and_edits_nothing() -> Outcome<()> {
-    if !skip::ready("journey: an operator") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: an operator"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "start and stop", "for a day", "").await?;
     let ben = come_in(&stage, "ben", &link, &aiko).await?;
@@ -162,9 +158,7 @@ async fn an_operator_starts_and_stops_and_edits_nothing() -> Outcome<()> {
 /// The gallery of who may not make programs is that of what they may run.
 #[tokio::test]
 async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first() -> Outcome<()> {
-    if !skip::ready("journey: an operator lands") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: an operator lands"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "start and stop", "for a day", "Ben").await?;
     aiko.key("Escape").await?;
@@ -193,9 +187,7 @@ async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first(
 
 #[tokio::test]
 async fn who_stopped_is_said_and_what_a_revoked_person_started_can_be_stopped() -> Outcome<()> {
-    if !skip::ready("journey: who stopped, who started") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: who stopped, who started"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "start and stop", "until you revoke it", "Ben").await?;
     let ben = come_in(&stage, "ben", &link, &aiko).await?;
@@ -219,9 +211,7 @@ async fn who_stopped_is_said_and_what_a_revoked_person_started_can_be_stopped() 
 
 #[tokio::test]
 async fn an_editor_who_says_a_name_is_listed_by_it() -> Outcome<()> {
-    if !skip::ready("journey: an invited editor") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: an invited editor"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "edit", "once", "Yuki").await?;
     let yuki = come_in(&stage, "yuki", &link, &aiko).await?;
@@ -237,9 +227,7 @@ async fn an_editor_who_says_a_name_is_listed_by_it() -> Outcome<()> {
 
 #[tokio::test]
 async fn where_nobody_else_reaches_the_server_the_dialog_says_how_they_would() -> Outcome<()> {
-    if !skip::ready("journey: inviting on loopback") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: inviting on loopback"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     aiko.within("toolbar", "Main tools").press("button", "Invite").await?;
@@ -251,9 +239,7 @@ async fn where_nobody_else_reaches_the_server_the_dialog_says_how_they_would() -
 
 #[tokio::test]
 async fn the_person_at_the_servers_computer_takes_over_what_somebody_is_editing() -> Outcome<()> {
-    if !skip::ready("journey: taking over") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: taking over"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;

@@ -13,9 +13,7 @@ const IN_FIELD: &str = "document.activeElement?.matches('.dialog input')";
 
 #[tokio::test]
 async fn the_page_is_used_before_the_rest_of_it_comes() -> Outcome<()> {
-    if !skip::ready("journey: before the second piece") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: before the second piece"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     aiko.call("Fetch.enable", json!({ "patterns": [{ "urlPattern": PIECE }] })).await?;
@@ -48,9 +46,7 @@ async fn the_page_is_used_before_the_rest_of_it_comes() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_dialog_that_cannot_be_loaded_says_so_and_is_there_afterwards() -> Outcome<()> {
-    if !skip::ready("journey: without the second piece") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: without the second piece"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     aiko.call("Network.setBlockedURLs", json!({ "urls": [PIECE] })).await?;

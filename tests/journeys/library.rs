@@ -16,9 +16,7 @@ const ACTIVE: &str = "Number(document.activeElement.closest('li')?.getAttribute(
 
 #[tokio::test]
 async fn a_program_is_found_among_hundreds_by_keyboard() -> Outcome<()> {
-    if !skip::ready("journey: hundreds of programs") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: hundreds of programs"));
     let stage = Stage::set().await?;
     let mut visitor = Visitor::enter(&stage.server).await?;
     for number in 1..=MANY {
@@ -53,9 +51,7 @@ async fn a_program_is_found_among_hundreds_by_keyboard() -> Outcome<()> {
 
 #[tokio::test]
 async fn what_was_removed_comes_back_from_the_bin() -> Outcome<()> {
-    if !skip::ready("journey: bin") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: bin"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Balls").await?;
@@ -77,9 +73,7 @@ async fn what_was_removed_comes_back_from_the_bin() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_program_that_a_namesake_removed_is_told_and_ones_own_is_not() -> Outcome<()> {
-    if !skip::ready("journey: removed by a namesake") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: removed by a namesake"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Balls").await?;
@@ -98,9 +92,7 @@ async fn a_program_that_a_namesake_removed_is_told_and_ones_own_is_not() -> Outc
 
 #[tokio::test]
 async fn links_lead_to_whoever_else_uses_it() -> Outcome<()> {
-    if !skip::ready("journey: where used") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: where used"));
     let stage = Stage::set().await?;
     let mut visitor = Visitor::enter(&stage.server).await?;
     make(&mut visitor, "Follow", Some("Track far and close balls")).await?;
@@ -132,9 +124,7 @@ async fn links_lead_to_whoever_else_uses_it() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_file_that_is_dropped_becomes_a_program() -> Outcome<()> {
-    if !skip::ready("journey: files") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: files"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     drop_file(&aiko, include_str!("../behaviours/greeter.json")).await?;

@@ -30,9 +30,7 @@ const PLACES: &str = "(() => {
 
 #[tokio::test]
 async fn within_two_seconds_nothing_is_claimed_and_within_six_a_banner_says_what_is_known() -> Outcome<()> {
-    if !skip::ready("journey: the link is cut") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: the link is cut"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -87,9 +85,7 @@ async fn has(page: &Page, words: &str) -> Outcome<bool> {
 
 #[tokio::test]
 async fn what_waits_is_counted_and_all_of_it_goes() -> Outcome<()> {
-    if !skip::ready("journey: what waits is counted") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: what waits is counted"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;

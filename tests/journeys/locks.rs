@@ -42,9 +42,7 @@ async fn body(page: &Page) -> Outcome<String> {
 
 #[tokio::test]
 async fn what_one_edits_others_read_until_it_is_handed_over() -> Outcome<()> {
-    if !skip::ready("journey: handing over") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: handing over"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     write_body(&aiko, "map (1), connector*", "2 + 2").await?;
@@ -79,9 +77,7 @@ async fn what_one_edits_others_read_until_it_is_handed_over() -> Outcome<()> {
 
 #[tokio::test]
 async fn who_keeps_it_is_asked_again_later_and_who_closes_it_frees_it() -> Outcome<()> {
-    if !skip::ready("journey: keeping a lock") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: keeping a lock"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     open_map(&aiko).await?;
@@ -106,9 +102,7 @@ async fn who_keeps_it_is_asked_again_later_and_who_closes_it_frees_it() -> Outco
 
 #[tokio::test]
 async fn one_persons_two_tabs_cannot_both_edit_one_connector() -> Outcome<()> {
-    if !skip::ready("journey: two tabs") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two tabs"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;
@@ -128,9 +122,7 @@ async fn one_persons_two_tabs_cannot_both_edit_one_connector() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_quick_edit_of_what_somebody_is_editing_is_refused_by_name() -> Outcome<()> {
-    if !skip::ready("journey: a refused quick edit") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a refused quick edit"));
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     open_map(&aiko).await?;
@@ -145,9 +137,7 @@ async fn a_quick_edit_of_what_somebody_is_editing_is_refused_by_name() -> Outcom
 
 #[tokio::test]
 async fn a_lock_is_kept_over_a_short_cut_of_the_link() -> Outcome<()> {
-    if !skip::ready("journey: a lock over a cut") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a lock over a cut"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;

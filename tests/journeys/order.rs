@@ -6,9 +6,7 @@ use crate::steps::*;
 
 #[tokio::test]
 async fn of_two_programs_the_upper_one_moves_the_head() -> Outcome<()> {
-    if !skip::ready("journey: two programs on one robot") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two programs on one robot"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     follower(&aiko, "Greeting").await?;

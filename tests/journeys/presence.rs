@@ -23,9 +23,7 @@ async fn say_name(page: &Page, name: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn a_name_is_asked_for_once_and_two_with_one_name_are_told_apart() -> Outcome<()> {
-    if !skip::ready("journey: names") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: names"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;
@@ -57,9 +55,7 @@ async fn a_name_is_asked_for_once_and_two_with_one_name_are_told_apart() -> Outc
 
 #[tokio::test]
 async fn who_does_not_want_a_name_is_not_asked_again() -> Outcome<()> {
-    if !skip::ready("journey: no name") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: no name"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;
@@ -75,9 +71,7 @@ async fn who_does_not_want_a_name_is_not_asked_again() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_new_name_stands_beside_what_one_is_editing_at_once() -> Outcome<()> {
-    if !skip::ready("journey: a new name") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a new name"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;
@@ -109,9 +103,7 @@ async fn call_myself_anew(page: &Page, name: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn the_pointers_of_others_glide_unless_motion_is_not_wanted() -> Outcome<()> {
-    if !skip::ready("journey: pointers") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: pointers"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;
@@ -134,9 +126,7 @@ async fn the_pointers_of_others_glide_unless_motion_is_not_wanted() -> Outcome<(
 
 #[tokio::test]
 async fn who_follows_sees_what_the_other_sees_until_a_hand_or_a_key_ends_it() -> Outcome<()> {
-    if !skip::ready("journey: following") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: following"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;

@@ -87,9 +87,7 @@ impl<'a> Counted<'a> {
 
 #[tokio::test]
 async fn the_walkthrough_in_few_presses() -> Outcome<()> {
-    if !skip::ready("journey: quick") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: quick"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     add_program(page, "Quick").await?;
@@ -110,9 +108,7 @@ async fn the_walkthrough_in_few_presses() -> Outcome<()> {
 
 #[tokio::test]
 async fn the_create_task_in_few_presses() -> Outcome<()> {
-    if !skip::ready("journey: create task") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: create task"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     add_program(page, "Create").await?;
@@ -138,9 +134,7 @@ async fn the_create_task_in_few_presses() -> Outcome<()> {
 
 #[tokio::test]
 async fn the_create_task_is_typed_in_two_sentences() -> Outcome<()> {
-    if !skip::ready("journey: create task, typed") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: create task, typed"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     add_program(page, "Typed").await?;
@@ -170,9 +164,7 @@ async fn tracked(page: &Page, name: &str) -> Outcome<String> {
 
 #[tokio::test]
 async fn extending_takes_three_presses_by_mouse_keys_or_fingers() -> Outcome<()> {
-    if !skip::ready("journey: extend") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: extend"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     let close = tracked(page, "Extend").await?;
@@ -212,9 +204,7 @@ async fn extending_takes_three_presses_by_mouse_keys_or_fingers() -> Outcome<()>
 
 #[tokio::test]
 async fn changing_a_number_of_what_runs_takes_two_presses() -> Outcome<()> {
-    if !skip::ready("journey: 40 to 60") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: 40 to 60"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     tracked(page, "Change").await?;

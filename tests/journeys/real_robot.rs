@@ -16,9 +16,7 @@ async fn add_at(page: &Page, address: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn a_robot_is_added_by_its_address_and_runs_the_same_program() -> Outcome<()> {
-    if !skip::ready("journey: a real robot") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a real robot"));
     let Some(robot) = StandIn::start("journey: a real robot", &[])? else { return Ok(()) };
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
@@ -71,9 +69,7 @@ async fn a_robot_is_added_by_its_address_and_runs_the_same_program() -> Outcome<
 
 #[tokio::test]
 async fn a_robot_that_is_not_there_says_which_step_failed() -> Outcome<()> {
-    if !skip::ready("journey: no robot there") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: no robot there"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     // Nobody listens there.

@@ -6,9 +6,7 @@ use crate::steps::*;
 
 #[tokio::test]
 async fn a_run_is_recorded_if_somebody_wants_it() -> Outcome<()> {
-    if !skip::ready("journey: recording") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: recording"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Watcher").await?;

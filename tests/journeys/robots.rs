@@ -6,9 +6,7 @@ use crate::steps::*;
 
 #[tokio::test]
 async fn two_robots_run_the_same_program_and_each_has_its_stop() -> Outcome<()> {
-    if !skip::ready("journey: two robots") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two robots"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;

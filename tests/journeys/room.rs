@@ -16,9 +16,7 @@ async fn shown(page: &Page, stream: &str, text: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn what_a_sense_would_tell_is_pretended_at_one_press() -> Outcome<()> {
-    if !skip::ready("journey: pretending") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: pretending"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Pretend").await?;
@@ -43,9 +41,7 @@ async fn what_a_sense_would_tell_is_pretended_at_one_press() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_robot_hears_words_that_are_typed() -> Outcome<()> {
-    if !skip::ready("journey: words") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: words"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Listen").await?;
@@ -60,9 +56,7 @@ async fn a_robot_hears_words_that_are_typed() -> Outcome<()> {
 
 #[tokio::test]
 async fn an_operator_presses_a_button_of_the_program() -> Outcome<()> {
-    if !skip::ready("journey: a button of the program") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a button of the program"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Press").await?;
@@ -80,9 +74,7 @@ async fn an_operator_presses_a_button_of_the_program() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_number_presses_a_button_of_the_program_but_not_while_somebody_types() -> Outcome<()> {
-    if !skip::ready("journey: a button by its number") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a button by its number"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Press").await?;
@@ -103,9 +95,7 @@ async fn a_number_presses_a_button_of_the_program_but_not_while_somebody_types()
 
 #[tokio::test]
 async fn a_fall_interrupts_what_runs_until_a_person_lets_it_go_on_or_stops_it() -> Outcome<()> {
-    if !skip::ready("journey: a fall") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a fall"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Stand").await?;
@@ -133,9 +123,7 @@ async fn a_fall_interrupts_what_runs_until_a_person_lets_it_go_on_or_stops_it() 
 
 #[tokio::test]
 async fn a_robot_rests_and_is_taken_again_and_has_another_name() -> Outcome<()> {
-    if !skip::ready("journey: rest and another name") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: rest and another name"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     let ben = stage.person("ben").await?;
@@ -158,9 +146,7 @@ async fn a_robot_rests_and_is_taken_again_and_has_another_name() -> Outcome<()> 
 
 #[tokio::test]
 async fn one_looks_through_the_camera_and_everyone_is_told() -> Outcome<()> {
-    if !skip::ready("journey: the camera") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: the camera"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Look").await?;
@@ -183,9 +169,7 @@ async fn one_looks_through_the_camera_and_everyone_is_told() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_robot_sits_and_stands_when_somebody_presses_that_and_nothing_runs() -> Outcome<()> {
-    if !skip::ready("journey: sit and stand") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: sit and stand"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Sit").await?;

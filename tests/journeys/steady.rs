@@ -30,9 +30,7 @@ async fn showed(page: &Page) -> Outcome<u64> {
 
 #[tokio::test]
 async fn what_can_be_pressed_stays_where_it_is_while_values_flow() -> Outcome<()> {
-    if !skip::ready("journey: a steady page") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a steady page"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Steady").await?;

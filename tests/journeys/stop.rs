@@ -9,9 +9,7 @@ use crate::visitor::Visitor;
 
 #[tokio::test]
 async fn stop_works_while_a_dialog_is_open_and_by_escape() -> Outcome<()> {
-    if !skip::ready("journey: stop beside a dialog") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: stop beside a dialog"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;
@@ -36,9 +34,7 @@ async fn stop_works_while_a_dialog_is_open_and_by_escape() -> Outcome<()> {
 
 #[tokio::test]
 async fn stop_works_without_the_socket() -> Outcome<()> {
-    if !skip::ready("journey: stop without the socket") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: stop without the socket"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -56,9 +52,7 @@ async fn stop_works_without_the_socket() -> Outcome<()> {
 
 #[tokio::test]
 async fn stop_works_without_the_program() -> Outcome<()> {
-    if !skip::ready("journey: stop without the program") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: stop without the program"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;

@@ -111,9 +111,7 @@ async fn press(page: &Page, how: Press) -> Outcome<()> {
 
 #[tokio::test]
 async fn a_press_stops_without_any_script() -> Outcome<()> {
-    if !skip::ready("journey: Stop without script") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: Stop without script"));
     let mut scene = Scene::set().await?;
     let page = scene.stage.nobody("ben").await?;
     page.call("Emulation.setScriptExecutionDisabled", json!({ "value": true })).await?;
@@ -136,9 +134,7 @@ async fn a_press_stops_without_any_script() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_press_stops_while_the_page_is_still_opening() -> Outcome<()> {
-    if !skip::ready("journey: Stop while it opens") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: Stop while it opens"));
     let mut scene = Scene::set().await?;
     for held in [&["boot.js"][..], &["stop.js"], &["boot.js", "stop.js"]] {
         for how in PRESSES {
@@ -170,9 +166,7 @@ async fn a_press_stops_while_the_page_is_still_opening() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_page_that_this_browser_cannot_read_says_so_and_stops() -> Outcome<()> {
-    if !skip::ready("journey: an old browser") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: an old browser"));
     let scene = Scene::set().await?;
     let page = scene.stage.nobody("ben").await?;
     page.instead("boot.js", "let words = form?.?.dataset;").await?;
@@ -229,9 +223,7 @@ const FEATURES: [(&str, &str); 22] = [
 
 #[tokio::test]
 async fn a_press_stops_in_browsers_that_lack_something() -> Outcome<()> {
-    if !skip::ready("journey: Stop in older browsers") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: Stop in older browsers"));
     let scene = Scene::set().await?;
     let all: Vec<&str> = FEATURES.iter().map(|(_, source)| *source).collect();
     let all = all.join(";\n");
@@ -299,9 +291,7 @@ const TRIED: usize = 24;
 /// With RRP_MUTANTS=all every one of them; else a few, chosen by RRP_SEED or by the clock.
 #[tokio::test]
 async fn a_press_stops_whichever_line_of_the_scripts_is_broken() -> Outcome<()> {
-    if !skip::ready("journey: Stop with broken scripts") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: Stop with broken scripts"));
     let scene = Scene::set().await?;
     let all = mutants()?;
     let every = if std::env::var("RRP_MUTANTS").is_ok_and(|which| which == "all") { 1 } else { all.len() / TRIED };

@@ -28,9 +28,7 @@ const VERDICT_SEEN: &str = "(said => {
 
 #[tokio::test]
 async fn the_tour_waits_for_real_steps_and_ends_with_a_robot_that_follows() -> Outcome<()> {
-    if !skip::ready("journey: tour") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: tour"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     aiko.press("button", "Take the tour").await?;
@@ -83,9 +81,7 @@ async fn the_tour_waits_for_real_steps_and_ends_with_a_robot_that_follows() -> O
 
 #[tokio::test]
 async fn a_task_says_what_is_missing_until_it_is_reached() -> Outcome<()> {
-    if !skip::ready("journey: task") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: task"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     aiko.within("list", "Tasks").press("button", "Follow only a close ball*").await?;
@@ -126,9 +122,7 @@ async fn a_task_says_what_is_missing_until_it_is_reached() -> Outcome<()> {
 /// The study's first task: nothing is changed, it is read and said what it does.
 #[tokio::test]
 async fn what_a_program_does_is_explained_with_a_press_for_each_answer() -> Outcome<()> {
-    if !skip::ready("journey: explaining") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: explaining"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     // So low that the questions leave no room for what is said below them.
@@ -154,9 +148,7 @@ async fn what_a_program_does_is_explained_with_a_press_for_each_answer() -> Outc
 
 #[tokio::test]
 async fn a_helper_is_tried_on_values_before_it_is_saved() -> Outcome<()> {
-    if !skip::ready("journey: trying a helper") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: trying a helper"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     aiko.press("button", "Track far and close balls*").await?;

@@ -8,9 +8,7 @@ const SETTLED: &str = "function () { return this.parentElement.style.transform; 
 
 #[tokio::test]
 async fn what_one_does_the_other_sees() -> Outcome<()> {
-    if !skip::ready("journey: two people") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two people"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
@@ -51,9 +49,7 @@ pub(crate) async fn add_map(page: &Page) -> Outcome<()> {
 
 #[tokio::test]
 async fn what_is_done_offline_is_sent_later() -> Outcome<()> {
-    if !skip::ready("journey: offline") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: offline"));
     let mut stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;

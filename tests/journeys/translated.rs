@@ -9,9 +9,7 @@ const TRANSLATE: &str = include_str!("translate.js");
 
 #[tokio::test]
 async fn a_translated_page_says_what_is_so() -> Outcome<()> {
-    if !skip::ready("journey: a translated page") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a translated page"));
     let mut stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;

@@ -28,9 +28,7 @@ const BUBBLE: &str = "(() => {
 
 #[tokio::test]
 async fn what_fails_is_counted_where_people_look() -> Outcome<()> {
-    if !skip::ready("journey: what fails") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: what fails"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Failing").await?;
@@ -68,9 +66,7 @@ async fn what_fails_is_counted_where_people_look() -> Outcome<()> {
 
 #[tokio::test]
 async fn while_the_server_is_silent_nothing_is_claimed() -> Outcome<()> {
-    if !skip::ready("journey: a silent server") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a silent server"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;
@@ -115,9 +111,7 @@ fn signal(stage: &Stage, signal: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn a_dialog_says_who_removed_its_stream() -> Outcome<()> {
-    if !skip::ready("journey: who removed it") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: who removed it"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -142,9 +136,7 @@ async fn a_dialog_says_who_removed_its_stream() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_dialog_whose_connector_somebody_removed_stays_with_what_was_written() -> Outcome<()> {
-    if !skip::ready("journey: removed under the hand") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: removed under the hand"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -178,9 +170,7 @@ async fn a_dialog_whose_connector_somebody_removed_stays_with_what_was_written()
 
 #[tokio::test]
 async fn an_undo_that_came_too_fast_is_sent_again_in_its_order() -> Outcome<()> {
-    if !skip::ready("journey: undo too fast") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: undo too fast"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     refuse_when_asked(&aiko).await?;
@@ -225,9 +215,7 @@ async fn refuse_when_asked(page: &Page) -> Outcome<()> {
 
 #[tokio::test]
 async fn what_one_types_replaces_what_was_only_proposed() -> Outcome<()> {
-    if !skip::ready("journey: typing") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: typing"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     aiko.press("button", "Add a program").await?;
@@ -282,9 +270,7 @@ async fn has(page: &Page, field: &str, text: &str) -> Outcome<()> {
 
 #[tokio::test]
 async fn what_is_old_or_an_example_is_called_so() -> Outcome<()> {
-    if !skip::ready("journey: old values") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: old values"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Old and new").await?;

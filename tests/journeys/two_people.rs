@@ -428,9 +428,7 @@ fn program_with(now: &Behaviour) -> Outcome<Behaviour> {
 
 #[tokio::test]
 async fn what_one_types_into_nobody_else_changes_and_they_are_told_who_types() -> Outcome<()> {
-    if !skip::ready("journey: two people, with a lock") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two people, with a lock"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     let mut two = two(&stage, &aiko).await?;
@@ -533,9 +531,7 @@ async fn shows(aiko: &Page, now: &Behaviour, record: &RecordId) -> Outcome<()> {
 
 #[tokio::test]
 async fn who_types_without_a_lock_is_told_who_was_first_and_keeps_what_they_typed() -> Outcome<()> {
-    if !skip::ready("journey: two people, without a lock") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two people, without a lock"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -556,9 +552,7 @@ fn helper(name: &str, body: &str) -> Record {
 /// Helpers are everybody's and have no locks: who types is told at once who saved, and decides.
 #[tokio::test]
 async fn a_helper_that_a_colleague_edits_too_is_never_overwritten() -> Outcome<()> {
-    if !skip::ready("journey: two people at a helper") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two people at a helper"));
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     let mut two = two(&stage, &aiko).await?;
@@ -682,9 +676,7 @@ impl Two<'_> {
 /// Two people at a test and at its otherwise: the two sides never overlap or leave a gap that nobody made.
 #[tokio::test]
 async fn an_otherwise_follows_whoever_is_first_and_nobody_who_types_at_it_loses_that() -> Outcome<()> {
-    if !skip::ready("journey: two people at an otherwise") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two people at an otherwise"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -763,9 +755,7 @@ impl Two<'_> {
 /// over what they save.
 #[tokio::test]
 async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
-    if !skip::ready("journey: two people, one offline and one editing") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two people, one offline and one editing"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
@@ -795,9 +785,7 @@ async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
 /// A change that waits for a colleague is saved when the server is back without them: nobody tells of locks there.
 #[tokio::test]
 async fn what_waits_for_a_colleague_is_saved_when_a_new_server_has_no_locks() -> Outcome<()> {
-    if !skip::ready("journey: two people, and a server that is killed") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two people, and a server that is killed"));
     let mut stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;

@@ -19,9 +19,7 @@ const ALL: [&str; 7] = [
 
 #[tokio::test]
 async fn the_walkthrough_of_the_thesis() -> Outcome<()> {
-    if !skip::ready("journey: walkthrough") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: walkthrough"));
     let mut stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Follow close balls").await?;

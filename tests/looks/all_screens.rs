@@ -21,9 +21,7 @@ const KEPT: [&str; 7] = [
 
 #[tokio::test]
 async fn every_screen_keeps_the_rules_at_every_size_and_axe_finds_nothing() -> Outcome<()> {
-    if !skip::ready("every screen at every size") {
-        return Ok(());
-    }
+    skip::unless!(ready("every screen at every size"));
     let stage = Stage::set().await?;
     let page = &stage.page;
     page.media("prefers-reduced-motion", "reduce").await?;

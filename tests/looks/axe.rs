@@ -30,9 +30,7 @@ const SEEN: &str = "(() => {
 
 #[tokio::test]
 async fn with_forced_colours_axe_finds_nothing_and_the_lamp_and_what_is_chosen_are_seen() -> Outcome<()> {
-    if !skip::ready("axe with forced colours") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe with forced colours"));
     let stage = Stage::set().await?;
     let page = &stage.page;
     page.media("forced-colors", "active").await?;

@@ -11,9 +11,7 @@ const CHIP: &str = "filter (distance < 0.5), connector*";
 
 #[tokio::test]
 async fn axe_finds_nothing_where_two_changes_stand_side_by_side() -> Outcome<()> {
-    if !skip::ready("axe on two changes") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on two changes"));
     let folder = house::folder()?;
     let server = Server::start(folder.path()).await?;
     let browser = Browser::launch().await?;

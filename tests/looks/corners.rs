@@ -25,9 +25,7 @@ const TYPED: [(&str, &str); 2] =
 
 #[tokio::test]
 async fn axe_finds_nothing_in_small_dialogs() -> Outcome<()> {
-    if !skip::ready("axe on small dialogs") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on small dialogs"));
     looked_at("findings about small dialogs", async |page, words, found| {
         dialogs(page, words, async |state: &str, windows: &[Window]| find(page, state, windows, found).await).await
     })
@@ -36,9 +34,7 @@ async fn axe_finds_nothing_in_small_dialogs() -> Outcome<()> {
 
 #[tokio::test]
 async fn axe_finds_nothing_on_what_stands_on_the_canvas_for_a_moment() -> Outcome<()> {
-    if !skip::ready("axe on menus and flyouts") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on menus and flyouts"));
     looked_at("findings about menus and flyouts", async |page, words, found| {
         moments(page, words, async |state: &str, windows: &[Window]| find(page, state, windows, found).await).await
     })
@@ -225,9 +221,8 @@ async fn press_on(page: &Page, selector: &str) -> Outcome<()> {
     page.press_at((number(&at[0]), number(&at[1]))).await
 }
 
-/// Escape, alone: twice within a moment would be Stop.
+/// Escape, which something open uses: only one that nothing used is the first of the two of Stop.
 async fn escape(page: &Page) -> Outcome<()> {
     page.key("Escape").await?;
-    tokio::time::sleep(std::time::Duration::from_millis(700)).await;
-    Ok(())
+    page.settled().await
 }

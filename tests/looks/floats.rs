@@ -78,17 +78,13 @@ const FIGHT: &str = "Two trackers";
 
 #[tokio::test]
 async fn what_floats_covers_nothing_and_can_be_read() -> Outcome<()> {
-    if !skip::ready("what floats") {
-        return Ok(());
-    }
+    skip::unless!(ready("what floats"));
     states(&Words::english()).await
 }
 
 #[tokio::test]
 async fn what_floats_covers_nothing_and_can_be_read_in_japanese() -> Outcome<()> {
-    if !skip::ready_in_japanese("what floats in Japanese") {
-        return Ok(());
-    }
+    skip::unless!(ready_in_japanese("what floats in Japanese"));
     states(&Words::japanese()?).await
 }
 

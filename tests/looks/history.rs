@@ -7,9 +7,7 @@ use house::{Outcome, Page, skip};
 
 #[tokio::test]
 async fn axe_finds_nothing_in_the_history() -> Outcome<()> {
-    if !skip::ready("axe on the history") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on the history"));
     let stage = Stage::set().await?;
     let aiko = &stage.page;
     run_template(aiko, &Words::english()).await?;

@@ -8,9 +8,7 @@ use serde_json::json;
 
 #[tokio::test]
 async fn axe_finds_nothing_about_inviting_and_who_may_only_look() -> Outcome<()> {
-    if !skip::ready("axe on inviting") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on inviting"));
     let folder = house::folder()?;
     let server = Server::start_with(folder.path(), &["--listen", "0.0.0.0:0"]).await?;
     let browser = Browser::launch().await?;
@@ -48,9 +46,7 @@ async fn axe_finds_nothing_about_inviting_and_who_may_only_look() -> Outcome<()>
 
 #[tokio::test]
 async fn axe_finds_nothing_where_nobody_else_reaches_the_server() -> Outcome<()> {
-    if !skip::ready("axe on inviting nobody") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on inviting nobody"));
     let stage = Stage::set().await?;
     stage.page.press("button", "Invite").await?;
     stage.page.find("dialog", "Invite somebody").await?;

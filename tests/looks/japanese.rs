@@ -11,9 +11,7 @@ use std::cell::RefCell;
 
 #[tokio::test]
 async fn every_screen_keeps_the_rules_in_japanese() -> Outcome<()> {
-    if !skip::ready_in_japanese("every screen in Japanese") {
-        return Ok(());
-    }
+    skip::unless!(ready_in_japanese("every screen in Japanese"));
     let words = Words::japanese()?;
     let stage = Stage::set_in(&words).await?;
     let page = &stage.page;
@@ -33,9 +31,7 @@ async fn every_screen_keeps_the_rules_in_japanese() -> Outcome<()> {
 
 #[tokio::test]
 async fn small_dialogs_and_menus_keep_the_rules_in_japanese() -> Outcome<()> {
-    if !skip::ready_in_japanese("small dialogs and menus in Japanese") {
-        return Ok(());
-    }
+    skip::unless!(ready_in_japanese("small dialogs and menus in Japanese"));
     let words = Words::japanese()?;
     let found = RefCell::new(Vec::new());
     for canvas in [false, true] {

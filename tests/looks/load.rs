@@ -46,9 +46,7 @@ struct Load {
 
 #[tokio::test]
 async fn the_first_load_is_small() -> Outcome<()> {
-    if !skip::ready("the first load") {
-        return Ok(());
-    }
+    skip::unless!(ready("the first load"));
     let folder = house::folder()?;
     let server = Server::start(folder.path()).await?;
     let browser = Browser::launch().await?;
@@ -67,9 +65,7 @@ async fn the_first_load_is_small() -> Outcome<()> {
 
 #[tokio::test]
 async fn another_language_is_one_small_file_that_holds_nothing_up() -> Outcome<()> {
-    if !skip::ready("the first load in Japanese") {
-        return Ok(());
-    }
+    skip::unless!(ready("the first load in Japanese"));
     let folder = house::folder()?;
     let server = Server::start(folder.path()).await?;
     let browser = Browser::launch().await?;

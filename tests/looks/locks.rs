@@ -11,9 +11,7 @@ const CHIP: &str = "filter (distance < 0.5), connector*";
 
 #[tokio::test]
 async fn axe_finds_nothing_while_somebody_else_is_editing() -> Outcome<()> {
-    if !skip::ready("axe on locks") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on locks"));
     let stage = Stage::set().await?;
     let aiko = &stage.page;
     run_template(aiko, &Words::english()).await?;
@@ -40,9 +38,7 @@ async fn axe_finds_nothing_while_somebody_else_is_editing() -> Outcome<()> {
 
 #[tokio::test]
 async fn axe_finds_nothing_when_something_is_handed_over() -> Outcome<()> {
-    if !skip::ready("axe on handing over") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on handing over"));
     let stage = Stage::set().await?;
     let yuki = &stage.page;
     run_template(yuki, &Words::english()).await?;

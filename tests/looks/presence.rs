@@ -8,9 +8,7 @@ use house::{Outcome, Page, skip};
 
 #[tokio::test]
 async fn axe_finds_nothing_while_others_are_here() -> Outcome<()> {
-    if !skip::ready("axe on people") {
-        return Ok(());
-    }
+    skip::unless!(ready("axe on people"));
     let stage = Stage::set().await?;
     let aiko = &stage.page;
     run_template(aiko, &Words::english()).await?;

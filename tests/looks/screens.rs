@@ -241,10 +241,7 @@ pub(crate) async fn edit(page: &Page, words: &Words) -> Outcome<()> {
 /// Closes the dialog.
 pub(crate) async fn leave(page: &Page) -> Outcome<()> {
     page.key("Escape").await?;
-    page.until("!document.querySelector('[role=dialog]')", "the dialog is closed").await?;
-    // Twice Escape within a moment would be Stop.
-    tokio::time::sleep(std::time::Duration::from_millis(700)).await;
-    Ok(())
+    page.until("!document.querySelector('[role=dialog]')", "the dialog is closed").await.map(drop)
 }
 
 /// Fails with one line for each thing found.

@@ -11,9 +11,7 @@ const SEED: u64 = 11;
 
 #[tokio::test]
 async fn links_that_break_lose_nothing() -> Outcome<()> {
-    if !skip::served("rooms: links that break") {
-        return Ok(());
-    }
+    skip::unless!(served("rooms: links that break"));
     let folder = house::folder()?;
     let mut server = Server::start(folder.path()).await?;
     let plan = Plan { clients: 12, behaviours: 3, edits_per_10_s: 100, stalled: 1, kills: 12, seconds: 8, seed: SEED };

@@ -2,10 +2,13 @@
 
 use crate::process::most_memory_kib;
 use crate::{chaos, check, kills, neo4j};
+use behaviour::{Params, Value};
 use house::{Outcome, Server, skip};
 use load::chaos::Faults;
 use load::{Plan, Report, run};
-use std::time::Duration;
+use protocol::Request;
+use shell::{Client, Trouble};
+use std::time::{Duration, Instant};
 
 /// What 99 of 100 edits of fifty people may take until their sender knows that they are saved.
 const ECHO_P99: Duration = Duration::from_millis(100);
@@ -13,6 +16,14 @@ const ECHO_P99: Duration = Duration::from_millis(100);
 const WELCOME: Duration = Duration::from_secs(1);
 /// How much slower the others may be for those who read nothing.
 const SLOWER_MAX: u32 = 2;
+/// Operators who press tiles at once.
+const OPERATORS: usize = 4;
+/// Presses of each.
+const PRESSES: usize = 400;
+/// What 95 of 100 tiles may take from the press until the robot was told.
+const TILE_P95: Duration = Duration::from_millis(20);
+/// On a machine that is slow itself: how many times as long as a request that does nothing.
+const TILE_RATIO_MAX: u32 = 8;
 /// What these may take of the server's memory, in KiB.
 const MORE_MAX_KIB: u64 = 20 << 10;
 
@@ -102,4 +113,51 @@ async fn figure_6_ten_kills_on_neo4j_lose_nothing() -> Outcome<()> {
     let mut server = Server::start_binary(&house::optimised(), folder.path(), &["--store", &neo4j.url()]).await?;
     let longest = kills::killed(&mut server, 10).await?;
     bar(longest <= WELCOME, format!("10 kills on Neo4j: the first welcome at most {longest:?} after a start"))
+}
+
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+async fn figure_9_a_tile_reaches_the_robot_while_four_press() -> Outcome<()> {
+    let Some((_folder, server)) = optimised("figures: tiles").await? else { return Ok(()) };
+    let mut pressing = Vec::new();
+    for operator in 0..OPERATORS {
+        let client = Client::connect(&server.url(), &format!("Operator {operator}")).await?;
+        pressing.push(tokio::spawn(presses(client)));
+    }
+    let (mut tiles, mut bare) = (Vec::new(), Vec::new());
+    for operator in pressing {
+        let (tile, alone) = operator.await.map_err(|lost| lost.to_string())??;
+        tiles.extend(tile);
+        bare.extend(alone);
+    }
+    let (tile, alone) = (p95(tiles), p95(bare));
+    let ratio = tile.as_secs_f64() / alone.as_secs_f64();
+    let of_machine = format!("{ratio:.1} times a request that does nothing, the machine's own part, p95 {alone:?}");
+    bar(
+        tile <= TILE_P95.max(TILE_RATIO_MAX * alone),
+        format!("{OPERATORS} operators, 20 tiles a second each: answered p95 {tile:?} of {TILE_P95:?}; {of_machine}"),
+    )
+}
+
+/// Presses a tile 20 times a second; how long each took from the request to the answer, which the robot's thread gives once it
+/// told the robot. Beside each, how long a request took that no robot hears of.
+async fn presses(client: Client) -> Result<(Vec<Duration>, Vec<Duration>), Trouble> {
+    let (mut tiles, mut bare) = (Vec::new(), Vec::new());
+    let mut beat = tokio::time::interval(Duration::from_millis(50));
+    for _ in 0..PRESSES {
+        beat.tick().await;
+        let began = Instant::now();
+        client.ask(Request::Runs).await?;
+        bare.push(began.elapsed());
+        let (device, params, value) = ("Print".to_owned(), Params::default(), Value::Int(1));
+        let began = Instant::now();
+        client.ask(Request::Hand { robot: None, device, params, value }).await?;
+        tiles.push(began.elapsed());
+    }
+    Ok((tiles, bare))
+}
+
+fn p95(mut times: Vec<Duration>) -> Duration {
+    times.sort_unstable();
+    times[times.len() * 95 / 100]
 }

@@ -162,9 +162,7 @@ fn owned(args: &[&str]) -> Vec<String> {
 
 #[tokio::test]
 async fn a_killed_migration_is_no_store_until_it_is_done_again() -> Outcome<()> {
-    if !skip::served("rooms: kills of a migration") {
-        return Ok(());
-    }
+    skip::unless!(served("rooms: kills of a migration"));
     let room = house::folder()?;
     let (sqlite, files) = (room.path().join("sqlite"), room.path().join("files"));
     let sqlite = format!("sqlite:{}", sqlite.display());
@@ -180,9 +178,7 @@ async fn a_killed_migration_is_no_store_until_it_is_done_again() -> Outcome<()> 
 
 #[tokio::test]
 async fn a_killed_restore_is_no_store_until_it_is_done_again() -> Outcome<()> {
-    if !skip::served("rooms: kills of a restore") {
-        return Ok(());
-    }
+    skip::unless!(served("rooms: kills of a restore"));
     let room = house::folder()?;
     let first = room.path().join("first").display().to_string();
     fill(&*store::open_url(&first).await?).await?;
@@ -199,9 +195,7 @@ async fn a_killed_restore_is_no_store_until_it_is_done_again() -> Outcome<()> {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_second_server_on_a_neo4j_sees_that_it_is_only_filled_in_part() -> Outcome<()> {
     let part = "rooms: kills of a migration into Neo4j";
-    if !skip::served(part) {
-        return Ok(());
-    }
+    skip::unless!(served(part));
     let Some(parts) = neo4j::folder(part) else { return Ok(()) };
     let neo4j = neo4j::Neo4j::start(parts);
     let room = house::folder()?;
@@ -232,9 +226,7 @@ async fn a_second_server_on_a_neo4j_sees_that_it_is_only_filled_in_part() -> Out
 /// Each file is a program of its own: those that were brought are whole and stay, and the same command brings the others only.
 #[tokio::test]
 async fn a_killed_import_of_many_goes_on_and_brings_nothing_twice() -> Outcome<()> {
-    if !skip::served("rooms: kills of an import") {
-        return Ok(());
-    }
+    skip::unless!(served("rooms: kills of an import"));
     let room = house::folder()?;
     let names = ["greeter", "goodbye", "hello_once", "say_ball_color", "track_nearest_arm", "count_my_touches"];
     let files: Vec<String> = names.iter().map(|name| template(name)).chain([template("greeter")]).collect();

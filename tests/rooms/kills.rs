@@ -20,9 +20,7 @@ pub(crate) fn twenty() -> Plan {
 
 #[tokio::test]
 async fn a_killed_server_loses_nothing_that_it_acknowledged() -> Outcome<()> {
-    if !skip::served("rooms: kills of the server") {
-        return Ok(());
-    }
+    skip::unless!(served("rooms: kills of the server"));
     let folder = house::folder()?;
     let mut server = Server::start(folder.path()).await?;
     killed(&mut server, KILLS).await.map(drop)
@@ -31,9 +29,7 @@ async fn a_killed_server_loses_nothing_that_it_acknowledged() -> Outcome<()> {
 #[tokio::test]
 async fn nor_does_one_whose_behaviours_are_in_neo4j() -> Outcome<()> {
     let part = "rooms: kills of a server on Neo4j";
-    if !skip::served(part) {
-        return Ok(());
-    }
+    skip::unless!(served(part));
     let Some(parts) = neo4j::folder(part) else { return Ok(()) };
     let neo4j = neo4j::Neo4j::start(parts);
     let folder = house::folder()?;

@@ -15,7 +15,18 @@ const FRAMES: Duration = Duration::from_secs(10);
 const LOOK: Duration = Duration::from_secs(5);
 const TWO: &str = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
 
+/// True while nothing moves on the page that will come to rest.
+const STILL: &str = "!document.querySelector('.gliding') && document.getAnimations().every(motion =>
+    motion.playState !== 'running' || motion.effect?.getComputedTiming().endTime === Infinity)";
+
 impl Page {
+    /// Waits until the page has done what follows on the last input: its frames are drawn, and nothing moves any more.
+    pub async fn settled(&self) -> Outcome<()> {
+        self.frames().await?;
+        self.until(STILL, "the page comes to rest").await?;
+        self.frames().await
+    }
+
     /// Waits until the page has drawn two frames, so that everything before is in view.
     ///
     /// # Errors

@@ -27,6 +27,8 @@ const AROUND: &str = "((x, y) => {
 const PINCH_STEPS: u32 = 10;
 /// The time for which a finger rests before it is lifted, so that nothing goes on gliding.
 const RESTS: Duration = Duration::from_millis(120);
+/// The time of a finger that is held for a long press.
+const LONG_PRESS: Duration = Duration::from_millis(900);
 
 impl Page {
     /// Clicks the one element with this role and accessible name, once it rests in view and nothing covers it.
@@ -178,6 +180,13 @@ impl Page {
     pub async fn touch_drag(&self, from: (f64, f64), to: (f64, f64), steps: u32) -> Outcome<()> {
         self.push(from, to, steps).await?;
         tokio::time::sleep(RESTS).await;
+        self.touch("touchEnd", &[]).await
+    }
+
+    /// Holds one finger still for as long as a browser takes for a long press, and lifts it.
+    pub async fn touch_long(&self, at: (f64, f64)) -> Outcome<()> {
+        self.touch("touchStart", &[at]).await?;
+        tokio::time::sleep(LONG_PRESS).await;
         self.touch("touchEnd", &[]).await
     }
 

@@ -33,6 +33,7 @@ mod standin;
 mod switch;
 #[cfg(unix)]
 mod terminal;
+mod times;
 mod trouble;
 mod watch;
 mod wire;

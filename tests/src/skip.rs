@@ -4,7 +4,19 @@ use std::fs::OpenOptions;
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-use crate::paths;
+use crate::{paths, times};
+
+/// Leaves a test here, which counts as skipped by name, unless what it needs is there: `skip::unless!(ready("journey: Stop"))`. In
+/// CI it fails instead.
+#[macro_export]
+macro_rules! unless {
+    ($needed:ident($($part:expr),+)) => {
+        if !$crate::skip::$needed($($part),+) {
+            return Ok(());
+        }
+    };
+}
+pub use crate::unless;
 
 /// True if the browser and the server's binary are here, so that the journey `part` can run.
 ///
@@ -85,6 +97,7 @@ pub fn linux(part: &str) -> bool {
 }
 
 fn proceed(part: &str, missing: Option<String>) -> bool {
+    times::begin();
     let Some(why) = missing else { return true };
     assert!(!is("CI", "true"), "{part} cannot run, and CI skips nothing: {why}");
     tell(&format!("{part} ({why})"));

@@ -53,6 +53,8 @@ struct Counts {
     links: AtomicU64,
     delays: AtomicU64,
     cuts: AtomicU64,
+    /// Pieces that might have been hit.
+    pieces: AtomicU64,
     truncations: AtomicU64,
     silences: AtomicU64,
 }
@@ -104,6 +106,7 @@ struct Way {
     from: OwnedReadHalf,
     to: OwnedWriteHalf,
     dice: Dice,
+    seed: u64,
     faults: Faults,
     counts: Arc<Counts>,
     calm: CancellationToken,
@@ -149,7 +152,7 @@ impl Proxy {
     #[must_use]
     pub fn happened(&self) -> Happened {
         let of = |count: &AtomicU64| count.load(Ordering::Relaxed);
-        let Counts { links, delays, cuts, truncations, silences } = &*self.counts;
+        let Counts { links, delays, cuts, pieces: _, truncations, silences } = &*self.counts;
         Happened {
             links: of(links),
             delays: of(delays),
@@ -183,6 +186,7 @@ async fn accept(
             from,
             to,
             dice: Dice::of(seed, 2 * number + direction),
+            seed,
             faults,
             counts: Arc::clone(&counts),
             calm: calm.clone(),
@@ -245,10 +249,9 @@ impl Way {
         if self.calm.is_cancelled() || self.silent.is_cancelled() {
             return Fate::Pass;
         }
-        let mut thrown = self.dice.below(OF);
-        let mut is = |share: u64, count: &AtomicU64| {
-            let is = thrown < share;
-            thrown = thrown.saturating_sub(share);
+        let piece = self.counts.pieces.fetch_add(1, Ordering::Relaxed);
+        let is = |share: u64, count: &AtomicU64| {
+            let is = is_hit(self.seed, share, piece);
             count.fetch_add(u64::from(is), Ordering::Relaxed);
             is
         };
@@ -267,9 +270,17 @@ impl Way {
     }
 }
 
+/// True if this piece of all that pass is hit by a fault with such a share: one, by chance, of every `OF / share` pieces. Chance for
+/// each piece alone would now and then hit none in a whole run.
+fn is_hit(seed: u64, share: u64, piece: u64) -> bool {
+    let Some(each) = OF.checked_div(share) else { return false };
+    let each = each.max(1);
+    piece % each == Dice::of(seed ^ share.rotate_left(32), piece / each).below(each)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Faults, OF, Proxy};
+    use super::{Faults, OF, Proxy, is_hit};
     use tokio::io::{AsyncReadExt, AsyncWriteExt};
     use tokio::net::{TcpListener, TcpStream};
 
@@ -295,6 +306,20 @@ mod tests {
             }
         }
         (back, proxy)
+    }
+
+    #[test]
+    fn every_fault_comes_about_in_every_run_of_enough_pieces() {
+        for seed in 0..200 {
+            for share in [2, 10, 20, 500] {
+                let each = OF / share;
+                for stretch in 0..3 {
+                    let hit = (0..each).filter(|piece| is_hit(seed, share, stretch * each + piece)).count();
+                    assert_eq!(hit, 1, "seed {seed}, {share} of {OF}, stretch {stretch}");
+                }
+            }
+        }
+        assert!((0..OF).all(|piece| is_hit(1, OF, piece) && !is_hit(1, 0, piece)));
     }
 
     #[tokio::test]

@@ -105,7 +105,6 @@ pub enum Records {
 impl MarkSort {
     /// True if something only happened.
     #[must_use]
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
     pub fn is_note(&self) -> bool {
         *self == Self::Note
     }
@@ -152,7 +151,7 @@ pub struct RecordingMark {
     pub gone: bool,
 }
 
-/// What follows on a mark of a running session.
+/// A change of a mark of a running session.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum MarkEdit {

@@ -374,7 +374,7 @@ pub enum Request {
         run: u64,
         /// Which mark.
         id: Id,
-        /// What follows on it.
+        /// The change of the mark.
         edit: MarkEdit,
         /// The time before this was sent at which somebody pressed, as in `Mark`.
         #[serde(default, rename = "agoMs", skip_serializing_if = "is_zero")]

@@ -49,6 +49,9 @@ const PERCENT: Shape = Shape::Number(Some(Unit::Percent));
 const METRES_PER_SECOND: Shape = Shape::Number(Some(Unit::MetresPerSecond));
 const RADIANS_PER_SECOND: Shape = Shape::Number(Some(Unit::RadiansPerSecond));
 
+/// The actions that are offered to be done by hand where nobody made a pad, in this order.
+pub(crate) const DONE_BY_HAND: [&Device; 2] = [&say_parameter::DEVICE, &animation::DEVICE];
+
 /// All devices in the order people see them.
 pub(crate) const ALL: &[&Device] = &[
     // What people try first comes first: an empty program offers three of these.

@@ -1,10 +1,8 @@
 //! The pad that people are shown while nobody made one.
 
+use crate::devices::DONE_BY_HAND;
 use crate::{Device, ParamKind, device};
 use behaviour::{Behaviour, Id, Pad, Stream, StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile, TileAction, Value};
-
-/// The actions that speak or move as a whole, in this order.
-const DONE_BY_HAND: [&str; 2] = ["SayParameter", "Animation"];
 
 /// Returns the tiles of a behaviour without a pad: its buttons, then what it says and its animations, then what each of its
 /// other senses can be pretended to tell; nine at most, each once.
@@ -20,8 +18,8 @@ pub fn usual_pad(behaviour: &Behaviour) -> Pad {
         let written = sense.button.and_then(|param| written(stream, sense, param));
         pretended(id, sense, written)
     });
-    let by_hand = DONE_BY_HAND.iter().flat_map(|name| {
-        with_device(StreamKind::Actuator).filter(move |(.., action)| action.name == *name).filter_map(by_hand)
+    let by_hand = DONE_BY_HAND.into_iter().flat_map(|offered| {
+        with_device(StreamKind::Actuator).filter(move |(.., action)| *action == offered).filter_map(by_hand)
     });
     let others = with_device(StreamKind::Sensor).filter(|(.., sense)| sense.button.is_none());
     let others = others.flat_map(|(id, _, sense)| pretended(id, sense, None));

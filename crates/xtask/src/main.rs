@@ -35,7 +35,7 @@ cargo xtask COMMAND
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
   bench nao [PART]          measure a robot over the link against the stand-in, beside the Python client of libqi; PART is
                             calls, reactions, stops or calm
-  bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 8
+  bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 9
   bench sentences           measure how long typed sentences take to be read
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it

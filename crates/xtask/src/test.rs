@@ -34,6 +34,9 @@ const HOW_TO_GET_CHROMIUM: &str =
 /// The gigabytes that all of it takes on the disk when nothing was built before.
 const WANTED_GIGABYTES: u32 = 9;
 
+/// The number of tests whose times are told.
+const SLOWEST: usize = 10;
+
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
@@ -126,14 +129,16 @@ impl<'a> Run<'a> {
     /// Runs the tests and gathers the names of those that skipped themselves.
     fn tests(&mut self, more: &[&str]) -> Outcome<()> {
         let list = self.workspace.target.join("skipped.txt");
-        let _ = fs::remove_file(&list);
+        let times = self.workspace.target.join("times.txt");
+        [&list, &times].into_iter().for_each(|file| drop(fs::remove_file(file)));
         let results = [ALL_BUT_THIS.as_slice(), &THIS_AND_ITS_OWN].map(|packages| {
             let words = [&["test", "--no-fail-fast"], packages].concat();
             let mut cargo = self.workspace.cargo(&words);
-            cargo.args(more).env("RRP_SKIPPED_LIST", &list);
+            cargo.args(more).env("RRP_SKIPPED_LIST", &list).env("RRP_TIMES_LIST", &times);
             self.show_parts(&mut cargo);
             tools::run(&mut cargo, &format!("`cargo {}`", words.join(" ")))
         });
+        tell_slowest(&fs::read_to_string(&times).unwrap_or_default());
         self.skipped.extend(fs::read_to_string(&list).unwrap_or_default().lines().map(str::to_owned));
         results.into_iter().collect()
     }
@@ -239,6 +244,24 @@ fn tell_disk(workspace: &Workspace) {
     }
 }
 
+/// Tells which of the tests that need a browser or a server took longest.
+fn tell_slowest(times: &str) {
+    let slowest = slowest(times);
+    if !slowest.is_empty() {
+        println!("The slowest tests with a browser or a server, in seconds:");
+        slowest.iter().for_each(|(seconds, name)| println!("  {seconds:>7.1}  {name}"));
+    }
+}
+
+/// Returns the slowest of the tests in a list of lines of seconds and a name, the slowest first.
+fn slowest(times: &str) -> Vec<(f64, &str)> {
+    let read = |line| str::split_once(line, ' ').and_then(|(seconds, name)| Some((seconds.parse().ok()?, name)));
+    let mut all: Vec<(f64, &str)> = times.lines().filter_map(read).collect();
+    all.sort_by(|one, other| other.0.total_cmp(&one.0));
+    all.truncate(SLOWEST);
+    all
+}
+
 fn tell_skipped(skipped: &[String]) {
     let mut skipped = skipped.to_vec();
     skipped.sort();
@@ -251,4 +274,17 @@ fn tell_skipped(skipped: &[String]) {
 
 fn seconds(time: Duration) -> String {
     format!("{:.1} s", time.as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SLOWEST, slowest};
+
+    #[test]
+    fn the_slowest_come_first_and_ten_are_enough() {
+        let times = "2.5 late\nno time\n10.0 looks::all screens\n".to_owned() + &"1.0 quick\n".repeat(20);
+        let told = slowest(&times);
+        assert_eq!((told.len(), told[0], told[1]), (SLOWEST, (10.0, "looks::all screens"), (2.5, "late")));
+        assert!(slowest("").is_empty());
+    }
 }

@@ -15,6 +15,11 @@ pub(crate) fn at_most(what: &str, measured: f64, most: f64) {
     note(what, measured, "at most", most, measured <= most);
 }
 
+/// Notes something that went wrong; everything else is measured all the same.
+pub(crate) fn failed(what: String) {
+    MISSED.lock().unwrap().push(what);
+}
+
 /// Also what could not be measured holds no bar.
 fn note(what: &str, measured: f64, side: &str, bar: f64, holds: bool) {
     if !holds {

@@ -41,6 +41,7 @@ fn main() {
     let round = || scripts.iter().map(|(body, _)| stall(body)).collect::<Vec<_>>();
     let rounds: Vec<_> = (0..ROUNDS).map(|_| round()).collect();
     let (mut by_steps, mut by_deadline, mut others) = (Vec::new(), Vec::new(), Vec::new());
+    let mut ended = Vec::new();
     for (at, &&(body, verdict)) in scripts.iter().enumerate() {
         let mut runs: Vec<_> = rounds.iter().map(|round| &round[at]).collect();
         runs.sort_by_key(|(micros, _)| *micros);
@@ -50,7 +51,9 @@ fn main() {
             Some(reason) if reason.contains("took too long") => &mut by_deadline,
             _ => &mut others,
         };
-        assert!(verdict != Verdict::Endless || reason.is_some(), "{body}");
+        if verdict == Verdict::Endless && reason.is_none() {
+            ended.push(body);
+        }
         list.push(Stall { micros: *micros, body });
     }
     let all_within = [
@@ -58,7 +61,8 @@ fn main() {
         show("ended by the deadline of 20 ms alone", by_deadline, DEADLINE_BAR_MS),
         show("ended by themselves or by another limit", others, DEADLINE_BAR_MS),
     ];
-    std::process::exit(i32::from(all_within.contains(&false)));
+    ended.iter().for_each(|body| println!("ENDED, though it has no end: {body}"));
+    std::process::exit(i32::from(all_within.contains(&false) || !ended.is_empty()));
 }
 
 /// Microseconds of CPU time of one call, were the machine as quick as it should be, and why it gave no value.

@@ -15,6 +15,7 @@ mod limits;
 mod links;
 mod lists;
 mod locks;
+mod marking;
 mod mutated;
 mod operating;
 mod proxied;
