@@ -27,7 +27,7 @@ async fn a_run_is_recorded_if_somebody_wants_it() -> Outcome<()> {
     at_rest(&aiko).await?;
     aiko.eval("document.querySelector('.recordings summary').click()").await?;
     aiko.find("link", "Download the recording of Watcher").await?;
-    let read = "fetch(document.querySelector('.recordings a').href).then(answer => answer.text())\
+    let read = "fetch(document.querySelector('.recordings li a').href).then(answer => answer.text())\
         .then(text => { const lines = text.trim().split('\\n').map(JSON.parse); \
         return lines[0].format === 'rrp-recording/2' && lines.some(line => line.stream) && \
         lines.some(line => line.mark === 'note' && line.note === 'She smiles.' && line.by.startsWith('Guest')) && \

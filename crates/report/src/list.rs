@@ -303,7 +303,7 @@ fn state(words: Words, one: &Listed, clock: Clock) -> String {
 fn size(bytes: u64) -> String {
     match bytes {
         0..1_048_576 => format!("{} KB", bytes.div_ceil(1_024)),
-        1_048_576..10_737_418_240 => format!("{} MB", bytes >> 20),
-        _ => format!("{} GB", bytes >> 30),
+        1_048_576..1_073_741_824 => format!("{} MB", bytes >> 20),
+        _ => format!("{}.{} GB", bytes >> 30, (bytes >> 20) % 1_024 * 10 / 1_024),
     }
 }
