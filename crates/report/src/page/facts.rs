@@ -37,7 +37,7 @@ pub(super) fn head(sheet: &Sheet, title: &str) -> Markup {
     }
 }
 
-/// What is missing in a recording, in sentences.
+/// The parts that are missing in a recording, in sentences.
 pub(super) fn lacks(sheet: &Sheet) -> Markup {
     let (of, words) = (sheet.of, sheet.words);
     let until = sheet.clock.at(of.last_ms);

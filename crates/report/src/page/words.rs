@@ -71,7 +71,7 @@ said! {
     own_words: "Notes are the operators’ own words. Read them before you hand this report on.",
         "メモは操作した人が自由に書いたものです。レポートを渡す前に読んでください。";
     people: "People", "操作した人";
-    print: "Print", "印刷";
+    print: "Print it", "印刷";
     replay: "Replay", "再生";
     robot: "Robot", "ロボット";
     same_sentences: "Its sentences are the same.", "文は同じです。";
