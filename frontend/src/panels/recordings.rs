@@ -120,14 +120,15 @@ pub(crate) fn recordings() -> AnyView {
     let list = move || desk.desk().robots.recordings.get();
     let rows = move || list().into_iter().map(|recording| view! { <Row recording /> }).collect_view();
     view! {
-        <p><a href=page_address("")>{words::all_recordings()}</a></p>
+        <p><a href=page_address("") target="_blank">{words::all_recordings()}</a></p>
         <p class="faint" hidden=move || !list().is_empty()>{words::no_recordings()}</p>
         <ul>{rows}</ul>
     }
     .into_any()
 }
 
-/// The address of the recordings as a page of their own, or with an end of one of them, in the language of this page.
+/// The address of the recordings as a page of their own, or with an end of one of them, in the language of this page. Both open
+/// beside the page, which stays with the robot.
 fn page_address(end: &str) -> String {
     let language = if words::language::is_second() { "ja" } else { "en" };
     format!("{REPORTS_PATH}{end}?language={language}")
@@ -144,7 +145,7 @@ fn Row(recording: Recording) -> impl IntoView {
         <li>
             <a href=address download=recording.file aria-label=label>{recording.name}</a>
             <span class="faint">{about}</span>
-            <a href=report aria-label=report_label>{words::report()}</a>
+            <a href=report target="_blank" aria-label=report_label>{words::report()}</a>
         </li>
     }
 }
