@@ -120,7 +120,11 @@ async fn recordings_are_downloaded_in_other_forms_without_names() {
     says(&get(&house, "/api/recordings/none.jsonl?as=csv", "").await, "404", &["no such recording"]);
     let large = std::fs::File::options().append(true).open(folder.path().join("recordings").join(GREET)).unwrap();
     large.set_len(33 << 20).unwrap();
-    says(&get(&house, &format!("{file}?as=csv"), "").await, "422", &["too large to be converted here", "rrp convert"]);
+    says(
+        &get(&house, &format!("{file}?as=csv"), "").await,
+        "422",
+        &["too large to be converted here", "by the command line"],
+    );
     house.close().await;
 }
 
