@@ -17,6 +17,7 @@ mod load;
 mod locks;
 mod look;
 mod presence;
+mod recordings;
 mod rules;
 mod screens;
 mod targets;

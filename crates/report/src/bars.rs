@@ -1,4 +1,4 @@
-//! How often and how long something was: what comes again within a second is one bar, however many values that are.
+//! Counts how often and how long something was: what comes again within a second is one bar, however many values that are.
 
 /// A pause shorter than this, in milliseconds, does not end a thing that goes on.
 const JOINED_MS: u64 = 1_000;

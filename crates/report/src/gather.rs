@@ -22,7 +22,7 @@ const SENTENCE_MAX_CHARS: usize = 600;
 /// The most signs of a name or a text that are kept.
 const TEXT_MAX_CHARS: usize = 200;
 
-/// What a report says of one recording.
+/// Everything that a report says of one recording.
 #[derive(Debug)]
 pub struct Gathered {
     pub(crate) header: Header,
@@ -73,7 +73,7 @@ pub(crate) struct Program {
     pub(crate) more: usize,
 }
 
-/// What somebody had the robot do.
+/// An action that somebody had the robot do.
 #[derive(Debug)]
 pub(crate) struct Pressed {
     /// The device, and the text that it was told; that may be empty.

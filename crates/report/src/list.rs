@@ -21,7 +21,7 @@ const ROWS: usize = 25;
 /// A recording with what is known of it.
 #[derive(Clone, Debug)]
 pub struct Listed {
-    /// What its first and its last line say.
+    /// The description by its first and its last line.
     pub recording: Recording,
     /// The number of its marks by now, if that is known.
     pub marks: Option<u64>,
@@ -32,13 +32,13 @@ pub struct Listed {
 /// The recording that is looked at.
 #[derive(Clone, Debug)]
 pub struct Marked {
-    /// Its description, with the finding of its replay.
+    /// The description, with the finding of its replay.
     pub listed: Listed,
-    /// Its marks, by time.
+    /// The marks, by time.
     pub marks: Vec<RecordingMark>,
 }
 
-/// What somebody looks for.
+/// The recordings that somebody looks for.
 #[derive(Clone, Debug, Default)]
 pub struct Choice {
     /// Words that have to be in it.
@@ -60,7 +60,7 @@ pub struct List {
     pub all: Vec<Listed>,
     /// The one that is looked at.
     pub chosen: Option<Marked>,
-    /// What is looked for.
+    /// The recordings that are looked for.
     pub choice: Choice,
     /// The number of recordings in the bin.
     pub binned: usize,
@@ -125,7 +125,7 @@ impl List {
         format!("?{}", parts.join("&"))
     }
 
-    /// What a form sends besides what people fill in.
+    /// The fields of a form besides those that people fill in.
     fn hidden(&self) -> Markup {
         html! {
             input type="hidden" name="language" value=(self.language.code());
@@ -285,7 +285,7 @@ fn row(list: &List, one: &Listed) -> Markup {
     }
 }
 
-/// How a recording is, in few words: that comes first by which something is missing.
+/// The state of a recording in few words: that comes first by which something is missing.
 fn state(words: Words, one: &Listed, clock: Clock) -> String {
     let Recording { goes_on, old_form, cut_off, session, .. } = &one.recording;
     match one.replayed {
@@ -303,7 +303,7 @@ fn state(words: Words, one: &Listed, clock: Clock) -> String {
 fn size(bytes: u64) -> String {
     match bytes {
         0..1_048_576 => format!("{} KB", bytes.div_ceil(1_024)),
-        1_048_576..10_737_418_240 => format!("{} MB", bytes >> 20),
-        _ => format!("{} GB", bytes >> 30),
+        1_048_576..1_073_741_824 => format!("{} MB", bytes >> 20),
+        _ => format!("{}.{} GB", bytes >> 30, (bytes >> 20) % 1_024 * 10 / 1_024),
     }
 }

@@ -24,7 +24,7 @@ pub const SCRIPT: &str = include_str!("page/page.js");
 /// The id of the button that prints, which the script knows.
 pub(crate) const SCRIPT_ID: &str = "print";
 
-/// What the reader of a report wants.
+/// The wishes of who reads a report.
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// True if the people who pressed stand with their names.

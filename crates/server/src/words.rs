@@ -147,7 +147,7 @@ impl fmt::Display for NotRecorded {
             }
             Self::TitleUnwritten(error) => write!(to, "its name cannot be written ({error}); free some space"),
             Self::TooLarge => to.write_str(
-                "it is too large to be converted here; download it as it is and use rrp convert with the file",
+                "it is too large to be converted here; download it as it is and convert it by the command line",
             ),
             Self::StrangeCode => write!(
                 to,

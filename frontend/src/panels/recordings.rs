@@ -5,7 +5,7 @@ use super::may::may_operate;
 use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{MARK_MAX_CHARS, RECORDINGS_PATH, Recorded, Recording};
+use protocol::{MARK_MAX_CHARS, RECORDINGS_PATH, REPORTS_PATH, Recorded, Recording};
 use web_sys::SubmitEvent;
 
 /// The row under Start: a box to tick before it, and how it goes while it runs.
@@ -58,6 +58,7 @@ pub(crate) fn recorded(recorded: Option<Recorded>, note: RwSignal<String>) -> An
         <p class="record" class:bad=bad role="status">
             <span class="dot" aria-hidden="true"></span>
             {words::recording_goes(recorded.lost, recorded.trouble.as_deref())}
+            {(recorded.gave_way > 0).then(|| view! { <span>{words::oldest_gave_way(recorded.gave_way)}</span> })}
             <Show when=move || may_operate(desk)>
                 <button class="link" type="button" on:click=move |_| desk.desk().robots.end_recording()>
                     {words::end_recording()}
@@ -119,21 +120,32 @@ pub(crate) fn recordings() -> AnyView {
     let list = move || desk.desk().robots.recordings.get();
     let rows = move || list().into_iter().map(|recording| view! { <Row recording /> }).collect_view();
     view! {
+        <p><a href=page_address("") target="_blank">{words::all_recordings()}</a></p>
         <p class="faint" hidden=move || !list().is_empty()>{words::no_recordings()}</p>
         <ul>{rows}</ul>
     }
     .into_any()
 }
 
+/// The address of the recordings as a page of their own, or with an end of one of them, in the language of this page. Both open
+/// beside the page, which stays with the robot.
+fn page_address(end: &str) -> String {
+    let language = if words::language::is_second() { "ja" } else { "en" };
+    format!("{REPORTS_PATH}{end}?language={language}")
+}
+
 #[component]
 fn Row(recording: Recording) -> impl IntoView {
     let address = format!("{RECORDINGS_PATH}/{}", recording.file);
     let about = words::recording_about(&recording.robot, &recording.began, recording.bytes, recording.cut_off);
+    let report = page_address(&format!("/{}/report", recording.file));
     let label = words::download_recording(&recording.name);
+    let report_label = words::report_of(&recording.name);
     view! {
         <li>
             <a href=address download=recording.file aria-label=label>{recording.name}</a>
             <span class="faint">{about}</span>
+            <a href=report target="_blank" aria-label=report_label>{words::report()}</a>
         </li>
     }
 }

@@ -150,6 +150,8 @@ sentences! {
     marked: "Marked in the recording.";
     recordings: "Recordings";
     no_recordings: "Nothing was recorded yet.";
+    all_recordings: "All recordings, to find, name and compare";
+    report: "Report";
     open_first: "Open a program to start it.";
     nothing_to_run: "There is nothing in it yet. Add a sense, and lead it to an action.";
     only_watches: "Nothing leads to an action yet: the robot only watches.";
@@ -717,6 +719,14 @@ pub(crate) fn recording_goes(lost: u64, trouble: Option<&str>) -> String {
         (None, 0) => say!("Recording"),
         (None, lost) => say!("Recording with gaps, {lost} lines are missing", lost),
     }
+}
+
+pub(crate) fn oldest_gave_way(count: u64) -> String {
+    say!("To make room, the oldest recordings were removed: {count}.", count)
+}
+
+pub(crate) fn report_of(name: &str) -> String {
+    say!("Report of {name}", name)
 }
 
 pub(crate) fn recording_about(robot: &str, began: &str, bytes: u64, cut_off: bool) -> String {

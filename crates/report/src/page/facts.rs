@@ -21,7 +21,7 @@ pub(super) fn head(sheet: &Sheet, title: &str) -> Markup {
             dl {
                 div { dt { (words.day()) } dd { (clock.day(of.language)) } }
                 div { dt { (words.time()) } dd {
-                    (words.from_to(&clock.at(0), &clock.at(of.last_ms), &length(of.last_ms))) (clock.zone())
+                    (words.time_span(&clock.at(0), &clock.at(of.last_ms), &length(of.last_ms))) (clock.zone())
                 } }
                 div { dt { (words.people()) } dd {
                     @if people.is_empty() { (words.nobody()) }
@@ -37,7 +37,7 @@ pub(super) fn head(sheet: &Sheet, title: &str) -> Markup {
     }
 }
 
-/// What is missing in a recording, in sentences.
+/// The parts that are missing in a recording, in sentences.
 pub(super) fn lacks(sheet: &Sheet) -> Markup {
     let (of, words) = (sheet.of, sheet.words);
     let until = sheet.clock.at(of.last_ms);

@@ -176,7 +176,7 @@ fn times(sheet: &Sheet) -> Markup {
             @let at = x(sheet, ms);
             @let time = sheet.clock.at(ms);
             @let shown = if step >= 60 { time.get(..5).unwrap_or(&time) } else { &time };
-            text x=(px(at.clamp(FROM + 14.0, TO - 20.0))) y="12" text-anchor="middle" class="faint" { (shown) }
+            text x=(px(at.clamp(FROM + 14.0, WIDTH - 28.0))) y="12" text-anchor="middle" class="faint" { (shown) }
             path class="tick" d=(format!("M{} 16v5", px(at))) {}
         }
     }

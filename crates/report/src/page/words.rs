@@ -71,7 +71,7 @@ said! {
     own_words: "Notes are the operators’ own words. Read them before you hand this report on.",
         "メモは操作した人が自由に書いたものです。レポートを渡す前に読んでください。";
     people: "People", "操作した人";
-    print: "Print", "印刷";
+    print: "Print it", "印刷";
     replay: "Replay", "再生";
     robot: "Robot", "ロボット";
     same_sentences: "Its sentences are the same.", "文は同じです。";
@@ -121,7 +121,7 @@ impl Words {
         self.either(format!("version {revision}"), format!("版 {revision}"))
     }
 
-    pub(crate) fn from_to(self, from: &str, to: &str, length: &str) -> String {
+    pub(crate) fn time_span(self, from: &str, to: &str, length: &str) -> String {
         self.either(format!("{from} to {to} ({length})"), format!("{from}〜{to}（{length}）"))
     }
 
@@ -314,7 +314,7 @@ mod tests {
     fn every_text_has_its_japanese() {
         for [english, japanese] in [Words::all_of_reports(), Words::all_of_lists()].concat() {
             assert!(!japanese.is_empty() && english != japanese, "{english}");
-            let has_kana = japanese.chars().any(|letter| !letter.is_ascii());
+            let has_kana = !japanese.is_ascii();
             assert!(has_kana || english == "日本語", "{japanese}");
         }
     }
