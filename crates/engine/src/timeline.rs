@@ -31,6 +31,9 @@ pub enum Emission<'a> {
         stream: StreamIx,
         /// The value.
         value: &'a Value,
+        /// The connector that gave it, and the place among its inputs of the stream whose value it took for that; none of
+        /// a reading. What a connector gives by itself is by the input whose value waited.
+        by: Option<(ConnectorIx, u32)>,
     },
     /// A procedure dropped a value.
     Fault {
@@ -38,6 +41,8 @@ pub enum Emission<'a> {
         at: Millis,
         /// The connector.
         connector: ConnectorIx,
+        /// The place among its inputs of the stream whose value it took for that.
+        slot: u32,
         /// The fault of the call.
         error: &'a CallFault,
         /// True if the caller's interrupt ended the procedure.

@@ -28,7 +28,7 @@ fn product(file: &BehaviourFile, trace: &[Reading], until: u64, limits: Limits) 
     let mut said = Vec::new();
     let mut hear = |emission: Emission| {
         said.push(match emission {
-            Emission::Value { at, stream, value } => Said::Value(at.0, stream.index(), value.clone()),
+            Emission::Value { at, stream, value, .. } => Said::Value(at.0, stream.index(), value.clone()),
             Emission::Fault { at, connector, .. } => Said::Fault(at.0, connector.index()),
         });
     };

@@ -56,7 +56,7 @@ fn names(run: &Run) -> (Vec<String>, Vec<String>) {
 
 fn heard(emission: &Emission, streams: &[String], connectors: &[String]) -> Said {
     match *emission {
-        Emission::Value { at, stream, value } => Said::Value(at.0, streams[stream.index()].clone(), value.clone()),
+        Emission::Value { at, stream, value, .. } => Said::Value(at.0, streams[stream.index()].clone(), value.clone()),
         Emission::Fault { at, connector, .. } => Said::Fault(at.0, connectors[connector.index()].clone()),
     }
 }

@@ -29,16 +29,17 @@ impl Core {
         Self { graph, connectors, context, budget, end: None }
     }
 
-    /// Tells and counts a value on a stream.
+    /// Tells and counts a value on a stream, and which input of which connector it is by.
     pub(crate) fn emit(
         &mut self,
         at: Millis,
         stream: StreamIx,
         value: &Value,
+        by: Option<(ConnectorIx, u32)>,
         out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
         self.context.stats.streams[stream].copy(at, value);
-        out(Emission::Value { at, stream, value });
+        out(Emission::Value { at, stream, value, by });
     }
 
     /// Returns the memory of every connector.
