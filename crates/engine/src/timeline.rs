@@ -8,6 +8,7 @@ mod frame;
 mod memory;
 mod plan;
 mod schedule;
+mod trigger;
 
 use crate::faults::CallFault;
 use crate::values::{ConnectorIx, StreamIx};
@@ -19,6 +20,7 @@ pub use end::End;
 pub(crate) use event::Event;
 pub(crate) use frame::Frame;
 pub(crate) use memory::RunMemory;
+pub use trigger::Trigger;
 
 /// The events that a run tells its caller, in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,9 +33,8 @@ pub enum Emission<'a> {
         stream: StreamIx,
         /// The value.
         value: &'a Value,
-        /// The connector that gave it, and the place among its inputs of the stream whose value it took for that; none of
-        /// a reading. What a connector gives by itself is by the input whose value waited.
-        by: Option<(ConnectorIx, u32)>,
+        /// The turn that gave it; none of a reading. What a connector gives by itself is by the input whose value waited.
+        by: Option<Trigger<'a>>,
     },
     /// A procedure dropped a value.
     Fault {

@@ -3,6 +3,7 @@
 use super::Emission;
 use super::budget::Budget;
 use super::end::End;
+use super::trigger::Trigger;
 use crate::connectors::{Connector, Context, Memory};
 use crate::program::{ConnectorInfo, Graph, Program};
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
@@ -35,7 +36,7 @@ impl Core {
         at: Millis,
         stream: StreamIx,
         value: &Value,
-        by: Option<(ConnectorIx, u32)>,
+        by: Option<Trigger>,
         out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
         self.context.stats.streams[stream].copy(at, value);

@@ -8,8 +8,9 @@ use super::budget::Spent;
 use super::core::Core;
 use super::end::{End, multiplying};
 use super::memory::RunMemory;
-use super::plan::{Next, Plan, Step};
+use super::plan::{NOBODY, Next, Plan, Step};
 use super::schedule::Schedule;
+use super::trigger::Trigger;
 use crate::connectors::{Op, Outcome, Turn};
 use crate::values::in_place::Output;
 use crate::values::{ConnectorIx, StreamIx};
@@ -80,7 +81,8 @@ impl Event {
             if let Some(given) = given {
                 let (output, stats) = (core.graph.connectors[connector].output, &mut core.context.stats);
                 stats.give(at, connector, output, Output::Value(given.value), &mut Value::Null);
-                out(Emission::Value { at, stream: output, value: stats.value(output), by: Some((connector, 0)) });
+                let turn = Turn { connector, output, ..NOBODY };
+                out(Emission::Value { at, stream: output, value: stats.value(output), by: Some(Trigger(&turn)) });
                 self.carry(core, at, output, out);
             }
         }
@@ -104,7 +106,7 @@ impl Event {
             next = match step.op.perform(&mut core.connectors, &mut core.context, at, &step.turn) {
                 Outcome::Gave => {
                     let stream = step.turn.output;
-                    let by = Some((step.turn.connector, step.turn.slot));
+                    let by = Some(Trigger(&step.turn));
                     out(Emission::Value { at, stream, value: core.context.stats.value(stream), by });
                     self.after(core, &plan, at, step, next)
                 }

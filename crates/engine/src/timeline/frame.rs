@@ -4,8 +4,10 @@ use super::Emission;
 use super::core::Core;
 use super::end::End;
 use super::memory::RunMemory;
+use super::plan::NOBODY;
 use super::schedule::Schedule;
-use crate::connectors;
+use super::trigger::Trigger;
+use crate::connectors::{self, Turn};
 use crate::faults::CallFault;
 use crate::program::Graph;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
@@ -120,7 +122,10 @@ impl Frame {
         self.now.fill(&None);
         for said in self.said.drain(..) {
             match said {
-                Said::Value(stream, value, by) => core.emit(at, stream, &value, by, out),
+                Said::Value(stream, value, by) => {
+                    let turn = by.map(|(connector, slot)| Turn { connector, slot, output: stream, ..NOBODY });
+                    core.emit(at, stream, &value, turn.as_ref().map(Trigger), out);
+                }
                 Said::Fault(connector, slot, failed) => {
                     let deadline = failed.is_deadline();
                     out(Emission::Fault { at, connector, slot, error: &failed, deadline });
