@@ -75,6 +75,12 @@ impl Traced {
         self.run.until(at, &mut |emission| hear(tracer, &emission, out));
     }
 
+    /// Ends a replay at `at`: a frame that has begun by then runs too.
+    pub fn finish(&mut self, at: Millis, out: &mut dyn FnMut(&Arc<Cause>)) {
+        let tracer = &mut self.tracer;
+        self.run.finish(at, &mut |emission| hear(tracer, &emission, out));
+    }
+
     /// An edited program goes on from here.
     pub fn follow(&mut self, file: BehaviourFile, mut run: Run, at: Millis) {
         let matching = Matching::between(&self.file, &file);
