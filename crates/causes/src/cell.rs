@@ -35,7 +35,7 @@ pub(crate) enum Turn {
     Gave,
     /// It kept the value back.
     Kept,
-    /// Its procedure failed.
+    /// The procedure failed.
     Failed,
     /// It waits, for a time or for another input.
     Waits,
@@ -67,7 +67,7 @@ impl Cell {
         others.filter_map(|(_, known)| known.clone().map(With::Value)).collect()
     }
 
-    /// Its procedure fails for a value of an input.
+    /// The procedure fails for a value of an input.
     pub(crate) fn fails(&mut self, slot: usize, from: &Cause) {
         self.store(slot, from);
         self.turned(Turn::Failed, from);

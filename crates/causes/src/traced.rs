@@ -6,6 +6,7 @@ use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Matching, Run, StreamIx};
 use protocol::WhyNot;
 use robot::Millis;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// A run that tells why.
@@ -15,26 +16,45 @@ pub struct Traced {
     tracer: Tracer,
 }
 
-/// A question for a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Asked {
-    /// The stream.
-    pub stream: StreamIx,
-    /// The instant.
-    pub at: Millis,
-    /// Of several values in that instant which one, from 0.
-    pub nth: usize,
-}
+/// The most values that are kept of a stretch, the newest ones.
+const VALUES_MAX: usize = 10_000;
 
-/// There is no such value.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Absent {
-    /// The number of values that the stream has in that instant.
-    pub count: usize,
+/// A stretch of time on a stream, with the values that came in it.
+#[derive(Debug)]
+pub struct Stretch {
+    /// The stream, in the program that runs; none while that has it not.
+    pub stream: Option<StreamIx>,
+    /// The first instant.
+    pub from: Millis,
+    /// The last instant.
+    pub until: Millis,
+    /// The values, 10,000 at most.
+    pub values: VecDeque<Arc<Cause>>,
     /// The time of the last value before it.
     pub before: Option<Millis>,
-    /// The time of the first value after it, among those that were played.
-    pub after: Option<Millis>,
+}
+
+impl Stretch {
+    /// A stretch of no stream yet.
+    #[must_use]
+    pub fn of(from: Millis, until: Millis) -> Self {
+        Self { stream: None, from, until, values: VecDeque::new(), before: None }
+    }
+
+    /// Hears a value.
+    pub fn hear(&mut self, cause: &Arc<Cause>) {
+        if Some(cause.stream()) != self.stream || cause.at() > self.until {
+            return;
+        }
+        if cause.at() < self.from {
+            self.before = Some(cause.at());
+            return;
+        }
+        if self.values.len() == VALUES_MAX {
+            self.values.pop_front();
+        }
+        self.values.push_back(cause.clone());
+    }
 }
 
 impl Traced {
@@ -96,62 +116,26 @@ impl Traced {
 
     /// Tells why nothing came on a stream since `from`.
     pub fn why_not(&mut self, stream: StreamIx, from: Millis) -> WhyNot {
-        if self.run.ended().is_some() { self.tracer.end() } else { self.tracer.settle() }
+        if self.run.ended().is_some() {
+            self.tracer.end()
+        } else {
+            self.tracer.settle()
+        }
         self.tracer.why_not(stream, from)
     }
 
-    /// Plays readings up to the instant that is asked for and finds the value.
-    ///
-    /// # Errors
-    /// Where there is none, when there are others. The readings after that instant are played for it.
-    pub fn find(
-        &mut self,
-        readings: impl IntoIterator<Item = (Millis, StreamIx, Value)>,
-        asked: Asked,
-    ) -> Result<Arc<Cause>, Absent> {
-        let mut found = Found { asked, cause: None, absent: Absent::default() };
-        let mut readings = readings.into_iter().peekable();
-        while let Some((at, stream, value)) = readings.next_if(|(at, ..)| *at <= asked.at) {
-            self.feed(at, stream, value, &mut |cause| found.hear(cause));
+    /// Plays readings up to the end of a stretch, and closes it.
+    pub fn play(&mut self, readings: impl IntoIterator<Item = (Millis, StreamIx, Value)>, stretch: &mut Stretch) {
+        let until = stretch.until;
+        for (at, stream, value) in readings.into_iter().take_while(|(at, ..)| *at <= until) {
+            self.feed(at, stream, value, &mut |cause| stretch.hear(cause));
         }
-        self.until(asked.at, &mut |cause| found.hear(cause));
-        for (at, stream, value) in readings {
-            if found.cause.is_some() || found.absent.after.is_some() {
-                break;
-            }
-            self.feed(at, stream, value, &mut |cause| found.hear(cause));
-        }
-        found.cause.ok_or(found.absent)
+        self.until(until, &mut |cause| stretch.hear(cause));
     }
 }
 
 fn hear(tracer: &mut Tracer, emission: &Emission, out: &mut dyn FnMut(&Arc<Cause>)) {
     if let Some(cause) = tracer.hear(emission) {
         out(&cause);
-    }
-}
-
-/// What was found so far.
-struct Found {
-    asked: Asked,
-    cause: Option<Arc<Cause>>,
-    absent: Absent,
-}
-
-impl Found {
-    fn hear(&mut self, cause: &Arc<Cause>) {
-        if cause.stream() != self.asked.stream {
-            return;
-        }
-        match cause.at().cmp(&self.asked.at) {
-            std::cmp::Ordering::Less => self.absent.before = Some(cause.at()),
-            std::cmp::Ordering::Greater => self.absent.after = self.absent.after.or(Some(cause.at())),
-            std::cmp::Ordering::Equal => {
-                if self.absent.count == self.asked.nth {
-                    self.cause = Some(cause.clone());
-                }
-                self.absent.count += 1;
-            }
-        }
     }
 }

@@ -20,7 +20,7 @@ pub struct Tracer {
     programs: Vec<Ids>,
 }
 
-/// What both modes work on.
+/// The parts on which both modes work.
 #[derive(Debug)]
 pub(crate) struct Core {
     /// The number of the program that runs.
@@ -154,9 +154,7 @@ impl Tracer {
 
     fn with(&self, with: &With) -> WhyWith {
         match with {
-            With::Value(seen) => {
-                WhyWith::Value { stream: self.stream(seen), t: seen.at.0, value: seen.value.clone() }
-            }
+            With::Value(seen) => WhyWith::Value { stream: self.stream(seen), t: seen.at.0, value: seen.value.clone() },
             With::Memory(memory, since) => WhyWith::Memory { memory: memory.clone(), t: since.0 },
         }
     }

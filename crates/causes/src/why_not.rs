@@ -11,7 +11,7 @@ use std::collections::{BTreeSet, VecDeque};
 /// The most connectors that are told.
 const BLOCKED_MAX: usize = 200;
 
-/// What a way up from a stream finds at a connector.
+/// The finding at a connector on the way up from a stream.
 enum Found {
     /// This kept the value back.
     Blocked(Blocked),
@@ -23,10 +23,10 @@ enum Found {
 
 impl Tracer {
     /// Tells why nothing came on a stream since `from`, once everything until now was settled: every connector that kept a
-    /// value back, the nearest to the stream first.
+    /// value back, the nearest to the stream first, then the sources from which nothing came.
     #[must_use]
     pub fn why_not(&self, stream: StreamIx, from: Millis) -> WhyNot {
-        let mut blocked = Vec::new();
+        let (mut blocked, mut silent) = (Vec::new(), Vec::new());
         let mut seen = BTreeSet::from([stream]);
         let mut open = VecDeque::from([stream]);
         while let Some(at) = open.pop_front() {
@@ -40,13 +40,14 @@ impl Tracer {
                 for slot in above {
                     let Some(&input) = self.core.wiring.parts[connector.index()].inputs.get(slot) else { continue };
                     if self.core.wiring.incoming[input.index()].is_empty() {
-                        blocked.push(self.nothing(connector, input));
+                        silent.push(self.nothing(connector, input));
                     } else if seen.insert(input) {
                         open.push_back(input);
                     }
                 }
             }
         }
+        blocked.append(&mut silent);
         blocked.truncate(BLOCKED_MAX);
         WhyNot { stream: self.stream_id(self.core.program, stream), blocked }
     }
@@ -61,9 +62,7 @@ impl Tracer {
             }
             Some(last) => Found::Blocked(self.blocked(connector, last)),
             None => match cell.holds() {
-                Some(held) => {
-                    Found::Blocked(self.blocked(connector, &Last { turn: Turn::Waits, took: held.clone() }))
-                }
+                Some(held) => Found::Blocked(self.blocked(connector, &Last { turn: Turn::Waits, took: held.clone() })),
                 None if part.meaning == ConnectorMeaning::Latest => Found::Above(vec![0]),
                 None => Found::Above(all()),
             },

@@ -21,7 +21,7 @@ pub(crate) struct Wiring {
 pub(crate) struct Part {
     pub(crate) meaning: ConnectorMeaning,
     pub(crate) inputs: Vec<StreamIx>,
-    /// How long it lets values wait, in milliseconds.
+    /// The time for which it lets values wait, in milliseconds.
     pub(crate) period_ms: u64,
     /// The value that it remembers at first.
     pub(crate) start: Value,

@@ -28,7 +28,7 @@ use robot::Millis;
 const GRAPHS: u64 = 24;
 const READINGS: usize = 420;
 
-/// What was compared.
+/// The number of things that were compared.
 #[derive(Default)]
 struct Compared {
     values: u64,

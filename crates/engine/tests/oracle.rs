@@ -47,7 +47,7 @@ fn product(file: &BehaviourFile, trace: &[Reading], until: u64, limits: Limits) 
     said
 }
 
-/// What the slow engine says, as the product says it.
+/// An emission of the slow engine, as the product says it.
 fn triggered((said, way): (Said, Way)) -> Triggered {
     let by = way.first().and_then(|step| Some((step.connector?, way[1].stream)));
     (said, by)

@@ -58,7 +58,7 @@ pub enum WhyWith {
 pub struct WhyNot {
     /// The id of the stream.
     pub stream: String,
-    /// The connectors that kept a value back, the nearest to the stream first.
+    /// The connectors that kept a value back, the nearest to the stream first, then those to which nothing came.
     pub blocked: Vec<Blocked>,
 }
 

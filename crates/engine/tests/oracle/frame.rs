@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, VecDeque};
 /// A value with the time and the place in the trace of the reading it comes from.
 type Carried = (Value, (u64, usize));
 
-/// What a connector gives: a value, the one that triggered it, and what else was used.
+/// A gift of a connector: a value, the one that triggered it, and what else was used.
 struct Given {
     carried: Carried,
     from: Way,
@@ -77,8 +77,7 @@ impl Slow<'_> {
                 let earlier = |said: &Said| matches!(said, Said::Value(t, on, _) if *t == time && *on == output);
                 self.said.retain(|(said, _)| !earlier(said));
                 let value = carried.0.clone();
-                let mut way =
-                    vec![Step { connector: Some(at), stream: output, at: time, value: value.clone(), with }];
+                let mut way = vec![Step { connector: Some(at), stream: output, at: time, value: value.clone(), with }];
                 way.extend(from);
                 self.said.push((Said::Value(time, output, value), way.clone()));
                 self.ways.insert(output, way);
@@ -202,13 +201,7 @@ impl Slow<'_> {
         (0..connector.inputs.len()).map(|slot| self.known.get(&(at, slot)).cloned()).collect()
     }
 
-    fn sample(
-        &mut self,
-        time: u64,
-        at: usize,
-        period: u64,
-        newest: Option<(Carried, Way)>,
-    ) -> Option<(Carried, Way)> {
+    fn sample(&mut self, time: u64, at: usize, period: u64, newest: Option<(Carried, Way)>) -> Option<(Carried, Way)> {
         if let Some(newest) = newest {
             self.held.insert(at, newest);
         }

@@ -32,7 +32,7 @@ pub(crate) struct Step {
 pub(crate) enum With {
     /// The newest one of another input: its stream, and when it came.
     Value(usize, u64, Value),
-    /// What a scan made before, and since when it is that.
+    /// The value that a scan made before, and since when it is that.
     Memory(Value, u64),
 }
 

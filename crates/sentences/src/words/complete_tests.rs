@@ -96,3 +96,16 @@ fn labels_are_plain_words() {
         }
     }
 }
+
+#[test]
+fn every_answer_has_words_with_the_same_holes_in_every_language() {
+    let [english, japanese] = Language::ALL.map(|language| words(language).answers);
+    assert_eq!(english.len(), japanese.len());
+    let holes = |says: &str| {
+        let holes = says.split('{').skip(1).filter_map(|from| from.split_once('}')).map(|(hole, _)| hole.to_owned());
+        holes.collect::<BTreeSet<String>>()
+    };
+    for ((id, english), (twin, japanese)) in english.iter().zip(japanese) {
+        assert_eq!((id, holes(english)), (twin, holes(japanese)));
+    }
+}
