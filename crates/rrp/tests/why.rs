@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use std::fs::{read_to_string, write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 
 /// Shows a ball that is near, remembers how many were, and says so together with the newest colour.
 const PROGRAM: &str = r#"{"format":"rrp-behaviour/1","name":"Near","helpers":[],
@@ -26,7 +27,7 @@ const TRACE: &str = r#"{"t":100,"stream":"colour","value":10}
 const HEADER: &str = r#"{"format":"rrp-recording/2","began":"2026-11-21T12:04:13Z","mode":"event","records":"all"}"#;
 
 /// A folder with the program, its trace and a recording in which an edited one goes on at 2 s.
-fn folder() -> PathBuf {
+static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("why");
     std::fs::create_dir_all(&folder).expect("a folder");
     let edited = PROGRAM.replace("ball < 20", "ball < 50").replacen(
@@ -48,10 +49,10 @@ fn folder() -> PathBuf {
     write(folder.join("trace.jsonl"), TRACE).expect("written");
     write(folder.join("recording.jsonl"), recording).expect("written");
     folder
-}
+});
 
 fn why(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_rrp")).arg("why").args(args).current_dir(folder()).output().expect("rrp starts")
+    Command::new(env!("CARGO_BIN_EXE_rrp")).arg("why").args(args).current_dir(&*FOLDER).output().expect("rrp starts")
 }
 
 fn of_trace(args: &[&str]) -> Output {
@@ -93,7 +94,7 @@ fn a_value_is_told_with_its_way_for_machines() {
 
 #[test]
 fn frames_have_their_own_instants() {
-    let way = line(&of_trace(&["--stream", "many", "--at", "350", "--json", "--mode", "frame", "--frame-ms", "50"]));
+    let way = line(&of_trace(&["--stream", "many", "--at", "350", "--json", "--mode", "frame", "--frame-ms", "175"]));
     assert_eq!(way["steps"][0]["with"], json!([{"memory": 0, "t": 0}]));
     let none = of_trace(&["--stream", "many", "--at", "300", "--json", "--mode", "frame", "--frame-ms", "175"]);
     assert_eq!(none.status.code(), Some(1));
@@ -104,14 +105,17 @@ fn what_kept_an_action_back_is_told_for_machines() {
     let not = |from: &str, until: &str| {
         line(&of_trace(&["--stream", "say", "--not", "--from", from, "--until", until, "--json"]))
     };
-    let one = |connector: &str, stream: &str, t: u64, value: u64, because: &str| json!({"connector": connector, "stream": stream, "t": t, "value": value, "because": because});
-    assert_eq!(not("2000", "2600"), json!({"stream": "say", "blocked": [one("keep", "ball", 2500, 40, "kept")]}));
-    assert_eq!(not("400", "1000"), json!({"stream": "say", "blocked": [one("wait", "both", 900, 12, "waits")]}));
+    let one = |connector: &str, stream: &str, t: u64, value: u64, because: &str| {
+        let told = json!({"connector": connector, "stream": stream, "t": t, "value": value, "because": because});
+        json!({"stream": "say", "blocked": [told]})
+    };
     let nothing = |connector: &str, stream: &str| json!({"connector": connector, "stream": stream, "t": null, "value": null, "because": "nothing"});
-    assert_eq!(
-        not("0", "50"),
-        json!({"stream": "say", "blocked": [nothing("join", "colour"), nothing("keep", "ball")]})
-    );
+    assert_eq!(not("400", "1000"), one("wait", "both", 900, 12, "waits"));
+    let mut kept = one("keep", "ball", 2500, 40, "kept");
+    kept["blocked"].as_array_mut().expect("a list").push(nothing("join", "colour"));
+    assert_eq!(not("2000", "2600"), kept, "a miss is told before what was silent");
+    let silent = [nothing("join", "colour"), nothing("keep", "ball")];
+    assert_eq!(not("0", "50"), json!({"stream": "say", "blocked": silent}));
 }
 
 #[test]
