@@ -83,7 +83,7 @@ pub struct Blocked {
 pub enum Because {
     /// The value did not pass.
     Kept,
-    /// Its procedure failed.
+    /// The procedure failed.
     Fault,
     /// It waits, for its time or for a value of another input.
     Waits,
