@@ -1,6 +1,6 @@
 //! The words of each language, by what they mean. The first words of a meaning are told, all of them are read.
 
-mod answers;
+pub(crate) mod answers;
 mod en;
 mod ja;
 mod labels;
@@ -8,7 +8,6 @@ mod labels;
 pub use labels::device_label;
 
 use crate::Language;
-use answers::Answer;
 
 /// Words for a meaning, with holes: `{part}` is filled in, `[at {speed}]` is told only where something unusual was
 /// chosen, and what stands between `<` and `>` can be changed for its like.
@@ -47,8 +46,6 @@ pub(crate) struct Words {
     pub(crate) when: (&'static str, &'static str),
     /// After the sense of a sentence.
     pub(crate) close: &'static str,
-    /// The words of answers: why, and why not.
-    pub(crate) answers: &'static [Answer],
 }
 
 /// The words of a language.

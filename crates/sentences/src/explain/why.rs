@@ -6,6 +6,7 @@ use crate::does::Does;
 use crate::sentence::Piece;
 use crate::test::Test;
 use crate::token::quoted;
+use crate::words::answers::answers;
 use crate::words::words;
 use crate::{Language, numbers};
 use behaviour::{Behaviour, Connector, Graph, Helper, Id, StreamKind, Value};
@@ -240,7 +241,7 @@ impl<'a> Answers<'a> {
 
     /// The words of an answer with their holes filled.
     fn say(&self, id: &str, holes: &[(&str, String)]) -> String {
-        let says = words(self.language).answers.iter().find(|(known, _)| *known == id).map_or("", |(_, says)| *says);
+        let says = answers(self.language).iter().find(|(known, _)| *known == id).map_or("", |(_, says)| *says);
         let mut text = String::new();
         let mut rest = says;
         while let Some((before, from)) = rest.split_once('{') {

@@ -1,9 +1,20 @@
-//! The words of answers: why a value came, and why another one did not.
+//! The words of answers: why a value came, and why another one did not. They stand apart from the others, as a page that tells no
+//! answers need not load them.
+
+use crate::Language;
 
 /// The words for a meaning, with holes.
 pub(crate) type Answer = (&'static str, &'static str);
 
-pub(super) const ENGLISH: &[Answer] = &[
+/// The words of a language.
+pub(crate) fn answers(language: Language) -> &'static [Answer] {
+    match language {
+        Language::English => ENGLISH,
+        Language::Japanese => JAPANESE,
+    }
+}
+
+const ENGLISH: &[Answer] = &[
     ("why.action", "At {time} {name} was told {value}."),
     ("why.came", "{name} came at {time}: {value}."),
     ("why.passed", "{name} came at {time}: {asked} {test}."),
@@ -33,7 +44,7 @@ pub(super) const ENGLISH: &[Answer] = &[
     ("whyNot.none", "Nothing is known that kept {name} back."),
 ];
 
-pub(super) const JAPANESE: &[Answer] = &[
+const JAPANESE: &[Answer] = &[
     ("why.action", "{time}に{name}へ{value}が伝えられました。"),
     ("why.came", "{time}に{name}が来ました：{value}。"),
     ("why.passed", "{time}に{name}が来ました。{asked}が{test}からです。"),

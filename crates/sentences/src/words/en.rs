@@ -41,7 +41,6 @@ pub(super) const WORDS: Words = Words {
     or: " or ",
     when: ("when ", " when "),
     close: "",
-    answers: super::answers::ENGLISH,
 };
 
 const SHAPE: &[Rule] = &[

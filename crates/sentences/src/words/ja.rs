@@ -31,7 +31,6 @@ pub(super) const WORDS: Words = Words {
     or: "か、",
     when: ("", "、"),
     close: "とき",
-    answers: super::answers::JAPANESE,
 };
 
 const SHAPE: &[Rule] = &[
