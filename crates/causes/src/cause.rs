@@ -101,14 +101,14 @@ impl Drop for Cause {
 }
 
 /// A value that waits somewhere, with its way as far as there is room for it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Waiting {
     pub(crate) cause: Arc<Cause>,
     pub(crate) due: Millis,
 }
 
 /// The room for ways of values that wait.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Room {
     steps: usize,
 }

@@ -6,7 +6,7 @@ use engine::ConnectorIx;
 use std::sync::Arc;
 
 /// The values on their way, each with the number of connectors that it was handed to.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Stack {
     way: Vec<(Arc<Cause>, usize)>,
 }

@@ -8,7 +8,7 @@ use robot::Millis;
 use std::sync::Arc;
 
 /// The values that are present in a frame.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Present {
     /// The end of the frame.
     at: Option<Millis>,

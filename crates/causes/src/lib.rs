@@ -14,5 +14,5 @@ mod why_not;
 mod wiring;
 
 pub use cause::{Cause, STEPS_MAX};
-pub use traced::{Stretch, Traced};
+pub use traced::{Snapshot, Stretch, Traced};
 pub use tracer::Tracer;

@@ -3,7 +3,7 @@
 use crate::cause::Cause;
 use crate::tracer::Tracer;
 use behaviour::{BehaviourFile, Value};
-use engine::{Emission, Matching, Run, StreamIx};
+use engine::{Emission, Handover, Matching, Run, StreamIx};
 use protocol::WhyNot;
 use robot::Millis;
 use std::collections::VecDeque;
@@ -13,6 +13,13 @@ use std::sync::Arc;
 pub struct Traced {
     file: BehaviourFile,
     run: Run,
+    tracer: Tracer,
+}
+
+/// A moment of a run to which one can return: what the run and its tracer remember then.
+#[derive(Clone)]
+pub struct Snapshot {
+    memory: Handover,
     tracer: Tracer,
 }
 
@@ -110,8 +117,23 @@ impl Traced {
     }
 
     /// Remembers what an earlier run of the same program remembered, before it was fed anything.
-    pub fn resume(&mut self, memory: engine::Handover) {
+    pub fn resume(&mut self, memory: Handover) {
         self.run.resume_from(memory, &Matching::between(&self.file, &self.file));
+    }
+
+    /// Returns the moment as it is now. None while readings wait for the end of their frame.
+    #[must_use]
+    pub fn snapshot(&self) -> Option<Snapshot> {
+        let (memory, tracer) = (self.run.handover(), self.tracer.clone());
+        self.run.is_between().then_some(Snapshot { memory, tracer })
+    }
+
+    /// Goes on from a moment of an earlier run of this file; `run` is one that begins.
+    #[must_use]
+    pub fn from_snapshot(file: BehaviourFile, mut run: Run, snapshot: Snapshot) -> Self {
+        let Snapshot { memory, tracer } = snapshot;
+        run.resume_from(memory, &Matching::between(&file, &file));
+        Self { file, run, tracer }
     }
 
     /// Tells why nothing came on a stream since `from`.

@@ -11,8 +11,9 @@ use protocol::{Why, WhyStep, WhyWith};
 use robot::Millis;
 use std::sync::Arc;
 
-/// Hears the emissions of a run from its beginning, in order.
-#[derive(Debug)]
+/// Hears the emissions of a run from its beginning, in order. A copy shares the ways of values with it, so that one can be kept
+/// every now and then.
+#[derive(Clone, Debug)]
 pub struct Tracer {
     pub(crate) core: Core,
     mode: Mode,
@@ -21,11 +22,11 @@ pub struct Tracer {
 }
 
 /// The parts on which both modes work.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Core {
     /// The number of the program that runs.
     pub(crate) program: usize,
-    pub(crate) wiring: Wiring,
+    pub(crate) wiring: Arc<Wiring>,
     /// By connector.
     pub(crate) cells: Vec<Cell>,
     pub(crate) room: Room,
@@ -33,7 +34,7 @@ pub(crate) struct Core {
     pub(crate) readings: u64,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum Mode {
     Event(Stack),
     Frame(Present),
@@ -52,7 +53,7 @@ impl Core {
     fn of(file: &BehaviourFile, program: usize, began: Millis) -> Self {
         let wiring = Wiring::of(file);
         let cells = wiring.parts.iter().map(|part| Cell::of(part, began)).collect();
-        Self { program, wiring, cells, room: Room::default(), readings: 0 }
+        Self { program, wiring: Arc::new(wiring), cells, room: Room::default(), readings: 0 }
     }
 
     /// A reading.

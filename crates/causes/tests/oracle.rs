@@ -93,6 +93,44 @@ fn check(seed: u64, mode: impl Fn(&mut Chance) -> Engine, compared: &mut Compare
     compared.faults += (wanted.len() - made.len()) as u64;
 }
 
+/// The ways of the values that come after a reading, of a run that goes on and of one that was restored there.
+fn restored(file: &BehaviourFile, trace: &[Reading], at: usize, until: u64) -> Option<[Vec<Why>; 2]> {
+    let build = || Run::build(file, Limits::default()).map_err(|faults| faults[0].to_string()).unwrap();
+    let feed = |traced: &mut Traced, readings: &[Reading], ways: &mut Vec<_>| {
+        for Reading { at, stream, value } in readings {
+            let stream = StreamIx::of(*stream);
+            traced.feed(Millis(*at), stream, value.clone(), &mut |cause| ways.push(cause.clone()));
+        }
+    };
+    let (before, after) = trace.split_at(at);
+    let mut first = Traced::of(file.clone(), build());
+    feed(&mut first, before, &mut Vec::new());
+    first.until(Millis(before.last()?.at), &mut |_| {});
+    let second = Traced::from_snapshot(file.clone(), build(), first.snapshot()?);
+    Some([first, second].map(|mut traced| {
+        let mut ways = Vec::new();
+        feed(&mut traced, after, &mut ways);
+        traced.finish(Millis(until), &mut |cause| ways.push(cause.clone()));
+        ways.iter().map(|cause| traced.tracer().tell(cause)).collect()
+    }))
+}
+
+#[test]
+fn a_run_that_was_restored_tells_what_the_first_one_tells() {
+    let (mut tried, mut values) = (0, 0);
+    for seed in 0..80 {
+        let mut chance = Chance::of(seed);
+        let mut file = graphs::behaviour(&mut chance);
+        let trace = graphs::trace(&mut chance, &file, 120);
+        file.engine = Some(chance.pick(&[Engine::Event, Engine::Frame { frame_ms: 20 }]));
+        let until = trace.last().map_or(0, |last| last.at) + 200;
+        let Some([first, second]) = restored(&file, &trace, 1 + chance.index(100), until) else { continue };
+        assert!(first == second, "seed {seed}, {:?}", file.engine);
+        (tried, values) = (tried + 1, values + first.len());
+    }
+    assert!(tried > 40 && values > 4_000, "too few to mean anything: {tried} runs, {values} values");
+}
+
 #[test]
 fn every_value_of_random_runs_has_the_cause_of_the_plain_engine() {
     let mut compared = Compared::default();
