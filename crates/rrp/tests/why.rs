@@ -156,7 +156,7 @@ fn a_recording_tells_in_sentences_what_its_edited_program_did() {
     let english = told(&why(&["recording.jsonl", "--action", "say", "--at", "12:04:16.5"]));
     assert_eq!(
         english,
-        "At 0:03.500 “Say” was told 13.\n\
+        "At 0:03.500: the robot says it (13).\n\
          “Late” passed on at 0:03.500 what came at 0:02.500: 13.\n\
          “Both” came at 0:02.500: 13. With it “Colour” was 10, come 2.4 s earlier.\n\
          “Many” came at 0:02.500: 3. Before, it was 2.\n\
@@ -164,7 +164,7 @@ fn a_recording_tells_in_sentences_what_its_edited_program_did() {
          “Ball” was sensed at 0:02.500: 40.\n"
     );
     let near = told(&why(&["recording.jsonl", "--action", "Say", "--at", "0:01.8", "--language", "ja"]));
-    assert!(near.starts_with("0:01.900に「Say」へ12が伝えられました。\n"), "{near}");
+    assert!(near.starts_with("0:01.900：それを言います（12）。\n"), "{near}");
     let not = told(&why(&["recording.jsonl", "--action", "Say", "--not", "--at", "0:00.250"]));
     assert_eq!(
         not,
@@ -173,6 +173,34 @@ fn a_recording_tells_in_sentences_what_its_edited_program_did() {
     );
     let line = line(&why(&["recording.jsonl", "--stream", "say", "--at", "3500", "--json"]));
     assert_eq!(line["steps"].as_array().map(Vec::len), Some(6));
+}
+
+#[test]
+fn a_program_of_the_templates_answers_in_the_words_of_its_senses_and_actions() {
+    let greeter =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/behaviours/greeter.json").display().to_string();
+    let face = r#"{"id":3,"new":true,"recognized_new_face":false}"#;
+    let faces = FOLDER.join("faces.jsonl").display().to_string();
+    let reading = |t: u64| format!("{{\"t\":{t},\"stream\":\"face-detection\",\"value\":{face}}}\n");
+    write(&faces, reading(1_000) + &reading(12_000)).expect("written");
+    let answer = |args: &[&str]| told(&why(&[&["--behaviour", &greeter, "--trace", &faces], args].concat()));
+    assert_eq!(
+        answer(&["--action", "say hello", "--at", "0:10"]),
+        "At 0:10.000: the robot says “Hello”.\n\
+         “Somebody new” came at 0:10.000, as 3 is another value than before.\n\
+         “New face” came at 0:10.000: it is new.\n\
+         “Face” passed on at 0:10.000 what came at 0:01.000: id 3, new yes, recognized_new_face no.\n\
+         At 0:01.000: a face is seen (id 3, new yes, recognized_new_face no).\n"
+    );
+    let stretch = ["--not", "--from", "11000", "--until", "21000"];
+    assert_eq!(
+        answer(&[&["--action", "Say hello"], &stretch[..]].concat()),
+        "At 0:20.000 “Somebody new” kept 3 back: it was the same as before.\n"
+    );
+    assert_eq!(
+        answer(&[&["--action", "Say hello again", "--language", "ja"], &stretch[..]].concat()),
+        "0:20.000に「Known face」はそれを止めました。知っている顔であるものだけを通すからです。\n"
+    );
 }
 
 #[test]

@@ -2,14 +2,17 @@
 
 use super::Teller;
 use super::chain::{Known, Link, Start};
-use crate::does::Does;
+use super::fill::Fills;
+use crate::does::{Calc, Does};
+use crate::fits::number_unit;
+use crate::pattern::grammar;
 use crate::sentence::Piece;
-use crate::test::Test;
+use crate::test::{Asks, Test};
 use crate::token::quoted;
 use crate::words::answers::answers;
 use crate::words::words;
 use crate::{Language, numbers};
-use behaviour::{Behaviour, Connector, Graph, Helper, Id, StreamKind, Value};
+use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind, Value};
 use protocol::{Because, Blocked, Why, WhyNot, WhyStep, WhyWith};
 
 /// The most letters of a value that are told.
@@ -91,9 +94,12 @@ impl<'a> Answers<'a> {
 
     /// A value that a connector gave.
     fn given(&self, id: &str, step: &WhyStep, before: &WhyStep, holes: &[(&str, String)]) -> String {
-        let is_action = self.stream(&step.stream).is_some_and(|(_, stream)| stream.kind == StreamKind::Actuator);
-        if is_action {
-            return self.say("why.action", holes);
+        let action = self.stream(&step.stream).filter(|(_, stream)| stream.kind == StreamKind::Actuator);
+        if let Some((id, stream)) = action {
+            let Some((clause, takes_value)) = self.does(id, stream) else { return self.say("why.action", holes) };
+            let mut holes = holes.to_vec();
+            holes.push(("clause", clause));
+            return self.say(if takes_value { "why.sensed" } else { "why.does" }, &holes);
         }
         let Some(link) = self.link(id) else { return self.say("why.came", holes) };
         let asked = self.asked(&link, &before.value);
@@ -107,7 +113,11 @@ impl<'a> Answers<'a> {
                 holes.push(("since", (self.clock)(before.t)));
                 self.say("why.later", &holes)
             }
-            (Does::Changed(_), _) => self.say("why.changed", &holes),
+            (Does::Changed(by), _) => {
+                holes.retain(|(hole, _)| *hole != "value");
+                holes.push(("value", self.compared(by.as_ref(), &before.value)));
+                self.say("why.changed", &holes)
+            }
             _ => self.say("why.came", &holes),
         }
     }
@@ -153,7 +163,10 @@ impl<'a> Answers<'a> {
             (Because::Kept, Some(Does::Keep(_)), Some((value, test))) => {
                 self.say("whyNot.test", &[time, name, ("asked", value), ("test", test)])
             }
-            (Because::Kept, Some(Does::Changed(_)), _) => self.say("whyNot.same", &[time, name, value]),
+            (Because::Kept, Some(Does::Changed(by)), _) => {
+                let value = ("value", self.compared(by.as_ref(), &blocked.value));
+                self.say("whyNot.same", &[time, name, value])
+            }
             (Because::Kept, ..) => self.say("whyNot.kept", &[time, name, value]),
             (Because::Fault, ..) => self.say("whyNot.fault", &[time, name, value]),
             (Because::Waits, Some(Does::Every(_) | Does::Later(_) | Does::Quiet(_)), _) => {
@@ -166,7 +179,7 @@ impl<'a> Answers<'a> {
 
     /// What a test was asked about, with its unit, and the words of the test.
     fn asked(&self, link: &Link, value: &Value) -> Option<(String, String)> {
-        let Does::Keep(Test { field, .. }) = &link.does else { return None };
+        let Does::Keep(Test { field, asks }) = &link.does else { return None };
         let teller = Teller::new(&self.known, self.unit, self.language);
         let pieces = teller.test_pieces(link);
         let unit = pieces.iter().find_map(|piece| match piece {
@@ -178,7 +191,28 @@ impl<'a> Answers<'a> {
             Some(field) => value.field(field)?,
             None => value,
         };
-        Some((self.value(asked, unit.unwrap_or_default()), test))
+        let asked = match asks {
+            Asks::Truth(_) => self.say("why.it", &[]),
+            Asks::Numbers(_) | Asks::Text(..) => self.value(asked, unit.unwrap_or_default()),
+        };
+        Some((asked, test))
+    }
+
+    /// What a connector compares of a value, as far as that is a field of it.
+    fn compared(&self, by: Option<&Calc>, value: &Value) -> String {
+        let field = if let Some(Calc::Field(name)) = by { value.field(name) } else { None };
+        self.value(field.unwrap_or(value), "")
+    }
+
+    /// What an action does, in the words of its clause, and whether the value that it is told decides about it.
+    fn does(&self, id: &'a Id, stream: &'a Stream) -> Option<(String, bool)> {
+        let device = robot::device(StreamKind::Actuator, stream.device.as_deref()?).ok()?;
+        device.check(&stream.params).ok()?;
+        let teller = Teller::new(&self.known, self.unit, self.language);
+        let clause = teller.action_clause(device, stream, &[])?;
+        let fills = Fills { device: Some((device, id, stream)), seen: None, links: &[] };
+        let pieces = teller.filled(grammar(self.language).told(clause.id), &fills, number_unit(clause))?;
+        Some((pieces.iter().map(Piece::text).collect(), clause.id.ends_with(".value")))
     }
 
     /// A value as people read it.
@@ -222,7 +256,7 @@ impl<'a> Answers<'a> {
         self.known.behaviour.connectors_in_order().into_iter().find(|(known, _)| known.as_str() == id)
     }
 
-    fn stream(&self, id: &str) -> Option<(&'a Id, &'a behaviour::Stream)> {
+    fn stream(&self, id: &str) -> Option<(&'a Id, &'a Stream)> {
         let behaviour: &'a Behaviour = self.known.behaviour;
         behaviour.streams().find(|(known, _)| known.as_str() == id)
     }
