@@ -121,7 +121,7 @@ impl Rehearsal {
         }
         let (report, actions, mut emitted) = (&mut self.report, &self.actions, Vec::new());
         let mut note = |emission: Emission| match emission {
-            Emission::Value { at, stream, value } => {
+            Emission::Value { at, stream, value, .. } => {
                 emitted.extend(actions.get(&stream).map(|user| (at, user, value.clone())));
             }
             Emission::Fault { at, error, .. } => report.troubles.push((at, error.to_string())),

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::program::read_bytes;
-use behaviour::{Helper, Id, Unit, ValueType};
+use behaviour::{Behaviour, Helper, Id, Unit, ValueType};
 use clap::Args;
 use sentences::Language;
 use server::Knowing;
@@ -51,12 +51,16 @@ fn lines(path: &Path, bytes: &[u8], language: Language) -> Result<Vec<String>, V
     let behaviour = file.records(|_| None).map_err(flaws)?;
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();
-    let types = behaviour::infer(&behaviour, &helpers, &Knowing::default());
+    let told = sentences::explain(&behaviour, &helpers, &units(&behaviour, &helpers), language);
+    Ok(told.iter().map(ToString::to_string).collect())
+}
+
+/// In what the numbers of each stream are measured.
+pub(crate) fn units(behaviour: &Behaviour, helpers: &[&Helper]) -> impl Fn(&Id) -> Option<String> + use<> {
+    let types = behaviour::infer(behaviour, helpers, &Knowing::default());
     // That it is a share says nothing beside a number.
-    let unit = |id: &Id| match types.get(id) {
+    move |id: &Id| match types.get(id) {
         Some(ValueType::Number { unit: Some(unit), .. }) if *unit != Unit::Fraction => Some(unit.symbol().to_owned()),
         _ => None,
-    };
-    let told = sentences::explain(&behaviour, &helpers, &unit, language);
-    Ok(told.iter().map(ToString::to_string).collect())
+    }
 }

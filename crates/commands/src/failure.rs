@@ -1,5 +1,6 @@
 //! Why a command did not do what it should. What is said about it stands in `words.rs`; only `main` prints it.
 
+use crate::why::NoAnswer;
 use behaviour::Refusal;
 use server::{BackupMisfit, ServeError};
 use std::error::Error;
@@ -120,6 +121,8 @@ pub(crate) enum Failure {
         /// How many behaviours there are.
         behaviours: usize,
     },
+    /// Nothing can be told about why something came or did not.
+    NoAnswer(NoAnswer),
     /// The trace has nothing to play.
     NoReadings,
     /// This line of a trace makes no sense.

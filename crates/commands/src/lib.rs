@@ -24,6 +24,7 @@ mod robot;
 mod serve;
 mod store_at;
 mod trace;
+mod why;
 mod words;
 
 use clap::{Parser, Subcommand};
@@ -48,6 +49,7 @@ enum What {
     Shell(ShellArgs),
     Robot(robot::RobotArgs),
     Replay(replay::ReplayArgs),
+    Why(why::WhyArgs),
     Convert(convert::ConvertArgs),
     Bench(bench::BenchArgs),
     Load(load::LoadArgs),
@@ -67,7 +69,13 @@ impl What {
     fn uses_a_server(&self) -> bool {
         let only_files = matches!(
             self,
-            Self::Replay(_) | Self::Bench(_) | Self::Devices(_) | Self::Check(_) | Self::Explain(_) | Self::Build(_)
+            Self::Replay(_)
+                | Self::Why(_)
+                | Self::Bench(_)
+                | Self::Devices(_)
+                | Self::Check(_)
+                | Self::Explain(_)
+                | Self::Build(_)
         );
         !only_files
     }
@@ -92,6 +100,7 @@ const EXAMPLES: &str = "Examples:
   rrp shell                            look around and start behaviours from a terminal
   rrp robot add NAO --address nao.local
   rrp replay --behaviour tracking.json --trace morning.jsonl
+  rrp why greet.jsonl --action Say --at 1:04.2
   rrp convert morning.jsonl --to csv --out morning.csv
   rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000
   rrp export \"Track far and close balls\" --format xml --out tracking.xml
@@ -120,6 +129,7 @@ pub fn run(page: Page) -> ExitCode {
         What::Shell(args) => console(&args.url),
         What::Robot(args) => robot::robot(&args),
         What::Replay(args) => replay::replay(&args),
+        What::Why(args) => why::why(&args),
         What::Convert(args) => ended(convert::convert(&args)),
         What::Bench(args) => bench::bench(&args),
         What::Load(args) => load::load(&args),

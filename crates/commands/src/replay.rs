@@ -72,7 +72,7 @@ const EXAMPLES: &str = "Examples:
 
 /// How time runs.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Mode {
+pub(crate) enum Mode {
     /// Every reading at its own instant.
     Event,
     /// Readings gathered into frames.
@@ -137,17 +137,16 @@ fn prepare(args: &ReplayArgs) -> Result<(Vec<BehaviourFile>, Vec<Player>), Refus
 
 fn read_behaviour(args: &ReplayArgs, path: &Path) -> Result<BehaviourFile, Failure> {
     let mut file = read_program(path)?;
-    file.engine = Some(chosen_engine(args, file.engine.unwrap_or_default()));
+    file.engine = Some(chosen_engine(args.mode, args.frame_ms, file.engine.unwrap_or_default()));
     Ok(file)
 }
 
-fn chosen_engine(args: &ReplayArgs, own: Engine) -> Engine {
+/// The engine of a file, or the one that somebody chose instead.
+pub(crate) fn chosen_engine(mode: Option<Mode>, frame_ms: Option<u64>, own: Engine) -> Engine {
     let own_ms = if let Engine::Frame { frame_ms } = own { frame_ms } else { FRAME_MS };
-    match (args.mode, own) {
+    match (mode, own) {
         (Some(Mode::Event), _) | (None, Engine::Event) => Engine::Event,
-        (Some(Mode::Frame), _) | (None, Engine::Frame { .. }) => {
-            Engine::Frame { frame_ms: args.frame_ms.unwrap_or(own_ms) }
-        }
+        (Some(Mode::Frame), _) | (None, Engine::Frame { .. }) => Engine::Frame { frame_ms: frame_ms.unwrap_or(own_ms) },
     }
 }
 

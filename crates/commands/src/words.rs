@@ -113,6 +113,7 @@ impl fmt::Display for Failure {
             Self::Traces { traces, behaviours } => {
                 write!(to, "{traces} traces for {behaviours} behaviours; give one for all, or one for each")
             }
+            Self::NoAnswer(why) => write!(to, "{why}"),
             Self::NoReadings => to.write_str("the trace has no readings; give it at least one line"),
             Self::TraceLine(number, why) => write!(to, "trace line {number}: {why}"),
             Self::RecordingLine(number, why) => write!(to, "recording line {number}: {why}"),

@@ -75,6 +75,11 @@ pub(crate) trait Connector {
     /// The fault that dropped a value; already counted.
     fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>>;
 
+    /// The place of the input that it answers in a frame, where the newest value is that of `newest`.
+    fn trigger(&self, newest: u32) -> u32 {
+        newest
+    }
+
     /// Returns the time when it gives something by itself next, if it will.
     fn due(&self) -> Option<Millis> {
         None

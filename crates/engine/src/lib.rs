@@ -23,5 +23,5 @@ pub use faults::{
 pub use procedure::{check_body, misused, result_type, try_body, unknown_name};
 pub use program::{ConnectorInfo, Program, StreamInfo, validate};
 pub use run::{Handover, Matching, Run};
-pub use timeline::{Emission, End};
+pub use timeline::{Emission, End, Trigger};
 pub use values::{ConnectorIx, ConnectorStats, IndexVec, Ix, LastFault, Pairs, Stats, StreamIx, StreamStats};

@@ -8,6 +8,7 @@ mod frame;
 mod memory;
 mod plan;
 mod schedule;
+mod trigger;
 
 use crate::faults::CallFault;
 use crate::values::{ConnectorIx, StreamIx};
@@ -19,6 +20,7 @@ pub use end::End;
 pub(crate) use event::Event;
 pub(crate) use frame::Frame;
 pub(crate) use memory::RunMemory;
+pub use trigger::Trigger;
 
 /// The events that a run tells its caller, in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +33,8 @@ pub enum Emission<'a> {
         stream: StreamIx,
         /// The value.
         value: &'a Value,
+        /// The turn that gave it; none of a reading. What a connector gives by itself is by the input whose value waited.
+        by: Option<Trigger<'a>>,
     },
     /// A procedure dropped a value.
     Fault {
@@ -38,6 +42,8 @@ pub enum Emission<'a> {
         at: Millis,
         /// The connector.
         connector: ConnectorIx,
+        /// The place among its inputs of the stream whose value it took for that.
+        slot: u32,
         /// The fault of the call.
         error: &'a CallFault,
         /// True if the caller's interrupt ended the procedure.

@@ -35,7 +35,7 @@ fn play(case: &Path, mode: Engine, compiled: bool) -> Vec<Json> {
     let mut shown = Vec::new();
     let mut show = |emission: Emission| {
         shown.push(match emission {
-            Emission::Value { at, stream, value } => {
+            Emission::Value { at, stream, value, .. } => {
                 serde_json::json!({"t": at.0, "stream": streams[stream.index()], "value": value})
             }
             Emission::Fault { at, connector, error, .. } => {

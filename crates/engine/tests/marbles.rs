@@ -32,7 +32,7 @@ fn play(spec: &Spec, example: &Example) -> Vec<(u64, Value)> {
     let output = run.stream_index("out").unwrap();
     let mut told = Vec::new();
     let mut note = |emission: Emission| match emission {
-        Emission::Value { at, stream, value } if stream == output => told.push((at.0, value.clone())),
+        Emission::Value { at, stream, value, .. } if stream == output => told.push((at.0, value.clone())),
         Emission::Value { .. } | Emission::Fault { .. } => {}
     };
     for (stream, marble) in in_time(example.given) {

@@ -46,7 +46,7 @@ fn said(run: &mut Run, act: impl FnOnce(&mut Run, &mut dyn FnMut(Emission))) -> 
     let mut lines = Vec::new();
     act(run, &mut |emission| {
         lines.push(match emission {
-            Emission::Value { at, stream, value } => format!("{} {}={value}", at.0, streams[stream.index()]),
+            Emission::Value { at, stream, value, .. } => format!("{} {}={value}", at.0, streams[stream.index()]),
             Emission::Fault { at, connector, .. } => format!("{} {}!", at.0, connectors[connector.index()]),
         });
     });

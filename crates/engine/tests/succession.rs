@@ -56,7 +56,7 @@ fn names(run: &Run) -> (Vec<String>, Vec<String>) {
 
 fn heard(emission: &Emission, streams: &[String], connectors: &[String]) -> Said {
     match *emission {
-        Emission::Value { at, stream, value } => Said::Value(at.0, streams[stream.index()].clone(), value.clone()),
+        Emission::Value { at, stream, value, .. } => Said::Value(at.0, streams[stream.index()].clone(), value.clone()),
         Emission::Fault { at, connector, .. } => Said::Fault(at.0, connectors[connector.index()].clone()),
     }
 }
@@ -90,7 +90,7 @@ fn case(seed: u64, mode: impl Fn(&mut Chance) -> Engine) -> (Case, Chance) {
     let mut chance = Chance::of(seed);
     let mut file = graphs::behaviour(&mut chance);
     file.engine = Some(mode(&mut chance));
-    let trace = graphs::trace(&mut chance, &file);
+    let trace = graphs::trace(&mut chance, &file, 40);
     let cut = chance.index(trace.len() + 1);
     let until = trace.last().map_or(0, |last| last.at) + chance.below(150);
     let before = cut.checked_sub(1).map(|at| trace[at].at);

@@ -13,6 +13,7 @@ mod real_robot;
 mod recording;
 mod reply;
 mod request;
+mod why;
 
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Tagged, Used};
@@ -28,6 +29,7 @@ pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRob
 pub use recording::{MarkEdit, MarkSort, Recorded, Recording, RecordingMark, Records, Session};
 pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
 pub use request::{Area, Ask, Credential, Pointer, Request};
+pub use why::{Because, Blocked, Why, WhyNot, WhyStep, WhyWith};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
 pub const VERSION: u32 = 15;

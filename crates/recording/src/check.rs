@@ -267,7 +267,7 @@ impl Replay {
 }
 
 fn told(file: &BehaviourFile, emission: &Emission, to: &mut VecDeque<Box<Told>>) {
-    if let &Emission::Value { at, stream, value } = emission
+    if let &Emission::Value { at, stream, value, .. } = emission
         && file.streams[stream.index()].kind == StreamKind::Actuator
     {
         to.push_back(of(file, at.0, stream.index(), value));

@@ -147,6 +147,9 @@ fn record_and_replay(engine: &str) {
     let told = String::from_utf8_lossy(&checked.stderr).into_owned();
     assert!(checked.status.code() == Some(1) && told.starts_with("The replay differs: "), "{told}");
 
+    // It says why the robot did its last action.
+    tells_why(&trace, wanted.lines().last().expect("an action"));
+
     // Every other program gets it in its own form.
     for (form, begins) in
         [("csv", "\u{feff}\"t_ms\""), ("eaf", "<?xml"), ("boris", "0."), ("vtt", "WEBVTT"), ("mcap", "")]
@@ -171,6 +174,19 @@ fn record_and_replay(engine: &str) {
     assert_eq!(String::from_utf8(made.stdout).expect("UTF-8"), lines_of(&text, &actions[1..]));
     let listed = server.console("recordings\n");
     assert!(listed.contains("Recorded on Simulated NAO, revision 1, 2"), "{listed}");
+}
+
+/// A recording leads from a recorded action back to a reading.
+fn tells_why(trace: &str, action: &str) {
+    let action: serde_json::Value = serde_json::from_str(action).expect("JSON");
+    let (stream, at) = (action["stream"].as_str().expect("a stream"), action["t"].to_string());
+    let way = fine(&["why", trace, "--stream", stream, "--at", &at, "--json"]);
+    let way: serde_json::Value = serde_json::from_str(&way).expect("JSON");
+    let steps = way["steps"].as_array().expect("steps");
+    assert_eq!(steps[0]["value"], action["value"]);
+    assert!(steps.len() > 2 && steps[steps.len() - 1]["connector"].is_null(), "{way}");
+    let sentences = fine(&["why", trace, "--stream", stream, "--at", &at, "--language", "ja"]);
+    assert_eq!(sentences.lines().count(), steps.len());
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod chain;
 mod fill;
 mod starts;
 mod steps;
+mod why;
 
 use crate::clauses::{ACTIONS, Clause, Part, TARGETS};
 use crate::does::Does;
@@ -17,6 +18,7 @@ use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind, con
 use chain::{Chain, Known, Link, Start};
 use robot::Device;
 use starts::tight;
+pub use why::{Answers, Moment};
 
 /// What a behaviour does: a sentence for every connector that leads to an action, in their order. `helpers` are those of
 /// the library, `unit` tells in what the numbers of a stream are measured, `cm` for example, where the caller knows it.

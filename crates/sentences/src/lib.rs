@@ -19,7 +19,7 @@ mod test;
 mod token;
 mod words;
 
-pub use explain::explain;
+pub use explain::{Answers, Moment, explain};
 pub use language::{Language, NoLanguage};
 pub use read::{
     Doubt, Draft, DraftConnector, DraftStream, Reading, TEXT_MAX_CHARS, Understood, Vague, language_of,

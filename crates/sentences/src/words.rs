@@ -1,5 +1,6 @@
 //! The words of each language, by what they mean. The first words of a meaning are told, all of them are read.
 
+pub(crate) mod answers;
 mod en;
 mod ja;
 mod labels;

@@ -121,7 +121,7 @@ fn play(file: &BehaviourFile, readings: &[Reading]) -> Vec<u8> {
     let mut lines = String::new();
     let mut note = |emission: Emission| {
         let line = match emission {
-            Emission::Value { at, stream, value } => {
+            Emission::Value { at, stream, value, .. } => {
                 json!({"t": at.0, "stream": streams[stream.index()], "value": value})
             }
             Emission::Fault { at, connector, error, .. } => {

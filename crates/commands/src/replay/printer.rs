@@ -26,7 +26,7 @@ impl<'a> Printer<'a> {
     /// Takes what a behaviour emits.
     pub(super) fn print(&mut self, number: usize, emission: &Emission) {
         match *emission {
-            Emission::Value { at, stream, value } => self.print_value(number, at, stream, value),
+            Emission::Value { at, stream, value, .. } => self.print_value(number, at, stream, value),
             Emission::Fault { at, connector, error, .. } if self.args.errors => {
                 let id = quoted(&self.files[number].connectors[connector.index()].id);
                 self.line(number, at, &format!("\"connector\":{id},\"error\":{}", quoted(&error.to_string())));

@@ -106,11 +106,20 @@ fn play(graph: &Graph, compiled: bool) -> Way {
         for _ in 0..events {
             playing.next(&mut |emission| {
                 outputs += 1;
-                black_box(&emission);
+                hear(&emission);
             });
         }
         black_box(outputs);
     })
+}
+
+/// Takes of an emission what a live run takes: nobody there asks for its trigger.
+#[inline(always)]
+fn hear(emission: &Emission) {
+    match emission {
+        Emission::Value { at, stream, value, .. } => drop(black_box((at, stream, value))),
+        Emission::Fault { at, connector, error, .. } => drop(black_box((at, connector, error))),
+    }
 }
 
 /// For every leaf what it carries while the others warm up.

@@ -46,6 +46,10 @@ impl Connector for WithLatest {
         Ok(made.map(|value| Carried { value, origin }))
     }
 
+    fn trigger(&self, _: u32) -> u32 {
+        0
+    }
+
     fn memory(&self) -> Memory {
         Memory { known: self.known.clone(), ..Memory::default() }
     }

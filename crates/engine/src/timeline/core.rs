@@ -3,6 +3,7 @@
 use super::Emission;
 use super::budget::Budget;
 use super::end::End;
+use super::trigger::Trigger;
 use crate::connectors::{Connector, Context, Memory};
 use crate::program::{ConnectorInfo, Graph, Program};
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
@@ -29,16 +30,17 @@ impl Core {
         Self { graph, connectors, context, budget, end: None }
     }
 
-    /// Tells and counts a value on a stream.
+    /// Tells and counts a value on a stream, and which input of which connector it is by.
     pub(crate) fn emit(
         &mut self,
         at: Millis,
         stream: StreamIx,
         value: &Value,
+        by: Option<Trigger>,
         out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
         self.context.stats.streams[stream].copy(at, value);
-        out(Emission::Value { at, stream, value });
+        out(Emission::Value { at, stream, value, by });
     }
 
     /// Returns the memory of every connector.

@@ -8,9 +8,10 @@ use super::budget::Spent;
 use super::core::Core;
 use super::end::{End, multiplying};
 use super::memory::RunMemory;
-use super::plan::{Next, Plan, Step};
+use super::plan::{NOBODY, Next, Plan, Step};
 use super::schedule::Schedule;
-use crate::connectors::{Op, Outcome};
+use super::trigger::Trigger;
+use crate::connectors::{Op, Outcome, Turn};
 use crate::values::in_place::Output;
 use crate::values::{ConnectorIx, StreamIx};
 use behaviour::Value;
@@ -57,7 +58,7 @@ impl Event {
         self.open = at;
         let stats = &mut core.context.stats;
         stats.read(Millis(at), stream, value);
-        out(Emission::Value { at: Millis(at), stream, value: stats.value(stream) });
+        out(Emission::Value { at: Millis(at), stream, value: stats.value(stream), by: None });
         self.carry(core, Millis(at), stream, out);
     }
 
@@ -80,7 +81,8 @@ impl Event {
             if let Some(given) = given {
                 let (output, stats) = (core.graph.connectors[connector].output, &mut core.context.stats);
                 stats.give(at, connector, output, Output::Value(given.value), &mut Value::Null);
-                out(Emission::Value { at, stream: output, value: stats.value(output) });
+                let turn = Turn { connector, output, ..NOBODY };
+                out(Emission::Value { at, stream: output, value: stats.value(output), by: Some(Trigger(&turn)) });
                 self.carry(core, at, output, out);
             }
         }
@@ -104,7 +106,8 @@ impl Event {
             next = match step.op.perform(&mut core.connectors, &mut core.context, at, &step.turn) {
                 Outcome::Gave => {
                     let stream = step.turn.output;
-                    out(Emission::Value { at, stream, value: core.context.stats.value(stream) });
+                    let by = Some(Trigger(&step.turn));
+                    out(Emission::Value { at, stream, value: core.context.stats.value(stream), by });
                     self.after(core, &plan, at, step, next)
                 }
                 Outcome::Kept if step.op == Op::End => match self.back.pop() {
@@ -117,8 +120,8 @@ impl Event {
                     step.past as usize
                 }
                 Outcome::Failed(failed) => {
-                    let (connector, deadline) = (step.turn.connector, failed.is_deadline());
-                    out(Emission::Fault { at, connector, error: &failed, deadline });
+                    let (Turn { connector, slot, .. }, deadline) = (step.turn, failed.is_deadline());
+                    out(Emission::Fault { at, connector, slot, error: &failed, deadline });
                     step.past as usize
                 }
             }

@@ -4,8 +4,10 @@ use super::Emission;
 use super::core::Core;
 use super::end::End;
 use super::memory::RunMemory;
+use super::plan::NOBODY;
 use super::schedule::Schedule;
-use crate::connectors;
+use super::trigger::Trigger;
+use crate::connectors::{self, Turn};
 use crate::faults::CallFault;
 use crate::program::Graph;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
@@ -32,8 +34,8 @@ pub(crate) struct Frame {
 }
 
 enum Said {
-    Value(StreamIx, Value),
-    Fault(ConnectorIx, Box<CallFault>),
+    Value(StreamIx, Value, Option<(ConnectorIx, u32)>),
+    Fault(ConnectorIx, u32, Box<CallFault>),
 }
 
 impl Frame {
@@ -120,9 +122,13 @@ impl Frame {
         self.now.fill(&None);
         for said in self.said.drain(..) {
             match said {
-                Said::Value(stream, value) => core.emit(at, stream, &value, out),
-                Said::Fault(connector, failed) => {
-                    out(Emission::Fault { at, connector, error: &failed, deadline: failed.is_deadline() });
+                Said::Value(stream, value, by) => {
+                    let turn = by.map(|(connector, slot)| Turn { connector, slot, output: stream, ..NOBODY });
+                    core.emit(at, stream, &value, turn.as_ref().map(Trigger), out);
+                }
+                Said::Fault(connector, slot, failed) => {
+                    let deadline = failed.is_deadline();
+                    out(Emission::Fault { at, connector, slot, error: &failed, deadline });
                 }
             }
         }
@@ -133,20 +139,21 @@ impl Frame {
         let mut sensed: Vec<_> = self.now.indices().filter(sensed).collect();
         sensed.sort_unstable_by_key(|&at| self.now[at].as_ref().map(|carried| carried.origin));
         for at in sensed {
-            self.said.extend(self.now[at].as_ref().map(|carried| Said::Value(at, carried.value.clone())));
+            self.said.extend(self.now[at].as_ref().map(|carried| Said::Value(at, carried.value.clone(), None)));
         }
     }
 
     /// The turn of one connector: it takes what there is, then gives what is due.
     fn turn(&mut self, core: &mut Core, at: Millis, connector: ConnectorIx) {
         let info = &core.graph.connectors[connector];
-        if let Some(newest) = newest(&info.inputs, &self.now) {
+        if let Some((slot, newest)) = newest(&info.inputs, &self.now) {
+            let slot = core.connectors[connector].trigger(slot);
             let (length, inputs, now) = (self.length, &info.inputs[..], &self.now);
             let frame = connectors::Frame { at, length, connector, inputs, now, newest };
             match core.connectors[connector].frame(&mut core.context, &frame) {
                 Ok(None) => {}
-                Ok(Some(made)) => self.give(core, connector, made),
-                Err(failed) => self.said.push(Said::Fault(connector, failed)),
+                Ok(Some(made)) => self.give(core, connector, slot, made),
+                Err(failed) => self.said.push(Said::Fault(connector, slot, failed)),
             }
         }
         if core.graph.connectors[connector].gives == Gives::Later {
@@ -163,7 +170,7 @@ impl Frame {
             self.reschedule(core, connector, at);
         }
         if let Some(given) = given {
-            self.give(core, connector, given);
+            self.give(core, connector, 0, given);
         }
     }
 
@@ -174,13 +181,13 @@ impl Frame {
     }
 
     /// Puts a value on a connector's output. Of several subscribes into one actuator the last in order wins.
-    fn give(&mut self, core: &mut Core, connector: ConnectorIx, made: Carried) {
+    fn give(&mut self, core: &mut Core, connector: ConnectorIx, slot: u32, made: Carried) {
         let stream = core.graph.connectors[connector].output;
         core.context.stats.connectors[connector].fired += 1;
         if self.now[stream].is_some() {
-            self.said.retain(|said| !matches!(said, Said::Value(other, _) if *other == stream));
+            self.said.retain(|said| !matches!(said, Said::Value(other, ..) if *other == stream));
         }
-        self.said.push(Said::Value(stream, made.value.clone()));
+        self.said.push(Said::Value(stream, made.value.clone(), Some((connector, slot))));
         self.now[stream] = Some(made);
     }
 
@@ -207,8 +214,8 @@ impl Frame {
     }
 }
 
-/// The newest value among some streams; of two equally new ones that of the earlier stream.
-fn newest<'f>(inputs: &[StreamIx], now: &'f IndexVec<StreamIx, Option<Carried>>) -> Option<&'f Carried> {
-    let present = inputs.iter().filter_map(|&at| now[at].as_ref());
-    present.reduce(|best, other| if other.origin > best.origin { other } else { best })
+/// The newest value among some streams, with the place of its stream; of two equally new ones that of the earlier stream.
+fn newest<'f>(inputs: &[StreamIx], now: &'f IndexVec<StreamIx, Option<Carried>>) -> Option<(u32, &'f Carried)> {
+    let present = (0..).zip(inputs).filter_map(|(slot, &at)| Some((slot, now[at].as_ref()?)));
+    present.reduce(|best, other| if other.1.origin > best.1.origin { other } else { best })
 }

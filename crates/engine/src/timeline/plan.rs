@@ -45,7 +45,7 @@ struct Row {
 
 const NO_ROW: Row = Row { first: u32::MAX, turns: 0 };
 /// The turn of no connector.
-const NOBODY: Turn = Turn {
+pub(super) const NOBODY: Turn = Turn {
     connector: ConnectorIx::FIRST,
     slot: 0,
     input: StreamIx::FIRST,

@@ -1,29 +1,32 @@
 //! Event mode, millisecond by millisecond (rules E1 to E13).
 
 use crate::graphs::Reading;
-use crate::plain::{Said, by_rank, call, has_procedure, same, stream};
+use crate::plain::{Said, Step, Way, With, by_rank, call, has_procedure, same, stream};
 use behaviour::{BehaviourFile, Value};
 use std::collections::{BTreeMap, VecDeque};
 
 struct Slow<'f> {
     file: &'f BehaviourFile,
-    held: BTreeMap<usize, Value>,
-    known: BTreeMap<(usize, usize), Value>,
+    held: BTreeMap<usize, Way>,
+    /// The newest value of each input, and when it came.
+    known: BTreeMap<(usize, usize), (Value, u64)>,
     /// The value that a distinct compared last, and the one that a scan made last.
     memory: BTreeMap<usize, Value>,
+    /// The time since when a scan has its memory.
+    since: BTreeMap<usize, u64>,
     /// The values that a debounce or a delay has, each with the time when it is due.
-    waiting: BTreeMap<usize, VecDeque<(Value, u64)>>,
-    said: Vec<Said>,
+    waiting: BTreeMap<usize, VecDeque<(Way, u64)>>,
+    said: Vec<(Said, Way)>,
 }
 
-/// Returns the emissions of the readings until a time, inclusive.
-pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64) -> Vec<Said> {
+/// Returns the emissions of the readings until a time, inclusive, each value with its way.
+pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64) -> Vec<(Said, Way)> {
     let (held, known, memory, waiting) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
-    let mut slow = Slow { file, held, known, memory, waiting, said: Vec::new() };
+    let mut slow = Slow { file, held, known, memory, since: BTreeMap::new(), waiting, said: Vec::new() };
     let order = by_rank(file);
     for now in 0..=until {
         for reading in trace.iter().filter(|reading| reading.at == now) {
-            slow.put(now, reading.stream, &reading.value);
+            slow.put(now, reading.stream, &reading.value, None, Vec::new(), &Vec::new());
         }
         for sample in &order {
             slow.tick(now, *sample);
@@ -36,13 +39,19 @@ impl Slow<'_> {
     fn tick(&mut self, now: u64, sample: usize) {
         let connector = &self.file.connectors[sample];
         let due = connector.operation == "sample" && now > 0 && now.is_multiple_of(connector.period_ms.unwrap());
-        if let Some(value) = due.then(|| self.held.remove(&sample)).flatten() {
-            self.put(now, stream(self.file, &connector.output), &value);
+        if let Some(from) = due.then(|| self.held.remove(&sample)).flatten() {
+            self.pass(now, sample, &from);
         }
         while self.waiting.get(&sample).and_then(VecDeque::front).is_some_and(|(_, due)| *due == now) {
-            let (value, _) = self.waiting.get_mut(&sample).unwrap().pop_front().unwrap();
-            self.put(now, stream(self.file, &connector.output), &value);
+            let (from, _) = self.waiting.get_mut(&sample).unwrap().pop_front().unwrap();
+            self.pass(now, sample, &from);
         }
+    }
+
+    /// A connector gives later what it took.
+    fn pass(&mut self, now: u64, by: usize, from: &Way) {
+        let output = stream(self.file, &self.file.connectors[by].output);
+        self.put(now, output, &from[0].value, Some(by), Vec::new(), from);
     }
 
     /// Returns the value that a distinct passes on, if anything.
@@ -58,19 +67,23 @@ impl Slow<'_> {
     }
 
     /// A value on a stream goes to the stream's connectors in array order, to the end of each.
-    fn put(&mut self, now: u64, on: usize, value: &Value) {
-        self.said.push(Said::Value(now, on, value.clone()));
+    fn put(&mut self, now: u64, on: usize, value: &Value, by: Option<usize>, with: Vec<With>, from: &Way) {
+        let mut way = vec![Step { connector: by, stream: on, at: now, value: value.clone(), with }];
+        way.extend(from.iter().cloned());
+        self.said.push((Said::Value(now, on, value.clone()), way.clone()));
         for (at, connector) in self.file.connectors.iter().enumerate() {
             for (slot, input) in connector.inputs.iter().enumerate() {
                 if stream(self.file, input) == on {
-                    self.react(now, at, slot, value);
+                    self.react(now, at, slot, &way);
                 }
             }
         }
     }
 
-    fn react(&mut self, now: u64, at: usize, slot: usize, value: &Value) {
+    fn react(&mut self, now: u64, at: usize, slot: usize, way: &Way) {
         let connector = &self.file.connectors[at];
+        let value = &way[0].value;
+        let mut with = Vec::new();
         let made = match connector.operation.as_str() {
             "map" => call(self.file, connector, std::slice::from_ref(value)).ok_or(()),
             "filter" => match call(self.file, connector, std::slice::from_ref(value)) {
@@ -80,7 +93,7 @@ impl Slow<'_> {
             },
             "timestamp" => Ok(Value::object([("v", value.clone()), ("t", Value::Int(i64::try_from(now).unwrap()))])),
             "sample" => {
-                self.held.insert(at, value.clone());
+                self.held.insert(at, way.clone());
                 return;
             }
             "distinct" => match self.changed(at, value) {
@@ -91,31 +104,40 @@ impl Slow<'_> {
                 let start = || connector.start.clone().unwrap_or(Value::Null);
                 let inputs = [self.memory.get(&at).cloned().unwrap_or_else(start), value.clone()];
                 let made = call(self.file, connector, &inputs);
-                made.inspect(|made| drop(self.memory.insert(at, made.clone()))).ok_or(())
+                if let Some(made) = &made {
+                    let since = self.since.insert(at, now).unwrap_or(0);
+                    with.push(With::Memory(inputs[0].clone(), since));
+                    self.memory.insert(at, made.clone());
+                }
+                made.ok_or(())
             }
             "debounce" | "delay" => {
                 let waiting = self.waiting.entry(at).or_default();
                 if connector.operation == "debounce" {
                     waiting.clear();
                 }
-                waiting.push_back((value.clone(), now + connector.period_ms.unwrap()));
+                waiting.push_back((way.clone(), now + connector.period_ms.unwrap()));
                 return;
             }
             "withLatest" if slot > 0 => {
-                self.known.insert((at, slot), value.clone());
+                self.known.insert((at, slot), (value.clone(), now));
                 return;
             }
             "combineLatest" | "withLatest" => {
-                self.known.insert((at, slot), value.clone());
+                self.known.insert((at, slot), (value.clone(), now));
                 let known = (0..connector.inputs.len()).map(|slot| self.known.get(&(at, slot)).cloned());
-                let Some(inputs) = known.collect::<Option<Vec<_>>>() else { return };
+                let Some(known) = known.collect::<Option<Vec<_>>>() else { return };
+                for (other, (value, came)) in known.iter().enumerate().filter(|(other, _)| *other != slot) {
+                    with.push(With::Value(stream(self.file, &connector.inputs[other]), *came, value.clone()));
+                }
+                let inputs: Vec<Value> = known.into_iter().map(|(value, _)| value).collect();
                 call(self.file, connector, &inputs).ok_or(())
             }
             _ => Ok(value.clone()),
         };
         match made {
-            Ok(made) => self.put(now, stream(self.file, &connector.output), &made),
-            Err(()) => self.said.push(Said::Fault(now, at)),
+            Ok(made) => self.put(now, stream(self.file, &connector.output), &made, Some(at), with, way),
+            Err(()) => self.said.push((Said::Fault(now, at), Vec::new())),
         }
     }
 }

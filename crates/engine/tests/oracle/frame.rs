@@ -1,33 +1,46 @@
 //! Frame mode, every frame in full (rules F1 to F8).
 
 use crate::graphs::Reading;
-use crate::plain::{Said, by_rank, call, has_procedure, same, stream};
+use crate::plain::{Said, Step, Way, With, by_rank, call, has_procedure, same, stream};
 use behaviour::{BehaviourFile, FileConnector, Value};
 use std::collections::{BTreeMap, VecDeque};
 
 /// A value with the time and the place in the trace of the reading it comes from.
 type Carried = (Value, (u64, usize));
 
+/// A gift of a connector: a value, the one that triggered it, and what else was used.
+struct Given {
+    carried: Carried,
+    from: Way,
+    with: Vec<With>,
+}
+
 struct Slow<'f> {
     file: &'f BehaviourFile,
     now: BTreeMap<usize, Carried>,
-    held: BTreeMap<usize, Carried>,
+    /// The way of each value of the frame.
+    ways: BTreeMap<usize, Way>,
+    held: BTreeMap<usize, (Carried, Way)>,
     next: BTreeMap<usize, u64>,
-    known: BTreeMap<(usize, usize), Value>,
+    /// The newest value of each input, and when it came.
+    known: BTreeMap<(usize, usize), (Value, u64)>,
     /// The value that a distinct compared last, and the one that a scan made last.
     memory: BTreeMap<usize, Value>,
+    /// The time since when a scan has its memory.
+    since: BTreeMap<usize, u64>,
     /// The values that a debounce or a delay has, each with the time when it is due.
-    waiting: BTreeMap<usize, VecDeque<(Carried, u64)>>,
-    said: Vec<Said>,
+    waiting: BTreeMap<usize, VecDeque<(Carried, Way, u64)>>,
+    said: Vec<(Said, Way)>,
 }
 
-/// Returns the emissions of the readings until a time, in frames of that length.
-pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64, length: u64) -> Vec<Said> {
+/// Returns the emissions of the readings until a time, in frames of that length, each value with its way.
+pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64, length: u64) -> Vec<(Said, Way)> {
     let (now, held, next, known) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
-    let (memory, waiting) = (BTreeMap::new(), BTreeMap::new());
-    let mut slow = Slow { file, now, held, next, known, memory, waiting, said: Vec::new() };
+    let (memory, waiting, ways, since) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+    let mut slow = Slow { file, now, ways, held, next, known, memory, since, waiting, said: Vec::new() };
     for frame in 1..=until.div_ceil(length) {
         slow.now.clear();
+        slow.ways.clear();
         slow.gather(trace, frame, length);
         for connector in by_rank(file) {
             slow.visit(frame * length, connector);
@@ -47,48 +60,61 @@ impl Slow<'_> {
         }
         let mut sensed: Vec<_> = self.now.iter().collect();
         sensed.sort_by_key(|(_, (_, (_, place)))| *place);
-        self.said.extend(sensed.iter().map(|(on, (value, _))| Said::Value(frame * length, **on, value.clone())));
+        for (on, (value, _)) in sensed {
+            let at = frame * length;
+            let way = vec![Step { connector: None, stream: *on, at, value: value.clone(), with: Vec::new() }];
+            self.ways.insert(*on, way.clone());
+            self.said.push((Said::Value(at, *on, value.clone()), way));
+        }
     }
 
     fn visit(&mut self, time: u64, at: usize) {
         let connector = &self.file.connectors[at];
         match self.make(time, at, connector) {
             Ok(None) => {}
-            Ok(Some(made)) => {
+            Ok(Some(Given { carried, from, with })) => {
                 let output = stream(self.file, &connector.output);
                 let earlier = |said: &Said| matches!(said, Said::Value(t, on, _) if *t == time && *on == output);
-                self.said.retain(|said| !earlier(said));
-                self.said.push(Said::Value(time, output, made.0.clone()));
-                self.now.insert(output, made);
+                self.said.retain(|(said, _)| !earlier(said));
+                let value = carried.0.clone();
+                let mut way = vec![Step { connector: Some(at), stream: output, at: time, value: value.clone(), with }];
+                way.extend(from);
+                self.said.push((Said::Value(time, output, value), way.clone()));
+                self.ways.insert(output, way);
+                self.now.insert(output, carried);
             }
-            Err(()) => self.said.push(Said::Fault(time, at)),
+            Err(()) => self.said.push((Said::Fault(time, at), Vec::new())),
         }
     }
 
     /// The newest present input; of equals the earlier.
-    fn newest(&self, connector: &FileConnector) -> Option<Carried> {
-        let mut newest: Option<&Carried> = None;
+    fn newest(&self, connector: &FileConnector) -> Option<(Carried, Way)> {
+        let mut newest: Option<(&Carried, usize)> = None;
         for input in &connector.inputs {
-            let present = self.now.get(&stream(self.file, input));
-            if present.is_some_and(|present| newest.is_none_or(|newest| present.1 > newest.1)) {
-                newest = present;
+            let on = stream(self.file, input);
+            if let Some(present) = self.now.get(&on)
+                && newest.is_none_or(|(newest, _)| present.1 > newest.1)
+            {
+                newest = Some((present, on));
             }
         }
-        newest.cloned()
+        newest.map(|(carried, on)| (carried.clone(), self.ways[&on].clone()))
     }
 
-    fn make(&mut self, time: u64, at: usize, connector: &FileConnector) -> Result<Option<Carried>, ()> {
+    fn make(&mut self, time: u64, at: usize, connector: &FileConnector) -> Result<Option<Given>, ()> {
         let newest = self.newest(connector);
+        let later = |given: Option<(Carried, Way)>| given.map(|(carried, from)| Given { carried, from, with: vec![] });
         if connector.operation == "sample" {
-            return Ok(self.sample(time, at, connector.period_ms.unwrap(), newest));
+            return Ok(later(self.sample(time, at, connector.period_ms.unwrap(), newest)));
         }
         if let "debounce" | "delay" = connector.operation.as_str() {
-            return Ok(self.wait(time, at, connector, newest));
+            return Ok(later(self.wait(time, at, connector, newest)));
         }
         if connector.operation == "withLatest" {
-            return self.with_latest(at, connector);
+            return self.with_latest(time, at, connector);
         }
-        let Some((value, origin)) = newest else { return Ok(None) };
+        let Some(((value, origin), from)) = newest else { return Ok(None) };
+        let mut with = Vec::new();
         let made = match connector.operation.as_str() {
             "map" => call(self.file, connector, &[value]).ok_or(())?,
             "filter" => match call(self.file, connector, std::slice::from_ref(&value)) {
@@ -114,47 +140,68 @@ impl Slow<'_> {
                 let start = || connector.start.clone().unwrap_or(Value::Null);
                 let inputs = [self.memory.get(&at).cloned().unwrap_or_else(start), value];
                 let made = call(self.file, connector, &inputs).ok_or(())?;
+                let [memory, _] = inputs;
+                with.push(With::Memory(memory, self.since.insert(at, time).unwrap_or(0)));
                 self.memory.insert(at, made.clone());
                 made
             }
-            "combineLatest" => match self.known_inputs(at, connector) {
-                Some(inputs) => call(self.file, connector, &inputs).ok_or(())?,
+            "combineLatest" => match self.known_inputs(time, at, connector) {
+                Some(known) => {
+                    with = self.others(connector, &known, from[0].stream);
+                    call(self.file, connector, &values(known)).ok_or(())?
+                }
                 None => return Ok(None),
             },
             _ => value,
         };
-        Ok(Some((made, origin)))
+        Ok(Some(Given { carried: (made, origin), from, with }))
     }
 
-    fn wait(&mut self, time: u64, at: usize, connector: &FileConnector, newest: Option<Carried>) -> Option<Carried> {
+    /// The values of all inputs but one.
+    fn others(&self, connector: &FileConnector, known: &[(Value, u64)], but: usize) -> Vec<With> {
+        let inputs = connector.inputs.iter().map(|input| stream(self.file, input));
+        let others = inputs.zip(known).filter(|(input, _)| *input != but);
+        others.map(|(input, (value, came))| With::Value(input, *came, value.clone())).collect()
+    }
+
+    fn wait(
+        &mut self,
+        time: u64,
+        at: usize,
+        connector: &FileConnector,
+        newest: Option<(Carried, Way)>,
+    ) -> Option<(Carried, Way)> {
         let waiting = self.waiting.entry(at).or_default();
-        if let Some(newest) = newest {
+        if let Some((newest, way)) = newest {
             if connector.operation == "debounce" {
                 waiting.clear();
             }
-            waiting.push_back((newest, time + connector.period_ms.unwrap()));
+            waiting.push_back((newest, way, time + connector.period_ms.unwrap()));
         }
-        let is_due = waiting.front().is_some_and(|(_, due)| *due <= time);
-        is_due.then(|| waiting.pop_front().unwrap().0)
+        let is_due = waiting.front().is_some_and(|(_, _, due)| *due <= time);
+        let (carried, way, _) = is_due.then(|| waiting.pop_front())??;
+        Some((carried, way))
     }
 
-    fn with_latest(&mut self, at: usize, connector: &FileConnector) -> Result<Option<Carried>, ()> {
-        let known = self.known_inputs(at, connector);
-        let first = self.now.get(&stream(self.file, &connector.inputs[0]));
-        let (Some(inputs), Some(&(_, origin))) = (known, first) else { return Ok(None) };
-        Ok(Some((call(self.file, connector, &inputs).ok_or(())?, origin)))
+    fn with_latest(&mut self, time: u64, at: usize, connector: &FileConnector) -> Result<Option<Given>, ()> {
+        let known = self.known_inputs(time, at, connector);
+        let input = stream(self.file, &connector.inputs[0]);
+        let (Some(known), Some(&(_, origin))) = (known, self.now.get(&input)) else { return Ok(None) };
+        let (with, from) = (self.others(connector, &known, input), self.ways[&input].clone());
+        let made = call(self.file, connector, &values(known)).ok_or(())?;
+        Ok(Some(Given { carried: (made, origin), from, with }))
     }
 
-    fn known_inputs(&mut self, at: usize, connector: &FileConnector) -> Option<Vec<Value>> {
+    fn known_inputs(&mut self, time: u64, at: usize, connector: &FileConnector) -> Option<Vec<(Value, u64)>> {
         for (slot, input) in connector.inputs.iter().enumerate() {
             if let Some((value, _)) = self.now.get(&stream(self.file, input)) {
-                self.known.insert((at, slot), value.clone());
+                self.known.insert((at, slot), (value.clone(), time));
             }
         }
         (0..connector.inputs.len()).map(|slot| self.known.get(&(at, slot)).cloned()).collect()
     }
 
-    fn sample(&mut self, time: u64, at: usize, period: u64, newest: Option<Carried>) -> Option<Carried> {
+    fn sample(&mut self, time: u64, at: usize, period: u64, newest: Option<(Carried, Way)>) -> Option<(Carried, Way)> {
         if let Some(newest) = newest {
             self.held.insert(at, newest);
         }
@@ -165,4 +212,8 @@ impl Slow<'_> {
         self.next.insert(at, (time / period + 1) * period);
         self.held.remove(&at)
     }
+}
+
+fn values(known: Vec<(Value, u64)>) -> Vec<Value> {
+    known.into_iter().map(|(value, _)| value).collect()
 }

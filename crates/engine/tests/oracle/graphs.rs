@@ -146,8 +146,8 @@ fn some_of(chance: &mut Chance, sources: &[String]) -> Vec<String> {
     some
 }
 
-/// Up to 40 readings, often at one instant.
-pub(crate) fn trace(chance: &mut Chance, file: &BehaviourFile) -> Vec<Reading> {
+/// So many readings, often at one instant.
+pub(crate) fn trace(chance: &mut Chance, file: &BehaviourFile, readings: usize) -> Vec<Reading> {
     let sensors = file.streams.iter().enumerate().filter(|(_, stream)| stream.kind == StreamKind::Sensor);
     let sensors: Vec<usize> = sensors.map(|(at, _)| at).collect();
     let mut at = 0;
@@ -155,7 +155,7 @@ pub(crate) fn trace(chance: &mut Chance, file: &BehaviourFile) -> Vec<Reading> {
         at += chance.pick(&[0, 0, 1, 3, 10, 25, 50]);
         Reading { at, stream: chance.pick(&sensors), value: value(chance) }
     };
-    (0..40).map(reading).collect()
+    (0..readings).map(reading).collect()
 }
 
 fn value(chance: &mut Chance) -> Value {

@@ -12,6 +12,30 @@ pub(crate) enum Said {
     Fault(u64, usize),
 }
 
+/// The way on which a value came, as a plain list: the value itself, the one that triggered it, and so on to a reading.
+pub(crate) type Way = Vec<Step>;
+
+/// One value on a way.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Step {
+    /// The connector that gave it; none of a reading.
+    pub(crate) connector: Option<usize>,
+    pub(crate) stream: usize,
+    pub(crate) at: u64,
+    pub(crate) value: Value,
+    /// The other values that were used.
+    pub(crate) with: Vec<With>,
+}
+
+/// A value that was used beside the one that triggered.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum With {
+    /// The newest one of another input: its stream, and when it came.
+    Value(usize, u64, Value),
+    /// The value that a scan made before, and since when it is that.
+    Memory(Value, u64),
+}
+
 /// The place of a stream in the file.
 pub(crate) fn stream(file: &BehaviourFile, id: &str) -> usize {
     file.streams.iter().position(|stream| stream.id == id).unwrap()

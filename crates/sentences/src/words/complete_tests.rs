@@ -1,5 +1,6 @@
 //! Every language has words for everything there is to say.
 
+use super::answers::answers;
 use super::{device_label, words};
 use crate::Language;
 use crate::clauses::{ACTIONS, SENSES, SUBJECTS};
@@ -94,5 +95,18 @@ fn labels_are_plain_words() {
             let labels: Vec<_> = all.map(|device| device_label(device.name, language)).collect();
             assert_eq!(labels.iter().collect::<BTreeSet<_>>().len(), labels.len(), "{labels:?}");
         }
+    }
+}
+
+#[test]
+fn every_answer_has_words_with_the_same_holes_in_every_language() {
+    let [english, japanese] = Language::ALL.map(answers);
+    assert_eq!(english.len(), japanese.len());
+    let holes = |says: &str| {
+        let holes = says.split('{').skip(1).filter_map(|from| from.split_once('}')).map(|(hole, _)| hole.to_owned());
+        holes.collect::<BTreeSet<String>>()
+    };
+    for ((id, english), (twin, japanese)) in english.iter().zip(japanese) {
+        assert_eq!((id, holes(english)), (twin, holes(japanese)));
     }
 }

@@ -54,7 +54,7 @@ impl<'a> EmissionSink<'a> {
     pub(super) fn note(&mut self, emission: Emission) {
         self.clock.set((self.job.clock)());
         match emission {
-            Emission::Value { at, stream, value } => {
+            Emission::Value { at, stream, value, .. } => {
                 self.tally.carried(stream, at.0);
                 if self.recorder.is_some() && self.acts[stream] {
                     self.step.value(at.0, stream, value);
@@ -64,7 +64,7 @@ impl<'a> EmissionSink<'a> {
                     self.job.shared.queue.command(user.clone(), device, command);
                 }
             }
-            Emission::Fault { at, connector, error, deadline } => {
+            Emission::Fault { at, connector, error, deadline, .. } => {
                 self.tally.failed();
                 if self.recorder.is_some() {
                     self.step.fault(at.0, connector, error.to_string());

@@ -43,7 +43,7 @@ fn on_readings(mut run: Run, goal: &Goal, is_over: impl Fn() -> bool) -> Tried {
     let mut actions: IndexVec<StreamIx, Option<Action>> = run.streams().iter().map(action).collect();
     let mut fault = None;
     let mut note = |emission: Emission| match emission {
-        Emission::Value { at, stream, value } => {
+        Emission::Value { at, stream, value, .. } => {
             if let Some(action) = &mut actions[stream] {
                 action.told.push((at, value.clone()));
             }

@@ -43,7 +43,7 @@ pub(super) fn replayed(file: &BehaviourFile, lines: &[Value]) -> Vec<(u64, Value
     let (ball, page) = (run.stream_index("ball").unwrap(), run.stream_index("page").unwrap());
     let mut told = Vec::new();
     let mut hear = |emission: Emission| {
-        if let Emission::Value { at, stream, value } = emission
+        if let Emission::Value { at, stream, value, .. } = emission
             && stream == page
         {
             told.push((at.0, value.clone()));

@@ -1,0 +1,177 @@
+//! The tracer: hears what a run emits and keeps what can still cause a value.
+
+use crate::cause::{Cause, Room, Seen, With};
+use crate::cell::Cell;
+use crate::event::Stack;
+use crate::frame::Present;
+use crate::wiring::{Ids, Wiring};
+use behaviour::{BehaviourFile, Engine};
+use engine::{ConnectorIx, Emission, Matching, StreamIx};
+use protocol::{Why, WhyStep, WhyWith};
+use robot::Millis;
+use std::sync::Arc;
+
+/// Hears the emissions of a run from its beginning, in order. A copy shares the ways of values with it, so that one can be kept
+/// every now and then.
+#[derive(Clone, Debug)]
+pub struct Tracer {
+    pub(crate) core: Core,
+    mode: Mode,
+    /// The ids of each program that ran, in their order.
+    programs: Vec<Ids>,
+}
+
+/// The parts on which both modes work.
+#[derive(Clone, Debug)]
+pub(crate) struct Core {
+    /// The number of the program that runs.
+    pub(crate) program: usize,
+    pub(crate) wiring: Arc<Wiring>,
+    /// By connector.
+    pub(crate) cells: Vec<Cell>,
+    pub(crate) room: Room,
+    /// The number of readings so far.
+    pub(crate) readings: u64,
+}
+
+#[derive(Clone, Debug)]
+enum Mode {
+    Event(Stack),
+    Frame(Present),
+}
+
+impl Mode {
+    fn of(file: &BehaviourFile) -> Self {
+        match file.engine.unwrap_or_default() {
+            Engine::Event => Self::Event(Stack::default()),
+            Engine::Frame { .. } => Self::Frame(Present::of(file.streams.len(), file.connectors.len())),
+        }
+    }
+}
+
+impl Core {
+    fn of(file: &BehaviourFile, program: usize, began: Millis) -> Self {
+        let wiring = Wiring::of(file);
+        let cells = wiring.parts.iter().map(|part| Cell::of(part, began)).collect();
+        Self { program, wiring: Arc::new(wiring), cells, room: Room::default(), readings: 0 }
+    }
+
+    /// A reading.
+    pub(crate) fn reading(&mut self, seen: Seen) -> Arc<Cause> {
+        self.readings += 1;
+        Cause::reading(seen, self.readings)
+    }
+
+    /// A connector gives a value at once, for one of an input.
+    pub(crate) fn gives(&mut self, by: ConnectorIx, slot: usize, from: Option<&Cause>, seen: &Seen) -> Vec<With> {
+        let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
+        from.map_or_else(Vec::new, |from| cell.gives(part, slot, from, (&seen.value, seen.at)))
+    }
+
+    /// A connector takes a value of an input, and gives nothing now.
+    pub(crate) fn takes(&mut self, by: ConnectorIx, slot: usize, cause: &Arc<Cause>) {
+        let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
+        cell.takes(part, slot, cause, &mut self.room);
+    }
+}
+
+impl Tracer {
+    /// For a run of this program that begins now.
+    #[must_use]
+    pub fn of(file: &BehaviourFile) -> Self {
+        Self { core: Core::of(file, 0, Millis(0)), mode: Mode::of(file), programs: vec![Ids::of(file)] }
+    }
+
+    /// Hears an emission. Returns what caused it, of a value.
+    pub fn hear(&mut self, emission: &Emission) -> Option<Arc<Cause>> {
+        match *emission {
+            Emission::Value { at, stream, value, by } => {
+                let seen = Seen { program: self.core.program, stream, at, value: value.clone() };
+                let by = by.map(|by| (by.connector(), by.slot() as usize));
+                Some(match &mut self.mode {
+                    Mode::Event(stack) => stack.value(&mut self.core, seen, by),
+                    Mode::Frame(present) => present.value(&mut self.core, seen, by),
+                })
+            }
+            Emission::Fault { at, connector, slot, .. } => {
+                match &mut self.mode {
+                    Mode::Event(stack) => stack.fault(&mut self.core, connector, slot as usize),
+                    Mode::Frame(present) => present.fault(&mut self.core, at, connector, slot as usize),
+                }
+                None
+            }
+        }
+    }
+
+    /// Everything that the run was fed is carried, and all until now is closed: what was handed on without a word is kept, or
+    /// waits.
+    pub fn settle(&mut self) {
+        match &mut self.mode {
+            Mode::Event(stack) => stack.settle(&mut self.core),
+            Mode::Frame(present) => present.settle(&mut self.core),
+        }
+    }
+
+    /// The run ended by itself in the middle of an instant: the values on their way reached nobody else.
+    pub fn end(&mut self) {
+        match &mut self.mode {
+            Mode::Event(stack) => *stack = Stack::default(),
+            Mode::Frame(present) => present.clear(),
+        }
+    }
+
+    /// An edited program follows, as `matching` says: what means the same keeps what it remembers.
+    pub fn follow(&mut self, file: &BehaviourFile, matching: &Matching, at: Millis) {
+        self.settle();
+        let mut core = Core::of(file, self.programs.len(), at);
+        for (&from, &to) in &matching.connectors {
+            let (Some(old), Some(new)) = (self.core.cells.get_mut(from.index()), core.cells.get_mut(to.index())) else {
+                continue;
+            };
+            std::mem::swap(old, new);
+        }
+        core.readings = self.core.readings;
+        // What was forgotten frees its room.
+        core.room.count(core.cells.iter().flat_map(Cell::waiting));
+        self.core = core;
+        self.mode = Mode::of(file);
+        self.programs.push(Ids::of(file));
+    }
+
+    /// Tells a value and its way.
+    #[must_use]
+    pub fn tell(&self, cause: &Cause) -> Why {
+        let step = |cause: &Cause| WhyStep {
+            connector: cause.connector.map(|by| self.connector(cause.seen.program, by)),
+            stream: self.stream(&cause.seen),
+            t: cause.seen.at.0,
+            value: cause.seen.value.clone(),
+            with: cause.with.iter().map(|with| self.with(with)).collect(),
+        };
+        let seen = &cause.seen;
+        let steps = cause.steps().map(step).collect();
+        Why { stream: self.stream(seen), t: seen.at.0, value: seen.value.clone(), steps }
+    }
+
+    fn with(&self, with: &With) -> WhyWith {
+        match with {
+            With::Value(seen) => WhyWith::Value { stream: self.stream(seen), t: seen.at.0, value: seen.value.clone() },
+            With::Memory(memory, since) => WhyWith::Memory { memory: memory.clone(), t: since.0 },
+        }
+    }
+
+    /// The id of a value's stream.
+    pub(crate) fn stream(&self, seen: &Seen) -> String {
+        self.stream_id(seen.program, seen.stream)
+    }
+
+    pub(crate) fn stream_id(&self, program: usize, stream: StreamIx) -> String {
+        let ids = self.programs.get(program).and_then(|ids| ids.streams.get(stream.index()));
+        ids.cloned().unwrap_or_default()
+    }
+
+    pub(crate) fn connector(&self, program: usize, connector: ConnectorIx) -> String {
+        let ids = self.programs.get(program).and_then(|ids| ids.connectors.get(connector.index()));
+        ids.cloned().unwrap_or_default()
+    }
+}

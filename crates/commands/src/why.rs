@@ -1,0 +1,268 @@
+//! `rrp why`: why a value came, and why an action did not.
+
+mod moment;
+mod tell;
+mod words;
+
+use crate::failure::Failure;
+use crate::program::read_program;
+use crate::replay::{Mode, Refused, chosen_engine, parse_trace, refused};
+use crate::trace::read_trace;
+use behaviour::{BehaviourFile, FileStream, StreamKind};
+use causes::{Cause, Stretch, Traced};
+use clap::Args;
+use engine::{Limits, Run, StreamIx};
+use moment::Moment;
+use recording::Different;
+use robot::Millis;
+use sentences::Language;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+
+/// How far from a moment that people say the value may be, in milliseconds.
+const NEAR_MS: u64 = 1_000;
+/// How long before a moment nothing came, if nobody says from when, in milliseconds.
+const NOT_MS: u64 = 2_000;
+
+/// Tells why a value came: the value that triggered it, and so on back to what was sensed.
+///
+/// With --not it tells why nothing came: the connectors that kept a value back, the nearest first.
+///
+/// Asked is a recording, which has its own program, or a program with a trace. Times are milliseconds since Start (4200),
+/// minutes and seconds since Start (0:04.2), or of a recording the time of day, as its first line counts it or in another zone
+/// (12:04:17.2); of a time that people wrote the nearest value within a second counts.
+///
+/// Exit codes: 0 told; 1 there is no such value, stream or recording; 2 the behaviour is refused; 3 the trace is refused.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  rrp why greet.jsonl --action Say --at 12:04:17.2
+  rrp why greet.jsonl --action Say --not --at 0:12.5 --language ja
+  rrp why --behaviour tracking.json --trace morning.jsonl --stream close-ball --at 4200 --json
+  rrp why --behaviour tracking.json --trace morning.jsonl --stream head --not --from 4000 --until 5000 --json")]
+pub(crate) struct WhyArgs {
+    /// The recording, as it was downloaded; - reads standard input.
+    #[arg(value_name = "FILE|-", required_unless_present = "behaviour", conflicts_with_all = ["behaviour", "trace", "mode", "frame_ms"])]
+    recording: Option<PathBuf>,
+    /// The behaviour, rrp-behaviour/1 as JSON or XML, instead of a recording.
+    #[arg(long, value_name = "FILE", requires = "trace")]
+    behaviour: Option<PathBuf>,
+    /// Its readings, one JSON object a line; - reads standard input.
+    #[arg(long, value_name = "FILE|-", requires = "behaviour")]
+    trace: Option<PathBuf>,
+    /// How time runs; what the behaviour says if absent.
+    #[arg(long, value_enum)]
+    mode: Option<Mode>,
+    /// The length of a frame in milliseconds, in frame mode.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1000))]
+    frame_ms: Option<u64>,
+    /// The stream whose value is asked for, by its id.
+    #[arg(long, value_name = "ID", required_unless_present = "action", conflicts_with = "action")]
+    stream: Option<String>,
+    /// The action that is asked for, by its name.
+    #[arg(long, value_name = "NAME")]
+    action: Option<String>,
+    /// When it came; with --not, the end of the two seconds in which it did not.
+    #[arg(long, value_name = "TIME", required_unless_present = "until")]
+    at: Option<Moment>,
+    /// Of several values at that time which one, from 0.
+    #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "not")]
+    nth: usize,
+    /// Tells why nothing came.
+    #[arg(long)]
+    not: bool,
+    /// From when nothing came.
+    #[arg(long, value_name = "TIME", requires_all = ["until", "not"], conflicts_with = "at")]
+    from: Option<Moment>,
+    /// Until when nothing came.
+    #[arg(long, value_name = "TIME", requires_all = ["from", "not"], conflicts_with = "at")]
+    until: Option<Moment>,
+    /// Prints one line of JSON.
+    #[arg(long)]
+    json: bool,
+    /// The language of the sentences: en or ja.
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", conflicts_with = "json")]
+    language: Language,
+}
+
+/// Why there is nothing to tell.
+#[derive(Debug)]
+pub(crate) enum NoAnswer {
+    /// No stream has this id, or no action this name; with those that there are.
+    NoStream { wanted: String, is_action: bool, names: Vec<String> },
+    /// The stream has so few values then.
+    NoValue { stream: String, at_ms: u64, count: usize, before_ms: Option<u64> },
+    /// It came, though somebody asks why it did not.
+    Came { stream: String, at_ms: u64 },
+    /// The end is before the beginning.
+    Backwards,
+    /// The recording was not running at this time of day.
+    NotThen { began: String, until_ms: u64 },
+    /// A trace has no time of day.
+    NoClock,
+    /// The recording cannot be played again.
+    Unplayed(Different),
+}
+
+/// What was played up to the moment that is asked about.
+struct Played {
+    traced: Traced,
+    stretch: Stretch,
+    /// Lines that are missing.
+    lost: u64,
+}
+
+/// The stretch that is asked about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Asked {
+    from_ms: u64,
+    until_ms: u64,
+    /// How far from it a value may be.
+    near_ms: u64,
+}
+
+/// Tells, and answers with the exit code.
+pub(crate) fn why(args: &WhyArgs) -> ExitCode {
+    let outcome = match (&args.recording, &args.behaviour, &args.trace) {
+        (Some(recording), ..) => of_recording(args, recording),
+        (None, Some(behaviour), Some(trace)) => of_trace(args, behaviour, trace),
+        (None, ..) => Err(Outcome::No(NoAnswer::NoClock)),
+    };
+    match outcome.and_then(|(asked, played)| answer(args, asked, played)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Outcome::No(why)) => crate::failed(&[Failure::NoAnswer(why)], 1),
+        Err(Outcome::Failed(failures, code)) => crate::failed(&failures, code),
+        Err(Outcome::Refused(refusal)) => refused(refusal),
+    }
+}
+
+/// Why nothing was told.
+enum Outcome {
+    No(NoAnswer),
+    Failed(Vec<Failure>, u8),
+    Refused(Refused),
+}
+
+impl From<NoAnswer> for Outcome {
+    fn from(why: NoAnswer) -> Self {
+        Self::No(why)
+    }
+}
+
+impl From<Refused> for Outcome {
+    fn from(refusal: Refused) -> Self {
+        Self::Refused(refusal)
+    }
+}
+
+fn of_recording(args: &WhyArgs, path: &Path) -> Result<(Asked, Played), Outcome> {
+    let text = read_trace(path).map_err(|failure| Outcome::Failed(vec![failure], 3))?;
+    let unplayed = |why: Different| Outcome::No(NoAnswer::Unplayed(why));
+    let run = moment::Ran::of(&text).ok_or_else(|| unplayed(Different::NoRecording))?;
+    let asked = asked(args, &run)?;
+    let stretch = asked.stretch();
+    let past = recording::past(&text, stretch, &|stream| is_it(args, stream)).map_err(unplayed)?;
+    Ok((asked, Played { traced: past.traced, stretch: past.stretch, lost: past.lost }))
+}
+
+fn of_trace(args: &WhyArgs, behaviour: &Path, trace: &Path) -> Result<(Asked, Played), Outcome> {
+    let asked = asked(args, &moment::Ran::default())?;
+    let mut file = read_program(behaviour).map_err(|failure| Refused::Behaviour(vec![failure]))?;
+    file.engine = Some(chosen_engine(args.mode, args.frame_ms, file.engine.unwrap_or_default()));
+    let run = Run::build(&file, Limits::default()).map_err(Refused::engine)?;
+    let text = read_trace(trace).map_err(Refused::Trace)?;
+    let readings = parse_trace(&text, &run).map_err(Refused::Trace)?;
+    let mut stretch = asked.stretch();
+    stretch.stream = file.streams.iter().position(|stream| is_it(args, stream)).map(StreamIx::of);
+    let mut traced = Traced::of(file, run);
+    if stretch.stream.is_some() {
+        traced.play(readings, &mut stretch);
+    }
+    Ok((asked, Played { traced, stretch, lost: 0 }))
+}
+
+/// The stretch that the words on the command line ask about.
+fn asked(args: &WhyArgs, run: &moment::Ran) -> Result<Asked, NoAnswer> {
+    let within = |moment: &Moment| moment.within(run);
+    if let (Some(from), Some(until)) = (&args.from, &args.until) {
+        let ((from_ms, _), (_, until_ms)) = (within(from)?, within(until)?);
+        return if from_ms <= until_ms {
+            Ok(Asked { from_ms, until_ms, near_ms: 0 })
+        } else {
+            Err(NoAnswer::Backwards)
+        };
+    }
+    let Some(at) = &args.at else { return Err(NoAnswer::Backwards) };
+    let (from_ms, until_ms) = within(at)?;
+    if args.not {
+        return Ok(Asked { from_ms: from_ms.saturating_sub(NOT_MS), until_ms, near_ms: 0 });
+    }
+    Ok(Asked { from_ms, until_ms, near_ms: if at.is_exact() { 0 } else { NEAR_MS } })
+}
+
+impl Asked {
+    fn stretch(self) -> Stretch {
+        let from = Millis(self.from_ms.saturating_sub(self.near_ms));
+        Stretch::of(from, Millis(self.until_ms.saturating_add(self.near_ms)))
+    }
+
+    /// How far a time is from what was asked.
+    fn distance(self, at: Millis) -> u64 {
+        self.from_ms.saturating_sub(at.0) + at.0.saturating_sub(self.until_ms)
+    }
+}
+
+/// Tells if a stream is the one that is asked for.
+fn is_it(args: &WhyArgs, stream: &FileStream) -> bool {
+    match (&args.stream, &args.action) {
+        (Some(id), _) => stream.id == *id,
+        (None, Some(name)) => {
+            stream.kind == StreamKind::Actuator && stream.name.trim().to_lowercase() == name.trim().to_lowercase()
+        }
+        (None, None) => false,
+    }
+}
+
+fn answer(args: &WhyArgs, asked: Asked, played: Played) -> Result<(), Outcome> {
+    let Played { mut traced, stretch, lost } = played;
+    let Some(stream) = stretch.stream else { return Err(unknown(args, traced.file()).into()) };
+    let fault = traced.run().fault();
+    let told = if args.not {
+        if let (false, Some(came)) = (args.json, stretch.values.front()) {
+            return Err(NoAnswer::Came { stream: name(traced.file(), stream), at_ms: came.at().0 }.into());
+        }
+        tell::Told::Not(traced.why_not(stream, Millis(asked.from_ms)))
+    } else {
+        let found = nth(args.nth, asked, &stretch);
+        let missing = || NoAnswer::NoValue {
+            stream: name(traced.file(), stream),
+            at_ms: asked.from_ms,
+            count: stretch.values.iter().filter(|cause| asked.distance(cause.at()) == 0).count(),
+            before_ms: stretch.before.map(|at| at.0),
+        };
+        tell::Told::Why(traced.tracer().tell(found.ok_or_else(missing)?))
+    };
+    tell::warn(lost, fault);
+    tell::tell(&told, traced.file(), args.json, args.language).map_err(|failures| Outcome::Failed(failures, 1))
+}
+
+/// The value of that number among those that came when it was asked; else the nearest one.
+fn nth(nth: usize, asked: Asked, stretch: &Stretch) -> Option<&Arc<Cause>> {
+    let then: Vec<&Arc<Cause>> = stretch.values.iter().filter(|cause| asked.distance(cause.at()) == 0).collect();
+    if then.is_empty() && nth == 0 {
+        return stretch.values.iter().min_by_key(|cause| asked.distance(cause.at()));
+    }
+    then.get(nth).copied()
+}
+
+fn name(file: &BehaviourFile, stream: StreamIx) -> String {
+    file.streams[stream.index()].name.clone()
+}
+
+fn unknown(args: &WhyArgs, file: &BehaviourFile) -> NoAnswer {
+    let is_action = args.action.is_some();
+    let known = file.streams.iter().filter(|stream| !is_action || stream.kind == StreamKind::Actuator);
+    let names = known.map(|stream| if is_action { stream.name.clone() } else { stream.id.clone() }).collect();
+    let wanted = args.action.clone().or(args.stream.clone()).unwrap_or_default();
+    NoAnswer::NoStream { wanted, is_action, names }
+}

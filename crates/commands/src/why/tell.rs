@@ -1,0 +1,59 @@
+//! What is printed: one line of JSON, or sentences.
+
+use super::words::Time;
+use crate::explain::units;
+use crate::failure::Failure;
+use behaviour::{BehaviourFile, Helper};
+use engine::RunFault;
+use protocol::{Why, WhyNot};
+use sentences::{Answers, Language};
+use serde::Serialize;
+use std::io::Write;
+
+/// An answer.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(super) enum Told {
+    Why(Why),
+    Not(WhyNot),
+}
+
+/// Says on standard error what makes an answer doubtful.
+pub(super) fn warn(lost: u64, fault: Option<RunFault>) {
+    let mut errors = std::io::stderr().lock();
+    if lost > 0 {
+        let _ = writeln!(errors, "{lost} lines are missing from the recording before that, so this may be wrong.");
+    }
+    if let Some(fault) = fault {
+        let _ = writeln!(errors, "The program ended by itself: {fault}");
+    }
+}
+
+/// Prints an answer.
+///
+/// # Errors
+/// If the program is one of which no sentences can be told.
+pub(super) fn tell(told: &Told, file: &BehaviourFile, json: bool, language: Language) -> Result<(), Vec<Failure>> {
+    let lines =
+        if json { vec![serde_json::to_string(told).unwrap_or_default()] } else { sentences(told, file, language)? };
+    let mut out = std::io::stdout().lock();
+    // Whoever reads may have seen enough, and that is no failure.
+    let _ = lines.iter().try_for_each(|line| writeln!(out, "{line}"));
+    Ok(())
+}
+
+fn sentences(told: &Told, file: &BehaviourFile, language: Language) -> Result<Vec<String>, Vec<Failure>> {
+    let flaws =
+        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.to_string())).collect::<Vec<_>>();
+    let behaviour = file.records(|_| None).map_err(flaws)?;
+    let library = file.library();
+    let helpers: Vec<&Helper> = library.iter().collect();
+    let unit = units(&behaviour, &helpers);
+    let clock = |ms: u64| Time(ms).to_string();
+    let answers = Answers::of(&behaviour, &helpers, &unit, &clock, language);
+    let moments = match told {
+        Told::Why(why) => answers.why(why),
+        Told::Not(not) => answers.why_not(not),
+    };
+    Ok(moments.into_iter().map(|moment| moment.text).collect())
+}
