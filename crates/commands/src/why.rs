@@ -20,9 +20,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
-/// How far from a moment that people say the value may be, in milliseconds.
+/// The most milliseconds between a moment that people say and the value.
 const NEAR_MS: u64 = 1_000;
-/// How long before a moment nothing came, if nobody says from when, in milliseconds.
+/// The milliseconds before a moment in which nothing came, if nobody says from when.
 const NOT_MS: u64 = 2_000;
 
 /// Tells why a value came: the value that triggered it, and so on back to what was sensed.
@@ -47,10 +47,10 @@ pub(crate) struct WhyArgs {
     /// The behaviour, rrp-behaviour/1 as JSON or XML, instead of a recording.
     #[arg(long, value_name = "FILE", requires = "trace")]
     behaviour: Option<PathBuf>,
-    /// Its readings, one JSON object a line; - reads standard input.
+    /// The readings for it, one JSON object a line; - reads standard input.
     #[arg(long, value_name = "FILE|-", requires = "behaviour")]
     trace: Option<PathBuf>,
-    /// How time runs; what the behaviour says if absent.
+    /// The way in which time runs; the one of the behaviour if absent.
     #[arg(long, value_enum)]
     mode: Option<Mode>,
     /// The length of a frame in milliseconds, in frame mode.
@@ -104,7 +104,7 @@ pub(crate) enum NoAnswer {
     Unplayed(Different),
 }
 
-/// What was played up to the moment that is asked about.
+/// The run, played up to the moment that is asked about.
 struct Played {
     traced: Traced,
     stretch: Stretch,
@@ -117,7 +117,7 @@ struct Played {
 struct Asked {
     from_ms: u64,
     until_ms: u64,
-    /// How far from it a value may be.
+    /// The most milliseconds between it and a value.
     near_ms: u64,
 }
 
@@ -206,7 +206,7 @@ impl Asked {
         Stretch::of(from, Millis(self.until_ms.saturating_add(self.near_ms)))
     }
 
-    /// How far a time is from what was asked.
+    /// The milliseconds between a time and the stretch.
     fn distance(self, at: Millis) -> u64 {
         self.from_ms.saturating_sub(at.0) + at.0.saturating_sub(self.until_ms)
     }

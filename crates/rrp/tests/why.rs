@@ -63,7 +63,7 @@ fn text(of: &[u8]) -> String {
     String::from_utf8(of.to_vec()).expect("UTF-8")
 }
 
-/// What is told, if the exit code is 0.
+/// The answer, if the exit code is 0.
 fn told(done: &Output) -> String {
     assert!(done.status.success(), "{}", text(&done.stderr));
     text(&done.stdout)

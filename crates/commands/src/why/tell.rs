@@ -1,4 +1,4 @@
-//! What is printed: one line of JSON, or sentences.
+//! The answer as it is printed: one line of JSON, or sentences.
 
 use super::words::Time;
 use crate::explain::units;

@@ -1,4 +1,4 @@
-//! What is said on standard error when nothing can be told, in English.
+//! The sentences on standard error where nothing can be told, in English.
 
 use super::NoAnswer;
 use super::moment::NoMoment;

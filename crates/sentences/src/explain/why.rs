@@ -177,7 +177,7 @@ impl<'a> Answers<'a> {
         }
     }
 
-    /// What a test was asked about, with its unit, and the words of the test.
+    /// The value that a test was asked about, with its unit, and the words of the test.
     fn asked(&self, link: &Link, value: &Value) -> Option<(String, String)> {
         let Does::Keep(Test { field, asks }) = &link.does else { return None };
         let teller = Teller::new(&self.known, self.unit, self.language);
@@ -198,13 +198,13 @@ impl<'a> Answers<'a> {
         Some((asked, test))
     }
 
-    /// What a connector compares of a value, as far as that is a field of it.
+    /// The part of a value that a connector compares: a field of it, or all.
     fn compared(&self, by: Option<&Calc>, value: &Value) -> String {
         let field = if let Some(Calc::Field(name)) = by { value.field(name) } else { None };
         self.value(field.unwrap_or(value), "")
     }
 
-    /// What an action does, in the words of its clause, and whether the value that it is told decides about it.
+    /// The words of an action by its clause, and true if the value that it is told decides about it.
     fn does(&self, id: &'a Id, stream: &'a Stream) -> Option<(String, bool)> {
         let device = robot::device(StreamKind::Actuator, stream.device.as_deref()?).ok()?;
         device.check(&stream.params).ok()?;
@@ -241,7 +241,7 @@ impl<'a> Answers<'a> {
         }
     }
 
-    /// How long ago something came.
+    /// The time since something came, in words.
     fn ago(&self, ms: u64) -> String {
         if ms == 0 {
             return self.say("why.now", &[]);
