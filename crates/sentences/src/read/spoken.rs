@@ -19,6 +19,9 @@ const UNSEEN_MS: u64 = 1_000;
 /// The time until walking is said again, in milliseconds: before the robot ends it by itself.
 const STEP_MS: u64 = 250;
 
+/// Of 1 for a touch, 0 for its end and 2 for what comes: 2 for what comes untouched, 3 for what comes while touched.
+const HELD: &str = "if value == 2 { 2 + soFar % 2 } else { value }";
+
 /// A sense and what is made of it.
 struct Feed {
     device: &'static str,
@@ -180,6 +183,9 @@ impl<'b, 'a> Making<'b, 'a> {
             // What is seen is over when it was not seen for a moment.
             Event::Ball(_) | Event::Thing(_) => Cond { not: true, during: Some(UNSEEN_MS), ..event.clone() },
             Event::Face(Who::Anybody) => Cond { not: true, ..event.clone() },
+            Event::Pose(_) | Event::Far(..) | Event::People(_) | Event::Charge(_) => {
+                Cond { not: !event.not, ..event.clone() }
+            }
             what => Cond { what: ended(what)?, ..event.clone() },
         };
         let mut chain = Vec::new();
@@ -332,6 +338,10 @@ impl<'b, 'a> Making<'b, 'a> {
                 let count = self.made(Does::Remember(Memory::Ones), vec![at], &cond.span, chain);
                 self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
             }
+            Some(Times::Beyond(times)) => {
+                let count = self.made(Does::Remember(Memory::Ones), vec![at], &cond.span, chain);
+                self.made(numbers("", vec![(Comparison::More, f64::from(times))]), vec![count], &cond.span, chain)
+            }
             Some(Times::EachTime(times)) => {
                 let args = vec!["soFar".to_owned(), "value".to_owned()];
                 let body = format!("soFar % {times} + 1");
@@ -441,6 +451,10 @@ impl<'b, 'a> Making<'b, 'a> {
                 params.push(("release", "yes".to_owned()));
                 (Feed { device: touch(*device), params, steps: Vec::new() }, Some(truth("", true)))
             }
+            (Event::Touch(device, params, Phase::Begins), true) if cond.lasts => {
+                let held = Cond { what: Event::Touch(*device, params.clone(), Phase::Begins), ..cond.clone() };
+                return self.unless_held(at, &held, chain);
+            }
             _ => tested(cond)?,
         };
         let mut state = self.sense(&sense, &cond.span)?;
@@ -456,6 +470,26 @@ impl<'b, 'a> Making<'b, 'a> {
         self.builder.nodes[latest].carried = carried;
         let kept = self.made(test?, vec![latest], &cond.span, chain);
         Some(kept)
+    }
+
+    /// Returns the node of what comes while something is not touched: untouched until the first touch.
+    fn unless_held(&mut self, at: usize, touch: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
+        let over = Cond { what: ended(&touch.what)?, not: false, ..touch.clone() };
+        let Event::Touch(body, params, _) = &touch.what else { return None };
+        let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
+        params.push(("release", "yes".to_owned()));
+        let begins = Feed { params, ..feed(self::touch(*body)) };
+        let begins = self.sense(&begins, &touch.span)?;
+        let begins = self.made(truth("", true), vec![begins], &touch.span, &mut Vec::new());
+        let begins = self.made(number(1.0), vec![begins], &touch.span, &mut Vec::new());
+        let ends = self.event(&over, &mut Vec::new(), None)?;
+        let ends = self.made(number(0.0), vec![ends], &touch.span, &mut Vec::new());
+        let comes = self.made(number(2.0), vec![at], &touch.span, chain);
+        let any = self.made(Does::Any, vec![comes, begins, ends], &touch.span, chain);
+        let args = vec!["soFar".to_owned(), "value".to_owned()];
+        let memory = Memory::By(Calc::Written(args, HELD.to_owned()), Constant::Int(0));
+        let any = self.made(Does::Remember(memory), vec![any], &touch.span, chain);
+        Some(self.made(numbers("", vec![(Comparison::Is, 2.0)]), vec![any], &touch.span, chain))
     }
 
     /// Returns the node of what comes while something is in view: it was seen within the last moment.
@@ -586,8 +620,15 @@ impl<'b, 'a> Making<'b, 'a> {
             Act::PlayFile(file) => self.put("Sound", &[("sound", "file"), ("file", file)], at, span),
             Act::Remember => self.put("RememberFace", &[], at, span),
             Act::Nothing => Some(()),
-            Act::Color(_) | Act::Count(_) | Act::Again | Act::Not | Act::NotFor(..) | Act::Text(_) | Act::Keeps => None,
-            Act::Instead | Act::Unfollow(_) => None,
+            Act::Color(_)
+            | Act::MoveThem(_)
+            | Act::Count(_)
+            | Act::Again
+            | Act::Not
+            | Act::NotFor(..)
+            | Act::Text(_)
+            | Act::Keeps => None,
+            Act::Instead | Act::Unfollow(_) | Act::GoesOut(_) => None,
         }
     }
 

@@ -1,7 +1,9 @@
 //! Clauses as rules: which condition is whose, what is done later, what “it” is.
 
-use super::meaning::{Act, Body, Cond, Event, Of, Phase, Rule, Span, Target, Times, Value, Who};
+use super::act::moved_by;
+use super::meaning::{Act, Body, Cond, Event, Of, Phase, Rule, Span, Target, Times, Vague, Value, Who};
 use super::segments::{Lead, Segment, Then};
+use crate::test::Comparison;
 use std::rc::Rc;
 
 /// What was said so far, as far as later words mean it.
@@ -18,6 +20,8 @@ pub(super) struct Said {
     did: Option<Act>,
     /// The part of the body that was moved, if it can be touched.
     moved: Option<Event>,
+    /// The joints that were moved last.
+    joints: Vec<&'static str>,
     /// True if the battery was spoken of.
     is_charge: bool,
     /// True if the last sentence says what is not followed any more.
@@ -44,7 +48,11 @@ impl Said {
                 Segment::Sign | Segment::Nothing => continue,
                 Segment::Unclear | Segment::But => {}
                 Segment::And => goes_on |= at == 0,
-                Segment::Then => goes_on |= rule.acts.is_empty() && rule.event.is_none(),
+                Segment::Onwards(_) if self.goes_onwards(&mut rule, span, goes_on) => {
+                    (goes_on, later, is_trailed) = (false, 0, false);
+                }
+                Segment::Onwards(Some(words)) => self.doubts.push(words.clone()),
+                Segment::Then | Segment::Onwards(None) => goes_on |= rule.acts.is_empty() && rule.event.is_none(),
                 Segment::Or => joined_or = true,
                 Segment::Otherwise => {
                     self.next(&mut rule, span, goes_on);
@@ -87,7 +95,9 @@ impl Said {
                     let trailing = !rule.acts.is_empty();
                     self.condition(&mut rule, *lead, cond, joined_or);
                     joined_or = false;
-                    is_trailed |= trailing && !restricts;
+                    if trailing && !restricts {
+                        (is_trailed, later) = (true, 0);
+                    }
                 }
                 Segment::Acts(acts, act_span) => {
                     // One or the other: which?
@@ -97,8 +107,12 @@ impl Said {
                     goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
                     let unfollows = matches!(acts[..], [Act::Unfollow(_), ..]);
                     if is_trailed || unfollows && !rule.acts.is_empty() {
+                        // *Open the hand when … and close it after 3 seconds*: it goes on with the same.
+                        let joins = matches!(before, Some(Segment::And | Segment::Then | Segment::Later(..)));
+                        let goes = joins && !unfollows && !rest.iter().any(|next| matches!(next, Segment::Cond(..)));
                         self.next(&mut rule, span, goes_on);
-                        (goes_on, later, is_trailed) = (false, 0, false);
+                        (goes_on, is_trailed) = (goes, false);
+                        later = if goes { later } else { 0 };
                     }
                     match &acts[..] {
                         // The verb of a text is that of the one before; in Japanese it comes later.
@@ -146,6 +160,28 @@ impl Said {
         self.finish(std::mem::replace(rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
     }
 
+    /// *The first time …; after that …*: what is done at all times after the first one. Whether that is what is meant.
+    fn goes_onwards(&mut self, rule: &mut Rule, span: &Span, goes_on: bool) -> bool {
+        let is_first = |rule: &Rule| {
+            let first = |event: &Cond| event.times == Some(Times::After(1)) && event.during.is_none();
+            rule.event.as_ref().is_some_and(|event| first(event) || rule.once && event.times.is_none())
+                && rule.states.is_empty()
+                && !rule.acts.is_empty()
+        };
+        let event = if is_first(rule) {
+            let event = rule.event.clone();
+            self.next(rule, span, goes_on);
+            event
+        } else if rule.acts.is_empty() && rule.event.is_none() {
+            self.rules.last().filter(|last| is_first(last)).and_then(|last| last.event.clone())
+        } else {
+            None
+        };
+        let Some(event) = event else { return false };
+        rule.event = Some(Cond { times: Some(Times::Beyond(1)), ..event });
+        true
+    }
+
     fn condition(&mut self, rule: &mut Rule, lead: Lead, cond: &Rc<Cond>, or: bool) {
         let mut cond = (**cond).clone();
         if !self.resolve(&mut cond) {
@@ -175,6 +211,10 @@ impl Said {
         match lead {
             Lead::Until if rule.until.is_none() => rule.until = Some(cond),
             Lead::Until => self.doubts.push(cond.span.clone()),
+            // *As long as the button has not been pressed*: until it is.
+            Lead::While if cond.not && cond.during.is_none() && is_moment(&cond.what) && rule.until.is_none() => {
+                rule.until = Some(Cond { not: false, lasts: false, ..cond });
+            }
             Lead::Unless => {
                 cond.not = !cond.not;
                 rule.states.push(cond);
@@ -206,10 +246,10 @@ impl Said {
             }
             _ if rule.event.is_none() => {
                 if cond.within.is_some() {
-                    if self.rules.is_empty() {
+                    rule.unanswered = self.asked(&cond.what);
+                    if rule.unanswered.is_none() {
                         self.doubts.push(cond.span.clone());
                     }
-                    rule.unanswered = Some(self.rules.len().wrapping_sub(1));
                 }
                 rule.event = Some(cond);
             }
@@ -222,6 +262,13 @@ impl Said {
         {
             rule.lasts = true;
         }
+    }
+
+    /// The rule that an answer is waited for after: that before other answers, and before the same answer.
+    fn asked(&self, answer: &Event) -> Option<usize> {
+        let is_same = |rule: &Rule| rule.event.as_ref().is_some_and(|event| event.what == *answer);
+        let at = self.rules.iter().rposition(|rule| !is_same(rule) || rule.unanswered.is_some())?;
+        self.rules[at].unanswered.or(Some(at))
     }
 
     /// Puts what was said in the place of “it” and of what was left out; whether that is known.
@@ -240,7 +287,16 @@ impl Said {
                 (None, None, [part]) => cond.what = part.clone(),
                 _ => return false,
             },
-            Event::ItLetGo => match self.touched.as_ref().and_then(ended) {
+            Event::ItGoes if self.touched.is_none() => {
+                let (of, bound) = match &self.seen {
+                    Some(Event::Ball(color)) => (Of::Ball(color), (Comparison::More, 100.0, "cm")),
+                    Some(Event::Face(_)) => (Of::Person, (Comparison::More, 2.0, "m")),
+                    _ => return false,
+                };
+                cond.vague = Some(Vague { span: cond.span.clone(), bound, moves: true });
+                cond.what = Event::Far(of, vec![bound]);
+            }
+            Event::ItLetGo | Event::ItGoes => match self.touched.as_ref().and_then(ended) {
                 Some(over) => cond.what = over,
                 None => return false,
             },
@@ -318,7 +374,18 @@ impl Said {
     }
 
     fn acts(&mut self, rule: &mut Rule, acts: &Rc<Vec<Act>>, span: &Span, later: u64) {
-        for act in acts.iter() {
+        let joint = |act: &Act| if let Act::Move(joint, _) = act { Some(*joint) } else { None };
+        let meant: Vec<Act> = match acts[..] {
+            [Act::MoveThem(verb)] => self.joints.iter().filter_map(|joint| moved_by(joint, verb)).collect(),
+            _ => acts.to_vec(),
+        };
+        if meant.is_empty() && !acts.is_empty() {
+            self.doubts.push(span.clone());
+        }
+        if meant.iter().any(|act| joint(act).is_some()) {
+            self.joints = meant.iter().filter_map(joint).collect();
+        }
+        for act in &meant {
             let act = match act {
                 Act::Count(cond) => {
                     let mut cond = (**cond).clone();
@@ -334,6 +401,10 @@ impl Said {
                 }
                 Act::Not | Act::NotFor(..) | Act::Keeps | Act::Instead | Act::Unfollow(_) => {
                     self.restrict(rule, act, span);
+                    continue;
+                }
+                Act::GoesOut(ms) => {
+                    rule.acts.push((later + ms, Act::Eyes("off"), span.clone()));
                     continue;
                 }
                 Act::Text(text) => Act::Say(text.clone()),
@@ -514,7 +585,14 @@ impl Said {
             let event = Cond { not: !answer.not, ..answer.clone() };
             rule = Rule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
         }
+        // *After 5 minutes, …*: after the start.
         let needs_event = rule.event.is_none() && rule.every.is_none() && !rule.otherwise;
+        let from_start = self.rules.is_empty() && rule.states.is_empty() && rule.until.is_none();
+        if needs_event && from_start && rule.acts.iter().all(|(later, ..)| *later > 0) {
+            rule.event = Some(Cond::of(Event::Start, rule.span.clone()));
+            self.rules.push(rule);
+            return;
+        }
         if needs_event && goes_on && rule.until.is_none() && rule.states.is_empty() {
             let Some(last) = self.rules.last_mut() else {
                 self.is_missing = true;
@@ -552,6 +630,11 @@ fn excludes(one: Option<&Rule>, other: &Rule) -> bool {
         },
         _ => false,
     }
+}
+
+/// True if something happens and is over at once.
+fn is_moment(event: &Event) -> bool {
+    matches!(event, Event::Button(_) | Event::Words(_) | Event::Falls)
 }
 
 /// True if words are said.
