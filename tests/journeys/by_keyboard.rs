@@ -216,7 +216,9 @@ async fn says_a_program(name: &str, sentence: &str, follows: &str, trackers: u32
     saved(page).await?;
     hands.starts().await?;
     says(page, follows).await?;
-    hands.press("Control+.").await?;
+    hands.press("Escape").await?;
+    hands.press("Escape").await?;
+    says(page, "Stopped. The robot holds still.").await?;
     at_rest(page).await?;
     calm(page)
 }
@@ -280,7 +282,9 @@ async fn the_tour_by_keyboard_alone() -> Outcome<()> {
     }
     hands.key("Enter").await?;
     page.until("!!document.activeElement.closest('.inline.open')", "the number is a field").await?;
-    hands.press("Control+a").await?;
+    hands.press("Escape").await?;
+    hands.press("Escape").await?;
+    says(page, "Stopped. The robot holds still.").await?;
     hands.types("60").await?;
     hands.key("Enter").await?;
     step_is(page, 7).await?;

@@ -19,9 +19,6 @@ const UNSEEN_MS: u64 = 1_000;
 /// The time until walking is said again, in milliseconds: before the robot ends it by itself.
 const STEP_MS: u64 = 250;
 
-/// Of 1 for a touch, 0 for its end and 2 for what comes: 2 for what comes untouched, 3 for what comes while touched.
-const HELD: &str = "if value == 2 { 2 + soFar % 2 } else { value }";
-
 /// A sense and what is made of it.
 struct Feed {
     device: &'static str,
@@ -168,10 +165,7 @@ impl<'b, 'a> Making<'b, 'a> {
     /// Returns the node of what comes, and then nothing more for a time: by the time of the last one that passed.
     fn paused(&mut self, at: usize, period: u64, span: &Span, chain: &mut Vec<usize>) -> usize {
         let at = self.made(Does::Stamp, vec![at], span, chain);
-        let args = vec!["soFar".to_owned(), "value".to_owned()];
-        let body = format!("if value.t - soFar >= {period} {{ value.t }} else {{ soFar }}");
-        let memory = Memory::By(Calc::Written(args, body), Constant::Int(-i64::try_from(period).unwrap_or(i64::MAX)));
-        let at = self.made(Does::Remember(memory), vec![at], span, chain);
+        let at = self.made(Does::Remember(Memory::Rests(period)), vec![at], span, chain);
         self.made(Does::Changed(None), vec![at], span, chain)
     }
 
@@ -343,10 +337,7 @@ impl<'b, 'a> Making<'b, 'a> {
                 self.made(numbers("", vec![(Comparison::More, f64::from(times))]), vec![count], &cond.span, chain)
             }
             Some(Times::EachTime(times)) => {
-                let args = vec!["soFar".to_owned(), "value".to_owned()];
-                let body = format!("soFar % {times} + 1");
-                let memory = Memory::By(Calc::Written(args, body), Constant::Int(0));
-                let count = self.made(Does::Remember(memory), vec![at], &cond.span, chain);
+                let count = self.made(Does::Remember(Memory::Rounds(times)), vec![at], &cond.span, chain);
                 self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
             }
         }
@@ -486,9 +477,7 @@ impl<'b, 'a> Making<'b, 'a> {
         let ends = self.made(number(0.0), vec![ends], &touch.span, &mut Vec::new());
         let comes = self.made(number(2.0), vec![at], &touch.span, chain);
         let any = self.made(Does::Any, vec![comes, begins, ends], &touch.span, chain);
-        let args = vec!["soFar".to_owned(), "value".to_owned()];
-        let memory = Memory::By(Calc::Written(args, HELD.to_owned()), Constant::Int(0));
-        let any = self.made(Does::Remember(memory), vec![any], &touch.span, chain);
+        let any = self.made(Does::Remember(Memory::Held), vec![any], &touch.span, chain);
         Some(self.made(numbers("", vec![(Comparison::Is, 2.0)]), vec![any], &touch.span, chain))
     }
 
@@ -635,10 +624,7 @@ impl<'b, 'a> Making<'b, 'a> {
     /// One of several texts whenever something comes: by a number that goes on from the time at which it came.
     fn by_chance(&mut self, at: usize, texts: &[String], span: &Span) -> usize {
         let at = self.made(Does::Stamp, vec![at], span, &mut Vec::new());
-        let args = vec!["soFar".to_owned(), "value".to_owned()];
-        let next = "(soFar * 1103 + value.t + 12345) % 65536".to_owned();
-        let memory = Memory::By(Calc::Written(args, next), Constant::Int(1));
-        let at = self.made(Does::Remember(memory), vec![at], span, &mut Vec::new());
+        let at = self.made(Does::Remember(Memory::Draws), vec![at], span, &mut Vec::new());
         let mut body = text_literal(texts.last().map_or("", String::as_str));
         for (place, text) in texts.iter().enumerate().rev().skip(1) {
             let count = texts.len();

@@ -9,9 +9,9 @@ use super::meaning::{Act, Of, Target, Value};
 const RAISED: f64 = -1.0;
 const LOWERED: f64 = 1.4;
 
-/// How far the head turns to a side, and up or down, where nobody says it: 30 and 20 degrees.
-const TURNED: f64 = 0.5236;
-const NODDED: f64 = 0.3491;
+/// The head turns so far to a side, and up or down, where nobody says it: about 30 and 20 degrees.
+const TURNED: f64 = 0.52;
+const NODDED: f64 = 0.35;
 
 /// The most texts of which one is said by chance.
 const CHANCES_MAX: usize = 8;
@@ -114,6 +114,13 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
     false
 }
 
+/// True if the eyes follow something: *follow me with your eyes*.
+fn follows_with_eyes(bag: &Bag) -> bool {
+    ["follow", "look"].iter().any(|verb| bag.has("v", verb))
+        && ["who", "noun", "it"].iter().any(|kind| bag.has(kind, ""))
+        && bag.find("color", "").is_none()
+}
+
 fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     if bag.has("adj", "brighter") || bag.has("adj", "darker") {
         return nearer(bag).map(|act| vec![act]);
@@ -152,11 +159,7 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
         }
         return value(bag).map(|value| vec![Act::Show(value)]);
     }
-    // *Follow me with your eyes*
-    let with_eyes = ["follow", "look"].iter().any(|verb| bag.has("v", verb))
-        && ["who", "noun", "it"].iter().any(|kind| bag.has(kind, ""))
-        && bag.find("color", "").is_none();
-    if bag.has("part", "eyes") && !with_eyes || bag.has("noun", "brightness") {
+    if bag.has("part", "eyes") && !follows_with_eyes(bag) || bag.has("noun", "brightness") {
         return eyes(bag);
     }
     if let Some(act) = follow(bag) {
@@ -608,7 +611,7 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
     Some(vec![act])
 }
 
-/// What a verb does with a joint.
+/// Returns the act of a verb with a joint.
 pub(super) fn moved_by(joint: &'static str, verb: &str) -> Option<Act> {
     match (joint, verb) {
         ("LHand" | "RHand", "open") => Some(Act::Move(joint, 1.0)),

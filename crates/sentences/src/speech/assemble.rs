@@ -54,14 +54,10 @@ impl Said {
                 Segment::Onwards(Some(words)) => self.doubts.push(words.clone()),
                 Segment::Then | Segment::Onwards(None) => goes_on |= rule.acts.is_empty() && rule.event.is_none(),
                 Segment::Or => joined_or = true,
-                Segment::Otherwise => {
+                Segment::Otherwise | Segment::Unheard(_) => {
                     self.next(&mut rule, span, goes_on);
                     (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
-                }
-                Segment::Unheard(words) => {
-                    self.next(&mut rule, span, goes_on);
-                    (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
-                    rule.unheard = Some(words.clone());
+                    rule.unheard = if let Segment::Unheard(words) = segment { Some(words.clone()) } else { None };
                 }
                 Segment::Every(ms) => rule.every = Some(*ms),
                 Segment::AtMost(ms) if is_alone(&rule, rest) => {
@@ -107,21 +103,12 @@ impl Said {
                     goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
                     let unfollows = matches!(acts[..], [Act::Unfollow(_), ..]);
                     if is_trailed || unfollows && !rule.acts.is_empty() {
-                        // *Open the hand when … and close it after 3 seconds*: it goes on with the same.
-                        let joins = matches!(before, Some(Segment::And | Segment::Then | Segment::Later(..)));
-                        let goes = joins && !unfollows && !rest.iter().any(|next| matches!(next, Segment::Cond(..)));
+                        let goes = !unfollows && carries_on(before, rest);
                         self.next(&mut rule, span, goes_on);
                         (goes_on, is_trailed) = (goes, false);
                         later = if goes { later } else { 0 };
                     }
-                    match &acts[..] {
-                        // The verb of a text is that of the one before; in Japanese it comes later.
-                        [Act::Text(_)] if !matches!(self.did, Some(Act::Say(_))) || rule.acts.is_empty() => {
-                            alone.push(act_span.clone());
-                        }
-                        [Act::Say(_), ..] => alone.clear(),
-                        _ => {}
-                    }
+                    self.texts_alone(&rule, acts, act_span, &mut alone);
                     self.acts(&mut rule, acts, act_span, later);
                 }
             }
@@ -130,6 +117,17 @@ impl Said {
         self.doubts.append(&mut alone);
         if is_open || !rule.acts.is_empty() || rule.event.is_some() {
             self.finish(rule, goes_on);
+        }
+    }
+
+    /// Notes texts without a verb: it is that of the one before; in Japanese it comes later.
+    fn texts_alone(&self, rule: &Rule, acts: &[Act], span: &Span, alone: &mut Vec<Span>) {
+        match acts {
+            [Act::Text(_)] if !matches!(self.did, Some(Act::Say(_))) || rule.acts.is_empty() => {
+                alone.push(span.clone());
+            }
+            [Act::Say(_), ..] => alone.clear(),
+            _ => {}
         }
     }
 
@@ -373,7 +371,8 @@ impl Said {
         }
     }
 
-    fn acts(&mut self, rule: &mut Rule, acts: &Rc<Vec<Act>>, span: &Span, later: u64) {
+    /// Returns what is done, with the joints that were moved last in the place of “them”.
+    fn moved_again(&mut self, acts: &Rc<Vec<Act>>, span: &Span) -> Vec<Act> {
         let joint = |act: &Act| if let Act::Move(joint, _) = act { Some(*joint) } else { None };
         let meant: Vec<Act> = match acts[..] {
             [Act::MoveThem(verb)] => self.joints.iter().filter_map(|joint| moved_by(joint, verb)).collect(),
@@ -385,6 +384,11 @@ impl Said {
         if meant.iter().any(|act| joint(act).is_some()) {
             self.joints = meant.iter().filter_map(joint).collect();
         }
+        meant
+    }
+
+    fn acts(&mut self, rule: &mut Rule, acts: &Rc<Vec<Act>>, span: &Span, later: u64) {
+        let meant = self.moved_again(acts, span);
         for act in &meant {
             let act = match act {
                 Act::Count(cond) => {
@@ -515,6 +519,12 @@ impl Said {
         }
     }
 
+    /// True if a time after the start is said: *after 5 minutes, …*
+    fn is_after_start(&self, rule: &Rule) -> bool {
+        let says_when = rule.event.is_some() || rule.every.is_some() || rule.until.is_some() || !rule.states.is_empty();
+        !says_when && !rule.otherwise && self.rules.is_empty() && rule.acts.iter().all(|(later, ..)| *later > 0)
+    }
+
     /// A rule is over.
     fn finish(&mut self, mut rule: Rule, goes_on: bool) {
         let is_empty = rule.acts.is_empty() && rule.event.is_none() && rule.states.is_empty() && rule.every.is_none();
@@ -585,14 +595,10 @@ impl Said {
             let event = Cond { not: !answer.not, ..answer.clone() };
             rule = Rule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
         }
-        // *After 5 minutes, …*: after the start.
-        let needs_event = rule.event.is_none() && rule.every.is_none() && !rule.otherwise;
-        let from_start = self.rules.is_empty() && rule.states.is_empty() && rule.until.is_none();
-        if needs_event && from_start && rule.acts.iter().all(|(later, ..)| *later > 0) {
+        if self.is_after_start(&rule) {
             rule.event = Some(Cond::of(Event::Start, rule.span.clone()));
-            self.rules.push(rule);
-            return;
         }
+        let needs_event = rule.event.is_none() && rule.every.is_none() && !rule.otherwise;
         if needs_event && goes_on && rule.until.is_none() && rule.states.is_empty() {
             let Some(last) = self.rules.last_mut() else {
                 self.is_missing = true;
@@ -607,9 +613,7 @@ impl Said {
             self.is_missing = true;
             return;
         }
-        if needs_event && rule.event.is_none() {
-            rule.is_own = true;
-        }
+        rule.is_own = needs_event;
         self.rules.push(rule);
     }
 }
@@ -650,6 +654,12 @@ fn moved(joint: &str, before: Option<Event>) -> Option<Event> {
         "RHand" => Some(hand("right")),
         _ => before,
     }
+}
+
+/// True if what is done after a condition goes on with what was done: *open the hand when … and close it after 3 seconds*.
+fn carries_on(before: Option<&Segment>, rest: &[Segment]) -> bool {
+    let joins = matches!(before, Some(Segment::And | Segment::Then | Segment::Later(..)));
+    joins && !rest.iter().any(|next| matches!(next, Segment::Cond(..)))
 }
 
 /// Whether nothing else is said in a sentence.

@@ -6,7 +6,7 @@ use crate::speech::lexicon::End;
 use crate::speech::meaning::{Bound, Event, Of};
 use crate::test::Comparison;
 
-/// How full a full battery is at least, in per cent.
+/// A full battery is so full at least, in per cent.
 const FULL: f64 = 95.0;
 
 /// A number of comparisons of what is measured, near and far without a number with these.

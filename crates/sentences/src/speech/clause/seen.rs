@@ -147,21 +147,14 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
         let said = (0..bag.atoms.len()).any(|at| bag.atoms[at].sense("v", "leave").is_some_and(|sense| sense.form.not));
         *not = nobody || (!*not || !said && nothing);
     }
-    // *The child is …*: what?
-    let tells = has_place || of_kind || nobody || bag.has("it", "") || !bag.has("who", "");
-    let other = ["noun", "color", "none", "adj"].iter().any(|kind| bag.has(kind, ""));
-    if found.is_empty() && !tells && !other {
+    if found.is_empty() && !(has_place || of_kind || nobody) && says_nothing_of(bag) {
         return None;
     }
     for (_, at) in &found {
         bag.use_up(*at);
     }
-    // *The child shows you the ball*: the ball is what is seen.
-    let shows = |atom: &Atom| ["ball", "mark"].iter().any(|noun| atom.is("noun", noun)) || atom.is("color", "");
-    if has("show") && bag.atoms.iter().any(shows) {
-        agent(bag);
-        bag.take_all("robot", "");
-        bag.take_all("poss", "own");
+    if has("show") {
+        shown(bag);
     }
     bag.take_all("noun", "view");
     bag.take_all("noun", "ahead");
@@ -196,6 +189,22 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     // Japanese leaves out what was said before.
     let says_nothing = !bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "") || atom.is("color", ""));
     (says_nothing && (has("see") || has("leave"))).then_some(Event::ItSeen)
+}
+
+/// True if somebody is named and nothing is said of them: *the child is*.
+fn says_nothing_of(bag: &Bag) -> bool {
+    let other = ["noun", "color", "none", "adj", "it"].iter().any(|kind| bag.has(kind, ""));
+    bag.has("who", "") && !other
+}
+
+/// *The child shows you the ball*: the ball is what is seen.
+fn shown(bag: &mut Bag) {
+    let shows = |atom: &Atom| ["ball", "mark"].iter().any(|noun| atom.is("noun", noun)) || atom.is("color", "");
+    if bag.atoms.iter().any(shows) {
+        agent(bag);
+        bag.take_all("robot", "");
+        bag.take_all("poss", "own");
+    }
 }
 
 /// A ball, or one of several.
