@@ -151,14 +151,16 @@ async fn says_a_program(name: &str, sentence: &str, follows: &str) -> Outcome<()
     usable(page).await?;
     let fingers = Fingers { page, on_phone: false };
     fingers.makes_program(name).await?;
-    fingers.tap("searchbox", "Find or add*").await?;
+    fingers.tap("button", "More senses …").await?;
+    let dialog = page.within("dialog", "Add sensor");
+    fingers.tap_in(dialog, "searchbox", "Or say what it does").await?;
     page.type_text(sentence).await?;
     page.until(
         "document.querySelector('.stream.ghost') && !document.querySelector('.typed .doubt')",
         "it is understood",
     )
     .await?;
-    fingers.tap("button", "Add").await?;
+    fingers.tap("button", "Add to the graph").await?;
     page.until(
         "!document.querySelector('.ghost') && document.querySelectorAll('[data-node]').length > 3",
         "it is there",
