@@ -192,6 +192,54 @@ async fn the_walkthrough_by_keyboard_alone() -> Outcome<()> {
     calm(page)
 }
 
+/// One sentence says a program: Control+F, the sentence and Enter make what runs.
+async fn says_a_program(name: &str, sentence: &str, follows: &str, trackers: u32) -> Outcome<()> {
+    let stage = Stage::set().await?;
+    let page = &stage.person("aiko").await?;
+    let hands = Hands { page, keys: AtomicU32::new(0) };
+    hands.makes_program(name).await?;
+    hands.key("Control+f").await?;
+    hands.types(sentence).await?;
+    page.until(
+        "document.querySelector('.stream.ghost') && !document.querySelector('.typed .doubt')",
+        "it is understood",
+    )
+    .await?;
+    hands.press("Enter").await?;
+    let count = format!(
+        "!document.querySelector('.ghost') && [...document.querySelectorAll('[data-node]')].filter(node => \
+         (node.getAttribute('aria-label') ?? '').startsWith('Tracker')).length === {trackers}"
+    );
+    page.until(&count, "the program is there, once").await?;
+    saved(page).await?;
+    hands.starts().await?;
+    says(page, follows).await?;
+    hands.press("Escape").await?;
+    hands.press("Escape").await?;
+    says(page, "Stopped. The robot holds still.").await?;
+    at_rest(page).await?;
+    calm(page)
+}
+
+#[tokio::test]
+async fn the_walkthrough_is_one_sentence_by_keyboard() -> Outcome<()> {
+    if !skip::ready("journey: walkthrough, said by keyboard") {
+        return Ok(());
+    }
+    let sentence = "If the red ball is closer than 60 cm, follow it with your head.";
+    says_a_program("Said walkthrough", sentence, "follows red ball with head", 1).await
+}
+
+#[tokio::test]
+async fn the_create_task_is_one_sentence_by_keyboard() -> Outcome<()> {
+    if !skip::ready("journey: create task, said by keyboard") {
+        return Ok(());
+    }
+    let sentence =
+        "If the red ball is closer than 60 cm, follow it with your whole body, otherwise follow it with your head.";
+    says_a_program("Said Create", sentence, "follows red ball with whole body", 2).await
+}
+
 #[tokio::test]
 async fn the_tour_by_keyboard_alone() -> Outcome<()> {
     skip::unless!(ready("journey: tour by keyboard"));
@@ -230,7 +278,9 @@ async fn the_tour_by_keyboard_alone() -> Outcome<()> {
     }
     hands.key("Enter").await?;
     page.until("!!document.activeElement.closest('.inline.open')", "the number is a field").await?;
-    hands.press("Control+a").await?;
+    hands.press("Escape").await?;
+    hands.press("Escape").await?;
+    says(page, "Stopped. The robot holds still.").await?;
     hands.types("60").await?;
     hands.key("Enter").await?;
     step_is(page, 7).await?;

@@ -136,6 +136,58 @@ async fn the_walkthrough_by_touch_on_a_phone_held_sideways() -> Outcome<()> {
     walkthrough((844, 390), false).await
 }
 
+/// One sentence says a program: a finger opens the field, takes what is understood and starts it.
+async fn says_a_program(name: &str, sentence: &str, follows: &str) -> Outcome<()> {
+    let stage = Stage::set().await?;
+    let page = &stage.nobody("aiko").await?;
+    page.size(1180, 820, true).await?;
+    page.goto(&stage.server.url()).await?;
+    usable(page).await?;
+    let fingers = Fingers { page, on_phone: false };
+    fingers.makes_program(name).await?;
+    fingers.tap("button", "More senses …").await?;
+    let dialog = page.within("dialog", "Add sensor");
+    fingers.tap_in(dialog, "searchbox", "Or say what it does").await?;
+    page.type_text(sentence).await?;
+    page.until(
+        "document.querySelector('.stream.ghost') && !document.querySelector('.typed .doubt')",
+        "it is understood",
+    )
+    .await?;
+    fingers.tap("button", "Add to the graph").await?;
+    page.until(
+        "!document.querySelector('.ghost') && document.querySelectorAll('[data-node]').length > 3",
+        "it is there",
+    )
+    .await?;
+    saved(page).await?;
+    fingers.tap("button", "Start").await?;
+    page.find("button", "Running").await?;
+    says(page, follows).await?;
+    fingers.tap("button", "Stop").await?;
+    at_rest(page).await?;
+    calm(page)
+}
+
+#[tokio::test]
+async fn the_walkthrough_is_one_sentence_by_touch() -> Outcome<()> {
+    if !skip::ready("journey: walkthrough, said by touch") {
+        return Ok(());
+    }
+    let sentence = "If the red ball is closer than 60 cm, follow it with your head.";
+    says_a_program("Said walkthrough", sentence, "follows red ball with head").await
+}
+
+#[tokio::test]
+async fn the_create_task_is_one_sentence_by_touch() -> Outcome<()> {
+    if !skip::ready("journey: create task, said by touch") {
+        return Ok(());
+    }
+    let sentence =
+        "If the red ball is closer than 60 cm, follow it with your whole body, otherwise follow it with your head.";
+    says_a_program("Said Create", sentence, "follows red ball with whole body").await
+}
+
 /// A browser keeps a tap for itself that comes soon after a flick: Stop does not wait for the click.
 #[tokio::test]
 async fn stop_is_heard_as_a_finger_comes_down_also_after_a_flick() -> Outcome<()> {

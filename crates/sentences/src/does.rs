@@ -81,17 +81,27 @@ pub(crate) enum Memory {
     Sum,
     /// True and false in turn.
     Turns,
+    /// From 1 to this number, again and again.
+    Rounds(u32),
+    /// The time of the last value for which so many milliseconds had passed since the one before it.
+    Rests(u64),
+    /// 2 for a 2 after 0, 3 for a 2 after 1: what comes while something is not so, or is so.
+    Held,
+    /// A number that goes on from the time of what comes, so that nobody knows the next one.
+    Draws,
     /// What a procedure makes of it, and what it starts from.
     By(Calc, Value),
 }
 
-/// Memories that have words: their bodies as skeletons and as they are written, and what they start from.
-const MEMORIES: [(Memory, &str, &str, Value); 5] = [
-    (Memory::TrueOnes, " if$1{$0+ 1} else{$0}", "if {v} { {m} + 1 } else { {m} }", Value::Int(0)),
-    (Memory::Ones, "$0+ 1", "{m} + 1", Value::Int(0)),
-    (Memory::Largest, " max($0,$1)", "max({m}, {v})", Value::Int(0)),
-    (Memory::Sum, "$0+$1", "{m} + {v}", Value::Int(0)),
-    (Memory::Turns, "!$0", "!{m}", Value::Bool(false)),
+/// Memories that have words and no number: their bodies, and what they start from.
+const MEMORIES: [(Memory, &str, Value); 7] = [
+    (Memory::TrueOnes, "if {v} { {m} + 1 } else { {m} }", Value::Int(0)),
+    (Memory::Ones, "{m} + 1", Value::Int(0)),
+    (Memory::Largest, "max({m}, {v})", Value::Int(0)),
+    (Memory::Sum, "{m} + {v}", Value::Int(0)),
+    (Memory::Turns, "!{m}", Value::Bool(false)),
+    (Memory::Held, "if {v} == 2 { 2 + {m} % 2 } else { {v} }", Value::Int(0)),
+    (Memory::Draws, "({m} * 1103 + {v}.t + 12345) % 65536", Value::Int(1)),
 ];
 
 impl Does {
@@ -292,18 +302,47 @@ impl Memory {
             Some(Procedure::Body { body, .. }) => (Calc::Written(args.to_vec(), body.clone()), skeleton(body, args)),
             None => (Calc::Written(args.to_vec(), String::new()), String::new()),
         };
-        let known = MEMORIES.into_iter().find(|(_, bones, _, from)| *bones == body && *from == start);
-        known.map_or(Self::By(calc, start), |(memory, ..)| memory)
+        let fixed = MEMORIES.into_iter().map(|(memory, ..)| memory);
+        let is_it = |memory: &Self| memory.start() == start && skeleton(&memory.body(args), args) == body;
+        fixed.chain(Self::numbered(&body)).find(is_it).unwrap_or(Self::By(calc, start))
+    }
+
+    /// The memories that a body with these numbers, by its skeleton, may be.
+    fn numbered(bones: &str) -> Vec<Self> {
+        let numbers = bones.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse::<u64>().ok());
+        let may = numbers.flat_map(|number| [u32::try_from(number).ok().map(Self::Rounds), Some(Self::Rests(number))]);
+        may.flatten().take(8).collect()
+    }
+
+    /// Returns its body over arguments of these names, as it is written.
+    fn body(&self, args: &[String]) -> String {
+        let name = |at: usize| args.get(at).map_or("", String::as_str);
+        let (memory, value) = (name(0), name(1));
+        match self {
+            Self::Rounds(most) => format!("{memory} % {most} + 1"),
+            Self::Rests(ms) => format!("if {value}.t - {memory} >= {ms} {{ {value}.t }} else {{ {memory} }}"),
+            _ => {
+                let known = MEMORIES.into_iter().find(|(known, ..)| known == self);
+                let body = known.map_or("", |(_, body, _)| body);
+                body.replace("{m}", memory).replace("{v}", value)
+            }
+        }
+    }
+
+    /// Returns the value that it starts from.
+    fn start(&self) -> Value {
+        match self {
+            Self::Rounds(_) => Value::Int(0),
+            Self::Rests(ms) => Value::Int(-i64::try_from(*ms).unwrap_or(i64::MAX)),
+            Self::By(_, start) => start.clone(),
+            _ => MEMORIES.into_iter().find(|(known, ..)| known == self).map_or(Value::Null, |(.., start)| start),
+        }
     }
 
     fn parameters(&self, args: &[String]) -> Parameters {
         if let Self::By(calc, start) = self {
             return Parameters { start: Some(start.clone()), ..calc.procedure(args).into() };
         }
-        let known = MEMORIES.into_iter().find(|(memory, ..)| memory == self);
-        let Some((_, _, body, start)) = known else { return Parameters::default() };
-        let name = |at: usize| args.get(at).map_or("", String::as_str);
-        let body = body.replace("{m}", name(0)).replace("{v}", name(1));
-        Parameters { start: Some(start), ..Procedure::body(&body).into() }
+        Parameters { start: Some(self.start()), ..Procedure::body(&self.body(args)).into() }
     }
 }

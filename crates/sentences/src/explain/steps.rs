@@ -143,6 +143,12 @@ impl<'a> Teller<'a> {
             ("n", Does::Make(Calc::Number(number))) => {
                 Some(vec![Piece::Number(numbers::number(*number, "", whole_body(link), None))])
             }
+            ("n", Does::Remember(Memory::Rounds(most))) => one(most.to_string()),
+            ("d", Does::Remember(Memory::Rests(ms))) => {
+                // It stands in the code and at the start: it is not changed in the sentence.
+                let nowhere = Literal::Period { connector: link.id.clone() };
+                one(numbers::duration(*ms, nowhere, self.language, false).text)
+            }
             ("start", Does::Remember(Memory::By(_, start))) => one(code(&start.to_string())),
             ("helper", does) => match does.calc()? {
                 Calc::Helper(name) => one(quoted(name, self.language)),
@@ -253,6 +259,10 @@ fn memory_rule(memory: &Memory) -> &'static str {
         Memory::Largest => "step.largest",
         Memory::Sum => "step.sum",
         Memory::Turns => "step.turns",
+        Memory::Rounds(_) => "step.rounds",
+        Memory::Rests(_) => "step.rests",
+        Memory::Held => "step.held",
+        Memory::Draws => "step.draws",
         Memory::By(Calc::Helper(_), _) => "step.rememberHelper",
         Memory::By(..) => "step.rememberCode",
     }

@@ -122,6 +122,13 @@ pub(super) fn does_of(said: &Said, inputs: usize) -> Does {
         "step.largest" => Does::Remember(Memory::Largest),
         "step.sum" => Does::Remember(Memory::Sum),
         "step.turns" => Does::Remember(Memory::Turns),
+        "step.rounds" => {
+            let most = number(said).filter(|most| (1.0..=1e6).contains(most)).unwrap_or(1.0);
+            Does::Remember(Memory::Rounds(most as u32))
+        }
+        "step.rests" => Does::Remember(Memory::Rests(period)),
+        "step.held" => Does::Remember(Memory::Held),
+        "step.draws" => Does::Remember(Memory::Draws),
         "step.rememberHelper" => Does::Remember(Memory::By(helper(), start())),
         "step.rememberCode" => {
             let calc = Calc::unquoted(said.text("code").unwrap_or_default(), &["soFar"], 1);

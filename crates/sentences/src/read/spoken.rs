@@ -165,10 +165,7 @@ impl<'b, 'a> Making<'b, 'a> {
     /// Returns the node of what comes, and then nothing more for a time: by the time of the last one that passed.
     fn paused(&mut self, at: usize, period: u64, span: &Span, chain: &mut Vec<usize>) -> usize {
         let at = self.made(Does::Stamp, vec![at], span, chain);
-        let args = vec!["soFar".to_owned(), "value".to_owned()];
-        let body = format!("if value.t - soFar >= {period} {{ value.t }} else {{ soFar }}");
-        let memory = Memory::By(Calc::Written(args, body), Constant::Int(-i64::try_from(period).unwrap_or(i64::MAX)));
-        let at = self.made(Does::Remember(memory), vec![at], span, chain);
+        let at = self.made(Does::Remember(Memory::Rests(period)), vec![at], span, chain);
         self.made(Does::Changed(None), vec![at], span, chain)
     }
 
@@ -180,6 +177,9 @@ impl<'b, 'a> Making<'b, 'a> {
             // What is seen is over when it was not seen for a moment.
             Event::Ball(_) | Event::Thing(_) => Cond { not: true, during: Some(UNSEEN_MS), ..event.clone() },
             Event::Face(Who::Anybody) => Cond { not: true, ..event.clone() },
+            Event::Pose(_) | Event::Far(..) | Event::People(_) | Event::Charge(_) => {
+                Cond { not: !event.not, ..event.clone() }
+            }
             what => Cond { what: ended(what)?, ..event.clone() },
         };
         let mut chain = Vec::new();
@@ -332,11 +332,12 @@ impl<'b, 'a> Making<'b, 'a> {
                 let count = self.made(Does::Remember(Memory::Ones), vec![at], &cond.span, chain);
                 self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
             }
+            Some(Times::Beyond(times)) => {
+                let count = self.made(Does::Remember(Memory::Ones), vec![at], &cond.span, chain);
+                self.made(numbers("", vec![(Comparison::More, f64::from(times))]), vec![count], &cond.span, chain)
+            }
             Some(Times::EachTime(times)) => {
-                let args = vec!["soFar".to_owned(), "value".to_owned()];
-                let body = format!("soFar % {times} + 1");
-                let memory = Memory::By(Calc::Written(args, body), Constant::Int(0));
-                let count = self.made(Does::Remember(memory), vec![at], &cond.span, chain);
+                let count = self.made(Does::Remember(Memory::Rounds(times)), vec![at], &cond.span, chain);
                 self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
             }
         }
@@ -441,6 +442,10 @@ impl<'b, 'a> Making<'b, 'a> {
                 params.push(("release", "yes".to_owned()));
                 (Feed { device: touch(*device), params, steps: Vec::new() }, Some(truth("", true)))
             }
+            (Event::Touch(device, params, Phase::Begins), true) if cond.lasts => {
+                let held = Cond { what: Event::Touch(*device, params.clone(), Phase::Begins), ..cond.clone() };
+                return self.unless_held(at, &held, chain);
+            }
             _ => tested(cond)?,
         };
         let mut state = self.sense(&sense, &cond.span)?;
@@ -456,6 +461,24 @@ impl<'b, 'a> Making<'b, 'a> {
         self.builder.nodes[latest].carried = carried;
         let kept = self.made(test?, vec![latest], &cond.span, chain);
         Some(kept)
+    }
+
+    /// Returns the node of what comes while something is not touched: untouched until the first touch.
+    fn unless_held(&mut self, at: usize, touch: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
+        let over = Cond { what: ended(&touch.what)?, not: false, ..touch.clone() };
+        let Event::Touch(body, params, _) = &touch.what else { return None };
+        let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
+        params.push(("release", "yes".to_owned()));
+        let begins = Feed { params, ..feed(self::touch(*body)) };
+        let begins = self.sense(&begins, &touch.span)?;
+        let begins = self.made(truth("", true), vec![begins], &touch.span, &mut Vec::new());
+        let begins = self.made(number(1.0), vec![begins], &touch.span, &mut Vec::new());
+        let ends = self.event(&over, &mut Vec::new(), None)?;
+        let ends = self.made(number(0.0), vec![ends], &touch.span, &mut Vec::new());
+        let comes = self.made(number(2.0), vec![at], &touch.span, chain);
+        let any = self.made(Does::Any, vec![comes, begins, ends], &touch.span, chain);
+        let any = self.made(Does::Remember(Memory::Held), vec![any], &touch.span, chain);
+        Some(self.made(numbers("", vec![(Comparison::Is, 2.0)]), vec![any], &touch.span, chain))
     }
 
     /// Returns the node of what comes while something is in view: it was seen within the last moment.
@@ -586,18 +609,22 @@ impl<'b, 'a> Making<'b, 'a> {
             Act::PlayFile(file) => self.put("Sound", &[("sound", "file"), ("file", file)], at, span),
             Act::Remember => self.put("RememberFace", &[], at, span),
             Act::Nothing => Some(()),
-            Act::Color(_) | Act::Count(_) | Act::Again | Act::Not | Act::NotFor(..) | Act::Text(_) | Act::Keeps => None,
-            Act::Instead | Act::Unfollow(_) => None,
+            Act::Color(_)
+            | Act::MoveThem(_)
+            | Act::Count(_)
+            | Act::Again
+            | Act::Not
+            | Act::NotFor(..)
+            | Act::Text(_)
+            | Act::Keeps => None,
+            Act::Instead | Act::Unfollow(_) | Act::GoesOut(_) => None,
         }
     }
 
     /// One of several texts whenever something comes: by a number that goes on from the time at which it came.
     fn by_chance(&mut self, at: usize, texts: &[String], span: &Span) -> usize {
         let at = self.made(Does::Stamp, vec![at], span, &mut Vec::new());
-        let args = vec!["soFar".to_owned(), "value".to_owned()];
-        let next = "(soFar * 1103 + value.t + 12345) % 65536".to_owned();
-        let memory = Memory::By(Calc::Written(args, next), Constant::Int(1));
-        let at = self.made(Does::Remember(memory), vec![at], span, &mut Vec::new());
+        let at = self.made(Does::Remember(Memory::Draws), vec![at], span, &mut Vec::new());
         let mut body = text_literal(texts.last().map_or("", String::as_str));
         for (place, text) in texts.iter().enumerate().rev().skip(1) {
             let count = texts.len();

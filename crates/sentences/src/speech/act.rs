@@ -9,6 +9,10 @@ use super::meaning::{Act, Of, Target, Value};
 const RAISED: f64 = -1.0;
 const LOWERED: f64 = 1.4;
 
+/// The head turns so far to a side, and up or down, where nobody says it: about 30 and 20 degrees.
+const TURNED: f64 = 0.52;
+const NODDED: f64 = 0.35;
+
 /// The most texts of which one is said by chance.
 const CHANCES_MAX: usize = 8;
 
@@ -26,6 +30,7 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     bag.take_all("adv", "eachtime");
     bag.take_all("adv", "again");
     bag.take_all("robot", "");
+    bag.take_all("adv", "first");
     let denies = bag.take("not", "").is_some()
         || atoms
             .iter()
@@ -53,6 +58,15 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     let mut acts = done(bag)?;
     if instead {
         acts.push(Act::Instead);
+    }
+    // *Turn the eyes green for 3 seconds*
+    if let [Act::Eyes(color)] = acts[..]
+        && color != "off"
+        && !bag.has("cmp", "")
+        && let Some((ms, _)) = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None })
+    {
+        bag.take("adj", "during");
+        acts.push(Act::GoesOut(ms));
     }
     if matches!(acts[..], [Act::Follow(..), ..] | [Act::Eyes(_), ..]) {
         bag.take_all("adv", "ongoing");
@@ -82,7 +96,7 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
         if any {
             return false;
         }
-        let filler = ["void", "prep", "aux", "adv", "not", "chance"].iter().any(|kind| atom.is(kind, ""));
+        let filler = ["void", "prep", "aux", "adv", "not", "chance", "poss"].iter().any(|kind| atom.is(kind, ""));
         // *A high beep*
         let qualifies = atom.is("adj", "high") || atom.is("adj", "low");
         if !filler && !qualifies {
@@ -98,6 +112,13 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
         }
     }
     false
+}
+
+/// True if the eyes follow something: *follow me with your eyes*.
+fn follows_with_eyes(bag: &Bag) -> bool {
+    ["follow", "look"].iter().any(|verb| bag.has("v", verb))
+        && ["who", "noun", "it"].iter().any(|kind| bag.has(kind, ""))
+        && bag.find("color", "").is_none()
 }
 
 fn done(bag: &mut Bag) -> Option<Vec<Act>> {
@@ -138,7 +159,7 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
         }
         return value(bag).map(|value| vec![Act::Show(value)]);
     }
-    if bag.has("part", "eyes") || bag.has("noun", "brightness") {
+    if bag.has("part", "eyes") && !follows_with_eyes(bag) || bag.has("noun", "brightness") {
         return eyes(bag);
     }
     if let Some(act) = follow(bag) {
@@ -340,6 +361,11 @@ fn value(bag: &mut Bag) -> Option<Value> {
         bag.take_all("adj", "full");
         return Some(Value::Charge);
     }
+    // *My name is Nao* is what is said, and no name that is known.
+    let name = bag.find("noun", "name");
+    if name.is_some_and(|at| bag.atoms.get(at + 1).is_some_and(|is| is.is("aux", "be")) && at + 2 < bag.atoms.len()) {
+        return None;
+    }
     if bag.take("noun", "name").is_some() {
         bag.take_all("it", "");
         bag.take_all("who", "");
@@ -526,10 +552,20 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
     let verb =
         ["open", "close", "raise", "lower", "put", "turn", "look"].into_iter().find(|verb| bag.has("v", verb))?;
     let at = bag.find("v", verb)?;
+    // *… and lower them again*
+    if !bag.has("part", "") && matches!(verb, "open" | "close" | "raise" | "lower") && bag.has("it", "") {
+        bag.use_up(at);
+        bag.take_all("it", "");
+        return Some(vec![Act::MoveThem(verb)]);
+    }
     if !bag.has("part", "") && verb != "look" {
         return None;
     }
-    let (part, _) = if verb == "look" && !bag.has("part", "head") { ("head", 0) } else { bag.arg("part")? };
+    let (part, part_at) = if verb == "look" && !bag.has("part", "head") {
+        ("head", None)
+    } else {
+        bag.arg("part").map(|(part, at)| (part, Some(at)))?
+    };
     let (part, own) = part.split_once('.').map_or((part, None), |(part, side)| (part, Some(side)));
     bag.use_up(at);
     let puts = part != "head" && matches!(verb, "put" | "turn");
@@ -538,27 +574,22 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
         _ if puts && bag.take("dir", "down").is_some() => "lower",
         verb => verb,
     };
-    let both = bag.take("adj", "both").is_some();
+    let both = bag.take("adj", "both").is_some() || part_at.is_some_and(|at| bag.atoms[at].is("plural", ""));
     let side = own.or_else(|| bag.arg("side").map(|(side, _)| side));
     let sides: Vec<&str> = match (part, side, both) {
         ("hand" | "arm", Some("both"), _) | ("hand" | "arm", None, true) => vec!["left", "right"],
-        ("hand" | "arm", Some(side), false) => vec![side],
+        ("hand" | "arm", Some(side), _) => vec![side],
         ("head", _, false) => vec![side.unwrap_or("")],
         _ => return None,
     };
     let one = |side: &str| -> Option<Act> {
-        let left = side == "left";
-        match (part, verb) {
-            ("hand", "open") => Some(Act::Move(if left { "LHand" } else { "RHand" }, 1.0)),
-            ("hand", "close") => Some(Act::Move(if left { "LHand" } else { "RHand" }, 0.0)),
-            ("arm" | "hand", "raise") => {
-                Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, RAISED))
-            }
-            ("arm" | "hand", "lower") => {
-                Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, LOWERED))
-            }
-            _ => None,
-        }
+        let (hand, arm) = if side == "left" { ("LHand", "LShoulderPitch") } else { ("RHand", "RShoulderPitch") };
+        let joint = match (part, verb) {
+            ("hand", "open" | "close") => hand,
+            ("arm" | "hand", "raise" | "lower") => arm,
+            _ => return None,
+        };
+        moved_by(joint, verb)
     };
     if part != "head" {
         return sides.into_iter().map(one).collect();
@@ -567,6 +598,8 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
     let up = bag.take("dir", "up").is_some();
     let down = !up && bag.take("dir", "down").is_some();
     let ahead = bag.take_all("noun", "ahead");
+    // How far is left to the robot unless somebody says it.
+    let angle = angle.or_else(|| (!ahead).then_some((if up || down { NODDED } else { TURNED }, 0)));
     let act = match (side, up, down, ahead, angle) {
         (Some("left"), false, false, false, Some((angle, _))) => Act::Move("HeadYaw", angle),
         (Some("right"), false, false, false, Some((angle, _))) => Act::Move("HeadYaw", -angle),
@@ -576,6 +609,17 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
         _ => return None,
     };
     Some(vec![act])
+}
+
+/// Returns the act of a verb with a joint.
+pub(super) fn moved_by(joint: &'static str, verb: &str) -> Option<Act> {
+    match (joint, verb) {
+        ("LHand" | "RHand", "open") => Some(Act::Move(joint, 1.0)),
+        ("LHand" | "RHand", "close") => Some(Act::Move(joint, 0.0)),
+        ("LShoulderPitch" | "RShoulderPitch", "raise") => Some(Act::Move(joint, RAISED)),
+        ("LShoulderPitch" | "RShoulderPitch", "lower") => Some(Act::Move(joint, LOWERED)),
+        _ => None,
+    }
 }
 
 fn gesture_of(bag: &mut Bag, gesture: &'static str, at: usize) -> Option<Act> {

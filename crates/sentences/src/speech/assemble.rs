@@ -1,7 +1,9 @@
 //! Clauses as rules: which condition is whose, what is done later, what “it” is.
 
-use super::meaning::{Act, Body, Cond, Event, Of, Phase, Rule, Span, Target, Times, Value, Who};
+use super::act::moved_by;
+use super::meaning::{Act, Body, Cond, Event, Of, Phase, Rule, Span, Target, Times, Vague, Value, Who};
 use super::segments::{Lead, Segment, Then};
+use crate::test::Comparison;
 use std::rc::Rc;
 
 /// What was said so far, as far as later words mean it.
@@ -18,6 +20,8 @@ pub(super) struct Said {
     did: Option<Act>,
     /// The part of the body that was moved, if it can be touched.
     moved: Option<Event>,
+    /// The joints that were moved last.
+    joints: Vec<&'static str>,
     /// True if the battery was spoken of.
     is_charge: bool,
     /// True if the last sentence says what is not followed any more.
@@ -44,16 +48,16 @@ impl Said {
                 Segment::Sign | Segment::Nothing => continue,
                 Segment::Unclear | Segment::But => {}
                 Segment::And => goes_on |= at == 0,
-                Segment::Then => goes_on |= rule.acts.is_empty() && rule.event.is_none(),
-                Segment::Or => joined_or = true,
-                Segment::Otherwise => {
-                    self.next(&mut rule, span, goes_on);
-                    (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
+                Segment::Onwards(_) if self.goes_onwards(&mut rule, span, goes_on) => {
+                    (goes_on, later, is_trailed) = (false, 0, false);
                 }
-                Segment::Unheard(words) => {
+                Segment::Onwards(Some(words)) => self.doubts.push(words.clone()),
+                Segment::Then | Segment::Onwards(None) => goes_on |= rule.acts.is_empty() && rule.event.is_none(),
+                Segment::Or => joined_or = true,
+                Segment::Otherwise | Segment::Unheard(_) => {
                     self.next(&mut rule, span, goes_on);
                     (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
-                    rule.unheard = Some(words.clone());
+                    rule.unheard = if let Segment::Unheard(words) = segment { Some(words.clone()) } else { None };
                 }
                 Segment::Every(ms) => rule.every = Some(*ms),
                 Segment::AtMost(ms) if is_alone(&rule, rest) => {
@@ -87,7 +91,9 @@ impl Said {
                     let trailing = !rule.acts.is_empty();
                     self.condition(&mut rule, *lead, cond, joined_or);
                     joined_or = false;
-                    is_trailed |= trailing && !restricts;
+                    if trailing && !restricts {
+                        (is_trailed, later) = (true, 0);
+                    }
                 }
                 Segment::Acts(acts, act_span) => {
                     // One or the other: which?
@@ -97,17 +103,12 @@ impl Said {
                     goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
                     let unfollows = matches!(acts[..], [Act::Unfollow(_), ..]);
                     if is_trailed || unfollows && !rule.acts.is_empty() {
+                        let goes = !unfollows && carries_on(before, rest);
                         self.next(&mut rule, span, goes_on);
-                        (goes_on, later, is_trailed) = (false, 0, false);
+                        (goes_on, is_trailed) = (goes, false);
+                        later = if goes { later } else { 0 };
                     }
-                    match &acts[..] {
-                        // The verb of a text is that of the one before; in Japanese it comes later.
-                        [Act::Text(_)] if !matches!(self.did, Some(Act::Say(_))) || rule.acts.is_empty() => {
-                            alone.push(act_span.clone());
-                        }
-                        [Act::Say(_), ..] => alone.clear(),
-                        _ => {}
-                    }
+                    self.texts_alone(&rule, acts, act_span, &mut alone);
                     self.acts(&mut rule, acts, act_span, later);
                 }
             }
@@ -116,6 +117,17 @@ impl Said {
         self.doubts.append(&mut alone);
         if is_open || !rule.acts.is_empty() || rule.event.is_some() {
             self.finish(rule, goes_on);
+        }
+    }
+
+    /// Notes texts without a verb: it is that of the one before; in Japanese it comes later.
+    fn texts_alone(&self, rule: &Rule, acts: &[Act], span: &Span, alone: &mut Vec<Span>) {
+        match acts {
+            [Act::Text(_)] if !matches!(self.did, Some(Act::Say(_))) || rule.acts.is_empty() => {
+                alone.push(span.clone());
+            }
+            [Act::Say(_), ..] => alone.clear(),
+            _ => {}
         }
     }
 
@@ -144,6 +156,28 @@ impl Said {
     /// Begins the next rule of a sentence.
     fn next(&mut self, rule: &mut Rule, span: &Span, goes_on: bool) {
         self.finish(std::mem::replace(rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
+    }
+
+    /// *The first time …; after that …*: what is done at all times after the first one. Whether that is what is meant.
+    fn goes_onwards(&mut self, rule: &mut Rule, span: &Span, goes_on: bool) -> bool {
+        let is_first = |rule: &Rule| {
+            let first = |event: &Cond| event.times == Some(Times::After(1)) && event.during.is_none();
+            rule.event.as_ref().is_some_and(|event| first(event) || rule.once && event.times.is_none())
+                && rule.states.is_empty()
+                && !rule.acts.is_empty()
+        };
+        let event = if is_first(rule) {
+            let event = rule.event.clone();
+            self.next(rule, span, goes_on);
+            event
+        } else if rule.acts.is_empty() && rule.event.is_none() {
+            self.rules.last().filter(|last| is_first(last)).and_then(|last| last.event.clone())
+        } else {
+            None
+        };
+        let Some(event) = event else { return false };
+        rule.event = Some(Cond { times: Some(Times::Beyond(1)), ..event });
+        true
     }
 
     fn condition(&mut self, rule: &mut Rule, lead: Lead, cond: &Rc<Cond>, or: bool) {
@@ -175,6 +209,10 @@ impl Said {
         match lead {
             Lead::Until if rule.until.is_none() => rule.until = Some(cond),
             Lead::Until => self.doubts.push(cond.span.clone()),
+            // *As long as the button has not been pressed*: until it is.
+            Lead::While if cond.not && cond.during.is_none() && is_moment(&cond.what) && rule.until.is_none() => {
+                rule.until = Some(Cond { not: false, lasts: false, ..cond });
+            }
             Lead::Unless => {
                 cond.not = !cond.not;
                 rule.states.push(cond);
@@ -206,10 +244,10 @@ impl Said {
             }
             _ if rule.event.is_none() => {
                 if cond.within.is_some() {
-                    if self.rules.is_empty() {
+                    rule.unanswered = self.asked(&cond.what);
+                    if rule.unanswered.is_none() {
                         self.doubts.push(cond.span.clone());
                     }
-                    rule.unanswered = Some(self.rules.len().wrapping_sub(1));
                 }
                 rule.event = Some(cond);
             }
@@ -222,6 +260,13 @@ impl Said {
         {
             rule.lasts = true;
         }
+    }
+
+    /// The rule that an answer is waited for after: that before other answers, and before the same answer.
+    fn asked(&self, answer: &Event) -> Option<usize> {
+        let is_same = |rule: &Rule| rule.event.as_ref().is_some_and(|event| event.what == *answer);
+        let at = self.rules.iter().rposition(|rule| !is_same(rule) || rule.unanswered.is_some())?;
+        self.rules[at].unanswered.or(Some(at))
     }
 
     /// Puts what was said in the place of “it” and of what was left out; whether that is known.
@@ -240,7 +285,16 @@ impl Said {
                 (None, None, [part]) => cond.what = part.clone(),
                 _ => return false,
             },
-            Event::ItLetGo => match self.touched.as_ref().and_then(ended) {
+            Event::ItGoes if self.touched.is_none() => {
+                let (of, bound) = match &self.seen {
+                    Some(Event::Ball(color)) => (Of::Ball(color), (Comparison::More, 100.0, "cm")),
+                    Some(Event::Face(_)) => (Of::Person, (Comparison::More, 2.0, "m")),
+                    _ => return false,
+                };
+                cond.vague = Some(Vague { span: cond.span.clone(), bound, moves: true });
+                cond.what = Event::Far(of, vec![bound]);
+            }
+            Event::ItLetGo | Event::ItGoes => match self.touched.as_ref().and_then(ended) {
                 Some(over) => cond.what = over,
                 None => return false,
             },
@@ -317,8 +371,25 @@ impl Said {
         }
     }
 
+    /// Returns what is done, with the joints that were moved last in the place of “them”.
+    fn moved_again(&mut self, acts: &Rc<Vec<Act>>, span: &Span) -> Vec<Act> {
+        let joint = |act: &Act| if let Act::Move(joint, _) = act { Some(*joint) } else { None };
+        let meant: Vec<Act> = match acts[..] {
+            [Act::MoveThem(verb)] => self.joints.iter().filter_map(|joint| moved_by(joint, verb)).collect(),
+            _ => acts.to_vec(),
+        };
+        if meant.is_empty() && !acts.is_empty() {
+            self.doubts.push(span.clone());
+        }
+        if meant.iter().any(|act| joint(act).is_some()) {
+            self.joints = meant.iter().filter_map(joint).collect();
+        }
+        meant
+    }
+
     fn acts(&mut self, rule: &mut Rule, acts: &Rc<Vec<Act>>, span: &Span, later: u64) {
-        for act in acts.iter() {
+        let meant = self.moved_again(acts, span);
+        for act in &meant {
             let act = match act {
                 Act::Count(cond) => {
                     let mut cond = (**cond).clone();
@@ -334,6 +405,10 @@ impl Said {
                 }
                 Act::Not | Act::NotFor(..) | Act::Keeps | Act::Instead | Act::Unfollow(_) => {
                     self.restrict(rule, act, span);
+                    continue;
+                }
+                Act::GoesOut(ms) => {
+                    rule.acts.push((later + ms, Act::Eyes("off"), span.clone()));
                     continue;
                 }
                 Act::Text(text) => Act::Say(text.clone()),
@@ -444,6 +519,12 @@ impl Said {
         }
     }
 
+    /// True if a time after the start is said: *after 5 minutes, …*
+    fn is_after_start(&self, rule: &Rule) -> bool {
+        let says_when = rule.event.is_some() || rule.every.is_some() || rule.until.is_some() || !rule.states.is_empty();
+        !says_when && !rule.otherwise && self.rules.is_empty() && rule.acts.iter().all(|(later, ..)| *later > 0)
+    }
+
     /// A rule is over.
     fn finish(&mut self, mut rule: Rule, goes_on: bool) {
         let is_empty = rule.acts.is_empty() && rule.event.is_none() && rule.states.is_empty() && rule.every.is_none();
@@ -514,6 +595,9 @@ impl Said {
             let event = Cond { not: !answer.not, ..answer.clone() };
             rule = Rule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
         }
+        if self.is_after_start(&rule) {
+            rule.event = Some(Cond::of(Event::Start, rule.span.clone()));
+        }
         let needs_event = rule.event.is_none() && rule.every.is_none() && !rule.otherwise;
         if needs_event && goes_on && rule.until.is_none() && rule.states.is_empty() {
             let Some(last) = self.rules.last_mut() else {
@@ -529,9 +613,7 @@ impl Said {
             self.is_missing = true;
             return;
         }
-        if needs_event && rule.event.is_none() {
-            rule.is_own = true;
-        }
+        rule.is_own = needs_event;
         self.rules.push(rule);
     }
 }
@@ -554,6 +636,11 @@ fn excludes(one: Option<&Rule>, other: &Rule) -> bool {
     }
 }
 
+/// True if something happens and is over at once.
+fn is_moment(event: &Event) -> bool {
+    matches!(event, Event::Button(_) | Event::Words(_) | Event::Falls)
+}
+
 /// True if words are said.
 fn says(act: &Act) -> bool {
     matches!(act, Act::Say(_) | Act::SayAny(_) | Act::SayValue(_))
@@ -567,6 +654,12 @@ fn moved(joint: &str, before: Option<Event>) -> Option<Event> {
         "RHand" => Some(hand("right")),
         _ => before,
     }
+}
+
+/// True if what is done after a condition goes on with what was done: *open the hand when … and close it after 3 seconds*.
+fn carries_on(before: Option<&Segment>, rest: &[Segment]) -> bool {
+    let joins = matches!(before, Some(Segment::And | Segment::Then | Segment::Later(..)));
+    joins && !rest.iter().any(|next| matches!(next, Segment::Cond(..)))
 }
 
 /// Whether nothing else is said in a sentence.

@@ -175,6 +175,18 @@ fn measure(
         let (end, sense) = found.iter().filter(|(_, sense)| sense.kind == "unit").max_by_key(|(end, _)| *end)?;
         Some((*end, sense.arg))
     };
+    // *A quarter*, of the battery
+    let share = lexicon.at(words, at).into_iter().filter(|(_, sense)| sense.kind == "share");
+    if let Some((end, sense)) = share.max_by_key(|(end, _)| *end) {
+        return Some((end, Measure::Share(sense.arg.parse().ok()?)));
+    }
+    // *Every second press* counts presses.
+    let counts = |(_, sense): &(usize, Sense)| {
+        sense.kind == "time" || sense.kind == "v" && ["touch", "press", "hold", "clap", "bump"].contains(&sense.arg)
+    };
+    if words.get(at) == Some(&"second") && at > 0 && lexicon.at(words, at + 1).iter().any(counts) {
+        return None;
+    }
     let is = |at: usize, wanted: &[&str]| words.get(at..at + wanted.len()).is_some_and(|words| words == wanted);
     if language == Language::Japanese {
         if words[at] == "半"
@@ -207,6 +219,13 @@ fn measure(
         let after = if is(at + 1, &["a"]) || is(at + 1, &["an"]) { at + 2 } else { at + 1 };
         let (end, unit) = unit(after)?;
         return Some((end, measured(0.5, unit)?));
+    }
+    // *Another two seconds*
+    if ["another", "further", "exactly", "about"].iter().any(|word| is(at, &[word])) || is(at, &["a", "further"]) {
+        let after = if is(at, &["a"]) { at + 2 } else { at + 1 };
+        let (end, time) = measure(tokens, from, words, after, lexicon, language)
+            .or_else(|| Some((unit(after)?.0, measured(1.0, unit(after)?.1)?)))?;
+        return matches!(time, Measure::Time(_)).then_some((end, time));
     }
     let article = is(at, &["a"]) || is(at, &["an"]) || is(at, &["one"]);
     if article
@@ -265,6 +284,7 @@ fn measured(value: f64, unit: &'static str) -> Option<Measure> {
         "min" => time(60_000.0),
         "h" => time(3_600_000.0),
         "pct" => Some(Measure::Share(value)),
+        "tenth" => Some(Measure::Share(rounded(value * 10.0))),
         "deg" => Some(Measure::Angle((value.to_radians() * 1e4).round() / 1e4)),
         // 三度 is three times, 30度 an angle.
         "degtimes" if value <= 5.0 => Some(Measure::Times(value)),

@@ -285,6 +285,8 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     if let Some(touch) = touches::touch(bag, over, lasts) {
         return touch;
     }
+    // *Not … any more*: only a touch is felt to end.
+    *not |= over;
     let found = measured::measured(bag, not).or_else(|| seen::heard(bag, not));
     found.or_else(|| body(bag)).or_else(|| seen::seen(bag, not, nobody, nothing))
 }

@@ -51,6 +51,8 @@ pub(crate) enum Times {
     After(u32),
     /// Each time it happened so often again.
     EachTime(u32),
+    /// Each time after it happened so often.
+    Beyond(u32),
 }
 
 /// Something that can be sensed.
@@ -92,6 +94,8 @@ pub(crate) enum Event {
     ItTouched,
     /// The part that was touched last is let go.
     ItLetGo,
+    /// The part that was touched last is let go, else what was seen last goes away.
+    ItGoes,
     /// What was said last, with another side or part.
     Same(Vec<(&'static str, &'static str)>, Option<&'static str>),
 }
@@ -148,6 +152,8 @@ pub(crate) enum Act {
     Pose(&'static str),
     Walk,
     Move(&'static str, f64),
+    /// What was moved last is moved by this verb.
+    MoveThem(&'static str),
     Play(&'static str),
     PlayFile(String),
     Remember,
@@ -166,6 +172,8 @@ pub(crate) enum Act {
     Keeps,
     /// It is done in the place of what was said before.
     Instead,
+    /// The eyes go out so many milliseconds after they were lit.
+    GoesOut(u64),
     /// The robot stops following: the target, if one is named.
     Unfollow(Option<Target>),
 }

@@ -1,7 +1,7 @@
 //! Clauses that have no word of their own that leads them in: *everyone you know*, *press the button to make it wave*, a
 //! text without its verb.
 
-use super::atoms::{Atom, Value};
+use super::atoms::{Atom, Measure, Value};
 use super::clause::cond;
 use super::meaning::Act;
 use super::segments::{Chart, Edge, Lead, Segment, prices};
@@ -58,9 +58,15 @@ impl Chart<'_> {
     pub(super) fn asked_of_people(&mut self, at: usize, most: usize, all: &mut Vec<(bool, Edge)>) {
         let is_first = self.atoms[..at].iter().all(|atom| atom.is("void", "") || atom.is("polite", ""));
         let leads = |end: &usize| self.atoms[*end].is("result", "");
-        let Some(end) = (at + 1..most).find(leads).filter(|_| is_first && self.atoms[at].is("v", "")) else { return };
+        let Some(end) = (at + 1..most).find(leads).filter(|_| is_first && self.begins_as_asked(at)) else { return };
         self.tried();
         all.extend(self.clear_cond(&self.atoms[at..end], end).map(|edge| (false, edge)));
+    }
+
+    /// True if what people do begins here: *press the button*, *three claps*.
+    fn begins_as_asked(&self, at: usize) -> bool {
+        let counts = matches!(self.atoms[at].value, Value::Measure(Measure::Number(_) | Measure::Times(_)));
+        self.atoms[at].is("v", "") || counts && self.atoms.get(at + 1).is_some_and(|next| next.is("v", ""))
     }
 
     /// A condition that is understood to its last word.
@@ -76,8 +82,11 @@ impl Chart<'_> {
             matches!(atom.value, Value::Sign(',')) || ["and", "then", "lead"].iter().any(|kind| atom.is(kind, ""))
         };
         let before = at.checked_sub(1).and_then(|before| self.atoms.get(before));
+        let is_time = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Time(_))) || atom.is("later", "");
         let follows = before.is_some_and(|before| {
-            joins(before) || before.senses.iter().any(|sense| sense.form != super::lexicon::Form::default())
+            joins(before)
+                || is_time(before)
+                || before.senses.iter().any(|sense| sense.form != super::lexicon::Form::default())
         });
         if text.is_empty() || !follows || self.atoms.get(at + 1).is_some_and(|next| !joins(next)) {
             return;

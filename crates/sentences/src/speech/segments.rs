@@ -27,6 +27,8 @@ pub(super) enum Segment {
     And,
     Or,
     Then,
+    /// *After that*: then, or at all times after the first one; with words, only the latter.
+    Onwards(Option<Span>),
     But,
     Otherwise,
     /// Nobody answers what was waited for.
@@ -185,7 +187,12 @@ impl Chart<'_> {
             ("otherwise", Segment::Otherwise),
         ];
         for (kind, segment) in words {
-            if atom.is(kind, "") && !atom.is("otherwise", "unheard") {
+            if atom.is("then", "onwards") && kind == "then" {
+                all.push((
+                    false,
+                    plain(at + 1, Segment::Onwards(atom.is("ever", "").then(|| atom.span.clone())), WORD),
+                ));
+            } else if atom.is(kind, "") && !atom.is("otherwise", "unheard") {
                 all.push((false, plain(at + 1, segment, WORD)));
             }
         }
@@ -332,7 +339,7 @@ impl Chart<'_> {
             && let Some(ms) = time(fillers(at + 1))
         {
             let end = fillers(at + 1) + 1;
-            let end = if is(end, "later", "") { end + 1 } else { end };
+            let end = if is(end, "later", "") || is(at, "v", "wait") && is(end, "before", "") { end + 1 } else { end };
             found.push((end, Segment::Later(ms, if is(at, "v", "wait") { Then::Next } else { self.then(end) })));
         }
         self.limits(at, &mut found);
@@ -361,21 +368,35 @@ impl Chart<'_> {
         }
         if is(at, "once", "") {
             found.push((at + 1, Segment::Once));
+            // *Only once per minute*
+            let next = fillers(at + 1);
+            let next = if is(next, "every", "") { next + 1 } else { next };
+            if let Some(ms) = time(next).filter(|_| self.language == Language::English) {
+                found.push((next + 1, Segment::AtMost(ms)));
+            }
         }
         // 最初に…とき、一度だけ: once.
-        let first_once = is(at, "start", "first") && {
+        // 最初に…。その後は…: at the first time.
+        let goes_onwards = is(at, "start", "first") && {
             let rest = &self.atoms[at + 1..];
-            let once = rest.iter().position(|atom| atom.is("once", ""));
-            let leads = |atom: &Atom| {
-                atom.is("lead", "") || atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba))
-            };
-            // The thing that is done once is the thing that is done at the first time: nothing else stands between.
-            let between = |atom: &&Atom| !atom.is("void", "") && !atom.is_sign(',');
-            once.is_some_and(|once| {
-                rest[..once].iter().filter(|atom| leads(atom)).count() == 1
-                    && rest[..once].iter().rfind(between).is_some_and(leads)
-            })
+            let onwards = rest.iter().position(|atom| atom.is("then", "onwards"));
+            let leads = |atom: &&Atom| atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba));
+            onwards.is_some_and(|onwards| rest[..onwards].iter().filter(leads).count() == 1)
         };
+        let first_once = goes_onwards
+            || is(at, "start", "first") && {
+                let rest = &self.atoms[at + 1..];
+                let once = rest.iter().position(|atom| atom.is("once", ""));
+                let leads = |atom: &Atom| {
+                    atom.is("lead", "") || atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba))
+                };
+                // The thing that is done once is the thing that is done at the first time: nothing else stands between.
+                let between = |atom: &&Atom| !atom.is("void", "") && !atom.is_sign(',');
+                once.is_some_and(|once| {
+                    rest[..once].iter().filter(|atom| leads(atom)).count() == 1
+                        && rest[..once].iter().rfind(between).is_some_and(leads)
+                })
+            };
         if first_once {
             found.push((at + 1, Segment::Once));
         } else if is(at, "start", "") {
@@ -569,7 +590,9 @@ impl Chart<'_> {
 
     /// The words that somebody says, without quotes, as a quote.
     fn heard(&self, atoms: &[Atom]) -> Option<(Vec<Atom>, Vec<Span>, usize)> {
-        if atoms.iter().any(super::act::is_quote) || !gaps(atoms).is_empty() {
+        // *The word dance*: what comes then is heard, whatever it means.
+        let names = atoms.len() > 2 && atoms[atoms.len() - 2].is("noun", "word");
+        if atoms.iter().any(super::act::is_quote) || !names && !gaps(atoms).is_empty() {
             return None;
         }
         let verb = atoms.iter().position(|atom| atom.is("v", "say") || atom.is("v", "hear"))?;
@@ -735,7 +758,13 @@ impl Chart<'_> {
             .map(|atom| atom.span.clone())
             .collect();
         let is_question = self.asks && end == self.atoms.len() && is_question(text);
-        if !is_question && is_suspicious(text) {
+        // *Say you are nice*; what is told to somebody may be said in other words.
+        let is_plain = atoms[verb].span.len() == 1 && text.len() > 2;
+        let states = is_plain
+            && (text[0].is("who", "") || text[0].is("robot", "") || text[0].is("it", ""))
+            && text[1].is("aux", "");
+        let owns = is_plain && text[0].is("poss", "") && text.get(2).is_some_and(|next| next.is("aux", "be"));
+        if !is_question && !states && !owns && is_suspicious(text) {
             doubts.push(atoms[from].span.start..atoms[to - 1].span.end);
         }
         let leads = |atom: &Atom| {
@@ -813,7 +842,7 @@ impl Chart<'_> {
             if sense.kind == "lead" && sense.arg != "whom" && end - 1 > at {
                 let before = &self.atoms[end - 2];
                 let verb = before.senses.iter().any(|sense| !matches!(sense.form.end, End::Te | End::Tara | End::Ba));
-                if verb || !before.senses.is_empty() {
+                if verb || !before.senses.is_empty() || super::act::is_quote(before) {
                     found.push((lead(sense.arg), end - 1, CLAUSE));
                 }
             }
@@ -834,6 +863,11 @@ impl Chart<'_> {
             if between && is_time(time) && time > at + 1 && self.is(time - 1, "still", "") {
                 found.push((Lead::When, end - 1, CLAUSE));
             }
+        }
+        // 押した3秒後に
+        let did = last.senses.iter().any(|sense| sense.form.end == End::Did && !sense.form.not);
+        if did && is_time(end) && self.is(end + 1, "later", "") {
+            found.push((Lead::When, end, CLAUSE));
         }
         found.dedup();
         found
@@ -885,7 +919,14 @@ fn is_suspicious(text: &[Atom]) -> bool {
     let joins = text.windows(2).any(|pair| {
         tells(&["and", "or"], &pair[0]) && (pair[1].is("void", "det") || tells(&["poss", "noun", "it", "wh"], &pair[1]))
     });
-    if joins {
+    // *Hello and wave*: the second is done.
+    let does = text.windows(2).any(|pair| {
+        let order = |atom: &Atom| {
+            atom.senses.iter().any(|sense| matches!(sense.kind, "do" | "pose") && sense.form.end == End::Plain)
+        };
+        pair[0].is("and", "") && order(&pair[1]) && !pair[1].is("hi", "")
+    });
+    if does || joins || text.iter().any(|atom| atom.is("whose", "")) {
         return true;
     }
     if first.is("hi", "") {
@@ -905,6 +946,11 @@ fn is_suspicious(text: &[Atom]) -> bool {
     let whom = |atom: &Atom| atom.is("who", "") || atom.is("robot", "");
     if whom(first) && text.get(1).is_some_and(|next| next.is("prep", "to")) {
         return true;
+    }
+    // *Tell them they are doing great*: these are not the words that the robot says.
+    if ["whom", "who"].iter().any(|kind| first.is(kind, "")) && text.get(1).is_some_and(|next| next.is("aux", "")) {
+        let own = text[0].is("who", "own");
+        return !own;
     }
     // *Tell the child to sit down*, *hears you*
     if first.is("prep", "to") || (text.len() == 1 && (first.is("who", "") || first.is("robot", ""))) {

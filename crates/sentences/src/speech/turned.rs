@@ -2,7 +2,7 @@
 //! stranger*, *tell me every minute: “sit up”* as *tell me “sit up” every minute*.
 
 use super::act::is_quote;
-use super::atoms::{Atom, Value};
+use super::atoms::{Atom, Measure, Value};
 use super::lexicon::{End, Form, Sense};
 use crate::Language;
 
@@ -12,9 +12,129 @@ const WHOM_MAX: usize = 10;
 /// The atoms in the usual order.
 pub(super) fn turned(atoms: Vec<Atom>, language: Language) -> Vec<Atom> {
     if language == Language::Japanese {
-        return atoms;
+        return clocked(atoms);
     }
-    told(greeted(atoms))
+    caused(answered(told(greeted(marked(denied(atoms))))))
+}
+
+/// 人数を10秒ごとに言う as 10秒ごとに人数を言う.
+fn clocked(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let is_time = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Time(_)));
+    let Some(at) = (1..atoms.len().saturating_sub(1)).find(|at| is_time(&atoms[*at])) else { return atoms };
+    let leads_on = |atom: &Atom| {
+        let ends = |sense: &Sense| matches!(sense.form.end, End::Tara | End::Ba | End::Te | End::Stem);
+        atom.is_sign(',') || is_quote(atom) || atom.is("lead", "") || atom.senses.iter().any(ends)
+    };
+    let start = atoms[..at].iter().rposition(leads_on).map_or(0, |before| before + 1);
+    if start < at && atoms[at + 1].is("every.after", "") {
+        atoms[start..=at + 1].rotate_right(2);
+    }
+    atoms
+}
+
+/// *If I'm not, …* as *otherwise …*
+fn denied(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let is_pronoun = |atom: &Atom| ["who", "it", "robot", "whom"].iter().any(|kind| atom.is(kind, ""));
+    let orders = |atom: &Atom| {
+        atom.is_sign(',')
+            || atom.is("then", "")
+            || atom.senses.iter().any(|sense| matches!(sense.kind, "v" | "do" | "pose") && sense.form.end == End::Plain)
+    };
+    for at in 1..atoms.len() {
+        let Some(not) = (at + 1..atoms.len()).find(|end| !atoms[*end].is("aux", "") && !atoms[*end].is("void", ""))
+        else {
+            break;
+        };
+        let has_aux = |arg: &str| atoms[at + 1..not].iter().any(|atom| atom.is("aux", arg));
+        // *If she does not say …* goes on.
+        let ends = atoms.get(not + 1).is_some_and(|next| next.is_sign(','));
+        let denies = (has_aux("be") || ends && has_aux(""))
+            && (atoms[not].is("not", "") || atoms[not].is("nolonger", ""))
+            && is_pronoun(&atoms[at]);
+        let lead = (0..at).rev().find(|before| !atoms[*before].is("void", ""));
+        let Some(lead) = lead.filter(|lead| denies && atoms[*lead].is("lead", "when")) else { continue };
+        if atoms.get(not + 1).is_some_and(orders) {
+            let span = atoms[lead].span.start..atoms[not].span.end;
+            let otherwise = Sense { kind: "otherwise", arg: "", form: Form::default() };
+            atoms.splice(lead..=not, [Atom { span, senses: vec![otherwise], value: Value::Nothing }]);
+            break;
+        }
+    }
+    atoms
+}
+
+/// *Remind the child: “sit up”* without its colon.
+fn marked(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let ends_saying = |atoms: &[Atom]| {
+        let said = atoms.iter().rposition(|atom| !atom.is("who", "") && !atom.is("void", "") && !atom.is("it", ""));
+        said.is_some_and(|at| atoms[at].is("v", "say") && !atoms[at].is("lead", ""))
+    };
+    let marks = |at: usize| atoms[at].is_sign(':') && ends_saying(&atoms[..at]);
+    let found = (1..atoms.len().saturating_sub(1)).find(|at| marks(*at) && is_quote(&atoms[at + 1]));
+    if let Some(at) = found {
+        atoms.remove(at);
+    }
+    atoms
+}
+
+/// *Respond to “hello” with “hi”* as *when you hear “hello”, say “hi”*.
+fn answered(atoms: Vec<Atom>) -> Vec<Atom> {
+    answering(&atoms).unwrap_or(atoms)
+}
+
+fn answering(atoms: &[Atom]) -> Option<Vec<Atom>> {
+    let verb = atoms.iter().position(|atom| !atom.is("void", "") && !atom.is("polite", ""))?;
+    atoms[verb].sense("v", "say").filter(|sense| sense.form.end == End::Plain)?;
+    let heard = if atoms.get(verb + 1)?.is("prep", "to") { verb + 2 } else { verb + 1 };
+    let with = heard + 1;
+    // *By saying* has its verb.
+    let by = atoms.get(with)?.is("prep", "") && atoms.get(with + 1)?.is("v", "say");
+    if !is_quote(atoms.get(heard)?) || !by && !atoms[with].is("prep", "with") {
+        return None;
+    }
+    let with = if by { with + 1 } else { with };
+    let what = (with + 1..atoms.len()).find(|at| !atoms[*at].is("void", "det"))?;
+    let says = is_quote(&atoms[what]);
+    if !says && !["do", "pose"].iter().any(|kind| atoms[what].is(kind, "")) {
+        return None;
+    }
+    let word = |at: usize, kind: &'static str, arg: &'static str| Atom {
+        senses: vec![Sense { kind, arg, form: Form::default() }],
+        ..atoms[at].clone()
+    };
+    let mut all = vec![word(verb, "lead", "when"), word(verb, "v", "hear"), atoms[heard].clone()];
+    all.push(Atom { senses: Vec::new(), value: Value::Sign(','), ..atoms[with].clone() });
+    all.extend(says.then(|| word(with, "v", "say")));
+    all.extend_from_slice(&atoms[what..]);
+    Some(all)
+}
+
+/// *Touch the head and the robot waves*, *three claps and you wave* as *touch the head to make it wave*.
+fn caused(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let is_measure = |atom: &Atom| matches!(atom.value, Value::Measure(_));
+    let is_filler = |atom: &Atom| atom.is("void", "") || atom.is("polite", "");
+    let first = atoms.iter().position(|atom| !is_filler(atom) && !is_measure(atom));
+    let felt = ["touch", "hold", "press", "clap", "bump"];
+    let plain = |atom: &Atom| felt.iter().any(|verb| atom.is("v", verb));
+    let Some(first) = first.filter(|at| plain(&atoms[*at])) else { return atoms };
+    let and = atoms[first..].iter().position(|atom| atom.is("and", "")).map(|at| at + first);
+    let leads = |and: &usize| {
+        let next = atoms[and + 1..].iter().find(|atom| !atom.is("void", ""));
+        next.is_some_and(|next| next.is("robot", "") || next.is("part", "eyes"))
+            && !atoms[first..*and].iter().any(|atom| is_quote(atom) || atom.is("lead", "") || atom.is("or", ""))
+    };
+    // *Touching the head turns the eyes red*
+    let turns = |at: &usize| {
+        let third = |sense: &Sense| sense.kind == "v" && sense.arg == "turn" && sense.form.end == End::Third;
+        let eyes = atoms[at + 1..].iter().find(|atom| !atom.is("void", "") && !atom.is("poss", ""));
+        atoms[*at].senses.iter().any(third) && eyes.is_some_and(|eyes| eyes.is("part", "eyes"))
+    };
+    let no_lead = |at: &usize| !atoms[..*at].iter().any(|atom| atom.is("lead", "") || is_quote(atom));
+    let turned = (first + 1..atoms.len()).find(turns).filter(no_lead);
+    if let Some(and) = and.filter(leads).or(turned) {
+        atoms[and].senses = vec![Sense { kind: "result", arg: "", form: Form::default() }];
+    }
+    atoms
 }
 
 /// *Greet* somebody *with* a text or a gesture.
@@ -52,7 +172,16 @@ fn with(atoms: &[Atom], verb: usize) -> Option<Vec<Atom>> {
     all.push(rest[what].clone());
     let to = Sense { kind: "prep", arg: "to", form: Form::default() };
     all.push(Atom { senses: vec![to], ..rest[with].clone() });
-    all.extend_from_slice(&rest[..with]);
+    // *Greet the child with “hello”*, at no other time: when it is seen.
+    let tells_when = |atom: &Atom| ["lead", "every", "start", "later"].iter().any(|kind| atom.is(kind, ""));
+    let alone = !atoms.iter().any(tells_when) && form.end == End::Plain;
+    for atom in &rest[..with] {
+        let mut atom = atom.clone();
+        if alone && atom.is("who", "") && !atom.is("it", "") {
+            atom.senses = vec![Sense { kind: "whom", arg: "", form: Form::default() }];
+        }
+        all.push(atom);
+    }
     all.extend_from_slice(&rest[what + 1..]);
     Some(all)
 }

@@ -6,6 +6,9 @@ use crate::speech::lexicon::End;
 use crate::speech::meaning::{Bound, Event, Of};
 use crate::test::Comparison;
 
+/// A full battery is so full at least, in per cent.
+const FULL: f64 = 95.0;
+
 /// A number of comparisons of what is measured, near and far without a number with these.
 fn bounds(
     bag: &mut Bag,
@@ -99,6 +102,9 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         return event;
     }
     let compares = bag.has("adj", "near") || bag.has("adj", "far");
+    if let Some(event) = in_the_way(bag, has_length || compares, not) {
+        return Some(event);
+    }
     let approaches = bag.has("v", "approach");
     if !(has_length || compares || approaches) {
         return None;
@@ -141,6 +147,39 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     Some(Event::Far(of, negated(found, not)?))
 }
 
+/// *There is something in front of you*: so near that it stands in the way. *30 cm in front of you* is no farther than
+/// that.
+fn in_the_way(bag: &mut Bag, measures: bool, not: &mut bool) -> Option<Event> {
+    let other = |atom: &Atom| {
+        ["color", "who", "whom", "cmp", "part"].iter().any(|kind| atom.is(kind, ""))
+            || ["ball", "face", "mark"].iter().any(|noun| atom.is("noun", noun))
+            || atom.sense("v", "approach").is_some()
+    };
+    let thing = bag.has("noun", "thing") || bag.has("noun", "wall") || bag.has("none", "thing");
+    let at = bag.find("noun", "ahead").filter(|_| thing && !bag.atoms.iter().any(other))?;
+    if measures {
+        let (bound, at) = bag.measure(length)?;
+        let bound = (Comparison::AtMost, bound.0, bound.1);
+        bag.took(Some(at), bound, false);
+        return blocked(bag, bound, not);
+    }
+    let bound = (Comparison::Less, 50.0, "cm");
+    bag.took(Some(at), bound, false);
+    blocked(bag, bound, not)
+}
+
+fn blocked(bag: &mut Bag, bound: Bound, not: &mut bool) -> Option<Event> {
+    for noun in ["ahead", "thing", "wall", "view"] {
+        bag.take_all("noun", noun);
+    }
+    bag.take_all("robot", "");
+    bag.take_all("adj", "away");
+    for verb in ["exist", "come", "see", "appear", "find"] {
+        bag.take_all("v", verb);
+    }
+    Some(Event::Far(Of::Ahead("nearest"), negated(vec![bound], not)?))
+}
+
 /// 90％を超えたら: of what was said before.
 fn share_alone(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     let is_share = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Share(_)));
@@ -176,6 +215,14 @@ fn charge(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         ];
         let said = comparisons.into_iter().find(|(word, _)| bag.take("cmp", word).is_some());
         found.extend(said.map(|(_, comparison)| (comparison, 50.0, "%")));
+    }
+    if !found.is_empty() {
+        bag.take_all("adj", "full");
+    }
+    if let Some(full) = bag.find("adj", "full").filter(|_| found.is_empty() && !bag.has("adj", "low")) {
+        found = vec![(Comparison::AtLeast, FULL, "%")];
+        bag.use_up(full);
+        bag.took(Some(full), found[0], false);
     }
     let low = bag.find("adj", "low").filter(|_| found.is_empty());
     if low.is_some() {
@@ -233,6 +280,7 @@ fn people(bag: &mut Bag, not: &mut bool) -> Option<Option<Event>> {
     });
     if has_count {
         bag.take("noun", "count");
+        bag.take("only", "");
         agent(bag);
         bag.take_all("robot", "");
         let mut found = bounds(bag, None, &counts);

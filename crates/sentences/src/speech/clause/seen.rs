@@ -1,13 +1,24 @@
 //! What is seen and heard.
 
 use super::{Bag, agent};
-use crate::speech::atoms::{Measure, form};
+use crate::speech::atoms::{Atom, Measure, form};
 use crate::speech::lexicon::End;
 use crate::speech::meaning::{Event, Who};
 
 /// What is heard: words, a sound, or none.
 pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     let speaks = bag.find("v", "say").or_else(|| bag.find("v", "hear").filter(|_| !bag.has("noun", "sound")));
+    // *On the word “start”*
+    let acts = |atom: &Atom| ["v", "do", "pose", "who"].iter().any(|kind| atom.is(kind, ""));
+    if speaks.is_none() && bag.has("noun", "word") && !bag.atoms.iter().any(acts) {
+        let words: Vec<String> = std::iter::from_fn(|| bag.quote()).collect();
+        if words.is_empty() {
+            return None;
+        }
+        bag.take_all("noun", "word");
+        bag.take_all("or", "");
+        return Some(Event::Words(words));
+    }
     if let Some(at) = speaks
         && let Some(words) = words(bag, at)
     {
@@ -37,6 +48,11 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         }
         bag.take_all("adj", "loud");
         bag.take_all("poss", "own");
+        // *It hears …*: the robot.
+        let hears = bag.find("v", "hear").filter(|at| form(&bag.atoms[*at], "v").end == End::Third);
+        if let Some(it) = bag.find("it", "").filter(|it| hears.is_some_and(|at| *it < at)) {
+            bag.use_up(it);
+        }
         agent(bag);
         bag.take_all("robot", "");
         for verb in ["hear", "exist", "make", "come"] {
@@ -95,7 +111,8 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     // Somebody who stands comes only where the place is said: *stands in front of you*, 目の前に立つ.
     let has_place = bag.has("noun", "view") || bag.has("noun", "ahead");
     found.retain(|(_, at)| has_place || !bag.atoms[*at].is("pose", ""));
-    let of_kind = bag.has("adj", "known") || bag.has("adj", "new") && bag.has("who", "") || bag.has("whom", "");
+    let somebody = bag.has("who", "") || bag.has("noun", "face");
+    let of_kind = bag.has("adj", "known") || bag.has("adj", "new") && somebody || bag.has("whom", "");
     if found.is_empty() && !is_be && !nobody && !of_kind {
         return None;
     }
@@ -130,8 +147,14 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
         let said = (0..bag.atoms.len()).any(|at| bag.atoms[at].sense("v", "leave").is_some_and(|sense| sense.form.not));
         *not = nobody || (!*not || !said && nothing);
     }
+    if found.is_empty() && !(has_place || of_kind || nobody) && says_nothing_of(bag) {
+        return None;
+    }
     for (_, at) in &found {
         bag.use_up(*at);
+    }
+    if has("show") {
+        shown(bag);
     }
     bag.take_all("noun", "view");
     bag.take_all("noun", "ahead");
@@ -166,6 +189,22 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     // Japanese leaves out what was said before.
     let says_nothing = !bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "") || atom.is("color", ""));
     (says_nothing && (has("see") || has("leave"))).then_some(Event::ItSeen)
+}
+
+/// True if somebody is named and nothing is said of them: *the child is*.
+fn says_nothing_of(bag: &Bag) -> bool {
+    let other = ["noun", "color", "none", "adj", "it"].iter().any(|kind| bag.has(kind, ""));
+    bag.has("who", "") && !other
+}
+
+/// *The child shows you the ball*: the ball is what is seen.
+fn shown(bag: &mut Bag) {
+    let shows = |atom: &Atom| ["ball", "mark"].iter().any(|noun| atom.is("noun", noun)) || atom.is("color", "");
+    if bag.atoms.iter().any(shows) {
+        agent(bag);
+        bag.take_all("robot", "");
+        bag.take_all("poss", "own");
+    }
 }
 
 /// A ball, or one of several.
@@ -228,8 +267,10 @@ fn person(bag: &mut Bag, nobody: bool, knows: bool) -> Option<Option<Event>> {
     let new = bag.take_all("adj", "new");
     let known = bag.take_all("adj", "known") || (knows && !new);
     let another = bag.take_all("adj", "another") | bag.has("who", "else");
-    let is_person = bag.has("noun", "face") || bag.has("who", "") || nobody || new || known;
+    let somebody = ["who", "whom"].iter().any(|kind| bag.has(kind, ""));
+    let is_person = bag.has("noun", "face") || somebody || nobody || new || known;
     if is_person {
+        bag.take_all("whom", "");
         bag.take_all("noun", "face");
         bag.take_all("robot", "");
         agent(bag);

@@ -63,7 +63,8 @@ fn let_go(bag: &mut Bag) -> Option<Event> {
     bag.use_up(at);
     agent(bag);
     bag.take("it", "");
-    Some(Event::ItLetGo)
+    // 離れたら: who came near may go away as well.
+    Some(if bag.atoms[at].is("adj", "far") { Event::ItGoes } else { Event::ItLetGo })
 }
 
 fn pressed(bag: &mut Bag) -> Option<Event> {
