@@ -16,6 +16,7 @@
 mod axe;
 mod browser;
 mod find;
+mod game;
 mod frames;
 mod full_disk;
 pub mod guide;
@@ -42,6 +43,7 @@ pub use axe::{Rules, Violation};
 pub use browser::Browser;
 pub use find::{Node, Rect};
 pub use full_disk::{DISK_IS_FULL, on_a_disk};
+pub use game::GAME;
 pub use host::host_line;
 pub use page::{Cpu, Page};
 pub use paths::{folder, optimised, root, server, target};

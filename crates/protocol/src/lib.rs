@@ -25,12 +25,12 @@ pub use library::{
 pub use live::{ConnectorSample, HeldPart, Press, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, RealRobot};
-pub use recording::{MarkSort, Recorded, Recording, RecordingMark, Records, Session};
+pub use recording::{MarkEdit, MarkSort, Recorded, Recording, RecordingMark, Records, Session};
 pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
 pub use request::{Area, Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 14;
+pub const VERSION: u32 = 15;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
@@ -73,6 +73,10 @@ pub const BY_HAND: &str = "hand";
 pub const MARK_WORD_MAX_CHARS: usize = 40;
 /// The most marks of one recording.
 pub const RECORDING_MARKS_MAX: usize = 1_000;
+/// The most marks that one message tells of a running session.
+pub const LIVE_MARKS_MAX: usize = 100;
+/// The time after a press within which a mark can be taken back, in milliseconds.
+pub const UNDO_MARK_MS: u64 = 10_000;
 /// The longest time before it is sent that somebody may have pressed to mark a moment, in milliseconds.
 pub const AGO_MAX_MS: u64 = 60_000;
 /// The longest code of who takes part in a session, in characters.

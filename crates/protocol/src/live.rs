@@ -16,6 +16,9 @@ pub struct RobotState {
     pub name: String,
     /// The kind of the robot: `nao`.
     pub kind: String,
+    /// What a person does at its body to end what it does, as its adapter says; empty before that is known.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub by_body: String,
     /// The state of the link.
     pub health: Health,
     /// The names of the devices it has.
@@ -60,6 +63,7 @@ impl RobotState {
             robot,
             name,
             kind: String::new(),
+            by_body: String::new(),
             health: Health::Connecting,
             devices: Vec::new(),
             lacking: Vec::new(),

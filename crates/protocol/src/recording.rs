@@ -17,6 +17,9 @@ pub struct Recorded {
     /// The number of the oldest recordings that were removed to make room for it.
     #[serde(default, skip_serializing_if = "is_none")]
     pub gave_way: u64,
+    /// The code of who takes part, if one was said.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub participant: Option<String>,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference; on 32 bits it is the smaller one")]
@@ -96,6 +99,15 @@ pub enum Records {
     Marks,
 }
 
+impl MarkSort {
+    /// True if something only happened.
+    #[must_use]
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+    pub fn is_note(&self) -> bool {
+        *self == Self::Note
+    }
+}
+
 impl Records {
     /// True if the recording has everything.
     #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
@@ -129,9 +141,24 @@ pub struct RecordingMark {
     /// The time at which it was written: `2026-11-21T18:34:06Z`; empty for one that was made while it ran.
     #[serde(default)]
     pub at: String,
+    /// True if it is a span of a running session that nobody ended yet.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub open: bool,
     /// True if it was removed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub gone: bool,
+}
+
+/// What follows on a mark of a running session.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum MarkEdit {
+    /// A span ends at the press. One that has ended stays as it is.
+    End,
+    /// A note joins the mark, in the place of what it had; at most [`crate::MARK_MAX_CHARS`].
+    Note(String),
+    /// The mark is taken back by who made it, within [`crate::UNDO_MARK_MS`] of their last press.
+    Undo,
 }
 
 /// The verdict of a mark on its moment.

@@ -302,6 +302,21 @@ pub enum Reply {
         /// By time; those that are gone are left out.
         marks: Vec<RecordingMark>,
     },
+    /// A moment of a running behaviour is marked.
+    Marked {
+        /// The mark as it is now.
+        mark: Box<RecordingMark>,
+        /// True if a recording keeps it. Else it is gone when the run is forgotten.
+        kept: bool,
+    },
+    /// The marks of the newest run of the open behaviour on the watched robot that are new or changed. All of them come to who
+    /// begins to watch, in several such messages if there are many; of each id the newest counts.
+    LiveMarks {
+        /// Which run. With another one than before all begins anew.
+        run: u64,
+        /// At most [`crate::LIVE_MARKS_MAX`], in the order of their last change; those that are gone say so.
+        marks: Vec<RecordingMark>,
+    },
     /// The findings of a look at a robot.
     RobotChecked {
         /// Step by step.

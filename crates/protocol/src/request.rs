@@ -1,6 +1,6 @@
 //! The requests of a client.
 
-use crate::{Lasts, ListQuery, PictureOf, RealRobot, RecordingMark, Role, Session};
+use crate::{Lasts, ListQuery, MarkEdit, MarkSort, PictureOf, RealRobot, RecordingMark, Role, Session};
 use behaviour::{Change, Helper, Id, Params, Problem, RecordId, Seen, Token, Value};
 use robot::{Control, Identity, SceneEdit};
 use serde::{Deserialize, Serialize};
@@ -340,17 +340,43 @@ pub enum Request {
         /// The value that it is told. With the parameters at most [`crate::HAND_MAX_BYTES`].
         value: Value,
     },
-    /// Marks this moment in the recording of a running behaviour. Answered by `Done`.
+    /// Marks a moment of a running behaviour, or begins a span. Everybody who has the behaviour open is told, and its recording
+    /// has it. Answered by `Marked`, also if the same mark was sent before.
     Mark {
         /// Which.
         behaviour: Id,
         /// On which robot; none means wherever it runs.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
+        /// The id of the mark, chosen by who marks, so that one that is sent twice counts once. None lets the server choose.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<Id>,
+        /// The word of the mark, at most [`crate::MARK_WORD_MAX_CHARS`]; may be empty.
+        #[serde(default, skip_serializing_if = "String::is_empty")]
+        word: String,
+        /// The verdict of the mark on the moment.
+        #[serde(default, skip_serializing_if = "MarkSort::is_note")]
+        sort: MarkSort,
+        /// True if a span begins. It ends by `EditMark`, or with the run.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        span: bool,
         /// A note of what happened, in at most [`crate::MARK_MAX_CHARS`]; may be empty.
+        #[serde(default)]
         note: String,
         /// The time before this was sent at which somebody pressed, by the clock of who sends it, in milliseconds. More
         /// than [`crate::AGO_MAX_MS`] counts as that much, and what was before Start as Start.
+        #[serde(default, rename = "agoMs", skip_serializing_if = "is_zero")]
+        ago_ms: u64,
+    },
+    /// Ends a span, adds a note to a mark, or takes a mark back, also when the run ended lately. Answered by `Marked`.
+    EditMark {
+        /// The number of the run.
+        run: u64,
+        /// Which mark.
+        id: Id,
+        /// What follows on it.
+        edit: MarkEdit,
+        /// The time before this was sent at which somebody pressed, as in `Mark`.
         #[serde(default, rename = "agoMs", skip_serializing_if = "is_zero")]
         ago_ms: u64,
     },
@@ -512,6 +538,15 @@ pub enum Request {
         /// Live values of the open behaviour.
         values: bool,
     },
+}
+
+impl Request {
+    /// Marks a moment of a running behaviour with a note alone.
+    #[must_use]
+    pub fn mark(behaviour: Id, robot: Option<Id>, note: &str, ago_ms: u64) -> Self {
+        let (id, word, sort, note) = (None, String::new(), MarkSort::Note, note.to_owned());
+        Self::Mark { behaviour, robot, id, word, sort, span: false, note, ago_ms }
+    }
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference; on 32 bits it is the smaller one")]

@@ -3,6 +3,7 @@
 use crate::memory;
 use behaviour::{BehaviourFile, Id, Params, Value};
 use engine::{ConnectorIx, Handover, IndexVec, StreamIx};
+use protocol::{MarkSort, RecordingMark};
 use robot::{Condition, Scene};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
@@ -126,10 +127,35 @@ pub struct Note {
     /// The time of the moment, in milliseconds since Start.
     #[serde(rename = "t")]
     pub at_ms: u64,
+    /// The id of the mark, of which the last line counts; none in a line of an older version.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub id: Option<Id>,
+    /// The time of the end of a span, in milliseconds since Start.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<u64>,
+    /// The word of the mark; may be empty.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub word: String,
+    /// The verdict of the mark on the moment.
+    #[serde(default, skip_serializing_if = "MarkSort::is_note")]
+    pub sort: MarkSort,
     /// The name of the person who marked it.
     pub by: String,
     /// A note of what happened; may be empty.
     pub note: String,
+    /// True if it is a span that had not ended by then.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub open: bool,
+    /// True if it was taken back.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub gone: bool,
+}
+
+impl From<RecordingMark> for Note {
+    fn from(mark: RecordingMark) -> Self {
+        let RecordingMark { id, t, until, word, sort, note, by, at: _, open, gone } = mark;
+        Self { at_ms: t, id: Some(id), until, word, sort, by, note, open, gone }
+    }
 }
 
 /// The state of the robot.
@@ -217,9 +243,7 @@ impl Names {
             }
             Line::Robot(robot) => writeln!(to, "{}", marked("robot", robot)),
             Line::Room { at_ms, scene } => writeln!(to, r#"{{"t":{at_ms},"mark":"room","scene":{}}}"#, json(scene)),
-            Line::Note(Note { at_ms, by, note }) => {
-                writeln!(to, r#"{{"t":{at_ms},"mark":"note","by":{},"note":{}}}"#, json(by), json(note))
-            }
+            Line::Note(note) => writeln!(to, "{}", marked("note", note)),
             Line::End(end) => writeln!(to, "{}", marked("end", end)),
         };
         debug_assert!(written.is_ok(), "a text takes whatever is written");

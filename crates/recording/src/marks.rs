@@ -3,10 +3,11 @@
 use crate::lines::Note;
 use crate::read::{Entry, read_line};
 use behaviour::Id;
-use protocol::{MarkSort, RecordingMark};
+use protocol::RecordingMark;
 use std::collections::BTreeMap;
 
-/// The marks that were made while it ran, called `note-1`, `note-2` and so on, among its lines.
+/// The marks that were made while it ran, among its lines: of each id the last line counts. Those of older versions are called
+/// `note-1`, `note-2` and so on.
 pub fn run_marks<'t>(lines: impl Iterator<Item = &'t str>) -> impl Iterator<Item = RecordingMark> {
     lines.filter_map(run_note).enumerate().filter_map(|(at, note)| mark(at + 1, note))
 }
@@ -20,10 +21,10 @@ pub fn run_note(line: &str) -> Option<Note> {
 
 /// The mark that a note of a run is, by its number from 1.
 #[must_use]
-pub fn mark(number: usize, Note { at_ms, by, note }: Note) -> Option<RecordingMark> {
-    let id = Id::new(&format!("note-{number}")).ok()?;
-    let (until, word, sort, at, gone) = (None, String::new(), MarkSort::Note, String::new(), false);
-    Some(RecordingMark { id, t: at_ms, until, word, sort, note, by, at, gone })
+pub fn mark(number: usize, note: Note) -> Option<RecordingMark> {
+    let Note { at_ms, id, until, word, sort, by, note, open, gone } = note;
+    let id = id.or_else(|| Id::new(&format!("note-{number}")).ok())?;
+    Some(RecordingMark { id, t: at_ms, until, word, sort, note, by, at: String::new(), open, gone })
 }
 
 /// All marks by id as they are by now, those that are gone included: the last line of each counts. A line that is none, such as

@@ -99,6 +99,8 @@ pub fn timeline(text: &str, later_marks: &str, keep: Keep) -> Result<Timeline, N
     let Teller { private, mut events, last_ms, is_whole, .. } = teller;
     events.sort_by_key(|event| event.at_ms);
     let told = |mark: RecordingMark| RecordingMark {
+        // The end of a span that goes on is that of what there is.
+        until: mark.until.or(Some(last_ms).filter(|last_ms| mark.open && *last_ms > mark.t)),
         word: private.text(&mark.word),
         note: private.text(&mark.note),
         by: private.name(&mark.by),

@@ -13,6 +13,7 @@ use crate::support::file_name::dashed;
 use crate::support::lock;
 use behaviour::{Engine, Id, numbered};
 use described::described;
+pub(crate) use marks::tidied;
 use protocol::{Recording, Refused, Session};
 pub(crate) use recorder::{Recorder, Step};
 use recording::Header;
@@ -80,8 +81,10 @@ pub(crate) enum NotRecorded {
     NotBegun(io::Error),
     /// It could not be removed.
     NotRemoved(io::Error),
-    /// What shall be marked is not recorded.
-    Unrecorded,
+    /// The run has no such mark.
+    NoMark,
+    /// A mark cannot be taken back any more, or not by this person.
+    NotUndone,
     /// The word or the note of a mark is too long.
     LongNote,
     /// A mark ends before it begins, or is too late.

@@ -18,6 +18,7 @@ pub(crate) mod real;
 pub(crate) mod refusal;
 mod register;
 mod robot_thread;
+mod run_marks;
 mod run_table;
 mod runner;
 mod settling;
@@ -36,6 +37,7 @@ pub(crate) use host::{Host, Start};
 pub(crate) use live::{LiveValues, Seen};
 pub use refusal::BackupMisfit;
 pub(crate) use refusal::NoRun;
+pub(crate) use run_marks::{Marked, Press, RunMarks};
 
 use crate::recordings::{NotRecorded, Recordings};
 use crate::support::lock;
@@ -43,7 +45,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
 use engine::Limits;
 use order::Order;
-use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RealRobot, Refused, RobotState, RunState, Session};
+use protocol::{MarkEdit, ROBOTS_MAX, RealRobot, RecordingMark, Refused, RobotState, RunState, Session};
 use refusal::RobotsUnchanged;
 use register::{Known, Register};
 use robot::SceneEdit;
@@ -212,22 +214,41 @@ impl Robots {
         hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone(), by))
     }
 
-    /// Marks the moment of a press in the recordings of a running behaviour, so many milliseconds ago.
+    /// Marks the moment of a press in the runs of a behaviour, wherever it runs. Where it runs no more, the run that ended lately
+    /// takes what was pressed before its end.
     ///
     /// # Errors
-    /// If the behaviour does not run there or is not recorded, the note is too long, or that was too much at once.
+    /// If the behaviour did not run there then, a text is too long, or that was too much at once.
     pub(crate) fn mark(
         &self,
         behaviour: &Id,
         robot: Option<&Id>,
-        by: &str,
-        (note, ago_ms): (&str, u64),
-    ) -> Result<(), Refused> {
-        if note.chars().count() > MARK_MAX_CHARS {
-            return Err(NotRecorded::LongNote.into());
+        mark: &RecordingMark,
+        press: Press,
+    ) -> Result<Vec<Marked>, Refused> {
+        let is_meant = |host: &Host| robot.is_none_or(|robot| host.id() == robot);
+        match self.running(behaviour, robot) {
+            Ok(hosts) => hosts.iter().map(|host| host.mark(behaviour, mark.clone(), press)).collect(),
+            Err(no) => {
+                let hosts: Vec<_> = self.hosts().into_iter().filter(is_meant).collect();
+                let marked = hosts.iter().find_map(|host| host.mark(behaviour, mark.clone(), press).ok());
+                marked.map(|marked| vec![marked]).ok_or(no)
+            }
         }
-        let hosts = self.running(behaviour, robot)?;
-        hosts.iter().try_for_each(|host| host.mark(behaviour, by, note.trim(), ago_ms))
+    }
+
+    /// Changes a mark of a run.
+    ///
+    /// # Errors
+    /// If the run is forgotten, if there is no such mark, or if that cannot be done to it.
+    pub(crate) fn edit_mark(&self, run: u64, id: &Id, edit: &MarkEdit, press: Press) -> Result<Marked, Refused> {
+        let edited = self.hosts().iter().find_map(|host| host.edit_mark(run, id, edit.clone(), press));
+        edited.unwrap_or_else(|| Err(NotRecorded::NoMark.into()))
+    }
+
+    /// The marks of a run, also of one that ended lately.
+    pub(crate) fn marks(&self, run: u64) -> Option<Arc<RunMarks>> {
+        self.hosts().iter().find_map(|host| host.marks(run))
     }
 
     /// Ends the recordings of a running behaviour.

@@ -130,7 +130,10 @@ impl fmt::Display for NotRecorded {
                 write!(to, "it cannot be recorded ({error}); free some space, or start it without recording")
             }
             Self::NotRemoved(error) => write!(to, "it cannot be removed ({error})"),
-            Self::Unrecorded => to.write_str("this run is not recorded; switch Record on first"),
+            Self::NoMark => to.write_str("there is no such mark any more; look at the list again"),
+            Self::NotUndone => to.write_str(
+                "a mark is taken back within ten seconds, by who made it; later, remove it from the recording",
+            ),
             Self::LongNote => {
                 write!(to, "a note has at most {MARK_MAX_CHARS} characters, and a word {MARK_WORD_MAX_CHARS}")
             }

@@ -6,6 +6,7 @@ use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
 use protocol::{ListQuery, Reply, Request, RobotState, RunPhase, RunState, Summary};
 use std::io::Write;
+use std::time::Instant;
 
 /// Programs that completion knows: those that were changed last.
 const KNOWN_MAX: usize = 200;
@@ -24,6 +25,8 @@ pub struct Console {
     pub(crate) records: bool,
     /// True once exit was typed.
     pub(crate) done: bool,
+    /// The time at which the line was entered that is obeyed.
+    pub(crate) entered: Instant,
     out: Box<dyn Write + Send>,
 }
 
@@ -31,7 +34,7 @@ impl Console {
     /// A console that answers to `out`, not connected yet.
     #[must_use]
     pub fn new(out: Box<dyn Write + Send>) -> Self {
-        Self { client: None, stream: None, robot: None, records: false, done: false, out }
+        Self { client: None, stream: None, robot: None, records: false, done: false, entered: Instant::now(), out }
     }
 
     /// True once exit was typed.
@@ -42,10 +45,16 @@ impl Console {
 
     /// Does what a line says and prints the answer. False if it was refused. Empty lines and `#` lines say nothing.
     pub async fn obey(&mut self, line: &str) -> bool {
+        self.obey_entered(line, Instant::now()).await
+    }
+
+    /// Does what a line says that was entered at this time.
+    pub(crate) async fn obey_entered(&mut self, line: &str, entered: Instant) -> bool {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
             return true;
         }
+        self.entered = entered;
         let answer = match commands::read(line) {
             Ok((command, rest)) => (command.run)(self, rest).await,
             Err(why) => Err(why),

@@ -2,6 +2,7 @@
 
 use crate::console::Console;
 use std::io::BufRead;
+use std::time::Instant;
 
 /// Lines that may wait.
 const LINES_MAX: usize = 64;
@@ -12,13 +13,13 @@ pub(crate) async fn run(console: &mut Console) -> bool {
     // Reading may wait for ever, so it has a thread that ends with the process.
     std::thread::spawn(move || {
         for line in std::io::stdin().lock().lines().map_while(Result::ok) {
-            if lines.blocking_send(line).is_err() {
+            if lines.blocking_send((line, Instant::now())).is_err() {
                 break;
             }
         }
     });
-    while let Some(line) = next.recv().await {
-        if !console.obey(&line).await {
+    while let Some((line, entered)) = next.recv().await {
+        if !console.obey_entered(&line, entered).await {
             return false;
         }
         if console.is_done() {

@@ -110,7 +110,8 @@ fn named_by_content(mut pieces: Pieces) -> Outcome<Pieces> {
         let stem = stem.strip_prefix(CUT).map(str::to_owned).or(common);
         let named = stem.map(|stem| format!("{stem}-{all:016x}.wasm")).filter(|named| is_later(named));
         let known = PIECES.join(", ");
-        let named = named.ok_or_else(|| format!("{name} is no piece that comes later; its name begins with none of {known}."))?;
+        let named = named
+            .ok_or_else(|| format!("{name} is no piece that comes later; its name begins with none of {known}."))?;
         pieces.loader = pieces.loader.replace(&format!("./{name}"), &format!("./{named}"));
         later.insert(named, code);
     }
@@ -121,13 +122,17 @@ impl Pieces {
     /// The module that wasm-bindgen made of the first piece, with the loader inside: one file less to wait for.
     pub(crate) fn with_loader(&self, module: &str) -> Outcome<String> {
         let from = format!(" from \"{LINK}\"");
-        let mut lines: Vec<&str> = module.lines().collect();
-        let at = lines.iter().position(|line| line.starts_with("import * as ") && line.contains(&from));
-        let at = at.ok_or("The page's module does not import the loader of what comes later.")?;
-        let name = lines.remove(at).trim_start_matches("import * as ").split(' ').next().unwrap_or_default();
+        // Once for each piece.
+        let is_import = |line: &&str| line.starts_with("import * as ") && line.contains(&from);
+        let (imports, lines): (Vec<&str>, Vec<&str>) = module.lines().partition(is_import);
+        if imports.is_empty() {
+            return Err("The page's module does not import the loader of what comes later.".to_owned());
+        }
         let loader = self.loader.replace("export const ", "const ");
-        let given: Vec<&str> = exported(&self.loader).collect();
-        Ok(format!("{}\n{loader}const {name} = {{ {} }};\n", lines.join("\n"), given.join(", ")))
+        let given = exported(&self.loader).collect::<Vec<_>>().join(", ");
+        let name = |line: &str| line.trim_start_matches("import * as ").split(' ').next().unwrap_or_default().to_owned();
+        let named: String = imports.iter().map(|line| format!("const {} = {{ {given} }};\n", name(line))).collect();
+        Ok(format!("{}\n{loader}{named}", lines.join("\n")))
     }
 }
 
@@ -194,6 +199,10 @@ mod tests {
         let whole = pieces(b"one").with_loader(&module)?;
         assert!(!whole.contains("import *") && !whole.contains("export"));
         assert!(whole.starts_with("use(import1);\n") && whole.ends_with("const import1 = { load_later };\n"));
+        let twice = format!("import * as import2 from \"{LINK}\"\n{module}");
+        let whole = pieces(b"one").with_loader(&twice)?;
+        assert!(!whole.contains("import *"), "each piece imports the loader once more");
+        assert!(whole.contains("const import1 = { load_later };") && whole.contains("const import2 = { load_later };"));
         assert!(pieces(b"one").with_loader("use(nothing);").is_err());
         let loader = without_import("import { initSync } from \"./app.js\";\nlet rest;\n", "./app.js")?;
         assert_eq!(loader, "let rest;\n");

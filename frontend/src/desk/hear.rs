@@ -79,6 +79,8 @@ impl Desk {
             | Reply::Pressed { .. }
             | Reply::Done
             | Reply::Marks { .. }
+            | Reply::Marked { .. }
+            | Reply::LiveMarks { .. }
             | Reply::No { .. } => {}
         }
     }

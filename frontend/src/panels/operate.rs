@@ -76,10 +76,12 @@ pub(crate) fn operate() -> AnyView {
     });
     hearing::overhear(op);
     keys::listen(op);
+    marks::when_back(op);
     quiet::stay_awake(op);
     look_at_asked(op);
     follow_what_runs(op);
     dress();
+    super::toolbar::mark_usable(desk);
     let dressed = RwSignal::new(false);
     view! {
         <link rel="stylesheet" href=SHEET on:load=move |_| dressed.set(true) on:error=move |_| dressed.set(true) />

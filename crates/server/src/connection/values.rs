@@ -1,28 +1,48 @@
-//! The live values of the behaviour that a client has open, at the client's own pace.
+//! The live values and the marks of the behaviour that a client has open, at the client's own pace.
 
 use crate::connection::Connections;
-use crate::robots::{LiveValues, Seen};
+use crate::robots::{LiveValues, RunMarks, Seen};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
 use protocol::{Reply, RunState};
+use std::sync::Arc;
 
 /// What one client has seen of one run.
 #[derive(Default)]
 pub(super) struct Watching {
-    run: Option<(u64, LiveValues, Seen)>,
+    run: Option<Watched>,
+}
+
+struct Watched {
+    run: u64,
+    live: Option<(LiveValues, Seen)>,
+    /// The marks, and up to which of their changes they were told.
+    marks: Option<(Arc<RunMarks>, u64)>,
 }
 
 impl Watching {
-    /// What changed since the last call in the newest run on this robot, or on any, as a message.
-    pub(super) fn news(&mut self, connections: &Connections, behaviour: &Id, robot: Option<&Id>) -> Option<Utf8Bytes> {
+    /// What changed since the last call in the newest run on this robot, or on any, as messages: its marks, and its values if
+    /// those are wanted.
+    pub(super) fn news(
+        &mut self,
+        connections: &Connections,
+        behaviour: &Id,
+        (robot, values): (Option<&Id>, bool),
+    ) -> Vec<Utf8Bytes> {
         let is_meant = |run: &&RunState| run.behaviour == *behaviour && robot.is_none_or(|robot| run.robot == *robot);
-        let newest = connections.topics.states.borrow().iter().filter(is_meant).map(|run| run.run).max()?;
-        if self.run.as_ref().is_none_or(|(run, ..)| *run != newest) {
-            self.run = connections.state.robots.values(newest).map(|live| (newest, live, Seen::default()));
+        let newest = connections.topics.states.borrow().iter().filter(is_meant).map(|run| run.run).max();
+        let Some(run) = newest else { return Vec::new() };
+        if self.run.as_ref().is_none_or(|watched| watched.run != run) {
+            let robots = &connections.state.robots;
+            let live = robots.values(run).map(|live| (live, Seen::default()));
+            self.run = Some(Watched { run, live, marks: robots.marks(run).map(|marks| (marks, 0)) });
         }
-        let (_, live, seen) = self.run.as_mut()?;
-        let values = live.since(seen)?;
-        Some(encode(None, Reply::Values { values: Box::new(values) }))
+        let Some(watched) = &mut self.run else { return Vec::new() };
+        let marks = watched.marks.as_mut().map(|(marks, seen)| marks.since(seen)).filter(|marks| !marks.is_empty());
+        let marks = marks.map(|marks| Reply::LiveMarks { run, marks });
+        let live = watched.live.as_mut().filter(|_| values).and_then(|(live, seen)| live.since(seen));
+        let live = live.map(|values| Reply::Values { values: Box::new(values) });
+        marks.into_iter().chain(live).map(|reply| encode(None, reply)).collect()
     }
 }

@@ -182,9 +182,8 @@ impl Writer {
             texts.extend(newest(&mut feed.problems));
             texts.extend(newest(&mut feed.locks));
             texts.extend(newest(&mut feed.versions));
-            if self.values_wanted {
-                texts.extend(values(&self.connections, &mut self.watching, &feed.behaviour, self.robot.as_ref()).await);
-            }
+            let of = (self.robot.as_ref(), self.values_wanted);
+            texts.extend(values(&self.connections, &mut self.watching, &feed.behaviour, of).await);
         }
         if texts.is_empty() { Ok(()) } else { self.send(texts).await }
     }
@@ -264,22 +263,22 @@ fn pressed(presses: &mut broadcast::Receiver<Utf8Bytes>) -> Vec<Utf8Bytes> {
     }
 }
 
-/// What is new of the live values, made on the server's other threads.
+/// What is new of the marks and the live values, made on the server's other threads.
 async fn values(
     connections: &Arc<Connections>,
     watching: &mut Watching,
     behaviour: &Id,
-    robot: Option<&Id>,
-) -> Option<Utf8Bytes> {
+    (robot, wanted): (Option<&Id>, bool),
+) -> Vec<Utf8Bytes> {
     let (known, all, behaviour, robot) =
         (std::mem::take(watching), Arc::clone(connections), behaviour.clone(), robot.cloned());
     let (work, made) = Made::by(async move {
         let mut known = known;
-        (known.news(&all, &behaviour, robot.as_ref()), known)
+        (known.news(&all, &behaviour, (robot.as_ref(), wanted)), known)
     });
-    let (text, known) = made.when(connections.state.tasks.runtime.spawn(work)).await.ok()?;
+    let Ok((texts, known)) = made.when(connections.state.tasks.runtime.spawn(work)).await else { return Vec::new() };
     *watching = known;
-    text
+    texts
 }
 
 /// Pictures of a robot, beginning with the newest.

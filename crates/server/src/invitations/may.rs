@@ -175,6 +175,7 @@ fn of_request(request: &Request) -> Role {
         | Request::Hand { .. }
         | Request::Scene { .. }
         | Request::Mark { .. }
+        | Request::EditMark { .. }
         | Request::Record { .. }
         | Request::EndRecording { .. }
         | Request::RemoveRecording { .. }

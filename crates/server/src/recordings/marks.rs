@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 
 /// The largest that file may grow, in bytes.
 const MARKS_MAX_BYTES: u64 = 2 << 20;
+/// The lines of marks that are read of one recording: no run writes more.
+const LINES_MAX: usize = 4 * RECORDING_MARKS_MAX;
 /// The latest that a mark may be, in milliseconds: a hundred days.
 const LATEST_MS: u64 = 100 * 86_400_000;
 
@@ -52,11 +54,12 @@ impl Recordings {
     }
 }
 
-/// The marks that were made while it ran, as many as a recording may have. However large it is, a line at a time is read.
+/// The marks that were made while it ran, with all that followed on them. However large the recording is, a line at a time is
+/// read.
 fn of_run(path: &Path) -> io::Result<Vec<RecordingMark>> {
     let mut lines = BufReader::new(File::open(path)?);
     let (mut line, mut notes) = (Vec::new(), Vec::new());
-    while notes.len() < RECORDING_MARKS_MAX && lines.read_until(b'\n', &mut line)? > 0 {
+    while notes.len() < LINES_MAX && lines.read_until(b'\n', &mut line)? > 0 {
         notes.extend(std::str::from_utf8(&line).ok().and_then(recording::run_note));
         line.clear();
     }
@@ -90,8 +93,11 @@ fn append(path: &Path, mark: &RecordingMark) -> Result<(), NotRecorded> {
     named.map_err(NotRecorded::MarkUnwritten)
 }
 
-/// A mark within its bounds.
-fn tidied(mark: RecordingMark) -> Result<RecordingMark, NotRecorded> {
+/// A mark within its bounds; no span goes on.
+///
+/// # Errors
+/// If it breaks a bound.
+pub(crate) fn tidied(mark: RecordingMark) -> Result<RecordingMark, NotRecorded> {
     let (word, note) = (mark.word.trim().to_owned(), mark.note.trim().to_owned());
     if word.chars().count() > MARK_WORD_MAX_CHARS || note.chars().count() > MARK_MAX_CHARS {
         return Err(NotRecorded::LongNote);
@@ -99,5 +105,5 @@ fn tidied(mark: RecordingMark) -> Result<RecordingMark, NotRecorded> {
     if mark.t > LATEST_MS || mark.until.is_some_and(|until| until <= mark.t || until > LATEST_MS) {
         return Err(NotRecorded::NoSpan);
     }
-    Ok(RecordingMark { word, note, ..mark })
+    Ok(RecordingMark { word, note, open: false, ..mark })
 }

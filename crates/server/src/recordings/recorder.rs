@@ -2,11 +2,12 @@
 
 use super::Open;
 use super::writer::{Batch, Progress, write};
-use behaviour::{BehaviourFile, Value};
+use behaviour::{BehaviourFile, Id, Value};
 use engine::{ConnectorIx, Handover, StreamIx};
 use protocol::{Recorded, Records};
 use recording::{End, Hand, Header, Line, Names, Note, Refusal, RobotLine, json};
 use robot::Scene;
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
@@ -56,10 +57,13 @@ pub(crate) struct Recorder {
     last_ms: u64,
     closed: Option<u64>,
     late: u64,
-    marks: u64,
+    /// The marks that are there. Bounded by their run.
+    marks: BTreeSet<Id>,
     records: Records,
     /// The number of old recordings that gave way to it.
     gave_way: u64,
+    /// The code of who takes part.
+    participant: Option<String>,
     told: Option<Recorded>,
 }
 
@@ -85,7 +89,8 @@ impl Recorder {
             write(file, bytes, &batches, &shared);
             drop(open);
         })?;
-        Ok(Self { records: header.records, gave_way, ..Self::over(name, queue, progress, of) })
+        let participant = header.participant.clone();
+        Ok(Self { records: header.records, gave_way, participant, ..Self::over(name, queue, progress, of) })
     }
 
     /// A recorder that hands on to whoever takes from `queue`.
@@ -101,9 +106,10 @@ impl Recorder {
             last_ms: 0,
             closed: None,
             late: 0,
-            marks: 0,
+            marks: BTreeSet::new(),
             records: Records::All,
             gave_way: 0,
+            participant: None,
             told: None,
         }
     }
@@ -131,7 +137,11 @@ impl Recorder {
 
     /// Somebody marked a moment.
     pub(crate) fn note(&mut self, note: Note) {
-        self.marks += 1;
+        match &note.id {
+            Some(id) if note.gone => drop(self.marks.remove(id)),
+            Some(id) => drop(self.marks.insert(id.clone())),
+            None => {}
+        }
         self.push(Line::Note(note));
     }
 
@@ -192,7 +202,7 @@ impl Recorder {
     pub(crate) fn end(mut self, why: &str, by: Option<String>) {
         self.flush();
         let at_ms = self.last_ms.max(self.closed.unwrap_or(0));
-        let (closed, late, marks) = (self.closed, self.late, Some(self.marks));
+        let (closed, late, marks) = (self.closed, self.late, Some(self.marks.len() as u64));
         let end = End { at_ms, closed, late, marks, why: why.to_owned(), by };
         let batch = Batch { names: self.names.clone(), missed: self.missed, lines: vec![Line::End(end)] };
         // The run is over, so now it may wait for room.
@@ -202,7 +212,9 @@ impl Recorder {
     /// How it is, if that is new.
     pub(crate) fn news(&mut self) -> Option<Recorded> {
         let (file, gave_way) = (self.file.clone(), self.gave_way);
-        let now = Recorded { file, lost: self.progress.lost(), trouble: self.progress.trouble(), gave_way };
+        let participant = self.participant.clone();
+        let now =
+            Recorded { file, lost: self.progress.lost(), trouble: self.progress.trouble(), gave_way, participant };
         (self.told.as_ref() != Some(&now)).then(|| self.told.insert(now).clone())
     }
 

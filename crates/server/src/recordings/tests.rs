@@ -21,7 +21,8 @@ fn record(recordings: &Recordings, session: &Session) -> String {
     let about = About { run: 1, robot: "NAO", behaviour: &id("b"), revision: 1, by: "Aiko", file: &file(), session };
     let mut recorder = recordings.begin(&about).map_err(|why| why.to_string()).unwrap();
     let name = recorder.news().unwrap().file;
-    recorder.note(recording::Note { at_ms: 1_500, by: "Ben".to_owned(), note: "he laughs".to_owned() });
+    let note = RecordingMark { by: "Ben".to_owned(), note: "he laughs".to_owned(), ..mark("note-1", 1_500, "") };
+    recorder.note(note.into());
     recorder.end("it was stopped", None);
     while recordings.is_writing() {
         std::thread::yield_now();
@@ -31,7 +32,18 @@ fn record(recordings: &Recordings, session: &Session) -> String {
 
 fn mark(name: &str, t: u64, word: &str) -> RecordingMark {
     let (until, note, by, at) = (None, String::new(), "somebody else".to_owned(), String::new());
-    RecordingMark { id: id(name), t, until, word: word.to_owned(), sort: MarkSort::Good, note, by, at, gone: false }
+    RecordingMark {
+        id: id(name),
+        t,
+        until,
+        word: word.to_owned(),
+        sort: MarkSort::Good,
+        note,
+        by,
+        at,
+        open: false,
+        gone: false,
+    }
 }
 
 #[test]

@@ -8,19 +8,20 @@ use super::mailbox::Beginning;
 use super::order::Order;
 use super::refusal::{NoRun, NotByHand};
 use super::robot_thread::{self, Make};
+use super::run_marks::{Marked, Press, RunMarks};
 use super::run_table;
 use super::runner::{self, Job};
 use super::shared::RobotShared;
 use super::status_feed::StatusFeed;
 use super::successor;
-use crate::recordings::{About, NotRecorded, Recordings};
+use crate::recordings::{About, Recordings};
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
 use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
-use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, Refused, RobotState, RunState, STOP_BUTTON, Session};
+use protocol::{HAND_MAX_BYTES, MarkEdit, RecordingMark, Refused, RobotState, RunState, STOP_BUTTON, Session};
 use robot::{Control, RobotFault, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -270,18 +271,26 @@ impl Host {
         self.shared().place(behaviour, above).map_err(|error| Refused::NotKept(error.to_string()))
     }
 
-    /// Marks the moment of a press in the recording of a running behaviour, so many milliseconds ago.
+    /// Marks the moment of a press in the newest run of a behaviour. One that has ended takes what was pressed before its end.
     ///
     /// # Errors
-    /// If the behaviour does not run or is not recorded, or if that was too much at once.
-    pub(super) fn mark(&self, behaviour: &Id, by: &str, note: &str, ago_ms: u64) -> Result<(), Refused> {
+    /// If the behaviour did not run then, if a text is too long, or if that was too much at once.
+    pub(super) fn mark(&self, behaviour: &Id, mark: RecordingMark, press: Press) -> Result<Marked, Refused> {
         let table = lock(&self.shared().table);
-        let entry = table.running_of(behaviour).ok_or(Refused::NotRunning)?;
-        if entry.state.recording.is_none() {
-            return Err(NotRecorded::Unrecorded.into());
-        }
-        let ago = Duration::from_millis(ago_ms.min(AGO_MAX_MS));
-        if entry.mailbox.mark(by, note, ago) { Ok(()) } else { Err(Refused::TooFast) }
+        let entry = table.newest_of(behaviour).ok_or(Refused::NotRunning)?;
+        entry.marks.put(mark, press, &entry.mailbox).map(|mark| entry.marked(mark))
+    }
+
+    /// Changes a mark of a run; none if that run is of another robot, or is forgotten.
+    pub(super) fn edit_mark(&self, run: u64, id: &Id, edit: MarkEdit, press: Press) -> Option<Result<Marked, Refused>> {
+        let table = lock(&self.shared().table);
+        let entry = table.get(run)?;
+        Some(entry.marks.edit(id, edit, press, &entry.mailbox).map(|mark| entry.marked(mark)))
+    }
+
+    /// The marks of a run, also of one that ended lately.
+    pub(crate) fn marks(&self, run: u64) -> Option<Arc<RunMarks>> {
+        lock(&self.shared().table).get(run).map(|entry| entry.marks.clone())
     }
 
     /// Records a running behaviour from now on; one that is recorded stays so. Waits for the disk.

@@ -7,10 +7,11 @@ use crate::recordings::Recorder;
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind, Value};
 use engine::StreamIx;
+use protocol::RecordingMark;
 use robot::Waiting;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Condvar, Mutex};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Readings of one stream that may wait when every one counts (touches).
 const QUEUE_MAX_READINGS: usize = 256;
@@ -81,8 +82,8 @@ pub(super) struct Post {
     pub(super) refused: BTreeMap<Id, (u64, String)>,
     /// A run that wants to follow.
     pub(super) successor: Option<Successor>,
-    /// Moments that somebody marked.
-    pub(super) marks: Vec<Mark>,
+    /// Marks that are new or changed.
+    pub(super) marks: Vec<RecordingMark>,
     /// The values that the robot did not do: each with the time of the first and the number by now.
     pub(super) undone: BTreeMap<Undone, (Instant, u64)>,
     /// The actions that people did by hand.
@@ -120,17 +121,6 @@ pub(super) struct Beginning {
     pub(super) file: Arc<BehaviourFile>,
 }
 
-/// A moment that somebody marked.
-#[derive(Debug)]
-pub(super) struct Mark {
-    /// When.
-    pub(super) at: Instant,
-    /// Who.
-    pub(super) by: String,
-    /// What happened.
-    pub(super) note: String,
-}
-
 /// The mailbox.
 #[derive(Debug, Default)]
 pub(super) struct Mailbox {
@@ -145,7 +135,7 @@ struct Inbox {
     undone: BTreeMap<Undone, (Instant, u64)>,
     hands: Vec<DoneByHand>,
     successor: Option<Successor>,
-    marks: Vec<Mark>,
+    marks: Vec<RecordingMark>,
     begin_recording: Option<Beginning>,
     end_recording: Option<String>,
     rung: bool,
@@ -205,14 +195,12 @@ impl Mailbox {
         self.bell.notify_one();
     }
 
-    /// Marks the moment of a press in the recording; false if too many marks wait.
-    pub(super) fn mark(&self, by: &str, note: &str, ago: Duration) -> bool {
+    /// Has the recording keep a mark that is new or changed; false if too many marks wait.
+    pub(super) fn mark(&self, mark: RecordingMark) -> bool {
         let mut inbox = lock(&self.inbox);
         let has_room = inbox.marks.len() < MARKS_MAX;
         if has_room {
-            let now = Instant::now();
-            let at = now.checked_sub(ago).unwrap_or(now);
-            inbox.marks.push(Mark { at, by: by.to_owned(), note: note.to_owned() });
+            inbox.marks.push(mark);
         }
         inbox.rung = true;
         self.bell.notify_one();

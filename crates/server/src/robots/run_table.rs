@@ -3,9 +3,10 @@
 use super::cancel_flag::CancelFlag;
 use super::live::LiveValues;
 use super::mailbox::{Keep, Mailbox};
+use super::run_marks::{Marked, RunMarks};
 use behaviour::{BehaviourFile, Id};
 use engine::{Handover, StreamIx};
-use protocol::{RunPhase, RunState};
+use protocol::{RecordingMark, RunPhase, RunState};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -42,6 +43,8 @@ pub(super) struct PausedMemory {
     pub(super) memory: Handover,
     /// The next instant of its logical time, which stands still meanwhile.
     pub(super) open_ms: u64,
+    /// Its marks, which the run that goes on shows too.
+    pub(super) marks: Vec<RecordingMark>,
 }
 
 /// A run that is not there yet.
@@ -83,6 +86,8 @@ pub(super) struct Entry {
     pub(super) live: LiveValues,
     /// Its sensor streams by id.
     pub(super) senses: Senses,
+    /// Its marks.
+    pub(super) marks: Arc<RunMarks>,
     /// What runs.
     pub(super) file: Arc<BehaviourFile>,
     /// Whether an edited behaviour is about to follow.
@@ -91,6 +96,15 @@ pub(super) struct Entry {
     pub(super) acts: bool,
     /// By which invitation came who started it.
     pub(super) invitation: Option<Id>,
+}
+
+impl Entry {
+    /// What became of a press that made or changed this mark.
+    pub(super) fn marked(&self, mark: RecordingMark) -> Marked {
+        let recording = self.state.recording.as_ref().filter(|recording| recording.trouble.is_none());
+        let later = recording.filter(|_| self.marks.is_closed()).map(|recording| recording.file.clone());
+        Marked { mark, kept: recording.is_some(), later }
+    }
 }
 
 impl RunTable {
@@ -220,6 +234,11 @@ impl RunTable {
     /// The running one of a behaviour.
     pub(super) fn running_of(&self, behaviour: &Id) -> Option<&Entry> {
         self.running().find(|entry| entry.state.behaviour == *behaviour)
+    }
+
+    /// The newest one of a behaviour, running or ended.
+    pub(super) fn newest_of(&self, behaviour: &Id) -> Option<&Entry> {
+        self.runs.values().rev().find(|entry| entry.state.behaviour == *behaviour)
     }
 
     /// One run, if it runs.

@@ -5,8 +5,9 @@ use super::command_queue::{ByHand, Opening, Wanted};
 use super::emission_sink::EmissionSink;
 use super::host::Start;
 use super::live::LiveValues;
-use super::mailbox::{Arrived, Beginning, DoneByHand, Keep, Mailbox, Mark, Post, Undone};
+use super::mailbox::{Arrived, Beginning, DoneByHand, Keep, Mailbox, Post, Undone};
 use super::refusal::{NoRun, RunFailure};
+use super::run_marks::RunMarks;
 use super::run_table::{Applying, Entry, PausedMemory, Senses};
 use super::shared::RobotShared;
 use super::successor::{RunHandover, Successor};
@@ -16,7 +17,7 @@ use crate::recordings::{About, NotRecorded, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Matching, Run};
-use protocol::{RunPhase, RunState};
+use protocol::{RecordingMark, RunPhase, RunState};
 use recording::{Hand, Note, Refusal};
 use robot::Millis;
 use std::cell::Cell;
@@ -127,9 +128,9 @@ pub(super) fn begin<'a>(
     entry.state.recording = runner.sink.recorder.as_mut().and_then(Recorder::news);
     runner.began = (job.clock)();
     let kept = lock(&job.shared.table).take_memory(&job.start.behaviour);
-    if let Some(kept) = kept {
-        runner.go_on(kept);
-    }
+    let before = kept.map(|kept| runner.go_on(kept)).unwrap_or_default();
+    entry.marks.begin(runner.began, before);
+    runner.marks = entry.marks.clone();
     let state = entry.state.clone();
     if job.shared.begin(entry) {
         return Ok((runner, state));
@@ -222,6 +223,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
         cancel: job.cancel.clone(),
         mailbox: mailbox.clone(),
         live: LiveValues::new(job.run, run.streams().len(), run.connectors().len()),
+        marks: Arc::default(),
         acts: acts(run, devices),
         senses: senses(run, devices),
         file: start.file.clone(),
@@ -242,6 +244,8 @@ pub(super) struct Runner<'a> {
     successor: Option<Successor>,
     /// The state of the robot and its room, as a recording has it.
     surroundings: Surroundings,
+    /// The marks that people make meanwhile.
+    marks: Arc<RunMarks>,
 }
 
 impl<'a> Runner<'a> {
@@ -249,12 +253,18 @@ impl<'a> Runner<'a> {
     pub(super) fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, tally: Tally, clock: Rc<Cell<Instant>>) -> Self {
         let sink = EmissionSink::new(job, tally, &run, clock);
         let surroundings = Surroundings::default();
-        Self { run, mailbox, sink, began: (job.clock)(), open_ms: 0, successor: None, surroundings }
+        let marks = Arc::default();
+        Self { run, mailbox, sink, began: (job.clock)(), open_ms: 0, successor: None, surroundings, marks }
     }
 
-    /// This run with the time and the recording of the run that it follows.
-    pub(super) fn since(mut self, began: Instant, open_ms: u64, recorder: Option<Recorder>) -> Self {
-        (self.began, self.open_ms) = (began, open_ms);
+    /// This run with the time, the marks and the recording of the run that it follows.
+    pub(super) fn since(
+        mut self,
+        (began, open_ms): (Instant, u64),
+        marks: Arc<RunMarks>,
+        recorder: Option<Recorder>,
+    ) -> Self {
+        (self.began, self.open_ms, self.marks) = (began, open_ms, marks);
         if let Some(mut recorder) = recorder {
             let start = &self.sink.job.start;
             recorder.applied(open_ms.saturating_sub(1), start.revision, &start.file);
@@ -263,22 +273,28 @@ impl<'a> Runner<'a> {
         self
     }
 
-    /// Where the robot interrupted it: what did not change meanwhile keeps its memory, and logical time continues.
-    fn go_on(&mut self, kept: PausedMemory) {
+    /// Where the robot interrupted it: what did not change meanwhile keeps its memory, and logical time continues. Answers with
+    /// its marks.
+    fn go_on(&mut self, kept: PausedMemory) -> Vec<RecordingMark> {
         self.run.resume_from(kept.memory, &Matching::between(&kept.file, &self.sink.job.start.file));
         self.open_ms = kept.open_ms;
         self.began = self.began.checked_sub(Duration::from_millis(kept.open_ms)).unwrap_or(self.began);
         if let Some(recorder) = &mut self.sink.recorder {
             recorder.memory(self.open_ms, self.run.handover());
         }
+        kept.marks
     }
 
     /// What an interrupted run remembers, unless it was in the middle of a frame.
     fn keep_memory(&self) {
         if self.run.is_between() {
             let job = self.sink.job;
-            let memory =
-                || PausedMemory { file: job.start.file.clone(), memory: self.run.handover(), open_ms: self.open_ms };
+            let memory = || PausedMemory {
+                file: job.start.file.clone(),
+                memory: self.run.handover(),
+                open_ms: self.open_ms,
+                marks: self.marks.all(),
+            };
             lock(&job.shared.table).keep_memory(job.run, memory);
         }
     }
@@ -321,11 +337,13 @@ impl<'a> Runner<'a> {
     /// Comes to its end.
     pub(super) fn finish(mut self, reason: Option<RunFailure>) -> End {
         // A request that was answered just before the end counts.
+        let ended = self.marks.close(self.now_ms());
         let last = self.mailbox.take(Some(Instant::now()));
         self.begin_recording(last.begin_recording);
         self.undone(last.undone);
         self.hands(last.hands);
         self.mark(last.marks);
+        self.mark(ended);
         self.sink.tally.tell(&self.run, self.now_ms(), true);
         let (run, dropped) = (self.sink.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
@@ -365,6 +383,7 @@ impl<'a> Runner<'a> {
             memory: self.run.handover(),
             tally: self.sink.tally,
             recorder: self.sink.recorder,
+            marks: self.marks,
             began: self.began,
             open_ms: self.open_ms,
         };
@@ -410,12 +429,10 @@ impl<'a> Runner<'a> {
         self.open_ms = until_ms + 1;
     }
 
-    fn mark(&mut self, marks: Vec<Mark>) {
-        for Mark { at, by, note } in marks {
-            let at_ms = self.ms_at(at);
-            if let Some(recorder) = &mut self.sink.recorder {
-                recorder.note(Note { at_ms, by, note });
-            }
+    /// Records marks that are new or changed.
+    fn mark(&mut self, marks: Vec<RecordingMark>) {
+        if let Some(recorder) = &mut self.sink.recorder {
+            marks.into_iter().for_each(|mark| recorder.note(Note::from(mark)));
         }
     }
 
@@ -439,7 +456,8 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Is recorded from here on: what it remembers comes first, so that the recording alone gives its actions again.
+    /// Is recorded from here on: what it remembers comes first, so that the recording alone gives its actions again. The marks
+    /// that were made before are kept too.
     fn begin_recording(&mut self, beginning: Option<Beginning>) {
         let Some(Beginning { mut recorder, file }) = beginning else { return };
         let start = &self.sink.job.start;
@@ -449,6 +467,7 @@ impl<'a> Runner<'a> {
         recorder.memory(self.open_ms, self.run.handover());
         self.surroundings = Surroundings::default();
         self.sink.recorder = Some(recorder);
+        self.mark(self.marks.all());
     }
 
     /// Records how the robot and its room are, if that is new.

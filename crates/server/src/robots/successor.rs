@@ -3,6 +3,7 @@
 
 use super::mailbox::Mailbox;
 use super::refusal::NoRun;
+use super::run_marks::RunMarks;
 use super::run_table::{Entry, Senses};
 use super::runner::{self, Job, Runner, devices, open, senses};
 use super::shared::RobotShared;
@@ -31,6 +32,8 @@ pub(super) struct RunHandover {
     pub(super) tally: Tally,
     /// What is recorded, if it is.
     pub(super) recorder: Option<Recorder>,
+    /// Its marks.
+    pub(super) marks: Arc<RunMarks>,
     /// Logical time 0.
     pub(super) began: Instant,
     /// The next instant that still takes readings.
@@ -89,10 +92,10 @@ pub(super) fn go_on<'a>(
     mailbox: Arc<Mailbox>,
     clock: Rc<Cell<Instant>>,
 ) -> Runner<'a> {
-    let RunHandover { memory, tally, recorder, began, open_ms } = handover;
+    let RunHandover { memory, tally, recorder, marks, began, open_ms } = handover;
     run.resume_from(memory, matching);
     let tally = tally.succeeded(&run, matching);
-    Runner::new(job, run, mailbox, tally, clock).since(began, open_ms, recorder)
+    Runner::new(job, run, mailbox, tally, clock).since((began, open_ms), marks, recorder)
 }
 
 impl RobotShared {

@@ -59,7 +59,7 @@ What you start from now on is recorded
 > start
 It cannot start: this server has no data folder; start it with --data DIR.
 > mark she smiles
-The recording did not do this: this run is not recorded; switch Record on first.
+Marked for those who watch; nothing is recorded, so nothing keeps it
 > record off
 Nothing is recorded
 > recordings

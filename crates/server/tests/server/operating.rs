@@ -47,8 +47,7 @@ async fn what_runs_is_recorded_marked_and_marked_again_later() {
     };
     assert_eq!(hand("SayInput").await, Ok(Reply::Done));
     assert!(matches!(hand("Dance").await, Err(Trouble::No(Refused::RobotCannot(why))) if why.contains("Dance")));
-    let note = "she smiles".to_owned();
-    aiko.ask(Request::Mark { behaviour: play.clone(), robot: None, note, ago_ms: 86_400_000 }).await.unwrap();
+    aiko.ask(Request::mark(play.clone(), None, "she smiles", 86_400_000)).await.unwrap();
     aiko.ask(Request::Stop { behaviour: None, robot }).await.unwrap();
     let began = Instant::now();
     let listed = loop {
@@ -61,7 +60,7 @@ async fn what_runs_is_recorded_marked_and_marked_again_later() {
     let [known] = &listed[..] else { panic!("{listed:?}") };
     assert_eq!((known.session.participant.as_deref(), known.by.as_str(), known.marks), (Some("C-07"), "Aiko", Some(1)));
     let first = marks(&aiko, &known.file).await;
-    assert_eq!((first[0].id.as_str(), first[0].t, first[0].note.as_str()), ("note-1", 0, "she smiles"));
+    assert_eq!((first[0].t, first[0].note.as_str(), first[0].by.as_str()), (0, "she smiles", "Aiko"));
     let (file, id) = (known.file.clone(), Id::new("m1").unwrap());
     let mark =
         RecordingMark { id, t: 5, until: Some(9), word: "laughs".to_owned(), sort: MarkSort::Good, ..first[0].clone() };

@@ -58,6 +58,7 @@ pub(crate) fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "marks", "file": "x"}), Viewer),
         (json!({"is": "putMark", "file": "x", "mark": {"id": "m", "t": 1}}), Operator),
         (json!({"is": "mark", "behaviour": "none", "note": ""}), Operator),
+        (json!({"is": "editMark", "run": 0, "id": "m", "edit": "undo"}), Operator),
         (json!({"is": "runs"}), Viewer),
         (json!({"is": "place", "behaviour": "none", "above": null}), Operator),
         (json!({"is": "recordings"}), Viewer),

@@ -3,18 +3,22 @@
 use super::Command;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::{Reply, Request};
 
 pub(crate) const COMMAND: Command = Command {
     name: "mark",
     words: "[NOTE]",
-    help: "Marks this moment in the recording of the loaded program, with a note of what happened.",
+    help: "Marks this moment of the loaded program for all who watch and for its recording, with a note of what happened.",
     run: |console, words| Box::pin(run(console, words)),
 };
 
 async fn run(console: &mut Console, note: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let (behaviour, robot) = (program.behaviour, console.robot.clone());
-    console.ask(Request::Mark { behaviour, robot, note: note.to_owned(), ago_ms: 0 }).await?;
+    let ago_ms = u64::try_from(console.entered.elapsed().as_millis()).unwrap_or(u64::MAX);
+    let reply = console.ask(Request::mark(behaviour, robot, note, ago_ms)).await?;
+    if let Reply::Marked { kept: false, .. } = reply {
+        return Ok("Marked for those who watch; nothing is recorded, so nothing keeps it".to_owned());
+    }
     Ok("Marked".to_owned())
 }

@@ -26,10 +26,8 @@ impl Robots {
     /// Marks this moment in the recording of the open behaviour.
     pub(crate) fn mark(&self, note: &str) {
         if let Some(behaviour) = self.document.open.get_untracked() {
-            let (tab, robot, note) = (self.tab.clone(), self.chosen_id(), note.to_owned());
-            self.tab.ask_or_say(Request::Mark { behaviour, robot, note, ago_ms: 0 }, move |_| {
-                tab.say(words::marked(), false)
-            });
+            let (tab, robot) = (self.tab.clone(), self.chosen_id());
+            self.tab.ask_or_say(Request::mark(behaviour, robot, note, 0), move |_| tab.say(words::marked(), false));
         }
     }
 

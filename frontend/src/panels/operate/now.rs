@@ -25,7 +25,9 @@ type Told = (Sentence, Option<f64>);
 #[component]
 pub(super) fn Now(op: Op) -> impl IntoView {
     let told = told(op);
-    let times = Memo::new(move |_| told.read().iter().map(|sentence| (sentence.clone(), fed(op, sentence))).collect::<Vec<Told>>());
+    let times = Memo::new(move |_| {
+        told.read().iter().map(|sentence| (sentence.clone(), fed(op, sentence))).collect::<Vec<Told>>()
+    });
     let quiet = Memo::new(move |_| op.is_quiet());
     let runs = Memo::new(move |_| op.run().is_some());
     let rows = Memo::new(move |_| {
@@ -113,7 +115,9 @@ fn is_now(fed: Option<f64>) -> bool {
 
 /// The one that happened last.
 fn newest(all: &[Told]) -> Option<&Told> {
-    all.iter().filter(|(_, at)| at.is_some()).max_by(|(_, one), (_, other)| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal))
+    all.iter()
+        .filter(|(_, at)| at.is_some())
+        .max_by(|(_, one), (_, other)| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal))
 }
 
 /// What the robot does, in few large words. Reactive.

@@ -37,13 +37,9 @@ impl Does {
     pub(super) fn is_of(&self, press: &Press) -> bool {
         match self {
             Self::Hand { device, params, value } => {
-                !press.pretended
-                    && device == press.what.as_str()
-                    && (params, value) == (&press.params, &press.value)
+                !press.pretended && device == press.what.as_str() && (params, value) == (&press.params, &press.value)
             }
-            Self::Pretend { stream, value, .. } => {
-                press.pretended && (stream, value) == (&press.what, &press.value)
-            }
+            Self::Pretend { stream, value, .. } => press.pretended && (stream, value) == (&press.what, &press.value),
             Self::Word { .. } => false,
         }
     }
@@ -63,10 +59,8 @@ pub(super) fn pad(desk: Hold) -> Memo<Vec<Tile>> {
     Memo::new(move |_| {
         let document = &desk.desk().document;
         let ids = document.stream_ids.get();
-        let streams: Vec<(Id, Stream)> = ids
-            .into_iter()
-            .filter_map(|id| Some((id.clone(), document.stream(&id)?.record.get())))
-            .collect();
+        let streams: Vec<(Id, Stream)> =
+            ids.into_iter().filter_map(|id| Some((id.clone(), document.stream(&id)?.record.get()))).collect();
         of_graph(&streams)
     })
 }
@@ -83,11 +77,12 @@ pub(super) fn of_graph(streams: &[(Id, Stream)]) -> Vec<Tile> {
         let does = Does::Pretend { stream: id.clone(), value: Value::Bool(true), button: true };
         Some(Tile { label: words::translated(&label), icon: device.icon, does })
     });
-    let by_hand = known.iter().filter(|(_, stream, device)| {
-        stream.kind == StreamKind::Actuator && BY_HAND.contains(&device.name)
-    });
+    let by_hand = known
+        .iter()
+        .filter(|(_, stream, device)| stream.kind == StreamKind::Actuator && BY_HAND.contains(&device.name));
     let by_hand = by_hand.map(|(_, stream, device)| {
-        let does = Does::Hand { device: device.name.to_owned(), params: stream.params.clone(), value: Value::Bool(true) };
+        let does =
+            Does::Hand { device: device.name.to_owned(), params: stream.params.clone(), value: Value::Bool(true) };
         Tile { label: by_hand_words(device, &stream.params), icon: device.icon, does }
     });
     let pretends = known.iter().filter(|(_, _, device)| device.button.is_none()).flat_map(|(id, _, device)| {
@@ -131,8 +126,7 @@ mod tests {
 
     fn stream(id: &str, kind: StreamKind, device: &str, params: &[(&str, &str)]) -> (Id, Stream) {
         let params = params.iter().map(|&(name, value)| (name.to_owned(), Value::text(value))).collect();
-        let stream =
-            Stream { kind, name: id.to_owned(), device: Some(device.to_owned()), params, ..Stream::default() };
+        let stream = Stream { kind, name: id.to_owned(), device: Some(device.to_owned()), params, ..Stream::default() };
         (Id::new(id).unwrap(), stream)
     }
 

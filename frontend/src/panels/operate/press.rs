@@ -185,7 +185,8 @@ impl Op {
 
     /// What a tile shows now. Reactive.
     pub(super) fn shows(self, tile: &Tile) -> Shows {
-        if let (Does::Word { word, span: true }, None) = (&tile.does, self.desk.desk().may_not(protocol::Role::Operator))
+        if let (Does::Word { word, span: true }, None) =
+            (&tile.does, self.desk.desk().may_not(protocol::Role::Operator))
             && let Some(since) = self.span_since(word)
         {
             return Shows::On(self.now.get() - since);
@@ -199,7 +200,7 @@ impl Op {
         let Some(pressed) = pressed else { return Shows::Ready };
         match pressed.became {
             _ if pressed.by.is_some() && now - pressed.at < OTHER_MS => {
-                Shows::By(pressed.by.unwrap_or_else(crate::desk::nobody), pressed.name)
+                Shows::By(pressed.by.unwrap_or_else(crate::desk::new_id), pressed.name)
             }
             Became::Asked => Shows::Going(words::sent_just_now(), 0),
             Became::Not(why) if now - pressed.at < WHY_MS => Shows::Refused(why),

@@ -48,11 +48,13 @@ fn One(op: Op, at: usize, tile: Tile) -> impl IntoView {
         Shows::Ready => None,
         Shows::Cannot(_) if all_rest.get() && op.may() => None,
         Shows::Going(words, _) => Some(view! { <span>{words}</span> }.into_any()),
-        Shows::Next => Some(view! { <i class="op-next" aria-hidden="true"></i><span>{words::comes_next()}</span> }.into_any()),
+        Shows::Next => {
+            Some(view! { <i class="op-next" aria-hidden="true"></i><span>{words::comes_next()}</span> }.into_any())
+        }
         Shows::Refused(why) | Shows::Cannot(why) => Some(view! { <span>{why}</span> }.into_any()),
-        Shows::By(client, name) => Some(
-            view! { <Face op client name=name.clone() /><span>{words::just_now(&name)}</span> }.into_any(),
-        ),
+        Shows::By(client, name) => {
+            Some(view! { <Face op client name=name.clone() /><span>{words::just_now(&name)}</span> }.into_any())
+        }
         Shows::On(ms) => Some(view! { <span>{words::again_ends_it(&super::clock::length(ms))}</span> }.into_any()),
     };
     let share = move || match *shows.read() {

@@ -145,9 +145,9 @@ pub(super) fn Trouble(op: Op) -> impl IntoView {
     let matter = Memo::new(move |_| op.trouble());
     // Of a silence only the seconds change, which are seen and not said.
     let kind = Memo::new(move |_| matter.get().map(|matter| std::mem::discriminant(&matter)));
-    let ended = Memo::new(move |_| op.last().map(|run| run.run).filter(|_| {
-        matches!(*matter.read(), Some(Matter::Stopped(..) | Matter::Ended(_)))
-    }));
+    let ended = Memo::new(move |_| {
+        op.last().map(|run| run.run).filter(|_| matches!(*matter.read(), Some(Matter::Stopped(..) | Matter::Ended(_))))
+    });
     let card = move || {
         kind.get()?;
         let matter_now = matter.get_untracked()?;

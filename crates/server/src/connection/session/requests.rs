@@ -93,6 +93,7 @@ impl Session {
             Request::Stimulate { .. }
             | Request::Hand { .. }
             | Request::Mark { .. }
+            | Request::EditMark { .. }
             | Request::Record { .. }
             | Request::EndRecording { .. }
             | Request::Recordings

@@ -4,10 +4,10 @@ use super::puppet::Puppet;
 use super::together::head;
 use super::{PATIENCE_S, filtered, id, until};
 use crate::recordings::Recordings;
-use crate::robots::{Host, Start};
+use crate::robots::{Host, Marked, Press, Start};
 use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Limits, Run};
-use protocol::{Records, Refused, Session};
+use protocol::{MarkSort, RecordingMark, Records, Refused, Session};
 use robot::Millis;
 use std::sync::Arc;
 use std::time::Instant;
@@ -69,6 +69,16 @@ fn stimulate(robots: &Host, value: i64) {
     robots.stimulate(&id("one"), &id("ball"), Value::Int(value), "Ben").unwrap();
 }
 
+/// Marks a moment so long ago.
+fn mark_at(robots: &Host, note: &str, ago_ms: u64) -> Result<Marked, Refused> {
+    let now = Instant::now();
+    let at = now.checked_sub(std::time::Duration::from_millis(ago_ms)).unwrap_or(now);
+    let [word, by, at_time] = [const { String::new() }; 3];
+    let (id, note, sort) = (behaviour::Id::from_uuid(uuid::Uuid::new_v4()), note.to_owned(), MarkSort::Note);
+    let mark = RecordingMark { id, t: 0, until: None, word, sort, note, by, at: at_time, open: false, gone: false };
+    robots.mark(&self::id("one"), mark, Press { by: "Ben", at })
+}
+
 #[tokio::test]
 async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
     let folder = tempfile::tempdir().unwrap();
@@ -80,7 +90,7 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
         stimulate(&robots, value);
         until("the value was taken", || value <= 3 || puppet.told(run.run).contains(&Value::Int(value))).await;
     }
-    robots.mark(&id("one"), "Ben", "she \"smiles\"", 0).unwrap();
+    mark_at(&robots, "she \"smiles\"", 0).unwrap();
     let shown = robots.runs().borrow()[0].recording.clone().unwrap();
     assert_eq!((shown.lost, shown.trouble.as_deref()), (0, None));
     robots.stop(None, "Ben");
@@ -138,7 +148,7 @@ async fn before_the_first_reading_it_is_listed_and_can_be_marked() {
     assert_eq!(listed.len(), 1);
     assert_eq!(run.recording.map(|recorded| recorded.file).as_ref(), Some(&listed[0].file));
     assert!(!listed[0].cut_off, "it is being written");
-    assert_eq!(robots.mark(&id("one"), "Ben", "quiet", 0), Ok(()));
+    mark_at(&robots, "quiet", 0).unwrap();
     robots.stop(None, "Ben");
     let lines = lines(&recordings).await;
     assert!(lines.iter().any(|line| text(line, "note") == Some("quiet")));
@@ -160,11 +170,11 @@ async fn what_runs_can_be_recorded_from_its_middle_on_and_says_who_pretended_wha
     let run = robots.start(counting("one")).await.unwrap();
     stimulate(&robots, 5);
     until("the first", || puppet.told(run.run) == [Value::Int(5)]).await;
-    assert!(robots.mark(&one, "Ben", "too early", 0).is_err());
+    assert!(!mark_at(&robots, "early", 0).unwrap().kept, "nothing is recorded yet");
     robots.record(&one, "Ben", &session).unwrap();
     robots.record(&one, "Cleo", &Session::default()).unwrap();
     assert_eq!(recordings.list().len(), 1, "once is enough");
-    robots.mark(&one, "Ben", "long ago", 10_000_000).unwrap();
+    assert!(mark_at(&robots, "long ago", 10_000_000).unwrap().kept);
     stimulate(&robots, 2);
     until("the second", || puppet.told(run.run) == [5, 7].map(Value::Int)).await;
     robots.stop(None, "Cleo");
@@ -172,11 +182,12 @@ async fn what_runs_can_be_recorded_from_its_middle_on_and_says_who_pretended_wha
     assert_eq!((text(&lines[0], "by"), text(&lines[0], "participant")), (Some("Ben"), Some("C-07")));
     let reading = lines.iter().find(|line| text(line, "stream") == Some("ball")).unwrap();
     assert_eq!(text(reading, "by"), Some("Ben"));
-    let note = lines.iter().find(|line| mark(line) == Some("note")).unwrap();
-    assert_eq!(note.field("t"), Some(&Value::Int(0)), "what was before Start counts as Start");
+    let notes: Vec<&Value> = lines.iter().filter(|line| mark(line) == Some("note")).collect();
+    assert_eq!(notes.iter().map(|note| text(note, "note")).collect::<Vec<_>>(), [Some("early"), Some("long ago")]);
+    assert_eq!(notes[1].field("t"), Some(&Value::Int(0)), "what was before Start counts as Start");
     let end = lines.last().unwrap();
     assert_eq!((text(end, "why"), text(end, "by")), (Some("it was stopped"), Some("Cleo")));
-    assert_eq!(end.field("marks"), Some(&Value::Int(1)));
+    assert_eq!(end.field("marks"), Some(&Value::Int(2)));
     let path = recordings.find(&recordings.list()[0].file).unwrap();
     let checked = recording::check(&std::fs::read_to_string(path).unwrap()).unwrap();
     assert_eq!((checked.actions, checked.readings), (1, 1), "what it remembered is in it");

@@ -6,16 +6,16 @@ use crate::library::templates::templates;
 use crate::recordings::{About, Recordings};
 use crate::robots::ByHand;
 use crate::robots::Start;
-use crate::robots::mailbox::{Arrived, Beginning, DoneByHand, Mailbox, Mark, Post, Undone};
+use crate::robots::mailbox::{Arrived, Beginning, DoneByHand, Mailbox, Post, Undone};
 use crate::robots::order::Order;
 use crate::robots::refusal::RunFailure;
 use crate::robots::runner::{self, Job, Runner};
 use crate::robots::shared::RobotShared;
 use crate::robots::status_feed::StatusFeed;
 use crate::robots::successor::{self, RunHandover, Successor};
-use behaviour::{BehaviourFile, Engine, StreamKind, Value};
+use behaviour::{BehaviourFile, Engine, Id, StreamKind, Value};
 use engine::{Limits, Matching, Run, StreamIx};
-use protocol::{RobotState, Session};
+use protocol::{MarkSort, RecordingMark, RobotState, Session};
 use recording::{Checked, Different, Ending};
 use std::cell::Cell;
 use std::rc::Rc;
@@ -147,8 +147,11 @@ impl Course {
     fn post(&mut self) -> Post {
         let mut post = Post { readings: self.readings(), ..Post::default() };
         if self.dice.one_in(20) {
-            let at = now() - Duration::from_millis(self.dice.below(500));
-            post.marks.push(Mark { at, by: "Ben".to_owned(), note: "he laughs".to_owned() });
+            let (id, t) =
+                (Id::from_uuid(uuid::Uuid::from_u128(u128::from(self.dice.below(u64::MAX)))), self.dice.below(500));
+            let [word, at] = [const { String::new() }; 2];
+            let (sort, note, by) = (MarkSort::Note, "he laughs".to_owned(), "Ben".to_owned());
+            post.marks.push(RecordingMark { id, t, until: None, word, sort, note, by, at, open: false, gone: false });
         }
         if self.dice.one_in(15) {
             let (device, params, by) = ("Print".to_owned(), behaviour::Params::default(), "Ben".to_owned());

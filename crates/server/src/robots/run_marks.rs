@@ -1,0 +1,309 @@
+//! The marks of a run: told to everybody who watches, and kept by its recording if it has one.
+
+use super::mailbox::Mailbox;
+use crate::recordings::{NotRecorded, tidied};
+use crate::support::lock;
+use behaviour::Id;
+use protocol::{LIVE_MARKS_MAX, MarkEdit, RECORDING_MARKS_MAX, RecordingMark, Refused, UNDO_MARK_MS};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// The most changes of the marks of one run, new marks included.
+const CHANGES_MAX: u64 = 4 * RECORDING_MARKS_MAX as u64;
+
+/// A press: by whom, and when.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Press<'a> {
+    /// The name of the person.
+    pub(crate) by: &'a str,
+    /// The moment of the press.
+    pub(crate) at: Instant,
+}
+
+/// What became of a press.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Marked {
+    /// The mark as it is now.
+    pub(crate) mark: RecordingMark,
+    /// True if a recording keeps it.
+    pub(crate) kept: bool,
+    /// The file of the recording beside which the mark has still to be written, as its run has ended.
+    pub(crate) later: Option<String>,
+}
+
+/// The marks of one run.
+#[derive(Debug)]
+pub(crate) struct RunMarks {
+    inner: Mutex<Inner>,
+}
+
+#[derive(Debug)]
+struct Inner {
+    /// The beginning of logical time.
+    began: Instant,
+    /// Every mark of the run, those that are gone included.
+    marks: Vec<Told>,
+    /// The number of changes.
+    version: u64,
+    /// The time at which the run ended, in milliseconds since Start.
+    ended_ms: Option<u64>,
+}
+
+/// A mark as it is told.
+#[derive(Debug)]
+struct Told {
+    mark: RecordingMark,
+    /// The last press of who made it: of its beginning, or of the end of the span.
+    pressed: Instant,
+    /// The change that made it as it is.
+    version: u64,
+}
+
+impl Default for RunMarks {
+    fn default() -> Self {
+        Self { inner: Mutex::new(Inner { began: Instant::now(), marks: Vec::new(), version: 0, ended_ms: None }) }
+    }
+}
+
+impl RunMarks {
+    /// Logical time began then; `before` are the marks of the interrupted run that this one continues.
+    pub(super) fn begin(&self, began: Instant, before: Vec<RecordingMark>) {
+        let mut inner = lock(&self.inner);
+        inner.began = began;
+        let known: Vec<Id> = inner.marks.iter().map(|told| told.mark.id.clone()).collect();
+        for mark in before.into_iter().filter(|mark| !known.contains(&mark.id)) {
+            inner.version += 1;
+            let version = inner.version;
+            inner.marks.push(Told { mark, pressed: began, version });
+        }
+    }
+
+    /// Marks the moment of a press, or begins a span there. A mark of this id that is here already stays as it is.
+    ///
+    /// # Errors
+    /// If a text of it is too long, if there are too many marks, or if the run had ended by then.
+    pub(super) fn put(&self, mark: RecordingMark, press: Press, mailbox: &Mailbox) -> Result<RecordingMark, Refused> {
+        let open = mark.open;
+        let mark = RecordingMark { open, ..tidied(RecordingMark { until: None, ..mark })? };
+        let mut inner = lock(&self.inner);
+        if let Some(known) = inner.marks.iter().find(|told| told.mark.id == mark.id) {
+            return Ok(known.mark.clone());
+        }
+        if inner.marks.len() >= RECORDING_MARKS_MAX {
+            return Err(NotRecorded::TooManyMarks.into());
+        }
+        let mut mark = RecordingMark { t: inner.ms_at(press.at), by: press.by.to_owned(), ..mark };
+        if let Some(ended_ms) = inner.ended_ms {
+            if mark.t > ended_ms {
+                return Err(Refused::NotRunning);
+            }
+            end(&mut mark, ended_ms);
+        }
+        let version = inner.next_version()?;
+        inner.hand_on(&mark, mailbox)?;
+        inner.version = version;
+        inner.marks.push(Told { mark: mark.clone(), pressed: press.at, version });
+        Ok(mark)
+    }
+
+    /// Changes a mark.
+    ///
+    /// # Errors
+    /// If there is no such mark, if the note is too long, or if it cannot be taken back any more.
+    pub(super) fn edit(
+        &self,
+        id: &Id,
+        edit: MarkEdit,
+        press: Press,
+        mailbox: &Mailbox,
+    ) -> Result<RecordingMark, Refused> {
+        let mut inner = lock(&self.inner);
+        let at_ms = inner.ms_at(press.at);
+        let version = inner.next_version()?;
+        let at = inner.marks.iter().position(|told| told.mark.id == *id).ok_or(NotRecorded::NoMark)?;
+        let known = &inner.marks[at];
+        let mut mark = known.mark.clone();
+        match edit {
+            MarkEdit::End => end(&mut mark, at_ms),
+            MarkEdit::Note(note) => mark.note = tidied(RecordingMark { note, until: None, ..mark.clone() })?.note,
+            MarkEdit::Undo => {
+                let late = press.at.saturating_duration_since(known.pressed) > Duration::from_millis(UNDO_MARK_MS);
+                if !mark.gone && (late || mark.by != press.by) {
+                    return Err(NotRecorded::NotUndone.into());
+                }
+                (mark.gone, mark.open) = (true, false);
+            }
+        }
+        if mark == known.mark {
+            return Ok(mark);
+        }
+        inner.hand_on(&mark, mailbox)?;
+        let pressed = if mark.until == known.mark.until { known.pressed } else { press.at };
+        inner.marks[at] = Told { mark: mark.clone(), pressed, version };
+        inner.version = version;
+        Ok(mark)
+    }
+
+    /// Ends every span that is open, as the run ends at this time; answers with those. From now on nothing waits for the run.
+    pub(super) fn close(&self, at_ms: u64) -> Vec<RecordingMark> {
+        let mut inner = lock(&self.inner);
+        inner.ended_ms = Some(at_ms);
+        let mut version = inner.version;
+        let ended: Vec<_> = inner
+            .marks
+            .iter_mut()
+            .filter(|told| told.mark.open)
+            .map(|told| {
+                version += 1;
+                end(&mut told.mark, at_ms);
+                told.version = version;
+                told.mark.clone()
+            })
+            .collect();
+        inner.version = version;
+        ended
+    }
+
+    /// True if the run has ended.
+    pub(super) fn is_closed(&self) -> bool {
+        lock(&self.inner).ended_ms.is_some()
+    }
+
+    /// All marks that are there, oldest first.
+    pub(super) fn all(&self) -> Vec<RecordingMark> {
+        let inner = lock(&self.inner);
+        inner.marks.iter().map(|told| told.mark.clone()).filter(|mark| !mark.gone).collect()
+    }
+
+    /// The marks that changed since, as many as one message tells; `seen` then counts them.
+    pub(crate) fn since(&self, seen: &mut u64) -> Vec<RecordingMark> {
+        let inner = lock(&self.inner);
+        if inner.version <= *seen {
+            return Vec::new();
+        }
+        let from = *seen;
+        let mut newer: Vec<&Told> = inner.marks.iter().filter(|told| told.version > from).collect();
+        newer.sort_by_key(|told| told.version);
+        newer.truncate(LIVE_MARKS_MAX);
+        *seen = newer.last().map_or(inner.version, |told| told.version);
+        newer.into_iter().map(|told| told.mark.clone()).collect()
+    }
+}
+
+impl Inner {
+    /// Hands a mark to the recording, while the run takes what waits for it.
+    fn hand_on(&self, mark: &RecordingMark, mailbox: &Mailbox) -> Result<(), Refused> {
+        let is_taken = self.ended_ms.is_some() || mailbox.mark(mark.clone());
+        if is_taken { Ok(()) } else { Err(Refused::TooFast) }
+    }
+
+    fn next_version(&self) -> Result<u64, Refused> {
+        if self.version < CHANGES_MAX { Ok(self.version + 1) } else { Err(NotRecorded::TooManyMarks.into()) }
+    }
+
+    fn ms_at(&self, at: Instant) -> u64 {
+        u64::try_from(at.saturating_duration_since(self.began).as_millis()).unwrap_or(u64::MAX)
+    }
+}
+
+/// Ends an open span, at least a millisecond after its beginning.
+fn end(mark: &mut RecordingMark, at_ms: u64) {
+    if mark.open {
+        (mark.open, mark.until) = (false, Some(at_ms.max(mark.t + 1)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LIVE_MARKS_MAX, Mailbox, Press, RecordingMark, RunMarks};
+    use behaviour::Id;
+    use protocol::{MarkEdit, MarkSort};
+    use std::time::{Duration, Instant};
+
+    fn id(name: &str) -> Id {
+        Id::new(name).unwrap()
+    }
+
+    fn mark(name: &str, open: bool) -> RecordingMark {
+        let [note, by, at] = [const { String::new() }; 3];
+        let (word, sort) = ("smiles".to_owned(), MarkSort::Good);
+        RecordingMark { id: id(name), t: 0, until: None, word, sort, note, by, at, open, gone: false }
+    }
+
+    /// Takes what waits, as the run does.
+    fn empty(mailbox: &Mailbox) -> usize {
+        mailbox.take(Some(Instant::now())).marks.len()
+    }
+
+    #[test]
+    fn a_mark_that_is_sent_twice_counts_once_and_has_the_time_of_the_press() {
+        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
+        marks.begin(began, Vec::new());
+        let press = Press { by: "Aiko", at: began + Duration::from_millis(700) };
+        let first = marks.put(mark("a", false), press, &mailbox).unwrap();
+        assert_eq!((first.t, first.by.as_str()), (700, "Aiko"));
+        let late = Press { by: "Ben", at: began + Duration::from_secs(9) };
+        assert_eq!(marks.put(mark("a", false), late, &mailbox).unwrap(), first);
+        assert_eq!((marks.all(), empty(&mailbox)), (vec![first], 1));
+    }
+
+    #[test]
+    fn a_span_ends_once_and_what_is_open_ends_with_the_run() {
+        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
+        marks.begin(began, Vec::new());
+        let at = |ms| Press { by: "Aiko", at: began + Duration::from_millis(ms) };
+        for name in ["a", "b"] {
+            assert!(marks.put(mark(name, true), at(100), &mailbox).unwrap().open);
+        }
+        let ended = marks.edit(&id("a"), MarkEdit::End, at(300), &mailbox).unwrap();
+        assert_eq!((ended.until, ended.open), (Some(300), false));
+        assert_eq!(marks.edit(&id("a"), MarkEdit::End, at(900), &mailbox).unwrap(), ended);
+        let ended = marks.close(50);
+        assert_eq!(ended.iter().map(|mark| (mark.id.as_str(), mark.until)).collect::<Vec<_>>(), [("b", Some(101))]);
+        assert!(marks.close(60).is_empty());
+        let late = marks.put(mark("c", true), at(40), &mailbox).unwrap();
+        assert_eq!((late.t, late.until), (40, Some(60)), "a press that came late by a bad link");
+        assert!(marks.put(mark("d", true), at(61), &mailbox).is_err());
+        assert!(marks.is_closed() && empty(&mailbox) == 3, "{:?}", marks.all());
+    }
+
+    #[test]
+    fn who_made_a_mark_takes_it_back_for_ten_seconds() {
+        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
+        marks.begin(began, Vec::new());
+        let by = |by: &'static str, ms| Press { by, at: began + Duration::from_millis(ms) };
+        for name in ["a", "b"] {
+            marks.put(mark(name, name == "b"), by("Aiko", 1_000), &mailbox).unwrap();
+        }
+        let undo = |name: &str, press| marks.edit(&id(name), MarkEdit::Undo, press, &mailbox);
+        assert!(undo("a", by("Ben", 2_000)).unwrap_err().to_string().contains("by who made it"));
+        assert!(undo("a", by("Aiko", 11_001)).is_err(), "too late");
+        assert!(undo("a", by("Aiko", 11_000)).unwrap().gone);
+        assert!(undo("a", by("Aiko", 60_000)).unwrap().gone, "sent again, it is as it was");
+        marks.edit(&id("b"), MarkEdit::End, by("Aiko", 30_000), &mailbox).unwrap();
+        assert!(undo("b", by("Aiko", 35_000)).unwrap().gone, "the end of a span is a press too");
+        assert!(undo("c", by("Aiko", 1)).unwrap_err().to_string().contains("no such mark"));
+    }
+
+    #[test]
+    fn whoever_comes_later_hears_all_in_parts_and_then_what_is_new() {
+        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
+        let press = Press { by: "Aiko", at: began };
+        for number in 0..=LIVE_MARKS_MAX {
+            marks.put(mark(&format!("m{number}"), false), press, &mailbox).unwrap();
+            empty(&mailbox);
+        }
+        let mut seen = 0;
+        assert_eq!([marks.since(&mut seen).len(), marks.since(&mut seen).len()], [LIVE_MARKS_MAX, 1]);
+        assert!(marks.since(&mut seen).is_empty());
+        let note = || MarkEdit::Note(" he laughs ".to_owned());
+        marks.edit(&id("m3"), note(), press, &mailbox).unwrap();
+        marks.edit(&id("m3"), note(), press, &mailbox).unwrap();
+        let told = marks.since(&mut seen);
+        assert_eq!(
+            told.iter().map(|mark| (mark.id.as_str(), mark.note.as_str())).collect::<Vec<_>>(),
+            [("m3", "he laughs")]
+        );
+        assert!(marks.edit(&id("m3"), MarkEdit::Note("n".repeat(201)), press, &mailbox).is_err());
+    }
+}
