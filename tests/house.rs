@@ -19,7 +19,7 @@ const LIBRARIES: [(&str, &[&str]); 10] = [
     ("protocol", &["serde"]),
     ("qi", &["rustls", "sha2", "thiserror", "tokio", "tokio-rustls"]),
     ("recording", &["serde", "serde_json"]),
-    ("robot", &["serde"]),
+    ("robot", &["serde", "serde_json"]),
     ("sentences", &["serde"]),
     ("simulation", &["libm", "rapier3d", "serde", "toml"]),
     (

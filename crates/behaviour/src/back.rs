@@ -97,7 +97,7 @@ pub fn what_went(removal: &Change) -> Option<String> {
 fn rank(id: &RecordId, record: &Record) -> (u8, i64, Id) {
     let (kind, order) = match record {
         Record::Stream(stream) => (0, stream.order),
-        Record::Helper(_) | Record::Note(_) | Record::Settings(_) => (1, 0),
+        Record::Helper(_) | Record::Note(_) | Record::Settings(_) | Record::Pad(_) => (1, 0),
         Record::Connector(connector) => (2, connector.order),
         Record::Group(_) => (3, 0),
         Record::Place(_) => (4, 0),

@@ -1,7 +1,7 @@
 //! Texts without control characters, before anybody sees or saves them: word processors put a vertical tab where
 //! Shift+Enter was pressed, and neither a browser nor XML shows one.
 
-use crate::{Change, Procedure, Record, Value, without_control};
+use crate::{Change, Procedure, Record, TileAction, Value, without_control};
 use std::borrow::Cow;
 
 impl Change {
@@ -26,6 +26,11 @@ fn clean(record: &mut Record) {
                 keep(body, ' ');
             }
         }
+        Record::Pad(pad) => pad.tiles.values_mut().for_each(|tile| match &mut tile.does {
+            TileAction::Hand { params, value, .. } => params.values_mut().chain([value]).for_each(keep_value),
+            TileAction::Pretend { value, .. } => keep_value(value),
+            TileAction::Word { .. } => {}
+        }),
         Record::Settings(_) | Record::Place(_) | Record::Group(_) => {}
     }
 }

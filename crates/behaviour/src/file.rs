@@ -48,6 +48,9 @@ pub struct BehaviourFile {
     /// The titled frames around streams.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub groups: Vec<FileGroup>,
+    /// The tiles of the pad, if somebody made one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pad: Option<Vec<FileTile>>,
     /// The creation numbers of streams and connectors, by id, where they are not their position in the file.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub order: BTreeMap<String, i64>,
@@ -189,4 +192,32 @@ pub struct FileGroup {
     /// Drawn as one box; no if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub folded: Option<bool>,
+}
+
+/// A tile of the pad in a file: an action of the robot, a sense that is pretended, or a word.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FileTile {
+    /// The key of the tile, 1 to 9.
+    pub key: u8,
+    /// The words on it.
+    pub label: String,
+    /// The action that the robot does by hand.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device: Option<String>,
+    /// The parameters of the action.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub params: Option<Params>,
+    /// The stream whose sense is pretended, by id. It may be gone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stream: Option<String>,
+    /// The value that the action or the sense is told; null if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub value: Option<Value>,
+    /// The word by which a moment is marked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub word: Option<String>,
+    /// True if the word marks a span; no if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub span: Option<bool>,
 }

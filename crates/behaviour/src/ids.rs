@@ -96,9 +96,11 @@ pub enum Kind {
     Note,
     /// A titled frame around streams.
     Group,
+    /// The tiles that people press beside a session; there is one at most, with id `pad`.
+    Pad,
 }
 
-const WORDS: [(Kind, &str); 7] = [
+const WORDS: [(Kind, &str); 8] = [
     (Kind::Settings, "settings"),
     (Kind::Helper, "helper"),
     (Kind::Stream, "stream"),
@@ -106,6 +108,7 @@ const WORDS: [(Kind, &str); 7] = [
     (Kind::Place, "place"),
     (Kind::Note, "note"),
     (Kind::Group, "group"),
+    (Kind::Pad, "pad"),
 ];
 
 impl Kind {
@@ -136,6 +139,12 @@ impl RecordId {
     #[must_use]
     pub fn settings() -> Self {
         Self { kind: Kind::Settings, id: Id(Arc::from("behaviour")) }
+    }
+
+    /// The one pad of a behaviour.
+    #[must_use]
+    pub fn pad() -> Self {
+        Self { kind: Kind::Pad, id: Id(Arc::from("pad")) }
     }
 }
 
@@ -173,8 +182,16 @@ mod tests {
 
     #[test]
     fn a_record_id_reads_as_it_is_written() {
-        for text in ["stream/s0", "place/a-b_C", "settings/behaviour", "helper/x", "connector/c1", "note/9", "group/g"]
-        {
+        for text in [
+            "stream/s0",
+            "place/a-b_C",
+            "settings/behaviour",
+            "helper/x",
+            "connector/c1",
+            "note/9",
+            "group/g",
+            "pad/pad",
+        ] {
             assert_eq!(text.parse::<RecordId>().unwrap().to_string(), text);
         }
         assert_eq!(RecordId::settings().kind, Kind::Settings);

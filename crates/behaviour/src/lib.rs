@@ -27,6 +27,7 @@ mod names;
 mod numbered;
 mod operation;
 mod otherwise;
+mod pad;
 mod problems;
 mod record;
 mod room;
@@ -46,7 +47,9 @@ pub use change::{Change, Edit};
 pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
 pub use compare::{Comparison, Difference};
 pub use fields::{Fields, Names};
-pub use file::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, Flaw, FlawKind};
+pub use file::{
+    BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile, Flaw, FlawKind,
+};
 pub use filled::Filled;
 pub use graph::Graph;
 pub use history::{History, check_person};
@@ -65,6 +68,7 @@ pub use names::{
 pub use numbered::numbered;
 pub use operation::{Operation, Parameters};
 pub use otherwise::{OTHERWISE, follows_test, is_otherwise, opposite, with_otherwise, without_late_followers};
+pub use pad::{Pad, TILE_KEYS, TILE_MAX_BYTES, TILE_MAX_CHARS, Tile, TileAction};
 pub use problems::{Fix, FixKind, Problem, ProblemKind, fixes, fixes_seeing, near, problems, problems_seeing};
 pub use record::{
     Behaviour, Connector, Engine, Group, Helper, Note, Params, Place, Procedure, Record, Settings, Stream, StreamKind,

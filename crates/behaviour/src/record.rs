@@ -1,6 +1,6 @@
 //! The records a behaviour is made of.
 
-use crate::{Declared, Id, Kind, Operation, RecordId, Value};
+use crate::{Declared, Id, Kind, Operation, Pad, RecordId, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -236,6 +236,8 @@ pub enum Record {
     Note(Note),
     /// A titled frame around streams.
     Group(Group),
+    /// The tiles that people press beside a session.
+    Pad(Pad),
 }
 
 impl Record {
@@ -250,6 +252,7 @@ impl Record {
             Self::Place(_) => Kind::Place,
             Self::Note(_) => Kind::Note,
             Self::Group(_) => Kind::Group,
+            Self::Pad(_) => Kind::Pad,
         }
     }
 }
@@ -268,6 +271,15 @@ impl Behaviour {
     pub fn settings(&self) -> Option<&Settings> {
         match self.records.get(&RecordId::settings()) {
             Some(Record::Settings(settings)) => Some(settings),
+            _ => None,
+        }
+    }
+
+    /// The pad that somebody made, if there is one.
+    #[must_use]
+    pub fn pad(&self) -> Option<&Pad> {
+        match self.records.get(&RecordId::pad()) {
+            Some(Record::Pad(pad)) => Some(pad),
             _ => None,
         }
     }

@@ -192,6 +192,7 @@ impl Room {
             Some(Record::Place(_)) => "this position".to_owned(),
             Some(Record::Note(_)) => "this note".to_owned(),
             Some(Record::Group(_)) => "this group".to_owned(),
+            Some(Record::Pad(_)) => "the tiles".to_owned(),
             None => "this".to_owned(),
         }
     }

@@ -239,6 +239,7 @@ fn names_in(record: &Record) -> Vec<&str> {
             None => Vec::new(),
         },
         Record::Group(group) => vec![&group.title],
+        Record::Pad(pad) => pad.names(),
         Record::Place(_) | Record::Note(_) => Vec::new(),
     }
 }
@@ -253,6 +254,7 @@ fn check_touched(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) 
             Record::Helper(helper) => check_helper(helper, knowledge)?,
             Record::Note(note) => check_note(note)?,
             Record::Group(group) => check_group(group)?,
+            Record::Pad(pad) => crate::pad::check(&edit.id, pad, knowledge)?,
             Record::Place(place) if place.x.is_finite() && place.y.is_finite() => {}
             Record::Place(_) => return Err(Refusal::Malformed("a position".into())),
         }

@@ -5,11 +5,11 @@
 //! kept up to date edit by edit.
 
 use crate::{
-    Behaviour, Change, Connector, Edit, Group, Helper, Id, Kind, Note, Procedure, Record, RecordId, Refusal, Settings,
-    Stream, Value,
+    Behaviour, Change, Connector, Edit, Group, Helper, Id, Kind, Note, Pad, Procedure, Record, RecordId, Refusal,
+    Settings, Stream, TileAction, Value,
 };
 
-/// The streams, connectors, places, notes, groups and settings of one behaviour together, in bytes.
+/// The streams, connectors, places, notes, groups, pad and settings of one behaviour together, in bytes.
 pub const BEHAVIOUR_MAX_BYTES: usize = 6 << 20;
 /// All helpers of the library together, in bytes.
 pub const LIBRARY_MAX_BYTES: usize = 2 << 20;
@@ -36,6 +36,8 @@ const CONNECTOR_BYTES: usize = 224;
 const PLACE_BYTES: usize = 96;
 const NOTE_BYTES: usize = 128;
 const GROUP_BYTES: usize = 128;
+const PAD_BYTES: usize = 64;
+const TILE_BYTES: usize = 192;
 /// The marks around one stream of a group, of which many are in one line of a file.
 const MEMBER_BYTES: usize = 12;
 /// The words around one name, input or argument of a list.
@@ -59,6 +61,7 @@ pub(crate) struct Size {
     places: Amount,
     notes: Amount,
     groups: Amount,
+    pads: Amount,
     settings: Amount,
 }
 
@@ -114,6 +117,7 @@ impl Size {
             Kind::Place => &mut self.places,
             Kind::Note => &mut self.notes,
             Kind::Group => &mut self.groups,
+            Kind::Pad => &mut self.pads,
         }
     }
 
@@ -124,12 +128,12 @@ impl Size {
 
     /// Returns the bytes of everything but helpers, which live in the library.
     fn behaviour_bytes(&self) -> usize {
-        let all = [self.settings, self.streams, self.connectors, self.places, self.notes, self.groups];
+        let all = [self.settings, self.streams, self.connectors, self.places, self.notes, self.groups, self.pads];
         all.iter().map(|amount| amount.bytes).sum()
     }
 
     fn behaviour_entries(&self) -> usize {
-        self.streams.entries + self.connectors.entries
+        self.streams.entries + self.connectors.entries + self.pads.entries
     }
 
     /// Checks that this size fits. A whole that is too large already, made by an older version, may become smaller or
@@ -172,11 +176,12 @@ pub fn record_bytes(id: &RecordId, record: &Record) -> usize {
         Record::Place(_) => PLACE_BYTES,
         Record::Note(Note { text, by, at_ms: _ }) => NOTE_BYTES + text_bytes(text) + text_bytes(by),
         Record::Group(group) => group_bytes(group),
+        Record::Pad(pad) => pad_bytes(pad),
     };
     own + ID_TIMES * id_bytes(&id.id)
 }
 
-/// Counts the entries in the lists of a stream or connector.
+/// Counts the entries in the lists of a stream or connector, and in the tiles of a pad.
 fn entries(record: &Record) -> usize {
     match record {
         Record::Stream(stream) => {
@@ -188,6 +193,10 @@ fn entries(record: &Record) -> usize {
                 _ => 0,
             };
             connector.inputs.len() + args + connector.operation.start().map_or(0, value_entries)
+        }
+        Record::Pad(pad) => {
+            let values = pad.tiles.values().flat_map(|tile| tile.does.values());
+            values.map(|(_, value)| value_entries(value)).sum()
         }
         Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) | Record::Group(_) => 0,
     }
@@ -230,6 +239,19 @@ fn settings_bytes(settings: &Settings) -> usize {
 fn group_bytes(group: &Group) -> usize {
     let members = group.streams.iter().map(|id| MEMBER_BYTES + id_bytes(id));
     GROUP_BYTES + text_bytes(&group.title) + members.sum::<usize>()
+}
+
+fn pad_bytes(pad: &Pad) -> usize {
+    let tiles = pad.tiles.values().map(|tile| {
+        let own = match &tile.does {
+            TileAction::Hand { device, .. } => text_bytes(device),
+            TileAction::Pretend { stream, .. } => id_bytes(stream),
+            TileAction::Word { word, .. } => text_bytes(word),
+        };
+        let values = tile.does.values().map(|(name, value)| PARAM_BYTES + text_bytes(name) + value_bytes(value));
+        TILE_BYTES + text_bytes(&tile.label) + own + values.sum::<usize>()
+    });
+    PAD_BYTES + tiles.sum::<usize>()
 }
 
 fn helper_bytes(helper: &Helper) -> usize {

@@ -1,8 +1,8 @@
 //! A behaviour as a file and back: nothing that its records hold is lost.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Connector, Flaw, FlawKind, Group, Id, Kind, Note, Params, Place, Procedure, Record,
-    RecordId, Settings, Stream, StreamKind, connectors,
+    Behaviour, BehaviourFile, Connector, FileTile, Flaw, FlawKind, Group, Id, Kind, Note, Pad, Params, Place,
+    Procedure, Record, RecordId, Settings, Stream, StreamKind, Tile, TileAction, Value, connectors,
 };
 
 fn id(text: &str) -> Id {
@@ -32,6 +32,14 @@ fn full() -> Behaviour {
         let streams = streams.iter().map(|stream| id(stream)).collect();
         Record::Group(Group { title: "Group".to_owned(), streams, folded })
     };
+    let tile = |label: &str, does| Tile { label: label.to_owned(), does };
+    let params = Params::from([("text".to_owned(), "Hello".into())]);
+    let tiles = [
+        (1, tile("Hello", TileAction::Hand { device: "SayParameter".to_owned(), params, value: Value::Null })),
+        (3, tile("Touched", TileAction::Pretend { stream: id("s2"), value: true.into() })),
+        (4, tile("Gone", TileAction::Pretend { stream: id("gone"), value: 1.into() })),
+        (9, tile("Smiles", TileAction::Word { word: "smile".to_owned(), span: true })),
+    ];
     let place = |x| Record::Place(Place { x, y: -0.5 });
     let records = [
         (RecordId::settings(), Record::Settings(settings)),
@@ -43,6 +51,7 @@ fn full() -> Behaviour {
         (RecordId::new(Kind::Note, &id("n1")), Record::Note(signed)),
         (RecordId::new(Kind::Group, &id("g0")), group(&["s0", "gone"], true)),
         (RecordId::new(Kind::Group, &id("g1")), group(&[], false)),
+        (RecordId::pad(), Record::Pad(Pad { tiles: tiles.into() })),
         (RecordId::new(Kind::Place, &id("g0")), place(2.0)),
         (RecordId::new(Kind::Place, &id("n0")), place(1.0)),
         (RecordId::new(Kind::Place, &id("s0")), place(0.1)),
@@ -71,6 +80,9 @@ fn a_copy_has_new_ids_the_same_order_and_its_notes() {
     assert_eq!(copy.place(&id("new-g0")).unwrap().x.to_bits(), 2.0_f64.to_bits());
     assert_eq!(copy.settings().unwrap().exercise.as_deref(), Some("Near"));
     assert_eq!(copy.connector(&id("new-c0")).unwrap().inputs, [id("new-s1")]);
+    let tiles = &copy.pad().unwrap().tiles;
+    assert!(matches!(&tiles[&3].does, TileAction::Pretend { stream, .. } if *stream == id("new-s2")));
+    assert_eq!(tiles.keys().collect::<Vec<_>>(), [&1, &3, &9], "a tile of what is gone stays behind");
     assert_eq!(copy.records.len(), full().records.len() - 1, "the place of nothing stays behind");
 }
 
@@ -104,6 +116,34 @@ fn a_stream_is_in_one_group_of_a_file() {
 #[test]
 fn what_stands_around_the_graph_does_not_change_how_it_runs() {
     let (with, mut without) = (full(), full());
-    without.records.retain(|id, _| !matches!(id.kind, Kind::Group | Kind::Note | Kind::Place));
+    without.records.retain(|id, _| !matches!(id.kind, Kind::Group | Kind::Note | Kind::Place | Kind::Pad));
     assert_eq!(BehaviourFile::of(&with, &[]).fingerprint(), BehaviourFile::of(&without, &[]).fingerprint());
+}
+
+#[test]
+fn a_tile_is_one_thing_under_a_key_of_its_own() {
+    let broken: [fn(&mut Vec<FileTile>); 6] = [
+        |tiles| tiles[0].key = 3,
+        |tiles| tiles[0].key = 10,
+        |tiles| tiles[0].word = Some("word".to_owned()),
+        |tiles| tiles[0].device = None,
+        |tiles| tiles[1].params = Some(Params::new()),
+        |tiles| tiles[3].value = Some(Value::Int(1)),
+    ];
+    for (at, break_it) in broken.into_iter().enumerate() {
+        let mut file = BehaviourFile::of(&full(), &[]);
+        break_it(file.pad.as_mut().unwrap());
+        let flaws = file.records(|_| None).unwrap_err();
+        assert!(matches!(&flaws[..], [Flaw { kind: FlawKind::Tile, .. }]), "{at}: {flaws:?}");
+    }
+}
+
+#[test]
+fn a_behaviour_without_a_pad_is_written_as_it_always_was() {
+    let mut plain = full();
+    plain.records.remove(&RecordId::pad());
+    let text = serde_json::to_string(&BehaviourFile::of(&plain, &[])).unwrap();
+    assert!(!text.contains("pad"), "{text}");
+    let file: BehaviourFile = serde_json::from_str(&text).unwrap();
+    assert_eq!(file.records(|_| None).unwrap(), plain);
 }

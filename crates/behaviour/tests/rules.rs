@@ -1,8 +1,9 @@
 //! Every rule of the graph: what breaks it is refused with one sentence, and nothing changes.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Change, Connector, Decision, Group, Id, Kind, Knowledge, Note, Operation, Parameters,
-    Params, Procedure, Record, RecordId, Refusal, Room, Settings, Stream, StreamKind, connectors, problems,
+    Behaviour, BehaviourFile, Change, Connector, Decision, Group, Id, Kind, Knowledge, Note, Operation, Pad,
+    Parameters, Params, Procedure, Record, RecordId, Refusal, Room, Settings, Stream, StreamKind, TILE_MAX_BYTES,
+    TILE_MAX_CHARS, Tile, TileAction, Value, connectors, problems,
 };
 
 struct Anything;
@@ -358,4 +359,61 @@ fn twins_of_before_stay_until_one_is_changed() {
     let other = Change::of(id("x"), "Aiko", "Rename");
     let other = other.put(&before, RecordId::new(Kind::Stream, &id("one")), stream(StreamKind::Sensor, "Bell"));
     assert!(matches!(room.propose(0, other, &Anything), Decision::Save(_)));
+}
+
+fn pad(key: u8, label: &str, does: TileAction) -> Option<Record> {
+    Some(Record::Pad(Pad { tiles: [(key, Tile { label: label.to_owned(), does })].into() }))
+}
+
+#[test]
+fn a_behaviour_has_one_pad_of_nine_tiles_that_can_be_pressed() {
+    let word = |word: &str| TileAction::Word { word: word.to_owned(), span: false };
+    let hand = |device: &str, value: Value| {
+        let (device, params) = (device.to_owned(), Params::new());
+        TileAction::Hand { device, params, value }
+    };
+    let pretend = |stream: &str| TileAction::Pretend { stream: id(stream), value: Value::Int(1) };
+    let answer = |name: &str, record| match propose(&[(Kind::Pad, name, record)]) {
+        Decision::Refuse(refusal) => Err(refusal),
+        _ => Ok(()),
+    };
+    for does in [word("smile"), hand("Walk", Value::Null), pretend("ball"), pretend("close"), pretend("gone")] {
+        assert_eq!(answer("pad", pad(9, "Press", does.clone())), Ok(()), "{does:?}");
+    }
+    assert_eq!(answer("pad", Some(Record::Pad(Pad::default()))), Ok(()), "one without tiles");
+    let refused = |name, record| answer(name, record).unwrap_err();
+    assert!(matches!(refused("other", pad(1, "Press", word("smile"))), Refusal::Malformed(_)));
+    for key in [0, 10] {
+        assert!(matches!(refused("pad", pad(key, "Press", word("smile"))), Refusal::Malformed(_)));
+    }
+    for text in ["", " ", "a\u{7}"] {
+        assert!(
+            matches!(refused("pad", pad(1, text, word("smile"))), Refusal::Name(_) | Refusal::Unseen(_)),
+            "{text:?}"
+        );
+        assert!(
+            matches!(refused("pad", pad(1, "Press", word(text))), Refusal::Name(_) | Refusal::Unseen(_)),
+            "{text:?}"
+        );
+    }
+    let long = "x".repeat(TILE_MAX_CHARS + 1);
+    assert_eq!(refused("pad", pad(1, &long, word("smile"))), Refusal::TooLong("This label".into(), 40));
+    assert_eq!(refused("pad", pad(1, "Press", word(&long))), Refusal::TooLong("This word".into(), 40));
+    let large = Value::text("x".repeat(TILE_MAX_BYTES));
+    assert_eq!(refused("pad", pad(1, "Press", hand("Walk", large))), Refusal::TooLarge("this tile".into()));
+    assert_eq!(refused("pad", pad(1, "Press", hand("Walk", f64::NAN.into()))), Refusal::Infinite);
+}
+
+#[test]
+fn a_pad_reads_as_it_is_written_also_within_a_message_that_is_looked_into() {
+    #[derive(serde::Deserialize)]
+    #[serde(tag = "is")]
+    enum Asked {
+        Put { record: Record },
+    }
+    let record = pad(7, "Press", TileAction::Word { word: "smile".into(), span: true }).unwrap();
+    let text = serde_json::to_string(&record).unwrap();
+    assert_eq!(text, r#"{"pad":{"7":{"label":"Press","does":{"word":{"word":"smile","span":true}}}}}"#);
+    let Asked::Put { record: read } = serde_json::from_str(&format!(r#"{{"is":"Put","record":{text}}}"#)).unwrap();
+    assert_eq!(read, record);
 }

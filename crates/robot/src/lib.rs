@@ -12,6 +12,7 @@ mod fits;
 mod helpers;
 mod identity;
 mod installed;
+mod pad;
 mod params;
 mod parts;
 mod scene;
@@ -33,6 +34,7 @@ pub use identity::{Identity, Stranger};
 pub use installed::{
     INSTALLED_MAX, INSTALLED_MAX_BYTES, INSTALLED_NAME_MAX_CHARS, Installed, Offers, is_file, not_installed,
 };
+pub use pad::usual_pad;
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
 pub use types::device_type;

@@ -71,9 +71,9 @@ pub enum Unkept {
     /// It is written as something that is read as another change.
     #[error("it would read back differently")]
     Different,
-    /// These settings are not called as settings are.
-    #[error("{0} is not the name of the settings")]
-    SettingsId(RecordId),
+    /// These settings, or this pad, are not called as the only ones of a behaviour are.
+    #[error("{0} is not the name of the settings or the pad")]
+    OtherName(RecordId),
     /// One of its connectors has an end without a stream.
     #[error("a connector leads to a stream that is not there")]
     NoStream,

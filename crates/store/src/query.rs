@@ -121,6 +121,7 @@ fn parts(record: &Record) -> Vec<&str> {
         }
         Record::Note(note) => vec![&note.text],
         Record::Group(group) => vec![&group.title],
+        Record::Pad(pad) => pad.tiles.values().map(|tile| tile.label.as_str()).collect(),
         Record::Connector(connector) => match connector.operation.procedure() {
             Some(Procedure::Body { body, .. }) => vec![body],
             Some(Procedure::Helper(name)) => vec![name],

@@ -79,7 +79,7 @@ fn is_there(desk: &Desk, id: &RecordId) -> bool {
     match id.kind {
         Kind::Stream => desk.document.stream(&id.id).is_some(),
         Kind::Connector => desk.document.connector(&id.id).is_some(),
-        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group => true,
+        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group | Kind::Pad => true,
     }
 }
 
@@ -120,7 +120,12 @@ impl Places<'_> {
                 let path = curves(&inputs, chip, output);
                 Some(Shadow::Connector { id, connector: connector.clone(), path, chip, differs })
             }
-            Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) | Record::Group(_) => None,
+            Record::Settings(_)
+            | Record::Helper(_)
+            | Record::Place(_)
+            | Record::Note(_)
+            | Record::Group(_)
+            | Record::Pad(_) => None,
         }
     }
 }

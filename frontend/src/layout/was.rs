@@ -15,6 +15,7 @@ pub(crate) fn called(behaviour: &Behaviour, id: &RecordId) -> String {
         Some(Record::Helper(helper)) => helper.name.clone(),
         Some(Record::Note(_)) => words::a_note().to_owned(),
         Some(Record::Group(group)) => group.title.clone(),
+        Some(Record::Pad(_)) => words::the_tiles().to_owned(),
         Some(Record::Settings(_) | Record::Place(_)) | None => words::program_name().to_owned(),
     }
 }
@@ -41,6 +42,7 @@ pub(crate) fn whole(behaviour: &Behaviour, id: &RecordId) -> String {
         Some(Record::Note(note)) => note.text.clone(),
         Some(Record::Group(group)) => group.title.clone(),
         Some(Record::Settings(settings)) => settings.name.clone(),
+        Some(Record::Pad(pad)) => words::listed(pad.tiles.values().map(|tile| &tile.label)),
         Some(Record::Place(_)) | None => words::not_there().to_owned(),
     }
 }

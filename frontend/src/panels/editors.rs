@@ -30,7 +30,7 @@ fn sentence(desk: Hold, record: &RecordId, name: &str) -> Option<String> {
     let what = match record.kind {
         Kind::Stream => document.stream(&record.id)?.record.with_untracked(|stream| stream.name.clone()),
         Kind::Connector => document.connector(&record.id)?.record.with_untracked(|at| chip_words(at).whole()),
-        Kind::Place | Kind::Settings | Kind::Helper | Kind::Note | Kind::Group => return None,
+        Kind::Place | Kind::Settings | Kind::Helper | Kind::Note | Kind::Group | Kind::Pad => return None,
     };
     Some(words::is_editing_this(name, &what))
 }

@@ -216,6 +216,6 @@ fn element(problem: &Problem) -> Option<Selected> {
     match problem.at.kind {
         Kind::Stream => Some(Selected::Stream(problem.at.id.clone())),
         Kind::Connector => Some(Selected::Connector(problem.at.id.clone())),
-        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group => None,
+        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group | Kind::Pad => None,
     }
 }

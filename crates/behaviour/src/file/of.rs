@@ -1,9 +1,9 @@
 //! From a behaviour to its file.
 
-use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream};
+use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile};
 use crate::{
     Behaviour, Connector, Engine, Filled, Group, Helper, Id, Lookup, Note, Place, Procedure, Record, Settings, Stream,
-    Value, called_names,
+    Tile, TileAction, Value, called_names,
 };
 use std::collections::BTreeMap;
 
@@ -27,6 +27,7 @@ impl BehaviourFile {
             connectors,
             notes: behaviour.notes().map(|(id, note)| file_note(id, note)).collect(),
             groups: behaviour.groups().map(|(id, group)| file_group(id, group)).collect(),
+            pad: behaviour.pad().map(|pad| pad.tiles.iter().map(file_tile).collect()),
             order: order_of(behaviour),
             layout: layout_of(behaviour),
         }
@@ -56,6 +57,23 @@ fn file_group(id: &Id, group: &Group) -> FileGroup {
         title: group.title.clone(),
         streams: group.streams.iter().map(Id::to_string).collect(),
         folded: group.folded.then_some(true),
+    }
+}
+
+fn file_tile((key, tile): (&u8, &Tile)) -> FileTile {
+    let plain = FileTile { key: *key, label: tile.label.clone(), ..FileTile::default() };
+    let there = |value: &Value| Some(value.clone()).filter(|value| *value != Value::Null);
+    match &tile.does {
+        TileAction::Hand { device, params, value } => FileTile {
+            device: Some(device.clone()),
+            params: Some(params.clone()).filter(|params| !params.is_empty()),
+            value: there(value),
+            ..plain
+        },
+        TileAction::Pretend { stream, value } => {
+            FileTile { stream: Some(stream.to_string()), value: there(value), ..plain }
+        }
+        TileAction::Word { word, span } => FileTile { word: Some(word.clone()), span: span.then_some(true), ..plain },
     }
 }
 

@@ -1,9 +1,9 @@
 //! From a file to the records of a behaviour.
 
-use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream};
+use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile};
 use crate::{
-    BadId, Behaviour, Connector, Group, Helper, Id, Kind, Lookup, LookupSet, Note, Operation, Parameters, Procedure,
-    Record, RecordId, Settings, Stream, connectors,
+    BadId, Behaviour, Connector, Group, Helper, Id, Kind, Lookup, LookupSet, Note, Operation, Pad, Parameters,
+    Procedure, Record, RecordId, Settings, Stream, TILE_KEYS, Tile, TileAction, Value, connectors,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -44,6 +44,8 @@ pub enum FlawKind {
     InTwoGroups(String),
     /// It has a body, and the name of a helper too.
     BodyAndHelper,
+    /// A tile has no key of its own, or is not one of an action, a sense and a word.
+    Tile,
 }
 
 impl BehaviourFile {
@@ -81,6 +83,10 @@ impl BehaviourFile {
         for (group, id) in self.groups.iter().filter_map(|group| Some((group, ids.get(&group.id)?))) {
             let streams = group.streams.iter().filter_map(&mut even_gone).collect();
             records.insert(RecordId::new(Kind::Group, id), Record::Group(group.record(streams)));
+        }
+        if let Some(tiles) = &self.pad {
+            let tiles = pad_tiles(tiles, &mut even_gone, &mut flaws);
+            records.insert(RecordId::pad(), Record::Pad(Pad { tiles }));
         }
         if flaws.is_empty() { Ok(Behaviour { records }) } else { Err(flaws) }
     }
@@ -170,6 +176,47 @@ impl BehaviourFile {
             gives: h.gives,
         };
         self.helpers.iter().map(helper).collect()
+    }
+}
+
+/// The tiles of a pad. One whose stream is left behind is left behind too.
+fn pad_tiles(
+    all: &[FileTile],
+    mut stream: impl FnMut(&String) -> Option<Id>,
+    flaws: &mut Vec<Flaw>,
+) -> BTreeMap<u8, Tile> {
+    let (mut keys, mut tiles) = (BTreeSet::new(), BTreeMap::new());
+    for tile in all {
+        match tile.action().filter(|_| TILE_KEYS.contains(&tile.key) && keys.insert(tile.key)) {
+            Some(does) => {
+                let does = does.renamed(&mut stream);
+                tiles.extend(does.map(|does| (tile.key, Tile { label: tile.label.clone(), does })));
+            }
+            None => flaws.push(flaw(&format!("tile {}", tile.key), FlawKind::Tile)),
+        }
+    }
+    tiles
+}
+
+impl FileTile {
+    /// The action of a press; none if the tile has not exactly one.
+    #[must_use]
+    pub fn action(&self) -> Option<TileAction<String>> {
+        let Self { key: _, label: _, device, params, stream, value, word, span } = self;
+        let told = value.clone().unwrap_or(Value::Null);
+        match (device, stream, word) {
+            (Some(device), None, None) if span.is_none() => {
+                let params = params.clone().unwrap_or_default();
+                Some(TileAction::Hand { device: device.clone(), params, value: told })
+            }
+            (None, Some(stream), None) if params.is_none() && span.is_none() => {
+                Some(TileAction::Pretend { stream: stream.clone(), value: told })
+            }
+            (None, None, Some(word)) if params.is_none() && value.is_none() => {
+                Some(TileAction::Word { word: word.clone(), span: span.unwrap_or_default() })
+            }
+            _ => None,
+        }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::plan::Dice;
 use behaviour::{
-    Behaviour, Change, Connector, Graph, Id, Kind, Knowledge, Note, Params, Place, Procedure, Record, RecordId,
-    Settings, Stream, StreamKind, connectors,
+    Behaviour, Change, Connector, Graph, Id, Kind, Knowledge, Note, Pad, Params, Place, Procedure, Record, RecordId,
+    Settings, Stream, StreamKind, Tile, TileAction, Value, connectors,
 };
 
 /// Every device and procedure is known.
@@ -67,6 +67,7 @@ fn graph_gesture(change: Change, seen: &Behaviour, dice: &mut Dice) -> Change {
             None => change,
         },
         9 => change.take(seen, key(Kind::Connector, 'c', dice.roll(CONNECTORS))),
+        10 if dice.roll(2) == 0 => change.put(seen, RecordId::pad(), pad(dice)),
         10 => change.take(seen, key(Kind::Note, 'n', dice.roll(NOTES))),
         _ => change,
     }
@@ -103,6 +104,14 @@ fn connector(seen: &Behaviour, dice: &mut Dice) -> Option<Record> {
 
 fn place(dice: &mut Dice) -> Record {
     Record::Place(Place { x: dice.roll(9) as f64, y: 0.0 })
+}
+
+/// A pad with a tile for a stream that may be gone, or no sense.
+fn pad(dice: &mut Dice) -> Record {
+    let stream = key(Kind::Stream, 's', dice.roll(STREAMS)).id;
+    let does = TileAction::Pretend { stream, value: Value::Int(dice.roll(9) as i64) };
+    let key = 1 + dice.roll(9) as u8;
+    Record::Pad(Pad { tiles: [(key, Tile { label: "Press".to_owned(), does })].into() })
 }
 
 fn note(dice: &mut Dice) -> Record {

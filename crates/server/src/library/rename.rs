@@ -224,7 +224,12 @@ impl Renaming {
                 Procedure::Body { body, .. } => *body = self.renamed(body),
                 Procedure::Helper(_) => {}
             },
-            Record::Settings(_) | Record::Stream(_) | Record::Place(_) | Record::Note(_) | Record::Group(_) => {}
+            Record::Settings(_)
+            | Record::Stream(_)
+            | Record::Place(_)
+            | Record::Note(_)
+            | Record::Group(_)
+            | Record::Pad(_) => {}
         }
         (after != *record).then_some(after)
     }

@@ -82,6 +82,7 @@ fn filtered(name: &str, body: &str) -> Start {
         ],
         notes: Vec::new(),
         groups: Vec::new(),
+        pad: None,
         order: std::collections::BTreeMap::new(),
         layout: std::collections::BTreeMap::new(),
     };

@@ -1,7 +1,8 @@
 //! One change after the other: saved once, in order, and read back as it was.
 
 use super::samples::{
-    append, change, every_connector, group, id, in_bin, key, note, now, save, settings, stream, try_append, two_streams,
+    append, change, every_connector, group, id, in_bin, key, note, now, pad, save, settings, stream, try_append,
+    two_streams,
 };
 use crate::{Append, Listing, Query, Store, StoreError};
 use behaviour::{Change, Committed, Kind, Note, Place, Record, RecordId, Settings};
@@ -177,6 +178,7 @@ async fn what_stands_around_the_graph_is_kept(store: &dyn Store) {
         (key(Kind::Note, "n"), Record::Note(signed)),
         (key(Kind::Group, "g"), group("近くのボール", &["s0", "gone"])),
         (key(Kind::Group, "empty"), group("", &[])),
+        (RecordId::pad(), pad("Well done")),
     ];
     save(store, "b", "op1", first.clone()).await;
     assert_eq!(now(store, "b").await.records, first.into_iter().collect());
@@ -186,10 +188,14 @@ async fn what_stands_around_the_graph_is_kept(store: &dyn Store) {
         (key(Kind::Group, "g"), group("Near", &["s1"])),
     ];
     save(store, "b", "op2", then.clone()).await;
-    let empty = (key(Kind::Group, "empty"), group("", &[]));
-    assert_eq!(now(store, "b").await.records, then.into_iter().chain([empty]).collect());
+    let beside = [(key(Kind::Group, "empty"), group("", &[])), (RecordId::pad(), pad("Well done"))];
+    assert_eq!(now(store, "b").await.records, then.clone().into_iter().chain(beside.clone()).collect());
     let found = store.list(&Query { words: "near".to_owned(), ..Query::default() }).await.expect("an answer");
     assert_eq!(found.total, 1, "a group is found by its title");
+    let gone = change("op3", 3, Vec::new()).take(&now(store, "b").await, RecordId::pad());
+    assert_eq!(append(store, "b", 3, gone).await, Append::Applied);
+    let left = then.into_iter().chain(beside.into_iter().take(1));
+    assert_eq!(now(store, "b").await.records, left.collect(), "a pad goes");
 }
 
 async fn what_would_not_read_back_is_refused(store: &dyn Store) {

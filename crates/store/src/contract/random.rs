@@ -1,6 +1,6 @@
 //! Chance against a model: whatever is done in whatever order, the store and the model stay equal.
 
-use super::samples::{Chance, filter, group, helper, id, in_bin, key, note, settings, stream, two_streams};
+use super::samples::{Chance, filter, group, helper, id, in_bin, key, note, pad, settings, stream, two_streams};
 use crate::{Append, Query, Store, StoreError};
 use behaviour::{Behaviour, Change, Committed, Id, Kind, Place, Procedure, Record, RecordId};
 use std::collections::BTreeMap;
@@ -159,13 +159,14 @@ fn user() -> Record {
 fn any_edit(name: &Id, chance: &mut Chance) -> (RecordId, Option<Record>) {
     let which = chance.below(6).to_string();
     let number = chance.below(1_000);
-    let (key, record) = match (name.as_str() == crate::LIBRARY, chance.below(7)) {
+    let (key, record) = match (name.as_str() == crate::LIBRARY, chance.below(8)) {
         (true, _) => (key(Kind::Helper, &which), helper(&format!("h{number}"), "x + 1")),
         (false, 0) => (RecordId::settings(), settings(&format!("Name {number}"))),
         (false, 1..=2) => (key(Kind::Stream, &which), stream(&format!("S {which} {number}"), 0)),
         (false, 3) => (key(Kind::Connector, &which), if number < 500 { user() } else { filter(Procedure::body("x")) }),
         (false, 4) => (key(Kind::Place, &which), Record::Place(Place { x: number as f64 / 7.0, y: -0.0 })),
         (false, 5) => (key(Kind::Group, &which), group(&format!("G {number}"), &[&which])),
+        (false, 6) => (RecordId::pad(), pad(&format!("P {number}"))),
         (false, _) => (key(Kind::Note, &which), note(&number.to_string())),
     };
     (key, (chance.below(3) > 0).then_some(record))

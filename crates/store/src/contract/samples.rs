@@ -2,8 +2,8 @@
 
 use crate::{Append, Place, Query, Store, StoreError};
 use behaviour::{
-    Behaviour, Change, Committed, Connector, Group, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record,
-    RecordId, Settings, Stream, StreamKind, Value, connectors,
+    Behaviour, Change, Committed, Connector, Group, Helper, Id, Kind, Note, Operation, Pad, Parameters, Procedure,
+    Record, RecordId, Settings, Stream, StreamKind, Tile, TileAction, Value, connectors,
 };
 
 pub(super) fn id(text: &str) -> Id {
@@ -26,6 +26,18 @@ pub(super) fn note(text: &str) -> Record {
 pub(super) fn group(title: &str, streams: &[&str]) -> Record {
     let streams = streams.iter().map(|stream| id(stream)).collect();
     Record::Group(Group { title: title.to_owned(), streams, folded: true })
+}
+
+/// A pad with a tile of each kind; one stream is gone.
+pub(super) fn pad(label: &str) -> Record {
+    let tile = |label: &str, does| Tile { label: label.to_owned(), does };
+    let params = [("text".to_owned(), "赤 \"x\"".into())].into();
+    let tiles = [
+        (1, tile(label, TileAction::Hand { device: "SayParameter".to_owned(), params, value: Value::Null })),
+        (2, tile(label, TileAction::Pretend { stream: id("gone"), value: 42.699_999_999_999_996.into() })),
+        (9, tile(label, TileAction::Word { word: "smile".to_owned(), span: true })),
+    ];
+    Record::Pad(Pad { tiles: tiles.into() })
 }
 
 pub(super) fn stream(name: &str, order: i64) -> Record {

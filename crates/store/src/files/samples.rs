@@ -2,7 +2,7 @@
 
 use behaviour::{
     Behaviour, BehaviourFile, Declared, Engine, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream,
-    Helper, Params, Place, StreamKind, Value, connectors,
+    FileTile, Helper, Params, Place, StreamKind, Value, connectors,
 };
 use proptest::collection::{btree_map, vec};
 use proptest::option;
@@ -174,6 +174,23 @@ fn any_group(at: usize) -> impl Strategy<Value = FileGroup> {
     })
 }
 
+/// A tile of each kind, by the key.
+fn any_tile(at: usize) -> impl Strategy<Value = FileTile> {
+    let value = || option::of(any_value()).prop_map(|value| value.filter(|value| *value != Value::Null));
+    let params = btree_map(any_text(), any_value(), 0..3);
+    (any_text(), (any_text(), params), value(), any::<bool>()).prop_map(move |(label, (name, params), value, span)| {
+        let plain = FileTile { key: u8::try_from(at + 1).unwrap_or(9), label, ..FileTile::default() };
+        match at % 3 {
+            0 => {
+                let params = Some(params).filter(|params: &Params| !params.is_empty());
+                FileTile { device: Some(name), params, value, ..plain }
+            }
+            1 => FileTile { stream: Some(format!("s{at}")), value, ..plain },
+            _ => FileTile { word: Some(name), span: span.then_some(true), ..plain },
+        }
+    })
+}
+
 fn numbered<T, S: Strategy<Value = T>>(most: usize, one: fn(usize) -> S) -> impl Strategy<Value = Vec<T>>
 where
     T: std::fmt::Debug,
@@ -194,7 +211,7 @@ pub(super) fn any_file() -> impl Strategy<Value = BehaviourFile> {
     );
     let graph = (numbered(3, any_helper), numbered(5, any_stream), numbered(5, any_connector));
     let place = (any_coordinate(), any_coordinate()).prop_map(|(x, y)| Place { x, y });
-    let beside = (numbered(2, any_note), numbered(2, any_group));
+    let beside = (numbered(2, any_note), numbered(2, any_group), option::of(numbered(4, any_tile)));
     (head, graph, beside, btree_map(any_text(), place, 0..4), any::<i64>()).prop_map(
         |((id, name, (robot, exercise), engine, tags), (helpers, streams, connectors), beside, layout, order)| {
             BehaviourFile {
@@ -208,6 +225,7 @@ pub(super) fn any_file() -> impl Strategy<Value = BehaviourFile> {
                 order: streams.iter().take(2).map(|stream| (stream.id.clone(), order)).collect(),
                 notes: beside.0,
                 groups: beside.1,
+                pad: beside.2,
                 helpers,
                 streams,
                 connectors,

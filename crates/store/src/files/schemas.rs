@@ -105,7 +105,7 @@ proptest! {
 }
 
 /// The replacements that each break a file of one map, one sample and one note.
-const BREAKS: [(&str, &str); 28] = [
+const BREAKS: [(&str, &str); 35] = [
     ("rrp-behaviour/1", "rrp-behaviour/2"),
     ("\"name\": \"Whole\",", ""),
     ("\"name\": \"Whole\",", "\"name\": \"Whole\", \"colour\": 1,"),
@@ -131,6 +131,13 @@ const BREAKS: [(&str, &str); 28] = [
     ("\"streams\": [\"a\"]", "\"streams\": [\"no id\"]"),
     ("\"title\": \"G\", ", ""),
     ("\"folded\": true", "\"folded\": \"yes\""),
+    ("\"key\": 1", "\"key\": 10"),
+    ("\"label\": \"Hello\", ", ""),
+    ("\"device\": \"SayInput\", ", ""),
+    ("\"params\": {\"speed\": 0.5}", "\"word\": \"x\""),
+    ("\"stream\": \"a\", \"value\"", "\"stream\": \"no id\", \"value\""),
+    ("\"value\": 7", "\"value\": 7, \"span\": true"),
+    ("\"span\": true", "\"span\": 1"),
     ("\"order\": {\"a\": 0}", "\"order\": {\"a\": \"0\"}"),
     ("\"y\": 2.5", "\"y\": \"2.5\""),
     ("\"y\": 2.5", "\"y\": 2.5, \"z\": 0"),
@@ -152,6 +159,7 @@ const WHOLE: &str = r#"{
   ],
   "notes": [{"id": "n", "text": "t", "by": "Aiko", "at": 5}],
   "groups": [{"id": "g", "title": "G", "streams": ["a"], "folded": true}],
+  "pad": [{"key": 1, "label": "Hello", "device": "SayInput", "params": {"speed": 0.5}, "value": "hello"}, {"key": 2, "label": "Ball", "stream": "a", "value": 7}, {"key": 3, "label": "Smile", "word": "smiles", "span": true}],
   "order": {"a": 0},
   "layout": {"a": {"x": 1, "y": 2.5}}
 }"#;
@@ -227,6 +235,10 @@ fn what_breaks_the_xsd_is_refused() {
         ("at=\"5\"", "at=\"-5\""),
         ("streams=\"a\"", "streams=\"ä\""),
         ("folded=\"true\"", "folded=\"1\""),
+        ("key=\"2\"", "key=\"0\""),
+        ("label=\"Ball\"", ""),
+        ("stream=\"a\" value", "stream=\"ä\" value"),
+        ("span=\"true\"", "span=\"yes\""),
         ("y=\"2.5\"", "y=\"INF\""),
         ("<from stream=\"a\"/><body>", "<from stream=\"a\"/>text<body>"),
     ];

@@ -7,8 +7,8 @@ use super::tree::{Node, What};
 use super::{FileFault, Looked, TEXT_MAX_BYTES};
 use behaviour::{
     BehaviourFile, CONNECTORS_MAX, Declared, Engine, FORMAT, FileConnector, FileGroup, FileHelper, FileNote,
-    FileStream, GROUPS_MAX, HELPERS_MAX, Id, NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX, StreamKind,
-    TAG_MAX_CHARS, TAGS_MAX, connectors, is_identifier, without_control,
+    FileStream, FileTile, GROUPS_MAX, HELPERS_MAX, Id, NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX,
+    StreamKind, TAG_MAX_CHARS, TAGS_MAX, TILE_KEYS, connectors, is_identifier, without_control,
 };
 use fields::Fields;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -66,7 +66,7 @@ impl Reader<'_, '_> {
 
     fn file(&mut self, root: &Node) -> BehaviourFile {
         const KNOWN: &str =
-            "format id name robot engine exercise tags helpers streams connectors notes groups order layout";
+            "format id name robot engine exercise tags helpers streams connectors notes groups pad order layout";
         let fields = Fields::of(self, root, "a program", KNOWN);
         let format = fields.text(self, "format");
         if let Some(node) = fields.get("format").filter(|_| format != FORMAT) {
@@ -91,11 +91,13 @@ impl Reader<'_, '_> {
             connectors: self.each(&fields, "connectors", CONNECTORS_MAX, Self::connector),
             notes: self.maybe_each(&fields, "notes", NOTES_MAX, Self::note),
             groups: self.maybe_each(&fields, "groups", GROUPS_MAX, Self::group),
+            pad: fields.get("pad").map(|_| self.each(&fields, "pad", usize::from(*TILE_KEYS.end()), Self::tile)),
             order: self.entries(&fields, "order", Self::whole),
             layout: self.entries(&fields, "layout", Self::place),
         };
         self.check_order(&fields, &file);
         self.check_groups(&fields, &file);
+        self.check_keys(&fields, &file);
         file
     }
 
@@ -285,6 +287,34 @@ impl Reader<'_, '_> {
         FileGroup { id, title, streams, folded: fields.truth(self, "folded") }
     }
 
+    fn tile(&mut self, node: &Node) -> FileTile {
+        let fields = Fields::of(self, node, "a tile", "key label device params stream value word span");
+        let (key, stream) = (fields.count(self, "key"), fields.maybe_text(self, "stream"));
+        stream.iter().for_each(|stream| self.check_id(fields.at("stream"), stream));
+        let tile = FileTile {
+            key: key.and_then(|key| u8::try_from(key).ok()).unwrap_or_default(),
+            label: fields.text(self, "label"),
+            device: fields.maybe_text(self, "device"),
+            params: Some(fields.params(self)).filter(|params| !params.is_empty()),
+            stream,
+            value: fields.value(self, "value"),
+            word: fields.maybe_text(self, "word"),
+            span: fields.truth(self, "span").filter(|span| *span),
+        };
+        for name in [&tile.label].into_iter().chain(&tile.device).chain(&tile.word) {
+            self.check_name(node.at, name);
+        }
+        if !TILE_KEYS.contains(&tile.key) {
+            self.fault(fields.at("key"), "A tile has a key from 1 to 9. Choose one.");
+        }
+        if tile.action().is_none() {
+            let reason = "A tile is an action (device, params, value), a sense (stream, value) or a word (word, span). \
+                          Keep one of them.";
+            self.fault(node.at, reason);
+        }
+        tile
+    }
+
     fn whole(&mut self, node: &Node) -> i64 {
         fields::whole(self, node, "order").unwrap_or_default()
     }
@@ -361,6 +391,16 @@ impl Reader<'_, '_> {
             if seen.insert(stream, &group.id).is_some_and(|other| other != group.id) {
                 let reason = format!("“{}” is in two groups. Leave it out of one.", short(stream));
                 self.fault(fields.at("groups"), reason);
+            }
+        }
+    }
+
+    /// Every tile has a key of its own.
+    fn check_keys(&mut self, fields: &Fields, file: &BehaviourFile) {
+        let mut seen = HashSet::new();
+        for tile in file.pad.iter().flatten() {
+            if !seen.insert(tile.key) {
+                self.fault(fields.at("pad"), format!("Two tiles have the key {}. Give one another key.", tile.key));
             }
         }
     }

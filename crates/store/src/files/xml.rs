@@ -76,6 +76,15 @@ const GROUP: &[Known] = &[
     ("streams", "streams", How::Names),
     ("folded", "folded", How::Truth),
 ];
+const TILE: &[Known] = &[
+    ("key", "key", How::Number),
+    ("label", "label", How::Text),
+    ("device", "device", How::Text),
+    ("stream", "stream", How::Text),
+    ("value", "value", How::Text),
+    ("word", "word", How::Text),
+    ("span", "span", How::Truth),
+];
 const AT: &[Known] = &[("ref", "ref", How::Text), ("x", "x", How::Number), ("y", "y", How::Number)];
 
 /// The tree of an XML text.
@@ -127,8 +136,12 @@ impl Door<'_, '_> {
                 "connectors" => self.list(section, |child| self.connector(child, &mut order))?,
                 "notes" => self.list(section, |child| self.note(child))?,
                 "groups" => self.list(section, |child| self.group(child))?,
+                "pad" => self.list(section, |child| self.tile(child))?,
                 "layout" => self.layout(section)?,
-                _ => return Err(self.unknown(section, "tags, helpers, streams, connectors, notes, groups, layout")),
+                _ => {
+                    let known = "tags, helpers, streams, connectors, notes, groups, pad, layout";
+                    return Err(self.unknown(section, known));
+                }
             };
             fields.push((section.name.clone(), field));
         }
@@ -256,6 +269,26 @@ impl Door<'_, '_> {
         self.check_name(element, "group")?;
         self.children_none(element)?;
         Ok(Node::object(element.at, self.attributes(element, GROUP)?))
+    }
+
+    fn tile(&self, element: &Element) -> Result<Node, FileFault> {
+        self.check_name(element, "tile")?;
+        let mut fields = self.attributes(element, TILE)?;
+        if let Some((_, value)) = fields.iter_mut().find(|(name, _)| name == "value") {
+            *value = self.json(value)?;
+        }
+        let params: Vec<Entry> = self
+            .children(element)?
+            .iter()
+            .map(|child| {
+                self.check_name(child, "param")?;
+                self.param(child)
+            })
+            .collect::<Result<_, _>>()?;
+        if !params.is_empty() {
+            fields.push(("params".to_owned(), Node::object(element.at, params)));
+        }
+        Ok(Node::object(element.at, fields))
     }
 
     fn layout(&self, section: &Element) -> Result<Node, FileFault> {

@@ -2,7 +2,7 @@
 
 use super::link::Params;
 use super::nodes::{
-    device_kind, label, of_connector, of_group, of_helper, of_note, of_settings, of_stream, relationship, whole,
+    device_kind, label, of_connector, of_group, of_helper, of_note, of_pad, of_settings, of_stream, relationship, whole,
 };
 use crate::json::unwritable;
 use crate::query::name_key;
@@ -64,8 +64,13 @@ impl Delta {
     }
 
     fn edit(&mut self, key: &RecordId, record: Option<&Record>, is_old: bool) -> Result<(), StoreError> {
-        if key.kind == Kind::Settings && *key != RecordId::settings() {
-            return Err(StoreError::Refused(Unkept::SettingsId(key.clone())));
+        let is_other = match key.kind {
+            Kind::Settings => *key != RecordId::settings(),
+            Kind::Pad => *key != RecordId::pad(),
+            _ => false,
+        };
+        if is_other {
+            return Err(StoreError::Refused(Unkept::OtherName(key.clone())));
         }
         if key.kind == Kind::Connector && is_old {
             self.put("connectors", json!(key.id));
@@ -83,7 +88,7 @@ impl Delta {
             Some(Record::Place(place)) => self.put("places", json!({ "id": key.id, "x": place.x, "y": place.y })),
             Some(Record::Note(note)) => self.put("notes", of_note(&key.id, note)),
             Some(Record::Group(group)) => self.put("groups", of_group(&key.id, group)),
-            Some(Record::Settings(_)) => {}
+            Some(Record::Settings(_) | Record::Pad(_)) => {}
         }
         Ok(())
     }
@@ -95,7 +100,7 @@ impl Delta {
             Kind::Place => self.put("gone_places", json!(key.id)),
             Kind::Note => self.put("gone_notes", json!(key.id)),
             Kind::Group => self.put("gone_groups", json!(key.id)),
-            Kind::Connector | Kind::Settings => {}
+            Kind::Connector | Kind::Settings | Kind::Pad => {}
         }
     }
 
@@ -163,6 +168,7 @@ impl Delta {
             return Ok(());
         }
         let settings = after.settings();
+        put("pad_json", of_pad(after.pad())?);
         put("streams", after.streams().count().into());
         put("search", search_text(after).into());
         put("name_key", settings.map(|settings| name_key(&settings.name)).into());

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::link::{Broken, Link, Params};
 use super::nodes::{
-    ConnectorNode, GroupNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, whole, with_relationships,
+    ConnectorNode, GroupNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, pad, whole, with_relationships,
 };
 use crate::{Loaded, StoreError, json};
 use behaviour::{Behaviour, Committed, Id};
@@ -37,6 +37,7 @@ CALL (p) { MATCH (n:Note)-[:program]->(p) RETURN collect(n {.*}) AS notes }
 CALL (p) { MATCH (n:Group)-[:program]->(p) RETURN collect(n {.*}) AS groups }
 CALL (p) { MATCH (n:Helper)-[:program]->(p) RETURN collect(n {.*}) AS helpers }
 RETURN p.revision AS revision, p.removed_ms AS removed_ms, p {.name, .robot, .engine_json, .tags, .exercise} AS settings,
+  p.pad_json AS pad_json,
   streams, simple, nodes, places, notes, groups, helpers";
 
 const HISTORY: &str = "
@@ -48,6 +49,7 @@ struct Row {
     revision: u64,
     removed_ms: Option<u64>,
     settings: SettingsNode,
+    pad_json: Option<String>,
     streams: Vec<StreamNode>,
     simple: Vec<ConnectorNode>,
     nodes: Vec<ConnectorNode>,
@@ -81,6 +83,7 @@ fn behaviour(row: Row) -> Result<Behaviour, Fault> {
     let mut behaviour = Behaviour::default();
     let records = &mut behaviour.records;
     records.extend(row.settings.record()?);
+    records.extend(pad(row.pad_json.as_deref())?);
     for stream in row.streams {
         records.extend([stream.record()?]);
     }

@@ -4,7 +4,7 @@ use super::fault::Fault;
 use crate::json;
 use crate::usage::words;
 use behaviour::{
-    Connector, Declared, Engine, Group, Helper, Id, Kind, Note, Parameters, Place, Procedure, Record, RecordId,
+    Connector, Declared, Engine, Group, Helper, Id, Kind, Note, Pad, Parameters, Place, Procedure, Record, RecordId,
     Settings, Stream, StreamKind, connectors, connectors::Spec,
 };
 use serde::{Deserialize, Deserializer};
@@ -105,6 +105,17 @@ pub(super) fn of_note(id: &Id, note: &Note) -> Value {
 /// Returns the properties of a group's node.
 pub(super) fn of_group(id: &Id, group: &Group) -> Value {
     json!({ "id": id, "title": group.title, "streams": group.streams, "folded": group.folded })
+}
+
+/// The pad on the node of its behaviour, as JSON; null without one.
+pub(super) fn of_pad(pad: Option<&Pad>) -> serde_json::Result<Value> {
+    Ok(pad.map(json::encode).transpose()?.into())
+}
+
+/// The pad as it is read.
+pub(super) fn pad(text: Option<&str>) -> Result<Option<(RecordId, Record)>, Fault> {
+    let pad = text.map(json::decode).transpose().map_err(|reason| Fault::damaged(&reason))?;
+    Ok(pad.map(|pad| (RecordId::pad(), Record::Pad(pad))))
 }
 
 /// The properties of the settings, on the node of their behaviour; all null without settings.

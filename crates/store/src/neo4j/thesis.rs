@@ -93,6 +93,7 @@ fn file(program: &Found, streams: &[Found], connectors: &[FoundConnector]) -> Be
         connectors: connectors.collect(),
         notes: Vec::new(),
         groups: Vec::new(),
+        pad: None,
         order: BTreeMap::new(),
         layout: streams.iter().filter_map(place).collect(),
     }

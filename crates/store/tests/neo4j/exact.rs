@@ -3,8 +3,8 @@
 use crate::samples::{id, now, save};
 use crate::shared;
 use behaviour::{
-    Connector, Declared, Engine, Group, Helper, Kind, Note, Operation, Parameters, Place, Procedure, Record, RecordId,
-    Settings, Stream, StreamKind, Unit, Value, connectors,
+    Connector, Declared, Engine, Group, Helper, Kind, Note, Operation, Pad, Parameters, Place, Procedure, Record,
+    RecordId, Settings, Stream, StreamKind, Tile, TileAction, Unit, Value, connectors,
 };
 use std::collections::BTreeSet;
 use store::LIBRARY;
@@ -105,9 +105,12 @@ fn others() -> Vec<(RecordId, Record)> {
     let streams = BTreeSet::from([id("s0"), id("gone")]);
     let group = |streams, folded| Record::Group(Group { title: HOSTILE.to_owned(), streams, folded });
     let signed = Note { text: HOSTILE.to_owned(), by: HOSTILE.to_owned(), at_ms: u64::MAX };
+    let does = TileAction::Word { word: HOSTILE.to_owned(), span: true };
+    let pad = Pad { tiles: [(1, Tile { label: HOSTILE.to_owned(), does })].into() };
     let place = |x, y| Record::Place(Place { x, y });
     vec![
         (RecordId::settings(), Record::Settings(settings)),
+        (RecordId::pad(), Record::Pad(pad)),
         (RecordId::new(Kind::Place, &id("s0")), place(-0.0, 5e-324)),
         (RecordId::new(Kind::Place, &id("nothing")), place(f64::MAX, 42.699_999_999_999_996)),
         (RecordId::new(Kind::Note, &id("s0")), Record::Note(Note::new(HOSTILE.to_owned()))),

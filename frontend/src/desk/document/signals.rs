@@ -69,7 +69,7 @@ impl Document {
                 Kind::Settings => self.refresh_name(),
                 Kind::Note => self.refresh_note(id),
                 Kind::Group => self.refresh_group(id),
-                Kind::Helper => {}
+                Kind::Helper | Kind::Pad => {}
             }
         }
         if order {
@@ -82,7 +82,7 @@ impl Document {
         if touched.iter().any(|id| id.kind == Kind::Group) {
             self.refresh_groups();
         }
-        if touched.iter().any(|id| matches!(id.kind, Kind::Stream | Kind::Connector)) {
+        if touched.iter().any(|id| matches!(id.kind, Kind::Stream | Kind::Connector | Kind::Pad)) {
             self.refresh_shared();
             self.edited.notify();
         }

@@ -71,7 +71,7 @@ fn is_of(problem: &Problem, phrase: &Phrase) -> bool {
     match problem.at.kind {
         Kind::Connector => phrase.connectors.contains(&problem.at.id),
         Kind::Stream => phrase.streams.contains(&problem.at.id),
-        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group => false,
+        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group | Kind::Pad => false,
     }
 }
 

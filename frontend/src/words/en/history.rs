@@ -33,6 +33,7 @@ sentences! {
     other_order: "in another order";
     program_name: "Name of the program";
     a_note: "Note";
+    the_tiles: "Tiles";
     other_streams: "with other streams";
     was_folded: "folded";
     was_open: "open";

@@ -26,6 +26,9 @@ pub fn write_json(file: &BehaviourFile) -> String {
     if !file.groups.is_empty() {
         sections.push(("groups", list(&file.groups)));
     }
+    if let Some(tiles) = &file.pad {
+        sections.push(("pad", list(tiles)));
+    }
     if !file.order.is_empty() {
         sections.push(("order", object(file.order.iter().map(|(id, order)| (id, order.to_string())))));
     }

@@ -3,7 +3,9 @@
 use super::escape::{in_attribute, in_element};
 use crate::files::FileFault;
 use crate::files::json::write::{coordinate, spaced};
-use behaviour::{BehaviourFile, Engine, FileConnector, FileGroup, FileHelper, FileNote, FileStream, StreamKind, Value};
+use behaviour::{
+    BehaviourFile, Engine, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile, StreamKind, Value,
+};
 use thiserror::Error;
 
 /// The reasons why a behaviour cannot be written as XML.
@@ -82,6 +84,9 @@ impl Page {
         if !file.groups.is_empty() {
             self.section("groups", &file.groups, |group| vec![group_line(group)]);
         }
+        if let Some(tiles) = &file.pad {
+            self.section("pad", tiles, tile_lines);
+        }
         if !file.layout.is_empty() {
             let places: Vec<_> = file.layout.iter().collect();
             self.section("layout", &places, |(id, place)| {
@@ -119,6 +124,24 @@ fn group_line(group: &FileGroup) -> String {
     mark.maybe("folded", group.folded.map(|folded| folded.to_string())).0 + "/>"
 }
 
+fn tile_lines(tile: &FileTile) -> Vec<String> {
+    let mark = Mark::of("tile").with("key", &tile.key.to_string()).with("label", &tile.label);
+    let mark = mark.maybe("device", tile.device.clone()).maybe("stream", tile.stream.clone());
+    let mark = mark.maybe("value", tile.value.as_ref().map(spaced)).maybe("word", tile.word.clone());
+    let mark = mark.maybe("span", tile.span.map(|span| span.to_string()));
+    let inside: Vec<String> = tile.params.iter().flatten().map(|(name, value)| param(name, value)).collect();
+    around(mark, "tile", inside)
+}
+
+/// An element with these lines in it.
+fn around(mark: Mark, name: &str, inside: Vec<String>) -> Vec<String> {
+    if inside.is_empty() {
+        return vec![mark.0 + "/>"];
+    }
+    let inside = inside.into_iter().map(|line| format!("  {line}"));
+    std::iter::once(mark.0 + ">").chain(inside).chain([format!("</{name}>")]).collect()
+}
+
 fn helper_line(helper: &FileHelper) -> String {
     let says = Some(helper.says.clone()).filter(|says| !says.is_empty());
     let mark = Mark::of("helper").with("id", &helper.name).with("args", &helper.params.join(" "));
@@ -144,11 +167,7 @@ fn stream_lines(stream: &FileStream, file: &BehaviourFile) -> Vec<String> {
         mark.maybe("hold", stream.hold_ms.map(|ms| format!("{ms}ms"))).maybe("order", order_of(file, &stream.id));
     let mut inside: Vec<String> = stream.params.iter().flatten().map(|(name, value)| param(name, value)).collect();
     inside.extend(stream.resources.as_deref().map(resources));
-    if inside.is_empty() {
-        return vec![mark.0 + "/>"];
-    }
-    let inside = inside.into_iter().map(|line| format!("  {line}"));
-    std::iter::once(mark.0 + ">").chain(inside).chain([format!("</{word}>")]).collect()
+    around(mark, word, inside)
 }
 
 fn param(name: &str, value: &Value) -> String {

@@ -1,0 +1,165 @@
+//! The pad of a behaviour: up to nine tiles that a person presses beside a session.
+
+use crate::{Id, Knowledge, Params, RecordId, Refusal, StreamKind, Value};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// The keys that a tile may have.
+pub const TILE_KEYS: RangeInclusive<u8> = 1..=9;
+/// The longest label of a tile, and the longest word that it marks, in characters.
+pub const TILE_MAX_CHARS: usize = 40;
+/// The most that the value and the parameters of a tile take as text, in bytes: as much as is done by hand at once.
+pub const TILE_MAX_BYTES: usize = 4_096;
+
+/// The tiles of a pad by their keys, 1 to 9. A behaviour has one pad at most; without one, people are shown
+/// `robot::usual_pad`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Pad {
+    /// The tiles; one without tiles shows none.
+    #[serde(with = "by_key")]
+    pub tiles: BTreeMap<u8, Tile>,
+}
+
+/// A map with its keys as texts, however it is carried: a message that is looked into before it is read has no others.
+mod by_key {
+    use super::{BTreeMap, Tile};
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(tiles: &BTreeMap<u8, Tile>, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_map(tiles.iter().map(|(key, tile)| (key.to_string(), tile)))
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<BTreeMap<u8, Tile>, D::Error> {
+        let tiles: BTreeMap<String, Tile> = BTreeMap::deserialize(from)?;
+        let keyed = tiles.into_iter().map(|(key, tile)| Ok((key.parse().map_err(D::Error::custom)?, tile)));
+        keyed.collect()
+    }
+}
+
+/// A tile of a pad. In a file streams are named by texts, as they may be anything there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tile<S = Id> {
+    /// The words on the tile.
+    pub label: String,
+    /// The action of a press.
+    pub does: TileAction<S>,
+}
+
+/// The action of a press on a tile.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub enum TileAction<S = Id> {
+    /// The robot does something by hand.
+    Hand {
+        /// The name of an action of the catalogue.
+        device: String,
+        /// The parameters of the action.
+        #[serde(default, skip_serializing_if = "Params::is_empty")]
+        params: Params,
+        /// The value that it is told.
+        #[serde(default, skip_serializing_if = "is_null")]
+        value: Value,
+    },
+    /// A sense of the behaviour tells a value, as if the robot had sensed it.
+    Pretend {
+        /// The stream of the sense. While it is gone the tile rests.
+        stream: S,
+        /// The value.
+        value: Value,
+    },
+    /// The moment is marked with a word.
+    Word {
+        /// The word.
+        word: String,
+        /// True if a press begins a span, which the next one ends.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        span: bool,
+    },
+}
+
+fn is_null(value: &Value) -> bool {
+    *value == Value::Null
+}
+
+impl<S> TileAction<S> {
+    /// The same action with another name for its stream; none if the stream has none.
+    pub fn renamed<T>(&self, name: impl FnOnce(&S) -> Option<T>) -> Option<TileAction<T>> {
+        Some(match self {
+            Self::Hand { device, params, value } => {
+                TileAction::Hand { device: device.clone(), params: params.clone(), value: value.clone() }
+            }
+            Self::Pretend { stream, value } => TileAction::Pretend { stream: name(stream)?, value: value.clone() },
+            Self::Word { word, span } => TileAction::Word { word: word.clone(), span: *span },
+        })
+    }
+
+    /// The values in it, each parameter with its name.
+    pub(crate) fn values(&self) -> impl Iterator<Item = (&str, &Value)> {
+        let (params, value) = match self {
+            Self::Hand { params, value, .. } => (Some(params), Some(value)),
+            Self::Pretend { value, .. } => (None, Some(value)),
+            Self::Word { .. } => (None, None),
+        };
+        let params = params.into_iter().flatten().map(|(name, value)| (name.as_str(), value));
+        params.chain(value.map(|value| ("", value)))
+    }
+}
+
+impl Pad {
+    /// Every name that people read in it.
+    pub(crate) fn names(&self) -> Vec<&str> {
+        fn of(tile: &Tile) -> Vec<&str> {
+            let mut names = vec![tile.label.as_str()];
+            match &tile.does {
+                TileAction::Hand { device, params, .. } => {
+                    names.push(device);
+                    names.extend(params.keys().map(String::as_str));
+                }
+                TileAction::Word { word, .. } => names.push(word),
+                TileAction::Pretend { .. } => {}
+            }
+            names
+        }
+        self.tiles.values().flat_map(of).collect()
+    }
+}
+
+/// Checks a pad that somebody changed.
+pub(crate) fn check(id: &RecordId, pad: &Pad, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+    if *id != RecordId::pad() {
+        return Err(Refusal::Malformed("a second pad".into()));
+    }
+    pad.tiles.iter().try_for_each(|(key, tile)| {
+        if !TILE_KEYS.contains(key) {
+            return Err(Refusal::Malformed("a tile".into()));
+        }
+        named("This label", &tile.label)?;
+        if tile.does.values().any(|(_, value)| !value.is_finite()) {
+            return Err(Refusal::Infinite);
+        }
+        let bytes: usize = tile.does.values().map(|(name, value)| name.len() + value.to_string().len()).sum();
+        if bytes > TILE_MAX_BYTES {
+            return Err(Refusal::TooLarge("this tile".into()));
+        }
+        match &tile.does {
+            TileAction::Hand { device, params, .. } => {
+                knowledge.device(StreamKind::Actuator, device, params).map_err(Refusal::Device)
+            }
+            // A stream that is gone, or no sense any more, can be one again; until then the tile rests.
+            TileAction::Pretend { .. } => Ok(()),
+            TileAction::Word { word, .. } => named("This word", word),
+        }
+    })
+}
+
+fn named(what: &str, text: &str) -> Result<(), Refusal> {
+    if text.trim().is_empty() || text.chars().any(char::is_control) {
+        return Err(Refusal::Name(crate::without_unseen(text).chars().take(TILE_MAX_CHARS).collect()));
+    }
+    let fits = text.chars().count() <= TILE_MAX_CHARS;
+    if fits { Ok(()) } else { Err(Refusal::TooLong(what.to_owned(), TILE_MAX_CHARS)) }
+}

@@ -1,0 +1,138 @@
+//! The pad that people are shown while nobody made one.
+
+use crate::{Device, ParamKind, device};
+use behaviour::{Behaviour, Id, Pad, Stream, StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile, TileAction, Value};
+
+/// The actions that speak or move as a whole, in this order.
+const DONE_BY_HAND: [&str; 2] = ["SayParameter", "Animation"];
+
+/// Returns the tiles of a behaviour without a pad: its buttons, then what it says and its animations, then what each of its
+/// other senses can be pretended to tell; nine at most, each once.
+#[must_use]
+pub fn usual_pad(behaviour: &Behaviour) -> Pad {
+    let streams = behaviour.streams_in_order();
+    let with_device = |kind: StreamKind| {
+        let known = streams.iter().filter(move |(_, stream)| stream.kind == kind);
+        known.filter_map(move |(id, stream)| Some((*id, *stream, device(kind, stream.device.as_deref()?).ok()?)))
+    };
+    let buttons = with_device(StreamKind::Sensor).filter(|(.., sense)| sense.button.is_some());
+    let pressed = buttons.flat_map(|(id, stream, sense)| {
+        let written = sense.button.and_then(|param| written(stream, sense, param));
+        pretended(id, sense, written)
+    });
+    let by_hand = DONE_BY_HAND.iter().flat_map(|name| {
+        with_device(StreamKind::Actuator).filter(move |(.., action)| action.name == *name).filter_map(by_hand)
+    });
+    let others = with_device(StreamKind::Sensor).filter(|(.., sense)| sense.button.is_none());
+    let others = others.flat_map(|(id, _, sense)| pretended(id, sense, None));
+    let mut tiles: Vec<Tile> = Vec::new();
+    for tile in pressed.chain(by_hand).chain(others) {
+        if !tiles.contains(&tile) {
+            tiles.push(tile);
+        }
+        if tiles.len() == usize::from(*TILE_KEYS.end()) {
+            break;
+        }
+    }
+    Pad { tiles: TILE_KEYS.zip(tiles).collect() }
+}
+
+/// The tiles for what a sense can be pretended to tell.
+fn pretended(id: &Id, sense: &Device, label: Option<String>) -> Vec<Tile> {
+    let tile = |pretend: &crate::Pretend| {
+        let value = serde_json::from_str(pretend.value).ok()?;
+        let label = shortened(label.as_deref().unwrap_or(pretend.says));
+        Some(Tile { label, does: TileAction::Pretend { stream: id.clone(), value } })
+    };
+    sense.pretend.iter().filter_map(tile).collect()
+}
+
+/// The tile for an action, with the words of its last parameter that says which one of many it is.
+fn by_hand((_, stream, action): (&Id, &Stream, &Device)) -> Option<Tile> {
+    let label = action.params.iter().rev().find_map(|param| {
+        let chosen = written(stream, action, param.name)?;
+        let of_choice =
+            |options: &[(&str, &'static str)]| options.iter().find(|(value, _)| *value == chosen).map(|one| one.1);
+        match param.kind {
+            ParamKind::Choice(options) => of_choice(options).map(str::to_owned),
+            ParamKind::Text { .. } | ParamKind::Number { .. } => Some(chosen),
+        }
+        .filter(|label| !label.trim().is_empty())
+    })?;
+    let (device, params) = (action.name.to_owned(), stream.params.clone());
+    let does = TileAction::Hand { device, params, value: serde_json::from_str(action.example).ok()? };
+    Some(Tile { label: shortened(&label), does })
+}
+
+/// The text of a parameter, or what it is where nobody chose.
+fn written(stream: &Stream, device: &Device, param: &str) -> Option<String> {
+    let all = crate::with_defaults(device.params, &stream.params);
+    all.get(param).and_then(Value::as_text).map(str::to_owned)
+}
+
+fn shortened(text: &str) -> String {
+    let line: String = behaviour::without_unseen(text).chars().filter(|letter| !letter.is_control()).collect();
+    if line.chars().count() <= TILE_MAX_CHARS {
+        return line;
+    }
+    line.chars().take(TILE_MAX_CHARS - 1).chain(['…']).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::usual_pad;
+    use crate::params::check_params;
+    use behaviour::{Behaviour, Id, Kind, Params, Record, RecordId, Stream, StreamKind, TileAction, Value};
+
+    fn with(all: &[(StreamKind, &str, &[(&str, &str)])]) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        for (order, (kind, device, params)) in (0..).zip(all) {
+            let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
+            let (name, device) = (format!("s{order}"), Some((*device).to_owned()));
+            let (kind, resources, priority, hold_ms) = (*kind, None, None, None);
+            let id = RecordId::new(Kind::Stream, &Id::new(&name).unwrap());
+            let stream = Stream { kind, name, device, params, order, resources, priority, hold_ms };
+            behaviour.records.insert(id, Record::Stream(stream));
+        }
+        behaviour
+    }
+
+    fn labels(behaviour: &Behaviour) -> Vec<String> {
+        usual_pad(behaviour).tiles.into_values().map(|tile| tile.label).collect()
+    }
+
+    #[test]
+    fn buttons_come_first_then_what_is_said_and_shown_then_what_is_pretended() {
+        use StreamKind::{Actuator, Sensor};
+        let behaviour = with(&[
+            (Sensor, "RedBall", &[]),
+            (Actuator, "Animation", &[("animation", "Bow")]),
+            (Actuator, "Animation", &[("animation", "robot"), ("gesture", "animations/Stand/Gestures/Hey_1")]),
+            (Actuator, "SayParameter", &[("text", "Well done")]),
+            (Actuator, "SayParameter", &[("text", "Well done")]),
+            (Actuator, "SayInput", &[]),
+            (Sensor, "Button", &[("label", "Next")]),
+            (Sensor, "Button", &[]),
+        ]);
+        let labels = labels(&behaviour);
+        assert_eq!(labels[..5], ["Next", "Go on", "Well done", "bowing", "animations/Stand/Gestures/Hey_1"]);
+        let pretend: Vec<_> = crate::sensors().find(|sense| sense.name == "RedBall").unwrap().pretend.to_vec();
+        assert_eq!(labels[5], pretend[0].says);
+    }
+
+    #[test]
+    fn nine_at_most_that_the_catalogue_takes() {
+        let senses: Vec<(StreamKind, &str, &[(&str, &str)])> =
+            crate::sensors().map(|sense| (StreamKind::Sensor, sense.name, [].as_slice())).collect();
+        let actions = crate::actuators().map(|action| (StreamKind::Actuator, action.name, [].as_slice()));
+        let pad = usual_pad(&with(&senses.into_iter().chain(actions).collect::<Vec<_>>()));
+        assert_eq!(pad.tiles.keys().copied().collect::<Vec<_>>(), (1..=9).collect::<Vec<u8>>());
+        for tile in pad.tiles.values() {
+            if let TileAction::Hand { device, params, .. } = &tile.does {
+                let device = crate::device(StreamKind::Actuator, device).unwrap();
+                assert!(check_params(device.params, params).is_ok(), "{tile:?}");
+            }
+        }
+        assert!(labels(&Behaviour::default()).is_empty());
+    }
+}
