@@ -55,7 +55,8 @@ async fn a_session_is_run_with_fingers_from_start_to_stop() -> Outcome<()> {
     says(&aiko, "Recorded").await?;
     says(&aiko, "P-07").await?;
     aiko.until("document.querySelector('.op-clock b').textContent >= '0:02'", "the clock goes").await?;
-    let labels = aiko.eval("[...document.querySelectorAll('.op-tile b')].map(label => label.textContent).join('|')").await?;
+    let labels =
+        aiko.eval("[...document.querySelectorAll('.op-tile b')].map(label => label.textContent).join('|')").await?;
     let labels = labels.as_str().unwrap_or_default().to_owned();
     assert!(labels.starts_with("Go on|“Well done!”|“That tickles!”|Waving|As if: "), "{labels}");
 
@@ -84,10 +85,17 @@ async fn a_session_is_run_with_fingers_from_start_to_stop() -> Outcome<()> {
 /// What the newest recording's marks have there, from the server.
 async fn of_recording(stage: &Stage, field: &str) -> Outcome<Vec<String>> {
     let mut visitor = Visitor::enter(&stage.server).await?;
-    let Reply::Recordings { recordings } = visitor.ask(Request::Recordings).await? else { return Err("no list".into()) };
+    let Reply::Recordings { recordings } = visitor.ask(Request::Recordings).await? else {
+        return Err("no list".into());
+    };
     let file = recordings.first().ok_or("no recording")?.file.clone();
     let Reply::Marks { marks, .. } = visitor.ask(Request::Marks { file }).await? else { return Err("no marks".into()) };
-    let value = |mark| serde_json::to_value(&mark).ok()?.get(field).map(|value| value.as_str().map_or_else(|| value.to_string(), str::to_owned));
+    let value = |mark| {
+        serde_json::to_value(&mark)
+            .ok()?
+            .get(field)
+            .map(|value| value.as_str().map_or_else(|| value.to_string(), str::to_owned))
+    };
     Ok(marks.into_iter().filter_map(value).collect())
 }
 
@@ -142,7 +150,11 @@ async fn two_operators_see_each_others_presses_marks_and_stops() -> Outcome<()> 
     // Who comes while something runs lands on it, whatever was open here before.
     yuki.goto(&format!("{}operate", stage.server.url())).await?;
     yuki.find("button", "Running").await?;
-    yuki.until("/^0:[0-9]{2}$/.test(document.querySelector('.op-clock b').textContent)", "the clock of the run goes there too").await?;
+    yuki.until(
+        "/^0:[0-9]{2}$/.test(document.querySelector('.op-clock b').textContent)",
+        "the clock of the run goes there too",
+    )
+    .await?;
 
     yuki.press("button", "Waving*").await?;
     aiko.until(&format!("{} === 'by'", shows("Waving")), "it is said who waves").await?;
@@ -179,7 +191,12 @@ async fn a_link_that_is_cut_presses_nothing_later_and_a_mark_keeps_its_moment() 
     // In the middle of a press.
     aiko.eval("document.querySelectorAll('.op-tile')[0].click(), globalThis.isCut = true, globalThis.sockets.forEach(socket => socket.close()), 0").await?;
     says(&aiko, "No connection for").await?;
-    for words in ["The robot goes on by itself.", "Press Stop. It is tried on its own way.", "hold it and press its chest button for 3 seconds", "nothing is done later"] {
+    for words in [
+        "The robot goes on by itself.",
+        "Press Stop. It is tried on its own way.",
+        "hold it and press its chest button for 3 seconds",
+        "nothing is done later",
+    ] {
         says(&aiko, words).await?;
     }
     aiko.find("button", "Was running").await?;
@@ -190,7 +207,11 @@ async fn a_link_that_is_cut_presses_nothing_later_and_a_mark_keeps_its_moment() 
     aiko.key("m").await?;
     says(&aiko, "waits here").await?;
     let marked = aiko.eval("document.querySelector('.op-newest .op-at').textContent").await?;
-    aiko.until(&format!("Number(document.querySelector('.op-undo').textContent.match(/[0-9]+/)[0]) < 8"), "two seconds pass").await?;
+    aiko.until(
+        &format!("Number(document.querySelector('.op-undo').textContent.match(/[0-9]+/)[0]) < 8"),
+        "two seconds pass",
+    )
+    .await?;
     socket.mend().await?;
     silent(&aiko, "No connection for").await?;
     silent(&aiko, "waits here").await?;
@@ -200,7 +221,8 @@ async fn a_link_that_is_cut_presses_nothing_later_and_a_mark_keeps_its_moment() 
     aiko.key("3").await?;
     aiko.until(&format!("{} === 'going'", shows("“That tickles!”")), "the tiles work again").await?;
     let (now, moments) = (aiko.eval(RUN_MS).await?, of_recording(&stage, "t").await?);
-    let (now, moment) = (now.as_f64().unwrap_or(0.0), moments.first().and_then(|t| t.parse::<f64>().ok()).unwrap_or(f64::MAX));
+    let (now, moment) =
+        (now.as_f64().unwrap_or(0.0), moments.first().and_then(|t| t.parse::<f64>().ok()).unwrap_or(f64::MAX));
     assert_eq!(moments.len(), 1, "the mark is there once");
     assert!(moment < now - 1_000.0, "marked at {moment} ms, not when it was sent, {now} ms");
     let mut visitor = Visitor::enter(&stage.server).await?;
@@ -232,7 +254,8 @@ async fn who_may_only_look_presses_none() -> Outcome<()> {
     ben.goto(&format!("{}/operate", root.as_str().unwrap_or_default())).await?;
     ben.find("button", "Running").await?;
     let free = "[...document.querySelectorAll('.op button')].filter(button => !button.disabled && !button.matches('.op-pill, .op-tab')).length";
-    ben.until(&format!("document.querySelectorAll('.op-tile').length > 3 && {free} === 0"), "nothing can be pressed").await?;
+    ben.until(&format!("document.querySelectorAll('.op-tile').length > 3 && {free} === 0"), "nothing can be pressed")
+        .await?;
     for key in ["1", "2", "3", "4", "m"] {
         ben.key(key).await?;
     }
@@ -271,7 +294,11 @@ async fn who_came_to_operate_lands_there_and_finds_the_way_out() -> Outcome<()> 
     aiko.find("button", "Head tracker, *").await?;
     aiko.key("Control+k").await?;
     aiko.press("button", "Operator’s page*").await?;
-    aiko.until("location.pathname.startsWith('/operate/') && document.title.includes('Ball game')", "with robot and program").await?;
+    aiko.until(
+        "location.pathname.startsWith('/operate/') && document.title.includes('Ball game')",
+        "with robot and program",
+    )
+    .await?;
     says(&aiko, "Ready to start").await
 }
 

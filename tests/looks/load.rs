@@ -109,7 +109,8 @@ async fn the_operators_page_needs_little_more_and_nothing_of_the_second_piece() 
     // What else follows the first screen counts as well.
     tokio::time::sleep(std::time::Duration::from_secs(3)).await;
     let traffic = page.network();
-    let later = page.eval("performance.getEntriesByType('resource').some(entry => entry.name.includes('/later-'))").await?;
+    let later =
+        page.eval("performance.getEntriesByType('resource').some(entry => entry.name.includes('/later-'))").await?;
     assert_eq!(later, false, "the second piece is for the page with the graph");
     let compressed = page.eval(COMPRESSED).await? == true;
     writeln!(std::io::stderr(), "The operator's page: {} requests, {} bytes", traffic.requests, traffic.bytes)?;

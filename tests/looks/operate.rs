@@ -1,6 +1,6 @@
 //! How the operator's page looks: ready, asked before Start, while it runs with tiles and marks, and without a link.
 
-use crate::look::{DESKTOP, PHONE, Window, WINDOWS, colours, keeps_pictures, measures, set};
+use crate::look::{DESKTOP, PHONE, WINDOWS, Window, colours, keeps_pictures, measures, set};
 use crate::screens::{nothing, rests, says, usable};
 use crate::words::Words;
 use house::{Browser, GAME, Outcome, Page, Server, Switch, skip};
@@ -46,7 +46,11 @@ async fn every_state(words: &Words) -> Outcome<()> {
     for key in ["m", "2", "3", "1"] {
         page.key(key).await?;
     }
-    page.until("document.querySelectorAll('.dots i').length === 3 && document.querySelectorAll('.op-lanes rect').length > 1", "it is seen").await?;
+    page.until(
+        "document.querySelectorAll('.dots i').length === 3 && document.querySelectorAll('.op-lanes rect').length > 1",
+        "it is seen",
+    )
+    .await?;
     found.extend(look(&page, words, "operate-runs").await?);
     socket.cut().await?;
     page.until("!document.querySelector('.op-trouble').hidden", "it says what to do").await?;

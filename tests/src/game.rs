@@ -33,7 +33,9 @@ impl Page {
     /// If the server does not take it.
     pub async fn brings_game(&self) -> Outcome<()> {
         let file = serde_json::Value::from(FILE);
-        let asks = format!("fetch('/api/import', {{ method: 'POST', body: {file} }}).then(answer => answer.text().then(text => answer.ok || text))");
+        let asks = format!(
+            "fetch('/api/import', {{ method: 'POST', body: {file} }}).then(answer => answer.text().then(text => answer.ok || text))"
+        );
         match self.eval(&asks).await? {
             serde_json::Value::Bool(true) => Ok(()),
             why => Err(Trouble(format!("The program was not brought in: {why}."))),

@@ -16,9 +16,9 @@
 mod axe;
 mod browser;
 mod find;
-mod game;
 mod frames;
 mod full_disk;
+mod game;
 pub mod guide;
 mod hands;
 mod host;

@@ -130,7 +130,8 @@ impl Pieces {
         }
         let loader = self.loader.replace("export const ", "const ");
         let given = exported(&self.loader).collect::<Vec<_>>().join(", ");
-        let name = |line: &str| line.trim_start_matches("import * as ").split(' ').next().unwrap_or_default().to_owned();
+        let name =
+            |line: &str| line.trim_start_matches("import * as ").split(' ').next().unwrap_or_default().to_owned();
         let named: String = imports.iter().map(|line| format!("const {} = {{ {given} }};\n", name(line))).collect();
         Ok(format!("{}\n{loader}{named}", lines.join("\n")))
     }

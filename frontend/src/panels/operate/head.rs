@@ -5,6 +5,7 @@ use super::Op;
 use super::clock::length;
 use super::starting::Kept;
 use crate::desk::{LinkState, Sign};
+use crate::escape;
 use crate::link::NoAnswer;
 use crate::panels::people::in_color;
 use crate::words;
@@ -99,10 +100,10 @@ fn Robot(op: Op) -> impl IntoView {
     view! {
         <p class="op-robot">
             <span class="lamp" aria-hidden="true" data-health=lamp></span>
-            <Show when=move || several.get() fallback=move || view! { <b class="cut">{move || desk.desk().robots.name()}</b> }>
+            <Show when=move || several.get() fallback=move || view! { <b class="cut" title=move || desk.desk().robots.name()>{move || desk.desk().robots.name()}</b> }>
                 <select class="op-select" aria-label=words::robot() on:change=choose>{choices}</select>
             </Show>
-            <span class="op-state" role="status">{state}</span>
+            <span class="op-state cut" role="status" title=state>{state}</span>
         </p>
     }
 }
@@ -138,7 +139,7 @@ fn Program(op: Op) -> impl IntoView {
     view! {
         <Show when=move || some.get()>
             <div class="op-program">
-                <b class="cut">{move || desk.desk().document.name.get()}</b>
+                <b class="cut" title=move || desk.desk().document.name.get()>{move || desk.desk().document.name.get()}</b>
                 <small>{version}</small>
             </div>
         </Show>
@@ -241,7 +242,7 @@ fn Recorded(op: Op) -> impl IntoView {
                     {move || code().map(|code| view! { <span>{code}</span> })}
                 </button>
                 <Show when=move || open.get()>
-                    <div class="op-popover">
+                    <div class="op-popover" on:keydown=move |event| { escape::ends(&event, || open.set(false)); }>
                         <Show when=is_kept fallback=move || view! {
                             <Kept kept />
                             <button class="button primary" type="button" disabled=move || op.rests() || !op.may() on:click=begin>{words::record_now()}</button>

@@ -71,6 +71,7 @@ pub(super) fn Lanes(op: Op) -> impl IntoView {
     };
     let end = move || if op.is_quiet() { words::no_connection_now() } else { words::happens_now() };
     let lane = move |(id, name, acts): Row| {
+        let title = name.clone();
         let shapes = move || {
             let now = now.get();
             let all = bars.read();
@@ -82,7 +83,7 @@ pub(super) fn Lanes(op: Op) -> impl IntoView {
             bars.into_iter().filter(|(_, until)| now - until < KEPT_MS).map(bar).collect_view()
         };
         view! {
-            <li class:acts=acts><span class="cut">{name}</span>
+            <li class:acts=acts><span class="cut" title=title>{name}</span>
                 <svg viewBox="0 0 1000 22" preserveAspectRatio="none" aria-hidden="true"><line x1="0" x2="1000" y1="11" y2="11" />{shapes}</svg>
             </li>
         }

@@ -5,6 +5,7 @@ use super::clock::{length, time_of_day};
 use super::marks::Mark;
 use super::pad::Does;
 use super::seen::Face;
+use crate::escape;
 use crate::icons::Icon;
 use crate::words;
 use behaviour::Id;
@@ -29,8 +30,8 @@ pub(super) fn Marking(op: Op) -> impl IntoView {
         op.marks.words.get().into_iter().filter(|word| !has(word)).take(WORDS_MAX).collect::<Vec<_>>()
     });
     let word = move |word: String| {
-        let press = word.clone();
-        view! { <button class="button op-word" type="button" disabled=move || !can.get() on:click=move |_| op.mark(&press)>{word}</button> }
+        let (press, title) = (word.clone(), word.clone());
+        view! { <button class="button op-word" type="button" title=title disabled=move || !can.get() on:click=move |_| op.mark(&press)>{word}</button> }
     };
     let send = move |event: SubmitEvent| {
         event.prevent_default();
@@ -56,7 +57,7 @@ pub(super) fn Marking(op: Op) -> impl IntoView {
                 </button>
             </div>
             <Show when=move || types.get() && can.get()>
-                <form class="op-note-row" on:submit=send>
+                <form class="op-note-row" on:submit=send on:keydown=move |event| { escape::ends(&event, || types.set(false)); }>
                     <input class="input" type="text" autocomplete="off" maxlength=MARK_WORD_MAX_CHARS.to_string()
                         aria-label=words::word_of_mark() placeholder=words::word_of_mark()
                         prop:value=move || typed.get() on:input:target=move |event| typed.set(event.target().value()) />
@@ -89,7 +90,7 @@ fn Newest(op: Op) -> impl IntoView {
         let (_, word, at) = id.get()?;
         Some(view! {
             <div class="op-newest">
-                <b class="cut">{words::word_or_mark(&word)}</b>
+                <b class="cut" title=words::word_or_mark(&word)>{words::word_or_mark(&word)}</b>
                 <span class="op-at">{time_of_day(at)}</span>
                 <Show when=move || !op.marks.writes.get()>
                     <button class="link" type="button" aria-keyshortcuts="N" on:click=move |_| { op.open_note(); }>
@@ -107,7 +108,7 @@ fn Newest(op: Op) -> impl IntoView {
     view! {
         {row}
         <Show when=move || op.marks.writes.get() && id.read().is_some()>
-            <form class="op-note-row" on:submit=send>
+            <form class="op-note-row" on:submit=send on:keydown=move |event| { escape::ends(&event, || op.marks.writes.set(false)); }>
                 <input id="op-note" class="input" type="text" autocomplete="off" maxlength=MARK_MAX_CHARS.to_string() autofocus=true
                     aria-label=words::note_of_mark() placeholder=words::note_of_mark()
                     prop:value=move || typed.get() on:input:target=move |event| typed.set(event.target().value()) />

@@ -1,20 +1,16 @@
-//! The nine tiles. Until a program says which: its buttons, then what it says and its gestures, then what its senses may pretend.
+//! The nine tiles: those of the program's pad, else the usual ones of what is in it.
 
 use crate::panels::hold::Hold;
 use crate::words;
-use behaviour::{Id, Params, Stream, StreamKind, Value};
+use behaviour::{Behaviour, Id, Params, StreamKind, TileAction, Value};
 use leptos::prelude::*;
 use protocol::Press;
-use robot::{Device, ParamKind};
-
-/// As many as there are keys.
-pub(super) const TILES_MAX: usize = 9;
-/// The actions that have a tile each: both do something of their own that ends by itself.
-const BY_HAND: [&str; 2] = ["SayParameter", "Animation"];
 
 /// A tile.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tile {
+    /// Its key, 1 to 9.
+    pub(super) key: usize,
     pub(super) label: String,
     /// The name of its picture.
     pub(super) icon: &'static str,
@@ -26,8 +22,8 @@ pub(super) struct Tile {
 pub(super) enum Does {
     /// Has the robot do an action by hand.
     Hand { device: String, params: Params, value: Value },
-    /// Lets a sense give a value, as if the robot had sensed it; `button` is one that there is for that.
-    Pretend { stream: Id, value: Value, button: bool },
+    /// Lets a sense give a value, as if the robot had sensed it.
+    Pretend { stream: Id, value: Value },
     /// Marks with a word: a moment, or a span that another press ends.
     Word { word: String, span: bool },
 }
@@ -39,7 +35,7 @@ impl Does {
             Self::Hand { device, params, value } => {
                 !press.pretended && device == press.what.as_str() && (params, value) == (&press.params, &press.value)
             }
-            Self::Pretend { stream, value, .. } => press.pretended && (stream, value) == (&press.what, &press.value),
+            Self::Pretend { stream, value } => press.pretended && (stream, value) == (&press.what, &press.value),
             Self::Word { .. } => false,
         }
     }
@@ -58,96 +54,95 @@ impl Does {
 pub(super) fn pad(desk: Hold) -> Memo<Vec<Tile>> {
     Memo::new(move |_| {
         let document = &desk.desk().document;
-        let ids = document.stream_ids.get();
-        let streams: Vec<(Id, Stream)> =
-            ids.into_iter().filter_map(|id| Some((id.clone(), document.stream(&id)?.record.get()))).collect();
-        of_graph(&streams)
+        document.edited.track();
+        document.open.track();
+        tiles(&document.behaviour())
     })
 }
 
-/// The tiles of a program that says none itself. Pure.
-pub(super) fn of_graph(streams: &[(Id, Stream)]) -> Vec<Tile> {
-    let known = |(id, stream): &(Id, Stream)| {
-        let device = robot::device(stream.kind, stream.device.as_deref()?).ok()?;
-        Some((id.clone(), stream.clone(), device))
+/// The tiles of a program: its own, in their own words, or the usual ones. Pure.
+fn tiles(behaviour: &Behaviour) -> Vec<Tile> {
+    let own = behaviour.pad().cloned();
+    let is_own = own.is_some();
+    let pad = own.unwrap_or_else(|| robot::usual_pad(behaviour));
+    let tile = |(key, tile): (u8, behaviour::Tile)| {
+        let (icon, button) = pictured(behaviour, &tile.does);
+        let label = if is_own { tile.label } else { usual_words(&tile.does, &tile.label, button) };
+        let does = match tile.does {
+            TileAction::Hand { device, params, value } => Does::Hand { device, params, value },
+            TileAction::Pretend { stream, value } => Does::Pretend { stream, value },
+            TileAction::Word { word, span } => Does::Word { word, span },
+        };
+        Tile { key: usize::from(key), label, icon, does }
     };
-    let known: Vec<(Id, Stream, &'static Device)> = streams.iter().filter_map(known).collect();
-    let buttons = known.iter().filter_map(|(id, stream, device)| {
-        let label = device.button_words(&stream.params)?.into_owned();
-        let does = Does::Pretend { stream: id.clone(), value: Value::Bool(true), button: true };
-        Some(Tile { label: words::translated(&label), icon: device.icon, does })
-    });
-    let by_hand = known
-        .iter()
-        .filter(|(_, stream, device)| stream.kind == StreamKind::Actuator && BY_HAND.contains(&device.name));
-    let by_hand = by_hand.map(|(_, stream, device)| {
-        let does =
-            Does::Hand { device: device.name.to_owned(), params: stream.params.clone(), value: Value::Bool(true) };
-        Tile { label: by_hand_words(device, &stream.params), icon: device.icon, does }
-    });
-    let pretends = known.iter().filter(|(_, _, device)| device.button.is_none()).flat_map(|(id, _, device)| {
-        device.pretend.iter().filter_map(|pretend| {
-            let value = crate::json::read(pretend.value).ok()?;
-            let does = Does::Pretend { stream: id.clone(), value, button: false };
-            Some(Tile { label: words::as_if_there_is(words::label_of(pretend.says)), icon: device.icon, does })
-        })
-    });
-    let mut tiles: Vec<Tile> = Vec::new();
-    for tile in buttons.chain(by_hand).chain(pretends) {
-        if tiles.len() < TILES_MAX && tiles.iter().all(|known| known.does != tile.does) {
-            tiles.push(tile);
-        }
-    }
-    tiles
+    pad.tiles.into_iter().map(tile).collect()
 }
 
-/// What an action does by hand, in the words of its settings: “Hello”, or waving.
-fn by_hand_words(device: &Device, params: &Params) -> String {
-    let chosen = |name: &str, default: &Value| params.get(name).unwrap_or(default).as_text().map(str::to_owned);
-    let mut words = device.params.iter().filter_map(|param| {
-        let chosen = chosen(param.name, &param.default())?;
-        match param.kind {
-            ParamKind::Choice(choices) => {
-                // What stands for something else has its name in the next setting.
-                let (_, label) = choices.iter().find(|(word, _)| *word == chosen && *word != "robot")?;
-                Some(words::capitalised(words::label_of(label)))
-            }
-            _ => Some(chosen).filter(|text| !text.is_empty()).map(|text| words::saying(&text)),
+/// The picture of what a tile is about, and whether that is a button. Pure.
+fn pictured(behaviour: &Behaviour, does: &TileAction) -> (&'static str, bool) {
+    let device = match does {
+        TileAction::Hand { device, .. } => robot::device(StreamKind::Actuator, device).ok(),
+        TileAction::Pretend { stream, .. } => {
+            let device = behaviour.stream(stream).and_then(|stream| stream.device.as_deref());
+            device.and_then(|device| robot::device(StreamKind::Sensor, device).ok())
         }
-    });
-    words.next().unwrap_or_else(|| words::label_of(device.label).to_owned())
+        TileAction::Word { .. } => return ("flag", false),
+    };
+    device.map_or(("bolt", false), |device| (device.icon, device.button.is_some()))
 }
+
+/// The words on a usual tile: what is said stands in quotes, what is pretended behind “as if”. Pure.
+fn usual_words(does: &TileAction, label: &str, button: bool) -> String {
+    let said = words::translated(label);
+    match does {
+        TileAction::Hand { device, .. } if device == SAYS => words::saying(label),
+        TileAction::Pretend { .. } if !button => words::as_if_there_is(&said),
+        _ => words::capitalised(&said),
+    }
+}
+
+/// The action that speaks a text of its own.
+pub(super) const SAYS: &str = "SayParameter";
 
 #[cfg(test)]
 mod tests {
-    use super::{Does, TILES_MAX, of_graph};
-    use behaviour::{Id, Params, Stream, StreamKind, Value};
+    use super::{Does, tiles};
+    use behaviour::{Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, Value};
     use protocol::Press;
 
-    fn stream(id: &str, kind: StreamKind, device: &str, params: &[(&str, &str)]) -> (Id, Stream) {
-        let params = params.iter().map(|&(name, value)| (name.to_owned(), Value::text(value))).collect();
-        let stream = Stream { kind, name: id.to_owned(), device: Some(device.to_owned()), params, ..Stream::default() };
-        (Id::new(id).unwrap(), stream)
+    fn with(all: &[(StreamKind, &str, &[(&str, &str)])]) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        for (order, (kind, device, params)) in (0..).zip(all) {
+            let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
+            let (name, device) = (format!("s{order}"), Some((*device).to_owned()));
+            let (kind, resources, priority, hold_ms) = (*kind, None, None, None);
+            let id = RecordId::new(Kind::Stream, &Id::new(&name).unwrap());
+            let stream = Stream { kind, name, device, params, order, resources, priority, hold_ms };
+            behaviour.records.insert(id, Record::Stream(stream));
+        }
+        behaviour
     }
 
     #[test]
-    fn buttons_come_first_then_what_is_done_by_hand_then_what_is_pretended() {
-        let (sense, acts) = (StreamKind::Sensor, StreamKind::Actuator);
-        let tiles = of_graph(&[
-            stream("ball", sense, "RedBall", &[]),
-            stream("hello", acts, "SayParameter", &[("text", "Hello")]),
-            stream("again", acts, "SayParameter", &[("text", "Hello")]),
-            stream("wave", acts, "Animation", &[("animation", "Hey")]),
-            stream("track", acts, "Tracker", &[]),
-            stream("go", sense, "Button", &[("label", "Go on")]),
+    fn the_usual_tiles_say_in_words_what_they_do_and_those_of_a_pad_are_its_own() {
+        use StreamKind::{Actuator, Sensor};
+        let mut behaviour = with(&[
+            (Sensor, "HeadTouch", &[]),
+            (Actuator, "SayParameter", &[("text", "Hello")]),
+            (Actuator, "Animation", &[("animation", "Hey")]),
+            (Sensor, "Button", &[("label", "Go on")]),
         ]);
-        let labels: Vec<&str> = tiles.iter().map(|tile| tile.label.as_str()).collect();
-        assert_eq!(labels[..3], ["Go on", "“Hello”", "Waving"], "the same is there once");
+        let usual = tiles(&behaviour);
+        let labels: Vec<&str> = usual.iter().map(|tile| tile.label.as_str()).collect();
+        assert_eq!(labels[..3], ["Go on", "“Hello”", "Waving"]);
         assert!(labels.len() > 3 && labels[3..].iter().all(|label| label.starts_with("As if: ")), "{labels:?}");
-        let looks: Vec<&str> = tiles.iter().map(|tile| tile.does.look()).collect();
+        let looks: Vec<&str> = usual.iter().map(|tile| tile.does.look()).collect();
         assert_eq!(looks[..4], ["sensor", "actuator", "actuator", "sensor"]);
-        let many: Vec<_> = (0..20).map(|at| stream(&format!("b{at}"), sense, "Button", &[])).collect();
-        assert_eq!(of_graph(&many).len(), TILES_MAX);
+        let own = r#"{"4":{"label":"laughs","does":{"word":{"word":"laughs","span":true}}}}"#;
+        let own: Pad = serde_json::from_str(own).unwrap();
+        behaviour.records.insert(RecordId::pad(), Record::Pad(own));
+        let own = tiles(&behaviour);
+        assert_eq!((own.len(), own[0].key, own[0].label.as_str(), own[0].does.look()), (1, 4, "laughs", "word"));
     }
 
     #[test]
@@ -162,7 +157,7 @@ mod tests {
             value: Value::Bool(true),
             why: None,
         };
-        let button = Does::Pretend { stream: Id::new("go").unwrap(), value: Value::Bool(true), button: true };
+        let button = Does::Pretend { stream: Id::new("go").unwrap(), value: Value::Bool(true) };
         assert!(button.is_of(&press("go", true)) && !button.is_of(&press("go", false)));
         assert!(!button.is_of(&press("on", true)));
         let hand = Does::Hand { device: "Animation".into(), params: Params::default(), value: Value::Bool(true) };

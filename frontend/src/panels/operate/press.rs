@@ -2,7 +2,7 @@
 //! lost link comes back.
 
 use super::Op;
-use super::pad::{Does, TILES_MAX, Tile};
+use super::pad::{Does, SAYS, Tile};
 use super::seen::Seen;
 use crate::desk::LinkState;
 use crate::link::NoAnswer;
@@ -94,14 +94,17 @@ impl Op {
                 let lacks = chosen.as_ref()?.lacking.iter().find(|lacking| lacking.device == *device)?;
                 Some(words::translated(&lacks.why))
             }
+            Does::Pretend { stream, .. } if desk.document.stream(stream).is_none() => {
+                Some(words::its_sense_is_gone().to_owned())
+            }
             _ => self.run().is_none().then(|| words::only_while_it_runs().to_owned()),
         }
     }
 
     /// Presses the tile with this number, from 1; whether there is one that can be pressed. Not reactive.
     pub(super) fn press(self, number: usize) -> bool {
-        let tile = self.pad.with_untracked(|pad| number.checked_sub(1).and_then(|at| pad.get(at).cloned()));
-        let Some(tile) = tile.filter(|_| number <= TILES_MAX) else { return false };
+        let tile = self.pad.with_untracked(|pad| pad.iter().find(|tile| tile.key == number).cloned());
+        let Some(tile) = tile else { return false };
         if let Some(why) = untrack(|| self.cannot(&tile.does)) {
             self.whisper(&words::titled(&tile.label, &why));
             return true;
@@ -112,7 +115,12 @@ impl Op {
         if before.is_some_and(|before| (0.0..RESTS_MS).contains(&(now - before))) {
             return true;
         }
-        self.put(Pressed { does: tile.does.clone(), at: now, by: None, name: String::new(), became: Became::Asked });
+        let became = match tile.does {
+            // A mark is there at once, whatever the link does.
+            Does::Word { .. } => Became::Done { from: now, until: now + PRETENDED_MS },
+            Does::Hand { .. } | Does::Pretend { .. } => Became::Asked,
+        };
+        self.put(Pressed { does: tile.does.clone(), at: now, by: None, name: String::new(), became });
         match tile.does {
             Does::Word { ref word, span } => self.mark_word(word, span),
             _ => self.ask(tile, now),
@@ -127,7 +135,7 @@ impl Op {
             (Does::Hand { device, params, value }, _) => {
                 Request::Hand { robot, device: device.clone(), params: params.clone(), value: value.clone() }
             }
-            (Does::Pretend { stream, value, .. }, Some(behaviour)) => {
+            (Does::Pretend { stream, value }, Some(behaviour)) => {
                 Request::Stimulate { behaviour, robot, stream: stream.clone(), value: value.clone() }
             }
             _ => return,
@@ -226,7 +234,7 @@ impl Op {
 /// About how long it goes on, in milliseconds.
 fn lasts_ms(does: &Does) -> f64 {
     match does {
-        Does::Hand { device, params, .. } if device == "SayParameter" => {
+        Does::Hand { device, params, .. } if device == SAYS => {
             let letters = params.get("text").and_then(Value::as_text).map_or(5, |text| text.chars().count());
             SPEECH_MIN_MS.max(letters as f64 * LETTER_MS)
         }
@@ -237,7 +245,7 @@ fn lasts_ms(does: &Does) -> f64 {
 
 fn going_words(does: &Does) -> &'static str {
     match does {
-        Does::Hand { device, .. } if device == "SayParameter" => words::speaking_now(),
+        Does::Hand { device, .. } if device == SAYS => words::speaking_now(),
         Does::Hand { .. } => words::moving_now(),
         Does::Pretend { .. } | Does::Word { .. } => words::done_just_now(),
     }

@@ -4,6 +4,7 @@
 use super::Op;
 use crate::browser::Keep;
 use crate::desk::LinkState;
+use crate::escape;
 use crate::icons::Icon;
 use crate::link::NoAnswer;
 use crate::panels::focus;
@@ -102,7 +103,7 @@ fn Asked(op: Op) -> impl IntoView {
     let chips: Vec<String> = codes.into_iter().chain([String::new()]).collect();
     view! {
         <div class="op-veil" aria-hidden="true"></div>
-        <section class="op-card" role="dialog" aria-labelledby="op-card-title">
+        <section class="op-card" role="dialog" aria-labelledby="op-card-title" on:keydown=move |event| { escape::ends(&event, || op.asks.set(false)); }>
             <form on:submit=send>
                 <header>
                     <h2 id="op-card-title">{name}</h2>

@@ -14,10 +14,7 @@ pub(super) fn Tiles(op: Op) -> impl IntoView {
     let rests = Memo::new(move |_| op.rests());
     let some = Memo::new(move |_| !op.pad.read().is_empty());
     let opened = Memo::new(move |_| op.desk.desk().document.open.read().is_some());
-    let tiles = move || {
-        let tiles = op.pad.get().into_iter().enumerate();
-        tiles.map(|(at, tile)| view! { <One op at tile /> }).collect_view()
-    };
+    let tiles = move || op.pad.get().into_iter().map(|tile| view! { <One op tile /> }).collect_view();
     view! {
         <p class="op-rest" role="status">{move || rests.get().then(words::buttons_rest)}</p>
         <div class="op-tiles" role="group" aria-label=words::tiles_name()>{tiles}</div>
@@ -28,8 +25,8 @@ pub(super) fn Tiles(op: Op) -> impl IntoView {
 }
 
 #[component]
-fn One(op: Op, at: usize, tile: Tile) -> impl IntoView {
-    let number = at + 1;
+fn One(op: Op, tile: Tile) -> impl IntoView {
+    let number = tile.key;
     let (label, icon, does) = (tile.label.clone(), tile.icon, tile.does.clone());
     let shows = Memo::new(move |_| op.shows(&tile));
     let state = move || match &*shows.read() {

@@ -43,6 +43,7 @@ sentences! {
     buttons_rest: "The buttons rest until the link is back; nothing is done later. Marks go on and wait here.";
     until_link_is_back: "rests until the link is back";
     robot_not_there: "the robot is not there";
+    its_sense_is_gone: "its sense is gone from the program";
     only_while_it_runs: "only while it runs";
     not_known_if_done: "No connection: it may not have been done. It is not sent again.";
     sent_just_now: "sent …";
