@@ -22,7 +22,7 @@ async fn operates(stage: &Stage, page: &Page) -> Outcome<()> {
 async fn starts(page: &Page, code: &str) -> Outcome<()> {
     page.press("button", "Start …").await?;
     let card = page.within("dialog", "Start Ball game");
-    card.fill("textbox", "Participant code", code).await?;
+    card.fill("textbox", "Participant code*", code).await?;
     card.press("button", "Start").await?;
     page.find("button", "Running").await.map(drop)
 }

@@ -397,7 +397,7 @@ fn made(change: Change, now: &Behaviour, event: Event, key: &RecordId, number: u
             let name = format!("Two people {number}");
             change.put(now, key.clone(), Record::Settings(Settings { name, ..settings }))
         }
-        (Record::Place(_) | Record::Helper(_), _) => change,
+        (Record::Place(_) | Record::Helper(_) | Record::Pad(_), _) => change,
     }
 }
 

@@ -87,7 +87,7 @@ pub(crate) fn operate() -> AnyView {
         <link rel="stylesheet" href=SHEET on:load=move |_| dressed.set(true) on:error=move |_| dressed.set(true) />
         <div class="op" class:op-bare=move || !dressed.get() class:op-quiet=move || op.is_quiet()>
             <head::Head op />
-            <main class="op-main" aria-label=words::operate_name()>
+            <main class="op-main" tabindex="0" aria-label=words::operate_name()>
                 <now::Now op />
                 <lanes::Lanes op />
                 <tiles::Tiles op />

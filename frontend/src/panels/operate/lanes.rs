@@ -17,7 +17,7 @@ const JOINED_MS: f64 = 1_000.0;
 const BARS_MAX: usize = 120;
 /// Senses and actions that have a row.
 const SENSES_MAX: usize = 2;
-const ACTIONS_MAX: usize = 3;
+const ACTIONS_MAX: usize = 2;
 /// The width and the height of a row's picture, in its own units.
 const WIDTH: f64 = 1_000.0;
 /// Times along the top, in milliseconds.
@@ -48,7 +48,11 @@ type Row = (Id, String, bool);
 #[component]
 pub(super) fn Lanes(op: Op) -> impl IntoView {
     let bars = RwSignal::new(BTreeMap::<Id, (u64, Bars)>::new());
-    let rows = Memo::new(move |_| rows(op));
+    let busy = Memo::new(move |_| {
+        let all = bars.read();
+        all.iter().filter(|(_, (_, bars))| !bars.is_empty()).map(|(id, _)| id.clone()).collect::<Vec<_>>()
+    });
+    let rows = Memo::new(move |_| rows(op, &|id| busy.read().contains(id)));
     look(op, bars);
     let some = Memo::new(move |_| {
         bars.read().values().any(|(_, bars)| !bars.is_empty())
@@ -131,26 +135,35 @@ pub(super) fn Lanes(op: Op) -> impl IntoView {
     }
 }
 
-/// The senses and actions that have a row: the first of each. Reactive.
-fn rows(op: Op) -> Vec<Row> {
+/// The senses and the actions that a connector leads to which have a row: those that told something first. Reactive.
+fn rows(op: Op, is_busy: &dyn Fn(&Id) -> bool) -> Vec<Row> {
     let document = &op.desk.desk().document;
-    let all: Vec<(Id, String, StreamKind)> = document
+    document.edited.track();
+    let ends: Vec<Id> = document
+        .connectors()
+        .iter()
+        .map(|(_, signals)| signals.record.with_untracked(|one| one.output.clone()))
+        .collect();
+    let all: Vec<Row> = document
         .stream_ids
         .get()
         .into_iter()
         .filter_map(|id| {
-            let signals = document.stream(&id)?;
-            let (name, kind) = signals.record.with(|stream| (stream.name.clone(), stream.kind));
-            Some((id, name, kind))
+            let (name, kind) = document.stream(&id)?.record.with(|stream| (stream.name.clone(), stream.kind));
+            let acts = kind == StreamKind::Actuator;
+            (kind == StreamKind::Sensor || (acts && ends.contains(&id))).then_some((id, name, acts))
         })
         .collect();
-    let of = |wanted: StreamKind, most: usize| {
-        let one = move |(id, name, kind): &(Id, String, StreamKind)| {
-            (*kind == wanted).then(|| (id.clone(), name.clone(), wanted == StreamKind::Actuator))
-        };
-        all.iter().filter_map(one).take(most).collect::<Vec<_>>()
+    let chosen = |acts: bool, most: usize| {
+        let of = || all.iter().filter(move |row| row.2 == acts);
+        let busy = of().filter(|row| is_busy(&row.0)).chain(of().filter(|row| !is_busy(&row.0)));
+        busy.take(most).map(|row| row.0.clone()).collect::<Vec<_>>()
     };
-    [of(StreamKind::Sensor, SENSES_MAX), of(StreamKind::Actuator, ACTIONS_MAX)].concat()
+    let chosen = [chosen(false, SENSES_MAX), chosen(true, ACTIONS_MAX)].concat();
+    // They stand in the order of the program, whichever came first.
+    let (senses, actions): (Vec<Row>, Vec<Row>) =
+        all.into_iter().filter(|row| chosen.contains(&row.0)).partition(|row| !row.2);
+    senses.into_iter().chain(actions).collect()
 }
 
 /// Looks again and again what told something since.
@@ -161,9 +174,13 @@ fn look(op: Op, bars: RwSignal<BTreeMap<Id, (u64, Bars)>>) {
         }
         let now = browser::today_ms();
         let document = &op.desk.desk().document;
-        let told: Vec<(Id, u64)> = untrack(|| rows(op))
+        let told: Vec<(Id, u64)> = document
+            .stream_ids
+            .get_untracked()
             .into_iter()
-            .filter_map(|(id, ..)| {
+            .filter_map(|id| {
+                let acts_or_senses = |kind| matches!(kind, StreamKind::Sensor | StreamKind::Actuator);
+                document.stream(&id).filter(|stream| stream.record.with_untracked(|one| acts_or_senses(one.kind)))?;
                 let count = document.stream(&id)?.live.with_untracked(|live| live.count);
                 Some((id, count))
             })

@@ -4,11 +4,10 @@
 use super::Op;
 use super::trouble::Trouble;
 use crate::browser;
-use crate::live::short_value;
 use crate::panels::hold::Soon;
 use crate::panels::language::language;
 use crate::words;
-use behaviour::{Helper, StreamKind};
+use behaviour::Helper;
 use leptos::prelude::*;
 use sentences::Sentence;
 
@@ -34,11 +33,12 @@ pub(super) fn Now(op: Op) -> impl IntoView {
         let all = times.get();
         let newest = newest(&all).map(|(sentence, _)| sentence.clone());
         let row = |(sentence, at): &Told| {
-            let text = words::without_code(&sentence.to_string()).into_owned();
+            let text = words::without_code(&sentence.to_string());
             let is_last = quiet.get() && newest.as_ref() == Some(sentence);
             (text, !quiet.get() && runs.get() && is_now(*at), is_last)
         };
-        all.iter().map(row).take(SENTENCES_MAX).collect::<Vec<_>>()
+        // Of a robot that is not heard only the last is known.
+        all.iter().map(row).filter(|(_, _, last)| *last || !quiet.get()).take(SENTENCES_MAX).collect::<Vec<_>>()
     });
     let ago = move || op.desk.desk().unheard.get().map(words::seconds_ago);
     let row = move |(text, now, last): (String, bool, bool)| {
@@ -59,7 +59,7 @@ pub(super) fn Now(op: Op) -> impl IntoView {
         <Show when=move || op.trouble().is_none()>
             <div class="op-title">
                 <h1>{move || title(op, &times.read())}</h1>
-                <p>{move || under(op)}</p>
+                <p>{move || under(op, &times.read())}</p>
             </div>
         </Show>
         <super::head::Programs op />
@@ -144,8 +144,8 @@ fn action_words(sentence: &Sentence) -> String {
     words::capitalised(text.trim().trim_end_matches(['.', '。', ',', '、']))
 }
 
-/// What it senses, or how it stands. Reactive.
-fn under(op: Op) -> String {
+/// When it does that, or how it stands. Reactive.
+fn under(op: Op, all: &[Told]) -> String {
     let desk = op.desk.desk();
     if desk.document.open.read().is_none() {
         return words::choose_program_says().to_owned();
@@ -153,16 +153,17 @@ fn under(op: Op) -> String {
     if op.run().is_none() {
         return op.why_not_start().unwrap_or_else(|| words::press_start().to_owned());
     }
-    desk.robots.clock.track();
-    let now = browser::now_ms();
-    let document = &desk.document;
-    let seen = document.stream_ids.get().into_iter().filter_map(|id| {
-        let signals = document.stream(&id)?;
-        let (kind, name) = signals.record.with(|stream| (stream.kind, stream.name.clone()));
-        let live = signals.live.read();
-        let value = live.value.as_ref().filter(|_| now - live.received < NOW_MS)?;
-        (kind == StreamKind::Sensor).then(|| (live.received, words::titled(&name, &short_value(value))))
-    });
-    let newest = seen.max_by(|(one, _), (other, _)| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal));
-    newest.map_or_else(|| words::senses_nothing_now().to_owned(), |(_, words)| words)
+    match newest(all).filter(|(_, at)| is_now(*at)) {
+        Some((sentence, _)) => lead_words(sentence),
+        None => words::senses_nothing_now().to_owned(),
+    }
+}
+
+/// What a sentence says before that: when it is done.
+fn lead_words(sentence: &Sentence) -> String {
+    let action = sentence.phrases.iter().rposition(|phrase| phrase.streams.contains(&sentence.action));
+    let before = action.unwrap_or(sentence.phrases.len().saturating_sub(1));
+    let text: String =
+        sentence.phrases[..before].iter().flat_map(|phrase| &phrase.pieces).map(|piece| piece.text()).collect();
+    words::without_code(&text).trim().trim_end_matches([',', '、']).to_owned()
 }

@@ -78,7 +78,8 @@ pub(super) fn Room(op: Op) -> impl IntoView {
             </Show>
             {move || match shown.get() {
                 Some(robot) => view! { <div class="op-camera"><CameraPicture robot /></div> }.into_any(),
-                None => view! { <RoomPicture /> }.into_any(),
+                // It is looked at here: nothing in it is moved by a hand that only passes over it.
+                None => view! { <div class="op-still" inert=true><RoomPicture /></div> }.into_any(),
             }}
         </div>
     }

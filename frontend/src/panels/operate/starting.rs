@@ -105,12 +105,12 @@ fn Asked(op: Op) -> impl IntoView {
         <div class="op-veil" aria-hidden="true"></div>
         <section class="op-card" role="dialog" aria-labelledby="op-card-title" on:keydown=move |event| { escape::ends(&event, || op.asks.set(false)); }>
             <form on:submit=send>
-                <header>
+                <div class="op-card-head">
                     <h2 id="op-card-title">{name}</h2>
                     <button class="tool icon" type="button" aria-label=words::close() title=words::close() on:click=move |_| op.asks.set(false)>
                         <Icon name="close" />
                     </button>
-                </header>
+                </div>
                 <div class="op-card-body">
                     <label class="op-code-label" for="op-code">{words::participant_code()}<small>{words::code_not_name()}</small></label>
                     <input id="op-code" class="input" type="text" autocomplete="off" autocapitalize="characters" spellcheck="false"
@@ -121,10 +121,10 @@ fn Asked(op: Op) -> impl IntoView {
                     <Kept kept />
                     <p class="op-once">{words::asked_once()}</p>
                 </div>
-                <footer>
+                <div class="op-card-feet">
                     <button class="button" type="button" on:click=move |_| op.asks.set(false)>{words::do_not_start()}</button>
                     <button class="start op-go" type="submit" disabled=move || wrong.get()><Icon name="play" />{words::start()}</button>
-                </footer>
+                </div>
             </form>
         </section>
     }
