@@ -123,8 +123,9 @@ fn List(op: Op) -> impl IntoView {
     let shown = Memo::new(move |_| {
         let newest = op.marks.mine.get();
         let all = op.marks.all.read();
-        let others =
-            all.iter().rev().filter(|mark| Some(&mark.id) != newest.as_ref() || mark.open || !mark.note.is_empty());
+        // The newest of one's own stands above already, unless there is more to say of it.
+        let has_more = |mark: &&Mark| mark.open || !mark.note.is_empty() || (mark.waits && op.rests());
+        let others = all.iter().rev().filter(|mark| Some(&mark.id) != newest.as_ref() || has_more(mark));
         others.take(LISTED_MAX).cloned().collect::<Vec<_>>()
     });
     view! {
