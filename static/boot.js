@@ -24,7 +24,7 @@ document.addEventListener("keydown", (event) => {
 // ---- The language: as chosen, else as the browser is set; English needs nothing --------------------------------------
 
 const LANGUAGE = "rrp.language";
-const LANGUAGES = new Map([["ja", "./ja.txt"]]);
+const LANGUAGES = new Map([["ja", "/ja.txt"]]);
 const WORDS_WAIT_MS = 4_000;
 
 function language() {
@@ -61,7 +61,7 @@ function sayStop(text, code) {
 // Both are fetched at once: neither waits for the other.
 const spoken = language();
 const wanted = table(spoken);
-const code = fetch("./app_bg.wasm");
+const code = fetch("/app_bg.wasm");
 code.catch(() => { /* Said where it is waited for. */ });
 
 // ---- When the program fails ---------------------------------------------------------------------------------------
@@ -118,7 +118,7 @@ window.rrpPanic = (text) => {
 function addManifest() {
   const link = document.createElement("link");
   link.rel = "manifest";
-  link.href = "./manifest.webmanifest";
+  link.href = "/manifest.webmanifest";
   document.head.append(link);
 }
 

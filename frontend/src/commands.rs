@@ -232,6 +232,7 @@ pub(crate) static ALL: &[Command] = &[
     command(Group::View, words::tidy, "", Role::Editor, Act::Desk(|desk| desk.document.tidy(crate::layout::tidy)))
         .on(&[On::Ground])
         .of_graph(),
+    command(Group::View, words::operate, "", Role::Viewer, Act::Desk(operate)).on(&[On::Phone]).icon("play"),
     command(Group::View, words::other_language, "", Role::Viewer, Act::Desk(|_| panels::speak_other()))
         .on(&[On::Phone])
         .icon("globe"),
@@ -346,6 +347,12 @@ fn line_up(desk: &Desk, how: LineUp) {
         return desk.say(words::choose_several_first(), false);
     }
     desk.document.line_up(&chosen, how);
+}
+
+/// Goes to the operator's page, with the robot that is looked at and the program that is open.
+fn operate(desk: &Desk) {
+    let robot = desk.robots.chosen_id().map(|robot| format!("/{robot}")).unwrap_or_default();
+    let _ = window().location().set_href(&format!("{}{robot}{}", protocol::OPERATE_PATH, crate::browser::hash()));
 }
 
 /// Prints once all of the graph is in the page: the browser waits for nothing that comes later.

@@ -24,7 +24,7 @@ pub(crate) use document::{
 pub(crate) use inviting::Invited;
 pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, first_file};
 pub(crate) use robots::Unused;
-pub(crate) use tab::{Choice, Dialog, LinkEnd, LinkState, settled};
+pub(crate) use tab::{Choice, Dialog, LinkEnd, LinkState, new_id, settled};
 
 use document::{Document, DocumentEvent};
 use leptos::prelude::*;

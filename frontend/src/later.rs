@@ -94,6 +94,39 @@ pub(crate) struct Rest {
     pub(crate) selected: fn(Selected) -> AnyView,
 }
 
+/// Fetches the operator's page, a piece of its own, which needs nothing of the second one.
+#[wasm_split(operate, wasm_split_path = leptos::wasm_split, fallible)]
+fn operating() -> Result<fn() -> AnyView, NotLoaded> {
+    Ok(panels::operate)
+}
+
+/// The operator's page: nothing until it is here, and a sentence if it does not come.
+#[component]
+pub(crate) fn Operate() -> impl IntoView {
+    let shown = RwSignal::new(Some(None::<fn() -> AnyView>));
+    let fetch = move || {
+        leptos::task::spawn_local(async move {
+            let fetched = operating().await.ok();
+            shown.set(fetched.map(Some));
+        });
+    };
+    fetch();
+    move || match shown.get() {
+        Some(Some(show)) => show(),
+        Some(None) => ().into_any(),
+        None => view! { <Failed again=Callback::new(move |()| fetch()) /> }.into_any(),
+    }
+}
+
+/// A piece did not come, and another try.
+#[component]
+fn Failed(again: Callback<()>) -> impl IntoView {
+    view! {
+        <p>{words::not_loaded()}</p>
+        <button class="button" type="button" data-first="" on:click=move |_| again.run(())>{words::try_again()}</button>
+    }
+}
+
 /// The second piece could not be fetched.
 struct NotLoaded;
 
@@ -256,14 +289,7 @@ pub(crate) fn NotHere() -> impl IntoView {
     piece.fetch();
     let failed = piece.fetching.clone();
     let again = Callback::new(move |()| piece.fetch());
-    let sentence = move || {
-        (failed.get() == Fetching::Failed).then(|| {
-            view! {
-                <p>{words::not_loaded()}</p>
-                <button class="button" type="button" data-first="" on:click=move |_| again.run(())>{words::try_again()}</button>
-            }
-        })
-    };
+    let sentence = move || (failed.get() == Fetching::Failed).then(|| view! { <Failed again /> });
     view! { <div class="not-here" role="alert">{sentence}</div> }
 }
 

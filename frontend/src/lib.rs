@@ -62,20 +62,29 @@ fn tell_page(text: &str) {
 fn App() -> impl IntoView {
     let desk = Desk::new();
     desk.start_up();
-    undo_keys(&desk);
-    commands::keys(&desk);
     title(&desk);
-    paper(&desk);
-    let ended = desk.ended.clone();
+    let operates = is_operate();
     let later = later::SecondPiece::new();
-    later.serve(&desk);
+    if !operates {
+        undo_keys(&desk);
+        commands::keys(&desk);
+        paper(&desk);
+        later.serve(&desk);
+    }
+    let ended = desk.ended.clone();
     provide_context(later);
     provide_context(desk);
     let phone = is_phone();
     move || match ended.get() {
         Some(end) => view! { <panels::Ended end /> }.into_any(),
+        None if operates => view! { <later::Operate /> }.into_any(),
         None => view! { <Page phone=phone.clone() /> }.into_any(),
     }
+}
+
+/// True where the address is that of the operator's page.
+fn is_operate() -> bool {
+    window().location().pathname().is_ok_and(|path| path.starts_with(protocol::OPERATE_PATH))
 }
 
 /// Everything that there is to see and do.

@@ -8,6 +8,7 @@ use protocol::{Ask, Assembly, Message, Refused, Reply, Request};
 use socket::Socket;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The first and the longest wait before the next try, in milliseconds.
 const BACK_OFF_MS: [f64; 2] = [250.0, 8_000.0];
@@ -29,6 +30,9 @@ pub(crate) enum NoAnswer {
 /// What is done with a reply; none when the link broke before it came.
 type Answer = Box<dyn FnOnce(Option<&Reply>)>;
 
+/// What is done with every message.
+type Ear = Rc<dyn Fn(&Reply)>;
+
 #[derive(Default)]
 struct Link {
     desk: Option<Desk>,
@@ -44,6 +48,8 @@ struct Link {
     answers: BTreeMap<u32, Answer>,
     /// There will be no link again: the invitation ended, or another page has the place of this one.
     is_over: bool,
+    /// Who hears every message before the desk does.
+    ear: Option<Ear>,
     /// What comes in parts.
     assembly: Assembly,
 }
@@ -81,6 +87,11 @@ fn listen() {
     if let Some((desk, silent_ms)) = desk {
         desk.listen(silent_ms);
     }
+}
+
+/// From now on every message is heard here too, before the desk hears it.
+pub(crate) fn overhear(ear: impl Fn(&Reply) + 'static) {
+    with(|link| link.ear = Some(Rc::new(ear)));
 }
 
 /// True when the server has greeted back.
@@ -179,6 +190,9 @@ fn hear(generation: u32, text: &str) {
     let unasked_no = answer.is_none();
     if let Some(answer) = answer {
         answer(Some(&message.reply));
+    }
+    if let Some(ear) = with(|link| link.ear.clone()) {
+        ear(&message.reply);
     }
     match message.reply {
         Reply::No { no } if unasked_no => desk.say_no(&no),

@@ -17,7 +17,7 @@ async fn open_house() -> Outcome<(Stage, Page)> {
 }
 
 /// Makes an invitation in the dialog, which stays open; answers with its link.
-async fn invite(page: &Page, may: &str, lasts: &str, whom: &str) -> Outcome<String> {
+pub(crate) async fn invite(page: &Page, may: &str, lasts: &str, whom: &str) -> Outcome<String> {
     page.within("toolbar", "Main tools").press("button", "Invite").await?;
     let dialog = page.within("dialog", "Invite somebody");
     dialog.press("radio", may).await?;
@@ -28,7 +28,7 @@ async fn invite(page: &Page, may: &str, lasts: &str, whom: &str) -> Outcome<Stri
 }
 
 /// Somebody at another computer who opens the link. Their browser knows the certificate, so to speak.
-async fn follow(stage: &Stage, name: &str, link: &str) -> Outcome<Page> {
+pub(crate) async fn follow(stage: &Stage, name: &str, link: &str) -> Outcome<Page> {
     let page = stage.nobody(name).await?;
     page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
     page.goto(link).await?;
@@ -47,6 +47,12 @@ async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<
     says(&page, "Aiko invites you to").await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
+    // Who comes to operate lands on the operator's page; these look at the graph.
+    if page.eval("location.pathname").await? == protocol::OPERATE_PATH {
+        let origin = page.eval("location.origin").await?;
+        page.goto(&format!("{}/?graph", origin.as_str().unwrap_or_default())).await?;
+        usable(&page).await?;
+    }
     let hash = aiko.eval("location.hash").await?;
     page.eval(&format!("location.hash = {hash}; 0")).await?;
     page.find("button", "Red ball, sensor stream").await?;

@@ -18,6 +18,7 @@ mod later;
 mod library;
 mod link;
 mod locks;
+mod operate;
 mod order;
 mod presence;
 mod quick;

@@ -16,6 +16,7 @@ mod large;
 mod load;
 mod locks;
 mod look;
+mod operate;
 mod presence;
 mod recordings;
 mod rules;

@@ -121,6 +121,14 @@ impl Robot for Nao {
         if self.shared.state().is_pepper { "pepper" } else { "nao" }
     }
 
+    fn by_body(&self) -> &'static str {
+        if self.shared.state().is_pepper {
+            "press the red button at the back of its neck"
+        } else {
+            "hold it and press its chest button for 3 seconds"
+        }
+    }
+
     fn devices(&self) -> Vec<&'static str> {
         self.shared.state().devices.clone()
     }

@@ -23,7 +23,7 @@ pub use library::{
     Exercise, ExerciseQuestion, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream,
     Summary, Tried, WORDS_MAX_CHARS,
 };
-pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
+pub use live::{ConnectorSample, HeldPart, Press, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, RealRobot};
 pub use recording::{MarkEdit, MarkSort, Recorded, Recording, RecordingMark, Records, Session};
@@ -37,6 +37,8 @@ pub const VERSION: u32 = 15;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
+/// Where the operator's page is; behind it may stand `/` and the id of a robot.
+pub const OPERATE_PATH: &str = "/operate";
 /// The name of who stopped, where nobody said who they are: who is at the robot's computer presses the button of the
 /// page.
 pub const STOP_BUTTON: &str = "the Stop button";
@@ -67,6 +69,8 @@ pub const ALIVE_MS: u64 = 5_000;
 pub const MARK_MAX_CHARS: usize = 200;
 /// The most that an action is told by hand, with its parameters, as JSON, in bytes.
 pub const HAND_MAX_BYTES: usize = 4_096;
+/// The most presses that wait to be told; who is slower misses the oldest.
+pub const PRESSES_MAX: usize = 64;
 /// The keeper of a part of the robot, in the place of a behaviour's id, where somebody moves it by hand.
 pub const BY_HAND: &str = "hand";
 /// The longest word of a mark, in characters.

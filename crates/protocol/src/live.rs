@@ -1,7 +1,7 @@
 //! The live side of a robot: its state, its runs and their values.
 
 use crate::Recorded;
-use behaviour::{Id, Value};
+use behaviour::{Id, Params, Value};
 use robot::{Condition, Health, Identity, Installed, Lacking};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -16,6 +16,9 @@ pub struct RobotState {
     pub name: String,
     /// The kind of the robot: `nao`.
     pub kind: String,
+    /// What a person does at its body to end what it does, as its adapter says; empty before that is known.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub by_body: String,
     /// The state of the link.
     pub health: Health,
     /// The names of the devices it has.
@@ -60,6 +63,7 @@ impl RobotState {
             robot,
             name,
             kind: String::new(),
+            by_body: String::new(),
             health: Health::Connecting,
             devices: Vec::new(),
             lacking: Vec::new(),
@@ -154,6 +158,32 @@ pub enum RunPhase {
     /// The robot interrupted it, as it fell, is too hot or was lost; with the reason. It goes on where it was when somebody
     /// presses Start, and ends when somebody presses Stop.
     Paused(String),
+}
+
+/// A press of somebody beside a robot, and what became of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Press {
+    /// On which robot; none where whoever pressed left that open.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robot: Option<Id>,
+    /// The client of the person who pressed.
+    pub client: Id,
+    /// The name of the person who pressed.
+    pub by: String,
+    /// The action that was done by hand, by its name in the catalogue, or the sense that was pretended, by its stream.
+    pub what: Id,
+    /// True if a sense was pretended.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub pretended: bool,
+    /// The parameters of the action.
+    #[serde(default, skip_serializing_if = "Params::is_empty")]
+    pub params: Params,
+    /// The value that the action was told, or that the sense seemed to give.
+    pub value: Value,
+    /// Why nothing came of it, in one English sentence, if so.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
 }
 
 /// The changes in a running behaviour since the last such message.

@@ -17,6 +17,9 @@ pub struct Recorded {
     /// The number of the oldest recordings that were removed to make room for it.
     #[serde(default, skip_serializing_if = "is_none")]
     pub gave_way: u64,
+    /// The code of who takes part, if one was said.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub participant: Option<String>,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference; on 32 bits it is the smaller one")]

@@ -1,7 +1,7 @@
 //! The messages of the server, asked or unasked.
 
 use crate::{
-    Area, Checked, Contested, Cursor, Driver, Exercise, FoundRobot, HistoryLine, Invitation, Picture, Pointer,
+    Area, Checked, Contested, Cursor, Driver, Exercise, FoundRobot, HistoryLine, Invitation, Picture, Pointer, Press,
     Recording, RecordingMark, RobotState, Role, RunState, Similar, Summary, Tagged, Tried, Used, Values,
 };
 use behaviour::{
@@ -347,6 +347,11 @@ pub enum Reply {
     Invitations {
         /// Newest first.
         invitations: Vec<Invitation>,
+    },
+    /// Somebody had a robot do something by hand, or pretended that it sensed something; told to everyone, who did it too.
+    Pressed {
+        /// What it was.
+        press: Box<Press>,
     },
     /// Live values of the open behaviour on the watched robot.
     Values {

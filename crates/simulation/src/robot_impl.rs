@@ -17,6 +17,10 @@ impl Robot for SimulatedNao {
         "nao"
     }
 
+    fn by_body(&self) -> &'static str {
+        "hold it and press its chest button for 3 seconds"
+    }
+
     fn devices(&self) -> Vec<&'static str> {
         names().collect()
     }

@@ -20,7 +20,7 @@ const PACKAGE: &str = "frontend";
 /// The page's module is `app.js`, its code `app_bg.wasm`.
 const NAME: &str = "app";
 /// Raised when this program writes something else for the same input.
-const FORMAT: u32 = 6;
+const FORMAT: u32 = 7;
 
 /// The variable in which cargo reads flags of the compiler for the page, and the flag that keeps the type of a view
 /// from growing with all that is in it: a sixth of the page's bytes, and half of the time to compile it.

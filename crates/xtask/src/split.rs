@@ -1,4 +1,4 @@
-//! Cuts the page's code in two: what is needed first, and what `frontend/src/later.rs` fetches after that.
+//! Cuts the page's code into pieces: what is needed first, and what `frontend/src/later.rs` fetches after that.
 
 use std::fmt::Display;
 use std::fs;
@@ -19,10 +19,13 @@ pub(crate) const FLAGS: &str = "-C link-args=--emit-relocs";
 /// The module that the code imports its loader from, until that is a part of the page's own module.
 const LINK: &str = "./later.js";
 const MAIN: &str = "main.wasm";
-/// The beginning of the names of later pieces, as they are cut.
+/// The beginning of the names of later pieces, as they are cut; behind it is the word in the attribute in
+/// `frontend/src/later.rs`.
 const CUT: &str = "split_";
-/// The beginning as people get them, after the word in the attribute in `frontend/src/later.rs`.
-const LATER: &str = "later-";
+/// The beginning of the names of what several of them have in common, which comes with the first of those.
+const COMMON: &str = "chunk_";
+/// The beginnings of the names of the pieces as people get them.
+const PIECES: [&str; 3] = ["later-", "operate-", "common-"];
 
 /// Marks functions in whose place wasm-bindgen puts an import. They have to stay in the first piece; what cuts the code
 /// knows the mark by the name only that it had in older versions of wasm-bindgen.
@@ -41,7 +44,7 @@ pub(crate) struct Pieces {
 
 /// True if a file of the page is one that is loaded later.
 pub(crate) fn is_later(name: &str) -> bool {
-    name.starts_with(LATER)
+    name.ends_with(".wasm") && PIECES.iter().any(|piece| name.starts_with(piece))
 }
 
 /// Cuts `code`, which was linked with `FLAGS`, into pieces for the page's own `module`. `folder` is for what comes about on
@@ -102,9 +105,13 @@ fn named_by_content(mut pieces: Pieces) -> Outcome<Pieces> {
     (&pieces.first, &pieces.later).hash(&mut hasher);
     let (all, mut later) = (hasher.finish(), Files::new());
     for (name, code) in pieces.later {
-        let stem = name.strip_prefix(CUT).and_then(|name| name.strip_suffix(".wasm"));
+        let stem = name.strip_suffix(".wasm").unwrap_or_default();
+        let common = stem.strip_prefix(COMMON).map(|number| format!("common-{number}"));
+        let stem = stem.strip_prefix(CUT).map(str::to_owned).or(common);
         let named = stem.map(|stem| format!("{stem}-{all:016x}.wasm")).filter(|named| is_later(named));
-        let named = named.ok_or_else(|| format!("{name} is no piece that comes later; only `later` is known."))?;
+        let known = PIECES.join(", ");
+        let named = named
+            .ok_or_else(|| format!("{name} is no piece that comes later; its name begins with none of {known}."))?;
         pieces.loader = pieces.loader.replace(&format!("./{name}"), &format!("./{named}"));
         later.insert(named, code);
     }
@@ -115,13 +122,18 @@ impl Pieces {
     /// The module that wasm-bindgen made of the first piece, with the loader inside: one file less to wait for.
     pub(crate) fn with_loader(&self, module: &str) -> Outcome<String> {
         let from = format!(" from \"{LINK}\"");
-        let mut lines: Vec<&str> = module.lines().collect();
-        let at = lines.iter().position(|line| line.starts_with("import * as ") && line.contains(&from));
-        let at = at.ok_or("The page's module does not import the loader of what comes later.")?;
-        let name = lines.remove(at).trim_start_matches("import * as ").split(' ').next().unwrap_or_default();
+        // Once for each piece.
+        let is_import = |line: &&str| line.starts_with("import * as ") && line.contains(&from);
+        let (imports, lines): (Vec<&str>, Vec<&str>) = module.lines().partition(is_import);
+        if imports.is_empty() {
+            return Err("The page's module does not import the loader of what comes later.".to_owned());
+        }
         let loader = self.loader.replace("export const ", "const ");
-        let given: Vec<&str> = exported(&self.loader).collect();
-        Ok(format!("{}\n{loader}const {name} = {{ {} }};\n", lines.join("\n"), given.join(", ")))
+        let given = exported(&self.loader).collect::<Vec<_>>().join(", ");
+        let name =
+            |line: &str| line.trim_start_matches("import * as ").split(' ').next().unwrap_or_default().to_owned();
+        let named: String = imports.iter().map(|line| format!("const {} = {{ {given} }};\n", name(line))).collect();
+        Ok(format!("{}\n{loader}{named}", lines.join("\n")))
     }
 }
 
@@ -170,6 +182,12 @@ mod tests {
         let name = one.later.keys().next().ok_or("no piece")?;
         assert!(is_later(name) && name.ends_with(".wasm") && one.loader.contains(&format!("\"./{name}\"")));
         assert!(!other.later.contains_key(name));
+        let mut common = pieces(b"one");
+        common.later.insert("chunk_1.wasm".to_owned(), vec![2]);
+        common.loader.push_str("const __chunk_1 = makeLoad(\"./chunk_1.wasm\");\n");
+        let common = named_by_content(common)?;
+        let shared = common.later.keys().find(|name| name.starts_with("common-1-")).ok_or("no common piece")?;
+        assert!(is_later(shared) && common.loader.contains(&format!("\"./{shared}\"")));
         let mut unknown = pieces(b"one");
         unknown.later.insert("split_elsewhere.wasm".to_owned(), vec![2]);
         assert!(named_by_content(unknown).is_err_and(|sentence| sentence.contains("split_elsewhere.wasm")));
@@ -182,6 +200,10 @@ mod tests {
         let whole = pieces(b"one").with_loader(&module)?;
         assert!(!whole.contains("import *") && !whole.contains("export"));
         assert!(whole.starts_with("use(import1);\n") && whole.ends_with("const import1 = { load_later };\n"));
+        let twice = format!("import * as import2 from \"{LINK}\"\n{module}");
+        let whole = pieces(b"one").with_loader(&twice)?;
+        assert!(!whole.contains("import *"), "each piece imports the loader once more");
+        assert!(whole.contains("const import1 = { load_later };") && whole.contains("const import2 = { load_later };"));
         assert!(pieces(b"one").with_loader("use(nothing);").is_err());
         let loader = without_import("import { initSync } from \"./app.js\";\nlet rest;\n", "./app.js")?;
         assert_eq!(loader, "let rest;\n");

@@ -275,7 +275,7 @@ impl Document {
     }
 
     /// The signals of every connector.
-    pub(super) fn connectors(&self) -> Vec<(Id, ConnectorSignals)> {
+    pub(crate) fn connectors(&self) -> Vec<(Id, ConnectorSignals)> {
         self.state().connectors.iter().map(|(id, signals)| (id.clone(), signals.clone())).collect()
     }
 

@@ -76,6 +76,7 @@ impl Desk {
             | Reply::RobotChecked { .. }
             | Reply::FoundRobots { .. }
             | Reply::Faces { .. }
+            | Reply::Pressed { .. }
             | Reply::Done
             | Reply::Marks { .. }
             | Reply::Marked { .. }

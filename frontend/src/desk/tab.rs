@@ -258,6 +258,6 @@ pub(crate) fn settled<T: PartialEq + Send + Sync + 'static>(
     settled
 }
 
-pub(super) fn new_id() -> Id {
+pub(crate) fn new_id() -> Id {
     Id::from_uuid(uuid::Uuid::new_v4())
 }

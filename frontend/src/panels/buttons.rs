@@ -52,15 +52,18 @@ pub(crate) fn Buttons() -> impl IntoView {
     }
 }
 
-/// The number that was typed, unless it is written somewhere or is held down.
-fn number_of(event: &KeyboardEvent) -> Option<usize> {
+/// True for a key that is pressed alone, neither held down nor typed into a field.
+pub(super) fn is_plain(event: &KeyboardEvent) -> bool {
     let field = "input, textarea, select, [contenteditable]";
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let writes = target.is_some_and(|target| target.closest(field).is_ok_and(|field| field.is_some()));
-    let plain =
-        !(event.ctrl_key() || event.alt_key() || event.meta_key() || event.repeat() || event.default_prevented());
-    let which = event.pressed().parse::<usize>().ok()?;
-    (plain && !writes && (1..=KEYS).contains(&which)).then_some(which)
+    !(event.ctrl_key() || event.alt_key() || event.meta_key() || event.repeat() || event.default_prevented() || writes)
+}
+
+/// The number of the button whose key was pressed.
+fn number_of(event: &KeyboardEvent) -> Option<usize> {
+    let which = event.pressed().parse::<usize>().ok().filter(|_| is_plain(event))?;
+    (1..=KEYS).contains(&which).then_some(which)
 }
 
 /// What stands on the button that a stream senses, if it is one. Reactive.

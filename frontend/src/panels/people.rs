@@ -49,7 +49,7 @@ fn everyone(desk: Hold) -> Vec<Sign> {
 }
 
 /// In somebody's colour.
-pub(super) fn in_color(sign: &Sign) -> String {
+pub(crate) fn in_color(sign: &Sign) -> String {
     format!("var(--people-{})", sign.color)
 }
 

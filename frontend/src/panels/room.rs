@@ -11,7 +11,7 @@ mod tools;
 use super::hold::hold;
 use crate::later::Later;
 use crate::words;
-pub(crate) use camera::camera;
+pub(crate) use camera::{CameraPicture, camera};
 
 use leptos::prelude::*;
 use map::Map;
@@ -23,16 +23,30 @@ use robot::SceneEdit;
 const BALL_MIN: f32 = 7.0;
 const SEEN_GAP: f32 = 4.0;
 
-/// The room.
+/// The room, with what may happen in it and the camera.
 #[component]
 pub(crate) fn Room() -> impl IntoView {
+    let desk = hold();
+    let sees = Memo::new(move |_| desk.desk().robots.with_camera().is_some());
+    view! {
+        <RoomPicture />
+        <Show when=move || desk.desk().robots.is_simulated()>
+            <Later show=|rest| (rest.room_tools)() />
+        </Show>
+        <tools::Printed />
+        {move || sees.get().then(|| view! { <Later show=|rest| (rest.camera)() /> })}
+    }
+}
+
+/// The room from above.
+#[component]
+pub(crate) fn RoomPicture() -> impl IntoView {
     let desk = hold();
     let held = RwSignal::new(None);
     let map = Memo::new(move |old: Option<&Map>| match (held.read().is_some(), old) {
         (true, Some(old)) => *old,
         _ => Map::of(&desk.desk().robots.scene.read()),
     });
-    let sees = Memo::new(move |_| desk.desk().robots.with_camera().is_some());
     let svg = NodeRef::<leptos::svg::Svg>::new();
     let hint =
         move || if desk.desk().robots.is_simulated() { words::room_hint() } else { words::room_of_real() }.to_owned();
@@ -58,11 +72,6 @@ pub(crate) fn Room() -> impl IntoView {
             </svg>
             <tools::Bubble />
         </section>
-        <Show when=move || desk.desk().robots.is_simulated()>
-            <Later show=|rest| (rest.room_tools)() />
-        </Show>
-        <tools::Printed />
-        {move || sees.get().then(|| view! { <Later show=|rest| (rest.camera)() /> })}
     }
 }
 

@@ -71,7 +71,7 @@ pub(crate) fn Toolbar() -> impl IntoView {
 }
 
 /// Tells the browser's clock once when there is something to work with: a program, or the library.
-fn mark_usable(desk: Hold) {
+pub(super) fn mark_usable(desk: Hold) {
     let told = StoredValue::new(false);
     Effect::new(move |_| {
         if desk.desk().is_usable() && !told.get_value() {

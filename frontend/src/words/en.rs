@@ -9,6 +9,7 @@ mod invite;
 mod lists;
 mod locks;
 mod names;
+mod operate;
 mod people;
 mod robots;
 mod teaching;
@@ -24,6 +25,7 @@ pub(crate) use invite::*;
 pub(crate) use lists::*;
 pub(crate) use locks::*;
 pub(crate) use names::*;
+pub(crate) use operate::*;
 pub(crate) use people::*;
 pub(crate) use robots::*;
 pub(crate) use teaching::*;
@@ -1183,7 +1185,7 @@ pub(crate) fn joining(how: Joining, target: &str) -> String {
 
 /// A wire is held by the keyboard: where it may end, and where it would end now.
 pub(crate) fn wire_at(at: usize, count: usize, how: &str) -> String {
-    say!("{how}, {at} of {count}", how = capital(how), at = at + 1, count)
+    say!("{how}, {at} of {count}", how = capitalised(how), at = at + 1, count)
 }
 
 /// The first place that a wire comes to.
@@ -1195,7 +1197,7 @@ pub(crate) fn wire_first_at(from: &str, at: usize, count: usize, how: &str) -> S
     }
 }
 
-fn capital(text: &str) -> String {
+pub(crate) fn capitalised(text: &str) -> String {
     let mut rest = text.chars();
     rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }

@@ -7,12 +7,12 @@ use crate::support::message::encode;
 use crate::support::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
-use protocol::{Invitation, Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
+use protocol::{Invitation, PRESSES_MAX, Press, Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
 use robot::Scene;
 use std::collections::HashSet;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::watch;
+use tokio::sync::{broadcast, watch};
 
 /// How often the list of behaviours is told when only times in it changed.
 const LIST_MS: u64 = 2_000;
@@ -27,6 +27,8 @@ pub(crate) struct Topics {
     pub(crate) runs: watch::Sender<Utf8Bytes>,
     /// The invitations.
     pub(crate) invitations: watch::Sender<Utf8Bytes>,
+    /// What people press beside robots, one after the other; who is too slow misses the oldest.
+    pub(crate) presses: broadcast::Sender<Utf8Bytes>,
     /// What runs, for looking up values.
     pub(crate) states: watch::Receiver<Arc<Vec<RunState>>>,
 }
@@ -41,8 +43,15 @@ impl Topics {
             robots: watch::Sender::new(robots),
             runs: watch::Sender::new(runs),
             invitations: watch::Sender::default(),
+            presses: broadcast::Sender::new(PRESSES_MAX),
             states,
         }
+    }
+
+    /// Tells everyone what somebody pressed.
+    pub(crate) fn pressed(&self, press: Press) {
+        // Nobody hears it where nobody is connected.
+        drop(self.presses.send(encode(None, Reply::Pressed { press: Box::new(press) })));
     }
 
     /// Keeps the topics new until the server ends.

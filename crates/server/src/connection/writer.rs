@@ -19,7 +19,7 @@ use futures_util::stream::SplitSink;
 use protocol::{ALIVE_MS, PING_MS, Reply, Role};
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::{mpsc, watch};
+use tokio::sync::{broadcast, mpsc, watch};
 use tokio::time::MissedTickBehavior;
 use tokio_util::sync::CancellationToken;
 
@@ -41,6 +41,8 @@ struct Writer {
     topics: [watch::Receiver<Utf8Bytes>; 4],
     /// Told to who may invite.
     invitations: Option<watch::Receiver<Utf8Bytes>>,
+    /// What people press beside robots.
+    presses: broadcast::Receiver<Utf8Bytes>,
     /// Pictures of the watched robot; which one, if it was named.
     scene: Option<watch::Receiver<Utf8Bytes>>,
     robot: Option<Id>,
@@ -74,6 +76,7 @@ pub(super) async fn write(
     topics[..3].iter_mut().for_each(watch::Receiver::mark_changed);
     let scene = pictures(&connections, None);
     let invitations = (role == Some(Role::Host)).then(|| connections.topics.invitations.subscribe());
+    let presses = connections.topics.presses.subscribe();
     let mut writer = Writer {
         connections,
         sender,
@@ -81,6 +84,7 @@ pub(super) async fn write(
         waiting,
         topics,
         invitations,
+        presses,
         scene,
         robot: None,
         scene_wanted: true,
@@ -169,6 +173,7 @@ impl Writer {
     async fn news(&mut self) -> Result<(), CloseReason> {
         let mut texts: Vec<Utf8Bytes> = self.topics.iter_mut().filter_map(newest).collect();
         texts.extend(self.invitations.as_mut().and_then(newest));
+        texts.extend(pressed(&mut self.presses));
         if self.scene_wanted {
             texts.extend(self.scene.as_mut().and_then(newest));
         }
@@ -243,6 +248,18 @@ impl Writer {
             let _ = self.sink.send(Message::Close(Some(frame))).await;
         };
         let _ = tokio::time::timeout(Duration::from_millis(CLOSE_MS), end).await;
+    }
+}
+
+/// The presses that were not told yet; those that were too many are missed.
+fn pressed(presses: &mut broadcast::Receiver<Utf8Bytes>) -> Vec<Utf8Bytes> {
+    let mut texts = Vec::new();
+    loop {
+        match presses.try_recv() {
+            Ok(text) => texts.push(text),
+            Err(broadcast::error::TryRecvError::Lagged(_)) => {}
+            Err(broadcast::error::TryRecvError::Empty | broadcast::error::TryRecvError::Closed) => return texts,
+        }
     }
 }
 

@@ -5,6 +5,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use protocol::OPERATE_PATH;
 use std::borrow::Cow;
 
 /// A file of the page.
@@ -45,7 +46,7 @@ const TYPES: [(&str, &str); 13] = [
 /// The file at a path.
 pub(crate) fn answer(page: Page, path: &str, asked: &HeaderMap) -> Response {
     let name = path.trim_start_matches('/');
-    let name = if name.is_empty() { "index.html" } else { name };
+    let name = if name.is_empty() || is_operate(name) { "index.html" } else { name };
     let coded = name.ends_with(".br") || name.ends_with(".gz");
     if coded || name.split('/').any(|part| part.starts_with('.')) {
         return missing(name);
@@ -54,6 +55,12 @@ pub(crate) fn answer(page: Page, path: &str, asked: &HeaderMap) -> Response {
         Some((file, coding)) => send(name, file, coding, asked),
         None => missing(name),
     }
+}
+
+/// True for the operator's page, whichever robot stands behind it: the page's program shows it.
+fn is_operate(name: &str) -> bool {
+    const OPERATE: &str = OPERATE_PATH.split_at(1).1;
+    name.strip_prefix(OPERATE).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
 fn missing(name: &str) -> Response {
@@ -111,7 +118,13 @@ fn type_of(name: &str) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::{accepts, type_of};
+    use super::{accepts, is_operate, type_of};
+
+    #[test]
+    fn the_operators_page_is_there_for_every_robot_and_its_sheet_is_a_file() {
+        assert!(is_operate("operate") && is_operate("operate/") && is_operate("operate/robot-1"));
+        assert!(!is_operate("operate.css") && !is_operate("operators") && !is_operate(""));
+    }
 
     #[test]
     fn a_coding_counts_unless_it_is_refused() {

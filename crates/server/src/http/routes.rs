@@ -15,12 +15,12 @@ use crate::support::shares::{Limits, SharedPlaces};
 use crate::support::tasks::boxed;
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Form, Path, Query, Request, State, WebSocketUpgrade};
-use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri, header};
 use axum::middleware::{self, Next};
-use axum::response::{IntoResponse, Response};
+use axum::response::{IntoResponse, Redirect, Response};
 use axum::routing::{MethodRouter, any, get, post};
 use axum::{Extension, Json};
-use protocol::{MESSAGE_MAX_BYTES, Refused};
+use protocol::{MESSAGE_MAX_BYTES, OPERATE_PATH, Refused, Role};
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
@@ -355,7 +355,17 @@ async fn import(
     upload::upload(&app.state().library, &place, app.sender(&entry), how, request).await
 }
 
-async fn files(State(app): State<AppState>, method: Method, uri: Uri, asked: HeaderMap) -> Response {
+async fn files(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    method: Method,
+    uri: Uri,
+    asked: HeaderMap,
+) -> Response {
     debug_assert!(method.is_safe());
+    // Who came to operate lands where that is done; the way out of there says so in its query.
+    if entry.role() == Some(Role::Operator) && uri.path() == "/" && uri.query().is_none() {
+        return ([(header::CACHE_CONTROL, "no-store")], Redirect::to(OPERATE_PATH)).into_response();
+    }
     page::answer(app.page, uri.path(), &asked)
 }

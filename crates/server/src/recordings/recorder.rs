@@ -62,6 +62,8 @@ pub(crate) struct Recorder {
     records: Records,
     /// The number of old recordings that gave way to it.
     gave_way: u64,
+    /// The code of who takes part.
+    participant: Option<String>,
     told: Option<Recorded>,
 }
 
@@ -87,7 +89,8 @@ impl Recorder {
             write(file, bytes, &batches, &shared);
             drop(open);
         })?;
-        Ok(Self { records: header.records, gave_way, ..Self::over(name, queue, progress, of) })
+        let participant = header.participant.clone();
+        Ok(Self { records: header.records, gave_way, participant, ..Self::over(name, queue, progress, of) })
     }
 
     /// A recorder that hands on to whoever takes from `queue`.
@@ -106,6 +109,7 @@ impl Recorder {
             marks: BTreeSet::new(),
             records: Records::All,
             gave_way: 0,
+            participant: None,
             told: None,
         }
     }
@@ -208,7 +212,9 @@ impl Recorder {
     /// How it is, if that is new.
     pub(crate) fn news(&mut self) -> Option<Recorded> {
         let (file, gave_way) = (self.file.clone(), self.gave_way);
-        let now = Recorded { file, lost: self.progress.lost(), trouble: self.progress.trouble(), gave_way };
+        let participant = self.participant.clone();
+        let now =
+            Recorded { file, lost: self.progress.lost(), trouble: self.progress.trouble(), gave_way, participant };
         (self.told.as_ref() != Some(&now)).then(|| self.told.insert(now).clone())
     }
 

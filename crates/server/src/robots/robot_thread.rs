@@ -390,6 +390,7 @@ impl<'a> RobotThread<'a> {
             }
             if state.kind != self.robot.kind() {
                 self.robot.kind().clone_into(&mut state.kind);
+                self.robot.by_body().clone_into(&mut state.by_body);
             }
         });
     }

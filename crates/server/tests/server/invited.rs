@@ -335,3 +335,19 @@ async fn a_guest_stops_by_the_form_alone() {
     }
     scene.house.close().await;
 }
+
+#[tokio::test]
+async fn who_came_to_operate_lands_on_the_operators_page_and_others_on_the_graph() {
+    let scene = Scene::open().await;
+    for role in [Role::Viewer, Role::Operator, Role::Editor] {
+        let (browser, _) = scene.guest(role).await;
+        let lands = browser.get("/").await.to_lowercase();
+        let there = lands.starts_with("http/1.1 303") && lands.contains("\nlocation: /operate\r");
+        assert_eq!(there, role == Role::Operator, "{role:?}: {lands}");
+        // The way out of it, and the page itself.
+        for path in ["/?graph", "/operate", "/operate/nao"] {
+            assert_ne!(status(&browser.get(path).await), 303, "{role:?} at {path}");
+        }
+    }
+    scene.house.close().await;
+}

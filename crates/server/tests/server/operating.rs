@@ -81,3 +81,49 @@ async fn what_runs_is_recorded_marked_and_marked_again_later() {
     assert!(no.to_string().contains("is no name"), "{no}");
     house.close().await;
 }
+
+#[tokio::test]
+async fn everyone_is_told_who_pressed_what_and_what_became_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let mut yuki = house.person("Yuki").await;
+    aiko.put("Add", stream_id("head"), Some(Record::Stream(stream("Head", StreamKind::Sensor, Some("HeadTouch")))))
+        .await
+        .unwrap();
+    aiko.put("Add", stream_id("out"), Some(printer("Out"))).await.unwrap();
+    let through = connect(connectors::subscribe::SPEC.with(()), &["head"], "out");
+    aiko.put("Add", connector_id("c"), Some(through)).await.unwrap();
+    aiko.ask(start(&play)).await.unwrap();
+    let pretend = |value: Value| Request::Stimulate {
+        behaviour: play.clone(),
+        robot: None,
+        stream: "head".parse().unwrap(),
+        value,
+    };
+    aiko.ask(pretend(Value::Int(7))).await.unwrap();
+    aiko.ask(pretend(Value::text("x".repeat(5_000)))).await.unwrap();
+    let hand = |device: &str| {
+        let (device, params, value) = (device.to_owned(), Params::default(), Value::text("Hello"));
+        aiko.ask(Request::Hand { robot: None, device, params, value })
+    };
+    hand("SayInput").await.unwrap();
+    hand("Dance").await.unwrap_err();
+    let mut told = Vec::new();
+    while told.len() < 4 {
+        if let Reply::Pressed { press } = yuki.until(|told| matches!(told, Reply::Pressed { .. })).await.unwrap() {
+            assert_eq!((&press.client, press.by.as_str()), (&aiko.you().client, "Aiko"));
+            told.push((press.what.to_string(), press.pretended, press.value, press.why.is_some()));
+        }
+    }
+    let (seven, hello) = (Value::Int(7), Value::text("Hello"));
+    // A value that is larger than any tile's is of no tile, and is not carried to everyone.
+    let wanted = [
+        ("head".to_owned(), true, seven, false),
+        ("head".to_owned(), true, Value::Null, false),
+        ("SayInput".to_owned(), false, hello.clone(), false),
+        ("Dance".to_owned(), false, hello, true),
+    ];
+    assert_eq!(told, wanted);
+    house.close().await;
+}

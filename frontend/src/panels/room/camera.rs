@@ -42,7 +42,7 @@ fn Camera() -> impl IntoView {
                     <Icon name="eye" />
                     {words::look_through_camera()}
                 </button>
-                {move || shows.get().map(|robot| view! { <Picture robot /> })}
+                {move || shows.get().map(|robot| view! { <CameraPicture robot /> })}
             </div>
         </Show>
         <div role="status">
@@ -55,7 +55,7 @@ fn Camera() -> impl IntoView {
 
 /// The newest picture, again and again.
 #[component]
-fn Picture(robot: Id) -> impl IntoView {
+pub(crate) fn CameraPicture(robot: Id) -> impl IntoView {
     let desk: Hold = hold();
     let (turn, comes) = (RwSignal::new(0_u32), RwSignal::new(false));
     let next = move || {

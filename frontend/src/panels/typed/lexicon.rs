@@ -28,8 +28,8 @@ thread_local! {
 
 fn address(language: Language) -> &'static str {
     match language {
-        Language::English => "./speech-en.txt",
-        Language::Japanese => "./speech-ja.txt",
+        Language::English => "/speech-en.txt",
+        Language::Japanese => "/speech-ja.txt",
     }
 }
 

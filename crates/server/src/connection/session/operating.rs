@@ -2,8 +2,9 @@
 
 use super::Session;
 use crate::robots::{ByHand, Marked, Press};
-use behaviour::Id;
-use protocol::{AGO_MAX_MS, RecordingMark, Refused, Reply, Request};
+use behaviour::{Id, Params, Value};
+use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, RecordingMark, Refused, Reply, Request};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use uuid::Uuid;
 
@@ -13,17 +14,40 @@ impl Session {
         let (robots, by) = (&self.state().robots, &self.me.name);
         let done = match request {
             Request::Stimulate { behaviour, robot, stream, value } => {
-                robots.stimulate(&behaviour, robot.as_ref(), (&stream, &value), by)
+                let done = robots.stimulate(&behaviour, robot.as_ref(), (&stream, &value), by);
+                let press =
+                    protocol::Press { pretended: true, ..self.pressed(robot, stream, Params::default(), value) };
+                self.connections.topics.pressed(with_outcome(press, &done));
+                done
             }
             Request::Mark { .. } | Request::EditMark { .. } => return self.mark(ask, request),
             Request::EndRecording { behaviour, robot } => robots.end_recording(&behaviour, robot.as_ref(), by),
             Request::Hand { robot, device, params, value } => {
+                // What no action is called like has no press that anybody could be shown.
+                let fits = recording::json(&params).len() <= HAND_MAX_BYTES;
+                let press = Id::new(&device)
+                    .ok()
+                    .filter(|_| fits)
+                    .map(|what| self.pressed(robot.clone(), what, params.clone(), value.clone()));
                 let (host, hand) = (robots.meant(robot.as_ref()), ByHand { device, params, value, by: by.clone() });
-                return self.later(ask, async move { host?.hand(hand).await.map(|()| Reply::Done) });
+                let all = Arc::clone(&self.connections);
+                return self.later(ask, async move {
+                    let done = host?.hand(hand).await;
+                    press.into_iter().for_each(|press| all.topics.pressed(with_outcome(press, &done)));
+                    done.map(|()| Reply::Done)
+                });
             }
             other => return self.on_recordings(ask, other),
         };
         self.done(ask, done);
+    }
+
+    /// What everyone is told of a press. A value that no action would take is not told: it is of no tile.
+    fn pressed(&self, robot: Option<Id>, what: Id, params: Params, value: Value) -> protocol::Press {
+        let large = recording::json(&value).len() > HAND_MAX_BYTES;
+        let value = if large { Value::Null } else { value };
+        let (client, by) = (self.me.client.clone(), self.me.name.clone());
+        protocol::Press { robot, client, by, what, pretended: false, params, value, why: None }
     }
 
     /// Marks at once. Only what comes after the end of its run waits for the disk.
@@ -79,4 +103,9 @@ impl Session {
         };
         self.on_files(ask, work);
     }
+}
+
+/// A press with what became of it.
+fn with_outcome(press: protocol::Press, done: &Result<(), Refused>) -> protocol::Press {
+    protocol::Press { why: done.as_ref().err().map(ToString::to_string), ..press }
 }

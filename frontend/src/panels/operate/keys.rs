@@ -1,0 +1,41 @@
+//! The keys of this page: 1 to 9 press tiles, M marks, N writes the note of the newest mark. A key that is held counts once.
+
+use super::Op;
+use crate::keys::Pressed;
+use crate::panels::buttons::is_plain;
+use crate::panels::focus;
+use leptos::prelude::*;
+
+/// Listens for as long as the page lives.
+pub(super) fn listen(op: Op) {
+    let handle = window_event_listener(leptos::ev::keydown, move |event| {
+        if !is_plain(&event) || op.asks.get_untracked() {
+            return;
+        }
+        let key = event.pressed().to_lowercase();
+        let heard = match key.as_str() {
+            "m" => {
+                untrack(|| op.mark(""));
+                true
+            }
+            "n" => write_note(op),
+            _ => match key.parse::<usize>() {
+                Ok(number @ 1..) => untrack(|| op.press(number)),
+                _ => false,
+            },
+        };
+        if heard {
+            event.prevent_default();
+        }
+    });
+    on_cleanup(move || handle.remove());
+}
+
+/// Opens the note of the newest mark, which gets the keyboard; whether there is one.
+fn write_note(op: Op) -> bool {
+    let is_one = op.open_note();
+    if is_one {
+        focus::soon(0, "#op-note", |field| focus::focus(field));
+    }
+    is_one
+}

@@ -1,0 +1,166 @@
+//! The nine tiles: those of the program's pad, else the usual ones of what is in it.
+
+use crate::panels::hold::Hold;
+use crate::words;
+use behaviour::{Behaviour, Id, Params, StreamKind, TileAction, Value};
+use leptos::prelude::*;
+use protocol::Press;
+
+/// A tile.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tile {
+    /// Its key, 1 to 9.
+    pub(super) key: usize,
+    pub(super) label: String,
+    /// The name of its picture.
+    pub(super) icon: &'static str,
+    pub(super) does: Does,
+}
+
+/// What a tile does.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Does {
+    /// Has the robot do an action by hand.
+    Hand { device: String, params: Params, value: Value },
+    /// Lets a sense give a value, as if the robot had sensed it.
+    Pretend { stream: Id, value: Value },
+    /// Marks with a word: a moment, or a span that another press ends.
+    Word { word: String, span: bool },
+}
+
+impl Does {
+    /// True if this press is one of this tile.
+    pub(super) fn is_of(&self, press: &Press) -> bool {
+        match self {
+            Self::Hand { device, params, value } => {
+                !press.pretended && device == press.what.as_str() && (params, value) == (&press.params, &press.value)
+            }
+            Self::Pretend { stream, value } => press.pretended && (stream, value) == (&press.what, &press.value),
+            Self::Word { .. } => false,
+        }
+    }
+
+    /// The look of the tile: as the kind of thing that it is about.
+    pub(super) fn look(&self) -> &'static str {
+        match self {
+            Self::Hand { .. } => "actuator",
+            Self::Pretend { .. } => "sensor",
+            Self::Word { .. } => "word",
+        }
+    }
+}
+
+/// The tiles of the open program, renewed as it changes.
+pub(super) fn pad(desk: Hold) -> Memo<Vec<Tile>> {
+    Memo::new(move |_| {
+        let document = &desk.desk().document;
+        document.edited.track();
+        document.open.track();
+        tiles(&document.behaviour())
+    })
+}
+
+/// The tiles of a program: its own, in their own words, or the usual ones. Pure.
+fn tiles(behaviour: &Behaviour) -> Vec<Tile> {
+    let own = behaviour.pad().cloned();
+    let is_own = own.is_some();
+    let pad = own.unwrap_or_else(|| robot::usual_pad(behaviour));
+    let tile = |(key, tile): (u8, behaviour::Tile)| {
+        let (icon, button) = pictured(behaviour, &tile.does);
+        let label = if is_own { tile.label } else { usual_words(&tile.does, &tile.label, button) };
+        let does = match tile.does {
+            TileAction::Hand { device, params, value } => Does::Hand { device, params, value },
+            TileAction::Pretend { stream, value } => Does::Pretend { stream, value },
+            TileAction::Word { word, span } => Does::Word { word, span },
+        };
+        Tile { key: usize::from(key), label, icon, does }
+    };
+    pad.tiles.into_iter().map(tile).collect()
+}
+
+/// The picture of what a tile is about, and whether that is a button. Pure.
+fn pictured(behaviour: &Behaviour, does: &TileAction) -> (&'static str, bool) {
+    let device = match does {
+        TileAction::Hand { device, .. } => robot::device(StreamKind::Actuator, device).ok(),
+        TileAction::Pretend { stream, .. } => {
+            let device = behaviour.stream(stream).and_then(|stream| stream.device.as_deref());
+            device.and_then(|device| robot::device(StreamKind::Sensor, device).ok())
+        }
+        TileAction::Word { .. } => return ("flag", false),
+    };
+    device.map_or(("bolt", false), |device| (device.icon, device.button.is_some()))
+}
+
+/// The words on a usual tile: what is said stands in quotes, what is pretended behind “as if”. Pure.
+fn usual_words(does: &TileAction, label: &str, button: bool) -> String {
+    let said = words::translated(label);
+    match does {
+        TileAction::Hand { device, .. } if device == SAYS => words::saying(label),
+        TileAction::Pretend { .. } if !button => words::as_if_there_is(&said),
+        _ => words::capitalised(&said),
+    }
+}
+
+/// The action that speaks a text of its own.
+pub(super) const SAYS: &str = "SayParameter";
+
+#[cfg(test)]
+mod tests {
+    use super::{Does, tiles};
+    use behaviour::{Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, Value};
+    use protocol::Press;
+
+    fn with(all: &[(StreamKind, &str, &[(&str, &str)])]) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        for (order, (kind, device, params)) in (0..).zip(all) {
+            let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
+            let (name, device) = (format!("s{order}"), Some((*device).to_owned()));
+            let (kind, resources, priority, hold_ms) = (*kind, None, None, None);
+            let id = RecordId::new(Kind::Stream, &Id::new(&name).unwrap());
+            let stream = Stream { kind, name, device, params, order, resources, priority, hold_ms };
+            behaviour.records.insert(id, Record::Stream(stream));
+        }
+        behaviour
+    }
+
+    #[test]
+    fn the_usual_tiles_say_in_words_what_they_do_and_those_of_a_pad_are_its_own() {
+        use StreamKind::{Actuator, Sensor};
+        let mut behaviour = with(&[
+            (Sensor, "HeadTouch", &[]),
+            (Actuator, "SayParameter", &[("text", "Hello")]),
+            (Actuator, "Animation", &[("animation", "Hey")]),
+            (Sensor, "Button", &[("label", "Go on")]),
+        ]);
+        let usual = tiles(&behaviour);
+        let labels: Vec<&str> = usual.iter().map(|tile| tile.label.as_str()).collect();
+        assert_eq!(labels[..3], ["Go on", "“Hello”", "Waving"]);
+        assert!(labels.len() > 3 && labels[3..].iter().all(|label| label.starts_with("As if: ")), "{labels:?}");
+        let looks: Vec<&str> = usual.iter().map(|tile| tile.does.look()).collect();
+        assert_eq!(looks[..4], ["sensor", "actuator", "actuator", "sensor"]);
+        let own = r#"{"4":{"label":"laughs","does":{"word":{"word":"laughs","span":true}}}}"#;
+        let own: Pad = serde_json::from_str(own).unwrap();
+        behaviour.records.insert(RecordId::pad(), Record::Pad(own));
+        let own = tiles(&behaviour);
+        assert_eq!((own.len(), own[0].key, own[0].label.as_str(), own[0].does.look()), (1, 4, "laughs", "word"));
+    }
+
+    #[test]
+    fn a_press_is_of_the_tile_that_does_the_very_same() {
+        let press = |what: &str, pretended: bool| Press {
+            robot: None,
+            client: Id::new("c").unwrap(),
+            by: "Aiko".into(),
+            what: Id::new(what).unwrap(),
+            pretended,
+            params: Params::default(),
+            value: Value::Bool(true),
+            why: None,
+        };
+        let button = Does::Pretend { stream: Id::new("go").unwrap(), value: Value::Bool(true) };
+        assert!(button.is_of(&press("go", true)) && !button.is_of(&press("go", false)));
+        assert!(!button.is_of(&press("on", true)));
+        let hand = Does::Hand { device: "Animation".into(), params: Params::default(), value: Value::Bool(true) };
+        assert!(hand.is_of(&press("Animation", false)) && !hand.is_of(&press("Animation", true)));
+    }
+}

@@ -1,0 +1,260 @@
+//! Pressing a tile, and what becomes of it. What cannot be sent now is never sent later: a robot must not begin to move when a
+//! lost link comes back.
+
+use super::Op;
+use super::pad::{Does, SAYS, Tile};
+use super::seen::Seen;
+use crate::desk::LinkState;
+use crate::link::NoAnswer;
+use crate::panels::may::may_operate;
+use crate::{browser, words};
+use behaviour::{Id, Value};
+use leptos::prelude::*;
+use protocol::{Press, Reply, Request};
+use robot::Health;
+
+/// The same tile rests so long after a press, in milliseconds.
+const RESTS_MS: f64 = 400.0;
+/// How long it is said who else pressed, and that something was pretended, in milliseconds.
+const OTHER_MS: f64 = 3_000.0;
+const PRETENDED_MS: f64 = 900.0;
+/// How long it is said why something was not done, in milliseconds.
+const WHY_MS: f64 = 8_000.0;
+/// About how long a gesture takes, and a letter that is spoken; what a robot tells of itself counts more, in milliseconds.
+const GESTURE_MS: f64 = 3_000.0;
+const LETTER_MS: f64 = 75.0;
+const SPEECH_MIN_MS: f64 = 900.0;
+
+/// The newest press of a tile.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Pressed {
+    does: Does,
+    at: f64,
+    /// The person, if it was somebody else.
+    by: Option<Id>,
+    name: String,
+    became: Became,
+}
+
+/// What became of a press.
+#[derive(Clone, Debug, PartialEq)]
+enum Became {
+    /// The answer is not here yet.
+    Asked,
+    /// It was done: it goes on until then, by this computer's clock.
+    Done { from: f64, until: f64 },
+    /// With the reason.
+    Not(String),
+}
+
+/// What a tile shows.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shows {
+    /// It can be pressed.
+    Ready,
+    /// It goes on: what is said of it, and how far it is, from 0 to 100.
+    Going(&'static str, u8),
+    /// It waits until another one is over.
+    Next,
+    /// It was not done; with the reason.
+    Refused(String),
+    /// It cannot be done now; with the reason.
+    Cannot(String),
+    /// Somebody else pressed it just now.
+    By(Id, String),
+    /// Its span goes on, since so many milliseconds.
+    On(f64),
+}
+
+impl Op {
+    /// Why none of the tiles that act can be pressed, as the link is. Reactive.
+    pub(super) fn rests(self) -> bool {
+        let desk = self.desk.desk();
+        desk.online.get() != LinkState::Online || desk.unheard.read().is_some()
+    }
+
+    /// Why a tile cannot be pressed. Reactive.
+    pub(super) fn cannot(self, does: &Does) -> Option<String> {
+        let desk = self.desk.desk();
+        if let Some(why) = desk.may_not(protocol::Role::Operator) {
+            return Some(why.to_owned());
+        }
+        if let Does::Word { .. } = does {
+            return self.run().is_none().then(|| words::marks_begin_with_run().to_owned());
+        }
+        if self.rests() {
+            return Some(words::until_link_is_back().to_owned());
+        }
+        if matches!(desk.robots.health(), Health::Lost(_) | Health::Connecting | Health::Stranger(_)) {
+            return Some(words::robot_not_there().to_owned());
+        }
+        match does {
+            Does::Hand { device, .. } => {
+                let chosen = desk.robots.chosen.read();
+                let lacks = chosen.as_ref()?.lacking.iter().find(|lacking| lacking.device == *device)?;
+                Some(words::translated(&lacks.why))
+            }
+            Does::Pretend { stream, .. } if desk.document.stream(stream).is_none() => {
+                Some(words::its_sense_is_gone().to_owned())
+            }
+            _ => self.run().is_none().then(|| words::only_while_it_runs().to_owned()),
+        }
+    }
+
+    /// Presses the tile with this number, from 1; whether there is one that can be pressed. Not reactive.
+    pub(super) fn press(self, number: usize) -> bool {
+        let tile = self.pad.with_untracked(|pad| pad.iter().find(|tile| tile.key == number).cloned());
+        let Some(tile) = tile else { return false };
+        if let Some(why) = untrack(|| self.cannot(&tile.does)) {
+            self.whisper(&words::titled(&tile.label, &why));
+            return true;
+        }
+        let now = browser::today_ms();
+        let rests = |pressed: &&Pressed| pressed.does == tile.does && pressed.by.is_none();
+        let before = self.presses.with_untracked(|all| all.iter().find(rests).map(|pressed| pressed.at));
+        if before.is_some_and(|before| (0.0..RESTS_MS).contains(&(now - before))) {
+            return true;
+        }
+        let became = match tile.does {
+            // A mark is there at once, whatever the link does.
+            Does::Word { .. } => Became::Done { from: now, until: now + PRETENDED_MS },
+            Does::Hand { .. } | Does::Pretend { .. } => Became::Asked,
+        };
+        self.put(Pressed { does: tile.does.clone(), at: now, by: None, name: String::new(), became });
+        match tile.does {
+            Does::Word { ref word, span } => self.mark_word(word, span),
+            _ => self.ask(tile, now),
+        }
+        true
+    }
+
+    fn ask(self, tile: Tile, at: f64) {
+        let desk = self.desk.desk();
+        let (robot, open) = (desk.robots.chosen_id(), desk.document.open.get_untracked());
+        let request = match (&tile.does, open) {
+            (Does::Hand { device, params, value }, _) => {
+                Request::Hand { robot, device: device.clone(), params: params.clone(), value: value.clone() }
+            }
+            (Does::Pretend { stream, value }, Some(behaviour)) => {
+                Request::Stimulate { behaviour, robot, stream: stream.clone(), value: value.clone() }
+            }
+            _ => return,
+        };
+        desk.look_up(request, move |answer| {
+            let became = match answer {
+                Ok(Reply::Done) => self.done(&tile.does),
+                Ok(_) => return,
+                Err(NoAnswer::Refused(no)) => Became::Not(words::told_by(&no)),
+                Err(NoAnswer::Unreachable) => Became::Not(words::not_known_if_done().to_owned()),
+            };
+            if let Became::Not(why) = &became {
+                self.whisper(&words::titled(&tile.label, why));
+            }
+            self.put(Pressed { does: tile.does, at, by: None, name: String::new(), became });
+        });
+    }
+
+    /// It was done: it begins now, or after what uses the same part of the robot.
+    fn done(self, does: &Does) -> Became {
+        let now = browser::today_ms();
+        let lasts = lasts_ms(does);
+        let busy = |pressed: &Pressed| match pressed.became {
+            Became::Done { until, .. } if same_part(&pressed.does, does) => Some(until),
+            _ => None,
+        };
+        let from = self.presses.with_untracked(|all| all.iter().filter_map(busy).fold(now, f64::max));
+        Became::Done { from, until: from + lasts }
+    }
+
+    /// Keeps the newest press of its tile.
+    fn put(self, pressed: Pressed) {
+        self.presses.try_update(|all| {
+            all.retain(|known| known.does != pressed.does);
+            all.push(pressed);
+        });
+    }
+
+    /// Somebody pressed something, maybe oneself.
+    pub(super) fn hear_press(self, press: &Press) {
+        let desk = self.desk.desk();
+        let here = desk.robots.chosen_id();
+        if press.robot.is_some() && press.robot != here {
+            return;
+        }
+        let now = browser::today_ms();
+        self.saw(Seen { at: now, client: press.client.clone(), by: press.by.clone(), done: press.why.is_none() });
+        let mine = desk.me.with_untracked(|me| me.as_ref().is_some_and(|me| me.client == press.client));
+        let tile = self.pad.with_untracked(|pad| pad.iter().find(|tile| tile.does.is_of(press)).cloned());
+        let Some(tile) = tile.filter(|_| !mine && press.why.is_none()) else { return };
+        let became = self.done(&tile.does);
+        self.whisper(&words::titled(&tile.label, &words::just_now(&press.by)));
+        self.put(Pressed { does: tile.does, at: now, by: Some(press.client.clone()), name: press.by.clone(), became });
+    }
+
+    /// What a tile shows now. Reactive.
+    pub(super) fn shows(self, tile: &Tile) -> Shows {
+        if let (Does::Word { word, span: true }, None) =
+            (&tile.does, self.desk.desk().may_not(protocol::Role::Operator))
+            && let Some(since) = self.span_since(word)
+        {
+            return Shows::On(self.now.get() - since);
+        }
+        if let Some(why) = self.cannot(&tile.does) {
+            return Shows::Cannot(why);
+        }
+        // A press shows at once; that it is over, with the next tick.
+        let now = self.now.get().max(browser::today_ms());
+        let pressed = self.presses.with(|all| all.iter().find(|known| known.does == tile.does).cloned());
+        let Some(pressed) = pressed else { return Shows::Ready };
+        match pressed.became {
+            _ if pressed.by.is_some() && now - pressed.at < OTHER_MS => {
+                Shows::By(pressed.by.unwrap_or_else(crate::desk::new_id), pressed.name)
+            }
+            Became::Asked => Shows::Going(words::sent_just_now(), 0),
+            Became::Not(why) if now - pressed.at < WHY_MS => Shows::Refused(why),
+            Became::Done { from, .. } if now < from => Shows::Next,
+            Became::Done { from, until } if now < until => {
+                Shows::Going(going_words(&tile.does), (100.0 * (now - from) / (until - from)).clamp(0.0, 100.0) as u8)
+            }
+            Became::Done { .. } | Became::Not(_) => Shows::Ready,
+        }
+    }
+
+    /// Says something to who does not see the page.
+    pub(super) fn whisper(self, text: &str) {
+        self.desk.desk().whisper.set(text.to_owned());
+    }
+
+    /// True if this person may press. Reactive.
+    pub(super) fn may(self) -> bool {
+        may_operate(self.desk)
+    }
+}
+
+/// About how long it goes on, in milliseconds.
+fn lasts_ms(does: &Does) -> f64 {
+    match does {
+        Does::Hand { device, params, .. } if device == SAYS => {
+            let letters = params.get("text").and_then(Value::as_text).map_or(5, |text| text.chars().count());
+            SPEECH_MIN_MS.max(letters as f64 * LETTER_MS)
+        }
+        Does::Hand { .. } => GESTURE_MS,
+        Does::Pretend { .. } | Does::Word { .. } => PRETENDED_MS,
+    }
+}
+
+fn going_words(does: &Does) -> &'static str {
+    match does {
+        Does::Hand { device, .. } if device == SAYS => words::speaking_now(),
+        Does::Hand { .. } => words::moving_now(),
+        Does::Pretend { .. } | Does::Word { .. } => words::done_just_now(),
+    }
+}
+
+/// True if one waits for the other: two things that are said, or two gestures.
+fn same_part(one: &Does, other: &Does) -> bool {
+    match (one, other) {
+        (Does::Hand { device, .. }, Does::Hand { device: other, .. }) => device == other,
+        _ => false,
+    }
+}

@@ -1,0 +1,76 @@
+//! The nine tiles as they are seen: each says within a tenth of a second what became of a press, or why it cannot be pressed.
+
+use super::Op;
+use super::pad::{Does, Tile};
+use super::press::Shows;
+use super::seen::Face;
+use crate::icons::Icon;
+use crate::words;
+use leptos::prelude::*;
+
+/// All of them.
+#[component]
+pub(super) fn Tiles(op: Op) -> impl IntoView {
+    let rests = Memo::new(move |_| op.rests());
+    let some = Memo::new(move |_| !op.pad.read().is_empty());
+    let opened = Memo::new(move |_| op.desk.desk().document.open.read().is_some());
+    let tiles = move || op.pad.get().into_iter().map(|tile| view! { <One op tile /> }).collect_view();
+    view! {
+        <p class="op-rest" role="status">{move || rests.get().then(words::buttons_rest)}</p>
+        <div class="op-tiles" role="group" aria-label=words::tiles_name()>{tiles}</div>
+        <Show when=move || opened.get() && !some.get()>
+            <p class="op-none">{words::no_tiles()}</p>
+        </Show>
+    }
+}
+
+#[component]
+fn One(op: Op, tile: Tile) -> impl IntoView {
+    let number = tile.key;
+    let (label, icon, does) = (tile.label.clone(), tile.icon, tile.does.clone());
+    let shows = Memo::new(move |_| op.shows(&tile));
+    let state = move || match &*shows.read() {
+        Shows::Ready => "ready",
+        Shows::Going(..) => "going",
+        Shows::Next => "next",
+        Shows::Refused(_) => "refused",
+        Shows::Cannot(_) => "cannot",
+        Shows::By(..) => "by",
+        Shows::On(_) => "on",
+    };
+    let disabled = Memo::new(move |_| matches!(*shows.read(), Shows::Cannot(_)));
+    // The reason that all of them have stands above them.
+    let all_rest = Memo::new(move |_| op.rests());
+    let line = move || match shows.get() {
+        Shows::Ready => None,
+        Shows::Cannot(_) if all_rest.get() && op.may() => None,
+        Shows::Going(words, _) => Some(view! { <span>{words}</span> }.into_any()),
+        Shows::Next => {
+            Some(view! { <i class="op-next" aria-hidden="true"></i><span>{words::comes_next()}</span> }.into_any())
+        }
+        Shows::Refused(why) | Shows::Cannot(why) => Some(view! { <span>{why}</span> }.into_any()),
+        Shows::By(client, name) => {
+            Some(view! { <Face op client name=name.clone() /><span>{words::just_now(&name)}</span> }.into_any())
+        }
+        Shows::On(ms) => Some(view! { <span>{words::again_ends_it(&super::clock::length(ms))}</span> }.into_any()),
+    };
+    let share = move || match *shows.read() {
+        Shows::Going(_, percent) => format!("{percent}%"),
+        _ => "0%".to_owned(),
+    };
+    let span = matches!(does, Does::Word { span: true, .. });
+    view! {
+        <button class="op-tile" type="button" data-look=does.look() data-state=state disabled=move || disabled.get()
+            aria-keyshortcuts=number.to_string() style=("--share", share)
+            aria-pressed=move || span.then(|| matches!(*shows.read(), Shows::On(_)).to_string())
+            on:keydown=|event| if event.repeat() { event.prevent_default() }
+            on:click=move |_| { op.press(number); }>
+            <span class="op-kind"><Icon name=icon /></span>
+            <span class="op-words">
+                <b>{label}</b>
+                <small>{line}</small>
+            </span>
+            <kbd aria-hidden="true">{number}</kbd>
+        </button>
+    }
+}

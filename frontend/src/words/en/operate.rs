@@ -1,0 +1,208 @@
+//! The operator's page.
+
+use crate::words::language::{said, translated};
+
+sentences! {
+    operate: "Operator’s page";
+    operate_name: "What the robot does";
+    leave_operate: "Leave the operator’s page";
+    time_of_run: "Time of the run";
+    run_time: "run";
+    battery: "Battery";
+    by_cable: "by cable";
+    link_good: "connected";
+    state_running: "running";
+    state_interrupted: "interrupted";
+    is_recorded: "Recorded";
+    is_not_recorded: "Not recorded";
+    what_is_kept: "What is kept";
+    what_is_kept_now: "This run is recorded.";
+    record_readings: "Record readings";
+    record_readings_says: "All the robot senses and does. Needed to look back.";
+    marks_only: "Marks and actions only";
+    marks_only_says: "No readings. Enough for counts and the report.";
+    participant_code: "Participant code";
+    code_not_name: "a code, never a name";
+    no_code: "No code";
+    code_has_signs: "A code has letters, digits, - _ and . only.";
+    asked_once: "Asked once. The tape in the header changes it while it runs.";
+    start_asks: "Start …";
+    do_not_start: "Cancel";
+    choose_program: "Choose a program";
+    choose_program_says: "Then press Start. Nothing moves before.";
+    none_to_choose: "There is no program yet. Somebody who edits has to make one.";
+    another_program: "Another program …";
+    ready_to_start: "Ready to start";
+    press_start: "The robot holds still. Press Start.";
+    goes_on_when_pressed: "Interrupted";
+    waits_for_something: "Waits for something to happen";
+    senses_nothing_now: "The robot senses nothing just now.";
+    what_it_did_last: "What it did last";
+    tiles_name: "Buttons";
+    no_tiles: "This program has no buttons, says nothing and pretends nothing.";
+    buttons_rest: "The buttons rest until the link is back; nothing is done later. Marks go on and wait here.";
+    until_link_is_back: "rests until the link is back";
+    robot_not_there: "the robot is not there";
+    its_sense_is_gone: "its sense is gone from the program";
+    only_while_it_runs: "only while it runs";
+    not_known_if_done: "No connection: it may not have been done. It is not sent again.";
+    sent_just_now: "sent …";
+    speaking_now: "speaking …";
+    moving_now: "moving …";
+    done_just_now: "done";
+    comes_next: "next";
+    last_two_minutes: "The last 2 minutes";
+    no_connection_now: "no connection";
+    nothing_yet: "Nothing yet.";
+    row_by_hand: "By hand";
+    marks_name: "Marks";
+    marks_begin_with_run: "Marks begin with the run.";
+    too_many_marks_wait: "Too many marks wait to be sent. Go on once the link is back.";
+    mark_with_word: "Mark with a word";
+    word_of_mark: "Word, as: laughs";
+    add_note_to_mark: "Add a note …";
+    change_note: "Change the note …";
+    note_of_mark: "Note, if you like …";
+    mark_taken_back: "The mark is taken back.";
+    mark_waits: "waits here";
+    room_or_camera: "Room or camera";
+    camera: "Camera";
+    what_is_wrong: "What is the matter";
+    press_stop_own_way: "Press Stop. It is tried on its own way.";
+    take_its_power: "take its power";
+    nothing_was_running: "Nothing was running.";
+    stop_when_it_is_back: "Press Stop. It reaches the robot as soon as the server does.";
+    look_at_its_network: "Look whether the robot is switched on and in its network.";
+    another_robot_answers: "Another robot answers";
+    nothing_is_done_with_it: "Nothing is done with it until somebody says which one is meant.";
+    say_which_on_page: "The host says on the page with the graph which robot is meant.";
+    it_fell: "The robot fell";
+    look_for_damage: "Everything stopped. Look first whether somebody is hurt, then whether the robot is damaged.";
+    stand_it_up: "Stand it up, or help it to stand.";
+    it_was_interrupted: "The robot interrupted the program";
+    or_stop: "Or press Stop, which ends it.";
+    program_ended: "The program ended by itself";
+    start_again: "Press Start to begin again.";
+    tell_who_made_it: "If it ends again, tell who made the program.";
+    holds_still: "The robot holds still.";
+    may_sit_down: "It may sit down by itself at any moment.";
+    plug_it_in: "Sit it down and plug it in.";
+    i_have_read_it: "I have read it";
+}
+
+pub(crate) fn version_and_streams(revision: u64, streams: usize) -> String {
+    if streams == 1 {
+        say!("version {revision} · 1 stream", revision)
+    } else {
+        say!("version {revision} · {streams} streams", revision, streams)
+    }
+}
+
+/// How a run is asked for.
+pub(crate) fn start_this(program: &str) -> String {
+    say!("Start {program}", program)
+}
+
+/// The state of a robot that is not heard.
+pub(crate) fn heard_ago(seconds: u32) -> String {
+    say!("last heard {seconds} s ago", seconds)
+}
+
+pub(crate) fn seconds_ago(seconds: u32) -> String {
+    say!("{seconds} s ago", seconds)
+}
+
+/// For how long the link is silent, where its quality stands else.
+pub(crate) fn silent_for(seconds: u32) -> String {
+    say!("silent for {seconds} s", seconds)
+}
+
+pub(crate) fn wifi(percent: u8) -> String {
+    say!("Wi-Fi {percent} %", percent)
+}
+
+/// On a tile: what a sense pretends.
+pub(crate) fn as_if_there_is(what: &str) -> String {
+    say!("As if: {what}", what)
+}
+
+/// On a tile: who else pressed it.
+pub(crate) fn just_now(name: &str) -> String {
+    say!("{name}, just now", name)
+}
+
+/// On the tile of a span that goes on.
+pub(crate) fn again_ends_it(time: &str) -> String {
+    say!("{time} · again ends it", time)
+}
+
+/// Of a span in the list of marks.
+pub(crate) fn so_far(time: &str) -> String {
+    say!("{time} so far", time)
+}
+
+/// A mark by its word.
+pub(crate) fn word_or_mark(word: &str) -> String {
+    if word.is_empty() { said("Mark").to_owned() } else { word.to_owned() }
+}
+
+/// What is said to who does not see that a mark is there.
+pub(crate) fn marked_as(word: &str) -> String {
+    if word.is_empty() { say!("Marked.") } else { say!("Marked: {word}.", word) }
+}
+
+pub(crate) fn undo_for(seconds: u64) -> String {
+    say!("Undo {seconds} s", seconds)
+}
+
+/// That a mark waited longer than its moment is known to the server.
+pub(crate) fn mark_too_old(time: &str) -> String {
+    say!("The mark of {time} waited longer than a minute. It stands at a minute before it was sent.", time)
+}
+
+pub(crate) fn no_connection_for(seconds: u32) -> String {
+    if seconds == 1 { say!("No connection for 1 second") } else { say!("No connection for {seconds} seconds", seconds) }
+}
+
+pub(crate) fn goes_on_by_itself() -> &'static str {
+    said("The robot goes on by itself. It may still be moving.")
+}
+
+/// What to do at its body, in the words of the robot's own kind.
+pub(crate) fn if_it_goes_on(what: &str) -> String {
+    say!("If it goes on: {what}.", what)
+}
+
+/// The server has lost the robot, and the page has not lost the server.
+pub(crate) fn robot_is_lost(robot: &str) -> String {
+    say!("The server has no connection to {robot}", robot)
+}
+
+pub(crate) fn lost_because(why: &str) -> String {
+    say!(
+        "This page is connected; the robot is not: {why}. It may still be moving.",
+        why = translated(why.trim_end_matches('.'))
+    )
+}
+
+/// A reason as a sentence.
+pub(crate) fn because(why: &str) -> String {
+    let why = translated(why.trim_end_matches('.'));
+    say!("{why}.", why = super::capitalised(&why))
+}
+
+pub(crate) fn then_start(goes_on: bool) -> String {
+    if goes_on { say!("Then press Continue. It goes on where it was.") } else { say!("Then press Start.") }
+}
+
+pub(crate) fn somebody_stopped(name: &str) -> String {
+    say!("{name} stopped the robot", name)
+}
+
+pub(crate) fn ask_them_why(name: &str) -> String {
+    say!("Ask {name} why before you go on.", name)
+}
+
+pub(crate) fn battery_is_low(percent: u8) -> String {
+    say!("Battery {percent} %", percent)
+}

@@ -1,0 +1,90 @@
+//! How the operator's page looks: ready, asked before Start, while it runs with tiles and marks, and without a link.
+
+use crate::look::{DESKTOP, PHONE, WINDOWS, Window, colours, keeps_pictures, measures, set};
+use crate::screens::{nothing, rests, says, usable};
+use crate::words::Words;
+use house::{Browser, GAME, Outcome, Page, Server, Switch, skip};
+
+#[tokio::test]
+async fn the_operators_page_keeps_the_rules_and_axe_finds_nothing() -> Outcome<()> {
+    if !skip::ready("the operator's page at every size") {
+        return Ok(());
+    }
+    every_state(&Words::english()).await
+}
+
+#[tokio::test]
+async fn the_operators_page_keeps_the_rules_in_japanese() -> Outcome<()> {
+    if !skip::ready_in_japanese("the operator's page in Japanese") {
+        return Ok(());
+    }
+    every_state(&Words::japanese()?).await
+}
+
+async fn every_state(words: &Words) -> Outcome<()> {
+    let folder = house::folder()?;
+    let server = Server::start(folder.path()).await?;
+    let browser = Browser::launch().await?;
+    let page = browser.person("aiko").await?;
+    page.media("prefers-reduced-motion", "reduce").await?;
+    page.size(1440, 900, false).await?;
+    let socket = Switch::install(&page).await?;
+    words.open(&page, &server.url()).await?;
+    usable(&page).await?;
+    page.brings_game().await?;
+    page.goto(&format!("{}operate", server.url())).await?;
+    usable(&page).await?;
+    let mut found = look(&page, words, "operate-choose").await?;
+    page.press("button", GAME).await?;
+    says(&page, &words.say("Ready to start")).await?;
+    found.extend(look(&page, words, "operate-ready").await?);
+    page.press("button", &words.say("Start …")).await?;
+    page.fill("textbox", &words.begins("Participant code"), "P-07").await?;
+    found.extend(look(&page, words, "operate-start").await?);
+    page.key("Enter").await?;
+    page.find("button", &words.say("Running")).await?;
+    for key in ["m", "2", "3", "1"] {
+        page.key(key).await?;
+    }
+    page.until(
+        "document.querySelectorAll('.dots i').length === 3 && document.querySelectorAll('.op-lanes rect').length > 1",
+        "it is seen",
+    )
+    .await?;
+    found.extend(look(&page, words, "operate-runs").await?);
+    socket.cut().await?;
+    page.until("!document.querySelector('.op-trouble').hidden", "it says what to do").await?;
+    page.key("m").await?;
+    page.until("document.querySelectorAll('.op-flag').length === 2", "a mark waits").await?;
+    found.extend(look(&page, words, "operate-lost").await?);
+    nothing("findings about the operator's page", &found)
+}
+
+/// Looks at a state in every window, and keeps a picture of each.
+async fn look(page: &Page, words: &Words, state: &str) -> Outcome<Vec<String>> {
+    let mut found = Vec::new();
+    for window in WINDOWS {
+        set(page, &window).await?;
+        keep(page, words, state, &window).await?;
+        if [PHONE.0, DESKTOP.0].contains(&window.0) && words.code() == "en" {
+            found.extend(colours(page, &format!("{state}-{}", window.0)).await?);
+            page.theme(false).await?;
+        }
+        found.extend(measures(page, &window, state).await?);
+    }
+    set(page, &DESKTOP).await?;
+    Ok(found)
+}
+
+async fn keep(page: &Page, words: &Words, state: &str, window: &Window) -> Outcome<()> {
+    if !keeps_pictures() {
+        return Ok(());
+    }
+    let place = if words.code() == "en" { "looks" } else { "looks/ja" };
+    for (dark, theme) in [(true, "dark"), (false, "light")] {
+        page.theme(dark).await?;
+        rests(page).await?;
+        page.screenshot(&house::target().join(format!("{place}/{state}-{}-{theme}.png", window.0))).await?;
+    }
+    Ok(())
+}
