@@ -1,7 +1,7 @@
 //! Event mode: values go depth first, so that a stack of those on their way says who was handed what, also without a word.
 
 use crate::cause::{Cause, Seen};
-use crate::tracer::Core;
+use crate::core::Core;
 use engine::ConnectorIx;
 use std::sync::Arc;
 

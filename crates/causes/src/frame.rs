@@ -1,7 +1,7 @@
 //! Frame mode: every connector has at most one turn in a frame, on what is present in it.
 
 use crate::cause::{Cause, Seen};
-use crate::tracer::Core;
+use crate::core::Core;
 use behaviour::connectors::ConnectorMeaning;
 use engine::ConnectorIx;
 use robot::Millis;

@@ -6,6 +6,7 @@
 
 mod cause;
 mod cell;
+mod core;
 mod event;
 mod frame;
 mod traced;

@@ -1,10 +1,11 @@
 //! The tracer: hears what a run emits and keeps what can still cause a value.
 
-use crate::cause::{Cause, Room, Seen, With};
+use crate::cause::{Cause, Seen, With};
 use crate::cell::Cell;
+use crate::core::Core;
 use crate::event::Stack;
 use crate::frame::Present;
-use crate::wiring::{Ids, Wiring};
+use crate::wiring::Ids;
 use behaviour::{BehaviourFile, Engine};
 use engine::{ConnectorIx, Emission, Matching, StreamIx};
 use protocol::{Why, WhyStep, WhyWith};
@@ -21,19 +22,6 @@ pub struct Tracer {
     programs: Vec<Ids>,
 }
 
-/// The parts on which both modes work.
-#[derive(Clone, Debug)]
-pub(crate) struct Core {
-    /// The number of the program that runs.
-    pub(crate) program: usize,
-    pub(crate) wiring: Arc<Wiring>,
-    /// By connector.
-    pub(crate) cells: Vec<Cell>,
-    pub(crate) room: Room,
-    /// The number of readings so far.
-    pub(crate) readings: u64,
-}
-
 #[derive(Clone, Debug)]
 enum Mode {
     Event(Stack),
@@ -46,32 +34,6 @@ impl Mode {
             Engine::Event => Self::Event(Stack::default()),
             Engine::Frame { .. } => Self::Frame(Present::of(file.streams.len(), file.connectors.len())),
         }
-    }
-}
-
-impl Core {
-    fn of(file: &BehaviourFile, program: usize, began: Millis) -> Self {
-        let wiring = Wiring::of(file);
-        let cells = wiring.parts.iter().map(|part| Cell::of(part, began)).collect();
-        Self { program, wiring: Arc::new(wiring), cells, room: Room::default(), readings: 0 }
-    }
-
-    /// A reading.
-    pub(crate) fn reading(&mut self, seen: Seen) -> Arc<Cause> {
-        self.readings += 1;
-        Cause::reading(seen, self.readings)
-    }
-
-    /// A connector gives a value at once, for one of an input.
-    pub(crate) fn gives(&mut self, by: ConnectorIx, slot: usize, from: Option<&Cause>, seen: &Seen) -> Vec<With> {
-        let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
-        from.map_or_else(Vec::new, |from| cell.gives(part, slot, from, (&seen.value, seen.at)))
-    }
-
-    /// A connector takes a value of an input, and gives nothing now.
-    pub(crate) fn takes(&mut self, by: ConnectorIx, slot: usize, cause: &Arc<Cause>) {
-        let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
-        cell.takes(part, slot, cause, &mut self.room);
     }
 }
 

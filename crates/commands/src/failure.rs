@@ -1,6 +1,6 @@
 //! Why a command did not do what it should. What is said about it stands in `words.rs`; only `main` prints it.
 
-use crate::why::NoAnswer;
+use crate::no_answer::NoAnswer;
 use behaviour::Refusal;
 use server::{BackupMisfit, ServeError};
 use std::error::Error;

@@ -17,6 +17,8 @@ mod link;
 mod listening;
 mod load;
 mod log;
+mod no_answer;
+mod no_answer;
 mod patience;
 mod program;
 mod replay;

@@ -5,6 +5,7 @@ mod tell;
 mod words;
 
 use crate::failure::Failure;
+use crate::no_answer::NoAnswer;
 use crate::program::read_program;
 use crate::replay::{Mode, Refused, chosen_engine, parse_trace, refused};
 use crate::trace::read_trace;
@@ -83,25 +84,6 @@ pub(crate) struct WhyArgs {
     /// The language of the sentences: en or ja.
     #[arg(long, value_name = "LANGUAGE", default_value = "en", conflicts_with = "json")]
     language: Language,
-}
-
-/// Why there is nothing to tell.
-#[derive(Debug)]
-pub(crate) enum NoAnswer {
-    /// No stream has this id, or no action this name; with those that there are.
-    NoStream { wanted: String, is_action: bool, names: Vec<String> },
-    /// The stream has so few values then.
-    NoValue { stream: String, at_ms: u64, count: usize, before_ms: Option<u64> },
-    /// It came, though somebody asks why it did not.
-    Came { stream: String, at_ms: u64 },
-    /// The end is before the beginning.
-    Backwards,
-    /// The recording was not running at this time of day.
-    NotThen { began: String, until_ms: u64 },
-    /// A trace has no time of day.
-    NoClock,
-    /// The recording cannot be played again.
-    Unplayed(Different),
 }
 
 /// The run, played up to the moment that is asked about.

@@ -1,6 +1,6 @@
 //! Moments as people say them: `4200`, `0:04.2`, `12:04:17.2`.
 
-use super::NoAnswer;
+use crate::no_answer::NoAnswer;
 use recording::open;
 use std::str::FromStr;
 

@@ -1,7 +1,7 @@
 //! The sentences on standard error where nothing can be told, in English.
 
-use super::NoAnswer;
 use super::moment::NoMoment;
+use crate::no_answer::NoAnswer;
 use recording::Different;
 use std::fmt;
 

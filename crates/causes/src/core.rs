@@ -1,0 +1,48 @@
+//! The parts of a tracer on which both modes of time work.
+
+use crate::cause::{Cause, Room, Seen, With};
+use crate::cell::Cell;
+use crate::wiring::Wiring;
+use behaviour::BehaviourFile;
+use engine::ConnectorIx;
+use robot::Millis;
+use std::sync::Arc;
+
+/// The parts on which both modes work.
+#[derive(Clone, Debug)]
+pub(crate) struct Core {
+    /// The number of the program that runs.
+    pub(crate) program: usize,
+    pub(crate) wiring: Arc<Wiring>,
+    /// By connector.
+    pub(crate) cells: Vec<Cell>,
+    pub(crate) room: Room,
+    /// The number of readings so far.
+    pub(crate) readings: u64,
+}
+
+impl Core {
+    pub(crate) fn of(file: &BehaviourFile, program: usize, began: Millis) -> Self {
+        let wiring = Wiring::of(file);
+        let cells = wiring.parts.iter().map(|part| Cell::of(part, began)).collect();
+        Self { program, wiring: Arc::new(wiring), cells, room: Room::default(), readings: 0 }
+    }
+
+    /// A reading.
+    pub(crate) fn reading(&mut self, seen: Seen) -> Arc<Cause> {
+        self.readings += 1;
+        Cause::reading(seen, self.readings)
+    }
+
+    /// A connector gives a value at once, for one of an input.
+    pub(crate) fn gives(&mut self, by: ConnectorIx, slot: usize, from: Option<&Cause>, seen: &Seen) -> Vec<With> {
+        let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
+        from.map_or_else(Vec::new, |from| cell.gives(part, slot, from, (&seen.value, seen.at)))
+    }
+
+    /// A connector takes a value of an input, and gives nothing now.
+    pub(crate) fn takes(&mut self, by: ConnectorIx, slot: usize, cause: &Arc<Cause>) {
+        let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
+        cell.takes(part, slot, cause, &mut self.room);
+    }
+}
