@@ -13,7 +13,7 @@ const RECORDING: &str = include_str!("../../crates/report/tests/data/greet.jsonl
 const MARKS: &str = include_str!("../../crates/report/tests/data/greet.marks.jsonl");
 const GREET: &str = "2026-11-21T18-34-06Z-greet.jsonl";
 
-/// What would have to scroll sideways.
+/// The page, if it would have to scroll sideways.
 const SIDEWAYS: &str = "(document.documentElement.scrollWidth > innerWidth ? [`${document.documentElement.scrollWidth} wide in ${innerWidth}`] : [])";
 
 /// A data folder with several sessions of one participant.

@@ -105,7 +105,7 @@ pub(crate) enum NotRecorded {
     GoesOn,
     /// The name that it shall have is too long.
     LongTitle,
-    /// Its name could not be written.
+    /// The name could not be written.
     TitleUnwritten(io::Error),
     /// It is larger than is converted here.
     TooLarge,

@@ -22,7 +22,7 @@ const FIND_MAX_BYTES: usize = 400;
 /// The most rows that are shown.
 const ROWS_MAX: usize = 1_000;
 
-/// What stands behind the `?` of an address.
+/// The query of an address.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Wanted {

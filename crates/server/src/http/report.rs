@@ -17,7 +17,7 @@ use serde::Deserialize;
 /// The addresses of what the page looks like and does.
 const PARTS: [&str; 2] = ["/report.css", "/report.js"];
 
-/// What stands behind the `?` of an address. What is none of what can be asked is taken as not asked.
+/// The query of an address. What is none of what can be asked is taken as not asked.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Wanted {

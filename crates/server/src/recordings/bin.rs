@@ -111,7 +111,7 @@ fn moved(from: &Path, to: &Path) -> io::Result<()> {
     [from, to].iter().filter_map(|path| path.parent()).try_for_each(store::disk::sync_names)
 }
 
-/// What is not there need not be moved or removed.
+/// Takes it as done if there was nothing to move or remove.
 pub(super) fn none_is_fine(done: io::Result<()>) -> io::Result<()> {
     match done {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
