@@ -18,7 +18,6 @@ mod listening;
 mod load;
 mod log;
 mod no_answer;
-mod no_answer;
 mod patience;
 mod program;
 mod replay;

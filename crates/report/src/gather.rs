@@ -185,6 +185,10 @@ impl Gathered {
         let last_of_marks = self.marks.iter().map(|mark| mark.until.unwrap_or(mark.t)).max();
         // A mark may have been set after the last value.
         self.last_ms = self.last_ms.max(last_of_marks.unwrap_or(0).min(self.last_ms.saturating_mul(2)));
+        // A span that nobody ended lasts until the end.
+        for mark in self.marks.iter_mut().filter(|mark| mark.open && mark.until.is_none()) {
+            mark.until = Some(self.last_ms).filter(|last_ms| *last_ms > mark.t);
+        }
         match self.ended {
             Ended::CutOff => self.troubles.add(self.last_ms, Trouble::CutOff),
             Ended::Full => self.troubles.add(self.last_ms, Trouble::Full),

@@ -14,6 +14,8 @@ use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 use tokio_util::sync::CancellationToken;
 
+/// The largest recording that is read to count the marks of its row, in bytes.
+const COUNTED_MAX_BYTES: u64 = 16 << 20;
 /// The longest line that is read, in bytes: a program with its helpers is below it.
 const LINE_MAX_BYTES: u64 = 16 << 20;
 /// The time that reading one recording may take, in milliseconds.
@@ -128,9 +130,23 @@ impl Recordings {
             let path = self.folder.as_deref().map(|folder| folder.join(&recording.file));
             let replayed =
                 path.as_deref().and_then(|path| self.known_finding(&recording.file, Version::of(path).ok()?));
-            Listed { marks: path.and_then(|path| marks_by_now(&path, recording.marks)), recording, replayed }
+            let marks = path.and_then(|path| self.marks_by_now(&path, recording.marks, token));
+            Listed { marks, recording, replayed }
         };
         (all.into_iter().map(listed).collect(), marked)
+    }
+
+    /// The number of marks by now. A recording with later marks is read for it, unless it is large or the time is over: then
+    /// nobody knows.
+    fn marks_by_now(&self, path: &Path, of_run: Option<u64>, token: &CancellationToken) -> Option<u64> {
+        if later(&marks_of(path)).ok()?.is_empty() {
+            return of_run;
+        }
+        if token.is_cancelled() || path.metadata().ok()?.len() > COUNTED_MAX_BYTES {
+            return None;
+        }
+        let all = self.all_marks(path).ok()?;
+        Some(all.values().filter(|mark| !mark.gone).count() as u64)
     }
 
     /// Returns what a replay of a recording gives, as far as it is found out in time.
@@ -208,14 +224,6 @@ impl Recordings {
         }
         checked.insert(name.to_owned(), (version, found));
     }
-}
-
-/// The number of marks by now: those of the run, and what the file of later marks says.
-fn marks_by_now(path: &Path, of_run: Option<u64>) -> Option<u64> {
-    let none = recording::all_marks([], &later(&marks_of(path)).ok()?);
-    let of_run_gone = none.values().filter(|mark| mark.gone && mark.id.as_str().starts_with("note-")).count() as u64;
-    let added = none.values().filter(|mark| !mark.gone && !mark.id.as_str().starts_with("note-")).count() as u64;
-    of_run.map(|of_run| (of_run + added).saturating_sub(of_run_gone))
 }
 
 /// A replay beside the reading, which has less time.

@@ -47,7 +47,7 @@ impl Recordings {
         self.find(name).ok_or(Refused::NoRecording)
     }
 
-    fn all_marks(&self, path: &Path) -> Result<BTreeMap<Id, RecordingMark>, Refused> {
+    pub(super) fn all_marks(&self, path: &Path) -> Result<BTreeMap<Id, RecordingMark>, Refused> {
         let of_run = of_run(path).map_err(NotRecorded::Unread)?;
         let later = later(&marks_of(path)).map_err(NotRecorded::Unread)?;
         Ok(recording::all_marks(of_run, &later))
