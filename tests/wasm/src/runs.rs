@@ -7,6 +7,9 @@ use engine::{Emission, Limits, Run, StreamIx};
 use robot::Millis;
 use serde_json::{Value as Json, json};
 
+/// The readings of a random behaviour.
+const READINGS: usize = 40;
+
 /// A behaviour and its readings.
 type Case = (&'static str, &'static str);
 
@@ -111,7 +114,7 @@ fn random(seed: u32) -> (BehaviourFile, Vec<Reading>) {
     let mut chance = Chance::of(seed.into());
     let file = graphs::behaviour(&mut chance);
     let named = |reading: graphs::Reading| (reading.at, file.streams[reading.stream].id.clone(), reading.value);
-    let readings = graphs::trace(&mut chance, &file).into_iter().map(named).collect();
+    let readings = graphs::trace(&mut chance, &file, READINGS).into_iter().map(named).collect();
     (file, readings)
 }
 
