@@ -246,7 +246,7 @@ impl Writer {
     }
 }
 
-/// What is new of the marks and the live values, made on the server's other threads.
+/// Returns what is new of the marks and the live values, made on the server's other threads.
 async fn values(
     connections: &Arc<Connections>,
     watching: &mut Watching,
