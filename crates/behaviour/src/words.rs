@@ -142,9 +142,7 @@ impl fmt::Display for FlawKind {
             Self::NoConnector(word) => write!(to, "there is no connector {word:?}"),
             Self::NoPeriod(word) => write!(to, "{word} needs a periodMs of 1 or more"),
             Self::InTwoGroups(id) => write!(to, "the stream {id:?} is in another group too"),
-            Self::Tile => to.write_str(
-                "a tile has a key from 1 to 9 of its own, and is an action (device), a sense (stream) or a word",
-            ),
+            Self::Tile => to.write_str("a tile has a key from 1 to 9 of its own, and is an action, a sense or a word"),
             Self::BodyAndHelper => to.write_str("it has both a body and a helper"),
         }
     }

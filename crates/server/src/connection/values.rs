@@ -8,7 +8,7 @@ use behaviour::Id;
 use protocol::{Reply, RunState};
 use std::sync::Arc;
 
-/// What one client has seen of one run.
+/// The part of one run that a client has seen.
 #[derive(Default)]
 pub(super) struct Watching {
     run: Option<Watched>,
@@ -22,7 +22,7 @@ struct Watched {
 }
 
 impl Watching {
-    /// What changed since the last call in the newest run on this robot, or on any, as messages: its marks, and its values if
+    /// Returns what changed since the last call in the newest run on this robot, or on any, as messages: marks, and values if
     /// those are wanted.
     pub(super) fn news(
         &mut self,

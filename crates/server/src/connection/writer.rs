@@ -251,7 +251,7 @@ impl Writer {
     }
 }
 
-/// The presses that were not told yet; those that were too many are missed.
+/// Returns the presses that were not told yet; those that were too many are missed.
 fn pressed(presses: &mut broadcast::Receiver<Utf8Bytes>) -> Vec<Utf8Bytes> {
     let mut texts = Vec::new();
     loop {
@@ -263,7 +263,7 @@ fn pressed(presses: &mut broadcast::Receiver<Utf8Bytes>) -> Vec<Utf8Bytes> {
     }
 }
 
-/// What is new of the marks and the live values, made on the server's other threads.
+/// Returns what is new of the marks and the live values, made on the server's other threads.
 async fn values(
     connections: &Arc<Connections>,
     watching: &mut Watching,

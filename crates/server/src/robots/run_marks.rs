@@ -20,7 +20,7 @@ pub(crate) struct Press<'a> {
     pub(crate) at: Instant,
 }
 
-/// What became of a press.
+/// The outcome of a press.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Marked {
     /// The mark as it is now.

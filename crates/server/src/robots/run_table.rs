@@ -43,7 +43,7 @@ pub(super) struct PausedMemory {
     pub(super) memory: Handover,
     /// The next instant of its logical time, which stands still meanwhile.
     pub(super) open_ms: u64,
-    /// Its marks, which the run that goes on shows too.
+    /// The marks, which the run that goes on shows too.
     pub(super) marks: Vec<RecordingMark>,
 }
 
@@ -86,7 +86,7 @@ pub(super) struct Entry {
     pub(super) live: LiveValues,
     /// Its sensor streams by id.
     pub(super) senses: Senses,
-    /// Its marks.
+    /// The marks of the run.
     pub(super) marks: Arc<RunMarks>,
     /// What runs.
     pub(super) file: Arc<BehaviourFile>,
@@ -99,7 +99,7 @@ pub(super) struct Entry {
 }
 
 impl Entry {
-    /// What became of a press that made or changed this mark.
+    /// Returns the outcome of a press that made or changed this mark.
     pub(super) fn marked(&self, mark: RecordingMark) -> Marked {
         let recording = self.state.recording.as_ref().filter(|recording| recording.trouble.is_none());
         let later = recording.filter(|_| self.marks.is_closed()).map(|recording| recording.file.clone());

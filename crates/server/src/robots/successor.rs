@@ -32,7 +32,7 @@ pub(super) struct RunHandover {
     pub(super) tally: Tally,
     /// What is recorded, if it is.
     pub(super) recorder: Option<Recorder>,
-    /// Its marks.
+    /// The marks of the run.
     pub(super) marks: Arc<RunMarks>,
     /// Logical time 0.
     pub(super) began: Instant,

@@ -308,8 +308,7 @@ impl Reader<'_, '_> {
             self.fault(fields.at("key"), "A tile has a key from 1 to 9. Choose one.");
         }
         if tile.action().is_none() {
-            let reason = "A tile is an action (device, params, value), a sense (stream, value) or a word (word, span). \
-                          Keep one of them.";
+            let reason = "A tile is an action, a sense or a word. Keep one of them.";
             self.fault(node.at, reason);
         }
         tile
