@@ -152,7 +152,7 @@ pub(crate) enum Act {
     Pose(&'static str),
     Walk,
     Move(&'static str, f64),
-    /// What was moved last is moved by this verb.
+    /// This verb moves what was moved last.
     MoveThem(&'static str),
     Play(&'static str),
     PlayFile(String),
