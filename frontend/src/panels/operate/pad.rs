@@ -113,7 +113,7 @@ mod tests {
     use super::{Does, tiles};
     use behaviour::{Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, Value};
     use protocol::Press;
-    
+
     fn with(all: &[(StreamKind, &str, &[(&str, &str)])]) -> Behaviour {
         let mut behaviour = Behaviour::default();
         for (order, (kind, device, params)) in (0..).zip(all) {
