@@ -166,7 +166,8 @@ async fn two_operators_see_each_others_presses_marks_and_stops() -> Outcome<()> 
     says(&aiko, "laughs").await?;
 
     yuki.press("button", "Stop").await?;
-    says(&aiko, "Yuki stopped the robot").await?;
+    // A host who presses Stop does not say who they are.
+    says(&aiko, "Somebody stopped the robot").await?;
     says(&aiko, "Press Start to begin again.").await?;
     silent(&yuki, "stopped the robot").await?;
     aiko.press("button", "I have read it").await?;

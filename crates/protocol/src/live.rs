@@ -16,7 +16,7 @@ pub struct RobotState {
     pub name: String,
     /// The kind of the robot: `nao`.
     pub kind: String,
-    /// What a person does at its body to end what it does, as its adapter says; empty before that is known.
+    /// The words of its adapter for how a person ends at its body what it does; empty before that is known.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub by_body: String,
     /// The state of the link.

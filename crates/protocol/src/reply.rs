@@ -350,7 +350,7 @@ pub enum Reply {
     },
     /// Somebody had a robot do something by hand, or pretended that it sensed something; told to everyone, who did it too.
     Pressed {
-        /// What it was.
+        /// The press, and what became of it.
         press: Box<Press>,
     },
     /// Live values of the open behaviour on the watched robot.

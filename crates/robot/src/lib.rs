@@ -94,8 +94,8 @@ pub trait Robot {
     /// The kind of robot: `nao`.
     fn kind(&self) -> &'static str;
 
-    /// What a person does at its body to end what it does where Stop does not reach it, in a few English words that follow “if
-    /// it goes on”; empty where nothing is known but to take its power.
+    /// Returns how a person ends at its body what it does where Stop does not reach it, in a few English words that follow
+    /// “if it goes on”; empty where nothing is known but to take its power.
     fn by_body(&self) -> &'static str {
         ""
     }

@@ -44,7 +44,7 @@ pub(crate) struct Pieces {
 
 /// True if a file of the page is one that is loaded later.
 pub(crate) fn is_later(name: &str) -> bool {
-    name.ends_with(".wasm") && PIECES.iter().any(|piece| name.starts_with(piece))
+    PIECES.iter().any(|piece| name.starts_with(piece))
 }
 
 /// Cuts `code`, which was linked with `FLAGS`, into pieces for the page's own `module`. `folder` is for what comes about on

@@ -80,6 +80,7 @@ pub(crate) fn operate() -> AnyView {
     quiet::stay_awake(op);
     look_at_asked(op);
     follow_what_runs(op);
+    forget_own_stops(op);
     dress();
     super::toolbar::mark_usable(desk);
     let dressed = RwSignal::new(false);
@@ -146,6 +147,29 @@ fn follow_what_runs(op: Op) {
     });
 }
 
+/// What ended before somebody came here, or by the Stop of this page, is no news.
+fn forget_own_stops(op: Op) {
+    let ran = StoredValue::new(0);
+    Effect::new(move |_| {
+        let Some(last) = op.last() else { return };
+        match last.phase {
+            RunPhase::Running | RunPhase::Paused(_) => ran.set_value(last.run),
+            RunPhase::Faulted(_) | RunPhase::Stopped(_) => {
+                let own = last.phase == RunPhase::Stopped(STOP_BUTTON.to_owned()) && stop_was_pressed();
+                if own || ran.get_value() != last.run {
+                    op.read.set(last.run);
+                }
+            }
+        }
+    });
+}
+
+/// True while the page's Stop says what became of a press.
+fn stop_was_pressed() -> bool {
+    let form = super::focus::by_id("stop-form").and_then(|form| form.get_attribute("data-state"));
+    form.is_some_and(|state| !state.is_empty())
+}
+
 impl Op {
     /// True while nothing that is known of the robot is sure: the server is silent, or its link to the robot is lost. Reactive.
     fn is_quiet(self) -> bool {
@@ -169,11 +193,12 @@ impl Op {
         self.last().is_some_and(|run| matches!(run.phase, RunPhase::Paused(_)))
     }
 
-    /// Who stopped the last run, if that was somebody else and nobody has read of it here. Reactive.
+    /// Who stopped the last run, if that was somebody else and nobody has read of it here. Whoever says not who they are is
+    /// [`STOP_BUTTON`]. Reactive.
     fn stopped_by_other(self) -> Option<(u64, String)> {
         let last = self.last()?;
         let RunPhase::Stopped(by) = last.phase else { return None };
         let mine = self.desk.desk().me.with(|me| me.as_ref().is_some_and(|me| me.name == by));
-        (!mine && by != STOP_BUTTON && self.read.get() != last.run).then_some((last.run, by))
+        (!mine && self.read.get() != last.run).then_some((last.run, by))
     }
 }

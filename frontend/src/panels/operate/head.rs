@@ -37,7 +37,7 @@ pub(super) fn Head(op: Op) -> impl IntoView {
             <Program op />
             <span class="op-spring"></span>
             <Recorded op />
-            <Battery op />
+            <Charge op />
             <Link op />
             <People op />
             <p class="op-clock"><b role="timer" aria-live="off" aria-label=words::time_of_run()>{time}</b><small>{words::run_time()}</small></p>
@@ -258,13 +258,13 @@ fn Recorded(op: Op) -> impl IntoView {
 }
 
 #[component]
-fn Battery(op: Op) -> impl IntoView {
+fn Charge(op: Op) -> impl IntoView {
     let percent = move || op.desk.desk().robots.chosen.read().as_ref().and_then(|robot| robot.condition.battery);
     move || {
         percent().map(|percent| {
             view! {
                 <p class="op-light" class:low=percent < 20>
-                    <crate::icons::Icon name="battery" /><span class="sr">{words::battery()}</span>{format!("{percent} %")}
+                    <crate::icons::Icon name="battery" /><span class="sr">{words::charge()}</span>{format!("{percent} %")}
                 </p>
             }
         })

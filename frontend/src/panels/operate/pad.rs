@@ -5,6 +5,7 @@ use crate::words;
 use behaviour::{Behaviour, Id, Params, StreamKind, TileAction, Value};
 use leptos::prelude::*;
 use protocol::Press;
+use robot::{Resource, Resources};
 
 /// A tile.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,14 +96,17 @@ fn pictured(behaviour: &Behaviour, does: &TileAction) -> (&'static str, bool) {
 fn usual_words(does: &TileAction, label: &str, button: bool) -> String {
     let said = words::translated(label);
     match does {
-        TileAction::Hand { device, .. } if device == SAYS => words::saying(label),
+        TileAction::Hand { device, .. } if speaks(device) => words::saying(label),
         TileAction::Pretend { .. } if !button => words::as_if_there_is(&said),
         _ => words::capitalised(&said),
     }
 }
 
-/// The action that speaks a text of its own.
-pub(super) const SAYS: &str = "SayParameter";
+/// True for an action that uses the robot's voice. Pure.
+pub(super) fn speaks(device: &str) -> bool {
+    let device = robot::device(StreamKind::Actuator, device);
+    device.is_ok_and(|device| matches!(device.resources, Resources::Always(parts) if parts.contains(&Resource::Voice)))
+}
 
 #[cfg(test)]
 mod tests {

@@ -2,7 +2,7 @@
 //! lost link comes back.
 
 use super::Op;
-use super::pad::{Does, SAYS, Tile};
+use super::pad::{Does, Tile, speaks};
 use super::seen::Seen;
 use crate::desk::LinkState;
 use crate::link::NoAnswer;
@@ -234,7 +234,7 @@ impl Op {
 /// About how long it goes on, in milliseconds.
 fn lasts_ms(does: &Does) -> f64 {
     match does {
-        Does::Hand { device, params, .. } if device == SAYS => {
+        Does::Hand { device, params, .. } if speaks(device) => {
             let letters = params.get("text").and_then(Value::as_text).map_or(5, |text| text.chars().count());
             SPEECH_MIN_MS.max(letters as f64 * LETTER_MS)
         }
@@ -245,7 +245,7 @@ fn lasts_ms(does: &Does) -> f64 {
 
 fn going_words(does: &Does) -> &'static str {
     match does {
-        Does::Hand { device, .. } if device == SAYS => words::speaking_now(),
+        Does::Hand { device, .. } if speaks(device) => words::speaking_now(),
         Does::Hand { .. } => words::moving_now(),
         Does::Pretend { .. } | Does::Word { .. } => words::done_just_now(),
     }

@@ -8,7 +8,7 @@ sentences! {
     leave_operate: "Leave the operator’s page";
     time_of_run: "Time of the run";
     run_time: "run";
-    battery: "Battery";
+    charge: "Charge";
     by_cable: "by cable";
     link_good: "connected";
     state_running: "running";
@@ -196,10 +196,16 @@ pub(crate) fn then_start(goes_on: bool) -> String {
 }
 
 pub(crate) fn somebody_stopped(name: &str) -> String {
+    if name == protocol::STOP_BUTTON {
+        return say!("Somebody stopped the robot");
+    }
     say!("{name} stopped the robot", name)
 }
 
 pub(crate) fn ask_them_why(name: &str) -> String {
+    if name == protocol::STOP_BUTTON {
+        return say!("Ask the others why before you go on.");
+    }
     say!("Ask {name} why before you go on.", name)
 }
 
