@@ -124,13 +124,13 @@ pub(crate) fn hear(target: &web_sys::EventTarget, event: &str, act: impl FnMut(J
 }
 
 /// Something that is heard until this is dropped.
-pub(crate) struct Heard {
+pub(crate) struct ListenerHandle {
     event: String,
     act: Closure<dyn FnMut(web_sys::Event)>,
 }
 
 /// Hears an event of the window before anybody else, and may keep it from them and from the browser.
-pub(crate) fn hear_first(event: &str, act: impl FnMut(web_sys::Event) + 'static) -> Heard {
+pub(crate) fn hear_first(event: &str, act: impl FnMut(web_sys::Event) + 'static) -> ListenerHandle {
     let act = Closure::<dyn FnMut(web_sys::Event)>::new(act);
     if let Some(window) = window() {
         let how = web_sys::AddEventListenerOptions::new();
@@ -139,10 +139,10 @@ pub(crate) fn hear_first(event: &str, act: impl FnMut(web_sys::Event) + 'static)
         let hears = act.as_ref().unchecked_ref();
         let _ = window.add_event_listener_with_callback_and_add_event_listener_options(event, hears, &how);
     }
-    Heard { event: event.to_owned(), act }
+    ListenerHandle { event: event.to_owned(), act }
 }
 
-impl Drop for Heard {
+impl Drop for ListenerHandle {
     fn drop(&mut self) {
         if let Some(window) = window() {
             let hears = self.act.as_ref().unchecked_ref();
@@ -153,14 +153,14 @@ impl Drop for Heard {
 
 /// Which drawer something is kept in.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Keep {
+pub(crate) enum Drawer {
     /// As long as this tab.
     Tab,
     /// In this browser.
     Browser,
 }
 
-impl Keep {
+impl Drawer {
     fn storage(self) -> Option<Storage> {
         let window = window()?;
         let storage = match self {

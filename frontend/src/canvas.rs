@@ -61,7 +61,7 @@ pub(crate) use stage::Stage;
 pub(crate) use strip::strip;
 
 use crate::desk::{Desk, Lit, Selected, use_desk};
-use crate::later::{Later, Rest, second_piece};
+use crate::later::{Later, LazyViews, second_piece};
 use crate::panels::{EmptyStage, focus};
 use crate::words;
 use chip::Chip;
@@ -260,7 +260,7 @@ fn Meant() -> impl IntoView {
 
 /// Something of the groups, while there are some.
 #[component]
-fn Grouped(show: fn(Rest) -> AnyView) -> impl IntoView {
+fn Grouped(show: fn(LazyViews) -> AnyView) -> impl IntoView {
     let ids = use_desk().document.group_ids.clone();
     let any = ArcMemo::new(move |_| !ids.with(Vec::is_empty));
     move || any.get().then(|| view! { <Later show /> })

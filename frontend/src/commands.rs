@@ -1,7 +1,7 @@
 //! Everything that can be done, with its key: what the palette of commands and the help list.
 
 use crate::desk::{Desk, Dialog, LineUp, Selected};
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::{panels, words};
 use behaviour::StreamKind;
 use leptos::prelude::*;
@@ -13,8 +13,8 @@ use web_sys::{HtmlElement, KeyboardEvent, KeyboardEventInit};
 const PRINTS_MS: i32 = 120;
 
 /// One thing that can be done.
-pub(crate) struct Command {
-    pub(crate) group: Group,
+pub(crate) struct PageCommand {
+    pub(crate) group: CommandGroup,
     pub(crate) label: fn() -> &'static str,
     /// Its keys as they are pressed, parted by blanks; empty if it has none.
     pub(crate) keys: &'static str,
@@ -28,7 +28,7 @@ pub(crate) struct Command {
     pub(crate) icon: &'static str,
     /// Whether it is about how the graph lies, so that the list in its place has no use for it.
     needs_graph: bool,
-    act: Act,
+    act: CommandWork,
 }
 
 /// What must be there to do a command.
@@ -55,7 +55,7 @@ pub(crate) enum On {
 
 /// What commands are about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Group {
+pub(crate) enum CommandGroup {
     Robot,
     Program,
     Graph,
@@ -63,7 +63,7 @@ pub(crate) enum Group {
     People,
 }
 
-impl Group {
+impl CommandGroup {
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Robot => words::robot(),
@@ -77,7 +77,7 @@ impl Group {
 
 /// How a command is done.
 #[derive(Clone, Copy)]
-enum Act {
+enum CommandWork {
     /// A dialog opens.
     Opens(fn() -> Dialog),
     /// The desk does it.
@@ -88,11 +88,17 @@ enum Act {
     Press(&'static str, fn() -> &'static str),
 }
 
-const fn command(group: Group, label: fn() -> &'static str, keys: &'static str, role: Role, act: Act) -> Command {
-    Command { group, label, keys, role, on: &[], needs: Needs::Nothing, icon: "bolt", needs_graph: false, act }
+const fn command(
+    group: CommandGroup,
+    label: fn() -> &'static str,
+    keys: &'static str,
+    role: Role,
+    act: CommandWork,
+) -> PageCommand {
+    PageCommand { group, label, keys, role, on: &[], needs: Needs::Nothing, icon: "bolt", needs_graph: false, act }
 }
 
-impl Command {
+impl PageCommand {
     const fn on(self, on: &'static [On]) -> Self {
         Self { on, ..self }
     }
@@ -117,136 +123,206 @@ const COPIED: &[On] = &[On::Stream, On::Note, On::Group, On::Several];
 const PROGRAMS: &[On] = &[On::Programs, On::Phone];
 
 /// All of them, group by group.
-pub(crate) static ALL: &[Command] = &[
-    command(Group::Robot, words::start, "", Role::Operator, Act::Desk(|desk| desk.robots.start())),
-    command(Group::Robot, words::apply, "", Role::Operator, Act::Desk(use_changes)),
+pub(crate) static ALL: &[PageCommand] = &[
+    command(CommandGroup::Robot, words::start, "", Role::Operator, CommandWork::Desk(|desk| desk.robots.start())),
+    command(CommandGroup::Robot, words::apply, "", Role::Operator, CommandWork::Desk(use_changes)),
     command(
-        Group::Robot,
+        CommandGroup::Robot,
         words::record,
         "",
         Role::Operator,
-        Act::Desk(|desk| desk.robots.records.update(|it| *it = !*it)),
+        CommandWork::Desk(|desk| desk.robots.records.update(|it| *it = !*it)),
     ),
-    command(Group::Robot, words::stimulate, "", Role::Operator, Act::Desk(send_value)).on(&[On::Stream]),
-    command(Group::Robot, words::stop_this_robot, "Esc Esc", Role::Viewer, Act::Desk(press_stop)),
-    command(Group::Robot, words::stop_all_robots, "", Role::Viewer, Act::Desk(|desk| desk.robots.stop_all())),
-    command(Group::Robot, words::add_robot, "", Role::Editor, Act::Opens(|| Dialog::AddRobot)),
-    command(Group::Robot, words::rename_robot, "", Role::Operator, Act::Opens(|| Dialog::RenameRobot)),
-    command(Group::Robot, words::remove_this_robot, "", Role::Operator, Act::Opens(|| Dialog::RemoveRobot)),
-    command(Group::Program, words::load_program, "", Role::Viewer, Act::Opens(|| Dialog::Programs))
+    command(CommandGroup::Robot, words::stimulate, "", Role::Operator, CommandWork::Desk(send_value)).on(&[On::Stream]),
+    command(CommandGroup::Robot, words::stop_this_robot, "Esc Esc", Role::Viewer, CommandWork::Desk(press_stop)),
+    command(
+        CommandGroup::Robot,
+        words::stop_all_robots,
+        "",
+        Role::Viewer,
+        CommandWork::Desk(|desk| desk.robots.stop_all()),
+    ),
+    command(CommandGroup::Robot, words::add_robot, "", Role::Editor, CommandWork::Opens(|| Dialog::AddRobot)),
+    command(CommandGroup::Robot, words::rename_robot, "", Role::Operator, CommandWork::Opens(|| Dialog::RenameRobot)),
+    command(
+        CommandGroup::Robot,
+        words::remove_this_robot,
+        "",
+        Role::Operator,
+        CommandWork::Opens(|| Dialog::RemoveRobot),
+    ),
+    command(CommandGroup::Program, words::load_program, "", Role::Viewer, CommandWork::Opens(|| Dialog::Programs))
         .on(PROGRAMS)
         .icon("folder"),
-    command(Group::Program, words::add_program, "", Role::Editor, Act::Opens(|| Dialog::AddProgram))
+    command(CommandGroup::Program, words::add_program, "", Role::Editor, CommandWork::Opens(|| Dialog::AddProgram))
         .on(PROGRAMS)
         .icon("plus"),
-    command(Group::Program, words::rename_program, "", Role::Editor, Act::Opens(|| Dialog::RenameProgram))
+    command(
+        CommandGroup::Program,
+        words::rename_program,
+        "",
+        Role::Editor,
+        CommandWork::Opens(|| Dialog::RenameProgram),
+    )
+    .needs(Needs::OpenProgram),
+    command(
+        CommandGroup::Program,
+        words::remove_program,
+        "",
+        Role::Editor,
+        CommandWork::Opens(|| Dialog::RemoveProgram),
+    )
+    .on(PROGRAMS)
+    .needs(Needs::OpenProgram)
+    .icon("trash"),
+    command(CommandGroup::Program, words::make_copy, "", Role::Editor, CommandWork::Desk(copy_open))
         .needs(Needs::OpenProgram),
-    command(Group::Program, words::remove_program, "", Role::Editor, Act::Opens(|| Dialog::RemoveProgram))
-        .on(PROGRAMS)
-        .needs(Needs::OpenProgram)
-        .icon("trash"),
-    command(Group::Program, words::make_copy, "", Role::Editor, Act::Desk(copy_open)).needs(Needs::OpenProgram),
-    command(Group::Program, words::open_file, "", Role::Editor, Act::Desk(|_| panels::choose_file()))
+    command(CommandGroup::Program, words::open_file, "", Role::Editor, CommandWork::Desk(|_| panels::choose_file()))
         .on(PROGRAMS)
         .icon("open"),
-    command(Group::Program, words::save_file, "", Role::Viewer, Act::Opens(|| Dialog::SaveFile))
+    command(CommandGroup::Program, words::save_file, "", Role::Viewer, CommandWork::Opens(|| Dialog::SaveFile))
         .on(PROGRAMS)
         .needs(Needs::OpenProgram)
         .icon("save"),
-    command(Group::Program, words::print, "Ctrl P", Role::Viewer, Act::Desk(print)),
-    command(Group::Program, words::undo, "Ctrl Z", Role::Editor, Act::Desk(Desk::undo))
+    command(CommandGroup::Program, words::print, "Ctrl P", Role::Viewer, CommandWork::Desk(print)),
+    command(CommandGroup::Program, words::undo, "Ctrl Z", Role::Editor, CommandWork::Desk(Desk::undo))
         .on(&[On::Ground, On::Phone])
         .needs(Needs::SomethingToUndo)
         .icon("undo"),
-    command(Group::Program, words::redo, "Ctrl Y", Role::Editor, Act::Desk(|desk| desk.document.redo()))
+    command(CommandGroup::Program, words::redo, "Ctrl Y", Role::Editor, CommandWork::Desk(|desk| desk.document.redo()))
         .on(&[On::Ground, On::Phone])
         .needs(Needs::SomethingToRedo)
         .icon("redo"),
-    command(Group::Program, words::history, "", Role::Viewer, Act::Desk(|desk| desk.shows_history.set(true)))
-        .on(&[On::Phone])
-        .needs(Needs::OpenProgram)
-        .icon("history"),
-    command(Group::Program, words::show_exercise, "", Role::Viewer, Act::Desk(show_exercise)),
-    command(Group::Program, words::take_tour, "", Role::Editor, Act::Desk(panels::take_tour)),
-    command(Group::Graph, words::add_sensor, "", Role::Editor, Act::Opens(|| Dialog::AddSensor))
+    command(
+        CommandGroup::Program,
+        words::history,
+        "",
+        Role::Viewer,
+        CommandWork::Desk(|desk| desk.shows_history.set(true)),
+    )
+    .on(&[On::Phone])
+    .needs(Needs::OpenProgram)
+    .icon("history"),
+    command(CommandGroup::Program, words::show_exercise, "", Role::Viewer, CommandWork::Desk(show_exercise)),
+    command(CommandGroup::Program, words::take_tour, "", Role::Editor, CommandWork::Desk(panels::take_tour)),
+    command(CommandGroup::Graph, words::add_sensor, "", Role::Editor, CommandWork::Opens(|| Dialog::AddSensor))
         .on(&[On::Ground, On::Phone])
         .needs(Needs::OpenProgram)
         .icon("eye"),
-    command(Group::Graph, words::add_helper, "", Role::Editor, Act::Opens(|| Dialog::Helper(None)))
+    command(CommandGroup::Graph, words::add_helper, "", Role::Editor, CommandWork::Opens(|| Dialog::Helper(None)))
         .on(&[On::Phone])
         .icon("plus"),
-    command(Group::Graph, words::edit_helper, "", Role::Viewer, Act::Opens(|| Dialog::Helpers))
+    command(CommandGroup::Graph, words::edit_helper, "", Role::Viewer, CommandWork::Opens(|| Dialog::Helpers))
         .on(&[On::Phone])
         .icon("fx"),
-    command(Group::Graph, words::problems, "", Role::Viewer, Act::Opens(|| Dialog::Problems))
+    command(CommandGroup::Graph, words::problems, "", Role::Viewer, CommandWork::Opens(|| Dialog::Problems))
         .on(&[On::Ground, On::Phone])
         .icon("warn"),
-    command(Group::Graph, words::help_edit_says, "Enter", Role::Viewer, Act::Key("Enter", false))
+    command(CommandGroup::Graph, words::help_edit_says, "Enter", Role::Viewer, CommandWork::Key("Enter", false))
         .on(&[On::Stream, On::Connector, On::Note])
         .icon("pencil"),
-    command(Group::Graph, words::rename, "F2", Role::Editor, Act::Key("F2", false))
+    command(CommandGroup::Graph, words::rename, "F2", Role::Editor, CommandWork::Key("F2", false))
         .on(&[On::Stream, On::Connector, On::Group])
         .icon("pencil"),
-    command(Group::Graph, words::fold_or_unfold, "F", Role::Viewer, Act::Key("f", false)).on(&[On::Group]).icon("fold"),
-    command(Group::Graph, words::make_group, "Ctrl G", Role::Editor, Act::Key("g", true))
+    command(CommandGroup::Graph, words::fold_or_unfold, "F", Role::Viewer, CommandWork::Key("f", false))
+        .on(&[On::Group])
+        .icon("fold"),
+    command(CommandGroup::Graph, words::make_group, "Ctrl G", Role::Editor, CommandWork::Key("g", true))
         .on(&[On::Stream, On::Several])
         .icon("group"),
-    command(Group::Graph, words::ungroup, "Ctrl Shift G", Role::Editor, Act::Desk(ungroup))
+    command(CommandGroup::Graph, words::ungroup, "Ctrl Shift G", Role::Editor, CommandWork::Desk(ungroup))
         .on(&[On::Group, On::Several]),
-    command(Group::Graph, words::add_note, "N", Role::Editor, Act::Key("n", false)).on(&[On::Ground]).icon("note"),
-    command(Group::Graph, words::line_up_row, "", Role::Editor, Act::Desk(|desk| line_up(desk, LineUp::Row)))
-        .on(&[On::Several])
-        .of_graph(),
-    command(Group::Graph, words::line_up_column, "", Role::Editor, Act::Desk(|desk| line_up(desk, LineUp::Column)))
-        .on(&[On::Several])
-        .of_graph(),
-    command(Group::Graph, words::connect, "C", Role::Editor, Act::Key("c", false)).on(&[On::Stream]).icon("connect"),
+    command(CommandGroup::Graph, words::add_note, "N", Role::Editor, CommandWork::Key("n", false))
+        .on(&[On::Ground])
+        .icon("note"),
     command(
-        Group::Graph,
+        CommandGroup::Graph,
+        words::line_up_row,
+        "",
+        Role::Editor,
+        CommandWork::Desk(|desk| line_up(desk, LineUp::Row)),
+    )
+    .on(&[On::Several])
+    .of_graph(),
+    command(
+        CommandGroup::Graph,
+        words::line_up_column,
+        "",
+        Role::Editor,
+        CommandWork::Desk(|desk| line_up(desk, LineUp::Column)),
+    )
+    .on(&[On::Several])
+    .of_graph(),
+    command(CommandGroup::Graph, words::connect, "C", Role::Editor, CommandWork::Key("c", false))
+        .on(&[On::Stream])
+        .icon("connect"),
+    command(
+        CommandGroup::Graph,
         words::add_connector,
         "",
         Role::Editor,
-        Act::Press("#stage .strip .bolt > button", words::choose_one_stream),
+        CommandWork::Press("#stage .strip .bolt > button", words::choose_one_stream),
     )
     .on(&[On::Stream]),
-    command(Group::Graph, words::insert_before, "I", Role::Editor, Act::Key("i", false))
+    command(CommandGroup::Graph, words::insert_before, "I", Role::Editor, CommandWork::Key("i", false))
         .on(&[On::Stream, On::Connector]),
-    command(Group::Graph, words::help_remove_says, "Delete", Role::Editor, Act::Key("Delete", false))
+    command(CommandGroup::Graph, words::help_remove_says, "Delete", Role::Editor, CommandWork::Key("Delete", false))
         .on(&[On::Stream, On::Connector, On::Note, On::Group, On::Several])
         .icon("trash"),
-    command(Group::Graph, words::select_all, "Ctrl A", Role::Viewer, Act::Key("a", true)).on(&[On::Ground]),
-    command(Group::Graph, words::copy, "Ctrl C", Role::Viewer, Act::Key("c", true)).on(COPIED).icon("copy"),
-    command(Group::Graph, words::cut, "Ctrl X", Role::Editor, Act::Key("x", true)).on(COPIED).icon("trash"),
-    command(Group::Graph, words::paste, "Ctrl V", Role::Editor, Act::Key("v", true)).on(&[On::Ground]),
-    command(Group::Graph, words::duplicate, "Ctrl D", Role::Editor, Act::Key("d", true)).on(COPIED).icon("duplicate"),
-    command(Group::Graph, words::walk_down, "↓", Role::Viewer, Act::Key("ArrowDown", false)),
-    command(Group::Graph, words::walk_up, "↑", Role::Viewer, Act::Key("ArrowUp", false)),
-    command(Group::Graph, words::walk_left, "←", Role::Viewer, Act::Key("ArrowLeft", false)),
-    command(Group::Graph, words::walk_right, "→", Role::Viewer, Act::Key("ArrowRight", false)),
-    command(Group::View, words::find_or_add, "Ctrl F", Role::Viewer, Act::Desk(find)),
-    command(Group::View, words::zoom_in, "+", Role::Viewer, Act::Key("+", false)),
-    command(Group::View, words::zoom_out, "-", Role::Viewer, Act::Key("-", false)),
-    command(Group::View, words::fit, "0", Role::Viewer, Act::Key("0", false)).on(&[On::Ground]),
-    command(Group::View, words::real_size, "1", Role::Viewer, Act::Key("1", false)),
-    command(Group::View, words::sentences_shown, "", Role::Viewer, Act::Press(".told .fold", words::no_sentences)),
-    command(Group::View, words::tidy, "", Role::Editor, Act::Desk(|desk| desk.document.tidy(crate::layout::tidy)))
-        .on(&[On::Ground])
-        .of_graph(),
-    command(Group::View, words::operate, "", Role::Viewer, Act::Desk(operate)).on(&[On::Phone]).icon("play"),
-    command(Group::View, words::other_language, "", Role::Viewer, Act::Desk(|_| panels::speak_other()))
+    command(CommandGroup::Graph, words::select_all, "Ctrl A", Role::Viewer, CommandWork::Key("a", true))
+        .on(&[On::Ground]),
+    command(CommandGroup::Graph, words::copy, "Ctrl C", Role::Viewer, CommandWork::Key("c", true))
+        .on(COPIED)
+        .icon("copy"),
+    command(CommandGroup::Graph, words::cut, "Ctrl X", Role::Editor, CommandWork::Key("x", true))
+        .on(COPIED)
+        .icon("trash"),
+    command(CommandGroup::Graph, words::paste, "Ctrl V", Role::Editor, CommandWork::Key("v", true)).on(&[On::Ground]),
+    command(CommandGroup::Graph, words::duplicate, "Ctrl D", Role::Editor, CommandWork::Key("d", true))
+        .on(COPIED)
+        .icon("duplicate"),
+    command(CommandGroup::Graph, words::walk_down, "↓", Role::Viewer, CommandWork::Key("ArrowDown", false)),
+    command(CommandGroup::Graph, words::walk_up, "↑", Role::Viewer, CommandWork::Key("ArrowUp", false)),
+    command(CommandGroup::Graph, words::walk_left, "←", Role::Viewer, CommandWork::Key("ArrowLeft", false)),
+    command(CommandGroup::Graph, words::walk_right, "→", Role::Viewer, CommandWork::Key("ArrowRight", false)),
+    command(CommandGroup::View, words::find_or_add, "Ctrl F", Role::Viewer, CommandWork::Desk(find)),
+    command(CommandGroup::View, words::zoom_in, "+", Role::Viewer, CommandWork::Key("+", false)),
+    command(CommandGroup::View, words::zoom_out, "-", Role::Viewer, CommandWork::Key("-", false)),
+    command(CommandGroup::View, words::fit, "0", Role::Viewer, CommandWork::Key("0", false)).on(&[On::Ground]),
+    command(CommandGroup::View, words::real_size, "1", Role::Viewer, CommandWork::Key("1", false)),
+    command(
+        CommandGroup::View,
+        words::sentences_shown,
+        "",
+        Role::Viewer,
+        CommandWork::Press(".told .fold", words::no_sentences),
+    ),
+    command(
+        CommandGroup::View,
+        words::tidy,
+        "",
+        Role::Editor,
+        CommandWork::Desk(|desk| desk.document.tidy(crate::layout::tidy)),
+    )
+    .on(&[On::Ground])
+    .of_graph(),
+    command(CommandGroup::View, words::operate, "", Role::Viewer, CommandWork::Desk(operate))
+        .on(&[On::Phone])
+        .icon("play"),
+    command(CommandGroup::View, words::other_language, "", Role::Viewer, CommandWork::Desk(|_| panels::speak_other()))
         .on(&[On::Phone])
         .icon("globe"),
-    command(Group::View, words::keys_and_gestures, "Ctrl K", Role::Viewer, Act::Opens(|| Dialog::Help))
+    command(CommandGroup::View, words::keys_and_gestures, "Ctrl K", Role::Viewer, CommandWork::Opens(|| Dialog::Help))
         .on(&[On::Phone])
         .icon("help"),
-    command(Group::People, words::people_here, "", Role::Viewer, Act::Opens(|| Dialog::People)),
-    command(Group::People, words::my_name, "", Role::Viewer, Act::Opens(|| Dialog::MyName)),
-    command(Group::People, words::invite, "", Role::Host, Act::Opens(|| Dialog::Invite))
+    command(CommandGroup::People, words::people_here, "", Role::Viewer, CommandWork::Opens(|| Dialog::People)),
+    command(CommandGroup::People, words::my_name, "", Role::Viewer, CommandWork::Opens(|| Dialog::MyName)),
+    command(CommandGroup::People, words::invite, "", Role::Host, CommandWork::Opens(|| Dialog::Invite))
         .on(&[On::Phone])
         .icon("invite"),
 ];
 
-impl Command {
+impl PageCommand {
     /// Whether all words that are looked for are in its name or in what it is about.
     pub(crate) fn is_meant(&self, search: &str) -> bool {
         let (group, label) = (self.group.label(), (self.label)());
@@ -258,10 +334,10 @@ impl Command {
     /// Does it. Whatever is open is closed already.
     pub(crate) fn run(&self, desk: &Desk) {
         match self.act {
-            Act::Opens(dialog) => desk.dialog.set(Some(dialog())),
-            Act::Desk(act) => act(desk),
-            Act::Key(key, control) => press(key, control),
-            Act::Press(selector, not_there) => match shown(selector) {
+            CommandWork::Opens(dialog) => desk.dialog.set(Some(dialog())),
+            CommandWork::Desk(act) => act(desk),
+            CommandWork::Key(key, control) => press(key, control),
+            CommandWork::Press(selector, not_there) => match shown(selector) {
                 Some(shown) => shown.click(),
                 None => desk.say(not_there(), false),
             },
@@ -282,9 +358,9 @@ impl Command {
     /// Whether it can be done here: with the list in place of the graph there is nothing to zoom, to tidy or to walk about.
     pub(crate) fn is_here(&self) -> bool {
         let on_graph = match self.act {
-            Act::Key(key, control) => !control && !matches!(key, "Enter" | "F2" | "Delete"),
-            Act::Press(selector, _) => selector.starts_with("#stage"),
-            Act::Opens(_) | Act::Desk(_) => self.needs_graph,
+            CommandWork::Key(key, control) => !control && !matches!(key, "Enter" | "F2" | "Delete"),
+            CommandWork::Press(selector, _) => selector.starts_with("#stage"),
+            CommandWork::Opens(_) | CommandWork::Desk(_) => self.needs_graph,
         };
         !on_graph || has_canvas()
     }

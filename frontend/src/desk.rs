@@ -14,22 +14,22 @@ mod robots;
 mod roles;
 mod tab;
 
-pub(crate) use carried::{Carried, Item, Moved, Phase};
+pub(crate) use carried::{CarriedItem, CarryStage, ListItem, Moved};
 pub(crate) use document::{
-    Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, EditSession, Editor, Gap, Ghost, GhostConnector,
-    GhostStream, GroupSignals, Joining, LineUp, Lit, Mark, NoteSignals, Output, Own, Part, Put, Reading, Saving,
-    Selected, Sign, Spot, StreamSignals, Version, WireEnd, Writing, bare, draft_key, initials, signs, wire_ends,
-    wording,
+    Asking, ComparedVersions, Conflict, ConnectPlan, ConnectorSignals, EditReading, EditSession, Gap, Ghost,
+    GhostConnector, GhostStream, GroupSignals, Joining, LineUp, Lit, NewSpot, NoteSignals, OpenVersion, OtherEditor,
+    Output, OwnLock, ProgramPart, Put, Saving, Selected, Sign, StreamSignals, UnsavedMark, WireEnd, WriteRight, bare,
+    draft_key, initials, signs, wire_ends, wording,
 };
-pub(crate) use inviting::Invited;
+pub(crate) use inviting::NewInvitation;
 pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, first_file};
 pub(crate) use robots::Unused;
-pub(crate) use tab::{Choice, Dialog, LinkEnd, LinkState, new_id, settled};
+pub(crate) use tab::{Dialog, GraphChoice, LinkEnd, LinkState, new_id, settled};
 
 use document::{Document, DocumentEvent};
 use leptos::prelude::*;
-use library::Library;
-use robots::Robots;
+use library::LibraryPanel;
+use robots::RobotsPanel;
 use std::ops::Deref;
 use tab::Tab;
 
@@ -40,9 +40,9 @@ pub(crate) struct Desk {
     /// The document that is open here: its records, what is chosen in it, edits and how saving them goes.
     pub(crate) document: Document,
     /// The programs, templates and helpers that there are.
-    pub(crate) library: Library,
+    pub(crate) library: LibraryPanel,
     /// The robots, what runs on them and what they tell.
-    pub(crate) robots: Robots,
+    pub(crate) robots: RobotsPanel,
 }
 
 /// Reaches the tab's state without naming the tab.
@@ -63,8 +63,8 @@ impl Desk {
     pub(crate) fn new() -> Self {
         let tab = Tab::default();
         let document = Document::new(tab.clone());
-        let library = Library::new(tab.clone(), document.clone());
-        let robots = Robots::new(tab.clone(), document.clone(), library.clone());
+        let library = LibraryPanel::new(tab.clone(), document.clone());
+        let robots = RobotsPanel::new(tab.clone(), document.clone(), library.clone());
         let desk = Self { tab, document, library, robots };
         let listener = desk.clone();
         desk.document.tell(move |event| listener.hear_document(event));

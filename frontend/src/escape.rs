@@ -1,6 +1,6 @@
 //! Escape, as everything on the page hears it: what uses it says so, as the second of two that nothing used is Stop.
 
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use web_sys::KeyboardEvent;
 
 /// Takes something back where this is Escape; whether it was.

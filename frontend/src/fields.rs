@@ -6,7 +6,7 @@ mod params;
 mod text;
 mod unfilled;
 
-pub(crate) use choice::{Choice, Options, Select};
+pub(crate) use choice::{Choice, ChoiceOptions, Select};
 pub(crate) use code::{CodeField, pieces};
 pub(crate) use params::{ParamFields, ParamForm};
 pub(crate) use text::{NumberField, TextField};

@@ -179,14 +179,14 @@ impl<'de, A: VariantAccess<'de>> VariantAccess<'de> for Named<A> {
     }
 
     fn struct_variant<V: Visitor<'de>>(self, _: &'static [&'static str], visitor: V) -> Result<V::Value, A::Error> {
-        self.0.newtype_variant_seed(Object(visitor))
+        self.0.newtype_variant_seed(NamedFields(visitor))
     }
 }
 
 /// What a variant with named fields holds.
-struct Object<V>(V);
+struct NamedFields<V>(V);
 
-impl<'de, V: Visitor<'de>> DeserializeSeed<'de> for Object<V> {
+impl<'de, V: Visitor<'de>> DeserializeSeed<'de> for NamedFields<V> {
     type Value = V::Value;
 
     fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<V::Value, D::Error> {
@@ -198,7 +198,7 @@ impl<'de, V: Visitor<'de>> DeserializeSeed<'de> for Object<V> {
 mod tests {
     use super::read;
     use behaviour::{Id, Value};
-    use protocol::{Checked, Message, Refused, Reply, RunPhase, Summary};
+    use protocol::{Message, Refused, Reply, RobotFindings, RunPhase, Summary};
     use serde::Deserialize;
 
     #[derive(Debug, PartialEq, Deserialize)]
@@ -240,7 +240,7 @@ mod tests {
             Reply::Done,
             Reply::No { no: Refused::CannotStart("no".into()) },
             Reply::No { no: Refused::TooFast },
-            Reply::RobotChecked { checked: Box::new(Checked { name: "NAO".into(), ..Checked::default() }) },
+            Reply::RobotChecked { checked: Box::new(RobotFindings { name: "NAO".into(), ..RobotFindings::default() }) },
         ];
         for reply in said {
             let message = Message { ask: Some(3), reply };

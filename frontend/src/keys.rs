@@ -9,13 +9,13 @@ const COMPOSING: u32 = 229;
 const SIGNS: &str = "+-=";
 
 /// Which key of the program was pressed.
-pub(crate) trait Pressed {
+pub(crate) trait PressedKey {
     /// Its name, or the letter or digit on it. Nothing while several keys become one letter or word: then all of them are
     /// for the field.
     fn pressed(&self) -> String;
 }
 
-impl Pressed for KeyboardEvent {
+impl PressedKey for KeyboardEvent {
     fn pressed(&self) -> String {
         if self.is_composing() || self.key_code() == COMPOSING {
             return String::new();

@@ -9,7 +9,7 @@ use crate::browser;
 use crate::commands::On;
 use crate::desk::{Desk, Dialog, LinkState, Selected};
 use crate::layout::{self, Tidy};
-use crate::panels::Typing;
+use crate::panels::SentenceField;
 use crate::{canvas, panels, words};
 use behaviour::Id;
 use leptos::prelude::*;
@@ -22,7 +22,7 @@ const QUIET_MS: i32 = 1_000;
 
 /// The ways into the second piece.
 #[derive(Clone, Copy)]
-pub(crate) struct Rest {
+pub(crate) struct LazyViews {
     /// What stands in the frame of an open dialog, and the frame.
     pub(crate) dialog: fn(Dialog) -> AnyView,
     /// The history of the open program.
@@ -49,7 +49,7 @@ pub(crate) struct Rest {
     /// On the graph, the parts that some words mean.
     pub(crate) lit: fn() -> AnyView,
     /// What is made of a sentence that is typed.
-    pub(crate) typed: fn(Typing) -> AnyView,
+    pub(crate) typed: fn(SentenceField) -> AnyView,
     /// On the graph, what that would add.
     pub(crate) ghost: fn() -> AnyView,
     /// The goal of the exercise that the open program is of.
@@ -138,8 +138,8 @@ impl From<SplitLoaderError> for NotLoaded {
 
 /// Fetches the second piece.
 #[wasm_split(later, wasm_split_path = leptos::wasm_split, fallible)]
-fn rest() -> Result<Rest, NotLoaded> {
-    Ok(Rest {
+fn rest() -> Result<LazyViews, NotLoaded> {
+    Ok(LazyViews {
         dialog: panels::dialog,
         history: panels::history,
         shadows: canvas::shadows,
@@ -200,7 +200,7 @@ enum Fetching {
 /// The second piece of the page. A clone is the same.
 #[derive(Clone)]
 pub(crate) struct SecondPiece {
-    rest: ArcRwSignal<Option<Rest>>,
+    rest: ArcRwSignal<Option<LazyViews>>,
     fetching: ArcRwSignal<Fetching>,
 }
 
@@ -234,17 +234,17 @@ impl SecondPiece {
     }
 
     /// The ways into it, once it is here. Reactive.
-    pub(crate) fn get(&self) -> Option<Rest> {
+    pub(crate) fn get(&self) -> Option<LazyViews> {
         self.rest.get()
     }
 
     /// The ways into it, if it is here.
-    pub(crate) fn now(&self) -> Option<Rest> {
+    pub(crate) fn now(&self) -> Option<LazyViews> {
         self.rest.get_untracked()
     }
 
     /// Does something with it once it is here, at once if it is; with nothing if it cannot be fetched.
-    pub(crate) fn when_here(&self, act: impl FnOnce(Option<Rest>) + 'static) {
+    pub(crate) fn when_here(&self, act: impl FnOnce(Option<LazyViews>) + 'static) {
         let me = self.clone();
         leptos::task::spawn_local(async move {
             let fetched = rest().await.ok();
@@ -268,7 +268,7 @@ impl SecondPiece {
     }
 
     /// Tells everybody who waits, once.
-    fn keep(&self, fetched: Option<Rest>) {
+    fn keep(&self, fetched: Option<LazyViews>) {
         if fetched.is_some() && self.rest.with_untracked(Option::is_none) {
             self.rest.set(fetched);
         }
@@ -277,7 +277,7 @@ impl SecondPiece {
 
 /// Shows something of the second piece: nothing until that is here, and a sentence if it does not come.
 #[component]
-pub(crate) fn Later(show: impl Fn(Rest) -> AnyView + Send + 'static) -> impl IntoView {
+pub(crate) fn Later(show: impl Fn(LazyViews) -> AnyView + Send + 'static) -> impl IntoView {
     let piece = second_piece();
     move || piece.get().map_or_else(|| view! { <NotHere /> }.into_any(), &show)
 }

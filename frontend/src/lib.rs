@@ -23,7 +23,7 @@ mod words;
 
 use canvas::{Canvas, ToGraph};
 use desk::{Desk, LinkState, Saving};
-use keys::Pressed;
+use keys::PressedKey;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;

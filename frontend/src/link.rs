@@ -28,13 +28,13 @@ pub(crate) enum NoAnswer {
 }
 
 /// What is done with a reply; none when the link broke before it came.
-type Answer = Box<dyn FnOnce(Option<&Reply>)>;
+type OnReply = Box<dyn FnOnce(Option<&Reply>)>;
 
 /// What is done with every message.
 type Ear = Rc<dyn Fn(&Reply)>;
 
 #[derive(Default)]
-struct Link {
+struct PageLink {
     desk: Option<Desk>,
     socket: Option<Socket>,
     /// Counts sockets, so that the late event of an old one is recognised.
@@ -45,7 +45,7 @@ struct Link {
     opened_ms: f64,
     tries: i32,
     asked: u32,
-    answers: BTreeMap<u32, Answer>,
+    answers: BTreeMap<u32, OnReply>,
     /// There will be no link again: the invitation ended, or another page has the place of this one.
     is_over: bool,
     /// Who hears every message before the desk does.
@@ -55,10 +55,10 @@ struct Link {
 }
 
 thread_local! {
-    static LINK: RefCell<Link> = RefCell::default();
+    static LINK: RefCell<PageLink> = RefCell::default();
 }
 
-fn with<T>(act: impl FnOnce(&mut Link) -> T) -> T {
+fn with<T>(act: impl FnOnce(&mut PageLink) -> T) -> T {
     LINK.with(|link| act(&mut link.borrow_mut()))
 }
 

@@ -1,6 +1,6 @@
 //! What a stream is called until a person types a name: it follows the connector that makes it. Pure.
 
-use crate::words::{Naming, filled_whole};
+use crate::words::{NameLanguage, filled_whole};
 use behaviour::connectors::Spec;
 use behaviour::{Behaviour, Connector, Procedure};
 
@@ -9,7 +9,7 @@ const CHARS_MAX: usize = 36;
 
 /// What a name is made of.
 #[derive(Default)]
-pub(crate) struct Parts<'a> {
+pub(crate) struct NameParts<'a> {
     /// The names of the inputs, in order.
     pub(crate) inputs: &'a [String],
     pub(crate) helper: Option<&'a str>,
@@ -20,11 +20,11 @@ pub(crate) struct Parts<'a> {
 
 /// The name before it is made unique, in the language of the page. Empty if it has to be asked for: a test, or what makes
 /// a new value, is named after its helper or after a short body.
-pub(crate) fn called(spec: &Spec, parts: &Parts) -> String {
-    called_in(Naming::Page, spec, parts)
+pub(crate) fn called(spec: &Spec, parts: &NameParts) -> String {
+    called_in(NameLanguage::Page, spec, parts)
 }
 
-fn called_in(naming: Naming, spec: &Spec, parts: &Parts) -> String {
+fn called_in(naming: NameLanguage, spec: &Spec, parts: &NameParts) -> String {
     let names = parts.inputs;
     let value = |hole: &str| match hole {
         "input" => names.first().cloned().filter(|name| !name.is_empty()),
@@ -40,7 +40,7 @@ fn called_in(naming: Naming, spec: &Spec, parts: &Parts) -> String {
 }
 
 /// What the output of a connector of this behaviour would be called in this language.
-fn called_after(naming: Naming, behaviour: &Behaviour, connector: &Connector) -> String {
+fn called_after(naming: NameLanguage, behaviour: &Behaviour, connector: &Connector) -> String {
     let name = |id| behaviour.stream(id).map(|stream| stream.name.trim().to_owned());
     let inputs: Vec<String> = connector.inputs.iter().filter_map(name).collect();
     let operation = &connector.operation;
@@ -51,7 +51,7 @@ fn called_after(naming: Naming, behaviour: &Behaviour, connector: &Connector) ->
         Some(Procedure::Body { body, .. }) => (None, Some((body.as_str(), &arguments[skipped..]))),
         None => (None, None),
     };
-    called_in(naming, operation.spec(), &Parts { inputs: &inputs, helper, body, period_ms: operation.period_ms() })
+    called_in(naming, operation.spec(), &NameParts { inputs: &inputs, helper, body, period_ms: operation.period_ms() })
 }
 
 /// The name of a stream after its connector has become another, in the language of the name that it has; none if a person
@@ -59,14 +59,14 @@ fn called_after(naming: Naming, behaviour: &Behaviour, connector: &Connector) ->
 pub(crate) fn followed(behaviour: &Behaviour, name: &str, seen: &Connector, edited: &Connector) -> Option<String> {
     if behaviour::is_otherwise(name) && seen.operation != edited.operation {
         // A person made it one of its own.
-        let own = called_after(Naming::Page, behaviour, edited);
+        let own = called_after(NameLanguage::Page, behaviour, edited);
         return Some(own).filter(|own| !own.is_empty() && !behaviour::follows_test(behaviour, edited));
     }
-    let by_connector = |naming: &Naming| {
+    let by_connector = |naming: &NameLanguage| {
         let before = called_after(*naming, behaviour, seen);
         !before.is_empty() && is_given(name, &before)
     };
-    let naming = [Naming::Page, Naming::English].into_iter().find(by_connector)?;
+    let naming = [NameLanguage::Page, NameLanguage::English].into_iter().find(by_connector)?;
     let after = called_after(naming, behaviour, edited);
     (!after.is_empty() && after != called_after(naming, behaviour, seen)).then_some(after)
 }
@@ -113,8 +113,8 @@ fn clipped(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Parts, by_body, called_in, clipped, is_given};
-    use crate::words::{Naming, language::speak};
+    use super::{NameParts, by_body, called_in, clipped, is_given};
+    use crate::words::{NameLanguage, language::speak};
     use behaviour::connectors;
 
     fn named(body: &str, streams: &[&str]) -> Option<String> {
@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn a_helper_names_its_stream() {
-        let title = |helper: &str| Naming::English.helper(helper);
+        let title = |helper: &str| NameLanguage::English.helper(helper);
         assert_eq!(title("ball_to_distance"), "Distance in m");
         assert_eq!(title("near_enough"), "Near enough");
         assert_eq!(title("_x"), "X");
@@ -146,16 +146,16 @@ mod tests {
         speak(table.to_owned());
         let inputs = ["距離".to_owned()];
         let every = |naming, ms| {
-            let parts = Parts { inputs: &inputs, period_ms: Some(ms), ..Parts::default() };
+            let parts = NameParts { inputs: &inputs, period_ms: Some(ms), ..NameParts::default() };
             called_in(naming, connectors::spec("sample").unwrap(), &parts)
         };
         assert_eq!(
-            (every(Naming::Page, 1_000), every(Naming::Page, 2_000)),
+            (every(NameLanguage::Page, 1_000), every(NameLanguage::Page, 2_000)),
             ("毎秒の距離".into(), "2 秒ごとの距離".into())
         );
-        assert_eq!(every(Naming::English, 1_000), "距離 every second");
+        assert_eq!(every(NameLanguage::English, 1_000), "距離 every second");
         assert_eq!(
-            (Naming::Page.helper("distance"), Naming::English.helper("distance")),
+            (NameLanguage::Page.helper("distance"), NameLanguage::English.helper("distance")),
             ("距離".into(), "Distance".into())
         );
     }
@@ -167,9 +167,9 @@ mod tests {
         let called = |word: &str, body: &str| {
             let body = Some((body, &arguments[..]));
             called_in(
-                Naming::English,
+                NameLanguage::English,
                 connectors::spec(word).unwrap(),
-                &Parts { inputs: &inputs, body, ..Parts::default() },
+                &NameParts { inputs: &inputs, body, ..NameParts::default() },
             )
         };
         for word in ["filter", "map", "combineLatest"] {

@@ -71,4 +71,4 @@ pub(crate) use stranger::stranger;
 pub(crate) use teaching::{TourPlace, exercise, take_tour, tour};
 pub(crate) use told::told;
 pub(crate) use toolbar::Toolbar;
-pub(crate) use typed::{Typing, typed};
+pub(crate) use typed::{SentenceField, typed};

@@ -3,7 +3,7 @@
 use crate::shares::{Door, ORIGIN, door_of, invite};
 use house::{DISK_IS_FULL, Outcome, Server, skip};
 use protocol::{Refused, Reply, Request, Role};
-use shell::{Client, Trouble};
+use shell::{Client, ClientError};
 
 const PART: &str = "a revocation on a full disk";
 
@@ -28,7 +28,7 @@ async fn revoked() -> Outcome<()> {
     std::fs::write(data.join(DISK_IS_FULL), "")?;
     let more = Request::Invite { role: Role::Viewer, lasts: protocol::Lasts::Day, label: String::new() };
     let no = host.ask(more).await;
-    assert!(matches!(no, Err(Trouble::No(Refused::InvitationsNotKept(_)))), "the disk is full: {no:?}");
+    assert!(matches!(no, Err(ClientError::No(Refused::InvitationsNotKept(_)))), "the disk is full: {no:?}");
     assert_eq!(host.ask(Request::Revoke { invitation: invitation.clone() }).await, Ok(Reply::Done));
     server.kill9().await?;
     server.restart().await?;

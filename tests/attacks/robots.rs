@@ -4,7 +4,7 @@ use crate::target::{Target, fresh};
 use futures_util::future::join_all;
 use house::Outcome;
 use protocol::{RealRobot, Request};
-use qi::{Frame, Framer, Header, Kind, Layout, Value, encode};
+use qi::{Framer, Layout, MessageFrame, MessageHeader, MessageKind, Value, encode};
 use shell::Client;
 use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -65,7 +65,7 @@ async fn lie(target: &Target) -> Outcome<()> {
 }
 
 async fn serve(mut stream: TcpStream, lie: Lie) -> std::io::Result<()> {
-    let hello = Header { kind: Kind::Reply, flags: 0, id: 1, service: 0, object: 0, action: 8 };
+    let hello = MessageHeader { kind: MessageKind::Reply, flags: 0, id: 1, service: 0, object: 0, action: 8 };
     match lie {
         Lie::Garbage => loop {
             stream.write_all(&[0xA7; 65_536]).await?;
@@ -103,23 +103,23 @@ async fn answer(mut stream: TcpStream, lie: Lie) -> std::io::Result<()> {
             0 => return Ok(()),
             read => framer.feed(&bytes[..read]),
         }
-        while let Ok(Some(Frame { header, .. })) = framer.next_frame() {
+        while let Ok(Some(MessageFrame { header, .. })) = framer.next_frame() {
             if (header.service, header.action) == (0, 8) {
-                say(&mut stream, Header { kind: Kind::Reply, flags: 0, ..header }, can.clone()).await?;
+                say(&mut stream, MessageHeader { kind: MessageKind::Reply, flags: 0, ..header }, can.clone()).await?;
                 continue;
             }
             if matches!(lie, Lie::Events) {
                 for number in 0..EVENTS as u32 {
-                    let event = Header { kind: Kind::Event, flags: 0, id: number, action: 106, ..header };
+                    let event = MessageHeader { kind: MessageKind::Event, flags: 0, id: number, action: 106, ..header };
                     say(&mut stream, event, vec![0; 64]).await?;
                 }
             }
-            say(&mut stream, Header { kind: Kind::Reply, flags: 0, ..header }, flood.clone()).await?;
+            say(&mut stream, MessageHeader { kind: MessageKind::Reply, flags: 0, ..header }, flood.clone()).await?;
         }
     }
 }
 
-async fn say(stream: &mut TcpStream, header: Header, payload: Vec<u8>) -> std::io::Result<()> {
-    let bytes = Frame { header, payload }.to_bytes().ok_or(std::io::ErrorKind::InvalidData)?;
+async fn say(stream: &mut TcpStream, header: MessageHeader, payload: Vec<u8>) -> std::io::Result<()> {
+    let bytes = MessageFrame { header, payload }.to_bytes().ok_or(std::io::ErrorKind::InvalidData)?;
     stream.write_all(&bytes).await
 }

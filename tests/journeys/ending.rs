@@ -62,8 +62,13 @@ async fn recorded_run(url: &str) -> Outcome<Client> {
     };
     drop(aiko.ask(create).await?);
     drop(
-        aiko.ask(Request::Start { behaviour, robot: None, record: true, session: protocol::Session::default() })
-            .await?,
+        aiko.ask(Request::Start {
+            behaviour,
+            robot: None,
+            record: true,
+            session: protocol::RecordedSession::default(),
+        })
+        .await?,
     );
     let runs = |reply: &Reply| match reply {
         Reply::Runs { runs } => runs.iter().any(|run| run.phase == RunPhase::Running),

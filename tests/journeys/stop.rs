@@ -71,7 +71,7 @@ async fn stop_works_without_the_program() -> Outcome<()> {
                 behaviour: program.id,
                 robot: None,
                 record: false,
-                session: protocol::Session::default()
+                session: protocol::RecordedSession::default()
             })
             .await?,
         Reply::Done

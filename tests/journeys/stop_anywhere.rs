@@ -57,7 +57,7 @@ impl Scene {
                     behaviour: self.program.clone(),
                     robot: None,
                     record: false,
-                    session: protocol::Session::default(),
+                    session: protocol::RecordedSession::default(),
                 })
                 .await?,
         );

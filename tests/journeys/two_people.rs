@@ -2,7 +2,9 @@
 //! meanwhile. Who comes second is told by name who is at it; where no lock could be had, who types is told who was first,
 //! no field is overwritten under their hands, and nothing of what they typed is lost.
 
-use behaviour::{Behaviour, Change, Edit, Group, Helper, Id, Kind, Note, Procedure, Record, RecordId, Settings, Token};
+use behaviour::{
+    Behaviour, Change, Edit, Group, Helper, Id, Kind, LockToken, Note, Procedure, Record, RecordId, Settings,
+};
 use house::{Outcome, Page, Switch, skip};
 use protocol::{LIBRARY, Reply, Request};
 use serde_json::json;
@@ -729,7 +731,7 @@ async fn an_otherwise_follows_whoever_is_first_and_nobody_who_types_at_it_loses_
 impl Two<'_> {
     /// Aiko changes a filter without a connection, Ben locks it, and Aiko hears of that when she is back. Returns the records
     /// as they were before and Ben's token.
-    async fn locked_meanwhile(&mut self, socket: &Switch<'_>, place: &Where) -> Outcome<(Behaviour, Token)> {
+    async fn locked_meanwhile(&mut self, socket: &Switch<'_>, place: &Where) -> Outcome<(Behaviour, LockToken)> {
         let (aiko, record) = (self.aiko, place.key()?);
         self.reset().await?;
         shows(aiko, &self.now().await?.records, &record).await?;

@@ -3,7 +3,7 @@
 use crate::check;
 use house::{Outcome, Server, skip};
 use load::chaos::{Faults, Proxy};
-use load::{Load, Plan};
+use load::{Load, LoadPlan};
 
 /// What the network does, of ten thousand pieces.
 const BAD: Faults = Faults { delays: 300, delay_max_ms: 60, cuts: 20, truncations: 20, silences: 3 };
@@ -14,12 +14,13 @@ async fn links_that_break_lose_nothing() -> Outcome<()> {
     skip::unless!(served("rooms: links that break"));
     let folder = house::folder()?;
     let mut server = Server::start(folder.path()).await?;
-    let plan = Plan { clients: 12, behaviours: 3, edits_per_10_s: 100, stalled: 1, kills: 12, seconds: 8, seed: SEED };
+    let plan =
+        LoadPlan { clients: 12, behaviours: 3, edits_per_10_s: 100, stalled: 1, kills: 12, seconds: 8, seed: SEED };
     through(&mut server, &plan, BAD).await
 }
 
 /// A load through a bad network.
-pub(crate) async fn through(server: &mut Server, plan: &Plan, faults: Faults) -> Outcome<()> {
+pub(crate) async fn through(server: &mut Server, plan: &LoadPlan, faults: Faults) -> Outcome<()> {
     let proxy = Proxy::before(server.address().parse()?, faults, plan.seed).await?;
     let report = Load::of(&server.url(), plan).through(&proxy.url()).run().await?;
     let happened = proxy.happened();

@@ -5,9 +5,9 @@ use crate::{chaos, check, kills, neo4j};
 use behaviour::{Params, Value};
 use house::{Outcome, Server, skip};
 use load::chaos::Faults;
-use load::{Plan, Report, run};
+use load::{LoadPlan, Report, run};
 use protocol::Request;
-use shell::{Client, Trouble};
+use shell::{Client, ClientError};
 use std::time::{Duration, Instant};
 
 /// What 99 of 100 edits of fifty people may take until their sender knows that they are saved.
@@ -46,7 +46,8 @@ fn bar(kept: bool, sentence: String) -> Outcome<()> {
 #[ignore = "measured by `cargo xtask bench rooms`"]
 async fn figure_1_fifty_people_in_one_behaviour() -> Outcome<()> {
     let Some((_folder, mut server)) = optimised("figures: fifty people").await? else { return Ok(()) };
-    let report = run(&server.url(), &Plan { clients: 50, edits_per_10_s: 50, seconds: 120, ..Plan::default() }).await?;
+    let report =
+        run(&server.url(), &LoadPlan { clients: 50, edits_per_10_s: 50, seconds: 120, ..LoadPlan::default() }).await?;
     check(&report, &mut server).await?;
     let p99 = report.echo.share(99.0);
     bar(p99 <= ECHO_P99, format!("50 clients, 5 edits a second each, for 120 s: echo p99 {p99:?} of {ECHO_P99:?}"))
@@ -56,13 +57,13 @@ async fn figure_1_fifty_people_in_one_behaviour() -> Outcome<()> {
 #[ignore = "measured by `cargo xtask bench rooms`"]
 async fn figure_2_who_reads_nothing_slows_nobody() -> Outcome<()> {
     let Some((_folder, mut server)) = optimised("figures: stalled clients").await? else { return Ok(()) };
-    let alone = Plan { clients: 20, edits_per_10_s: 500, seconds: 30, ..Plan::default() };
+    let alone = LoadPlan { clients: 20, edits_per_10_s: 500, seconds: 30, ..LoadPlan::default() };
     // Once to be warm, then without and with the others.
-    run(&server.url(), &Plan { seconds: 5, ..alone.clone() }).await?;
+    run(&server.url(), &LoadPlan { seconds: 5, ..alone.clone() }).await?;
     most_memory_kib(&server)?;
     let without = run(&server.url(), &alone).await?;
     let without_kib = most_memory_kib(&server)?;
-    let with = run(&server.url(), &Plan { stalled: 5, ..alone }).await?;
+    let with = run(&server.url(), &LoadPlan { stalled: 5, ..alone }).await?;
     let more_kib = most_memory_kib(&server)?.saturating_sub(without_kib);
     println!("{without}\n");
     check(&with, &mut server).await?;
@@ -78,7 +79,7 @@ async fn figure_2_who_reads_nothing_slows_nobody() -> Outcome<()> {
 #[ignore = "measured by `cargo xtask bench rooms`"]
 async fn figure_3_five_hundred_people_in_a_hundred_behaviours() -> Outcome<()> {
     let Some((_folder, mut server)) = optimised("figures: 500 clients").await? else { return Ok(()) };
-    let plan = Plan { clients: 500, behaviours: 100, edits_per_10_s: 10, seconds: 60, ..Plan::default() };
+    let plan = LoadPlan { clients: 500, behaviours: 100, edits_per_10_s: 10, seconds: 60, ..LoadPlan::default() };
     let report = run(&server.url(), &plan).await?;
     let kib = most_memory_kib(&server)?;
     check(&report, &mut server).await?;
@@ -91,7 +92,7 @@ async fn figure_3_five_hundred_people_in_a_hundred_behaviours() -> Outcome<()> {
 async fn figure_4_a_bad_network_loses_nothing() -> Outcome<()> {
     let Some((_folder, mut server)) = optimised("figures: a bad network").await? else { return Ok(()) };
     let faults = Faults { delays: 500, delay_max_ms: 200, cuts: 20, truncations: 10, silences: 2 };
-    let plan = Plan { clients: 50, behaviours: 5, kills: 50, stalled: 2, seconds: 60, ..Plan::default() };
+    let plan = LoadPlan { clients: 50, behaviours: 5, kills: 50, stalled: 2, seconds: 60, ..LoadPlan::default() };
     chaos::through(&mut server, &plan, faults).await
 }
 
@@ -141,7 +142,7 @@ async fn figure_9_a_tile_reaches_the_robot_while_four_press() -> Outcome<()> {
 
 /// Presses a tile 20 times a second; how long each took from the request to the answer, which the robot's thread gives once it
 /// told the robot. Beside each, how long a request took that no robot hears of.
-async fn presses(client: Client) -> Result<(Vec<Duration>, Vec<Duration>), Trouble> {
+async fn presses(client: Client) -> Result<(Vec<Duration>, Vec<Duration>), ClientError> {
     let (mut tiles, mut bare) = (Vec::new(), Vec::new());
     let mut beat = tokio::time::interval(Duration::from_millis(50));
     for _ in 0..PRESSES {

@@ -3,7 +3,7 @@
 
 use crate::{check, neo4j};
 use house::{Outcome, Server, skip};
-use load::{Load, Plan, Watch};
+use load::{Load, LoadPlan, Watch};
 use shell::Client;
 use std::time::{Duration, Instant};
 
@@ -14,8 +14,8 @@ const KILLS_ON_NEO4J: usize = 3;
 const AGAIN: Duration = Duration::from_secs(60);
 
 /// Twenty clients that edit until they are told to end.
-pub(crate) fn twenty() -> Plan {
-    Plan { clients: 20, behaviours: 2, edits_per_10_s: 100, seconds: 3_600, seed: 3, ..Plan::default() }
+pub(crate) fn twenty() -> LoadPlan {
+    LoadPlan { clients: 20, behaviours: 2, edits_per_10_s: 100, seconds: 3_600, seed: 3, ..LoadPlan::default() }
 }
 
 #[tokio::test]

@@ -100,7 +100,7 @@ struct Rehearsal {
 
 impl Rehearsal {
     fn new(file: &BehaviourFile, seed: u64) -> Outcome<Self> {
-        let said = |faults: Vec<engine::Fault>| {
+        let said = |faults: Vec<engine::GraphFault>| {
             let lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
             Trouble(format!("{} cannot run:\n  {}", file.name, lines.join("\n  ")))
         };

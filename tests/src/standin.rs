@@ -1,7 +1,7 @@
 //! The stand-in for a NAO on the real libqi, as a process of its own.
 
 use crate::{Outcome, Trouble, paths, skip};
-use qi::{Options, Session};
+use qi::{Session, SessionOptions};
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
@@ -49,7 +49,7 @@ impl StandIn {
     async fn asked(&self, method: &str, words: &[qi::Value]) -> Outcome<String> {
         let failed = |why: qi::QiError| Trouble::from(format!("the stand-in does not answer: {why}"));
         let address = format!("tcp://{}", self.address).parse().map_err(failed)?;
-        let session = Session::connect(&address, Options::default()).await.map_err(failed)?;
+        let session = Session::connect(&address, SessionOptions::default()).await.map_err(failed)?;
         let own = session.service("StandIn").await.map_err(failed)?;
         let said = own.call(method, words).await.map_err(failed)?;
         session.link().close();

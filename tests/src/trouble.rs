@@ -59,8 +59,8 @@ impl From<behaviour::BadId> for Trouble {
     }
 }
 
-impl From<shell::Trouble> for Trouble {
-    fn from(error: shell::Trouble) -> Trouble {
+impl From<shell::ClientError> for Trouble {
+    fn from(error: shell::ClientError) -> Trouble {
         Trouble(error.to_string())
     }
 }

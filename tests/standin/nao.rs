@@ -1,7 +1,7 @@
 //! A stand-in of its own for each test, and what tests ask of it.
 
 use house::StandIn;
-use qi::{Event, Keep, Object, Options, QiError, Session, Subscription, Value};
+use qi::{EventChoice, Object, QiError, Session, SessionOptions, SignalEvent, Subscription, Value};
 use serde_json::{Value as Json, json};
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ impl Nao {
     pub(crate) async fn start(part: &str, words: &[&str]) -> Option<Self> {
         let child = StandIn::start(part, words).unwrap()?;
         let address = format!("tcp://{}", child.address());
-        let options = Options { stage_within: PATIENCE, call_within: PATIENCE, ..Options::default() };
+        let options = SessionOptions { stage_within: PATIENCE, call_within: PATIENCE, ..SessionOptions::default() };
         let session = Session::connect(&address.parse().unwrap(), options).await.unwrap();
         Some(Self { _child: child, session })
     }
@@ -70,7 +70,7 @@ impl Nao {
     /// What is raised under a key from now on.
     pub(crate) async fn listen(&self, key: &str) -> Listening {
         let of = self.service("ALMemory").await.call_object("subscriber", &[key.into()]).await.unwrap();
-        let events = of.subscribe("signal", Keep::All(64)).await.unwrap();
+        let events = of.subscribe("signal", EventChoice::All(64)).await.unwrap();
         Listening { _of: of, events }
     }
 
@@ -116,6 +116,6 @@ pub(crate) fn plain(value: &Value) -> Json {
 }
 
 pub(crate) async fn next(events: &mut Subscription) -> Json {
-    let event: Event = tokio::time::timeout(PATIENCE, events.next()).await.unwrap().unwrap();
+    let event: SignalEvent = tokio::time::timeout(PATIENCE, events.next()).await.unwrap().unwrap();
     plain(&event.arguments[0])
 }

@@ -1,6 +1,6 @@
 //! Back to what was: a whole revision again, or what one change removed, each as one new change.
 
-use crate::{Behaviour, Change, Edit, Filled, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
+use crate::{Behaviour, Change, Edit, FillFrom, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
 
 /// Records of a removal that are tried one by one, if not all of them can come back.
 const ONE_BY_ONE_MAX: usize = 64;

@@ -1,6 +1,6 @@
 //! The differences between two versions of a behaviour: new, changed, removed and only moved records.
 
-use crate::{Behaviour, Filled, Id, Kind, Record, RecordId};
+use crate::{Behaviour, FillFrom, Id, Kind, Record, RecordId};
 use std::collections::BTreeSet;
 
 /// The differences between two versions, as people count them.
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 /// A connector that leads a value to a new action belongs to the action and is not counted beside it; nor is the place
 /// of a new thing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Comparison {
+pub struct VersionComparison {
     /// The records that are there now and were not before.
     pub new: BTreeSet<RecordId>,
     /// The records that are there before and now, and differ.
@@ -30,7 +30,7 @@ pub enum Difference {
     Removed,
 }
 
-impl Comparison {
+impl VersionComparison {
     /// Compares the version `was` with the version `is`.
     #[must_use]
     pub fn between(was: &Behaviour, is: &Behaviour) -> Self {
@@ -79,7 +79,7 @@ fn is_part_of_action(behaviour: &Behaviour, id: &RecordId, with: &BTreeSet<Recor
 
 #[cfg(test)]
 mod tests {
-    use super::{Comparison, Difference};
+    use super::{Difference, VersionComparison};
     use crate::{
         Behaviour, Connector, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Stream, StreamKind,
         connectors,
@@ -118,7 +118,7 @@ mod tests {
         vec![stream("ball", StreamKind::Sensor), distance, map("ball.x"), place("ball", 0.0), place("distance", 0.0)]
     }
 
-    fn said(comparison: &Comparison) -> [Vec<String>; 4] {
+    fn said(comparison: &VersionComparison) -> [Vec<String>; 4] {
         let words = |set: &std::collections::BTreeSet<RecordId>| set.iter().map(ToString::to_string).collect();
         let moved = comparison.moved.iter().map(ToString::to_string).collect();
         [words(&comparison.new), words(&comparison.changed), words(&comparison.removed), moved]
@@ -126,8 +126,8 @@ mod tests {
 
     #[test]
     fn one_and_the_same_differs_in_nothing() {
-        let comparison = Comparison::between(&of(&first()), &of(&first()));
-        assert_eq!(comparison, Comparison::default());
+        let comparison = VersionComparison::between(&of(&first()), &of(&first()));
+        assert_eq!(comparison, VersionComparison::default());
         assert!(comparison.is_empty());
     }
 
@@ -138,9 +138,9 @@ mod tests {
         now[3] = place("ball", 80.0);
         now.push(stream("far", StreamKind::Ordinary));
         now.push(place("far", 5.0));
-        let comparison = Comparison::between(&of(&first()), &of(&now));
+        let comparison = VersionComparison::between(&of(&first()), &of(&now));
         assert_eq!(said(&comparison), [vec!["stream/far"], vec!["connector/map"], vec![], vec!["ball"]]);
-        let back = Comparison::between(&of(&now), &of(&first()));
+        let back = VersionComparison::between(&of(&now), &of(&first()));
         assert_eq!(said(&back), [vec![], vec!["connector/map"], vec!["stream/far"], vec!["ball"]]);
         assert_eq!(back.of(&"stream/far".parse().unwrap()), Some(Difference::Removed));
         assert_eq!(back.of(&"stream/ball".parse().unwrap()), None);
@@ -150,7 +150,7 @@ mod tests {
     fn what_only_stands_elsewhere_does_the_same() {
         let mut now = first();
         now[4] = place("distance", 9.0);
-        let comparison = Comparison::between(&of(&first()), &of(&now));
+        let comparison = VersionComparison::between(&of(&first()), &of(&now));
         assert!(comparison.is_empty() && comparison.moved.len() == 1);
     }
 
@@ -159,12 +159,12 @@ mod tests {
         let subscribe = |to: &str| connector("subscribe", connectors::subscribe::SPEC.with(()), "distance", to);
         let mut now = first();
         now.extend([stream("eyes", StreamKind::Actuator), subscribe("eyes")]);
-        let comparison = Comparison::between(&of(&first()), &of(&now));
+        let comparison = VersionComparison::between(&of(&first()), &of(&now));
         assert_eq!(said(&comparison)[0], ["stream/eyes"]);
-        assert_eq!(said(&Comparison::between(&of(&now), &of(&first())))[2], ["stream/eyes"]);
+        assert_eq!(said(&VersionComparison::between(&of(&now), &of(&first())))[2], ["stream/eyes"]);
         let mut without = now.clone();
         without.pop();
-        let lost = Comparison::between(&of(&now), &of(&without));
+        let lost = VersionComparison::between(&of(&now), &of(&without));
         assert_eq!(said(&lost)[2], ["connector/subscribe"], "the action stays, so this is what went");
     }
 }

@@ -17,30 +17,30 @@ const SHAPE_MAX_BYTES: usize = 256;
 
 /// The fields of an object, in the order of their names. A clone is cheap: it shares.
 #[derive(Clone)]
-pub struct Fields(Arc<Object>);
+pub struct Fields(Arc<FieldsObject>);
 
 #[derive(Clone)]
-struct Object {
-    names: Names,
-    values: Values,
+struct FieldsObject {
+    names: FieldNames,
+    values: FieldValues,
 }
 
 /// The names of the fields of an object, in order, each once. A clone is cheap: it shares.
 #[derive(Clone)]
-pub struct Names {
+pub struct FieldNames {
     shape: u64,
     names: Arc<[Arc<str>]>,
 }
 
 #[derive(Clone)]
-enum Values {
+enum FieldValues {
     Few(usize, [Value; FEW]),
     Many(Vec<Value>),
 }
 
 thread_local! {
     /// All sets of names, in the order of the names.
-    static SHAPES: RefCell<Vec<Names>> = const { RefCell::new(Vec::new()) };
+    static SHAPES: RefCell<Vec<FieldNames>> = const { RefCell::new(Vec::new()) };
 }
 
 impl Fields {
@@ -54,15 +54,15 @@ impl Fields {
             fields.dedup_by(|later, kept| later.0.as_ref() == kept.0.as_ref());
             fields.reverse();
         }
-        let names = Names::sorted(&fields.iter().map(|(name, _)| name.as_ref()).collect::<Vec<_>>());
+        let names = FieldNames::sorted(&fields.iter().map(|(name, _)| name.as_ref()).collect::<Vec<_>>());
         Self::with(&names, fields.into_iter().map(|(_, value)| value))
     }
 
     /// The fields with `names` and as many values.
     #[must_use]
-    pub fn with(names: &Names, values: impl ExactSizeIterator<Item = Value>) -> Self {
+    pub fn with(names: &FieldNames, values: impl ExactSizeIterator<Item = Value>) -> Self {
         debug_assert_eq!(names.names.len(), values.len(), "every field has a value");
-        Self(Arc::new(Object { names: names.clone(), values: Values::of(values) }))
+        Self(Arc::new(FieldsObject { names: names.clone(), values: FieldValues::of(values) }))
     }
 
     /// The field `name`.
@@ -108,7 +108,7 @@ impl Fields {
     /// The names, in order.
     #[must_use]
     #[inline]
-    pub fn names(&self) -> &Names {
+    pub fn names(&self) -> &FieldNames {
         &self.0.names
     }
 
@@ -126,7 +126,7 @@ impl Fields {
     }
 }
 
-impl Values {
+impl FieldValues {
     fn of(mut values: impl ExactSizeIterator<Item = Value>) -> Self {
         let many = values.len();
         if many > FEW {
@@ -152,7 +152,7 @@ impl Values {
     }
 }
 
-impl Names {
+impl FieldNames {
     /// Names in order, each once.
     #[must_use]
     pub fn of<N: AsRef<str>>(names: &[N]) -> Self {
@@ -246,7 +246,7 @@ impl<N: AsRef<str>> FromIterator<(N, Value)> for Fields {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fields, Names, SHAPES_MAX};
+    use super::{FieldNames, Fields, SHAPES_MAX};
     use crate::Value;
 
     fn fields(names: &[&str]) -> Fields {
@@ -265,7 +265,7 @@ mod tests {
     #[test]
     fn objects_made_apart_have_one_shape() {
         assert_eq!(fields(&["x", "y"]).shape(), fields(&["y", "x"]).shape());
-        assert_eq!(fields(&["y", "x"]).shape(), Names::of(&["x", "y"]).shape());
+        assert_eq!(fields(&["y", "x"]).shape(), FieldNames::of(&["x", "y"]).shape());
         assert_ne!(fields(&["x", "y"]).shape(), fields(&["x"]).shape());
     }
 

@@ -6,7 +6,7 @@ mod records;
 
 pub use records::{Flaw, FlawKind};
 
-use crate::{Declared, Engine, Filled, Lookup, Params, Place, StreamKind, Value, argument_names, as_meant};
+use crate::{Declared, Engine, FillFrom, Lookup, Params, Place, StreamKind, Value, argument_names, as_meant};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

@@ -4,7 +4,7 @@
 ///
 /// The maps and sets of the standard library sort what they are `collect`ed from, and the page would carry a sort for every
 /// type: 4 KB each.
-pub trait Filled: Iterator + Sized {
+pub trait FillFrom: Iterator + Sized {
     /// The collection with all of it.
     fn filled<C: Default + Extend<Self::Item>>(self) -> C {
         let mut all = C::default();
@@ -24,11 +24,11 @@ pub trait Filled: Iterator + Sized {
     }
 }
 
-impl<I: Iterator> Filled for I {}
+impl<I: Iterator> FillFrom for I {}
 
 #[cfg(test)]
 mod tests {
-    use super::Filled;
+    use super::FillFrom;
     use std::collections::{BTreeMap, BTreeSet};
 
     #[test]

@@ -8,7 +8,7 @@ pub const HANDED_MAX: u64 = 100_000;
 
 /// A connector, as far as it matters for the number of values. Streams are numbers here.
 #[derive(Clone, Copy, Debug)]
-pub struct Link<'a> {
+pub struct FlowConnector<'a> {
     /// The streams it takes from.
     pub inputs: &'a [usize],
     /// The stream it gives to.
@@ -33,13 +33,13 @@ pub enum Gives {
 pub struct Flow<'a> {
     streams: usize,
     /// The connectors in the order of their values, without those in a circle or behind one.
-    links: Vec<Link<'a>>,
+    links: Vec<FlowConnector<'a>>,
 }
 
 impl<'a> Flow<'a> {
     /// Brings connectors between so many streams into the order of their values.
     #[must_use]
-    pub fn of(streams: usize, links: &[Link<'a>]) -> Self {
+    pub fn of(streams: usize, links: &[FlowConnector<'a>]) -> Self {
         let ends: Vec<Ends> = links.iter().map(|link| (link.inputs, link.output)).collect();
         let sorted = in_order(streams, &ends).into_iter().map(|at| links[at]).collect();
         Self { streams, links: sorted }
@@ -84,7 +84,7 @@ impl<'a> Flow<'a> {
     }
 }
 
-impl Link<'_> {
+impl FlowConnector<'_> {
     fn passes(&self, certain: bool) -> bool {
         match self.gives {
             Gives::Each => true,
@@ -96,7 +96,7 @@ impl Link<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Flow, Gives, HANDED_MAX, Link};
+    use super::{Flow, FlowConnector, Gives, HANDED_MAX};
 
     /// Diamonds in a row, each of two ways that lead to a merge: stream 3n is where the nth begins.
     fn diamonds(many: usize, ways: Gives) -> Vec<(Vec<usize>, usize, Gives)> {
@@ -108,8 +108,8 @@ mod tests {
         (0..many).flat_map(diamond).collect()
     }
 
-    fn links(of: &[(Vec<usize>, usize, Gives)]) -> Vec<Link<'_>> {
-        of.iter().map(|(inputs, output, gives)| Link { inputs, output: *output, gives: *gives }).collect()
+    fn links(of: &[(Vec<usize>, usize, Gives)]) -> Vec<FlowConnector<'_>> {
+        of.iter().map(|(inputs, output, gives)| FlowConnector { inputs, output: *output, gives: *gives }).collect()
     }
 
     #[test]

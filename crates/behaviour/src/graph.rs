@@ -1,7 +1,7 @@
 //! A behaviour seen as a graph: what flows from where to where.
 
 use crate::walk::{self, Ends};
-use crate::{Behaviour, Connector, Filled, Id, Lookup, LookupSet, StreamKind};
+use crate::{Behaviour, Connector, FillFrom, Id, Lookup, LookupSet, StreamKind};
 use std::collections::BTreeSet;
 
 /// The connectors around every stream, in file order.

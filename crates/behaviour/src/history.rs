@@ -21,9 +21,9 @@ pub struct History {
 }
 
 /// Every device and every procedure.
-struct Everything;
+struct AnyKnowledge;
 
-impl Knowledge for Everything {
+impl Knowledge for AnyKnowledge {
     fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
         Ok(())
     }
@@ -52,7 +52,7 @@ impl History {
         check_said(change)?;
         self.check_fits(change)?;
         self.behaviour.apply(change);
-        rules::check(&self.behaviour, change, &self.size, &Everything)?;
+        rules::check(&self.behaviour, change, &self.size, &AnyKnowledge)?;
         self.size = self.size.after(change);
         Ok(())
     }

@@ -26,7 +26,7 @@ const WAY: f64 = 40.0;
 
 /// Something that is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
+pub struct LaidOut {
     /// The distance from the middle to the left edge.
     pub left: f64,
     /// The distance from the middle to the right edge, with the value beside it.
@@ -43,7 +43,7 @@ const PASSES_MAX: usize = 8;
 /// A place for every shape: the middle of its top edge. `edges` lead from one number to another; `stage` is the width and
 /// height in which everything shall be seen. What is arranged already stays where it is, in nearly all graphs.
 #[must_use]
-pub fn arranged(shapes: &[Shape], edges: &[(usize, usize)], stage: (f64, f64)) -> Vec<Place> {
+pub fn arranged(shapes: &[LaidOut], edges: &[(usize, usize)], stage: (f64, f64)) -> Vec<Place> {
     let mut shapes = shapes.to_vec();
     let mut places = once(&shapes, edges, stage);
     // Where everything stands decides what comes first, and so where it stands: until both agree.
@@ -58,11 +58,11 @@ pub fn arranged(shapes: &[Shape], edges: &[(usize, usize)], stage: (f64, f64)) -
     places
 }
 
-fn once(shapes: &[Shape], edges: &[(usize, usize)], stage: (f64, f64)) -> Vec<Place> {
+fn once(shapes: &[LaidOut], edges: &[(usize, usize)], stage: (f64, f64)) -> Vec<Place> {
     let mut places = vec![Place { x: 0.0, y: 0.0 }; shapes.len()];
-    let parts: Vec<part::Part> = part::connected(shapes.len(), edges)
+    let parts: Vec<part::PlacedPart> = part::connected(shapes.len(), edges)
         .into_iter()
-        .map(|(members, edges)| part::Part::of(shapes, members, &edges))
+        .map(|(members, edges)| part::PlacedPart::of(shapes, members, &edges))
         .collect();
     let parts = pack::in_order(parts, shapes);
     for (part, at) in parts.iter().zip(pack::packed(&parts, stage)) {

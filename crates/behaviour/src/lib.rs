@@ -45,19 +45,19 @@ mod words;
 pub use back::what_went;
 pub use change::{Change, Edit};
 pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
-pub use compare::{Comparison, Difference};
-pub use fields::{Fields, Names};
+pub use compare::{Difference, VersionComparison};
+pub use fields::{FieldNames, Fields};
 pub use file::{
     BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile, Flaw, FlawKind,
 };
-pub use filled::Filled;
+pub use filled::FillFrom;
 pub use graph::Graph;
 pub use history::{History, check_person};
 pub use ids::{BadId, Id, Kind, LIBRARY, RecordId};
 pub use lasting::Lasting;
 pub use locks::{
-    Asked, Denied, Grant, Held, Holder, LOCKED_MAX, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks,
-    Presented, Token, Why,
+    AskResult, Denied, Grant, Held, Holder, LOCKED_MAX, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEndReason,
+    LockEvent, LockToken, Locks, Presented,
 };
 pub use lookup::{Lookup, LookupSet};
 pub use names::look_alikes::{AsMeant, as_meant};
@@ -75,7 +75,7 @@ pub use record::{
 };
 pub use room::{Accepted, Committed, Decision, Room};
 pub use rules::{
-    BODY_MAX_CHARS, CONNECTORS_MAX, Call, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX,
+    BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, HelperCall, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX,
     TAG_MAX_CHARS, TAGS_MAX,
 };
 pub use size::{
@@ -83,8 +83,8 @@ pub use size::{
 };
 pub use typed_number::{TypedNumber, number_at, typed_number};
 pub use types::{
-    Claims, Declared, DeviceType, Fit, Inference, Pace, Quantity, Seen, Signature, TYPE_MAX_DEPTH, TYPE_MAX_FIELDS,
-    TYPE_MAX_PARTS, Unit, ValueType, infer, infer_seeing,
+    Claims, Declared, DevicePace, DeviceType, Fit, Inference, Quantity, SeenKinds, Signature, TYPE_MAX_DEPTH,
+    TYPE_MAX_FIELDS, TYPE_MAX_PARTS, Unit, ValueType, infer, infer_seeing,
 };
 pub use undo::{UNDO_MAX, UndoLog};
 pub use unseen::{has_unseen, without_control, without_unseen};

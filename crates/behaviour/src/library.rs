@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// The places to look in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum Place {
+pub enum SearchPlace {
     /// Everything that is not in the bin.
     #[default]
     Here,
@@ -41,7 +41,7 @@ pub struct Cursor {
 /// One use of a helper.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Used {
+pub struct HelperUse {
     /// The behaviour with the connector, or the library of helpers.
     pub behaviour: Id,
     /// The name to show for the user: the behaviour's name, or in the library the other helper's name.
@@ -56,7 +56,7 @@ pub struct Used {
 /// A behaviour that drives an action of the robot.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Driver {
+pub struct ActionDriver {
     /// The id of the behaviour.
     pub behaviour: Id,
     /// The name of the behaviour.

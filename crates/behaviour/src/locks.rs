@@ -8,11 +8,11 @@ mod ask;
 mod news;
 mod time;
 
-pub use ask::Asked;
-pub use news::{LockEvent, Why};
+pub use ask::AskResult;
+pub use news::{LockEndReason, LockEvent};
 
-use crate::{Change, Filled, Id, Kind, Lookup, RecordId};
-use ask::{Ask, PutOff};
+use crate::{Change, FillFrom, Id, Kind, Lookup, RecordId};
+use ask::{LockAsk, PutOff};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -36,7 +36,7 @@ pub struct Holder {
 
 /// Proves a lock, once: the next lock of the same record has a higher one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct Token {
+pub struct LockToken {
     /// Grows with every start of the server, so that no token outlives it.
     pub epoch: u64,
     /// Grows with every lock.
@@ -47,7 +47,7 @@ pub struct Token {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Grant {
     /// Goes with every edit made under the lock.
-    pub token: Token,
+    pub token: LockToken,
     /// The records that the lock covers.
     pub records: BTreeSet<RecordId>,
 }
@@ -76,14 +76,14 @@ pub struct Presented {
     /// the server itself.
     pub client: Option<Id>,
     /// The tokens that came with it.
-    pub tokens: Vec<Token>,
+    pub tokens: Vec<LockToken>,
 }
 
 /// One lock as others see it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Held<'a> {
     /// The token of the lock.
-    pub token: Token,
+    pub token: LockToken,
     /// The person who holds the lock.
     pub holder: &'a Holder,
     /// The records that the lock covers.
@@ -103,14 +103,14 @@ struct Lock {
     /// The time when the link of its holder ended.
     left_ms: Option<u64>,
     /// It ends as soon as nothing of it is being saved.
-    ending: Option<Why>,
+    ending: Option<LockEndReason>,
     /// The people who want it, first come first; only the first one is put before its holder.
-    asks: VecDeque<Ask>,
+    asks: VecDeque<LockAsk>,
 }
 
 /// A change on its way into the store.
 #[derive(Clone, Debug)]
-struct Saving {
+struct ChangeSaving {
     client: Option<Id>,
     by: String,
     records: BTreeSet<RecordId>,
@@ -128,7 +128,7 @@ pub struct Locks {
     held: BTreeMap<u64, Lock>,
     by_record: Lookup<RecordId, u64>,
     /// The changes that are being saved, by their names.
-    saving: Vec<(Id, Saving)>,
+    saving: Vec<(Id, ChangeSaving)>,
     /// The clients that were told *not yet*, with the records.
     refused: Vec<((Id, RecordId), PutOff)>,
     /// Grows whenever who holds what changes.
@@ -160,16 +160,16 @@ impl Locks {
     }
 
     /// Gives a lock back. It ends once what was edited under it is saved. Returns true if there was such a lock.
-    pub fn release(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
+    pub fn release(&mut self, now_ms: u64, session: u64, token: LockToken) -> bool {
         self.advance(now_ms);
         let Some(lock) = self.of(session, token) else { return false };
-        lock.ending = Some(Why::Released);
+        lock.ending = Some(LockEndReason::Released);
         self.advance(now_ms);
         true
     }
 
     /// Notes that the holder does something in the editor, such as typing. Returns true if there is such a lock.
-    pub fn touch(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
+    pub fn touch(&mut self, now_ms: u64, session: u64, token: LockToken) -> bool {
         self.advance(now_ms);
         let now_ms = self.now_ms;
         let Some(lock) = self.of(session, token) else { return false };
@@ -193,7 +193,7 @@ impl Locks {
             return Err(Denied::Held { record, by: self.held[&counter].holder.name.clone() });
         }
         self.check_room(admin.session, 1)?;
-        let asks = self.end(counter, Why::TakenOver { by: admin.name.clone() });
+        let asks = self.end(counter, LockEndReason::TakenOver { by: admin.name.clone() });
         let grant = self.give(admin, records);
         self.settle(asks);
         Ok(grant)
@@ -222,7 +222,7 @@ impl Locks {
         let kept = self.held.iter_mut().filter(|(_, lock)| lock.holder.client == *client && lock.left_ms.is_some());
         let back = kept.map(|(counter, lock)| {
             (lock.holder.session, lock.left_ms) = (session, None);
-            Grant { token: Token { epoch, counter: *counter }, records: lock.records.clone() }
+            Grant { token: LockToken { epoch, counter: *counter }, records: lock.records.clone() }
         });
         let back: Vec<Grant> = back.collect();
         self.version += u64::from(!back.is_empty());
@@ -249,7 +249,7 @@ impl Locks {
             }
         }
         let records = lockable(change).cloned().collect();
-        let saving = Saving { client: presented.client.clone(), by: change.author.clone(), records };
+        let saving = ChangeSaving { client: presented.client.clone(), by: change.author.clone(), records };
         self.saving.retain(|(op, _)| *op != change.op);
         self.saving.push((change.op.clone(), saving));
     }
@@ -268,7 +268,7 @@ impl Locks {
     pub fn check<'a>(&'a self, change: &'a Change, presented: &Presented) -> Result<(), (&'a RecordId, &'a Holder)> {
         let other = lockable(change).find_map(|record| {
             let counter = *self.by_record.get(record)?;
-            let (holder, token) = (&self.held[&counter].holder, Token { epoch: self.epoch, counter });
+            let (holder, token) = (&self.held[&counter].holder, LockToken { epoch: self.epoch, counter });
             let is_theirs = presented.client.as_ref() == Some(&holder.client) && presented.tokens.contains(&token);
             (!is_theirs).then_some((record, holder))
         });
@@ -290,7 +290,7 @@ impl Locks {
     /// All locks, oldest first.
     pub fn held(&self) -> impl Iterator<Item = Held<'_>> {
         self.held.iter().map(|(counter, lock)| Held {
-            token: Token { epoch: self.epoch, counter: *counter },
+            token: LockToken { epoch: self.epoch, counter: *counter },
             holder: &lock.holder,
             records: &lock.records,
             is_kept: lock.left_ms.is_some(),
@@ -298,7 +298,7 @@ impl Locks {
     }
 
     /// The lock of this link with this token.
-    fn of(&mut self, session: u64, token: Token) -> Option<&mut Lock> {
+    fn of(&mut self, session: u64, token: LockToken) -> Option<&mut Lock> {
         let lock = self.held.get_mut(&token.counter).filter(|_| token.epoch == self.epoch)?;
         Some(lock).filter(|lock| lock.holder.session == session)
     }
@@ -314,7 +314,7 @@ impl Locks {
             return None;
         }
         lock.ending = None;
-        Some(Grant { token: Token { epoch: self.epoch, counter }, records: records.clone() })
+        Some(Grant { token: LockToken { epoch: self.epoch, counter }, records: records.clone() })
     }
 
     fn check_free(&self, client: &Id, records: &BTreeSet<RecordId>) -> Result<(), Denied> {
@@ -353,18 +353,18 @@ impl Locks {
         (self.counter, self.version) = (self.counter + 1, self.version + 1);
         self.by_record.extend(records.iter().map(|record| (record.clone(), self.counter)));
         let (active_ms, asks) = (self.now_ms, VecDeque::new());
-        let grant = Grant { token: Token { epoch: self.epoch, counter: self.counter }, records: records.clone() };
+        let grant = Grant { token: LockToken { epoch: self.epoch, counter: self.counter }, records: records.clone() };
         let lock = Lock { holder, records, active_ms, was_warned: false, left_ms: None, ending: None, asks };
         self.held.insert(self.counter, lock);
         grant
     }
 
     /// Frees what a lock covers; with who wanted it.
-    fn end(&mut self, counter: u64, why: Why) -> VecDeque<Ask> {
+    fn end(&mut self, counter: u64, why: LockEndReason) -> VecDeque<LockAsk> {
         let Some(lock) = self.held.remove(&counter) else { return VecDeque::new() };
         self.version += 1;
         self.by_record.retain(|_, held| *held != counter);
-        let grant = Grant { token: Token { epoch: self.epoch, counter }, records: lock.records };
+        let grant = Grant { token: LockToken { epoch: self.epoch, counter }, records: lock.records };
         self.tell(LockEvent::Freed { holder: lock.holder, grant, why });
         lock.asks
     }

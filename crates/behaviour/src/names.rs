@@ -9,9 +9,9 @@ pub(crate) mod mistakes;
 mod scopes;
 pub(crate) mod tokens;
 
-use crate::{Filled, Lookup, LookupSet};
+use crate::{FillFrom, Lookup, LookupSet};
 use composed::composed;
-use scopes::{Meaning, Read, read};
+use scopes::{ReadProcedure, WordMeaning, read};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -85,14 +85,14 @@ const RHAI_KEYWORDS: &[&str] = &[
 /// The argument names of a procedure from the names of its input streams, in order: `Red ball` becomes `redBall`, `距離`
 /// stays.
 pub fn argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
-    let mut used = Used::default();
+    let mut used = UsedNames::default();
     stream_names.into_iter().map(|name| used.first_free(argument_name(name, is_word))).collect()
 }
 
 /// Returns the names as they were before letters of every script stayed: `距離` was `x__`.
 fn ascii_argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let mut used = Used::default();
+    let mut used = UsedNames::default();
     stream_names.into_iter().map(|name| used.first_free(argument_name(name, is_plain))).collect()
 }
 
@@ -181,12 +181,12 @@ fn begins_with_letter(name: &str) -> bool {
 
 /// Names that are taken, and the number to try next for each name that was wanted twice.
 #[derive(Default)]
-struct Used {
+struct UsedNames {
     names: LookupSet<String>,
     next: Lookup<String, u64>,
 }
 
-impl Used {
+impl UsedNames {
     /// The name, or with the first number that is free.
     fn first_free(&mut self, name: String) -> String {
         if self.names.insert(name.clone()) {
@@ -229,9 +229,9 @@ pub fn rename_identifiers<S: AsRef<str>>(body: &str, old: &[S], new: &[S]) -> St
     let apart = apart(body, &read, &names);
     let word = |word: &scopes::Word| {
         let new = match word.meaning {
-            Meaning::Outer => (*names.get(&body[word.place.clone()])?).to_owned(),
-            Meaning::Local(local) => apart.get(&local)?.clone(),
-            Meaning::Function | Meaning::Part => return None,
+            WordMeaning::Outer => (*names.get(&body[word.place.clone()])?).to_owned(),
+            WordMeaning::Local(local) => apart.get(&local)?.clone(),
+            WordMeaning::Function | WordMeaning::Part => return None,
         };
         Some((word.place.clone(), new))
     };
@@ -239,10 +239,10 @@ pub fn rename_identifiers<S: AsRef<str>>(body: &str, old: &[S], new: &[S]) -> St
 }
 
 /// Names for the values of its own that would take the place of a value from outside under its new name.
-fn apart(body: &str, read: &Read, names: &Lookup<&str, &str>) -> Lookup<usize, String> {
+fn apart(body: &str, read: &ReadProcedure, names: &Lookup<&str, &str>) -> Lookup<usize, String> {
     let mut apart = Lookup::new();
     let mut taken: LookupSet<String> = read.words.iter().map(|word| body[word.place.clone()].to_owned()).filled();
-    for word in read.words.iter().filter(|word| word.meaning == Meaning::Outer) {
+    for word in read.words.iter().filter(|word| word.meaning == WordMeaning::Outer) {
         let Some(new) = names.get(&body[word.place.clone()]) else { continue };
         for local in read.known_at(word).iter().filter(|local| read.locals[**local] == *new) {
             if !apart.contains_key(local) {
@@ -259,9 +259,9 @@ fn apart(body: &str, read: &Read, names: &Lookup<&str, &str>) -> Lookup<usize, S
 pub fn rename_unknown(body: &str, arguments: &[String], old: &str, new: &str) -> String {
     let is_value = arguments.iter().any(|name| name == old);
     let means = |word: &&scopes::Word| match word.meaning {
-        Meaning::Outer => !is_value,
-        Meaning::Function | Meaning::Part => true,
-        Meaning::Local(_) => false,
+        WordMeaning::Outer => !is_value,
+        WordMeaning::Function | WordMeaning::Part => true,
+        WordMeaning::Local(_) => false,
     };
     let words = read(body).words;
     let places = words.iter().filter(means).filter(|word| &body[word.place.clone()] == old);
@@ -334,15 +334,15 @@ pub fn rename_helpers(body: &str, names: &BTreeMap<String, String>) -> String {
 
 /// Finds where `body` calls something, `distance(ball)`, or points to it, `Fn("distance")`.
 fn uses(body: &str) -> Vec<Range<usize>> {
-    places(body, Meaning::Function)
+    places(body, WordMeaning::Function)
 }
 
 /// Finds where values from outside stand.
 fn outer(body: &str) -> Vec<Range<usize>> {
-    places(body, Meaning::Outer)
+    places(body, WordMeaning::Outer)
 }
 
-fn places(body: &str, meaning: Meaning) -> Vec<Range<usize>> {
+fn places(body: &str, meaning: WordMeaning) -> Vec<Range<usize>> {
     read(body).words.into_iter().filter(|word| word.meaning == meaning).map(|word| word.place).collect()
 }
 

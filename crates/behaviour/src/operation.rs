@@ -167,7 +167,7 @@ impl Serialize for Operation {
 /// The parts of a parameter as they are read.
 #[derive(Default, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
-struct Read {
+struct ReadParameter {
     #[serde(default)]
     start: Option<Value>,
     #[serde(default)]
@@ -186,7 +186,7 @@ struct ReadBody {
     args: Option<Vec<String>>,
 }
 
-impl Read {
+impl ReadParameter {
     fn operation<E: Error>(self, word: &str) -> Result<Operation, E> {
         let spec = connectors::spec(word).ok_or_else(|| E::custom(format_args!("there is no connector {word:?}")))?;
         let procedure = match (self.body, self.helper) {
@@ -220,10 +220,10 @@ impl<'de> Visitor<'de> for AnyOperation {
         words.write_str("a connector by its word, with its parameter if it takes one")
     }
     fn visit_str<E: Error>(self, word: &str) -> Result<Operation, E> {
-        Read::default().operation(word)
+        ReadParameter::default().operation(word)
     }
     fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Operation, A::Error> {
-        let Some((word, read)) = entries.next_entry::<String, Option<Read>>()? else {
+        let Some((word, read)) = entries.next_entry::<String, Option<ReadParameter>>()? else {
             return Err(A::Error::custom("a connector without a word"));
         };
         if entries.next_key::<String>()?.is_some() {

@@ -3,7 +3,7 @@
 //! Nothing else links the two: a test is an otherwise as long as its stream is called so. So the link is in every file and
 //! store, comes back with an undo, and ends when a person gives the stream another name.
 
-use crate::names::tokens::{Kind, tokens};
+use crate::names::tokens::{TokenKind, tokens};
 use crate::{
     Behaviour, Change, Connector, Edit, Id, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers,
 };
@@ -43,8 +43,8 @@ fn is_one_whole(body: &str) -> bool {
     let mut open = 0_i64;
     tokens(body).iter().all(|token| {
         open += match token.kind {
-            Kind::Open(_) => 1,
-            Kind::Close(_) => -1,
+            TokenKind::Open(_) => 1,
+            TokenKind::Close(_) => -1,
             _ => 0,
         };
         open >= 0

@@ -10,14 +10,14 @@ mod words;
 pub use fix::{Fix, FixKind, fixes, fixes_seeing};
 pub use near::near;
 
-use crate::flow::{Flow, Gives, HANDED_MAX, Link};
+use crate::flow::{Flow, FlowConnector, Gives, HANDED_MAX};
 use crate::names::mistakes::{Divided, compared, divided};
 use crate::otherwise;
 use crate::{
-    Behaviour, Connector, Engine, Filled, Fit, Helper, Id, Kind, Knowledge, Lookup, Procedure, RecordId, Seen,
+    Behaviour, Connector, Engine, FillFrom, Fit, Helper, Id, Kind, Knowledge, Lookup, Procedure, RecordId, SeenKinds,
     Settings, StreamKind, Unit, ValueType,
 };
-use around::Around;
+use around::HintSurroundings;
 use serde::{Deserialize, Serialize};
 
 /// One problem of one element. [`std::fmt::Display`] says it in one English sentence.
@@ -152,7 +152,7 @@ pub enum ProblemKind {
 /// All problems of a behaviour, in file order, connectors after streams. `helpers` is the library.
 #[must_use]
 pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge) -> Vec<Problem> {
-    problems_seeing(behaviour, helpers, knowledge, &Seen::new())
+    problems_seeing(behaviour, helpers, knowledge, &SeenKinds::new())
 }
 
 /// Returns the problems, where values of which nobody knows the kind are of the kind that was seen last.
@@ -161,9 +161,9 @@ pub fn problems_seeing(
     behaviour: &Behaviour,
     helpers: &[&Helper],
     knowledge: &dyn Knowledge,
-    seen: &Seen,
+    seen: &SeenKinds,
 ) -> Vec<Problem> {
-    let around = Around::of(behaviour, helpers, knowledge, seen);
+    let around = HintSurroundings::of(behaviour, helpers, knowledge, seen);
     let mut found = stream_problems(&around);
     for (id, connector) in behaviour.connectors_in_order() {
         let word = connector.operation.word();
@@ -173,7 +173,7 @@ pub fn problems_seeing(
     found
 }
 
-fn stream_problems(around: &Around) -> Vec<Problem> {
+fn stream_problems(around: &HintSurroundings) -> Vec<Problem> {
     let behaviour = around.behaviour;
     let reaching = around.graph.reaching_action(behaviour);
     let multiplying = multiplying(behaviour);
@@ -217,7 +217,7 @@ fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
     };
     let ends: Vec<_> = behaviour.connectors_in_order().iter().filter_map(|(_, connector)| ends(connector)).collect();
     let links: Vec<_> =
-        ends.iter().map(|(inputs, output, gives)| Link { inputs, output: *output, gives: *gives }).collect();
+        ends.iter().map(|(inputs, output, gives)| FlowConnector { inputs, output: *output, gives: *gives }).collect();
     let flow = Flow::of(streams.len(), &links);
     let later = links.iter().filter(|link| link.gives == Gives::Later).map(|link| link.output);
     let senses = (0..streams.len()).filter(|at| streams[*at].1.kind == StreamKind::Sensor);
@@ -235,7 +235,7 @@ fn problem(kind_of: Kind, id: &Id, name: &str, kind: ProblemKind, blocks: bool) 
 }
 
 /// The first problem of a connector, and whether it stops Start.
-fn connector_problem(around: &Around, connector: &Connector) -> Option<(ProblemKind, bool)> {
+fn connector_problem(around: &HintSurroundings, connector: &Connector) -> Option<(ProblemKind, bool)> {
     let (spec, inputs) = (connector.operation.spec(), connector.inputs.len());
     if inputs == 0 {
         return Some((ProblemKind::NoInputs, true));
@@ -256,7 +256,7 @@ fn connector_problem(around: &Around, connector: &Connector) -> Option<(ProblemK
 }
 
 /// Returns the first hint about a connector: something that is probably not meant.
-fn hint(around: &Around, connector: &Connector) -> Option<ProblemKind> {
+fn hint(around: &HintSurroundings, connector: &Connector) -> Option<ProblemKind> {
     let unfit = |(at, wants, fit): (usize, ValueType, Fit)| match fit {
         Fit::Good => None,
         Fit::Unit { wants, gets } => Some(ProblemKind::WrongUnit { wants, gets }),
@@ -277,7 +277,7 @@ fn hint(around: &Around, connector: &Connector) -> Option<ProblemKind> {
 
 /// Returns a slip that runs and cannot be meant: a test without an answer, or whole numbers that lose what is left
 /// over.
-fn slip(around: &Around, connector: &Connector) -> Option<ProblemKind> {
+fn slip(around: &HintSurroundings, connector: &Connector) -> Option<ProblemKind> {
     if stores(around, connector).is_some() {
         return Some(ProblemKind::Stores);
     }
@@ -299,27 +299,27 @@ fn slip(around: &Around, connector: &Connector) -> Option<ProblemKind> {
 }
 
 /// The test as it compares, if it stores instead.
-fn stores(around: &Around, connector: &Connector) -> Option<String> {
+fn stores(around: &HintSurroundings, connector: &Connector) -> Option<String> {
     let Some(Procedure::Body { body, .. }) = connector.operation.procedure() else { return None };
     let asks = compared(body).filter(|_| connector.operation.spec().is_test())?;
     around.knowledge.body(&around.behaviour.arguments(connector), &asks).is_ok().then_some(asks)
 }
 
 /// An object in a body that stands where a number is wanted, and how often.
-fn misused(around: &Around, connector: &Connector) -> Option<(String, usize)> {
+fn misused(around: &HintSurroundings, connector: &Connector) -> Option<(String, usize)> {
     let Some(Procedure::Body { body, .. }) = connector.operation.procedure() else { return None };
     around.inference.misused(&around.inference.arguments(around.behaviour, connector), body)
 }
 
 /// A name in a body that means nothing and is nearly one that does.
-fn mistyped(around: &Around, connector: &Connector) -> Option<ProblemKind> {
+fn mistyped(around: &HintSurroundings, connector: &Connector) -> Option<ProblemKind> {
     let Some(Procedure::Body { body, .. }) = connector.operation.procedure() else { return None };
     let arguments = around.inference.arguments(around.behaviour, connector);
     let (name, known) = around.inference.unknown_name(&arguments, body)?;
     near(&name, &known).map(|near| ProblemKind::UnknownName { name, near })
 }
 
-fn helper_problem(name: &str, gets: usize, around: &Around) -> Option<ProblemKind> {
+fn helper_problem(name: &str, gets: usize, around: &HintSurroundings) -> Option<ProblemKind> {
     let Some(helper) = around.library.get(name) else { return Some(ProblemKind::MissingHelper(name.to_owned())) };
     if helper.params.len() != gets {
         return Some(ProblemKind::HelperInputs { helper: name.to_owned(), takes: helper.params.len(), gets });

@@ -21,13 +21,13 @@ pub struct Room {
     revision: u64,
     /// The size of the behaviour, kept so that a change costs what it touches.
     size: Size,
-    answered: Lookup<Id, Answer>,
+    answered: Lookup<Id, ChangeAnswer>,
     answered_order: VecDeque<Id>,
 }
 
 /// The final answer to a change.
 #[derive(Clone, Debug)]
-enum Answer {
+enum ChangeAnswer {
     /// It is this revision.
     Made(u64),
     Refused(Refusal),
@@ -160,8 +160,8 @@ impl Room {
     #[must_use]
     pub fn answer(&self, op: &Id) -> Option<Decision> {
         self.answered.get(op).map(|answer| match answer {
-            Answer::Made(revision) => Decision::Duplicate(*revision),
-            Answer::Refused(refusal) => Decision::Refuse(refusal.clone()),
+            ChangeAnswer::Made(revision) => Decision::Duplicate(*revision),
+            ChangeAnswer::Refused(refusal) => Decision::Refuse(refusal.clone()),
         })
     }
 
@@ -203,18 +203,18 @@ impl Room {
         self.behaviour.apply(&saved.change);
         self.size = self.size.after(&saved.change);
         self.revision = saved.revision;
-        self.remember(saved.change.op.clone(), Answer::Made(saved.revision));
+        self.remember(saved.change.op.clone(), ChangeAnswer::Made(saved.revision));
     }
 
     /// A change that was refused stays refused: a copy of it that arrives late is answered alike, as its sender already
     /// goes by the first answer. Not for a refusal after which the same change is sent again.
     pub fn refused(&mut self, op: &Id, refusal: &Refusal) {
         if !self.answered.contains_key(op) {
-            self.remember(op.clone(), Answer::Refused(refusal.clone()));
+            self.remember(op.clone(), ChangeAnswer::Refused(refusal.clone()));
         }
     }
 
-    fn remember(&mut self, op: Id, answer: Answer) {
+    fn remember(&mut self, op: Id, answer: ChangeAnswer) {
         if self.answered.insert(op.clone(), answer).is_none() {
             self.answered_order.push_back(op);
         }

@@ -2,8 +2,8 @@
 
 use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
-    Behaviour, Change, Connector, DeviceType, Edit, Filled, Graph, Group, Helper, Id, Lookup, LookupSet, Note, Params,
-    Procedure, Record, Settings, Signature, Stream, StreamKind, ValueType, as_looks, has_unseen, record_bytes,
+    Behaviour, Change, Connector, DeviceType, Edit, FillFrom, Graph, Group, Helper, Id, Lookup, LookupSet, Note,
+    Params, Procedure, Record, Settings, Signature, Stream, StreamKind, ValueType, as_looks, has_unseen, record_bytes,
 };
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -51,7 +51,7 @@ pub trait Knowledge {
 
     /// The kind of value that a body makes of arguments of these kinds; `helper` says what a helper makes, if there is one
     /// of that name with so many parameters. Any kind by default, and at every doubt.
-    fn result(&self, _arguments: &[(String, ValueType)], _body: &str, _helper: Call) -> ValueType {
+    fn result(&self, _arguments: &[(String, ValueType)], _body: &str, _helper: HelperCall) -> ValueType {
         ValueType::Any
     }
 
@@ -62,7 +62,7 @@ pub trait Knowledge {
 
     /// An argument of the body that is an object and is compared with a number or reckoned with, and how often; nothing by
     /// default, and at every doubt.
-    fn misused(&self, _arguments: &[(String, ValueType)], _body: &str, _helper: Call) -> Option<(String, usize)> {
+    fn misused(&self, _arguments: &[(String, ValueType)], _body: &str, _helper: HelperCall) -> Option<(String, usize)> {
         None
     }
 
@@ -83,7 +83,7 @@ pub trait Knowledge {
 }
 
 /// Returns the kind that a helper makes of arguments of these kinds, if one of that name has so many parameters.
-pub type Call<'a> = &'a dyn Fn(&str, &[ValueType]) -> Option<ValueType>;
+pub type HelperCall<'a> = &'a dyn Fn(&str, &[ValueType]) -> Option<ValueType>;
 
 /// The reasons why a change was not made. [`std::fmt::Display`] says each in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -7,11 +7,11 @@ mod infer;
 mod unit;
 
 pub use declared::Declared;
-pub use device::{Claims, DeviceType, Pace};
-pub use infer::{Inference, Seen, infer, infer_seeing};
+pub use device::{Claims, DevicePace, DeviceType};
+pub use infer::{Inference, SeenKinds, infer, infer_seeing};
 pub use unit::{Quantity, Unit};
 
-use crate::{Filled, Value};
+use crate::{FillFrom, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

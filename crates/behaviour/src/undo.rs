@@ -15,31 +15,31 @@ const REDO: &str = "Redo: ";
 
 /// The change that made a record what it is. Revision 0 is from before the log.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Version {
+struct RecordVersion {
     revision: u64,
     author: Arc<str>,
 }
 
 /// A change, and which version of each record it found and left.
 #[derive(Clone, Debug)]
-struct Step {
+struct UndoStep {
     change: Change,
-    found: BTreeMap<RecordId, Version>,
-    left: BTreeMap<RecordId, Version>,
+    found: BTreeMap<RecordId, RecordVersion>,
+    left: BTreeMap<RecordId, RecordVersion>,
 }
 
 /// The changes that one person can take back and do again; the newest is last.
 #[derive(Clone, Debug, Default)]
-struct Steps {
-    done: Vec<Step>,
-    undone: Vec<Step>,
+struct PersonSteps {
+    done: Vec<UndoStep>,
+    undone: Vec<UndoStep>,
 }
 
 /// The log as undo reads it. Made of all changes or of the newest ones, in order; what a person did before those stays done.
 #[derive(Clone, Debug, Default)]
 pub struct UndoLog {
-    versions: BTreeMap<RecordId, Version>,
-    people: Lookup<Id, Steps>,
+    versions: BTreeMap<RecordId, RecordVersion>,
+    people: Lookup<Id, PersonSteps>,
 }
 
 impl UndoLog {
@@ -55,8 +55,8 @@ impl UndoLog {
     pub fn take(&mut self, committed: &Committed) {
         let Committed { revision, change } = committed;
         let taken_back = self.taken_back(change);
-        let new = Version { revision: *revision, author: Arc::from(change.author.as_str()) };
-        let mut step = Step { change: change.clone(), found: BTreeMap::new(), left: BTreeMap::new() };
+        let new = RecordVersion { revision: *revision, author: Arc::from(change.author.as_str()) };
+        let mut step = UndoStep { change: change.clone(), found: BTreeMap::new(), left: BTreeMap::new() };
         for Edit { id, .. } in &change.edits {
             let earlier = taken_back.as_ref().and_then(|(_, step)| step.found.get(id));
             step.found.insert(id.clone(), self.version(id));
@@ -65,8 +65,8 @@ impl UndoLog {
         self.versions.extend(step.left.iter().map(|(id, left)| (id.clone(), left.clone())));
         let Some(steps) = change.by.as_ref().map(|by| self.people.entry(by.clone()).or_default()) else { return };
         match taken_back {
-            Some((Side::Done, _)) => steps.undone.push(step),
-            Some((Side::Undone, _)) => steps.done.push(step),
+            Some((UndoSide::Done, _)) => steps.undone.push(step),
+            Some((UndoSide::Undone, _)) => steps.done.push(step),
             None => {
                 steps.undone.clear();
                 steps.done.push(step);
@@ -100,7 +100,7 @@ impl UndoLog {
         self.people.get(by)?.done.last().map(|step| &step.change)
     }
 
-    fn opposite(&self, step: Option<&Step>, op: Id, word: &str, room: &Room) -> Result<Change, Refusal> {
+    fn opposite(&self, step: Option<&UndoStep>, op: Id, word: &str, room: &Room) -> Result<Change, Refusal> {
         let step = step.ok_or(Refusal::NothingToUndo)?;
         if let Some((id, version)) = self.changed_since(step) {
             let seen = step.change.edits.iter().find(|edit| edit.id == *id);
@@ -111,23 +111,23 @@ impl UndoLog {
     }
 
     /// The first record that is not as this step left it, and what it is now.
-    fn changed_since<'a>(&self, step: &'a Step) -> Option<(&'a RecordId, Version)> {
+    fn changed_since<'a>(&self, step: &'a UndoStep) -> Option<(&'a RecordId, RecordVersion)> {
         let now = step.left.iter().map(|(id, left)| (id, self.version(id), left));
         now.filter(|(_, now, left)| now != *left).map(|(id, now, _)| (id, now)).next()
     }
 
-    fn version(&self, id: &RecordId) -> Version {
-        self.versions.get(id).cloned().unwrap_or_else(|| Version { revision: 0, author: Arc::from("Somebody") })
+    fn version(&self, id: &RecordId) -> RecordVersion {
+        self.versions.get(id).cloned().unwrap_or_else(|| RecordVersion { revision: 0, author: Arc::from("Somebody") })
     }
 
     /// The step that a change takes back, out of where it was. What a change says of itself counts only if it is true.
-    fn taken_back(&mut self, change: &Change) -> Option<(Side, Step)> {
+    fn taken_back(&mut self, change: &Change) -> Option<(UndoSide, UndoStep)> {
         let (by, undoes) = (change.by.as_ref()?, change.undoes.as_ref()?);
         let steps = self.people.get(by)?;
-        let find = |steps: &[Step]| steps.iter().position(|step| step.change.op == *undoes);
+        let find = |steps: &[UndoStep]| steps.iter().position(|step| step.change.op == *undoes);
         let (side, at) = find(&steps.done)
-            .map(|at| (Side::Done, at))
-            .or_else(|| find(&steps.undone).map(|at| (Side::Undone, at)))?;
+            .map(|at| (UndoSide::Done, at))
+            .or_else(|| find(&steps.undone).map(|at| (UndoSide::Undone, at)))?;
         let step = steps.of(side).get(at)?;
         let is_true = step.change.swapped(change.op.clone(), "").edits == change.edits;
         if !is_true || self.changed_since(step).is_some() {
@@ -139,18 +139,18 @@ impl UndoLog {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+enum UndoSide {
     Done,
     Undone,
 }
 
-impl Steps {
-    fn of(&self, side: Side) -> &Vec<Step> {
-        if side == Side::Done { &self.done } else { &self.undone }
+impl PersonSteps {
+    fn of(&self, side: UndoSide) -> &Vec<UndoStep> {
+        if side == UndoSide::Done { &self.done } else { &self.undone }
     }
 
-    fn of_mut(&mut self, side: Side) -> &mut Vec<Step> {
-        if side == Side::Done { &mut self.done } else { &mut self.undone }
+    fn of_mut(&mut self, side: UndoSide) -> &mut Vec<UndoStep> {
+        if side == UndoSide::Done { &mut self.done } else { &mut self.undone }
     }
 }
 

@@ -14,7 +14,7 @@ const WAITING_MAX_STEPS: usize = 250_000;
 #[derive(Debug)]
 pub struct Cause {
     /// The value itself.
-    pub(crate) seen: Seen,
+    pub(crate) seen: SeenValue,
     /// The connector that gave it; none of a reading.
     pub(crate) connector: Option<ConnectorIx>,
     /// The value that triggered it.
@@ -29,7 +29,7 @@ pub struct Cause {
 
 /// A value on a stream, without its way.
 #[derive(Clone, Debug)]
-pub(crate) struct Seen {
+pub(crate) struct SeenValue {
     /// The number of the program that ran; a stream is a place in it.
     pub(crate) program: usize,
     pub(crate) stream: StreamIx,
@@ -41,19 +41,19 @@ pub(crate) struct Seen {
 #[derive(Clone, Debug)]
 pub(crate) enum With {
     /// The newest value of another input.
-    Value(Seen),
+    Value(SeenValue),
     /// The result before, and since when it was that.
     Memory(Value, Millis),
 }
 
 impl Cause {
     /// A reading.
-    pub(crate) fn reading(seen: Seen, origin: u64) -> Arc<Self> {
+    pub(crate) fn reading(seen: SeenValue, origin: u64) -> Arc<Self> {
         Arc::new(Self { seen, connector: None, from: None, with: Vec::new(), origin, depth: 1 })
     }
 
     /// A value that a connector gave. It knows none that triggered it if that came before there was a tracer.
-    pub(crate) fn given(seen: Seen, by: ConnectorIx, from: Option<Arc<Self>>, with: Vec<With>) -> Arc<Self> {
+    pub(crate) fn given(seen: SeenValue, by: ConnectorIx, from: Option<Arc<Self>>, with: Vec<With>) -> Arc<Self> {
         let (origin, depth) = from.as_ref().map_or((0, 0), |from| (from.origin, from.depth));
         Arc::new(Self { seen, connector: Some(by), from, with, origin, depth: depth + 1 })
     }
@@ -102,33 +102,33 @@ impl Drop for Cause {
 
 /// A value that waits somewhere, with its way as far as there is room for it.
 #[derive(Clone, Debug)]
-pub(crate) struct Waiting {
+pub(crate) struct WaitingCause {
     pub(crate) cause: Arc<Cause>,
     pub(crate) due: Millis,
 }
 
 /// The room for ways of values that wait.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Room {
+pub(crate) struct WayRoom {
     steps: usize,
 }
 
-impl Room {
+impl WayRoom {
     /// A value begins to wait. Where all ways together are too long, its own is left out.
-    pub(crate) fn enter(&mut self, cause: &Arc<Cause>, due: Millis) -> Waiting {
+    pub(crate) fn enter(&mut self, cause: &Arc<Cause>, due: Millis) -> WaitingCause {
         let most = if self.steps + STEPS_MAX.min(cause.depth) > WAITING_MAX_STEPS { 1 } else { STEPS_MAX };
         let cause = cause.cut(most);
         self.steps += cause.depth;
-        Waiting { cause, due }
+        WaitingCause { cause, due }
     }
 
     /// These are all that wait.
-    pub(crate) fn count<'w>(&mut self, all: impl Iterator<Item = &'w Waiting>) {
+    pub(crate) fn count<'w>(&mut self, all: impl Iterator<Item = &'w WaitingCause>) {
         self.steps = all.map(|waiting| waiting.cause.depth).sum();
     }
 
     /// A value waits no more.
-    pub(crate) fn leave(&mut self, waiting: Waiting) -> Arc<Cause> {
+    pub(crate) fn leave(&mut self, waiting: WaitingCause) -> Arc<Cause> {
         self.steps = self.steps.saturating_sub(waiting.cause.depth);
         waiting.cause
     }
@@ -136,14 +136,14 @@ impl Room {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cause, Room, STEPS_MAX, Seen, WAITING_MAX_STEPS};
+    use super::{Cause, STEPS_MAX, SeenValue, WAITING_MAX_STEPS, WayRoom};
     use behaviour::Value;
     use engine::{ConnectorIx, StreamIx};
     use robot::Millis;
     use std::sync::Arc;
 
     fn way(steps: usize) -> Arc<Cause> {
-        let seen = |step: usize| Seen {
+        let seen = |step: usize| SeenValue {
             program: 0,
             stream: StreamIx::of(step),
             at: Millis(0),
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn what_waits_keeps_the_nearest_steps_and_all_of_it_together_is_bounded() {
-        let (mut room, long) = (Room::default(), way(1_000));
+        let (mut room, long) = (WayRoom::default(), way(1_000));
         let first = room.enter(&long, Millis(5));
         let steps: Vec<usize> = first.cause.steps().map(|step| step.stream().index()).collect();
         assert_eq!(steps, (800..1_000).rev().collect::<Vec<_>>());

@@ -1,7 +1,7 @@
 //! The memory of one connector, as far as it can still cause a value, and how its last turn ended.
 
-use crate::cause::{Cause, Room, Seen, Waiting, With};
-use crate::wiring::Part;
+use crate::cause::{Cause, SeenValue, WaitingCause, WayRoom, With};
+use crate::wiring::WiredConnector;
 use behaviour::Value;
 use behaviour::connectors::ConnectorMeaning;
 use robot::Millis;
@@ -10,11 +10,11 @@ use std::sync::Arc;
 
 /// A connector's memory and last turn.
 #[derive(Clone, Debug)]
-pub(crate) struct Cell {
+pub(crate) struct TracedCell {
     /// The newest value of each input.
-    known: Vec<Option<Seen>>,
+    known: Vec<Option<SeenValue>>,
     /// Values that it will give by itself.
-    waiting: VecDeque<Waiting>,
+    waiting: VecDeque<WaitingCause>,
     /// The result before, and since when.
     memory: (Value, Millis),
     pub(crate) last: Option<Last>,
@@ -25,7 +25,7 @@ pub(crate) struct Cell {
 pub(crate) struct Last {
     pub(crate) turn: Turn,
     /// The value that it took.
-    pub(crate) took: Seen,
+    pub(crate) took: SeenValue,
 }
 
 /// The ways in which a turn ends.
@@ -41,9 +41,9 @@ pub(crate) enum Turn {
     Waits,
 }
 
-impl Cell {
+impl TracedCell {
     /// That of a connector that begins.
-    pub(crate) fn of(part: &Part, began: Millis) -> Self {
+    pub(crate) fn of(part: &WiredConnector, began: Millis) -> Self {
         let known = if part.knows_inputs() { vec![None; part.inputs.len()] } else { Vec::new() };
         Self { known, waiting: VecDeque::new(), memory: (part.start.clone(), began), last: None }
     }
@@ -56,7 +56,13 @@ impl Cell {
     }
 
     /// It gives a value for one of an input at once. Returns the other values that it used.
-    pub(crate) fn gives(&mut self, part: &Part, slot: usize, from: &Cause, made: (&Value, Millis)) -> Vec<With> {
+    pub(crate) fn gives(
+        &mut self,
+        part: &WiredConnector,
+        slot: usize,
+        from: &Cause,
+        made: (&Value, Millis),
+    ) -> Vec<With> {
         self.store(slot, from);
         self.turned(Turn::Gave, from);
         if part.meaning == ConnectorMeaning::Remembers {
@@ -74,7 +80,7 @@ impl Cell {
     }
 
     /// It takes a value of an input and gives nothing for it now.
-    pub(crate) fn takes(&mut self, part: &Part, slot: usize, cause: &Arc<Cause>, room: &mut Room) {
+    pub(crate) fn takes(&mut self, part: &WiredConnector, slot: usize, cause: &Arc<Cause>, room: &mut WayRoom) {
         match part.meaning {
             ConnectorMeaning::Keeps | ConnectorMeaning::Changes => self.turned(Turn::Kept, cause),
             ConnectorMeaning::Every => {
@@ -105,14 +111,14 @@ impl Cell {
     }
 
     /// It holds a value instead of the one before.
-    fn hold(&mut self, cause: &Arc<Cause>, due: Millis, room: &mut Room) {
+    fn hold(&mut self, cause: &Arc<Cause>, due: Millis, room: &mut WayRoom) {
         self.waiting.drain(..).for_each(|waiting| drop(room.leave(waiting)));
         self.waiting.push_back(room.enter(cause, due));
         self.turned(Turn::Waits, cause);
     }
 
     /// It gives the first value that waits by itself. None if that came before there was a tracer.
-    pub(crate) fn lets_go(&mut self, at: Millis, room: &mut Room) -> Option<Arc<Cause>> {
+    pub(crate) fn lets_go(&mut self, at: Millis, room: &mut WayRoom) -> Option<Arc<Cause>> {
         let is_due = self.waiting.front().is_some_and(|first| first.due <= at);
         let cause = is_due.then(|| self.waiting.pop_front()).flatten().map(|first| room.leave(first));
         if let Some(cause) = &cause {
@@ -122,17 +128,17 @@ impl Cell {
     }
 
     /// The last of all values that are due, which is what a frame has of them.
-    pub(crate) fn lets_all_go(&mut self, at: Millis, room: &mut Room) -> Option<Arc<Cause>> {
+    pub(crate) fn lets_all_go(&mut self, at: Millis, room: &mut WayRoom) -> Option<Arc<Cause>> {
         std::iter::from_fn(|| self.lets_go(at, room)).last()
     }
 
     /// The value that it will give by itself next.
-    pub(crate) fn holds(&self) -> Option<&Seen> {
+    pub(crate) fn holds(&self) -> Option<&SeenValue> {
         self.waiting.front().map(|first| &first.cause.seen)
     }
 
     /// All values that it will give by itself.
-    pub(crate) fn waiting(&self) -> impl Iterator<Item = &Waiting> {
+    pub(crate) fn waiting(&self) -> impl Iterator<Item = &WaitingCause> {
         self.waiting.iter()
     }
 
@@ -147,6 +153,6 @@ impl Cell {
 }
 
 /// When a value that comes now is due.
-fn due(cause: &Cause, part: &Part) -> Millis {
+fn due(cause: &Cause, part: &WiredConnector) -> Millis {
     Millis(cause.seen.at.0.saturating_add(part.period_ms))
 }

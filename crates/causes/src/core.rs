@@ -1,7 +1,7 @@
 //! The parts of a tracer on which both modes of time work.
 
-use crate::cause::{Cause, Room, Seen, With};
-use crate::cell::Cell;
+use crate::cause::{Cause, SeenValue, WayRoom, With};
+use crate::cell::TracedCell;
 use crate::wiring::Wiring;
 use behaviour::BehaviourFile;
 use engine::ConnectorIx;
@@ -10,32 +10,32 @@ use std::sync::Arc;
 
 /// The parts on which both modes work.
 #[derive(Clone, Debug)]
-pub(crate) struct Core {
+pub(crate) struct TracerCore {
     /// The number of the program that runs.
     pub(crate) program: usize,
     pub(crate) wiring: Arc<Wiring>,
     /// By connector.
-    pub(crate) cells: Vec<Cell>,
-    pub(crate) room: Room,
+    pub(crate) cells: Vec<TracedCell>,
+    pub(crate) room: WayRoom,
     /// The number of readings so far.
     pub(crate) readings: u64,
 }
 
-impl Core {
+impl TracerCore {
     pub(crate) fn of(file: &BehaviourFile, program: usize, began: Millis) -> Self {
         let wiring = Wiring::of(file);
-        let cells = wiring.parts.iter().map(|part| Cell::of(part, began)).collect();
-        Self { program, wiring: Arc::new(wiring), cells, room: Room::default(), readings: 0 }
+        let cells = wiring.parts.iter().map(|part| TracedCell::of(part, began)).collect();
+        Self { program, wiring: Arc::new(wiring), cells, room: WayRoom::default(), readings: 0 }
     }
 
     /// A reading.
-    pub(crate) fn reading(&mut self, seen: Seen) -> Arc<Cause> {
+    pub(crate) fn reading(&mut self, seen: SeenValue) -> Arc<Cause> {
         self.readings += 1;
         Cause::reading(seen, self.readings)
     }
 
     /// A connector gives a value at once, for one of an input.
-    pub(crate) fn gives(&mut self, by: ConnectorIx, slot: usize, from: Option<&Cause>, seen: &Seen) -> Vec<With> {
+    pub(crate) fn gives(&mut self, by: ConnectorIx, slot: usize, from: Option<&Cause>, seen: &SeenValue) -> Vec<With> {
         let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
         from.map_or_else(Vec::new, |from| cell.gives(part, slot, from, (&seen.value, seen.at)))
     }

@@ -1,7 +1,7 @@
 //! Event mode: values go depth first, so that a stack of those on their way says who was handed what, also without a word.
 
-use crate::cause::{Cause, Seen};
-use crate::core::Core;
+use crate::cause::{Cause, SeenValue};
+use crate::core::TracerCore;
 use engine::ConnectorIx;
 use std::sync::Arc;
 
@@ -13,7 +13,12 @@ pub(crate) struct Stack {
 
 impl Stack {
     /// A value comes.
-    pub(crate) fn value(&mut self, core: &mut Core, seen: Seen, by: Option<(ConnectorIx, usize)>) -> Arc<Cause> {
+    pub(crate) fn value(
+        &mut self,
+        core: &mut TracerCore,
+        seen: SeenValue,
+        by: Option<(ConnectorIx, usize)>,
+    ) -> Arc<Cause> {
         let cause = match by {
             None => {
                 self.settle(core);
@@ -35,21 +40,21 @@ impl Stack {
     }
 
     /// A procedure fails.
-    pub(crate) fn fault(&mut self, core: &mut Core, by: ConnectorIx, slot: usize) {
+    pub(crate) fn fault(&mut self, core: &mut TracerCore, by: ConnectorIx, slot: usize) {
         if let Some(from) = self.come_to(core, by, slot) {
             core.cells[by.index()].fails(slot, &from);
         }
     }
 
     /// All values are carried to their end.
-    pub(crate) fn settle(&mut self, core: &mut Core) {
+    pub(crate) fn settle(&mut self, core: &mut TracerCore) {
         while let Some((cause, next)) = self.way.pop() {
             hand(core, &cause, next, usize::MAX);
         }
     }
 
     /// The turn of a connector comes: everything before it has had its own. Returns the value that it takes.
-    fn come_to(&mut self, core: &mut Core, by: ConnectorIx, slot: usize) -> Option<Arc<Cause>> {
+    fn come_to(&mut self, core: &mut TracerCore, by: ConnectorIx, slot: usize) -> Option<Arc<Cause>> {
         let input = *core.wiring.parts[by.index()].inputs.get(slot)?;
         while self.way.last().is_some_and(|(cause, _)| cause.seen.stream != input) {
             let (cause, next) = self.way.pop()?;
@@ -65,7 +70,7 @@ impl Stack {
 }
 
 /// A value is handed to some connectors of its stream, and none of them says anything.
-fn hand(core: &mut Core, cause: &Arc<Cause>, first: usize, end: usize) {
+fn hand(core: &mut TracerCore, cause: &Arc<Cause>, first: usize, end: usize) {
     let stream = cause.seen.stream.index();
     for place in first..end.min(core.wiring.outgoing[stream].len()) {
         let (to, slot) = core.wiring.outgoing[stream][place];

@@ -1,7 +1,7 @@
 //! Frame mode: every connector has at most one turn in a frame, on what is present in it.
 
-use crate::cause::{Cause, Seen};
-use crate::core::Core;
+use crate::cause::{Cause, SeenValue};
+use crate::core::TracerCore;
 use behaviour::connectors::ConnectorMeaning;
 use engine::ConnectorIx;
 use robot::Millis;
@@ -24,7 +24,12 @@ impl Present {
     }
 
     /// A value comes.
-    pub(crate) fn value(&mut self, core: &mut Core, seen: Seen, by: Option<(ConnectorIx, usize)>) -> Arc<Cause> {
+    pub(crate) fn value(
+        &mut self,
+        core: &mut TracerCore,
+        seen: SeenValue,
+        by: Option<(ConnectorIx, usize)>,
+    ) -> Arc<Cause> {
         self.enter(core, seen.at);
         let stream = seen.stream.index();
         let cause = match by {
@@ -48,7 +53,7 @@ impl Present {
     }
 
     /// A procedure fails.
-    pub(crate) fn fault(&mut self, core: &mut Core, at: Millis, by: ConnectorIx, slot: usize) {
+    pub(crate) fn fault(&mut self, core: &mut TracerCore, at: Millis, by: ConnectorIx, slot: usize) {
         self.enter(core, at);
         if let Some(from) = self.turn(core, by, slot) {
             core.cells[by.index()].fails(slot, &from);
@@ -56,7 +61,7 @@ impl Present {
     }
 
     /// The frame is over: who said nothing had a turn nevertheless.
-    pub(crate) fn settle(&mut self, core: &mut Core) {
+    pub(crate) fn settle(&mut self, core: &mut TracerCore) {
         if self.at.take().is_some() {
             (0..self.had_turn.len()).for_each(|by| self.take(core, ConnectorIx::of(by)));
         }
@@ -70,7 +75,7 @@ impl Present {
         self.had_turn.fill(false);
     }
 
-    fn enter(&mut self, core: &mut Core, at: Millis) {
+    fn enter(&mut self, core: &mut TracerCore, at: Millis) {
         if self.at != Some(at) {
             self.settle(core);
             self.at = Some(at);
@@ -78,7 +83,7 @@ impl Present {
     }
 
     /// A connector has its turn and says something about a value. Returns that value.
-    fn turn(&mut self, core: &mut Core, by: ConnectorIx, slot: usize) -> Option<Arc<Cause>> {
+    fn turn(&mut self, core: &mut TracerCore, by: ConnectorIx, slot: usize) -> Option<Arc<Cause>> {
         self.had_turn[by.index()] = true;
         self.store(core, by);
         let input = core.wiring.parts[by.index()].inputs.get(slot)?;
@@ -86,7 +91,7 @@ impl Present {
     }
 
     /// A connector has its turn, if there is anything for it, and says nothing.
-    fn take(&mut self, core: &mut Core, by: ConnectorIx) {
+    fn take(&mut self, core: &mut TracerCore, by: ConnectorIx) {
         let inputs = (0..).zip(&core.wiring.parts[by.index()].inputs);
         let present = inputs.filter_map(|(slot, input)| Some((slot, self.now[input.index()].as_ref()?)));
         let newer = |best: (usize, _), other: (usize, _)| {
@@ -105,7 +110,7 @@ impl Present {
     }
 
     /// A connector stores what is present at its inputs.
-    fn store(&self, core: &mut Core, by: ConnectorIx) {
+    fn store(&self, core: &mut TracerCore, by: ConnectorIx) {
         let (part, cell) = (&core.wiring.parts[by.index()], &mut core.cells[by.index()]);
         for (slot, input) in part.inputs.iter().enumerate() {
             if let Some(cause) = &self.now[input.index()] {

@@ -1,8 +1,8 @@
 //! The tracer: hears what a run emits and keeps what can still cause a value.
 
-use crate::cause::{Cause, Seen, With};
-use crate::cell::Cell;
-use crate::core::Core;
+use crate::cause::{Cause, SeenValue, With};
+use crate::cell::TracedCell;
+use crate::core::TracerCore;
 use crate::event::Stack;
 use crate::frame::Present;
 use crate::wiring::Ids;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// every now and then.
 #[derive(Clone, Debug)]
 pub struct Tracer {
-    pub(crate) core: Core,
+    pub(crate) core: TracerCore,
     mode: Mode,
     /// The ids of each program that ran, in their order.
     programs: Vec<Ids>,
@@ -41,14 +41,14 @@ impl Tracer {
     /// For a run of this program that begins now.
     #[must_use]
     pub fn of(file: &BehaviourFile) -> Self {
-        Self { core: Core::of(file, 0, Millis(0)), mode: Mode::of(file), programs: vec![Ids::of(file)] }
+        Self { core: TracerCore::of(file, 0, Millis(0)), mode: Mode::of(file), programs: vec![Ids::of(file)] }
     }
 
     /// Hears an emission. Returns what caused it, of a value.
     pub fn hear(&mut self, emission: &Emission) -> Option<Arc<Cause>> {
         match *emission {
             Emission::Value { at, stream, value, by } => {
-                let seen = Seen { program: self.core.program, stream, at, value: value.clone() };
+                let seen = SeenValue { program: self.core.program, stream, at, value: value.clone() };
                 let by = by.map(|by| (by.connector(), by.slot() as usize));
                 Some(match &mut self.mode {
                     Mode::Event(stack) => stack.value(&mut self.core, seen, by),
@@ -85,7 +85,7 @@ impl Tracer {
     /// An edited program follows, as `matching` says: what means the same keeps what it remembers.
     pub fn follow(&mut self, file: &BehaviourFile, matching: &Matching, at: Millis) {
         self.settle();
-        let mut core = Core::of(file, self.programs.len(), at);
+        let mut core = TracerCore::of(file, self.programs.len(), at);
         for (&from, &to) in &matching.connectors {
             let (Some(old), Some(new)) = (self.core.cells.get_mut(from.index()), core.cells.get_mut(to.index())) else {
                 continue;
@@ -94,7 +94,7 @@ impl Tracer {
         }
         core.readings = self.core.readings;
         // What was forgotten frees its room.
-        core.room.count(core.cells.iter().flat_map(Cell::waiting));
+        core.room.count(core.cells.iter().flat_map(TracedCell::waiting));
         self.core = core;
         self.mode = Mode::of(file);
         self.programs.push(Ids::of(file));
@@ -123,7 +123,7 @@ impl Tracer {
     }
 
     /// The id of a value's stream.
-    pub(crate) fn stream(&self, seen: &Seen) -> String {
+    pub(crate) fn stream(&self, seen: &SeenValue) -> String {
         self.stream_id(seen.program, seen.stream)
     }
 

@@ -4,7 +4,7 @@ use crate::cell::{Last, Turn};
 use crate::tracer::Tracer;
 use behaviour::connectors::ConnectorMeaning;
 use engine::{ConnectorIx, StreamIx};
-use protocol::{Because, Blocked, WhyNot};
+use protocol::{Because, BlockedConnector, WhyNot};
 use robot::Millis;
 use std::collections::{BTreeSet, VecDeque};
 
@@ -12,13 +12,13 @@ use std::collections::{BTreeSet, VecDeque};
 const BLOCKED_MAX: usize = 200;
 
 /// The finding at a connector on the way up from a stream.
-enum Found {
+enum WhyNotFinding {
     /// This kept the value back.
-    Blocked(Blocked),
+    Blocked(BlockedConnector),
     /// It has nothing to say: whatever kept the value back is above these inputs.
     Above(Vec<usize>),
     /// Both.
-    Both(Blocked, Vec<usize>),
+    Both(BlockedConnector, Vec<usize>),
 }
 
 impl Tracer {
@@ -32,9 +32,9 @@ impl Tracer {
         while let Some(at) = open.pop_front() {
             for &connector in self.core.wiring.incoming.get(at.index()).into_iter().flatten() {
                 let (found, above) = match self.found(connector, from) {
-                    Found::Blocked(found) => (Some(found), Vec::new()),
-                    Found::Above(above) => (None, above),
-                    Found::Both(found, above) => (Some(found), above),
+                    WhyNotFinding::Blocked(found) => (Some(found), Vec::new()),
+                    WhyNotFinding::Above(above) => (None, above),
+                    WhyNotFinding::Both(found, above) => (Some(found), above),
                 };
                 blocked.extend(found);
                 for slot in above {
@@ -52,30 +52,32 @@ impl Tracer {
         WhyNot { stream: self.stream_id(self.core.program, stream), blocked }
     }
 
-    fn found(&self, connector: ConnectorIx, from: Millis) -> Found {
+    fn found(&self, connector: ConnectorIx, from: Millis) -> WhyNotFinding {
         let (part, cell) = (&self.core.wiring.parts[connector.index()], &self.core.cells[connector.index()]);
         let last = cell.last.as_ref().filter(|last| last.took.at >= from && last.turn != Turn::Gave);
         let all = || (0..part.inputs.len()).collect();
         match last {
             Some(last) if last.turn == Turn::Waits && part.knows_inputs() => {
-                Found::Both(self.blocked(connector, last), cell.unknown().collect())
+                WhyNotFinding::Both(self.blocked(connector, last), cell.unknown().collect())
             }
-            Some(last) => Found::Blocked(self.blocked(connector, last)),
+            Some(last) => WhyNotFinding::Blocked(self.blocked(connector, last)),
             None => match cell.holds() {
-                Some(held) => Found::Blocked(self.blocked(connector, &Last { turn: Turn::Waits, took: held.clone() })),
-                None if part.meaning == ConnectorMeaning::Latest => Found::Above(vec![0]),
-                None => Found::Above(all()),
+                Some(held) => {
+                    WhyNotFinding::Blocked(self.blocked(connector, &Last { turn: Turn::Waits, took: held.clone() }))
+                }
+                None if part.meaning == ConnectorMeaning::Latest => WhyNotFinding::Above(vec![0]),
+                None => WhyNotFinding::Above(all()),
             },
         }
     }
 
-    fn blocked(&self, connector: ConnectorIx, last: &Last) -> Blocked {
+    fn blocked(&self, connector: ConnectorIx, last: &Last) -> BlockedConnector {
         let because = match last.turn {
             Turn::Gave | Turn::Kept => Because::Kept,
             Turn::Failed => Because::Fault,
             Turn::Waits => Because::Waits,
         };
-        Blocked {
+        BlockedConnector {
             connector: self.connector(self.core.program, connector),
             stream: self.stream(&last.took),
             t: Some(last.took.at.0),
@@ -85,8 +87,8 @@ impl Tracer {
     }
 
     /// Nothing came from a source.
-    fn nothing(&self, connector: ConnectorIx, input: StreamIx) -> Blocked {
-        Blocked {
+    fn nothing(&self, connector: ConnectorIx, input: StreamIx) -> BlockedConnector {
+        BlockedConnector {
             connector: self.connector(self.core.program, connector),
             stream: self.stream_id(self.core.program, input),
             t: None,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(crate) struct Wiring {
     /// By connector.
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Vec<WiredConnector>,
     /// For every stream the connectors that take from it, in array order, and as which of their inputs.
     pub(crate) outgoing: Vec<Vec<(ConnectorIx, u32)>>,
     /// For every stream the connectors that give to it, in array order.
@@ -18,7 +18,7 @@ pub(crate) struct Wiring {
 
 /// A connector.
 #[derive(Debug)]
-pub(crate) struct Part {
+pub(crate) struct WiredConnector {
     pub(crate) meaning: ConnectorMeaning,
     pub(crate) inputs: Vec<StreamIx>,
     /// The time for which it lets values wait, in milliseconds.
@@ -56,7 +56,7 @@ impl Wiring {
                 wiring.incoming[output.index()].push(at);
             }
             let operation = operation.as_ref();
-            wiring.parts.push(Part {
+            wiring.parts.push(WiredConnector {
                 meaning: operation.map_or(ConnectorMeaning::PassesOn, |operation| operation.spec().meaning),
                 inputs,
                 period_ms: operation.and_then(|operation| operation.period_ms()).unwrap_or_default(),
@@ -67,7 +67,7 @@ impl Wiring {
     }
 }
 
-impl Part {
+impl WiredConnector {
     /// True if it gives by itself, later, what it took.
     pub(crate) fn gives_later(&self) -> bool {
         match self.meaning {

@@ -9,7 +9,7 @@ use behaviour::{BehaviourFile, Value};
 use causes::Traced;
 use chance::Chance;
 use engine::{Limits, Run};
-use protocol::{Because, Blocked};
+use protocol::{Because, BlockedConnector};
 use robot::Millis;
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
@@ -83,7 +83,7 @@ impl Chain {
 }
 
 /// The answer for a program that is fed these readings.
-fn blocked(chain: &Chain, engine: &Json, readings: &[(u64, i64)]) -> Vec<Blocked> {
+fn blocked(chain: &Chain, engine: &Json, readings: &[(u64, i64)]) -> Vec<BlockedConnector> {
     let file = json!({
         "format": "rrp-behaviour/1", "name": "", "helpers": [], "engine": engine,
         "streams": chain.streams, "connectors": chain.connectors,
@@ -120,7 +120,7 @@ fn the_connector_that_keeps_everything_back_is_named_first() {
         chance.shuffle(&mut chain.connectors);
         let readings: Vec<(u64, i64)> = (0..20).map(|at| (at * 100, at as i64)).collect();
         let told = blocked(&chain, &engine, &readings);
-        let wanted = Blocked { connector, stream, t: Some(LAST), value: Value::Int(19 + raised), because };
+        let wanted = BlockedConnector { connector, stream, t: Some(LAST), value: Value::Int(19 + raised), because };
         assert_eq!(told.first(), Some(&wanted), "seed {seed}, {engine}");
         // One that waits for another input is not all: nothing came from there.
         let missing = told.get(1).map(|missing| (missing.stream.as_str(), missing.because));
@@ -138,7 +138,7 @@ fn where_nothing_was_sensed_the_first_connector_says_so() {
         chain.passing(&mut chance);
         chain.add(r#"{"type":"subscribe"}"#, "", "actuator");
         let told = blocked(&chain, &json!("event"), &[(0, 1), (100, 2)]);
-        let nothing = Blocked {
+        let nothing = BlockedConnector {
             connector: "c0".to_owned(),
             stream: "ball".to_owned(),
             t: None,
@@ -155,7 +155,12 @@ fn a_value_that_waits_since_before_keeps_the_action_waiting() {
     let connector = chain.add(r#"{"type":"delay","periodMs":5000}"#, "", "ordinary");
     chain.add(r#"{"type":"subscribe"}"#, "", "actuator");
     let told = blocked(&chain, &json!("event"), &[(700, 7), (800, 8)]);
-    let waits =
-        Blocked { connector, stream: "ball".to_owned(), t: Some(700), value: Value::Int(7), because: Because::Waits };
+    let waits = BlockedConnector {
+        connector,
+        stream: "ball".to_owned(),
+        t: Some(700),
+        value: Value::Int(7),
+        because: Because::Waits,
+    };
     assert_eq!(told, [waits], "the one that comes next");
 }

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::program::read_program;
-use crate::replay::{Refused, parse_trace, refused};
-use crate::trace::{Reading, read_trace};
+use crate::replay::{ReplayRefused, parse_trace, refused};
+use crate::trace::{TraceReading, read_trace};
 use behaviour::BehaviourFile;
 use clap::Args;
 use engine::{Limits, Run};
@@ -49,7 +49,7 @@ pub(crate) struct BenchArgs {
 
 /// What is printed.
 #[derive(Debug, Serialize)]
-struct Measured {
+struct BenchFigures {
     events: u64,
     cpu_s: f64,
     p50_ns: u64,
@@ -74,40 +74,40 @@ pub(crate) fn bench(args: &BenchArgs) -> ExitCode {
     }
 }
 
-fn prepare(args: &BenchArgs) -> Result<(BehaviourFile, Vec<Reading>), Refused> {
-    let behaviour = |failure| Refused::Behaviour(vec![failure]);
+fn prepare(args: &BenchArgs) -> Result<(BehaviourFile, Vec<TraceReading>), ReplayRefused> {
+    let behaviour = |failure| ReplayRefused::Behaviour(vec![failure]);
     let file = read_program(&args.behaviour).map_err(behaviour)?;
     let run = build(args, &file)?;
-    let text = read_trace(&args.trace).map_err(Refused::Trace)?;
-    let readings = parse_trace(&text, &run).map_err(Refused::Trace)?;
+    let text = read_trace(&args.trace).map_err(ReplayRefused::Trace)?;
+    let readings = parse_trace(&text, &run).map_err(ReplayRefused::Trace)?;
     if readings.is_empty() {
-        return Err(Refused::Trace(Failure::NoReadings));
+        return Err(ReplayRefused::Trace(Failure::NoReadings));
     }
     Ok((file, readings))
 }
 
-fn build(args: &BenchArgs, file: &BehaviourFile) -> Result<Run, Refused> {
+fn build(args: &BenchArgs, file: &BehaviourFile) -> Result<Run, ReplayRefused> {
     let limits = Limits { compiled: !args.interpreted, ..Limits::default() };
-    Run::build(file, limits).map_err(Refused::engine)
+    Run::build(file, limits).map_err(ReplayRefused::engine)
 }
 
-fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[Reading]) -> Result<Measured, Refused> {
+fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[TraceReading]) -> Result<BenchFigures, ReplayRefused> {
     let mut builds = Vec::new();
     for _ in 0..BUILDS {
         let before = Instant::now();
         drop(black_box(build(args, file)?));
         builds.push(before.elapsed());
     }
-    let mut trace = Trace { readings, after_ms: 0 };
+    let mut trace = BenchTrace { readings, after_ms: 0 };
     let mut run = build(args, file)?;
     let before = spent();
     (0..args.repeat).for_each(|_| trace.play(&mut run));
     let cpu = spent().saturating_sub(before);
     if let Some(reason) = run.fault() {
-        return Err(Refused::Behaviour(vec![Failure::Ended(reason.to_string())]));
+        return Err(ReplayRefused::Behaviour(vec![Failure::Ended(reason.to_string())]));
     }
     let mut took = trace.timed(&mut run, args.repeat);
-    Ok(Measured {
+    Ok(BenchFigures {
         events: args.repeat.saturating_mul(readings.len() as u64),
         cpu_s: cpu.as_secs_f64(),
         p50_ns: nanos(share(&mut took, 50)),
@@ -118,13 +118,13 @@ fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[Reading]) -> Resu
 }
 
 /// The readings, one time after the other in logical time.
-struct Trace<'r> {
-    readings: &'r [Reading],
+struct BenchTrace<'r> {
+    readings: &'r [TraceReading],
     /// The end of the last time.
     after_ms: u64,
 }
 
-impl Trace<'_> {
+impl BenchTrace<'_> {
     fn play(&mut self, run: &mut Run) {
         for reading in self.readings {
             self.feed(run, reading);
@@ -132,7 +132,7 @@ impl Trace<'_> {
         self.next_time();
     }
 
-    fn feed(&self, run: &mut Run, (at, stream, value): &Reading) {
+    fn feed(&self, run: &mut Run, (at, stream, value): &TraceReading) {
         let at = Millis(self.after_ms.saturating_add(at.0));
         run.feed(at, *stream, value.clone(), &mut |emission| _ = black_box(&emission));
     }

@@ -8,7 +8,7 @@ use server::Knowing;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use store::files::{FileFault, Looked, Mode};
+use store::files::{FileFault, ImportMode, ReadFile};
 
 /// The most lines that are printed.
 const SHOWN_MAX_LINES: usize = 200;
@@ -32,7 +32,7 @@ pub(crate) struct CheckArgs {
 
 /// What was found.
 #[derive(Debug, Default, PartialEq)]
-struct Found {
+struct CheckFindings {
     /// Why it cannot be imported.
     refused: Vec<FileFault>,
     /// Why it cannot be started.
@@ -58,16 +58,16 @@ pub(crate) fn check(args: &CheckArgs) -> ExitCode {
     }
 }
 
-fn found(looked: &Looked) -> Found {
+fn found(looked: &ReadFile) -> CheckFindings {
     let Some(mut file) = looked.file.clone() else {
-        return Found { refused: looked.faults.clone(), ..Found::default() };
+        return CheckFindings { refused: looked.faults.clone(), ..CheckFindings::default() };
     };
     // As an import would.
     file.read_as_meant();
     let file = &file;
     let knowing = Knowing::default();
     match graph(file, &knowing) {
-        Err(reasons) => Found { refused: looked.place(&reasons), ..Found::default() },
+        Err(reasons) => CheckFindings { refused: looked.place(&reasons), ..CheckFindings::default() },
         Ok(behaviour) => problems(file, &behaviour, looked, &knowing),
     }
 }
@@ -80,7 +80,7 @@ fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<Failu
         number += 1;
         Id::from_uuid(uuid::Uuid::from_u128(number))
     };
-    let brought = store::files::import(file, Mode::Restore, &Behaviour::default(), "", new_id);
+    let brought = store::files::import(file, ImportMode::Restore, &Behaviour::default(), "", new_id);
     let brought = brought.map_err(|faults| faults.into_iter().map(Failure::Unfit).collect::<Vec<_>>())?;
     let helpers = brought.library.as_slice();
     let keeps = |changes| Room::rehearse(changes, knowing);
@@ -100,7 +100,7 @@ fn records(faults: &[impl ToString]) -> Vec<Failure> {
     faults.iter().map(|fault| Failure::Record(fault.to_string())).collect()
 }
 
-fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked, knowing: &Knowing) -> Found {
+fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &ReadFile, knowing: &Knowing) -> CheckFindings {
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();
     let all = behaviour::problems(behaviour, &helpers, knowing);
@@ -112,10 +112,10 @@ fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked, knowin
     if blocks.is_empty() {
         blocks = looked.place(&engine_says(file));
     }
-    Found { refused: Vec::new(), blocks, hints: looked.place(&said(false)) }
+    CheckFindings { refused: Vec::new(), blocks, hints: looked.place(&said(false)) }
 }
 
-fn print(name: &str, found: &Found) -> std::io::Result<()> {
+fn print(name: &str, found: &CheckFindings) -> std::io::Result<()> {
     let mut out = std::io::stdout().lock();
     let all: Vec<_> = [&found.refused, &found.blocks, &found.hints].into_iter().flatten().collect();
     for fault in all.iter().take(SHOWN_MAX_LINES) {
@@ -132,7 +132,7 @@ fn print(name: &str, found: &Found) -> std::io::Result<()> {
     writeln!(out, "{name}: {verdict}")
 }
 
-fn print_json(name: &str, found: &Found) -> std::io::Result<()> {
+fn print_json(name: &str, found: &CheckFindings) -> std::io::Result<()> {
     let lines = |faults: &[FileFault], blocks: bool| {
         let line = move |fault: &FileFault| {
             let FileFault { line, column, reason } = fault;

@@ -5,7 +5,7 @@ mod mcap;
 use crate::failure::Failure;
 use crate::trace::read_trace;
 use clap::{Args, ValueEnum};
-use recording::{Keep, Timeline};
+use recording::{PrivateParts, Timeline};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ pub(crate) struct ConvertArgs {
     recording: PathBuf,
     /// The form to write.
     #[arg(long, value_enum)]
-    to: Form,
+    to: ConvertForm,
     /// The file to write instead of standard output.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -46,7 +46,7 @@ pub(crate) struct ConvertArgs {
 
 /// The form of another program.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Form {
+enum ConvertForm {
     /// A table for spreadsheets: everything, a line each.
     Csv,
     /// ELAN: marks, actions and troubles as tiers.
@@ -62,7 +62,7 @@ enum Form {
 /// Converts, or says why not.
 pub(crate) fn convert(args: &ConvertArgs) -> Result<(), Failure> {
     let text = read_trace(&args.recording)?;
-    let keep = Keep { names: args.names, personal: args.personal };
+    let keep = PrivateParts { names: args.names, personal: args.personal };
     let timeline = recording::timeline(&text, &later_marks(&args.recording)?, keep)
         .map_err(|recording::NoRecording| Failure::Differs(recording::Different::NoRecording))?;
     let bytes = written(&timeline, args)?;
@@ -75,11 +75,13 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<(), Failure> {
 fn written(timeline: &Timeline, args: &ConvertArgs) -> Result<Vec<u8>, Failure> {
     let of = |form: report::Form| form.written(timeline).map_err(Failure::UnwrittenOut);
     Ok(match args.to {
-        Form::Csv => of(report::Form::Csv(if args.semicolon { ';' } else { ',' }))?,
-        Form::Eaf => of(report::Form::Eaf)?,
-        Form::Boris => of(report::Form::Boris)?,
-        Form::Vtt => of(report::Form::Vtt)?,
-        Form::Mcap => mcap::written(timeline).map_err(|why| Failure::UnwrittenOut(std::io::Error::other(why)))?,
+        ConvertForm::Csv => of(report::Form::Csv(if args.semicolon { ';' } else { ',' }))?,
+        ConvertForm::Eaf => of(report::Form::Eaf)?,
+        ConvertForm::Boris => of(report::Form::Boris)?,
+        ConvertForm::Vtt => of(report::Form::Vtt)?,
+        ConvertForm::Mcap => {
+            mcap::written(timeline).map_err(|why| Failure::UnwrittenOut(std::io::Error::other(why)))?
+        }
     })
 }
 

@@ -1,8 +1,8 @@
 //! `rrp export`: a behaviour with its helpers as a file to carry.
 
 use crate::failure::Failure;
-use crate::link::Link;
-use crate::store_at::{Named, StoreArgs, Way, find, library, listed, run};
+use crate::link::LocalServer;
+use crate::store_at::{NamedBehaviour, StoreArgs, StoreWay, find, library, listed, run};
 use behaviour::{Behaviour, BehaviourFile, Helper, Id};
 use clap::{Args, ValueEnum};
 use std::io::Write;
@@ -45,11 +45,11 @@ enum Format {
 pub(crate) fn export(args: &ExportArgs) -> Result<(), Failure> {
     let text = run(async {
         match args.at.way().await? {
-            Way::Store(store) => {
+            StoreWay::Store(store) => {
                 let id = find(&listed(&*store).await?, &args.behaviour)?;
                 written(&file(&*store, &id).await?, args.format)
             }
-            Way::Server(link) => through(&link, args).await,
+            StoreWay::Server(link) => through(&link, args).await,
         }
     })?;
     let named = |error: std::io::Error| match &args.out {
@@ -71,8 +71,8 @@ fn written(file: &BehaviourFile, format: Format) -> Result<String, Failure> {
 }
 
 /// The file as the server gives it that has the store.
-async fn through(link: &Link, args: &ExportArgs) -> Result<String, Failure> {
-    let listed: Vec<Named> =
+async fn through(link: &LocalServer, args: &ExportArgs) -> Result<String, Failure> {
+    let listed: Vec<NamedBehaviour> =
         serde_json::from_str(&link.get("/api/behaviours").await?.text().await?).map_err(Failure::StrangeList)?;
     let ending = match args.format {
         Format::Json => "json",

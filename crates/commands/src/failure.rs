@@ -1,6 +1,6 @@
 //! Why a command did not do what it should. What is said about it stands in `words.rs`; only `main` prints it.
 
-use crate::no_answer::NoAnswer;
+use crate::no_answer::WhyFailure;
 use behaviour::Refusal;
 use server::{BackupMisfit, ServeError};
 use std::error::Error;
@@ -8,8 +8,8 @@ use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use store::StoreError;
-use store::backup::{BackupError, Difference};
-use store::files::{FileFault, NoXml, Unfit};
+use store::backup::{BackupError, StoreDifference};
+use store::files::{FileFault, ImportError, NoXml};
 
 /// Why a command did not do what it should.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ pub(crate) enum Failure {
     /// The data folder cannot be written.
     DataFolder(io::Error),
     /// In these the copied store differs from the first one.
-    Differences(Vec<Difference>),
+    Differences(Vec<StoreDifference>),
     /// This file could not be opened.
     Unopened(PathBuf, io::Error),
     /// This file could not be written.
@@ -75,9 +75,9 @@ pub(crate) enum Failure {
     /// No server runs on this data folder.
     NoServer(PathBuf),
     /// The running server does not answer.
-    Silent(SocketAddr, Foreign),
+    Silent(SocketAddr, BoxError),
     /// The running server ended its answer too early.
-    CutOff(Foreign),
+    CutOff(BoxError),
     /// The running server's list cannot be read.
     StrangeList(serde_json::Error),
     /// The running server's answer cannot be read.
@@ -95,7 +95,7 @@ pub(crate) enum Failure {
     /// A record of the file is not as it should be; said with its id first.
     Record(String),
     /// The file cannot be imported.
-    Unfit(Unfit),
+    Unfit(ImportError),
     /// The rules refuse it.
     Refused(Refusal),
     /// Somebody else changed the store meanwhile.
@@ -105,9 +105,9 @@ pub(crate) enum Failure {
     /// This file should have readings, and is something else; with what it is.
     NoTrace(PathBuf, String),
     /// The engine cannot run it.
-    Engine(engine::Fault),
+    Engine(engine::GraphFault),
     /// The engine cannot run what a file holds, whose lines are not those of a procedure.
-    EngineOfFile(engine::Fault),
+    EngineOfFile(engine::GraphFault),
     /// It ended by itself; with the engine's reason.
     Ended(String),
     /// The behaviour of this name ended by itself; with the engine's reason.
@@ -122,18 +122,18 @@ pub(crate) enum Failure {
         behaviours: usize,
     },
     /// Nothing can be told about why something came or did not.
-    NoAnswer(NoAnswer),
+    NoAnswer(WhyFailure),
     /// The trace has nothing to play.
     NoReadings,
     /// This line of a trace makes no sense.
-    TraceLine(usize, Senseless),
+    TraceLine(usize, TraceLineError),
     /// This line of a recording makes no sense.
-    RecordingLine(usize, Senseless),
+    RecordingLine(usize, TraceLineError),
 }
 
 /// Why a line of a trace makes no sense.
 #[derive(Debug)]
-pub(crate) enum Senseless {
+pub(crate) enum TraceLineError {
     /// It is no JSON object.
     NoReading,
     /// It has no time.
@@ -171,7 +171,7 @@ pub(crate) enum Senseless {
 }
 
 /// What a library complains about.
-pub(crate) type Foreign = Box<dyn Error + Send + Sync>;
+pub(crate) type BoxError = Box<dyn Error + Send + Sync>;
 
 impl From<StoreError> for Failure {
     fn from(error: StoreError) -> Self {
@@ -185,7 +185,7 @@ impl From<BackupError> for Failure {
     }
 }
 
-impl From<serde_json::Error> for Senseless {
+impl From<serde_json::Error> for TraceLineError {
     fn from(_: serde_json::Error) -> Self {
         Self::NoReading
     }

@@ -3,11 +3,11 @@
 mod batch;
 
 use crate::failure::Failure;
-use crate::link::Link;
+use crate::link::LocalServer;
 use crate::patience;
 use crate::program::read_bytes;
-use crate::store_at::{self, Named, StoreArgs, Way, run};
-use batch::{Batch, Goes};
+use crate::store_at::{self, NamedBehaviour, StoreArgs, StoreWay, run};
+use batch::{FileBatch, Goes};
 use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
 use clap::Args;
 use server::{Knowing, free_name};
@@ -15,7 +15,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
-use store::files::{FILE_MAX_BYTES, FileFault, Import, Looked, Mode};
+use store::files::{FILE_MAX_BYTES, FileFault, Import, ImportMode, ReadFile};
 use store::{Append, LIBRARY, Store};
 
 /// Brings files into a store: the behaviours, and the helpers that its library does not have yet.
@@ -47,15 +47,15 @@ pub(crate) fn import(args: &ImportArgs) -> ExitCode {
     let done = run(async {
         let (way, files) = (args.at.way().await?, given(args).await?);
         match way {
-            Way::Store(store) => patience::told(&args.at.url()?, into_store(&*store, &files, args.restore)).await,
-            Way::Server(link) => through_server(&link, files, args.restore).await,
+            StoreWay::Store(store) => patience::told(&args.at.url()?, into_store(&*store, &files, args.restore)).await,
+            StoreWay::Server(link) => through_server(&link, files, args.restore).await,
         }
     });
     crate::ended(done)
 }
 
 async fn into_store(store: &dyn Store, files: &[(PathBuf, Vec<u8>)], restore: bool) -> Result<(), Failure> {
-    let batch = Batch::in_store(store, files).await?;
+    let batch = FileBatch::in_store(store, files).await?;
     for (at, (file, bytes)) in files.iter().enumerate() {
         let goes = if restore { None } else { Some(batch.goes(store, at, bytes, now_ms()).await?) };
         match goes {
@@ -67,10 +67,10 @@ async fn into_store(store: &dyn Store, files: &[(PathBuf, Vec<u8>)], restore: bo
     Ok(())
 }
 
-async fn through_server(link: &Link, files: Vec<(PathBuf, Vec<u8>)>, restore: bool) -> Result<(), Failure> {
+async fn through_server(link: &LocalServer, files: Vec<(PathBuf, Vec<u8>)>, restore: bool) -> Result<(), Failure> {
     let listed = link.get("/api/behaviours").await?.text().await?;
-    let listed: Vec<Named> = serde_json::from_str(&listed).map_err(Failure::StrangeList)?;
-    let batch = Batch::among(&listed.into_iter().map(|named| named.id).collect(), &files);
+    let listed: Vec<NamedBehaviour> = serde_json::from_str(&listed).map_err(Failure::StrangeList)?;
+    let batch = FileBatch::among(&listed.into_iter().map(|named| named.id).collect(), &files);
     for (at, (file, bytes)) in files.into_iter().enumerate() {
         let id = (!restore).then(|| batch.id(at, 0));
         let brought = through(link, &file, bytes, id).await?;
@@ -92,7 +92,7 @@ async fn given(args: &ImportArgs) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
 /// What came of a file.
 #[derive(serde::Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Brought {
+struct ImportOutcome {
     id: Id,
     name: String,
     renamed_helpers: Vec<(String, String)>,
@@ -101,14 +101,14 @@ struct Brought {
     was_here: bool,
 }
 
-impl From<Import> for Brought {
+impl From<Import> for ImportOutcome {
     fn from(import: Import) -> Self {
         Self { id: import.behaviour, name: import.name, renamed_helpers: import.renamed, was_here: false }
     }
 }
 
 /// Imports a file through the server that has the store, as a copy of this id or as itself.
-async fn through(link: &Link, path: &Path, bytes: Vec<u8>, copy: Option<Id>) -> Result<Brought, Failure> {
+async fn through(link: &LocalServer, path: &Path, bytes: Vec<u8>, copy: Option<Id>) -> Result<ImportOutcome, Failure> {
     #[derive(serde::Deserialize)]
     struct No {
         error: String,
@@ -127,7 +127,7 @@ async fn through(link: &Link, path: &Path, bytes: Vec<u8>, copy: Option<Id>) -> 
     Err(Failure::ServerSaysOf(path.to_owned(), error))
 }
 
-fn tell(file: &Path, brought: &Brought) {
+fn tell(file: &Path, brought: &ImportOutcome) {
     let mut out = std::io::stdout().lock();
     let _ = writeln!(out, "{}: “{}” is here now, as {}.", file.display(), brought.name, brought.id);
     for (old, new) in &brought.renamed_helpers {
@@ -144,8 +144,8 @@ async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], copy: Option<I
     let mut looked = store::files::look(bytes);
     let named = |faults: Vec<FileFault>| Failure::Faults(path.to_owned(), faults);
     let Some(mut file) = looked.file.take() else { return Err(named(looked.faults)) };
-    let mode = if copy.is_some() { Mode::Copy } else { Mode::Restore };
-    if mode == Mode::Restore {
+    let mode = if copy.is_some() { ImportMode::Copy } else { ImportMode::Restore };
+    if mode == ImportMode::Restore {
         check_absent(store, &file).await?;
     }
     file.name = free_name(store, file.name.trim()).await?;
@@ -157,7 +157,12 @@ async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], copy: Option<I
     Ok(brought)
 }
 
-fn judged(file: &BehaviourFile, mode: Mode, library: &Behaviour, looked: &Looked) -> Result<Import, Vec<FileFault>> {
+fn judged(
+    file: &BehaviourFile,
+    mode: ImportMode,
+    library: &Behaviour,
+    looked: &ReadFile,
+) -> Result<Import, Vec<FileFault>> {
     file.records(|_| None).map_err(|faults| looked.place(&faults))?;
     let new_id = || Id::from_uuid(uuid::Uuid::new_v4());
     let brought = store::files::import(file, mode, library, "rrp import", new_id);

@@ -1,16 +1,16 @@
 //! `rrp backup`, `rrp restore` and `rrp migrate`: a whole store at once.
 
 use crate::failure::Failure;
-use crate::link::Link;
+use crate::link::LocalServer;
 use crate::patience;
-use crate::store_at::{StoreArgs, Way, open, open_to_fill, run};
+use crate::store_at::{StoreArgs, StoreWay, open, open_to_fill, run};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fs::File;
 use std::io::{BufReader, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
-use store::backup::{BackupError, Counted, Robot};
+use store::backup::{BackedUpRobot, BackupError, Counted};
 use store::{Filling, FolderLock, Store};
 
 /// How often the bar is drawn, in times a second.
@@ -63,11 +63,11 @@ pub(crate) fn backup(args: &BackupArgs) -> Result<(), Failure> {
     let (part, bar) = (part(&args.file), Bar::new());
     let done = run(async {
         match args.at.way().await? {
-            Way::Store(store) => {
+            StoreWay::Store(store) => {
                 let robots = args.at.folder().map(|folder| server::robots_in(&folder)).unwrap_or_default();
                 Ok(write(&*store, &robots, &part, &bar).await?)
             }
-            Way::Server(link) => fetch(&link, &part).await,
+            StoreWay::Server(link) => fetch(&link, &part).await,
         }
     });
     let done = done.and_then(|done| {
@@ -91,7 +91,7 @@ fn part(file: &Path) -> PathBuf {
     file.with_file_name(name)
 }
 
-async fn write(store: &dyn Store, robots: &[Robot], part: &Path, bar: &Bar) -> Result<Counted, BackupError> {
+async fn write(store: &dyn Store, robots: &[BackedUpRobot], part: &Path, bar: &Bar) -> Result<Counted, BackupError> {
     let to = Mutex::new(BufWriter::new(store::disk::create(part)?));
     let put = |line: String| {
         let written = to.lock().unwrap_or_else(PoisonError::into_inner).write_all(line.as_bytes());
@@ -109,7 +109,7 @@ async fn write(store: &dyn Store, robots: &[Robot], part: &Path, bar: &Bar) -> R
 }
 
 /// Has a backup written by the server that has the store.
-async fn fetch(link: &Link, part: &Path) -> Result<Counted, Failure> {
+async fn fetch(link: &LocalServer, part: &Path) -> Result<Counted, Failure> {
     let unwritten = |error| Failure::Unwritten(part.to_owned(), error);
     let mut file = BufWriter::new(store::disk::create(part).map_err(unwritten)?);
     link.get("/api/backup").await?.copy(&mut file).await?;
@@ -150,7 +150,7 @@ fn lock_beside(at: &StoreArgs) -> Result<Option<FolderLock>, Failure> {
 }
 
 /// Where the robots go, when the restore goes on or is new.
-fn folder_for(at: &StoreArgs, robots: &[Robot], goes_on: bool) -> Result<Option<PathBuf>, Failure> {
+fn folder_for(at: &StoreArgs, robots: &[BackedUpRobot], goes_on: bool) -> Result<Option<PathBuf>, Failure> {
     let folder = at.folder().filter(|folder| folder.is_dir() || !robots.is_empty());
     match &folder {
         Some(folder) => server::check_robots(folder, robots, goes_on).map_err(Failure::Robots)?,

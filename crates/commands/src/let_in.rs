@@ -1,14 +1,14 @@
 //! `rrp open` and `rrp invite`: links of a running server, for a browser of this computer and for others.
 
 use crate::failure::Failure;
-use crate::link::Link;
+use crate::link::LocalServer;
 use crate::listening::tell_invitation;
 use crate::store_at::{StoreArgs, run};
 use clap::{Args, ValueEnum};
 use host_key::HostKey;
 use protocol::{HOST_LINK_PATH, Lasts, Reply, Request, Role};
 use serde::Deserialize;
-use server::Invited;
+use server::InvitedFrom;
 use shell::Client;
 use std::io::{self, Write};
 
@@ -82,19 +82,19 @@ impl StoreArgs {
 /// Prints a link for a browser of this computer.
 pub(crate) fn open(args: &OpenArgs) -> Result<(), Failure> {
     run(async {
-        let answer = Link { address: args.at.server()?.address }.post(HOST_LINK_PATH, Vec::new()).await?;
+        let answer = LocalServer { address: args.at.server()?.address }.post(HOST_LINK_PATH, Vec::new()).await?;
         let (fine, text) = (answer.fine, answer.text().await?);
         if !fine {
             return Err(Failure::ServerSays(text.trim().to_owned()));
         }
-        let made: Made = serde_json::from_str(&text).map_err(Failure::StrangeAnswer)?;
+        let made: InvitationAnswer = serde_json::from_str(&text).map_err(Failure::StrangeAnswer)?;
         tell_host_link(&mut io::stdout().lock(), &made.link).map_err(Failure::Untold)
     })
 }
 
 /// What the server answers.
 #[derive(Deserialize)]
-struct Made {
+struct InvitationAnswer {
     link: String,
 }
 
@@ -111,7 +111,7 @@ pub(crate) fn invite(args: InviteArgs) -> Result<(), Failure> {
         let (role, lasts) = (args.role.into(), args.lasts.into());
         match client.ask(Request::Invite { role, lasts, label: args.label }).await {
             Ok(Reply::Invited { link, qr, fingerprint, .. }) => {
-                let invited = Invited { role, lasts, link, qr, fingerprint };
+                let invited = InvitedFrom { role, lasts, link, qr, fingerprint };
                 tell_invitation(&mut io::stdout().lock(), &invited).map_err(Failure::Untold)
             }
             Ok(_) => Err(Failure::ServerSays("The server does not answer with an invitation.".into())),

@@ -30,20 +30,20 @@ mod words;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
-use server::Page;
+use server::PageFiles;
 use std::io::Write;
 use std::process::ExitCode;
 
 /// Robot behaviours made together: a page for therapists, a robot or its simulation, and tools around them.
 #[derive(Debug, Parser)]
 #[command(name = "rrp", version, after_help = EXAMPLES)]
-struct Line {
+struct CommandLine {
     #[command(subcommand)]
-    what: What,
+    what: CommandChoice,
 }
 
 #[derive(Debug, Subcommand)]
-enum What {
+enum CommandChoice {
     Serve(serve::ServeArgs),
     Open(let_in::OpenArgs),
     Invite(let_in::InviteArgs),
@@ -65,7 +65,7 @@ enum What {
     Migrate(keep::MigrateArgs),
 }
 
-impl What {
+impl CommandChoice {
     /// True if it is a server, or may talk to one by what is remembered of this user's servers.
     fn uses_a_server(&self) -> bool {
         let only_files = matches!(
@@ -116,33 +116,33 @@ const EXAMPLES: &str = "Examples:
 /// with help on standard error and exit code 2.
 ///
 /// The server shows `page`.
-pub fn run(page: Page) -> ExitCode {
-    let what = Line::parse().what;
+pub fn run(page: PageFiles) -> ExitCode {
+    let what = CommandLine::parse().what;
     if what.uses_a_server()
         && let Err(failure) = data_folder::state_is_whole()
     {
         return failed(&[failure], 1);
     }
     match what {
-        What::Serve(args) => serve::serve(args, page),
-        What::Open(args) => ended(let_in::open(&args)),
-        What::Invite(args) => ended(let_in::invite(args)),
-        What::Shell(args) => console(&args.url),
-        What::Robot(args) => robot::robot(&args),
-        What::Replay(args) => replay::replay(&args),
-        What::Why(args) => why::why(&args),
-        What::Convert(args) => ended(convert::convert(&args)),
-        What::Bench(args) => bench::bench(&args),
-        What::Load(args) => load::load(&args),
-        What::Devices(args) => devices::devices(&args),
-        What::Export(args) => ended(export::export(&args)),
-        What::Import(args) => import::import(&args),
-        What::Check(args) => check::check(&args),
-        What::Explain(args) => explain::explain(&args),
-        What::Build(args) => build::build(&args),
-        What::Backup(args) => ended(keep::backup(&args)),
-        What::Restore(args) => ended(keep::restore(&args)),
-        What::Migrate(args) => ended(keep::migrate(&args)),
+        CommandChoice::Serve(args) => serve::serve(args, page),
+        CommandChoice::Open(args) => ended(let_in::open(&args)),
+        CommandChoice::Invite(args) => ended(let_in::invite(args)),
+        CommandChoice::Shell(args) => console(&args.url),
+        CommandChoice::Robot(args) => robot::robot(&args),
+        CommandChoice::Replay(args) => replay::replay(&args),
+        CommandChoice::Why(args) => why::why(&args),
+        CommandChoice::Convert(args) => ended(convert::convert(&args)),
+        CommandChoice::Bench(args) => bench::bench(&args),
+        CommandChoice::Load(args) => load::load(&args),
+        CommandChoice::Devices(args) => devices::devices(&args),
+        CommandChoice::Export(args) => ended(export::export(&args)),
+        CommandChoice::Import(args) => import::import(&args),
+        CommandChoice::Check(args) => check::check(&args),
+        CommandChoice::Explain(args) => explain::explain(&args),
+        CommandChoice::Build(args) => build::build(&args),
+        CommandChoice::Backup(args) => ended(keep::backup(&args)),
+        CommandChoice::Restore(args) => ended(keep::restore(&args)),
+        CommandChoice::Migrate(args) => ended(keep::migrate(&args)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The way to a store through the running server that uses it.
 
-use crate::failure::{Failure, Foreign};
+use crate::failure::{BoxError, Failure};
 use http_body_util::{BodyExt, Full};
 use hyper::body::{Bytes, Incoming};
 use hyper::client::conn::http1;
@@ -18,18 +18,18 @@ const CONNECT_MS: u64 = 3_000;
 const SILENT_MS: u64 = 60_000;
 
 /// A running server on this computer.
-pub(crate) struct Link {
+pub(crate) struct LocalServer {
     pub(crate) address: SocketAddr,
 }
 
 /// What the server said.
-pub(crate) struct Answer {
+pub(crate) struct ServerAnswer {
     /// True if it did what was asked.
     pub(crate) fine: bool,
     body: Incoming,
 }
 
-impl Answer {
+impl ServerAnswer {
     /// All of the text.
     pub(crate) async fn text(self) -> Result<String, Failure> {
         let mut text = Vec::new();
@@ -48,23 +48,23 @@ impl Answer {
     }
 }
 
-impl Link {
+impl LocalServer {
     /// Asks for something.
-    pub(crate) async fn get(&self, path: &str) -> Result<Answer, Failure> {
+    pub(crate) async fn get(&self, path: &str) -> Result<ServerAnswer, Failure> {
         self.ask(Method::GET, path, Bytes::new()).await
     }
 
     /// Sends something.
-    pub(crate) async fn post(&self, path: &str, body: Vec<u8>) -> Result<Answer, Failure> {
+    pub(crate) async fn post(&self, path: &str, body: Vec<u8>) -> Result<ServerAnswer, Failure> {
         self.ask(Method::POST, path, body.into()).await
     }
 
-    async fn ask(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, Failure> {
+    async fn ask(&self, method: Method, path: &str, body: Bytes) -> Result<ServerAnswer, Failure> {
         let answer = self.exchange(method, path, body).await;
         answer.map_err(|error| Failure::Silent(self.address, error))
     }
 
-    async fn exchange(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, Foreign> {
+    async fn exchange(&self, method: Method, path: &str, body: Bytes) -> Result<ServerAnswer, BoxError> {
         let (address, origin) = (self.address, format!("http://{}", self.address));
         let request = Request::builder().method(method).uri(path);
         let mut request = request.header(HOST, address.to_string()).header(ORIGIN, origin);
@@ -77,7 +77,7 @@ impl Link {
         // Ends with the answer; what is wrong with it is told there.
         drop(tokio::spawn(connection));
         let answer = within(SILENT_MS, server.send_request(request)).await??;
-        Ok(Answer { fine: answer.status() == StatusCode::OK, body: answer.into_body() })
+        Ok(ServerAnswer { fine: answer.status() == StatusCode::OK, body: answer.into_body() })
     }
 }
 
@@ -86,6 +86,6 @@ async fn within<T>(ms: u64, work: impl Future<Output = T>) -> Result<T, tokio::t
     tokio::time::timeout(Duration::from_millis(ms), work).await
 }
 
-fn cut_off(error: impl Into<Foreign>) -> Failure {
+fn cut_off(error: impl Into<BoxError>) -> Failure {
     Failure::CutOff(error.into())
 }

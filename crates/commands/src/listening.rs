@@ -3,7 +3,7 @@
 use crate::failure::{Failure, ListenConflict};
 use clap::Args;
 use protocol::{Lasts, Role};
-use server::{Invited, Network, Secured};
+use server::{GuestNetwork, InvitedFrom, Secured};
 use std::io::{self, IsTerminal, Write};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
@@ -38,18 +38,18 @@ pub(crate) struct Listening {
 
 impl Listening {
     /// The address for this computer, and the way in for others if there is one.
-    pub(crate) fn ways(self) -> Result<(SocketAddr, Option<Network>), Failure> {
+    pub(crate) fn ways(self) -> Result<(SocketAddr, Option<GuestNetwork>), Failure> {
         self.sorted().map_err(Failure::Listening)
     }
 
-    fn sorted(self) -> Result<(SocketAddr, Option<Network>), ListenConflict> {
+    fn sorted(self) -> Result<(SocketAddr, Option<GuestNetwork>), ListenConflict> {
         let Self { mut listen, cert, key, behind_proxy } = self;
         if let Some(origin) = behind_proxy {
             let network = listen.pop().ok_or(ListenConflict::NoNetwork)?;
             let origin = origin_of(&origin).ok_or(ListenConflict::Origin(origin))?;
             let local = only(listen)?.filter(|local| local.ip().is_loopback());
             let local = local.unwrap_or_else(|| beside(network));
-            return Ok((local, Some(Network { listen: network, secured: Secured::Proxy { origin } })));
+            return Ok((local, Some(GuestNetwork { listen: network, secured: Secured::Proxy { origin } })));
         }
         let (own, others): (Vec<_>, Vec<_>) = listen.into_iter().partition(|address| address.ip().is_loopback());
         let (own, others) = (only(own)?, only(others)?);
@@ -59,7 +59,7 @@ impl Listening {
             None => Secured::Made,
         };
         let local = own.unwrap_or_else(|| others.map_or(USUAL, beside));
-        Ok((local, others.map(|listen| Network { listen, secured })))
+        Ok((local, others.map(|listen| GuestNetwork { listen, secured })))
     }
 }
 
@@ -98,7 +98,7 @@ fn origin_of(said: &str) -> Option<String> {
 }
 
 /// Says how the first one comes in from elsewhere; on a terminal with a picture for phones.
-pub(crate) fn tell_invitation(out: &mut (impl Write + IsTerminal), invited: &Invited) -> io::Result<()> {
+pub(crate) fn tell_invitation(out: &mut (impl Write + IsTerminal), invited: &InvitedFrom) -> io::Result<()> {
     let (who, lasts) = (may(invited.role), lasting(invited.lasts));
     writeln!(out, "\nTo let somebody in who may {who}, give them this link. It works {lasts}:\n{}", invited.link)?;
     if out.is_terminal() {

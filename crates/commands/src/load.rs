@@ -1,8 +1,8 @@
 //! `rrp load`: many people at once on a running server, what they wait for, and whether all see the same in the end.
 
-use ::load::{Plan, Report, Wrong, run, tidy};
+use ::load::{LoadPlan, Report, Wrong, run, tidy};
 use clap::Args;
-use shell::Trouble;
+use shell::ClientError;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -65,11 +65,11 @@ fn pace(text: &str) -> Result<f64, String> {
 }
 
 impl LoadArgs {
-    fn plan(&self) -> Plan {
+    fn plan(&self) -> LoadPlan {
         let Self { clients, behaviours, stalled, kills, seconds, seed, .. } = *self;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0.1 to 50 each second")]
         let edits_per_10_s = (self.edits * 10.0).round() as u32;
-        Plan { clients, behaviours, edits_per_10_s, stalled, kills, seconds, seed }
+        LoadPlan { clients, behaviours, edits_per_10_s, stalled, kills, seconds, seed }
     }
 }
 
@@ -91,7 +91,7 @@ pub(crate) fn load(args: &LoadArgs) -> ExitCode {
     }
 }
 
-async fn loaded(args: &LoadArgs) -> Result<Report, Trouble> {
+async fn loaded(args: &LoadArgs) -> Result<Report, ClientError> {
     let report = run(&args.url, &args.plan()).await?;
     if !args.keep {
         tidy(&args.url, &report.known).await?;

@@ -4,7 +4,7 @@ use recording::Different;
 
 /// Why there is nothing to tell.
 #[derive(Debug)]
-pub(crate) enum NoAnswer {
+pub(crate) enum WhyFailure {
     /// No stream has this id, or no action this name; with those that there are.
     NoStream { wanted: String, is_action: bool, names: Vec<String> },
     /// The stream has so few values then.

@@ -8,7 +8,7 @@ use std::time::Duration;
 use store::{Store, StoreError};
 use tokio::time::Instant;
 
-type Opening<'a> = Pin<Box<dyn Future<Output = Result<Arc<dyn Store>, StoreError>> + 'a>>;
+type OpeningAnswer<'a> = Pin<Box<dyn Future<Output = Result<Arc<dyn Store>, StoreError>> + 'a>>;
 
 /// How long a command waits for a database to come.
 const COMES_MAX: Duration = Duration::from_secs(60);
@@ -25,7 +25,7 @@ where
     F: Future<Output = Result<Arc<dyn Store>, StoreError>> + 'a,
 {
     // In a box, or else what waits for it would be too deep for the compiler.
-    let attempt = || -> Opening<'a> { Box::pin(attempt()) };
+    let attempt = || -> OpeningAnswer<'a> { Box::pin(attempt()) };
     if !is_elsewhere(url) {
         return attempt().await;
     }

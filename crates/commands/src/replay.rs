@@ -7,7 +7,7 @@ mod recording;
 
 use crate::failure::Failure;
 use crate::program::read_program;
-use crate::trace::{Reading, parse_lines, read_trace};
+use crate::trace::{TraceReading, parse_lines, read_trace};
 use behaviour::{BehaviourFile, Engine};
 use clap::{Args, ValueEnum};
 use engine::{Limits, Run};
@@ -54,7 +54,7 @@ pub(crate) struct ReplayArgs {
     errors: bool,
     /// How time runs; what the behaviour says if absent.
     #[arg(long, value_enum)]
-    mode: Option<Mode>,
+    mode: Option<ReplayMode>,
     /// The length of a frame in milliseconds, in frame mode.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1000))]
     frame_ms: Option<u64>,
@@ -72,7 +72,7 @@ const EXAMPLES: &str = "Examples:
 
 /// How time runs.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub(crate) enum Mode {
+pub(crate) enum ReplayMode {
     /// Every reading at its own instant.
     Event,
     /// Readings gathered into frames.
@@ -80,21 +80,21 @@ pub(crate) enum Mode {
 }
 
 /// Why a replay did not happen.
-pub(crate) enum Refused {
+pub(crate) enum ReplayRefused {
     Behaviour(Vec<Failure>),
     Trace(Failure),
 }
 
-impl Refused {
+impl ReplayRefused {
     /// A behaviour that the engine cannot run.
-    pub(crate) fn engine(faults: Vec<engine::Fault>) -> Self {
+    pub(crate) fn engine(faults: Vec<engine::GraphFault>) -> Self {
         Self::Behaviour(faults.into_iter().map(Failure::Engine).collect())
     }
 }
 
 /// What is replayed.
-struct Trace {
-    readings: Vec<Reading>,
+struct ReplayTrace {
+    readings: Vec<TraceReading>,
     /// Up to where a recorded run had closed its instants; nothing later was flushed.
     closed: Option<Millis>,
 }
@@ -117,20 +117,20 @@ pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
 }
 
 /// Says why, and gives the exit code for it.
-pub(crate) fn refused(reason: Refused) -> ExitCode {
+pub(crate) fn refused(reason: ReplayRefused) -> ExitCode {
     match reason {
-        Refused::Behaviour(reasons) => crate::failed(&reasons, 2),
-        Refused::Trace(reason) => crate::failed(&[reason], 3),
+        ReplayRefused::Behaviour(reasons) => crate::failed(&reasons, 2),
+        ReplayRefused::Trace(reason) => crate::failed(&[reason], 3),
     }
 }
 
-fn prepare(args: &ReplayArgs) -> Result<(Vec<BehaviourFile>, Vec<Player>), Refused> {
-    let read = |path: &PathBuf| read_behaviour(args, path).map_err(|reason| Refused::Behaviour(vec![reason]));
+fn prepare(args: &ReplayArgs) -> Result<(Vec<BehaviourFile>, Vec<Player>), ReplayRefused> {
+    let read = |path: &PathBuf| read_behaviour(args, path).map_err(|reason| ReplayRefused::Behaviour(vec![reason]));
     let files = args.behaviour.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    let build = |file: &BehaviourFile| Run::build(file, Limits::default()).map_err(Refused::engine);
+    let build = |file: &BehaviourFile| Run::build(file, Limits::default()).map_err(ReplayRefused::engine);
     let runs = files.iter().map(build).collect::<Result<Vec<_>, _>>()?;
-    let traces = traces(args, &runs).map_err(Refused::Trace)?;
-    let player = |((run, trace), file): ((Run, Trace), &BehaviourFile)| Player::new(args.until, file, run, trace);
+    let traces = traces(args, &runs).map_err(ReplayRefused::Trace)?;
+    let player = |((run, trace), file): ((Run, ReplayTrace), &BehaviourFile)| Player::new(args.until, file, run, trace);
     let players = runs.into_iter().zip(traces).zip(&files).map(player).collect();
     Ok((files, players))
 }
@@ -142,16 +142,18 @@ fn read_behaviour(args: &ReplayArgs, path: &Path) -> Result<BehaviourFile, Failu
 }
 
 /// The engine of a file, or the one that somebody chose instead.
-pub(crate) fn chosen_engine(mode: Option<Mode>, frame_ms: Option<u64>, own: Engine) -> Engine {
+pub(crate) fn chosen_engine(mode: Option<ReplayMode>, frame_ms: Option<u64>, own: Engine) -> Engine {
     let own_ms = if let Engine::Frame { frame_ms } = own { frame_ms } else { FRAME_MS };
     match (mode, own) {
-        (Some(Mode::Event), _) | (None, Engine::Event) => Engine::Event,
-        (Some(Mode::Frame), _) | (None, Engine::Frame { .. }) => Engine::Frame { frame_ms: frame_ms.unwrap_or(own_ms) },
+        (Some(ReplayMode::Event), _) | (None, Engine::Event) => Engine::Event,
+        (Some(ReplayMode::Frame), _) | (None, Engine::Frame { .. }) => {
+            Engine::Frame { frame_ms: frame_ms.unwrap_or(own_ms) }
+        }
     }
 }
 
 /// The trace of each behaviour.
-fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<Trace>, Failure> {
+fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<ReplayTrace>, Failure> {
     match &args.trace[..] {
         [shared] => {
             let text = read_trace(shared)?;
@@ -167,19 +169,19 @@ fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<Trace>, Failure> {
 }
 
 /// What a trace has for a run. A plain one may name streams of these runs only.
-fn parse(text: &str, run: &Run, known: &[&Run]) -> Result<Trace, Failure> {
+fn parse(text: &str, run: &Run, known: &[&Run]) -> Result<ReplayTrace, Failure> {
     recording::parse(text, run)
-        .unwrap_or_else(|| parse_lines(text, run, known).map(|readings| Trace { readings, closed: None }))
+        .unwrap_or_else(|| parse_lines(text, run, known).map(|readings| ReplayTrace { readings, closed: None }))
 }
 
 /// The readings of a trace or a recording for the only run that it is for.
-pub(crate) fn parse_trace(text: &str, run: &Run) -> Result<Vec<Reading>, Failure> {
+pub(crate) fn parse_trace(text: &str, run: &Run) -> Result<Vec<TraceReading>, Failure> {
     parse(text, run, &[run]).map(|trace| trace.readings)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Mode, Player, Printer, ReplayArgs, Trace, parse_trace, play};
+    use super::{Player, Printer, ReplayArgs, ReplayMode, ReplayTrace, parse_trace, play};
     use behaviour::BehaviourFile;
     use engine::{Limits, Run};
 
@@ -203,7 +205,7 @@ mod tests {
             until: None,
             probe: false,
             errors: false,
-            mode: Some(Mode::Event),
+            mode: Some(ReplayMode::Event),
             frame_ms: None,
             arbitrate: false,
         }
@@ -219,7 +221,7 @@ mod tests {
         let (file, run) = start();
         let readings = parse_trace(TRACE, &run).unwrap();
         let mut to = Vec::new();
-        let player = Player::new(args.until, &file, run, Trace { readings, closed: None });
+        let player = Player::new(args.until, &file, run, ReplayTrace { readings, closed: None });
         let files = [file];
         play(&mut [player], Printer::new(args, &files), &mut to).unwrap();
         String::from_utf8(to).unwrap().lines().map(str::to_owned).collect()

@@ -19,11 +19,11 @@ pub(crate) struct RobotArgs {
     #[arg(long, value_name = "URL", default_value = shell::DEFAULT_URL, global = true)]
     server: String,
     #[command(subcommand)]
-    what: What,
+    what: RobotCommand,
 }
 
 #[derive(Debug, Subcommand)]
-enum What {
+enum RobotCommand {
     /// Lists the robots, how they are and what runs on them.
     List,
     /// Finds the robots that announce themselves in the server's network.
@@ -129,7 +129,7 @@ enum What {
     },
 }
 
-impl What {
+impl RobotCommand {
     /// The same as a line of the console.
     fn line(&self) -> String {
         let at = |address: &str, user: &Option<String>| {
@@ -177,25 +177,25 @@ pub(crate) fn robot(args: &RobotArgs) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use super::What;
+    use super::RobotCommand;
 
     #[test]
     fn a_real_robot_has_an_address() {
-        let add = |address: Option<&str>, user: Option<&str>| What::Add {
+        let add = |address: Option<&str>, user: Option<&str>| RobotCommand::Add {
             name: "NAO blue".into(),
             address: address.map(str::to_owned),
             user: user.map(str::to_owned),
         };
-        let forget = What::ForgetFaces { name: "NAO blue".into() };
+        let forget = RobotCommand::ForgetFaces { name: "NAO blue".into() };
         assert_eq!(forget.line(), "forget faces \"NAO blue\"");
-        assert_eq!(What::Faces { name: "NAO blue".into() }.line(), "show faces \"NAO blue\"");
-        let forget = What::ForgetFace { name: "NAO blue".into(), face: "face 1".into() };
+        assert_eq!(RobotCommand::Faces { name: "NAO blue".into() }.line(), "show faces \"NAO blue\"");
+        let forget = RobotCommand::ForgetFace { name: "NAO blue".into(), face: "face 1".into() };
         assert_eq!(forget.line(), "forget face \"face 1\" of \"NAO blue\"");
         assert_eq!(add(None, None).line(), "add robot \"NAO blue\"");
         assert_eq!(add(Some("nao.local"), Some("nao")).line(), "add robot \"NAO blue\" at nao.local as nao");
-        let reach = What::Reach { name: "NAO blue".into(), address: "10.0.0.9".into(), user: None };
+        let reach = RobotCommand::Reach { name: "NAO blue".into(), address: "10.0.0.9".into(), user: None };
         assert_eq!(reach.line(), "reach robot \"NAO blue\" at 10.0.0.9");
-        assert_eq!(What::Accept { name: "NAO blue".into() }.line(), "accept robot \"NAO blue\"");
-        assert_eq!(What::Blink { name: "NAO blue".into() }.line(), "blink robot \"NAO blue\"");
+        assert_eq!(RobotCommand::Accept { name: "NAO blue".into() }.line(), "accept robot \"NAO blue\"");
+        assert_eq!(RobotCommand::Blink { name: "NAO blue".into() }.line(), "blink robot \"NAO blue\"");
     }
 }

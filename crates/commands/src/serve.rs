@@ -7,7 +7,7 @@ use crate::let_in::tell_host_link;
 use crate::listening::{Listening, tell_invitation};
 use crate::log::{self, Log};
 use clap::Args;
-use server::{Config, Page, Ready};
+use server::{Config, PageFiles, ReadyServer};
 use std::io::{IsTerminal, StdoutLock, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -56,7 +56,7 @@ pub(crate) struct ServeArgs {
 }
 
 /// Serves, and answers with the exit code.
-pub(crate) fn serve(args: ServeArgs, page: Page) -> ExitCode {
+pub(crate) fn serve(args: ServeArgs, page: PageFiles) -> ExitCode {
     let log = log::start();
     more_files();
     crate::ended(run(args, page, &log))
@@ -77,7 +77,7 @@ fn more_files() {
 #[cfg(not(unix))]
 fn more_files() {}
 
-fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
+fn run(args: ServeArgs, page: PageFiles, log: &Log) -> Result<(), Failure> {
     let data = kept_in(args.store.as_deref(), args.data.as_deref())?;
     let store = store_url(args.store, args.data)?;
     let (listen, network) = args.at.ways()?;
@@ -98,7 +98,7 @@ fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
 
 /// What stands on standard output, for people and for programs that wait for its first line. A terminal on hold keeps only
 /// the thread that writes it.
-fn ready(now: Ready) {
+fn ready(now: ReadyServer) {
     let tell = move || {
         let mut out = std::io::stdout().lock();
         let said = writeln!(out, "rrp is ready: http://{}/", now.address).and_then(|()| out.flush());
@@ -108,7 +108,7 @@ fn ready(now: Ready) {
 }
 
 /// Says the links that let people in, on a terminal only: what is written into a journal or a file others may read for long.
-fn tell_links(out: &mut StdoutLock, now: &Ready) -> std::io::Result<()> {
+fn tell_links(out: &mut StdoutLock, now: &ReadyServer) -> std::io::Result<()> {
     if !out.is_terminal() {
         tracing::info!("`rrp open` prints a link for a browser of this computer, `rrp invite` one for others");
         return Ok(());

@@ -2,7 +2,7 @@
 
 use crate::data_folder::{kept_in, store_url};
 use crate::failure::Failure;
-use crate::link::Link;
+use crate::link::LocalServer;
 use crate::patience;
 use behaviour::{Id, as_looks, look_same};
 use clap::Args;
@@ -25,24 +25,24 @@ pub(crate) struct StoreArgs {
 }
 
 /// The way to a store.
-pub(crate) enum Way {
+pub(crate) enum StoreWay {
     /// It is ours alone.
     Store(Arc<dyn Store>),
     /// A running server has it.
-    Server(Link),
+    Server(LocalServer),
 }
 
 impl StoreArgs {
     /// Opens it, or finds the running server that uses it.
-    pub(crate) async fn way(&self) -> Result<Way, Failure> {
+    pub(crate) async fn way(&self) -> Result<StoreWay, Failure> {
         let url = self.url()?;
         if let Some(folder) = self.folder() {
             store::check_folder(&folder)?;
         }
         match patience::opened(&url, || store::open_url_to_work(&url)).await {
-            Ok(store) => Ok(Way::Store(store)),
+            Ok(store) => Ok(StoreWay::Store(store)),
             Err(StoreError::Busy(folder)) => match server::address_in(&folder) {
-                Some(address) => Ok(Way::Server(Link { address })),
+                Some(address) => Ok(StoreWay::Server(LocalServer { address })),
                 None => Err(Failure::Busy(folder)),
             },
             Err(error) => Err(error.into()),
@@ -84,7 +84,7 @@ fn unopened(error: StoreError) -> Failure {
 
 /// A behaviour.
 #[derive(Debug, serde::Deserialize)]
-pub(crate) struct Named {
+pub(crate) struct NamedBehaviour {
     pub(crate) id: Id,
     pub(crate) name: String,
 }
@@ -103,13 +103,13 @@ pub(crate) fn run<T>(work: impl Future<Output = Result<T, Failure>>) -> Result<T
 }
 
 /// Id and name of everything that is not in the bin, by name.
-pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Named>, Failure> {
+pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<NamedBehaviour>, Failure> {
     let names = server::names(store).await?;
-    Ok(names.into_iter().map(|(id, name)| Named { id, name }).collect())
+    Ok(names.into_iter().map(|(id, name)| NamedBehaviour { id, name }).collect())
 }
 
 /// The one behaviour that has this id or name.
-pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, Failure> {
+pub(crate) fn find(listed: &[NamedBehaviour], wanted: &str) -> Result<Id, Failure> {
     if let Some(line) = listed.iter().find(|line| line.id.as_str() == wanted) {
         return Ok(line.id.clone());
     }
@@ -131,11 +131,11 @@ pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, Failure> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Named, find};
+    use super::{NamedBehaviour, find};
     use behaviour::Id;
 
-    fn line(id: &str, name: &str) -> Named {
-        Named { id: Id::new(id).expect("an id"), name: name.to_owned() }
+    fn line(id: &str, name: &str) -> NamedBehaviour {
+        NamedBehaviour { id: Id::new(id).expect("an id"), name: name.to_owned() }
     }
 
     #[test]
@@ -143,7 +143,7 @@ mod tests {
         let listed = [line("a1", "Greet"), line("b2", "Follow"), line("c3", "follow"), line("d4", "Greet")];
         assert_eq!(find(&listed, "b2").unwrap().as_str(), "b2");
         assert_eq!(find(&listed, "Follow").unwrap().as_str(), "b2");
-        let refused = |listed: &[Named], wanted: &str| find(listed, wanted).unwrap_err().to_string();
+        let refused = |listed: &[NamedBehaviour], wanted: &str| find(listed, wanted).unwrap_err().to_string();
         assert!(refused(&listed, "FOLLOW").contains("b2, c3"));
         assert!(refused(&listed, "Greet").contains("a1, d4"));
         assert!(refused(&listed, "Dance").contains("There are “Greet”"));

@@ -1,12 +1,12 @@
 //! Readings for a replay, a line each, whatever program saved the file; each wrong line with what to do about it.
 
-use crate::failure::{Failure, Senseless};
+use crate::failure::{Failure, TraceLineError};
 use crate::program::read_up_to;
 use behaviour::{StreamKind, Value};
 use engine::{Run, StreamIx};
 use robot::Millis;
 use std::path::Path;
-use store::files::{FileFault, Kind, text_of};
+use store::files::{FileFault, FileKind, text_of};
 
 /// The largest trace that is read, in bytes.
 const TRACE_MAX_BYTES: u64 = 512 * 1024 * 1024;
@@ -17,7 +17,7 @@ const EPOCH_MIN: f64 = 1e9;
 const TIME_SHOWN_CHARS: usize = 40;
 
 /// A reading for a stream by index.
-pub(crate) type Reading = (Millis, StreamIx, Value);
+pub(crate) type TraceReading = (Millis, StreamIx, Value);
 
 /// The text of a whole trace, or of standard input for `-`.
 pub(crate) fn read_trace(path: &Path) -> Result<String, Failure> {
@@ -26,8 +26,8 @@ pub(crate) fn read_trace(path: &Path) -> Result<String, Failure> {
         return Err(Failure::Large(path.to_owned(), TRACE_MAX_BYTES));
     }
     let no_readings = |what: String| Err(Failure::NoTrace(path.to_owned(), what));
-    match Kind::of(&bytes) {
-        Some(Kind::Readings | Kind::Recording | Kind::Json) => {}
+    match FileKind::of(&bytes) {
+        Some(FileKind::Readings | FileKind::Recording | FileKind::Json) => {}
         Some(kind) => return no_readings(kind.to_string()),
         None if is_program(&bytes) => return no_readings("a program".to_owned()),
         None => {}
@@ -55,7 +55,7 @@ fn is_program(bytes: &[u8]) -> bool {
 const BEGINNING_CHARS: usize = 200;
 
 /// The readings of a plain trace for a run. It may name streams of the `known` runs only.
-pub(crate) fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<Reading>, Failure> {
+pub(crate) fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<TraceReading>, Failure> {
     let mut readings = Vec::new();
     let mut latest = None;
     for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {
@@ -72,28 +72,28 @@ pub(crate) fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<R
 }
 
 /// A reading of a line. The first one, before which there is none, says whether its times are those since 1970.
-pub(crate) fn parse_line(line: &str, latest: Option<u64>) -> Result<(Millis, String, Value), Senseless> {
+pub(crate) fn parse_line(line: &str, latest: Option<u64>) -> Result<(Millis, String, Value), TraceLineError> {
     let line: Value = serde_json::from_str(line)?;
     if !matches!(line, Value::Map(_)) {
-        return Err(Senseless::NoReading);
+        return Err(TraceLineError::NoReading);
     }
     let t = time(&line, latest.is_none())?;
-    let stream = line.field("stream").and_then(Value::as_text).ok_or(Senseless::Stream)?;
-    let value = line.field("value").cloned().ok_or(Senseless::Value)?;
+    let stream = line.field("stream").and_then(Value::as_text).ok_or(TraceLineError::Stream)?;
+    let value = line.field("value").cloned().ok_or(TraceLineError::Value)?;
     match latest {
-        Some(from) if t < from => Err(Senseless::Backwards { from, to: t }),
+        Some(from) if t < from => Err(TraceLineError::Backwards { from, to: t }),
         _ => Ok((Millis(t), stream.to_owned(), value)),
     }
 }
 
-fn time(line: &Value, is_first: bool) -> Result<u64, Senseless> {
+fn time(line: &Value, is_first: bool) -> Result<u64, TraceLineError> {
     match line.field("t") {
-        Some(Value::Int(t)) if is_first && *t as f64 >= EPOCH_MIN => Err(Senseless::Epoch(t.to_string())),
-        Some(Value::Float(t)) if is_first && *t >= EPOCH_MIN => Err(Senseless::Epoch(t.to_string())),
-        Some(&Value::Int(t)) => u64::try_from(t).map_err(|_| Senseless::Negative),
-        Some(&Value::Float(t)) => Err(Senseless::Seconds { t, ms: (t * 1_000.0).round() }),
-        Some(_) => Err(Senseless::Time),
-        None => Err(other_time(line).map_or(Senseless::NoTime, Senseless::OtherTime)),
+        Some(Value::Int(t)) if is_first && *t as f64 >= EPOCH_MIN => Err(TraceLineError::Epoch(t.to_string())),
+        Some(Value::Float(t)) if is_first && *t >= EPOCH_MIN => Err(TraceLineError::Epoch(t.to_string())),
+        Some(&Value::Int(t)) => u64::try_from(t).map_err(|_| TraceLineError::Negative),
+        Some(&Value::Float(t)) => Err(TraceLineError::Seconds { t, ms: (t * 1_000.0).round() }),
+        Some(_) => Err(TraceLineError::Time),
+        None => Err(other_time(line).map_or(TraceLineError::NoTime, TraceLineError::OtherTime)),
     }
 }
 
@@ -105,8 +105,8 @@ fn other_time(line: &Value) -> Option<String> {
 }
 
 /// A sensor stream by its id.
-fn sensor(run: &Run, stream: &str) -> Result<StreamIx, Senseless> {
-    let at = run.stream_index(stream).ok_or_else(|| Senseless::Unknown(stream.to_owned()))?;
+fn sensor(run: &Run, stream: &str) -> Result<StreamIx, TraceLineError> {
+    let at = run.stream_index(stream).ok_or_else(|| TraceLineError::Unknown(stream.to_owned()))?;
     let is_sensor = run.streams()[at].kind == StreamKind::Sensor;
-    if is_sensor { Ok(at) } else { Err(Senseless::NoSensor(stream.to_owned())) }
+    if is_sensor { Ok(at) } else { Err(TraceLineError::NoSensor(stream.to_owned())) }
 }

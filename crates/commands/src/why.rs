@@ -5,9 +5,9 @@ mod tell;
 mod words;
 
 use crate::failure::Failure;
-use crate::no_answer::NoAnswer;
+use crate::no_answer::WhyFailure;
 use crate::program::read_program;
-use crate::replay::{Mode, Refused, chosen_engine, parse_trace, refused};
+use crate::replay::{ReplayMode, ReplayRefused, chosen_engine, parse_trace, refused};
 use crate::trace::read_trace;
 use behaviour::{BehaviourFile, FileStream, StreamKind};
 use causes::{Cause, Stretch, Traced};
@@ -53,7 +53,7 @@ pub(crate) struct WhyArgs {
     trace: Option<PathBuf>,
     /// The way in which time runs; the one of the behaviour if absent.
     #[arg(long, value_enum)]
-    mode: Option<Mode>,
+    mode: Option<ReplayMode>,
     /// The length of a frame in milliseconds, in frame mode.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1000))]
     frame_ms: Option<u64>,
@@ -87,7 +87,7 @@ pub(crate) struct WhyArgs {
 }
 
 /// The run, played up to the moment that is asked about.
-struct Played {
+struct PlayedRun {
     traced: Traced,
     stretch: Stretch,
     /// Lines that are missing.
@@ -96,7 +96,7 @@ struct Played {
 
 /// The stretch that is asked about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Asked {
+struct AskedStretch {
     from_ms: u64,
     until_ms: u64,
     /// The most milliseconds between it and a value.
@@ -108,81 +108,81 @@ pub(crate) fn why(args: &WhyArgs) -> ExitCode {
     let outcome = match (&args.recording, &args.behaviour, &args.trace) {
         (Some(recording), ..) => of_recording(args, recording),
         (None, Some(behaviour), Some(trace)) => of_trace(args, behaviour, trace),
-        (None, ..) => Err(Outcome::No(NoAnswer::NoClock)),
+        (None, ..) => Err(WhyOutcome::No(WhyFailure::NoClock)),
     };
     match outcome.and_then(|(asked, played)| answer(args, asked, played)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(Outcome::No(why)) => crate::failed(&[Failure::NoAnswer(why)], 1),
-        Err(Outcome::Failed(failures, code)) => crate::failed(&failures, code),
-        Err(Outcome::Refused(refusal)) => refused(refusal),
+        Err(WhyOutcome::No(why)) => crate::failed(&[Failure::NoAnswer(why)], 1),
+        Err(WhyOutcome::Failed(failures, code)) => crate::failed(&failures, code),
+        Err(WhyOutcome::Refused(refusal)) => refused(refusal),
     }
 }
 
 /// Why nothing was told.
-enum Outcome {
-    No(NoAnswer),
+enum WhyOutcome {
+    No(WhyFailure),
     Failed(Vec<Failure>, u8),
-    Refused(Refused),
+    Refused(ReplayRefused),
 }
 
-impl From<NoAnswer> for Outcome {
-    fn from(why: NoAnswer) -> Self {
+impl From<WhyFailure> for WhyOutcome {
+    fn from(why: WhyFailure) -> Self {
         Self::No(why)
     }
 }
 
-impl From<Refused> for Outcome {
-    fn from(refusal: Refused) -> Self {
+impl From<ReplayRefused> for WhyOutcome {
+    fn from(refusal: ReplayRefused) -> Self {
         Self::Refused(refusal)
     }
 }
 
-fn of_recording(args: &WhyArgs, path: &Path) -> Result<(Asked, Played), Outcome> {
-    let text = read_trace(path).map_err(|failure| Outcome::Failed(vec![failure], 3))?;
-    let unplayed = |why: Different| Outcome::No(NoAnswer::Unplayed(why));
+fn of_recording(args: &WhyArgs, path: &Path) -> Result<(AskedStretch, PlayedRun), WhyOutcome> {
+    let text = read_trace(path).map_err(|failure| WhyOutcome::Failed(vec![failure], 3))?;
+    let unplayed = |why: Different| WhyOutcome::No(WhyFailure::Unplayed(why));
     let run = moment::Ran::of(&text).ok_or_else(|| unplayed(Different::NoRecording))?;
     let asked = asked(args, &run)?;
     let stretch = asked.stretch();
     let past = recording::past(&text, stretch, &|stream| is_it(args, stream)).map_err(unplayed)?;
-    Ok((asked, Played { traced: past.traced, stretch: past.stretch, lost: past.lost }))
+    Ok((asked, PlayedRun { traced: past.traced, stretch: past.stretch, lost: past.lost }))
 }
 
-fn of_trace(args: &WhyArgs, behaviour: &Path, trace: &Path) -> Result<(Asked, Played), Outcome> {
+fn of_trace(args: &WhyArgs, behaviour: &Path, trace: &Path) -> Result<(AskedStretch, PlayedRun), WhyOutcome> {
     let asked = asked(args, &moment::Ran::default())?;
-    let mut file = read_program(behaviour).map_err(|failure| Refused::Behaviour(vec![failure]))?;
+    let mut file = read_program(behaviour).map_err(|failure| ReplayRefused::Behaviour(vec![failure]))?;
     file.engine = Some(chosen_engine(args.mode, args.frame_ms, file.engine.unwrap_or_default()));
-    let run = Run::build(&file, Limits::default()).map_err(Refused::engine)?;
-    let text = read_trace(trace).map_err(Refused::Trace)?;
-    let readings = parse_trace(&text, &run).map_err(Refused::Trace)?;
+    let run = Run::build(&file, Limits::default()).map_err(ReplayRefused::engine)?;
+    let text = read_trace(trace).map_err(ReplayRefused::Trace)?;
+    let readings = parse_trace(&text, &run).map_err(ReplayRefused::Trace)?;
     let mut stretch = asked.stretch();
     stretch.stream = file.streams.iter().position(|stream| is_it(args, stream)).map(StreamIx::of);
     let mut traced = Traced::of(file, run);
     if stretch.stream.is_some() {
         traced.play(readings, &mut stretch);
     }
-    Ok((asked, Played { traced, stretch, lost: 0 }))
+    Ok((asked, PlayedRun { traced, stretch, lost: 0 }))
 }
 
 /// The stretch that the words on the command line ask about.
-fn asked(args: &WhyArgs, run: &moment::Ran) -> Result<Asked, NoAnswer> {
+fn asked(args: &WhyArgs, run: &moment::Ran) -> Result<AskedStretch, WhyFailure> {
     let within = |moment: &Moment| moment.within(run);
     if let (Some(from), Some(until)) = (&args.from, &args.until) {
         let ((from_ms, _), (_, until_ms)) = (within(from)?, within(until)?);
         return if from_ms <= until_ms {
-            Ok(Asked { from_ms, until_ms, near_ms: 0 })
+            Ok(AskedStretch { from_ms, until_ms, near_ms: 0 })
         } else {
-            Err(NoAnswer::Backwards)
+            Err(WhyFailure::Backwards)
         };
     }
-    let Some(at) = &args.at else { return Err(NoAnswer::Backwards) };
+    let Some(at) = &args.at else { return Err(WhyFailure::Backwards) };
     let (from_ms, until_ms) = within(at)?;
     if args.not {
-        return Ok(Asked { from_ms: from_ms.saturating_sub(NOT_MS), until_ms, near_ms: 0 });
+        return Ok(AskedStretch { from_ms: from_ms.saturating_sub(NOT_MS), until_ms, near_ms: 0 });
     }
-    Ok(Asked { from_ms, until_ms, near_ms: if at.is_exact() { 0 } else { NEAR_MS } })
+    Ok(AskedStretch { from_ms, until_ms, near_ms: if at.is_exact() { 0 } else { NEAR_MS } })
 }
 
-impl Asked {
+impl AskedStretch {
     fn stretch(self) -> Stretch {
         let from = Millis(self.from_ms.saturating_sub(self.near_ms));
         Stretch::of(from, Millis(self.until_ms.saturating_add(self.near_ms)))
@@ -205,31 +205,31 @@ fn is_it(args: &WhyArgs, stream: &FileStream) -> bool {
     }
 }
 
-fn answer(args: &WhyArgs, asked: Asked, played: Played) -> Result<(), Outcome> {
-    let Played { mut traced, stretch, lost } = played;
+fn answer(args: &WhyArgs, asked: AskedStretch, played: PlayedRun) -> Result<(), WhyOutcome> {
+    let PlayedRun { mut traced, stretch, lost } = played;
     let Some(stream) = stretch.stream else { return Err(unknown(args, traced.file()).into()) };
     let fault = traced.run().fault();
     let told = if args.not {
         if let (false, Some(came)) = (args.json, stretch.values.front()) {
-            return Err(NoAnswer::Came { stream: name(traced.file(), stream), at_ms: came.at().0 }.into());
+            return Err(WhyFailure::Came { stream: name(traced.file(), stream), at_ms: came.at().0 }.into());
         }
-        tell::Told::Not(traced.why_not(stream, Millis(asked.from_ms)))
+        tell::ToldAnswer::Not(traced.why_not(stream, Millis(asked.from_ms)))
     } else {
         let found = nth(args.nth, asked, &stretch);
-        let missing = || NoAnswer::NoValue {
+        let missing = || WhyFailure::NoValue {
             stream: name(traced.file(), stream),
             at_ms: asked.from_ms,
             count: stretch.values.iter().filter(|cause| asked.distance(cause.at()) == 0).count(),
             before_ms: stretch.before.map(|at| at.0),
         };
-        tell::Told::Why(traced.tracer().tell(found.ok_or_else(missing)?))
+        tell::ToldAnswer::Why(traced.tracer().tell(found.ok_or_else(missing)?))
     };
     tell::warn(lost, fault);
-    tell::tell(&told, traced.file(), args.json, args.language).map_err(|failures| Outcome::Failed(failures, 1))
+    tell::tell(&told, traced.file(), args.json, args.language).map_err(|failures| WhyOutcome::Failed(failures, 1))
 }
 
 /// The value of that number among those that came when it was asked; else the nearest one.
-fn nth(nth: usize, asked: Asked, stretch: &Stretch) -> Option<&Arc<Cause>> {
+fn nth(nth: usize, asked: AskedStretch, stretch: &Stretch) -> Option<&Arc<Cause>> {
     let then: Vec<&Arc<Cause>> = stretch.values.iter().filter(|cause| asked.distance(cause.at()) == 0).collect();
     if then.is_empty() && nth == 0 {
         return stretch.values.iter().min_by_key(|cause| asked.distance(cause.at()));
@@ -241,10 +241,10 @@ fn name(file: &BehaviourFile, stream: StreamIx) -> String {
     file.streams[stream.index()].name.clone()
 }
 
-fn unknown(args: &WhyArgs, file: &BehaviourFile) -> NoAnswer {
+fn unknown(args: &WhyArgs, file: &BehaviourFile) -> WhyFailure {
     let is_action = args.action.is_some();
     let known = file.streams.iter().filter(|stream| !is_action || stream.kind == StreamKind::Actuator);
     let names = known.map(|stream| if is_action { stream.name.clone() } else { stream.id.clone() }).collect();
     let wanted = args.action.clone().or(args.stream.clone()).unwrap_or_default();
-    NoAnswer::NoStream { wanted, is_action, names }
+    WhyFailure::NoStream { wanted, is_action, names }
 }

@@ -1,10 +1,10 @@
 //! What is said on standard error when a command fails, in English.
 
-use crate::failure::{Failure, ListenConflict, Senseless};
-use engine::Fault;
+use crate::failure::{Failure, ListenConflict, TraceLineError};
+use engine::GraphFault;
 use std::fmt;
 use std::path::Path;
-use store::backup::Difference;
+use store::backup::StoreDifference;
 use store::files::{FILE_MAX_BYTES, FileFault};
 
 /// A reading as it is written.
@@ -121,7 +121,7 @@ impl fmt::Display for Failure {
     }
 }
 
-impl fmt::Display for Senseless {
+impl fmt::Display for TraceLineError {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::NoReading => write!(
@@ -183,7 +183,7 @@ fn relative(name: &str, folder: &Path, instead: &str, to: &mut fmt::Formatter) -
     )
 }
 
-fn differences(all: &[Difference], to: &mut fmt::Formatter) -> fmt::Result {
+fn differences(all: &[StoreDifference], to: &mut fmt::Formatter) -> fmt::Result {
     to.write_str("The stores are not the same. Empty the second one and try again:")?;
     all.iter().try_for_each(|one| write!(to, "\n  {}: {} differs", one.behaviour, one.what))
 }
@@ -207,7 +207,7 @@ fn unknown(wanted: &str, names: &[String], to: &mut fmt::Formatter) -> fmt::Resu
 }
 
 /// A line within a procedure is not one of the file.
-fn of_file(fault: &Fault, to: &mut fmt::Formatter) -> fmt::Result {
+fn of_file(fault: &GraphFault, to: &mut fmt::Formatter) -> fmt::Result {
     match fault.reason.to_string().strip_prefix("line ") {
         Some(rest) => write!(to, "{}: in its procedure, line {rest}", fault.id),
         None => write!(to, "{fault}"),

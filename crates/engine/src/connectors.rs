@@ -17,16 +17,16 @@ mod timestamp;
 mod with_latest;
 
 use crate::faults::CallFault;
-use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
+use crate::values::{CarriedValue, ConnectorIx, IndexVec, StreamIx};
 use behaviour::Value;
 use robot::Millis;
 
-pub(crate) use context::{Context, Outcome};
-pub(crate) use memory::Memory;
-pub(crate) use op::{Op, Turn};
+pub(crate) use context::{Outcome, RunContext};
+pub(crate) use memory::ConnectorMemory;
+pub(crate) use op::{ConnectorTurn, NextSteps};
 
 /// All connectors, in the order of their names.
-const ALL: &[&Kind] = &[
+const ALL: &[&ConnectorKind] = &[
     &combine_latest::KIND,
     &debounce::KIND,
     &delay::KIND,
@@ -42,18 +42,18 @@ const ALL: &[&Kind] = &[
 ];
 
 /// A kind of connector, as the engine runs it.
-pub(crate) struct Kind {
+pub(crate) struct ConnectorKind {
     /// The connector's word in files.
     word: &'static str,
     /// The step of event mode when one of its inputs has a value: [`Op::Take`], unless measuring says otherwise.
-    pub(crate) op: Op,
+    pub(crate) op: NextSteps,
     /// Makes one, with what was chosen for it.
-    pub(crate) make: fn(&Choice) -> Box<dyn Connector>,
+    pub(crate) make: fn(&ConnectorChoice) -> Box<dyn RunConnector>,
 }
 
 /// The choices for a connector, besides its procedure.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Choice {
+pub(crate) struct ConnectorChoice {
     /// The number of streams that it takes from.
     pub(crate) inputs: usize,
     /// The duration in milliseconds, 1 or more, if it takes one.
@@ -65,15 +65,15 @@ pub(crate) struct Choice {
 }
 
 /// One connector of a run, with what it remembers.
-pub(crate) trait Connector {
+pub(crate) trait RunConnector {
     /// Event mode: takes the last value of one of its inputs.
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome;
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome;
 
     /// Frame mode: its turn in a frame in which it has a value at one of its inputs. What it gives now.
     ///
     /// # Errors
     /// The fault that dropped a value; already counted.
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>>;
+    fn frame(&mut self, cx: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>>;
 
     /// The place of the input that it answers in a frame, where the newest value is that of `newest`.
     fn trigger(&self, newest: u32) -> u32 {
@@ -86,21 +86,21 @@ pub(crate) trait Connector {
     }
 
     /// Gives the value that is due then, in both modes. From then on it is due later, or not at all.
-    fn tick(&mut self) -> Option<Carried> {
+    fn tick(&mut self) -> Option<CarriedValue> {
         None
     }
 
     /// Returns the memory of the connector.
-    fn memory(&self) -> Memory {
-        Memory::default()
+    fn memory(&self) -> ConnectorMemory {
+        ConnectorMemory::default()
     }
 
     /// Goes on with what one of the same kind and with the same inputs remembered.
-    fn resume(&mut self, _memory: Memory) {}
+    fn resume(&mut self, _memory: ConnectorMemory) {}
 }
 
 /// The turn of one connector in one frame.
-pub(crate) struct Frame<'f> {
+pub(crate) struct FrameTurn<'f> {
     /// The end of the frame.
     pub(crate) at: Millis,
     /// The length of all frames, in milliseconds.
@@ -108,12 +108,12 @@ pub(crate) struct Frame<'f> {
     pub(crate) connector: ConnectorIx,
     pub(crate) inputs: &'f [StreamIx],
     /// For every stream its value in this frame.
-    pub(crate) now: &'f IndexVec<StreamIx, Option<Carried>>,
+    pub(crate) now: &'f IndexVec<StreamIx, Option<CarriedValue>>,
     /// The newest value among the inputs; of two equally new ones that of the earlier input.
-    pub(crate) newest: &'f Carried,
+    pub(crate) newest: &'f CarriedValue,
 }
 
 /// The kind of connector with this word, if the engine has it.
-pub(crate) fn kind(word: &str) -> Option<&'static Kind> {
+pub(crate) fn kind(word: &str) -> Option<&'static ConnectorKind> {
     ALL.iter().copied().find(|kind| kind.word == word)
 }

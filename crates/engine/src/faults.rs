@@ -8,9 +8,9 @@ mod syntax;
 mod trial;
 mod words;
 
-pub use body::{BodyFault, Misuse, Place};
+pub use body::{BodyFault, Misuse, TextPlace};
 pub use call::{CallFault, ValueFault};
-pub use graph::{Fault, Reason, RunFault};
+pub use graph::{GraphFault, Reason, RunFault};
 pub use kind::ValueKind;
 pub use syntax::Syntax;
 pub use trial::TrialFault;

@@ -18,7 +18,7 @@ mod values;
 pub use arbitration::{Claim, HeldBy, Precedence};
 pub use cost::Limits;
 pub use faults::{
-    BodyFault, CallFault, Fault, Misuse, Place, Reason, RunFault, Syntax, TrialFault, ValueFault, ValueKind,
+    BodyFault, CallFault, GraphFault, Misuse, Reason, RunFault, Syntax, TextPlace, TrialFault, ValueFault, ValueKind,
 };
 pub use procedure::{check_body, misused, result_type, try_body, unknown_name};
 pub use program::{ConnectorInfo, Program, StreamInfo, validate};

@@ -13,21 +13,21 @@ pub use kinds::{misused, result_type, unknown_name};
 pub use trial::{check_body, try_body};
 
 use crate::rhai::conversion::{from_rhai, put_rhai};
-use crate::values::in_place::Number;
+use crate::values::in_place::ComputedNumber;
 
 use crate::cost::variable_cost::VariableCost;
 use crate::faults::{BodyFault, CallFault};
 use crate::rhai::faults::fault;
 use behaviour::Value;
 use compiled::{Compiled, Short};
-use helpers::{Functions, Helpers};
+use helpers::{Functions, HelperPrograms};
 use parse::{compile, scope_of};
 use rhai::{AST, Dynamic, Engine, Scope};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 
 /// The procedure of one connector.
-pub(crate) struct Procedure {
+pub(crate) struct ConnectorProcedure {
     /// The first tier, if it has all of it.
     compiled: Option<Compiled>,
     interpreted: Box<Interpreted>,
@@ -50,9 +50,14 @@ struct Parsed {
     slots: Scope<'static>,
 }
 
-impl Procedure {
+impl ConnectorProcedure {
     /// Compiles a body that may call `helpers`.
-    pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, BodyFault> {
+    pub(crate) fn compile(
+        engine: &Engine,
+        helpers: &HelperPrograms,
+        names: &[String],
+        body: &str,
+    ) -> Result<Self, BodyFault> {
         let ast = compile(engine, names, body)?;
         helpers.check(&ast)?;
         let compiled = helpers.compiled().and_then(|compiled| Compiled::of(&ast, names, compiled));
@@ -71,7 +76,7 @@ impl Procedure {
 
     /// The number it makes of the inputs, if the first tier knows.
     #[inline]
-    pub(crate) fn number(&self, inputs: &[&Value]) -> Option<Number> {
+    pub(crate) fn number(&self, inputs: &[&Value]) -> Option<ComputedNumber> {
         self.compiled.as_ref()?.number(inputs)
     }
 

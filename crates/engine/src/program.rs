@@ -5,23 +5,23 @@ mod operation;
 mod reserved;
 mod validity;
 
-use crate::connectors::Connector;
+use crate::connectors::RunConnector;
 use crate::cost::Limits;
-use crate::procedure::Procedure;
+use crate::procedure::ConnectorProcedure;
 use crate::values::{ConnectorIx, IndexVec};
 use behaviour::Engine;
 
-pub(crate) use model::Graph;
+pub(crate) use model::RunGraph;
 pub use model::{ConnectorInfo, StreamInfo};
 pub use validity::validate;
 
 /// A behaviour that can run.
 pub struct Program {
-    pub(crate) graph: Graph,
+    pub(crate) graph: RunGraph,
     /// The way in which time runs.
     pub(crate) mode: Engine,
     pub(crate) engine: rhai::Engine,
-    pub(crate) procedures: IndexVec<ConnectorIx, Option<Procedure>>,
-    pub(crate) connectors: IndexVec<ConnectorIx, Box<dyn Connector>>,
+    pub(crate) procedures: IndexVec<ConnectorIx, Option<ConnectorProcedure>>,
+    pub(crate) connectors: IndexVec<ConnectorIx, Box<dyn RunConnector>>,
     pub(crate) limits: Limits,
 }

@@ -7,9 +7,9 @@ pub use handover::Handover;
 pub use matching::Matching;
 
 use crate::cost::Limits;
-use crate::faults::{Fault, RunFault};
+use crate::faults::{GraphFault, RunFault};
 use crate::program::{ConnectorInfo, Program, StreamInfo};
-use crate::timeline::{Core, Emission, End, Event, Frame};
+use crate::timeline::{Core, Emission, End, EventTime, FrameTime};
 use crate::values::{ConnectorIx, IndexVec, Stats, StreamIx};
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use robot::Millis;
@@ -17,12 +17,12 @@ use robot::Millis;
 /// One behaviour running. A further engine is one more variant of its mode.
 pub struct Run {
     core: Core,
-    mode: Mode,
+    mode: RunMode,
 }
 
-enum Mode {
-    Event(Event),
-    Frame(Frame),
+enum RunMode {
+    Event(EventTime),
+    Frame(FrameTime),
 }
 
 impl Run {
@@ -30,7 +30,7 @@ impl Run {
     ///
     /// # Errors
     /// Every reason why it cannot run.
-    pub fn build(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
+    pub fn build(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<GraphFault>> {
         Program::of(file, limits).map(Self::of)
     }
 
@@ -40,8 +40,8 @@ impl Run {
         let engine = program.mode;
         let core = Core::of(program);
         let mode = match engine {
-            Engine::Event => Mode::Event(Event::of(&core)),
-            Engine::Frame { frame_ms } => Mode::Frame(Frame::of(&core.graph, frame_ms)),
+            Engine::Event => RunMode::Event(EventTime::of(&core)),
+            Engine::Frame { frame_ms } => RunMode::Frame(FrameTime::of(&core.graph, frame_ms)),
         };
         Self { core, mode }
     }
@@ -73,24 +73,24 @@ impl Run {
             return;
         }
         match &mut self.mode {
-            Mode::Event(event) => event.feed(&mut self.core, at, stream, value, out),
-            Mode::Frame(frame) => frame.feed(&mut self.core, at, stream, value, out),
+            RunMode::Event(event) => event.feed(&mut self.core, at, stream, value, out),
+            RunMode::Frame(frame) => frame.feed(&mut self.core, at, stream, value, out),
         }
     }
 
     /// Closes all instants up to and including `at`: their ticks run.
     pub fn until(&mut self, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         match &mut self.mode {
-            Mode::Event(event) => event.until(&mut self.core, at, out),
-            Mode::Frame(frame) => frame.until(&mut self.core, at, out),
+            RunMode::Event(event) => event.until(&mut self.core, at, out),
+            RunMode::Frame(frame) => frame.until(&mut self.core, at, out),
         }
     }
 
     /// Ends a replay at `at`: like [`Run::until`], and a frame that has begun by then runs too.
     pub fn finish(&mut self, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         match &mut self.mode {
-            Mode::Event(event) => event.until(&mut self.core, at, out),
-            Mode::Frame(frame) => {
+            RunMode::Event(event) => event.until(&mut self.core, at, out),
+            RunMode::Frame(frame) => {
                 if let Some(end) = frame.last_of(at) {
                     frame.until(&mut self.core, end, out);
                 }
@@ -105,8 +105,8 @@ impl Run {
             return None;
         }
         match &self.mode {
-            Mode::Event(event) => event.next_due(),
-            Mode::Frame(frame) => frame.next_due(),
+            RunMode::Event(event) => event.next_due(),
+            RunMode::Frame(frame) => frame.next_due(),
         }
     }
 

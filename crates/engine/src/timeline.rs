@@ -17,8 +17,8 @@ use robot::Millis;
 
 pub(crate) use self::core::Core;
 pub use end::End;
-pub(crate) use event::Event;
-pub(crate) use frame::Frame;
+pub(crate) use event::EventTime;
+pub(crate) use frame::FrameTime;
 pub(crate) use memory::RunMemory;
 pub use trigger::Trigger;
 

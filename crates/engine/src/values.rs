@@ -5,6 +5,6 @@ pub(crate) mod in_place;
 mod index;
 mod stats;
 
-pub(crate) use carried::Carried;
+pub(crate) use carried::CarriedValue;
 pub use index::{ConnectorIx, IndexVec, Ix, Pairs, StreamIx};
 pub use stats::{ConnectorStats, LastFault, Stats, StreamStats};

@@ -4,8 +4,8 @@
 #![expect(clippy::print_stdout, reason = "what is said of the templates is read by people")]
 
 use behaviour::{
-    Behaviour, BehaviourFile, Call, Decision, Declared, DeviceType, Fix, Helper, Id, Kind, Knowledge, Note, Params,
-    Place, Problem, ProblemKind, Record, RecordId, Room, Signature, StreamKind, Unit, ValueType, fixes, infer,
+    Behaviour, BehaviourFile, Decision, Declared, DeviceType, Fix, Helper, HelperCall, Id, Kind, Knowledge, Note,
+    Params, Place, Problem, ProblemKind, Record, RecordId, Room, Signature, StreamKind, Unit, ValueType, fixes, infer,
     problems,
 };
 use std::path::Path;
@@ -26,7 +26,7 @@ impl Knowledge for Known {
         robot::device_type(kind, device, params)
     }
 
-    fn result(&self, arguments: &[(String, ValueType)], body: &str, helper: Call) -> ValueType {
+    fn result(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> ValueType {
         engine::result_type(arguments, body, helper)
     }
 
@@ -34,7 +34,7 @@ impl Knowledge for Known {
         robot::shipped_signature(helper)
     }
 
-    fn misused(&self, arguments: &[(String, ValueType)], body: &str, helper: Call) -> Option<(String, usize)> {
+    fn misused(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> Option<(String, usize)> {
         engine::misused(arguments, body, helper)
     }
 
@@ -269,7 +269,7 @@ fn what_was_seen_tells_what_nobody_knew() {
     let (behaviour, helpers) = behaviour(&streams, &connectors);
     assert_eq!(said(&(behaviour.clone(), helpers.clone())), []);
     let library: Vec<&Helper> = helpers.iter().collect();
-    let seen = behaviour::Seen::from([(id("text"), ValueType::Text)]);
+    let seen = behaviour::SeenKinds::from([(id("text"), ValueType::Text)]);
     let found = behaviour::problems_seeing(&behaviour, &library, &Known, &seen);
     assert!(matches!(&found[..], [problem] if matches!(problem.kind, ProblemKind::WrongType { .. })), "{found:?}");
     let known = behaviour::infer_seeing(&behaviour, &library, &Known, &seen);

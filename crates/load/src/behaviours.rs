@@ -2,7 +2,7 @@
 
 use behaviour::{Change, Id, Kind, Note, Record, RecordId};
 use protocol::{Reply, Request};
-use shell::{Client, NoLink, Trouble};
+use shell::{Client, ClientError, NoLink};
 
 /// A note of a client.
 pub(crate) fn note_of(client: usize) -> RecordId {
@@ -30,7 +30,7 @@ pub(crate) fn edits(record: &Record) -> Option<u64> {
 ///
 /// # Errors
 /// If the server says no, or the link ends.
-pub(crate) async fn make(maker: &Client, run: &str, number: usize) -> Result<Id, Trouble> {
+pub(crate) async fn make(maker: &Client, run: &str, number: usize) -> Result<Id, ClientError> {
     let (behaviour, name) = (named(&format!("load-{run}-{number}")), format!("Load {number}"));
     match maker.ask(Request::Create { behaviour, name, template: None }).await? {
         Reply::Created { behaviour } => Ok(behaviour),

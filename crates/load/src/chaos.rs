@@ -49,7 +49,7 @@ pub struct Happened {
 }
 
 #[derive(Debug, Default)]
-struct Counts {
+struct ChaosCounts {
     links: AtomicU64,
     delays: AtomicU64,
     cuts: AtomicU64,
@@ -63,7 +63,7 @@ struct Counts {
 #[derive(Debug)]
 pub struct Proxy {
     address: SocketAddr,
-    counts: Arc<Counts>,
+    counts: Arc<ChaosCounts>,
     calm: CancellationToken,
     _until: DropGuard,
 }
@@ -102,13 +102,13 @@ enum Fate {
 }
 
 /// One direction of a link.
-struct Way {
+struct LinkDirection {
     from: OwnedReadHalf,
     to: OwnedWriteHalf,
     dice: Dice,
     seed: u64,
     faults: Faults,
-    counts: Arc<Counts>,
+    counts: Arc<ChaosCounts>,
     calm: CancellationToken,
     /// Both directions of the link fall silent together.
     silent: CancellationToken,
@@ -123,7 +123,7 @@ impl Proxy {
     /// If there is no port.
     pub async fn before(target: SocketAddr, faults: Faults, seed: u64) -> std::io::Result<Self> {
         let listener = TcpListener::bind("127.0.0.1:0").await?;
-        let (address, counts) = (listener.local_addr()?, Arc::new(Counts::default()));
+        let (address, counts) = (listener.local_addr()?, Arc::new(ChaosCounts::default()));
         let (until, calm) = (CancellationToken::new(), CancellationToken::new());
         let key = KeyOfServer::of(target, address);
         let accepting = accept(listener, key, faults, seed, Arc::clone(&counts), calm.clone());
@@ -152,7 +152,7 @@ impl Proxy {
     #[must_use]
     pub fn happened(&self) -> Happened {
         let of = |count: &AtomicU64| count.load(Ordering::Relaxed);
-        let Counts { links, delays, cuts, pieces: _, truncations, silences } = &*self.counts;
+        let ChaosCounts { links, delays, cuts, pieces: _, truncations, silences } = &*self.counts;
         Happened {
             links: of(links),
             delays: of(delays),
@@ -168,7 +168,7 @@ async fn accept(
     mut key: KeyOfServer,
     faults: Faults,
     seed: u64,
-    counts: Arc<Counts>,
+    counts: Arc<ChaosCounts>,
     calm: CancellationToken,
 ) {
     let mut links = JoinSet::new();
@@ -182,7 +182,7 @@ async fn accept(
         let _slower = (client.set_nodelay(true), server.set_nodelay(true));
         let ((from_client, to_client), (from_server, to_server)) = (client.into_split(), server.into_split());
         let silent = CancellationToken::new();
-        let way = |from, to, direction, instead| Way {
+        let way = |from, to, direction, instead| LinkDirection {
             from,
             to,
             dice: Dice::of(seed, 2 * number + direction),
@@ -205,7 +205,7 @@ async fn accept(
     }
 }
 
-impl Way {
+impl LinkDirection {
     async fn carry(mut self) {
         let mut piece = vec![0; PIECE_BYTES];
         loop {

@@ -2,12 +2,12 @@
 
 use behaviour::{Behaviour, Id};
 use protocol::Refused;
-use shell::{Client, Mirror, Trouble};
+use shell::{Client, ClientError, Mirror};
 use std::collections::BTreeMap;
 use std::fmt;
 
 /// Behaviours as they have to be: each one's revision and bytes.
-pub type Known = BTreeMap<Id, (u64, Vec<u8>)>;
+pub type ExpectedBehaviours = BTreeMap<Id, (u64, Vec<u8>)>;
 
 /// Something that must not be. [`std::fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,7 +79,7 @@ pub(crate) fn bytes(records: &Behaviour) -> Vec<u8> {
 }
 
 /// Returns the difference between what somebody has and what they should.
-pub(crate) fn differs(who: &str, has: &Mirror, known: &Known) -> Option<Wrong> {
+pub(crate) fn differs(who: &str, has: &Mirror, known: &ExpectedBehaviours) -> Option<Wrong> {
     let (wanted, wanted_bytes) = known.get(&has.behaviour)?;
     let is_same = has.revision == *wanted && bytes(&has.records) == *wanted_bytes;
     let (who, behaviour, revision, wanted) = (who.to_owned(), has.behaviour.clone(), has.revision, *wanted);
@@ -90,7 +90,7 @@ pub(crate) fn differs(who: &str, has: &Mirror, known: &Known) -> Option<Wrong> {
 ///
 /// # Errors
 /// If the server says no, or the link ends.
-pub async fn compare(url: &str, who: &str, known: &Known) -> Result<Vec<Wrong>, Trouble> {
+pub async fn compare(url: &str, who: &str, known: &ExpectedBehaviours) -> Result<Vec<Wrong>, ClientError> {
     let client = Client::connect(url, who).await?;
     let mut wrong = Vec::new();
     for behaviour in known.keys() {

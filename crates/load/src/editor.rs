@@ -3,12 +3,12 @@
 
 use crate::behaviours::{due_us, note_of, op, text};
 use crate::compare::Wrong;
-use crate::plan::Plan;
-use crate::times::Times;
+use crate::plan::LoadPlan;
+use crate::times::Durations;
 use crate::watch::Watch;
 use behaviour::{Behaviour, Change, Id};
 use protocol::{Credential, Refused, Reply, Request};
-use shell::{Client, Mirror, Trouble};
+use shell::{Client, ClientError, Mirror};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
@@ -25,7 +25,7 @@ const KILL_WITHIN_US: u64 = 4_000;
 
 /// The state that all clients share.
 pub(crate) struct Course {
-    pub(crate) plan: Plan,
+    pub(crate) plan: LoadPlan,
     pub(crate) url: String,
     /// Tells this run from others on one server.
     pub(crate) run: String,
@@ -44,11 +44,11 @@ impl Course {
 
 /// The record of what one client went through.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Tally {
+pub(crate) struct EditorTally {
     /// From when an edit was due until its sender was told that it is saved.
-    pub(crate) echo: Times,
+    pub(crate) echo: Durations,
     /// Until others were told.
-    pub(crate) spread: Times,
+    pub(crate) spread: Durations,
     /// Edits that are saved.
     pub(crate) acknowledged: u64,
     /// Edits that were sent again.
@@ -59,25 +59,25 @@ pub(crate) struct Tally {
 }
 
 /// One client that edits.
-pub(crate) struct Editor {
+pub(crate) struct LoadEditor {
     course: Arc<Course>,
     number: usize,
-    link: Option<Link>,
+    link: Option<ServerLink>,
     again: Option<Credential>,
     /// The times when its link ends without a word, in microseconds.
     kills_us: VecDeque<u64>,
-    pub(crate) tally: Tally,
+    pub(crate) tally: EditorTally,
 }
 
 /// A link, and who listens to what is told over it.
-struct Link {
+struct ServerLink {
     client: Client,
-    listening: JoinHandle<Times>,
+    listening: JoinHandle<Durations>,
 }
 
-impl Editor {
+impl LoadEditor {
     pub(crate) fn new(course: Arc<Course>, number: usize, kills_us: VecDeque<u64>) -> Self {
-        Self { course, number, link: None, again: None, kills_us, tally: Tally::default() }
+        Self { course, number, link: None, again: None, kills_us, tally: EditorTally::default() }
     }
 
     pub(crate) fn name(&self) -> String {
@@ -98,22 +98,22 @@ impl Editor {
     }
 
     /// Comes in and opens its behaviour.
-    pub(crate) async fn connect(&mut self) -> Result<(), Trouble> {
+    pub(crate) async fn connect(&mut self) -> Result<(), ClientError> {
         let mut client = Client::connect_again(&self.course.url, self.again.clone(), &self.name()).await?;
         self.again = Some(client.credential());
         let (course, told) = (Arc::clone(&self.course), client.take_told());
         let listening = tokio::spawn(listen(course, told));
         let opened = client.load(self.behaviour()).await;
-        self.link = Some(Link { client, listening });
+        self.link = Some(ServerLink { client, listening });
         opened.map(|_| ())
     }
 
     /// Comes in at first, again if the way there breaks.
-    pub(crate) async fn come_in(&mut self) -> Result<(), Trouble> {
+    pub(crate) async fn come_in(&mut self) -> Result<(), ClientError> {
         let until = Instant::now() + PATIENCE;
         loop {
             match self.connect().await {
-                Err(Trouble::Link(_)) if Instant::now() < until => {
+                Err(ClientError::Link(_)) if Instant::now() < until => {
                     self.leave().await;
                     tokio::time::sleep(Duration::from_millis(AGAIN_MS)).await;
                 }
@@ -141,7 +141,7 @@ impl Editor {
 
     /// Ends the link without a word and keeps what was heard over it.
     async fn leave(&mut self) {
-        if let Some(Link { client, listening }) = self.link.take() {
+        if let Some(ServerLink { client, listening }) = self.link.take() {
             client.cut();
             if let Ok(spread) = listening.await {
                 self.tally.spread.add(&spread);
@@ -150,7 +150,7 @@ impl Editor {
     }
 
     /// Leaves for good.
-    pub(crate) async fn end(mut self) -> Tally {
+    pub(crate) async fn end(mut self) -> EditorTally {
         self.leave().await;
         self.tally
     }
@@ -181,13 +181,13 @@ impl Editor {
                     self.course.watch.one_more();
                     return self.tally.echo.note(self.course.now_us().saturating_sub(due_us));
                 }
-                Err(Trouble::No(Refused::TooFast | Refused::Store(_))) => {
+                Err(ClientError::No(Refused::TooFast | Refused::Store(_))) => {
                     tokio::time::sleep(Duration::from_millis(AGAIN_MS)).await;
                 }
-                Err(Trouble::No(no)) => {
+                Err(ClientError::No(no)) => {
                     return self.tally.wrong.push(Wrong::Refused { client: self.number, no: Box::new(no) });
                 }
-                Err(Trouble::Link(_)) => self.connect_until(until).await,
+                Err(ClientError::Link(_)) => self.connect_until(until).await,
             }
             self.tally.again += 1;
         }
@@ -203,10 +203,10 @@ impl Editor {
         Change::of(op, &self.name(), "Edit the note").put(&now, note, text(self.number, before + 1))
     }
 
-    async fn propose(&mut self, change: &Change) -> Result<Reply, Trouble> {
+    async fn propose(&mut self, change: &Change) -> Result<Reply, ClientError> {
         let request =
             Request::Propose { behaviour: self.behaviour().clone(), change: change.clone(), tokens: Vec::new() };
-        let Some(Link { client, .. }) = &self.link else { return Err(shell::NoLink::Closed.into()) };
+        let Some(ServerLink { client, .. }) = &self.link else { return Err(shell::NoLink::Closed.into()) };
         let kill_us = self.kills_us.front().copied().filter(|at_us| *at_us <= self.course.now_us());
         let Some(kill_us) = kill_us else { return client.ask(request).await };
         self.kills_us.pop_front();
@@ -219,8 +219,8 @@ impl Editor {
 }
 
 /// Hears what is told over a link until it ends: how long the edits of others took.
-async fn listen(course: Arc<Course>, mut told: mpsc::Receiver<Reply>) -> Times {
-    let mut spread = Times::default();
+async fn listen(course: Arc<Course>, mut told: mpsc::Receiver<Reply>) -> Durations {
+    let mut spread = Durations::default();
     while let Some(reply) = told.recv().await {
         if let Reply::Accepted { accepted, .. } = reply
             && let Some(due_us) = due_us(&course.run, &accepted.change)

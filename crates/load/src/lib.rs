@@ -17,10 +17,10 @@ mod stalled;
 mod times;
 mod watch;
 
-pub use compare::{Known, Wrong, compare};
+pub use compare::{ExpectedBehaviours, Wrong, compare};
 pub use dice::Dice;
-pub use plan::Plan;
+pub use plan::LoadPlan;
 pub use report::Report;
 pub use run::{Load, run, tidy};
-pub use times::Times;
+pub use times::Durations;
 pub use watch::Watch;

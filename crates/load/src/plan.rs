@@ -2,7 +2,7 @@
 
 /// The plan of a load.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Plan {
+pub struct LoadPlan {
     /// Clients that edit, each its own note of one behaviour.
     pub clients: usize,
     /// Behaviours, among which the clients are spread evenly.
@@ -19,13 +19,13 @@ pub struct Plan {
     pub seed: u64,
 }
 
-impl Default for Plan {
+impl Default for LoadPlan {
     fn default() -> Self {
         Self { clients: 50, behaviours: 1, edits_per_10_s: 50, stalled: 0, kills: 0, seconds: 30, seed: 1 }
     }
 }
 
-impl Plan {
+impl LoadPlan {
     /// Between two edits of one client, in microseconds.
     pub(crate) fn pause_us(&self) -> u64 {
         10_000_000 / u64::from(self.edits_per_10_s.max(1))

@@ -1,9 +1,9 @@
 //! The report of a load.
 
-use crate::compare::{Known, Wrong};
-use crate::editor::Tally;
-use crate::plan::Plan;
-use crate::times::Times;
+use crate::compare::{ExpectedBehaviours, Wrong};
+use crate::editor::EditorTally;
+use crate::plan::LoadPlan;
+use crate::times::Durations;
 use std::fmt;
 use std::time::Duration;
 
@@ -14,11 +14,11 @@ const WRONG_SHOWN_MAX: usize = 20;
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The plan that was done.
-    pub plan: Plan,
+    pub plan: LoadPlan,
     /// From when an edit was due until its sender was told that it is saved.
-    pub echo: Times,
+    pub echo: Durations,
     /// Until others were told.
-    pub spread: Times,
+    pub spread: Durations,
     /// Edits that are saved.
     pub acknowledged: u64,
     /// The time until the last was.
@@ -30,18 +30,18 @@ pub struct Report {
     /// The number of times that the server cut off a client that read nothing.
     pub cut_off: u64,
     /// The behaviours as they are in the end.
-    pub known: Known,
+    pub known: ExpectedBehaviours,
     /// The faults that must not be; empty if all is well.
     pub wrong: Vec<Wrong>,
 }
 
 impl Report {
-    pub(crate) fn of(plan: Plan) -> Self {
+    pub(crate) fn of(plan: LoadPlan) -> Self {
         let (echo, spread, known, wrong) = Default::default();
         Self { plan, echo, spread, acknowledged: 0, took: Duration::ZERO, again: 0, links: 0, cut_off: 0, known, wrong }
     }
 
-    pub(crate) fn add(&mut self, tally: Tally) {
+    pub(crate) fn add(&mut self, tally: EditorTally) {
         self.echo.add(&tally.echo);
         self.spread.add(&tally.spread);
         self.acknowledged += tally.acknowledged;
@@ -59,7 +59,7 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let Plan { clients, behaviours, stalled, kills, seconds, edits_per_10_s, .. } = &self.plan;
+        let LoadPlan { clients, behaviours, stalled, kills, seconds, edits_per_10_s, .. } = &self.plan;
         let each = f64::from(*edits_per_10_s) / 10.0;
         writeln!(to, "{clients} clients in {behaviours} behaviours, {each} edits a second each, for {seconds} s")?;
         let took = self.took.as_secs_f64();

@@ -1,17 +1,17 @@
 //! One load from beginning to end.
 
 use crate::behaviours::{edits, make, note_of};
-use crate::compare::{Known, Wrong, bytes, compare, differs};
+use crate::compare::{ExpectedBehaviours, Wrong, bytes, compare, differs};
 use crate::dice::Dice;
-use crate::editor::{Course, Editor};
-use crate::plan::Plan;
+use crate::editor::{Course, LoadEditor};
+use crate::plan::LoadPlan;
 use crate::report::Report;
 use crate::stalled::stall;
 use crate::watch::Watch;
 use behaviour::Id;
 use futures_util::{StreamExt, TryStreamExt};
 use protocol::Request;
-use shell::{Client, NoLink, Trouble};
+use shell::{Client, ClientError, NoLink};
 use std::collections::{BTreeMap, VecDeque};
 use std::net::SocketAddr;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -31,7 +31,7 @@ const LOOK_MS: u64 = 20;
 pub struct Load {
     url: String,
     editors_url: String,
-    plan: Plan,
+    plan: LoadPlan,
     watch: Watch,
 }
 
@@ -40,14 +40,14 @@ pub struct Load {
 ///
 /// # Errors
 /// If there is no server, or it does not let the clients in. What goes wrong later is in the report.
-pub async fn run(url: &str, plan: &Plan) -> Result<Report, Trouble> {
+pub async fn run(url: &str, plan: &LoadPlan) -> Result<Report, ClientError> {
     Load::of(url, plan).run().await
 }
 
 impl Load {
     /// On the server at `url`.
     #[must_use]
-    pub fn of(url: &str, plan: &Plan) -> Self {
+    pub fn of(url: &str, plan: &LoadPlan) -> Self {
         Self { url: url.to_owned(), editors_url: url.to_owned(), plan: plan.clone(), watch: Watch::default() }
     }
 
@@ -67,7 +67,7 @@ impl Load {
     ///
     /// # Errors
     /// If there is no server, or it does not let the clients in. What goes wrong later is in the report.
-    pub async fn run(self) -> Result<Report, Trouble> {
+    pub async fn run(self) -> Result<Report, ClientError> {
         let Self { url, plan, .. } = &self;
         let maker = Client::connect(url, "Load").await?;
         let run = maker.you().client.as_str().chars().take(8).collect::<String>();
@@ -84,7 +84,7 @@ impl Load {
             editing.spawn(editor.edit());
         }
         let mut editors = editing.join_all().await;
-        editors.sort_by_key(Editor::number);
+        editors.sort_by_key(LoadEditor::number);
         stalled.abort_all();
         let mut report = Report::of(plan.clone());
         report.took = began.elapsed();
@@ -94,12 +94,12 @@ impl Load {
     }
 
     /// All clients come in, some at a time.
-    async fn come(&self, run: String, behaviours: Vec<Id>) -> Result<Vec<Editor>, Trouble> {
+    async fn come(&self, run: String, behaviours: Vec<Id>) -> Result<Vec<LoadEditor>, ClientError> {
         let (plan, url, watch) = (self.plan.clone(), self.editors_url.clone(), self.watch.clone());
         let kills = kills(&plan);
         let course = Arc::new(Course { plan, url, run, behaviours, watch, began: OnceLock::new() });
         let come = kills.into_iter().enumerate().map(|(number, kills)| {
-            let mut editor = Editor::new(Arc::clone(&course), number, kills);
+            let mut editor = LoadEditor::new(Arc::clone(&course), number, kills);
             async move { editor.come_in().await.map(|()| editor) }
         });
         futures_util::stream::iter(come).buffer_unordered(COMING_MAX).try_collect().await
@@ -107,7 +107,7 @@ impl Load {
 }
 
 /// Chooses the times when the link of each client ends without a word.
-fn kills(plan: &Plan) -> Vec<VecDeque<u64>> {
+fn kills(plan: &LoadPlan) -> Vec<VecDeque<u64>> {
     let mut dice = Dice::of(plan.seed, 0);
     let mut kills: Vec<VecDeque<u64>> = vec![VecDeque::new(); plan.clients];
     let mut at_us: Vec<u64> = (0..plan.kills).map(|_| dice.below(plan.seconds * 1_000_000)).collect();
@@ -123,7 +123,7 @@ fn kills(plan: &Plan) -> Vec<VecDeque<u64>> {
 ///
 /// # Errors
 /// If there is no server, or it says no.
-pub async fn tidy(url: &str, known: &Known) -> Result<(), Trouble> {
+pub async fn tidy(url: &str, known: &ExpectedBehaviours) -> Result<(), ClientError> {
     let client = Client::connect(url, "Load").await?;
     for behaviour in known.keys() {
         patiently(|| client.ask(Request::Remove { behaviour: behaviour.clone() })).await?;
@@ -132,16 +132,23 @@ pub async fn tidy(url: &str, known: &Known) -> Result<(), Trouble> {
 }
 
 /// Does it again as long as the server says that it is asked too much.
-async fn patiently<T, F: Future<Output = Result<T, Trouble>>>(act: impl Fn() -> F) -> Result<T, Trouble> {
+async fn patiently<T, F: Future<Output = Result<T, ClientError>>>(act: impl Fn() -> F) -> Result<T, ClientError> {
     loop {
         match act().await {
-            Err(Trouble::No(protocol::Refused::TooFast)) => tokio::time::sleep(Duration::from_millis(LOOK_MS)).await,
+            Err(ClientError::No(protocol::Refused::TooFast)) => {
+                tokio::time::sleep(Duration::from_millis(LOOK_MS)).await
+            }
             other => return other,
         }
     }
 }
 
-fn stalled(url: &str, plan: &Plan, behaviours: &[Id], cut_off: &Arc<AtomicU64>) -> Result<JoinSet<()>, Trouble> {
+fn stalled(
+    url: &str,
+    plan: &LoadPlan,
+    behaviours: &[Id],
+    cut_off: &Arc<AtomicU64>,
+) -> Result<JoinSet<()>, ClientError> {
     let mut tasks = JoinSet::new();
     if plan.stalled > 0 {
         let address = address(url)?;
@@ -154,14 +161,14 @@ fn stalled(url: &str, plan: &Plan, behaviours: &[Id], cut_off: &Arc<AtomicU64>) 
 }
 
 /// Reads the place of a server from its address.
-fn address(url: &str) -> Result<SocketAddr, Trouble> {
+fn address(url: &str) -> Result<SocketAddr, ClientError> {
     let bare = url.trim_start_matches("http://").trim_end_matches('/');
     let none = |error: std::net::AddrParseError| NoLink::NoServer { url: url.to_owned(), error: error.to_string() };
     bare.parse().map_err(|error| none(error).into())
 }
 
 /// Compares what all have: the clients, who comes anew, and who comes when nobody was there.
-async fn judge(url: &str, editors: Vec<Editor>, report: &mut Report) -> Result<(), Trouble> {
+async fn judge(url: &str, editors: Vec<LoadEditor>, report: &mut Report) -> Result<(), ClientError> {
     let witness = Client::connect(url, "Witness").await?;
     for editor in &editors {
         if !report.known.contains_key(editor.behaviour()) {
@@ -188,7 +195,7 @@ async fn judge(url: &str, editors: Vec<Editor>, report: &mut Report) -> Result<(
 }
 
 /// Waits until a client knows all there is, and says what is wrong with what it has.
-async fn settle(editor: &mut Editor, known: &Known) -> Vec<Wrong> {
+async fn settle(editor: &mut LoadEditor, known: &ExpectedBehaviours) -> Vec<Wrong> {
     let wanted = known.get(editor.behaviour()).map_or(0, |(revision, _)| *revision);
     let until = Instant::now() + CALM;
     while editor.replica().is_none_or(|has| has.revision < wanted) && Instant::now() < until {

@@ -13,7 +13,7 @@ const BUFFER_BYTES: u32 = 16 << 10;
 /// The time between its signs of life, by which it learns that it was cut off.
 const SIGN_MS: u64 = 200;
 
-type Ended = Box<dyn std::error::Error + Send + Sync>;
+type StallEnd = Box<dyn std::error::Error + Send + Sync>;
 
 /// Stalls, comes again when it was cut off, and counts that, until it is dropped.
 pub(crate) async fn stall(address: SocketAddr, behaviour: Id, count_cut: impl Fn()) {
@@ -26,7 +26,7 @@ pub(crate) async fn stall(address: SocketAddr, behaviour: Id, count_cut: impl Fn
 }
 
 /// Stalls until it is cut off; an error means that it never came in.
-async fn once(address: SocketAddr, behaviour: &Id) -> Result<(), Ended> {
+async fn once(address: SocketAddr, behaviour: &Id) -> Result<(), StallEnd> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4() } else { TcpSocket::new_v6() }?;
     socket.set_recv_buffer_size(BUFFER_BYTES)?;
     let stream = socket.connect(address).await?;

@@ -9,16 +9,16 @@ const DIGITS: u8 = 3;
 
 /// A histogram of durations.
 #[derive(Clone, Debug)]
-pub struct Times(Histogram<u64>);
+pub struct Durations(Histogram<u64>);
 
-impl Default for Times {
+impl Default for Durations {
     fn default() -> Self {
         #[expect(clippy::expect_used, reason = "three digits are allowed")]
         Self(Histogram::new(DIGITS).expect("a histogram"))
     }
 }
 
-impl Times {
+impl Durations {
     /// One more, in microseconds.
     pub(crate) fn note(&mut self, us: u64) {
         #[expect(clippy::expect_used, reason = "it grows as it needs")]
@@ -50,7 +50,7 @@ impl Times {
     }
 }
 
-impl fmt::Display for Times {
+impl fmt::Display for Durations {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let ms = |time: Duration| time.as_secs_f64() * 1e3;
         let [half, most, nearly_all] = [50.0, 90.0, 99.0].map(|percent| ms(self.share(percent)));
@@ -61,16 +61,16 @@ impl fmt::Display for Times {
 
 #[cfg(test)]
 mod tests {
-    use super::Times;
+    use super::Durations;
     use std::time::Duration;
 
     #[test]
     fn one_of_a_hundred_exceeds_the_99th_percent() {
-        let mut times = Times::default();
+        let mut times = Durations::default();
         (1..=200).for_each(|ms| times.note(ms * 1_000));
         let near = |time: Duration, ms: f64| (time.as_secs_f64() * 1e3 - ms).abs() < ms / 500.0;
         assert!(near(times.share(99.0), 198.0) && near(times.longest(), 200.0), "{times}");
-        let mut both = Times::default();
+        let mut both = Durations::default();
         both.add(&times);
         both.add(&times);
         assert_eq!(both.count(), 400);

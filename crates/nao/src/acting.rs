@@ -4,15 +4,15 @@
 
 mod moving;
 
-use crate::deed::{Call, Deed};
+use crate::deed::{Action, ServiceCall};
 use crate::devices::eyes::shine;
 use crate::done::{Done, Slot};
-use crate::lasting::{Lastings, Work};
+use crate::lasting::{LastingWork, Lastings};
 use crate::link::{CALL, call};
 use crate::phrases;
-use crate::shared::{Shared, State};
+use crate::shared::{NaoShared, NaoState};
 use crate::speech::Speech;
-use crate::targets::Targets;
+use crate::targets::JointTargets;
 use crate::voicing::{self, Voicing};
 use futures_util::future::join_all;
 use moving::Moving;
@@ -44,11 +44,11 @@ const HEARING: &str = crate::hearing::SERVICE;
 /// Everything that is being done.
 pub(crate) struct Acting {
     session: Session,
-    shared: Arc<Shared>,
+    shared: Arc<NaoShared>,
     done: mpsc::UnboundedSender<Done>,
     stop_generation: u64,
-    slots: BTreeMap<Slot, Call>,
-    targets: Targets,
+    slots: BTreeMap<Slot, ServiceCall>,
+    targets: JointTargets,
     under_way: BTreeSet<Slot>,
     /// When one of a kind was sent, in this cycle.
     sent: BTreeMap<Slot, Instant>,
@@ -69,7 +69,7 @@ pub(crate) struct Acting {
 impl Acting {
     pub(crate) fn new(
         session: Session,
-        shared: Arc<Shared>,
+        shared: Arc<NaoShared>,
         done: mpsc::UnboundedSender<Done>,
         cycle: Duration,
         own_name: &str,
@@ -81,7 +81,7 @@ impl Acting {
             done,
             stop_generation,
             slots: BTreeMap::new(),
-            targets: Targets::default(),
+            targets: JointTargets::default(),
             under_way: BTreeSet::new(),
             sent: BTreeMap::new(),
             cycle,
@@ -96,44 +96,44 @@ impl Acting {
     }
 
     /// Does what is wanted, if no Stop came since.
-    pub(crate) fn act(&mut self, stop_generation: u64, user: Use, deed: Deed) {
+    pub(crate) fn act(&mut self, stop_generation: u64, user: Use, deed: Action) {
         self.look_at_gate();
         if stop_generation != self.stop_generation {
             return;
         }
         match deed {
-            Deed::Eyes(color) => self.shine(|state| state.eye_color = color),
-            Deed::Glow(brightness) => self.shine(|state| state.eye_brightness = brightness),
-            Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
-            Deed::Lasting { what, calls, end, within, moves: _ } => {
+            Action::Eyes(color) => self.shine(|state| state.eye_color = color),
+            Action::Glow(brightness) => self.shine(|state| state.eye_brightness = brightness),
+            Action::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
+            Action::Lasting { what, calls, end, within, moves: _ } => {
                 if what.starts_with(ANIMATION) {
                     self.shared.state().animations.insert(what.clone());
                 }
-                let work = Work { what, calls, end, within };
+                let work = LastingWork { what, calls, end, within };
                 self.lasting.begin(&self.session, &self.done, user, work);
                 self.show();
             }
-            Deed::Behavior(name) => self.run_behavior(user, name),
-            Deed::Voice(manner) => self.voicing.set(&self.session, &self.shared, stop_generation, user, manner),
-            Deed::Light { group, call } => {
+            Action::Behavior(name) => self.run_behavior(user, name),
+            Action::Voice(manner) => self.voicing.set(&self.session, &self.shared, stop_generation, user, manner),
+            Action::Light { group, call } => {
                 self.slots.insert(group, call);
                 self.lit.insert(group, user);
             }
-            Deed::Tablet(call) => {
+            Action::Tablet(call) => {
                 self.slots.insert(TABLET, call);
                 self.shown = Some(user);
             }
-            Deed::Say(text) => self.speech.say(text, &user),
-            Deed::Walk(speeds) => self.walk(user, speeds),
-            Deed::Track(track) => self.follow(user, &track),
-            Deed::Print(text) => self.shared.state().print(user, text),
+            Action::Say(text) => self.speech.say(text, &user),
+            Action::Walk(speeds) => self.walk(user, speeds),
+            Action::Track(track) => self.follow(user, &track),
+            Action::Print(text) => self.shared.state().print(user, text),
         }
         self.speak();
         self.send_quiet();
     }
 
     /// Colour and brightness together are one colour.
-    fn shine(&mut self, change: impl FnOnce(&mut State)) {
+    fn shine(&mut self, change: impl FnOnce(&mut NaoState)) {
         let mut state = self.shared.state();
         change(&mut state);
         state.eyes = state.eye_color.map(|part| part * state.eye_brightness);
@@ -150,7 +150,7 @@ impl Acting {
             self.speech.clear();
             // What is still on its way by this link may come after the Stop by the other one: it is ended behind it.
             if self.speech.cut() {
-                self.post(Call::new("ALTextToSpeech", "stopAll", []));
+                self.post(ServiceCall::new("ALTextToSpeech", "stopAll", []));
             }
             self.freeze();
             self.lasting.clear();
@@ -165,7 +165,7 @@ impl Acting {
     pub(crate) fn close(&mut self, user: &Use) {
         self.look_at_gate();
         if self.speech.end(user) {
-            self.post(Call::new("ALTextToSpeech", "stopAll", []));
+            self.post(ServiceCall::new("ALTextToSpeech", "stopAll", []));
         }
         self.leave(user);
         self.voicing.leave(&self.session, &self.shared, user);
@@ -178,11 +178,11 @@ impl Acting {
     /// Begins an installed behaviour, unless it runs; another one ends first.
     fn run_behavior(&mut self, user: Use, name: String) {
         let what = format!("{BEHAVIOR}{name}");
-        let call = |method| Call::new("ALBehaviorManager", method, [name.as_str().into()]);
+        let call = |method| ServiceCall::new("ALBehaviorManager", method, [name.as_str().into()]);
         let mut calls = self.lasting.replace(BEHAVIOR, &what);
         // Stopped at the end, should it be one of those that go on for ever.
         calls.extend([call("runBehavior"), call("stopBehavior")]);
-        let work = Work { what, calls, end: vec![call("stopBehavior")], within: BEHAVIOR_WITHIN };
+        let work = LastingWork { what, calls, end: vec![call("stopBehavior")], within: BEHAVIOR_WITHIN };
         self.shared.state().animations.insert(name);
         self.lasting.begin(&self.session, &self.done, user, work);
         self.show();
@@ -194,7 +194,7 @@ impl Acting {
         for group in groups {
             self.lit.remove(group);
             self.slots.remove(group);
-            self.post(Call::new("ALLeds", "reset", [group.into()]));
+            self.post(ServiceCall::new("ALLeds", "reset", [group.into()]));
         }
     }
 
@@ -202,7 +202,7 @@ impl Acting {
     fn hide(&mut self, whose: impl Fn(&Use) -> bool) {
         if self.shown.take_if(|by| whose(by)).is_some() {
             self.slots.remove(TABLET);
-            self.in_turn(["hideWebview", "hideImage"].map(|method| Call::new(TABLET, method, [])).to_vec());
+            self.in_turn(["hideWebview", "hideImage"].map(|method| ServiceCall::new(TABLET, method, [])).to_vec());
         }
     }
 
@@ -241,7 +241,7 @@ impl Acting {
     }
 
     /// Calls of one kind, at once.
-    fn send(&mut self, slot: Slot, calls: Vec<Call>) {
+    fn send(&mut self, slot: Slot, calls: Vec<ServiceCall>) {
         self.under_way.insert(slot);
         self.sent.insert(slot, Instant::now());
         let (session, done) = (self.session.clone(), self.done.clone());
@@ -277,12 +277,12 @@ impl Acting {
     }
 
     /// Calls, one after the other, unless a Stop comes between.
-    fn in_turn(&self, calls: Vec<Call>) {
+    fn in_turn(&self, calls: Vec<ServiceCall>) {
         let (session, shared, stop_generation) = (self.session.clone(), Arc::clone(&self.shared), self.stop_generation);
         tokio::spawn(async move { each(&session, &shared, stop_generation, calls).await });
     }
 
-    fn post(&self, wanted: Call) {
+    fn post(&self, wanted: ServiceCall) {
         self.in_turn(vec![wanted]);
     }
 
@@ -293,7 +293,7 @@ impl Acting {
             (self.session.clone(), Arc::clone(&self.shared), self.done.clone(), self.stop_generation);
         // It would hear itself.
         let hears = self.shared.state().subscribed.uses(HEARING);
-        let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
+        let pause = move |pauses: bool| hears.then(|| ServiceCall::new(HEARING, "pause", [pauses.into()]));
         tokio::spawn(async move {
             if let Some(wanted) = pause(true) {
                 attempt(&session, &wanted, CALL).await;
@@ -327,7 +327,7 @@ impl Acting {
 }
 
 /// Calls, one after the other, unless a Stop comes between.
-async fn each(session: &Session, shared: &Shared, stop_generation: u64, calls: Vec<Call>) {
+async fn each(session: &Session, shared: &NaoShared, stop_generation: u64, calls: Vec<ServiceCall>) {
     for wanted in calls {
         if shared.stop_generation() != stop_generation {
             return;
@@ -337,7 +337,7 @@ async fn each(session: &Session, shared: &Shared, stop_generation: u64, calls: V
 }
 
 /// Calls; what the robot does not do is in the log.
-pub(crate) async fn attempt(session: &Session, wanted: &Call, within: Duration) {
+pub(crate) async fn attempt(session: &Session, wanted: &ServiceCall, within: Duration) {
     if let Err(error) = call(session, wanted, within).await {
         tracing::debug!(method = wanted.method, %error, "the robot did not do it");
     }

@@ -4,10 +4,10 @@
 use std::collections::BTreeMap;
 
 /// A joint with its lowest and highest angle in radians, a hand from 0 closed to 1 open.
-type Row = (&'static str, f64, f64);
+type JointLimits = (&'static str, f64, f64);
 
 /// The joints that behaviours may read or move.
-const JOINTS: [Row; 14] = [
+const JOINTS: [JointLimits; 14] = [
     ("HeadYaw", -2.0857, 2.0857),
     ("HeadPitch", -0.672, 0.5149),
     ("LShoulderPitch", -2.0857, 2.0857),
@@ -86,9 +86,9 @@ pub(crate) fn joint_words(joint: &str) -> String {
 
 /// The limits of the body that is there, as it tells them, within those of the table.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Limits(BTreeMap<String, (f64, f64)>);
+pub(crate) struct BodyLimits(BTreeMap<String, (f64, f64)>);
 
-impl Limits {
+impl BodyLimits {
     pub(crate) fn tell(&mut self, joint: &str, lowest: f64, highest: f64) {
         if lowest.is_finite() && highest.is_finite() && lowest <= highest {
             self.0.insert(joint.to_owned(), (lowest, highest));
@@ -129,11 +129,11 @@ fn nod(yaw: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Limits, joints_of};
+    use super::{BodyLimits, joints_of};
 
     #[test]
     fn the_head_nods_less_to_the_side() {
-        let limits = Limits::default();
+        let limits = BodyLimits::default();
         let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-9, "{one} {other}");
         near(limits.clip("HeadPitch", 1.0, 0.0), 0.5149);
         near(limits.clip("HeadPitch", 1.0, -1.527), 0.2);
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn a_body_that_tells_its_limits_is_believed_within_the_table() {
-        let mut limits = Limits::default();
+        let mut limits = BodyLimits::default();
         let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-9, "{one} {other}");
         limits.tell("HeadYaw", -0.5, 9.0);
         limits.tell("HeadYaw", f64::NAN, 9.0);

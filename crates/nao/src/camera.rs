@@ -2,8 +2,8 @@
 //! comes behind it on a link waits for it.
 
 use crate::connecting::find;
-use crate::settings::Settings;
-use crate::shared::Shared;
+use crate::settings::RobotSettings;
+use crate::shared::NaoShared;
 use qi::{Object, QiError, Session, Value};
 use robot::{Camera, Picture};
 use std::sync::atomic::Ordering;
@@ -26,17 +26,17 @@ const AGAIN_MS: u64 = 1_000;
 
 /// The camera of one robot. A clone is the same one.
 #[derive(Clone)]
-pub(crate) struct NaoCamera(Arc<Inner>);
+pub(crate) struct NaoCamera(Arc<CameraInner>);
 
-struct Inner {
-    settings: Settings,
-    shared: Arc<Shared>,
-    seen: Mutex<Seen>,
+struct CameraInner {
+    settings: RobotSettings,
+    shared: Arc<NaoShared>,
+    seen: Mutex<SeenPictures>,
 }
 
 /// The pictures that are seen, and the wish to see some.
 #[derive(Default)]
-struct Seen {
+struct SeenPictures {
     looks: bool,
     /// True if there is a thread that fetches pictures.
     fetches: bool,
@@ -46,8 +46,8 @@ struct Seen {
 }
 
 impl NaoCamera {
-    pub(crate) fn new(settings: Settings, shared: Arc<Shared>) -> Self {
-        Self(Arc::new(Inner { settings, shared, seen: Mutex::default() }))
+    pub(crate) fn new(settings: RobotSettings, shared: Arc<NaoShared>) -> Self {
+        Self(Arc::new(CameraInner { settings, shared, seen: Mutex::default() }))
     }
 }
 
@@ -72,8 +72,8 @@ impl Camera for NaoCamera {
     }
 }
 
-impl Inner {
-    fn seen(&self) -> MutexGuard<'_, Seen> {
+impl CameraInner {
+    fn seen(&self) -> MutexGuard<'_, SeenPictures> {
         self.seen.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -159,7 +159,7 @@ fn name(own_name: &str) -> String {
 }
 
 /// Ends the subscriptions that an ended server left behind: of one name there may be six only.
-pub(crate) async fn clean(session: &Session, settings: &Settings) {
+pub(crate) async fn clean(session: &Session, settings: &RobotSettings) {
     let Ok(video) = session.service(VIDEO).await else { return };
     let Ok(known) = video.call("getSubscribers", &[]).await else { return };
     let ours: Vec<String> = settings.names().map(|own| format!("{}_", name(own))).collect();

@@ -1,9 +1,9 @@
 //! Finding a robot at its addresses, and noticing that it does not answer any more.
 
 use crate::link::CALL;
-use crate::settings::Settings;
-use crate::shared::Shared;
-use qi::{Address, QiError, Session};
+use crate::settings::RobotSettings;
+use crate::shared::NaoShared;
+use qi::{PeerAddress, QiError, Session};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::task::JoinHandle;
@@ -16,7 +16,7 @@ const DEGRADED_MS: u128 = 2_200;
 const LOST_MS: u128 = 5_000;
 
 /// The first address that leads to a robot.
-pub(crate) async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
+pub(crate) async fn find(settings: &RobotSettings) -> Result<(PeerAddress, Session), QiError> {
     let mut failed = QiError::Address(settings.address.clone());
     for address in settings.addresses() {
         if let Err(error) = settings.check_secret(&address) {
@@ -32,16 +32,16 @@ pub(crate) async fn find(settings: &Settings) -> Result<(Address, Session), QiEr
 }
 
 /// A task that ends with its handle.
-pub(crate) struct Ended(pub(crate) JoinHandle<()>);
+pub(crate) struct EndingTask(pub(crate) JoinHandle<()>);
 
-impl Drop for Ended {
+impl Drop for EndingTask {
     fn drop(&mut self) {
         self.0.abort();
     }
 }
 
 /// Asks whether the robot is there; a link that is silent for too long is over.
-pub(crate) async fn ping(session: Session, shared: Arc<Shared>) {
+pub(crate) async fn ping(session: Session, shared: Arc<NaoShared>) {
     let mut beat = tokio::time::interval(Duration::from_millis(PING_MS));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
     loop {

@@ -6,13 +6,13 @@ use std::time::Duration;
 
 /// A call of a service.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Call {
+pub(crate) struct ServiceCall {
     pub(crate) service: &'static str,
     pub(crate) method: &'static str,
     pub(crate) arguments: Vec<Value>,
 }
 
-impl Call {
+impl ServiceCall {
     pub(crate) fn new(service: &'static str, method: &'static str, arguments: impl Into<Vec<Value>>) -> Self {
         Self { service, method, arguments: arguments.into() }
     }
@@ -36,15 +36,15 @@ pub(crate) struct Manner {
 
 /// The target that is followed, and the parts that follow it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Track {
+pub(crate) struct FollowedTrack {
     pub(crate) target: TrackTarget,
     pub(crate) mode: TrackMode,
-    pub(crate) arm: Arm,
+    pub(crate) arm: WhichArm,
 }
 
 /// Which arm points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Arm {
+pub(crate) enum WhichArm {
     None,
     Left,
     Right,
@@ -53,7 +53,7 @@ pub(crate) enum Arm {
 
 /// A deed that is to be done.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Deed {
+pub(crate) enum Action {
     /// The eyes get a colour, red, green and blue from 0 to 1, and keep their brightness; the newest counts.
     Eyes([f32; 3]),
     /// The eyes get a brightness from 0 to 1, and keep their colour; the newest counts.
@@ -70,9 +70,9 @@ pub(crate) enum Deed {
         /// The name of it, among all that may last.
         what: String,
         /// The calls that begin it, one after the other.
-        calls: Vec<Call>,
+        calls: Vec<ServiceCall>,
         /// The calls that end it early.
-        end: Vec<Call>,
+        end: Vec<ServiceCall>,
         /// The longest it may take.
         within: Duration,
         /// True if the robot must be awake and on its feet.
@@ -87,21 +87,21 @@ pub(crate) enum Deed {
         /// In ALLeds.
         group: &'static str,
         /// The call that sets the light; the newest counts.
-        call: Call,
+        call: ServiceCall,
     },
     /// The page or picture that the tablet shows, until the end of the use.
-    Tablet(Call),
+    Tablet(ServiceCall),
     /// Words to speak.
     Say(String),
     /// Walking: ahead, to the left and turning, in metres and radians a second.
     Walk(Speeds),
     /// Following.
-    Track(Track),
+    Track(FollowedTrack),
     /// A text for the page.
     Print(String),
 }
 
-impl Deed {
+impl Action {
     /// True if the robot must be awake and on its feet for it.
     pub(crate) fn moves(&self) -> bool {
         match self {

@@ -24,13 +24,13 @@ mod voice;
 mod walk;
 mod words;
 
-use crate::deed::{Call, Deed};
-use crate::shared::State;
+use crate::deed::{Action, ServiceCall};
+use crate::shared::NaoState;
 use behaviour::{Params, Value};
 use robot::RobotFault;
 
 /// All drivers.
-pub(crate) const ALL: [&Driver; 34] = [
+pub(crate) const ALL: [&NaoDriver; 34] = [
     &animation::DRIVER,
     &balls::BLOB,
     &balls::COLOR,
@@ -68,7 +68,7 @@ pub(crate) const ALL: [&Driver; 34] = [
 ];
 
 /// A device of this robot.
-pub(crate) struct Driver {
+pub(crate) struct NaoDriver {
     /// The name of the device in the catalogue.
     pub(crate) name: &'static str,
     /// The services without which it is not there.
@@ -76,29 +76,29 @@ pub(crate) struct Driver {
     /// The joints without which it is not there.
     pub(crate) joints: &'static [&'static str],
     /// Opens it with what was chosen, defaults included.
-    pub(crate) open: fn(&Chosen) -> Option<Opened>,
+    pub(crate) open: fn(&ChosenParams) -> Option<OpenDevice>,
 }
 
 /// A device in use.
-pub(crate) enum Opened {
+pub(crate) enum OpenDevice {
     Sense(Box<dyn Sense>),
-    Act(Box<dyn Act>),
+    Act(Box<dyn OpenActuator>),
 }
 
-impl Opened {
+impl OpenDevice {
     fn sense(sense: impl Sense + 'static) -> Option<Self> {
         Some(Self::Sense(Box::new(sense)))
     }
 
-    fn act(act: impl Act + 'static) -> Option<Self> {
+    fn act(act: impl OpenActuator + 'static) -> Option<Self> {
         Some(Self::Act(Box::new(act)))
     }
 }
 
 /// The parameters that were chosen for a device.
-pub(crate) struct Chosen(pub(crate) Params);
+pub(crate) struct ChosenParams(pub(crate) Params);
 
-impl Chosen {
+impl ChosenParams {
     fn text(&self, name: &str) -> Option<&str> {
         self.0.get(name)?.as_text()
     }
@@ -125,23 +125,23 @@ pub(crate) trait Sense: Send + Sync {
     }
 
     /// Returns what is called before that, one after the other; all of it, also if something of it fails.
-    fn begin(&self) -> Vec<Call> {
+    fn begin(&self) -> Vec<ServiceCall> {
         Vec::new()
     }
 
     /// Returns what is asked once at first, and read under the key `first`.
-    fn first(&self) -> Option<Call> {
+    fn first(&self) -> Option<ServiceCall> {
         None
     }
 
     /// Returns what is asked again and again, and read under the key `poll`, with the period in milliseconds.
-    fn poll(&self) -> Option<(Call, u64)> {
+    fn poll(&self) -> Option<(ServiceCall, u64)> {
         None
     }
 
     /// Returns what has to be set on the robot before it is asked, if there is one of that only: uses that want it
     /// otherwise take turns.
-    fn turn(&self) -> Option<Turn> {
+    fn turn(&self) -> Option<SenseTurn> {
         None
     }
 
@@ -178,17 +178,17 @@ pub(crate) trait Sense: Send + Sync {
 
 /// A turn of a sense at something that there is one of only.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Turn {
+pub(crate) struct SenseTurn {
     /// The calls that set it.
-    pub(crate) calls: Vec<Call>,
+    pub(crate) calls: Vec<ServiceCall>,
     /// The time after that until an answer is for this turn, in milliseconds.
     pub(crate) wait_ms: u64,
 }
 
 /// An action in use.
-pub(crate) trait Act: Send {
+pub(crate) trait OpenActuator: Send {
     /// Returns what a finite value wants.
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault>;
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault>;
 
     /// The sense that it needs, by its name in the catalogue.
     fn needs(&self) -> Option<&'static str> {
@@ -196,12 +196,12 @@ pub(crate) trait Act: Send {
     }
 
     /// Why this robot can never do that, if it cannot.
-    fn fits(&self, _: &State) -> Result<(), RobotFault> {
+    fn fits(&self, _: &NaoState) -> Result<(), RobotFault> {
         Ok(())
     }
 
     /// Why the robot cannot do that as it is now, if it cannot.
-    fn ready(&self, _: &Value, _: &State) -> Result<(), RobotFault> {
+    fn ready(&self, _: &Value, _: &NaoState) -> Result<(), RobotFault> {
         Ok(())
     }
 }
@@ -229,7 +229,7 @@ pub(crate) fn within<'a>(value: &'a qi::Value, path: &[usize]) -> Option<&'a qi:
 
 #[cfg(test)]
 mod tests {
-    use super::{ALL, Chosen, Opened};
+    use super::{ALL, ChosenParams, OpenDevice};
     use behaviour::{Params, StreamKind};
     use robot::with_defaults;
 
@@ -239,10 +239,10 @@ mod tests {
         assert_eq!(ALL.len(), known.len());
         for device in known {
             let driver = ALL.iter().find(|driver| driver.name == device.name).unwrap();
-            let opened = (driver.open)(&Chosen(with_defaults(device.params, &Params::new())));
+            let opened = (driver.open)(&ChosenParams(with_defaults(device.params, &Params::new())));
             let kind = opened.map(|opened| match opened {
-                Opened::Sense(_) => StreamKind::Sensor,
-                Opened::Act(_) => StreamKind::Actuator,
+                OpenDevice::Sense(_) => StreamKind::Sensor,
+                OpenDevice::Act(_) => StreamKind::Actuator,
             });
             assert_eq!(kind, Some(device.kind), "{}", device.name);
         }
@@ -260,7 +260,8 @@ mod tests {
         ];
         for driver in ALL {
             let device = robot::sensors().chain(robot::actuators()).find(|known| known.name == driver.name).unwrap();
-            let Some(Opened::Sense(mut sense)) = (driver.open)(&Chosen(with_defaults(device.params, &Params::new())))
+            let Some(OpenDevice::Sense(mut sense)) =
+                (driver.open)(&ChosenParams(with_defaults(device.params, &Params::new())))
             else {
                 continue;
             };

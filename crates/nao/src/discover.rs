@@ -12,7 +12,7 @@ const FOUND_MAX: usize = 32;
 
 /// A robot that announces itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Announced {
+pub struct AnnouncedRobot {
     /// The name that the robot gives itself.
     pub name: String,
     /// The address at which it is reached: a number in the network, with its port.
@@ -35,7 +35,7 @@ impl fmt::Display for Unheard {
 ///
 /// # Errors
 /// If the network cannot be listened to.
-pub async fn discover(listen: Duration) -> Result<Vec<Announced>, Unheard> {
+pub async fn discover(listen: Duration) -> Result<Vec<AnnouncedRobot>, Unheard> {
     let unheard = |error: mdns_sd::Error| Unheard(error.to_string());
     let daemon = ServiceDaemon::new().map_err(unheard)?;
     let heard = daemon.browse(KIND).map_err(unheard)?;
@@ -53,5 +53,5 @@ pub async fn discover(listen: Duration) -> Result<Vec<Announced>, Unheard> {
     };
     let _its_time = tokio::time::timeout(listen, listening).await;
     drop(daemon.shutdown());
-    Ok(found.into_iter().map(|(name, address)| Announced { name, address }).collect())
+    Ok(found.into_iter().map(|(name, address)| AnnouncedRobot { name, address }).collect())
 }

@@ -2,12 +2,12 @@
 
 use crate::body::joint_words;
 use crate::camera::NaoCamera;
-use crate::deed::Deed;
-use crate::devices::{ALL, Act, Chosen, Opened, Sense};
+use crate::deed::Action;
+use crate::devices::{ALL, ChosenParams, OpenActuator, OpenDevice, Sense};
 use crate::link_commands::LinkCommand;
 use crate::models;
-use crate::settings::Settings;
-use crate::shared::Shared;
+use crate::settings::RobotSettings;
+use crate::shared::NaoShared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
@@ -31,24 +31,24 @@ const LIVES: &str = "its own life is on, so it may move its head and arms and ch
 /// A NAO or Pepper. It connects by itself, again and again, for as long as it lasts; dropped, it ends what it does on the
 /// robot and its thread.
 pub struct Nao {
-    shared: Arc<Shared>,
+    shared: Arc<NaoShared>,
     orders: mpsc::UnboundedSender<LinkCommand>,
     /// Deeds on their way.
     waiting: Arc<AtomicUsize>,
-    acts: BTreeMap<Use, Box<dyn Act>>,
-    senses: BTreeMap<Use, Open>,
+    acts: BTreeMap<Use, Box<dyn OpenActuator>>,
+    senses: BTreeMap<Use, OpenSense>,
     camera: NaoCamera,
     thread: Option<JoinHandle<()>>,
 }
 
 /// An open sense: what of the robot there is one of only, and its beat.
-struct Open {
+struct OpenSense {
     only: Option<(&'static str, String)>,
-    beat: Option<Beat>,
+    beat: Option<RobotBeat>,
 }
 
 /// Beats by robot time.
-struct Beat {
+struct RobotBeat {
     period_us: u64,
     since_ms: u64,
     count: u64,
@@ -57,8 +57,8 @@ struct Beat {
 impl Nao {
     /// A robot that is not there yet. Returns at once.
     #[must_use]
-    pub fn start(settings: Settings) -> Self {
-        let shared = Arc::new(Shared::default());
+    pub fn start(settings: RobotSettings) -> Self {
+        let shared = Arc::new(NaoShared::default());
         shared.state().identity.clone_from(&settings.expected);
         let (orders, told) = mpsc::unbounded_channel();
         let waiting = Arc::new(AtomicUsize::new(0));
@@ -91,7 +91,7 @@ impl Nao {
     }
 
     /// Checks that the sense that an action needs is there.
-    fn check_needs(&self, act: &dyn Act) -> Result<(), RobotFault> {
+    fn check_needs(&self, act: &dyn OpenActuator) -> Result<(), RobotFault> {
         let Some(sense) = act.needs() else { return Ok(()) };
         let state = self.shared.state();
         match state.lacking.iter().find(|lacking| lacking.device == sense) {
@@ -174,16 +174,16 @@ impl Robot for Nao {
         if self.acts.len() + self.senses.len() >= USES_MAX {
             return Err(RobotFault::Full(USES_MAX));
         }
-        let opened = (driver.open)(&Chosen(with_defaults(known.params, params)));
+        let opened = (driver.open)(&ChosenParams(with_defaults(known.params, params)));
         match opened.ok_or_else(|| RobotFault::Unusable(name.to_owned()))? {
-            Opened::Sense(sense) => {
+            OpenDevice::Sense(sense) => {
                 self.check_only(&*sense)?;
-                let beat = sense.beat_us().map(|period_us| Beat { period_us, since_ms: now_ms, count: 0 });
+                let beat = sense.beat_us().map(|period_us| RobotBeat { period_us, since_ms: now_ms, count: 0 });
                 self.shared.state().labels.insert(user.clone(), known.label);
-                self.senses.insert(user.clone(), Open { only: sense.only(), beat });
+                self.senses.insert(user.clone(), OpenSense { only: sense.only(), beat });
                 self.tell(LinkCommand::Open(user.clone(), sense))?;
             }
-            Opened::Act(act) => {
+            OpenDevice::Act(act) => {
                 self.check_needs(&*act)?;
                 act.fits(&self.shared.state())?;
                 self.acts.insert(user.clone(), act);
@@ -226,7 +226,7 @@ impl Robot for Nao {
                 state.check_legs()?;
             }
             act.ready(value, &state)?;
-            if let Deed::Print(text) = deed {
+            if let Action::Print(text) = deed {
                 state.print(user.clone(), text);
                 return Ok(());
             }

@@ -5,7 +5,7 @@
 //! began it is gone; `lookAt` and `pointAt` may use the whole body for a time that is the robot's. Two that move one head
 //! fight, so nobody may begin a tracker of the robot's own beside this.
 
-use crate::deed::{Arm, Speeds, Track};
+use crate::deed::{FollowedTrack, Speeds, WhichArm};
 use crate::devices::tracker::seen_by;
 use crate::devices::{Sense, at, within};
 use crate::done::Done;
@@ -49,14 +49,14 @@ fn width(target: TrackTarget) -> f64 {
     }
 }
 
-impl Track {
+impl FollowedTrack {
     /// Returns what it does, in the words of the simulated robot.
     pub(crate) fn words(&self) -> String {
         let side = match self.arm {
-            Arm::None => "",
-            Arm::Left => "left ",
-            Arm::Right => "right ",
-            Arm::Nearest => "nearest ",
+            WhichArm::None => "",
+            WhichArm::Left => "left ",
+            WhichArm::Right => "right ",
+            WhichArm::Nearest => "nearest ",
         };
         let side = if self.mode == TrackMode::Arm { side } else { "" };
         format!("{} with {side}{}", self.target.words(), self.mode.words())
@@ -64,22 +64,22 @@ impl Track {
 }
 
 /// A use that follows.
-pub(crate) struct Follow {
+pub(crate) struct FollowingUse {
     pub(crate) user: Use,
-    pub(crate) track: Track,
+    pub(crate) track: FollowedTrack,
     /// When it was told to last.
     pub(crate) told: Instant,
     /// True if the whole body is turning.
     turning: bool,
 }
 
-impl Follow {
-    pub(crate) fn new(user: Use, track: Track, now: Instant) -> Self {
+impl FollowingUse {
+    pub(crate) fn new(user: Use, track: FollowedTrack, now: Instant) -> Self {
         Self { user, track, told: now, turning: false }
     }
 
     /// Returns the speeds at which the legs go after what is seen.
-    pub(crate) fn speeds(&mut self, seen: &Seen) -> Speeds {
+    pub(crate) fn speeds(&mut self, seen: &SeenTarget) -> Speeds {
         let [x, y, _] = seen.place;
         let (aside, far) = (y.atan2(x), x.hypot(y));
         let turn = (aside * TURN_GAIN).clamp(-TOP_RPS, TOP_RPS);
@@ -97,16 +97,16 @@ impl Follow {
     }
 
     /// Where the joints go that follow what is seen: the head, unless somebody else has it, and the arm.
-    pub(crate) fn aims(&self, seen: &Seen, has_head: bool) -> Vec<(&'static str, f64)> {
+    pub(crate) fn aims(&self, seen: &SeenTarget, has_head: bool) -> Vec<(&'static str, f64)> {
         let mut aims = Vec::new();
         if self.track.mode != TrackMode::Arm && has_head {
             aims.extend([("HeadYaw", seen.look[0]), ("HeadPitch", seen.look[1])]);
         }
         let is_left = match self.track.arm {
-            Arm::None => return aims,
-            Arm::Left => true,
-            Arm::Right => false,
-            Arm::Nearest => seen.place[1] > 0.0,
+            WhichArm::None => return aims,
+            WhichArm::Left => true,
+            WhichArm::Right => false,
+            WhichArm::Nearest => seen.place[1] > 0.0,
         };
         aims.extend(pointing(seen.place, is_left));
         aims
@@ -130,7 +130,7 @@ fn pointing(place: [f64; 3], is_left: bool) -> [(&'static str, f64); 5] {
 
 /// The place of the target, as one picture says it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Seen {
+pub(crate) struct SeenTarget {
     /// Where it is in the frame of the torso, in metres.
     pub(crate) place: [f64; 3],
     /// The yaw and pitch of a head that looks at it.
@@ -139,15 +139,15 @@ pub(crate) struct Seen {
 
 /// The newest picture, until it is looked at.
 #[derive(Clone, Default)]
-pub(crate) struct Newest(Arc<Mutex<Option<Seen>>>);
+pub(crate) struct Newest(Arc<Mutex<Option<SeenTarget>>>);
 
 impl Newest {
     /// True if the one before was looked at.
-    fn put(&self, seen: Seen) -> bool {
+    fn put(&self, seen: SeenTarget) -> bool {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).replace(seen).is_none()
     }
 
-    pub(crate) fn take(&self) -> Option<Seen> {
+    pub(crate) fn take(&self) -> Option<SeenTarget> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 }
@@ -177,7 +177,7 @@ impl Sense for Looking {
 }
 
 /// `[[s, us], [x, y, size, ...] or [face, ..., recognised], [the camera's place and turns in the torso's frame], ..., camera]`.
-fn seen(target: TrackTarget, value: &qi::Value) -> Option<Seen> {
+fn seen(target: TrackTarget, value: &qi::Value) -> Option<SeenTarget> {
     let (x, y, half) = match target {
         TrackTarget::RedBall => (at(value, &[1, 0])?, at(value, &[1, 1])?, at(value, &[1, 2])?),
         TrackTarget::Face => {
@@ -198,7 +198,7 @@ fn seen(target: TrackTarget, value: &qi::Value) -> Option<Seen> {
     let length = way.iter().map(|part| part * part).sum::<f64>().sqrt();
     let turned = turn(way.map(|part| part * far / length), [camera[3], camera[4], camera[5]]);
     let place = [0, 1, 2].map(|axis| camera[axis] + turned[axis]);
-    inside.then_some(Seen { place, look: [camera[5] + x, camera[4] - tilt + y] })
+    inside.then_some(SeenTarget { place, look: [camera[5] + x, camera[4] - tilt + y] })
 }
 
 /// A vector turned about x, then y, then z.
@@ -213,7 +213,7 @@ fn turn([x, y, z]: [f64; 3], [about_x, about_y, about_z]: [f64; 3]) -> [f64; 3] 
 
 #[cfg(test)]
 mod tests {
-    use super::{Arm, Follow, Seen, Track, TrackMode, TrackTarget, pointing, seen};
+    use super::{FollowedTrack, FollowingUse, SeenTarget, TrackMode, TrackTarget, WhichArm, pointing, seen};
     use behaviour::Id;
     use qi::Value;
     use robot::Use;
@@ -234,7 +234,7 @@ mod tests {
         let pose = list(&[0.05, 0.0, 0.2, 0.0, 0.1 + 0.021, 0.5]);
         let value =
             Value::List(vec![list(&[0.0, 0.0]), list(&[0.0, 0.0, size, size]), pose.clone(), pose, Value::I32(0)]);
-        let Seen { place, look } = seen(TrackTarget::RedBall, &value).unwrap();
+        let SeenTarget { place, look } = seen(TrackTarget::RedBall, &value).unwrap();
         assert!(near(look[0], 0.5) && near(look[1], 0.1), "{look:?}");
         let (sin, cos) = 0.5_f64.sin_cos();
         let flat = 0.6 * 0.121_f64.cos();
@@ -254,9 +254,13 @@ mod tests {
         assert!(pointing([0.5, -0.4, 0.1], false)[1].1 < -0.4);
         let user = Use { run: 1, stream: Id::new("a").unwrap() };
         let follow = |mode| {
-            Follow::new(user.clone(), Track { target: TrackTarget::RedBall, mode, arm: Arm::Nearest }, Instant::now())
+            FollowingUse::new(
+                user.clone(),
+                FollowedTrack { target: TrackTarget::RedBall, mode, arm: WhichArm::Nearest },
+                Instant::now(),
+            )
         };
-        let at = |x: f64, y: f64| Seen { place: [x, y, 0.0], look: [y.atan2(x), 0.0] };
+        let at = |x: f64, y: f64| SeenTarget { place: [x, y, 0.0], look: [y.atan2(x), 0.0] };
         let mut whole = follow(TrackMode::WholeBody);
         assert_eq!(whole.speeds(&at(1.0, 0.3)), [0.0; 3], "the head alone");
         assert!(whole.speeds(&at(1.0, 0.6))[2] > 0.3);

@@ -1,7 +1,7 @@
 //! Speech recognition is set by whoever listens, and there is one of it: how it was is kept on the robot itself, so that the
 //! next connection finds it, whatever became of who listened.
 
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::kept;
 use crate::link::try_call;
 use qi::{Session, Value};
@@ -17,7 +17,7 @@ pub(crate) async fn note(session: &Session, own_name: &str) {
     if kept::kept(session, own_name, WHAT).await.is_some() {
         return;
     }
-    let language = try_call(session, &Call::new(SERVICE, "getLanguage", [])).await;
+    let language = try_call(session, &ServiceCall::new(SERVICE, "getLanguage", [])).await;
     if let Some(language) = language.as_ref().and_then(Value::as_text) {
         kept::keep(session, own_name, WHAT, language.as_ref().into()).await;
     }
@@ -29,9 +29,9 @@ pub(crate) async fn put_back(session: &Session, own_name: &str) {
     let Some(language) = language.as_text() else { return };
     for wanted in [
         // A language is not taken up while it listens.
-        Call::new(SERVICE, "pause", [true.into()]),
-        Call::new(SERVICE, "setLanguage", [language.as_ref().into()]),
-        Call::new(SERVICE, "pause", [false.into()]),
+        ServiceCall::new(SERVICE, "pause", [true.into()]),
+        ServiceCall::new(SERVICE, "setLanguage", [language.as_ref().into()]),
+        ServiceCall::new(SERVICE, "pause", [false.into()]),
     ] {
         try_call(session, &wanted).await;
     }

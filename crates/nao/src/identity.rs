@@ -1,11 +1,11 @@
 //! Which body answers: read at each connection, before anything else is asked of it, and compared with the one that is
 //! expected. Reading moves nothing and changes nothing.
 
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::devices::eyes::shine;
 use crate::link::{CALL, call, try_call};
 use crate::models;
-use crate::shared::Shared;
+use crate::shared::NaoShared;
 use qi::{QiError, Session, Value};
 use robot::{Identity, Stranger};
 use std::sync::Arc;
@@ -23,7 +23,7 @@ const BLINK_MS: u64 = 300;
 ///
 /// # Errors
 /// If the robot does not say enough to be told from another one: then it is asked again later.
-pub(crate) async fn recognise(session: &Session, shared: &Shared) -> Result<Option<Box<Stranger>>, QiError> {
+pub(crate) async fn recognise(session: &Session, shared: &NaoShared) -> Result<Option<Box<Stranger>>, QiError> {
     let expected = shared.state().identity.clone();
     let needs_serial = expected.as_ref().is_some_and(|expected| !expected.serial.is_empty());
     let found = read(session, needs_serial).await?;
@@ -46,7 +46,7 @@ pub(crate) async fn recognise(session: &Session, shared: &Shared) -> Result<Opti
 /// # Errors
 /// If the link ends; and, where the number of the body is needed, if the robot is not ready to tell it.
 pub(crate) async fn read(session: &Session, needs_serial: bool) -> Result<Identity, QiError> {
-    let serial = match call(session, &Call::new("ALMemory", "getData", [SERIAL.into()]), CALL).await {
+    let serial = match call(session, &ServiceCall::new("ALMemory", "getData", [SERIAL.into()]), CALL).await {
         Ok(value) => text(&value),
         // It has none.
         Err(QiError::Remote { .. }) => String::new(),
@@ -55,11 +55,11 @@ pub(crate) async fn read(session: &Session, needs_serial: bool) -> Result<Identi
         Err(_) => String::new(),
     };
     let ask = async |service: &'static str, method: &'static str| {
-        let told = try_call(session, &Call::new(service, method, [])).await;
+        let told = try_call(session, &ServiceCall::new(service, method, [])).await;
         told.as_ref().map(text).unwrap_or_default()
     };
     let (head, name) = (ask("ServiceDirectory", "machineId").await, ask("ALSystem", "robotName").await);
-    let joints = try_call(session, &Call::new("ALMotion", "getBodyNames", ["Body".into()])).await;
+    let joints = try_call(session, &ServiceCall::new("ALMotion", "getBodyNames", ["Body".into()])).await;
     let joints: Option<Vec<String>> =
         joints.map(|joints| joints.items().unwrap_or_default().iter().map(text).collect());
     let body = joints.map(|joints| models::kind_of(&joints).to_owned()).unwrap_or_default();
@@ -73,7 +73,7 @@ fn text(value: &Value) -> String {
 }
 
 /// The eyes go dark and bright, a few times; then they are as they are wanted by then, or as a stranger has them by itself.
-pub(crate) async fn blink(session: Session, ours: Option<Arc<Shared>>) {
+pub(crate) async fn blink(session: Session, ours: Option<Arc<NaoShared>>) {
     for _ in 0..BLINKS {
         for bright in [0.0, 1.0] {
             try_call(&session, &shine([bright; 3])).await;
@@ -82,7 +82,7 @@ pub(crate) async fn blink(session: Session, ours: Option<Arc<Shared>>) {
     }
     let last = match ours {
         Some(shared) => shine(shared.state().eyes),
-        None => Call::new("ALLeds", "reset", ["FaceLeds".into()]),
+        None => ServiceCall::new("ALLeds", "reset", ["FaceLeds".into()]),
     };
     try_call(&session, &last).await;
 }

@@ -1,9 +1,9 @@
 //! The inventory of the robot: what is installed on it, how many faces it remembers, and how it is in the network. It
 //! is asked at first and now and then, as people change it meanwhile.
 
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::link::try_call;
-use crate::shared::Shared;
+use crate::shared::NaoShared;
 use qi::{Session, Value};
 use robot::{FACES_MAX, Installed, Network};
 use std::sync::Arc;
@@ -21,10 +21,10 @@ const FACE_MAX_CHARS: usize = 100;
 const GESTURE: &str = "animations/";
 
 /// Looks for as long as the link lasts, and at once when somebody rings.
-pub(crate) async fn keep(session: Session, shared: Arc<Shared>) {
+pub(crate) async fn keep(session: Session, shared: Arc<NaoShared>) {
     loop {
         let installed = Arc::new(installed(&session).await);
-        let lights = names(&session, Call::new("ALLeds", "listGroups", [])).await;
+        let lights = names(&session, ServiceCall::new("ALLeds", "listGroups", [])).await;
         {
             let mut state = shared.state();
             state.installed = installed;
@@ -38,34 +38,35 @@ pub(crate) async fn keep(session: Session, shared: Arc<Shared>) {
     }
 }
 
-async fn names(session: &Session, wanted: Call) -> Vec<String> {
+async fn names(session: &Session, wanted: ServiceCall) -> Vec<String> {
     let value = try_call(session, &wanted).await;
     let items = value.as_ref().and_then(Value::items).unwrap_or_default();
     items.iter().filter_map(|name| Some(name.as_text()?.into_owned())).collect()
 }
 
 async fn installed(session: &Session) -> Installed {
-    let all = names(session, Call::new("ALBehaviorManager", "getInstalledBehaviors", [])).await;
+    let all = names(session, ServiceCall::new("ALBehaviorManager", "getInstalledBehaviors", [])).await;
     // What begins with a dot is what Choregraphe tried last.
     let shown = all.into_iter().filter(|name| !name.starts_with('.'));
     let (gestures, behaviors) = shown.partition(|name| name.starts_with(GESTURE));
     let mut sounds = Vec::new();
-    let sets = names(session, Call::new("ALAudioPlayer", "getInstalledSoundSetsList", [])).await;
+    let sets = names(session, ServiceCall::new("ALAudioPlayer", "getInstalledSoundSetsList", [])).await;
     for set in sets.into_iter().take(SETS_MAX) {
-        let files = names(session, Call::new("ALAudioPlayer", "getSoundSetFileNames", [set.as_str().into()])).await;
+        let files =
+            names(session, ServiceCall::new("ALAudioPlayer", "getSoundSetFileNames", [set.as_str().into()])).await;
         sounds.extend(files.into_iter().map(|file| format!("{set}/{file}")));
     }
-    let languages = names(session, Call::new("ALTextToSpeech", "getAvailableLanguages", [])).await;
+    let languages = names(session, ServiceCall::new("ALTextToSpeech", "getAvailableLanguages", [])).await;
     Installed::bounded([behaviors, gestures, sounds, languages])
 }
 
-async fn ask(session: &Session, shared: &Shared) {
-    let faces = try_call(session, &Call::new("ALFaceDetection", "getLearnedFacesList", [])).await;
+async fn ask(session: &Session, shared: &NaoShared) {
+    let faces = try_call(session, &ServiceCall::new("ALFaceDetection", "getLearnedFacesList", [])).await;
     let faces = faces.as_ref().and_then(Value::items);
     let names = faces.unwrap_or_default().iter().filter_map(|name| Some(name.as_text()?.into_owned()));
     let names: Vec<String> = names.filter(|name| (1..=FACE_MAX_CHARS).contains(&name.chars().count())).collect();
     let faces = faces.and_then(|faces| u16::try_from(faces.len()).ok());
-    let services = try_call(session, &Call::new("ALConnectionManager", "services", [])).await;
+    let services = try_call(session, &ServiceCall::new("ALConnectionManager", "services", [])).await;
     let mut state = shared.state();
     state.faces = names.into_iter().take(FACES_MAX).collect();
     state.condition.faces = faces;

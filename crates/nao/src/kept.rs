@@ -1,7 +1,7 @@
 //! The settings that were changed on a robot for us and have to be put back: how they were is kept in the robot's own
 //! memory, so that the next connection finds it, whatever became of who set them.
 
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::link::try_call;
 use qi::{Session, Value};
 
@@ -9,8 +9,8 @@ pub(crate) fn key(own_name: &str, what: &str) -> String {
     format!("{own_name}/{what}")
 }
 
-pub(crate) fn memory(method: &'static str, arguments: impl Into<Vec<Value>>) -> Call {
-    Call::new("ALMemory", method, arguments)
+pub(crate) fn memory(method: &'static str, arguments: impl Into<Vec<Value>>) -> ServiceCall {
+    ServiceCall::new("ALMemory", method, arguments)
 }
 
 /// Returns what was kept, if something was.

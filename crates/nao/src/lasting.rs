@@ -1,7 +1,7 @@
 //! Actions that take their time, like a gesture or a sound: begun once, however many want them, and ended with the last
 //! of these.
 
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::done::Done;
 use crate::link::call_until;
 use crate::outcome::failed;
@@ -16,21 +16,21 @@ use tokio_util::sync::CancellationToken;
 const LASTING_MAX: usize = 32;
 
 /// An action that is to be done.
-pub(crate) struct Work {
+pub(crate) struct LastingWork {
     /// The name of it, among all that may last.
     pub(crate) what: String,
     /// The calls that begin it, one after the other.
-    pub(crate) calls: Vec<Call>,
+    pub(crate) calls: Vec<ServiceCall>,
     /// The calls that end it early.
-    pub(crate) end: Vec<Call>,
+    pub(crate) end: Vec<ServiceCall>,
     /// The longest that a call may take.
     pub(crate) within: Duration,
 }
 
 /// Something that is being done.
-struct Lasting {
+struct LastingDeed {
     users: Vec<Use>,
-    end: Vec<Call>,
+    end: Vec<ServiceCall>,
     number: u64,
     cancel: CancellationToken,
 }
@@ -38,14 +38,20 @@ struct Lasting {
 /// Everything that is being done and takes its time, by what it is.
 #[derive(Default)]
 pub(crate) struct Lastings {
-    all: BTreeMap<String, Lasting>,
+    all: BTreeMap<String, LastingDeed>,
     number: u64,
 }
 
 impl Lastings {
     /// Begins it, unless it lasts already; what is too much is left out. `done` hears of its end.
-    pub(crate) fn begin(&mut self, session: &Session, done: &mpsc::UnboundedSender<Done>, user: Use, work: Work) {
-        let Work { what, calls, end, within } = work;
+    pub(crate) fn begin(
+        &mut self,
+        session: &Session,
+        done: &mpsc::UnboundedSender<Done>,
+        user: Use,
+        work: LastingWork,
+    ) {
+        let LastingWork { what, calls, end, within } = work;
         if let Some(same) = self.all.get_mut(&what) {
             if !same.users.contains(&user) {
                 same.users.push(user);
@@ -69,7 +75,7 @@ impl Lastings {
             }
             let _over = done.send(Done::Lasted(name, number, fault));
         });
-        self.all.insert(what, Lasting { users: vec![user], end, number, cancel });
+        self.all.insert(what, LastingDeed { users: vec![user], end, number, cancel });
     }
 
     /// It came to its end; with who wanted it.
@@ -82,18 +88,18 @@ impl Lastings {
 
     /// A use ends: answers with what ends that nobody else uses. What would end something else too, as all sounds end
     /// together, lasts until nobody uses that either.
-    pub(crate) fn leave(&mut self, user: &Use) -> Vec<Call> {
+    pub(crate) fn leave(&mut self, user: &Use) -> Vec<ServiceCall> {
         if !self.all.values().any(|lasting| lasting.users.contains(user)) {
             return Vec::new();
         }
         self.all.values_mut().for_each(|lasting| lasting.users.retain(|other| other != user));
         let used = self.all.values().filter(|lasting| !lasting.users.is_empty());
-        let kept: Vec<Vec<Call>> = used.map(|lasting| lasting.end.clone()).collect();
-        let is_used = |lasting: &Lasting| !lasting.users.is_empty() || kept.contains(&lasting.end);
+        let kept: Vec<Vec<ServiceCall>> = used.map(|lasting| lasting.end.clone()).collect();
+        let is_used = |lasting: &LastingDeed| !lasting.users.is_empty() || kept.contains(&lasting.end);
         let (left, over): (BTreeMap<_, _>, BTreeMap<_, _>) =
             std::mem::take(&mut self.all).into_iter().partition(|(_, lasting)| is_used(lasting));
         self.all = left;
-        let mut ends: Vec<Vec<Call>> = Vec::new();
+        let mut ends: Vec<Vec<ServiceCall>> = Vec::new();
         for lasting in over.into_values() {
             lasting.cancel.cancel();
             if !ends.contains(&lasting.end) {
@@ -104,7 +110,7 @@ impl Lastings {
     }
 
     /// Ends everything that is called like this, but for one; returns the calls that end it on the robot.
-    pub(crate) fn replace(&mut self, family: &str, but: &str) -> Vec<Call> {
+    pub(crate) fn replace(&mut self, family: &str, but: &str) -> Vec<ServiceCall> {
         let is_other = |what: &String| what.starts_with(family) && what != but;
         let others: Vec<String> = self.all.keys().filter(|what| is_other(what)).cloned().collect();
         let gone = others.iter().filter_map(|what| self.all.remove(what));

@@ -5,7 +5,7 @@
 //! up after the steps that are decided already; the gait is that of the call. A `move` or `moveToward` goes on for ever
 //! instead, and the robot has nothing that would end it.
 
-use crate::deed::{Call, Speeds};
+use crate::deed::{ServiceCall, Speeds};
 use qi::Value;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -36,7 +36,7 @@ pub(crate) enum Stride {
     /// Nothing now.
     Nothing,
     /// The next piece.
-    Piece(Call),
+    Piece(ServiceCall),
     /// It stands from now on.
     Stand,
 }
@@ -90,7 +90,7 @@ fn renew(speeds: &Speeds, is_pepper: bool) -> Duration {
 }
 
 /// The way of one piece, and the gait that takes so long for it.
-fn piece(speeds: &Speeds, is_pepper: bool) -> Call {
+fn piece(speeds: &Speeds, is_pepper: bool) -> ServiceCall {
     let way = speeds.map(|speed| Value::F32((speed * PIECE_S) as f32));
     let [ahead, left, turn] = speeds.map(f64::abs);
     let gait = if is_pepper {
@@ -108,7 +108,7 @@ fn piece(speeds: &Speeds, is_pepper: bool) -> Call {
         Value::dynamic(Value::List(vec![Value::dynamic(name), Value::dynamic(value)]))
     });
     let [ahead, left, turn] = way;
-    Call::new("ALMotion", "moveTo", [ahead, left, turn, Value::dynamic(Value::List(gait.collect()))])
+    ServiceCall::new("ALMotion", "moveTo", [ahead, left, turn, Value::dynamic(Value::List(gait.collect()))])
 }
 
 #[cfg(test)]

@@ -45,8 +45,8 @@ mod targets;
 mod voice_before;
 mod voicing;
 
-pub use check::{Found, Step, check};
-pub use discover::{Announced, Unheard, discover};
+pub use check::{ReachStep, RobotCheck, check};
+pub use discover::{AnnouncedRobot, Unheard, discover};
 pub use driver::Nao;
-pub use models::{MODELS, Model};
-pub use settings::{Login, Settings};
+pub use models::{MODELS, RobotModel};
+pub use settings::{Login, RobotSettings};

@@ -1,6 +1,6 @@
 //! Calls on one session, each within a bound and never waited for by who has something else to do.
 
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use qi::{QiError, Session, Value};
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use std::time::Duration;
 pub(crate) const CALL: Duration = Duration::from_millis(2_000);
 
 /// Calls and waits for the answer.
-pub(crate) async fn call(session: &Session, call: &Call, within: Duration) -> Result<Value, QiError> {
+pub(crate) async fn call(session: &Session, call: &ServiceCall, within: Duration) -> Result<Value, QiError> {
     let object = session.service(call.service).await?;
     object.call_within(call.method, &call.arguments, within).await
 }
@@ -16,7 +16,7 @@ pub(crate) async fn call(session: &Session, call: &Call, within: Duration) -> Re
 /// Calls and waits for the answer, until nobody wants that any more: then the robot is asked to give it up.
 pub(crate) async fn call_until(
     session: &Session,
-    call: &Call,
+    call: &ServiceCall,
     within: Duration,
     unwanted: impl Future<Output = ()>,
 ) -> Result<Value, QiError> {
@@ -25,7 +25,7 @@ pub(crate) async fn call_until(
 }
 
 /// Calls, and says in the log if that went wrong.
-pub(crate) async fn try_call(session: &Session, wanted: &Call) -> Option<Value> {
+pub(crate) async fn try_call(session: &Session, wanted: &ServiceCall) -> Option<Value> {
     let done = call(session, wanted, CALL).await;
     done.inspect_err(|error| {
         tracing::debug!(service = wanted.service, method = wanted.method, %error, "the robot did not do it");

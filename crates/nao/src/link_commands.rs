@@ -1,6 +1,6 @@
 //! The commands to the thread of the link.
 
-use crate::deed::Deed;
+use crate::deed::Action;
 use crate::devices::Sense;
 use robot::{Control, Use};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,7 +11,7 @@ pub(crate) enum LinkCommand {
     Open(Use, Box<dyn Sense>),
     Close(Use),
     /// With the stop generation in which it was wanted.
-    Do(u64, Use, Deed),
+    Do(u64, Use, Action),
     Control(Control),
 }
 

@@ -4,7 +4,7 @@ use behaviour::{Params, Value};
 
 /// A kind of robot.
 #[derive(Clone, Copy, Debug)]
-pub struct Model {
+pub struct RobotModel {
     /// The name for people.
     pub name: &'static str,
     /// The devices of the catalogue that it does not have.
@@ -12,10 +12,10 @@ pub struct Model {
 }
 
 /// All kinds.
-pub const MODELS: [Model; 3] = [
-    Model { name: "NAO", lacks: &["Tablet"] },
-    Model { name: "NAO without hands (H21)", lacks: &["HandTouch", "Tablet"] },
-    Model { name: "Pepper", lacks: &[] },
+pub const MODELS: [RobotModel; 3] = [
+    RobotModel { name: "NAO", lacks: &["Tablet"] },
+    RobotModel { name: "NAO without hands (H21)", lacks: &["HandTouch", "Tablet"] },
+    RobotModel { name: "Pepper", lacks: &[] },
 ];
 
 /// Why a body cannot use a device with what was chosen for it, where that is known.

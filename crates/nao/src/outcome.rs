@@ -1,12 +1,12 @@
 //! The outcome of something that was asked of the robot, in words for people: never the robot's own text, which names
 //! files and lines of its code.
 
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use qi::{QiError, Value};
 use robot::RobotFault;
 
 /// Why an action did not come about, if it did not. Who ended it knows why it ended.
-pub(crate) fn failed(wanted: &Call, done: &Result<Value, QiError>) -> Option<RobotFault> {
+pub(crate) fn failed(wanted: &ServiceCall, done: &Result<Value, QiError>) -> Option<RobotFault> {
     let not_now = |why: &str| Some(RobotFault::NotNow(why.to_owned()));
     match (wanted.method, done) {
         ("learnFace", Ok(value)) if value.as_bool() == Some(false) => Some(RobotFault::NoFace),

@@ -1,11 +1,11 @@
 //! Scans what the robot at the other end has: its services, its body, and what an ended server left behind on it.
 
 use crate::body::joint_words;
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::devices::ALL;
 use crate::link::{CALL, call, try_call};
-use crate::settings::Settings;
-use crate::shared::{Shared, State};
+use crate::settings::RobotSettings;
+use crate::shared::{NaoShared, NaoState};
 use futures_util::future::join_all;
 use qi::{QiError, Session, Value};
 use robot::Lacking;
@@ -45,14 +45,14 @@ pub(crate) struct Scanned {
 pub(crate) async fn scan(session: &Session) -> Result<Scanned, QiError> {
     let services: BTreeSet<String> = session.services().await?.into_iter().map(|service| service.name).collect();
     let text = async |service: &'static str, method: &'static str| {
-        let value = try_call(session, &Call::new(service, method, [])).await;
+        let value = try_call(session, &ServiceCall::new(service, method, [])).await;
         value.and_then(|value| value.as_text().map(|text| text.into_owned())).unwrap_or_default()
     };
     let (name, version) = (text("ALSystem", "robotName").await, text("ALSystem", "systemVersion").await);
-    let joints = call(session, &Call::new("ALMotion", "getBodyNames", ["Body".into()]), CALL).await?;
+    let joints = call(session, &ServiceCall::new("ALMotion", "getBodyNames", ["Body".into()]), CALL).await?;
     let joints: Vec<String> =
         joints.items().unwrap_or_default().iter().filter_map(|name| Some(name.as_text()?.into_owned())).collect();
-    let limits = try_call(session, &Call::new("ALMotion", "getLimits", ["Body".into()])).await;
+    let limits = try_call(session, &ServiceCall::new("ALMotion", "getLimits", ["Body".into()])).await;
     let limits = limits.map(|limits| limits_of(&limits)).unwrap_or_default();
     let config =
         if services.contains("ALRobotModel") { text("ALRobotModel", "getRobotType").await } else { String::new() };
@@ -101,7 +101,7 @@ impl Scanned {
         if self.version.is_empty() { kind.to_owned() } else { format!("{kind}, NAOqi {}", self.version) }
     }
 
-    pub(crate) fn note(&self, state: &mut State) {
+    pub(crate) fn note(&self, state: &mut NaoState) {
         state.is_pepper = self.is_pepper;
         state.devices.clone_from(&self.devices);
         state.lacking.clone_from(&self.lacking);
@@ -113,7 +113,7 @@ impl Scanned {
 }
 
 /// Ends the subscriptions that begin with a name of ours, which outlive the process that made them. True if there were some.
-pub(crate) async fn clean(session: &Session, settings: &Settings, shared: &Shared) -> bool {
+pub(crate) async fn clean(session: &Session, settings: &RobotSettings, shared: &NaoShared) -> bool {
     let ours = |name: &str| settings.names().any(|own| name == own || name.starts_with(&format!("{own}/")));
     let clean = EXTRACTORS.iter().map(|service| async move {
         let mut found = false;

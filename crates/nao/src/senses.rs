@@ -1,12 +1,12 @@
 //! A sense at work: a task of its own that prepares it, hears events or asks, reads, and cleans up after itself.
 
-use crate::deed::Call;
-use crate::devices::{Sense, Turn};
+use crate::deed::ServiceCall;
+use crate::devices::{Sense, SenseTurn};
 use crate::hearing;
 use crate::link::{CALL, call, is_silent, try_call};
 use crate::outcome;
-use crate::shared::Shared;
-use qi::{Keep, QiError, Session, Value};
+use crate::shared::NaoShared;
+use qi::{EventChoice, QiError, Session, Value};
 use robot::Use;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -28,16 +28,16 @@ const PERIOD_MS: i32 = 33;
 const NEVER_MS: u64 = 3_600_000;
 
 /// Whose turn it is at what there is one of only, on one link, and since when that is set.
-pub(crate) type Turns = Arc<tokio::sync::Mutex<Option<(Turn, Instant)>>>;
+pub(crate) type SenseTurns = Arc<tokio::sync::Mutex<Option<(SenseTurn, Instant)>>>;
 
 /// The values that are heard of keys of ALMemory, with the moment at which they came.
-type Heard = mpsc::Receiver<(&'static str, Value, Instant)>;
+type HeardKeys = mpsc::Receiver<(&'static str, Value, Instant)>;
 
 /// Runs a sense until it is cancelled.
 pub(crate) async fn run(
     session: Session,
-    shared: Arc<Shared>,
-    turns: Turns,
+    shared: Arc<NaoShared>,
+    turns: SenseTurns,
     name: String,
     user: Use,
     mut sense: Box<dyn Sense>,
@@ -105,8 +105,8 @@ fn own_name<'a>(name: &'a str, user: &Use) -> &'a str {
 
 async fn begin(
     session: &Session,
-    shared: &Shared,
-    turns: &Turns,
+    shared: &NaoShared,
+    turns: &SenseTurns,
     (name, user): (&str, &Use),
     sense: &dyn Sense,
 ) -> Result<(), QiError> {
@@ -119,7 +119,7 @@ async fn begin(
         state.words.insert(user.clone(), words.to_vec());
         let all: BTreeSet<&String> = state.words.values().flatten().take(WORDS_MAX).collect();
         let all = Value::List(all.into_iter().map(|word| word.as_str().into()).collect());
-        let hears = |method: &'static str, arguments: Vec<Value>| Call::new(hearing::SERVICE, method, arguments);
+        let hears = |method: &'static str, arguments: Vec<Value>| ServiceCall::new(hearing::SERVICE, method, arguments);
         calls.extend([
             // They cannot be set otherwise; spotted among others.
             hears("pause", vec![true.into()]),
@@ -138,7 +138,7 @@ async fn begin(
 /// A measurement that the robot makes for a sense only, from when it is asked to until it no longer is.
 struct Measuring<'a> {
     session: &'a Session,
-    shared: &'a Shared,
+    shared: &'a NaoShared,
     name: &'a str,
     /// The service that was asked, and the number of that among all that is measured for us.
     asked: Option<(&'static str, u64)>,
@@ -152,9 +152,9 @@ impl Measuring<'_> {
         let number = self.shared.state().subscribed.add(service, self.name);
         self.asked = Some((service, number));
         let with_period = [self.name.into(), PERIOD_MS.into(), 0.0_f32.into()];
-        let done = call(self.session, &Call::new(service, "subscribe", with_period), CALL).await;
+        let done = call(self.session, &ServiceCall::new(service, "subscribe", with_period), CALL).await;
         if matches!(done, Err(QiError::NoMethod { .. })) {
-            call(self.session, &Call::new(service, "subscribe", [self.name.into()]), CALL).await?;
+            call(self.session, &ServiceCall::new(service, "subscribe", [self.name.into()]), CALL).await?;
         } else {
             done?;
         }
@@ -174,7 +174,7 @@ impl Measuring<'_> {
         if !is_ours && self.is_known {
             return;
         }
-        let done = call(self.session, &Call::new(service, "unsubscribe", [self.name.into()]), CALL).await;
+        let done = call(self.session, &ServiceCall::new(service, "unsubscribe", [self.name.into()]), CALL).await;
         if matches!(is_silent(&done), Ok(false)) {
             self.shared.state().subscribed.end(service, self.name, number);
         }
@@ -207,7 +207,7 @@ pub(crate) async fn listen(
 ) -> Result<(), QiError> {
     let memory = session.service("ALMemory").await?;
     let subscriber = memory.call_object("subscriber", &[key.into()]).await?;
-    let mut signal = subscriber.subscribe("signal", Keep::All(EVENTS_MAX)).await?;
+    let mut signal = subscriber.subscribe("signal", EventChoice::All(EVENTS_MAX)).await?;
     listeners.spawn(async move {
         // The object lives on the robot for as long as it is held here.
         let _held = subscriber;
@@ -230,9 +230,9 @@ pub(crate) async fn listen(
 /// Asks what is asked again and again.
 async fn ask(
     session: &Session,
-    shared: &Shared,
-    turns: &Turns,
-    (user, heard): (&Use, &mut Heard),
+    shared: &NaoShared,
+    turns: &SenseTurns,
+    (user, heard): (&Use, &mut HeardKeys),
     sense: &mut dyn Sense,
 ) {
     // Held until it has its answer: the others wait, each in its order.
@@ -272,7 +272,7 @@ async fn ask(
     drop(whose);
 }
 
-fn read(shared: &Shared, user: &Use, sense: &mut dyn Sense, key: &str, value: &Value, at: Instant) {
+fn read(shared: &NaoShared, user: &Use, sense: &mut dyn Sense, key: &str, value: &Value, at: Instant) {
     let at_ms = shared.state().time_at(at);
     if let Some(read) = sense.read(key, value, at_ms) {
         shared.sensed(user, read);

@@ -1,6 +1,8 @@
 //! The settings by which a robot is reached.
 
-use qi::{Address, Cause, Credentials, Fingerprint, Options, QiError, Scheme, Stage, Trust};
+use qi::{
+    ConnectError, ConnectionStage, Credentials, Fingerprint, PeerAddress, QiError, Scheme, SessionOptions, Trust,
+};
 use robot::Identity;
 use std::fmt;
 use std::time::Duration;
@@ -14,7 +16,7 @@ const STAGE_MS: u64 = 4_000;
 
 /// The settings by which a robot is reached, and as whom.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct RobotSettings {
     /// The robot's name or number in the network: `nao.local`, `192.168.1.7:9559`, `tcps://nao.local:9503`. Without a
     /// port both that NAOqi uses are tried: 9559 in the clear, then 9503 by TLS.
     pub address: String,
@@ -46,14 +48,14 @@ impl fmt::Debug for Login {
     }
 }
 
-impl Settings {
+impl RobotSettings {
     /// The addresses to try, in this order; none if what is written is no address.
-    pub(crate) fn addresses(&self) -> Vec<Address> {
+    pub(crate) fn addresses(&self) -> Vec<PeerAddress> {
         let said = self.address.trim();
         if said.contains("://") {
             return said.parse().into_iter().collect();
         }
-        let with = |scheme: &str, place: &str| format!("{scheme}://{place}").parse::<Address>().ok();
+        let with = |scheme: &str, place: &str| format!("{scheme}://{place}").parse::<PeerAddress>().ok();
         let (host, port) = match said.rsplit_once(':') {
             Some((host, port)) if !host.contains(':') || host.ends_with(']') => (host, port.parse::<u16>().ok()),
             _ => (said, None),
@@ -81,32 +83,37 @@ impl Settings {
     }
 
     /// Checks that this address may be tried: a password is said, and a certificate looked at, by TLS only.
-    pub(crate) fn check_secret(&self, address: &Address) -> Result<(), QiError> {
+    pub(crate) fn check_secret(&self, address: &PeerAddress) -> Result<(), QiError> {
         if is_secure(address) || (self.login.is_none() && self.trusted.is_none()) {
             return Ok(());
         }
-        let cause = Cause::Tls("a password is not said in the clear".to_owned());
-        Err(QiError::Connect { stage: Stage::Tls, cause })
+        let cause = ConnectError::Tls("a password is not said in the clear".to_owned());
+        Err(QiError::Connect { stage: ConnectionStage::Tls, cause })
     }
 
-    pub(crate) fn options(&self) -> Options {
+    pub(crate) fn options(&self) -> SessionOptions {
         let login = self.login.as_ref();
         let credentials = login.map(|login| Credentials { user: login.user.clone(), password: login.password.clone() });
         let trusted = self.trusted.as_deref().and_then(|text| text.parse().ok());
         // A fingerprint that cannot be read is that of nobody.
         let nobody = self.trusted.as_ref().map(|_| Fingerprint([0; 32]));
         let trust = trusted.or(nobody).map_or(Trust::First, Trust::Only);
-        Options { credentials, trust, stage_within: Duration::from_millis(STAGE_MS), ..Options::default() }
+        SessionOptions {
+            credentials,
+            trust,
+            stage_within: Duration::from_millis(STAGE_MS),
+            ..SessionOptions::default()
+        }
     }
 }
 
 /// True if nothing secret is said in the clear.
-pub(crate) fn is_secure(address: &Address) -> bool {
+pub(crate) fn is_secure(address: &PeerAddress) -> bool {
     address.scheme == Scheme::Tcps
 }
 
 #[cfg(test)]
-impl Settings {
+impl RobotSettings {
     /// The settings of a robot at an address of which nothing else is known.
     pub(crate) fn at(address: &str) -> Self {
         let (address, own_name) = (address.to_owned(), "rrp".to_owned());
@@ -116,10 +123,10 @@ impl Settings {
 
 #[cfg(test)]
 mod tests {
-    use super::{Login, Settings};
+    use super::{Login, RobotSettings};
 
     fn tried(address: &str) -> Vec<String> {
-        Settings::at(address).addresses().iter().map(ToString::to_string).collect()
+        RobotSettings::at(address).addresses().iter().map(ToString::to_string).collect()
     }
 
     #[test]
@@ -133,10 +140,10 @@ mod tests {
 
     #[test]
     fn a_password_is_said_in_secret_only() {
-        let open = Settings::at("nao");
+        let open = RobotSettings::at("nao");
         let login = Some(Login { user: "nao".into(), password: "hush".into() });
-        let secret = Settings { login, ..open.clone() };
-        let pinned = Settings { trusted: Some("nonsense".into()), ..open.clone() };
+        let secret = RobotSettings { login, ..open.clone() };
+        let pinned = RobotSettings { trusted: Some("nonsense".into()), ..open.clone() };
         let [clear, tls] = &open.addresses()[..] else { panic!() };
         assert!(open.check_secret(clear).is_ok() && open.check_secret(tls).is_ok());
         for careful in [&secret, &pinned] {

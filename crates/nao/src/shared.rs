@@ -1,8 +1,8 @@
 //! The state that the robot's thread and the link's thread have in common.
 
-use crate::body::Limits;
+use crate::body::BodyLimits;
 use crate::subscribed::Subscribed;
-use crate::voice_before::{Before, USUAL_SPEED};
+use crate::voice_before::{USUAL_SPEED, VoiceBefore};
 use behaviour::Value;
 use robot::{Condition, Control, Health, Identity, Installed, Lacking, Life, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -26,8 +26,8 @@ const PRINTED_MAX: usize = 20;
 
 /// Everything shared around one robot. Locked for moments only.
 #[derive(Default)]
-pub(crate) struct Shared {
-    state: Mutex<State>,
+pub(crate) struct NaoShared {
+    state: Mutex<NaoState>,
     /// Rung when a sense has read something.
     wake: OnceLock<Wake>,
     /// Grows with every Stop: what was wanted before it is void.
@@ -47,7 +47,7 @@ pub(crate) struct Shared {
 }
 
 /// The state of the robot, as far as it is known.
-pub(crate) struct State {
+pub(crate) struct NaoState {
     pub(crate) health: Health,
     /// Which body it is, or must be.
     pub(crate) identity: Option<Identity>,
@@ -58,7 +58,7 @@ pub(crate) struct State {
     pub(crate) halt: Option<String>,
     /// When it fell last, or was about to.
     pub(crate) falling: Option<Instant>,
-    pub(crate) limits: Limits,
+    pub(crate) limits: BodyLimits,
     /// The joints of this body, in its order.
     pub(crate) joints: Vec<String>,
     /// Their angles, as they were measured last.
@@ -92,7 +92,7 @@ pub(crate) struct State {
     /// The groups of its lights; empty before they are known.
     pub(crate) lights: BTreeSet<String>,
     /// The voice as it was before it was changed; none if it was not.
-    pub(crate) voice_before: Option<Before>,
+    pub(crate) voice_before: Option<VoiceBefore>,
     /// True if it moves its arms when it speaks.
     pub(crate) gestures: bool,
     /// The speed at which it speaks, in percent of the usual speed.
@@ -114,7 +114,7 @@ pub(crate) struct State {
     clock: (Instant, u64),
 }
 
-impl Default for State {
+impl Default for NaoState {
     fn default() -> Self {
         Self {
             health: Health::Connecting,
@@ -125,7 +125,7 @@ impl Default for State {
             condition: Condition::default(),
             halt: None,
             falling: None,
-            limits: Limits::default(),
+            limits: BodyLimits::default(),
             joints: Vec::new(),
             angles: BTreeMap::new(),
             base: [0.0; 3],
@@ -160,7 +160,7 @@ impl Default for State {
     }
 }
 
-impl State {
+impl NaoState {
     pub(crate) fn is_linked(&self) -> bool {
         matches!(self.health, Health::Ready | Health::Degraded(_) | Health::Safe)
     }
@@ -327,8 +327,8 @@ impl State {
     }
 }
 
-impl Shared {
-    pub(crate) fn state(&self) -> MutexGuard<'_, State> {
+impl NaoShared {
+    pub(crate) fn state(&self) -> MutexGuard<'_, NaoState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -409,13 +409,13 @@ impl Shared {
 
 #[cfg(test)]
 mod tests {
-    use super::{LEGS, State};
+    use super::{LEGS, NaoState};
     use robot::Health;
 
     #[test]
     fn health_is_as_its_reasons_are_until_they_are_gone() {
-        let mut state = State { health: Health::Ready, ..State::default() };
-        let degraded = |state: &State| match &state.health {
+        let mut state = NaoState { health: Health::Ready, ..NaoState::default() };
+        let degraded = |state: &NaoState| match &state.health {
             Health::Degraded(why) => why.clone(),
             _ => String::new(),
         };

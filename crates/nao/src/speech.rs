@@ -11,7 +11,7 @@ const QUEUE_MAX: usize = 8;
 
 /// A text and who wants it said.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Wish {
+pub(crate) struct SpeechRequest {
     pub(crate) text: String,
     users: Vec<Use>,
 }
@@ -20,10 +20,10 @@ pub(crate) struct Wish {
 #[derive(Default)]
 pub(crate) struct Speech {
     /// The text that is said now.
-    now: Option<Wish>,
+    now: Option<SpeechRequest>,
     /// True if the rest of that text is left out.
     cut: Arc<AtomicBool>,
-    waiting: VecDeque<Wish>,
+    waiting: VecDeque<SpeechRequest>,
 }
 
 impl Speech {
@@ -39,7 +39,7 @@ impl Speech {
                 same.users.push(user.clone());
             }
         } else if self.waiting.len() < QUEUE_MAX {
-            self.waiting.push_back(Wish { text, users: vec![user.clone()] });
+            self.waiting.push_back(SpeechRequest { text, users: vec![user.clone()] });
         }
     }
 

@@ -2,10 +2,10 @@
 //! in case one was missed. Everything halts on a sign of danger to the robot.
 
 use crate::body::is_leg;
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::link::try_call;
 use crate::senses::listen;
-use crate::shared::{Shared, State};
+use crate::shared::{NaoShared, NaoState};
 use qi::{Session, Value};
 use robot::{Health, Life};
 use std::sync::Arc;
@@ -41,7 +41,7 @@ const LEG_STIFF_MIN: f64 = 0.6;
 const EMPTY_PERCENT: u8 = 5;
 
 /// Watches for as long as the link lasts.
-pub(crate) async fn watch(session: Session, shared: Arc<Shared>) {
+pub(crate) async fn watch(session: Session, shared: Arc<NaoShared>) {
     let (events, mut heard) = mpsc::channel::<(&'static str, Value, Instant)>(EVENTS_MAX);
     let mut listeners = JoinSet::new();
     for key in KEYS {
@@ -66,18 +66,18 @@ pub(crate) async fn watch(session: Session, shared: Arc<Shared>) {
 }
 
 /// Asks everything once.
-pub(crate) async fn ask(session: &Session, shared: &Shared) {
+pub(crate) async fn ask(session: &Session, shared: &NaoShared) {
     let questions = [
-        ("BatteryChargeChanged", Call::new("ALBattery", "getBatteryCharge", [])),
-        ("AutonomousLife/State", Call::new("ALAutonomousLife", "getState", [])),
-        ("robotIsWakeUp", Call::new("ALMotion", "robotIsWakeUp", [])),
-        ("PostureFamilyChanged", Call::new("ALRobotPosture", "getPostureFamily", [])),
-        ("stiffness", Call::new("ALMotion", "getStiffnesses", [Value::dynamic("Body")])),
-        ("base", Call::new("ALMotion", "getRobotPosition", [true.into()])),
+        ("BatteryChargeChanged", ServiceCall::new("ALBattery", "getBatteryCharge", [])),
+        ("AutonomousLife/State", ServiceCall::new("ALAutonomousLife", "getState", [])),
+        ("robotIsWakeUp", ServiceCall::new("ALMotion", "robotIsWakeUp", [])),
+        ("PostureFamilyChanged", ServiceCall::new("ALRobotPosture", "getPostureFamily", [])),
+        ("stiffness", ServiceCall::new("ALMotion", "getStiffnesses", [Value::dynamic("Body")])),
+        ("base", ServiceCall::new("ALMotion", "getRobotPosition", [true.into()])),
         // What is too hot stays so, whether or not the event was heard.
-        ("HotDeviceDetected", Call::new("ALMemory", "getData", ["HotDeviceDetected".into()])),
-        ("BatteryPowerPluggedChanged", Call::new("ALMemory", "getData", ["BatteryPowerPluggedChanged".into()])),
-        ("footContactChanged", Call::new("ALMemory", "getData", ["footContact".into()])),
+        ("HotDeviceDetected", ServiceCall::new("ALMemory", "getData", ["HotDeviceDetected".into()])),
+        ("BatteryPowerPluggedChanged", ServiceCall::new("ALMemory", "getData", ["BatteryPowerPluggedChanged".into()])),
+        ("footContactChanged", ServiceCall::new("ALMemory", "getData", ["footContact".into()])),
     ];
     for (key, question) in questions {
         if let Some(value) = try_call(session, &question).await {
@@ -86,9 +86,9 @@ pub(crate) async fn ask(session: &Session, shared: &Shared) {
     }
 }
 
-async fn read_angles(session: &Session, shared: &Shared) {
+async fn read_angles(session: &Session, shared: &NaoShared) {
     let Some(value) =
-        try_call(session, &Call::new("ALMotion", "getAngles", [Value::dynamic("Body"), true.into()])).await
+        try_call(session, &ServiceCall::new("ALMotion", "getAngles", [Value::dynamic("Body"), true.into()])).await
     else {
         return;
     };
@@ -105,7 +105,7 @@ fn truth(value: &Value) -> Option<bool> {
 }
 
 /// Notes what an event or an answer says; what is not as expected says nothing.
-fn note(shared: &Shared, key: &str, value: &Value) {
+fn note(shared: &NaoShared, key: &str, value: &Value) {
     let why = {
         let mut state = shared.state();
         let said = said(&mut state, key, value);
@@ -121,7 +121,7 @@ fn note(shared: &Shared, key: &str, value: &Value) {
 }
 
 /// Why everything has to end, if it has.
-fn said(state: &mut State, key: &str, value: &Value) -> Option<String> {
+fn said(state: &mut NaoState, key: &str, value: &Value) -> Option<String> {
     let condition = &mut state.condition;
     match key {
         "ALMotion/RobotIsFalling" => truth(value).unwrap_or(true).then(|| {
@@ -213,13 +213,13 @@ fn empty(condition: &robot::Condition) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::said;
-    use crate::shared::State;
+    use crate::shared::NaoState;
     use qi::Value;
     use robot::Life;
 
     #[test]
     fn what_endangers_the_robot_halts_and_odd_values_say_nothing() {
-        let mut state = State::default();
+        let mut state = NaoState::default();
         let mut hear = |key: &str, value: Value| said(&mut state, key, &value);
         assert_eq!(hear("robotHasFallen", Value::F32(1.0)).as_deref(), Some("it fell"));
         assert_eq!(hear("AutonomousLife/State", "safeguard".into()).as_deref(), Some("it protects itself"));

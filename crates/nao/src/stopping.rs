@@ -6,14 +6,14 @@
 //! on the ground: whoever kills the walk or sets the legs before that makes it fall.
 
 use crate::body::{is_joint, is_leg};
-use crate::deed::Call;
+use crate::deed::ServiceCall;
 use crate::link::{CALL, Over, call, is_silent};
-use crate::settings::Settings;
-use crate::shared::Shared;
+use crate::settings::RobotSettings;
+use crate::shared::NaoShared;
 use crate::status;
 use crate::targets::set_angles;
 use futures_util::{future::join_all, join};
-use qi::{Address, QiError, Session, Value};
+use qi::{PeerAddress, QiError, Session, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::Duration;
@@ -50,7 +50,7 @@ const EVERYTHING: [(&str, &str); 5] = [
 
 /// Keeps the link for as long as it is not dropped, and carries out every Stop; one that cannot be carried out now is as soon
 /// as the robot is there.
-pub(crate) async fn keep(address: Address, settings: Settings, shared: Arc<Shared>) {
+pub(crate) async fn keep(address: PeerAddress, settings: RobotSettings, shared: Arc<NaoShared>) {
     loop {
         if let Ok(session) = Session::connect(&address, settings.options()).await {
             join_all(SERVICES.iter().map(|name| session.service(name))).await;
@@ -61,7 +61,7 @@ pub(crate) async fn keep(address: Address, settings: Settings, shared: Arc<Share
 }
 
 /// Until the link is over.
-async fn serve(session: &Session, shared: &Shared) {
+async fn serve(session: &Session, shared: &NaoShared) {
     loop {
         if shared.wants_stop() {
             let stop_generation = shared.stop_generation();
@@ -103,13 +103,16 @@ async fn serve(session: &Session, shared: &Shared) {
 
 /// All at once. A service that is not there, or refuses, has nothing that goes on; one that does not answer is told again, a
 /// few times. False if the link is over: then it is done with the next one.
-async fn burst(session: &Session, shared: &Shared) -> bool {
-    let mut taken = Taken::from(shared);
-    let animations =
-        taken.animations.iter().map(|name| Call::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()]));
-    let ends = taken.subscribed.keys().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
-    let calls = EVERYTHING.map(|(service, method)| Call::new(service, method, []));
-    let mut left: Vec<Call> = calls.into_iter().chain(animations).chain(ends).collect();
+async fn burst(session: &Session, shared: &NaoShared) -> bool {
+    let mut taken = TakenByStop::from(shared);
+    let animations = taken
+        .animations
+        .iter()
+        .map(|name| ServiceCall::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()]));
+    let ends =
+        taken.subscribed.keys().map(|(service, name)| ServiceCall::new(service, "unsubscribe", [name.as_str().into()]));
+    let calls = EVERYTHING.map(|(service, method)| ServiceCall::new(service, method, []));
+    let mut left: Vec<ServiceCall> = calls.into_iter().chain(animations).chain(ends).collect();
     let (mut upper, mut legs) = (true, true);
     for _ in 0..TRIES {
         let (stands, holds, done) = join!(
@@ -133,15 +136,15 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
 
 /// The part of measuring and playing that a Stop ends. It has nothing of what begins meanwhile; what is not known to
 /// have ended is put back for the next try.
-struct Taken<'a> {
-    shared: &'a Shared,
+struct TakenByStop<'a> {
+    shared: &'a NaoShared,
     animations: BTreeSet<String>,
     subscribed: BTreeMap<(&'static str, String), u64>,
     is_over: bool,
 }
 
-impl<'a> Taken<'a> {
-    fn from(shared: &'a Shared) -> Self {
+impl<'a> TakenByStop<'a> {
+    fn from(shared: &'a NaoShared) -> Self {
         let mut state = shared.state();
         let (animations, subscribed) = (std::mem::take(&mut state.animations), state.subscribed.take());
         drop(state);
@@ -149,7 +152,7 @@ impl<'a> Taken<'a> {
     }
 }
 
-impl Drop for Taken<'_> {
+impl Drop for TakenByStop<'_> {
     fn drop(&mut self) {
         if !self.is_over {
             let mut state = self.shared.state();
@@ -160,9 +163,9 @@ impl Drop for Taken<'_> {
 }
 
 /// Sits down and lets go of the motors, but never on the way to the floor.
-async fn rest(session: &Session, shared: &Shared) {
+async fn rest(session: &Session, shared: &NaoShared) {
     if shared.state().may_rest()
-        && let Err(error) = call(session, &Call::new("ALMotion", "rest", []), REST).await
+        && let Err(error) = call(session, &ServiceCall::new("ALMotion", "rest", []), REST).await
     {
         tracing::warn!(%error, "the robot does not rest");
     }
@@ -170,7 +173,7 @@ async fn rest(session: &Session, shared: &Shared) {
 }
 
 /// The joints of the body that do not stand on the ground, or those that do. Wheels are no joints.
-fn joints(shared: &Shared, legs: bool) -> Vec<String> {
+fn joints(shared: &NaoShared, legs: bool) -> Vec<String> {
     let state = shared.state();
     state.joints.iter().filter(|joint| is_joint(joint) && is_leg(joint) == legs).cloned().collect()
 }
@@ -180,21 +183,21 @@ fn list(joints: &[String]) -> Value {
 }
 
 /// Head and arms stay where they are. True if that had no answer.
-async fn freeze(session: &Session, shared: &Shared) -> Result<bool, Over> {
+async fn freeze(session: &Session, shared: &NaoShared) -> Result<bool, Over> {
     let joints = joints(shared, false);
     if joints.is_empty() {
         return Ok(false);
     }
     // What holds joints ends first: calls of one service are done in their order.
-    let kill = Call::new("ALMotion", "killTasksUsingResources", [list(&joints)]);
+    let kill = ServiceCall::new("ALMotion", "killTasksUsingResources", [list(&joints)]);
     let (killed, held) = join!(call(session, &kill, CALL), hold(session, &joints));
     Ok(is_silent(&killed)? || is_silent(&held)?)
 }
 
 /// The walk ends as the robot ends it; not before, whatever else has the legs ends, and they stay where they are. True if the
 /// robot did not answer, or walks again.
-async fn stand(session: &Session, shared: &Shared) -> Result<bool, Over> {
-    let stopped = call(session, &Call::new("ALMotion", "stopMove", []), CALL).await;
+async fn stand(session: &Session, shared: &NaoShared) -> Result<bool, Over> {
+    let stopped = call(session, &ServiceCall::new("ALMotion", "stopMove", []), CALL).await;
     if is_silent(&stopped)? {
         return Ok(true);
     }
@@ -203,12 +206,12 @@ async fn stand(session: &Session, shared: &Shared) -> Result<bool, Over> {
         return Ok(false);
     }
     // Something late may have come by the other link.
-    let walks = call(session, &Call::new("ALMotion", "moveIsActive", []), CALL).await;
+    let walks = call(session, &ServiceCall::new("ALMotion", "moveIsActive", []), CALL).await;
     if is_silent(&walks)? || walks.is_ok_and(|walks| walks.as_bool() == Some(true)) {
         return Ok(true);
     }
     let legs = joints(shared, true);
-    let kill = Call::new("ALMotion", "killAll", []);
+    let kill = ServiceCall::new("ALMotion", "killAll", []);
     let (killed, held) = join!(call(session, &kill, CALL), hold(session, &legs));
     Ok(is_silent(&killed)? || is_silent(&held)?)
 }
@@ -218,7 +221,7 @@ async fn hold(session: &Session, joints: &[String]) -> Result<Value, QiError> {
     if joints.is_empty() {
         return Ok(Value::Unit);
     }
-    let angles = Call::new("ALMotion", "getAngles", [Value::dynamic(list(joints)), true.into()]);
+    let angles = ServiceCall::new("ALMotion", "getAngles", [Value::dynamic(list(joints)), true.into()]);
     let angles = call(session, &angles, CALL).await?;
     let angles: Vec<f64> = angles.items().unwrap_or_default().iter().filter_map(Value::as_f64).collect();
     if joints.len() != angles.len() {

@@ -1,11 +1,11 @@
 //! Another body answers at the address. Nothing is asked of it but to make its eyes blink, so that people see which one it
 //! is; a Stop that somebody presses meanwhile is carried out like any other.
 
-use crate::connecting::{Ended, ping};
+use crate::connecting::{EndingTask, ping};
 use crate::identity::{blink, read};
 use crate::link_commands::LinkCommand;
 use crate::link_commands::{LinkCommands, drain};
-use crate::shared::Shared;
+use crate::shared::NaoShared;
 use qi::Session;
 use robot::{Control, Health, Stranger};
 use std::sync::Arc;
@@ -18,7 +18,7 @@ const ASK_MS: u64 = 500;
 /// Waits until it is gone; with the reason.
 pub(crate) async fn meet(
     session: &Session,
-    shared: &Arc<Shared>,
+    shared: &Arc<NaoShared>,
     orders: &mut LinkCommands,
     waiting: &AtomicUsize,
     mut who: Box<Stranger>,
@@ -27,7 +27,7 @@ pub(crate) async fn meet(
     drain(orders, waiting);
     shared.state().health = Health::Stranger(who.clone());
     let mut asking = tokio::time::interval(Duration::from_millis(ASK_MS));
-    let _pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
+    let _pinging = EndingTask(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
     let mut _blinking = None;
     loop {
         tokio::select! {
@@ -48,7 +48,7 @@ pub(crate) async fn meet(
                 }
                 Some(LinkCommand::Control(Control::Blink)) => {
                     // A sign that is asked for anew begins anew.
-                    _blinking = Some(Ended(tokio::spawn(blink(session.clone(), None))));
+                    _blinking = Some(EndingTask(tokio::spawn(blink(session.clone(), None))));
                 }
                 Some(LinkCommand::Open(..) | LinkCommand::Close(_) | LinkCommand::Control(_)) => {}
             },

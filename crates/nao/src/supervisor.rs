@@ -2,14 +2,14 @@
 //! loss nothing goes on by itself.
 
 use crate::acting::Acting;
-use crate::connecting::{Ended, find, ping};
-use crate::deed::Call;
+use crate::connecting::{EndingTask, find, ping};
+use crate::deed::ServiceCall;
 use crate::link::{call, try_call};
 use crate::link_commands::{LinkCommand, LinkCommands, drain};
 use crate::scan::{clean, scan};
-use crate::senses::Turns;
-use crate::settings::Settings;
-use crate::shared::Shared;
+use crate::senses::SenseTurns;
+use crate::settings::RobotSettings;
+use crate::shared::NaoShared;
 use crate::{camera, check, identity, inventory, restoring, senses, status, stopping, stranger, voicing};
 use futures_util::future::join_all;
 use qi::{Session, Value};
@@ -43,7 +43,7 @@ const ACTORS: [&str; 7] =
     ["ALMotion", "ALTextToSpeech", "ALLeds", "ALAudioPlayer", "ALAnimationPlayer", "ALRobotPosture", "ALFaceDetection"];
 
 /// The thread of the link.
-pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: LinkCommands, waiting: &AtomicUsize) {
+pub(crate) fn keep(settings: &RobotSettings, shared: &Arc<NaoShared>, mut orders: LinkCommands, waiting: &AtomicUsize) {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     match runtime {
         Ok(runtime) => {
@@ -54,7 +54,7 @@ pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: LinkCo
     }
 }
 
-async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut LinkCommands, waiting: &AtomicUsize) {
+async fn work(settings: &RobotSettings, shared: &Arc<NaoShared>, orders: &mut LinkCommands, waiting: &AtomicUsize) {
     let (mut pause_ms, mut tries) = (AGAIN_MIN_MS, 0_u64);
     let chance = RandomState::new();
     // Whether a Stop waits for the robot that was expected.
@@ -112,7 +112,7 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut LinkComman
 }
 
 /// The link is gone: who used the robot has to begin again.
-fn lose(shared: &Shared, why: &str) {
+fn lose(shared: &NaoShared, why: &str) {
     shared.halt("the connection to it was lost");
     // Who knows who holds it when it is back.
     shared.take_rest();
@@ -130,7 +130,7 @@ fn lose(shared: &Shared, why: &str) {
 }
 
 /// A Stop that is wanted is still carried out, if that can be.
-async fn end_well(shared: &Shared, within_ms: u64) {
+async fn end_well(shared: &NaoShared, within_ms: u64) {
     let done = async {
         while shared.wants_stop() {
             tokio::time::sleep(Duration::from_millis(10)).await;
@@ -142,8 +142,8 @@ async fn end_well(shared: &Shared, within_ms: u64) {
 /// A robot that is there; until it is lost, with the reason.
 async fn serve(
     session: &Session,
-    settings: &Settings,
-    shared: &Arc<Shared>,
+    settings: &RobotSettings,
+    shared: &Arc<NaoShared>,
     orders: &mut LinkCommands,
     waiting: &AtomicUsize,
 ) -> String {
@@ -159,8 +159,8 @@ async fn serve(
     voicing::put_back(session, shared, &settings.own_name).await;
     restoring::put_back(session, &settings.own_name, &settings.former).await;
     status::ask(session, shared).await;
-    let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
-    let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
+    let watch = EndingTask(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
+    let cycle = try_call(session, &ServiceCall::new("ALMotion", "getMotionCycleTime", [])).await;
     let cycle = cycle.and_then(|value| value.as_i64()).map_or(CYCLE_MS, |ms| ms.clamp(5, 100).cast_unsigned());
     // Known before they are needed: what is called first also comes first.
     join_all(ACTORS.iter().map(|name| session.service(name))).await;
@@ -171,14 +171,14 @@ async fn serve(
     let (done, mut ended) = mpsc::unbounded_channel();
     let mut acting =
         Acting::new(session.clone(), Arc::clone(shared), done, Duration::from_millis(cycle), &settings.own_name);
-    let turns = Turns::default();
+    let turns = SenseTurns::default();
     let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
     let (mut controlled, mut _blinking, life) = (None, None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-    let looking = Ended(tokio::spawn(inventory::keep(session.clone(), Arc::clone(shared))));
-    let pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
-    let scanning = Ended(tokio::spawn(scan_again(session.clone(), Arc::clone(shared))));
+    let looking = EndingTask(tokio::spawn(inventory::keep(session.clone(), Arc::clone(shared))));
+    let pinging = EndingTask(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
+    let scanning = EndingTask(tokio::spawn(scan_again(session.clone(), Arc::clone(shared))));
     let why = loop {
         tokio::select! {
             biased;
@@ -188,7 +188,7 @@ async fn serve(
                 None => break "it is not used any more".to_owned(),
                 Some(LinkCommand::Open(user, sense)) => {
                     let (cancel, name) = (CancellationToken::new(), format!("{}/{}/{}", settings.own_name, user.run, user.stream));
-                    let task = senses::run(session.clone(), Arc::clone(shared), Turns::clone(&turns), name, user.clone(), sense, cancel.clone());
+                    let task = senses::run(session.clone(), Arc::clone(shared), SenseTurns::clone(&turns), name, user.clone(), sense, cancel.clone());
                     open.insert(user, (cancel, tokio::spawn(task)));
                 }
                 Some(LinkCommand::Close(user)) => {
@@ -203,11 +203,11 @@ async fn serve(
                 }
                 Some(LinkCommand::Control(Control::Blink)) => {
                     // A sign that is asked for anew begins anew.
-                    _blinking = Some(Ended(tokio::spawn(identity::blink(session.clone(), Some(Arc::clone(shared))))));
+                    _blinking = Some(EndingTask(tokio::spawn(identity::blink(session.clone(), Some(Arc::clone(shared))))));
                 }
                 Some(LinkCommand::Control(control)) => {
                     let life = Arc::clone(&life);
-                    controlled = Some(Ended(tokio::spawn(self::control(session.clone(), Arc::clone(shared), life, control))));
+                    controlled = Some(EndingTask(tokio::spawn(self::control(session.clone(), Arc::clone(shared), life, control))));
                 }
             },
             Some(over) = ended.recv() => acting.done(over),
@@ -220,7 +220,7 @@ async fn serve(
 }
 
 /// Looks again whenever services come or go: a robot that starts has them one by one.
-async fn scan_again(session: Session, shared: Arc<Shared>) {
+async fn scan_again(session: Session, shared: Arc<NaoShared>) {
     let (Ok(mut added), Ok(mut removed)) = (session.added().await, session.removed().await) else { return };
     loop {
         if let Ok(scanned) = scan(&session).await {
@@ -236,7 +236,7 @@ async fn scan_again(session: Session, shared: Arc<Shared>) {
 }
 
 /// Takes control or gives it back, unless a Stop comes between: then what is left is not done.
-async fn control(session: Session, shared: Arc<Shared>, life: Arc<Mutex<Option<String>>>, control: Control) {
+async fn control(session: Session, shared: Arc<NaoShared>, life: Arc<Mutex<Option<String>>>, control: Control) {
     let stop_generation = shared.stop_generation();
     let stopped = async {
         while shared.stop_generation() == stop_generation {
@@ -250,24 +250,24 @@ async fn control(session: Session, shared: Arc<Shared>, life: Arc<Mutex<Option<S
     status::ask(&session, &shared).await;
 }
 
-async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>, control: Control) {
-    let say = async |wanted: Call, within| {
+async fn take(session: &Session, shared: &NaoShared, before: &Mutex<Option<String>>, control: Control) {
+    let say = async |wanted: ServiceCall, within| {
         let done = call(session, &wanted, within).await;
         done.inspect_err(|error| tracing::warn!(method = wanted.method, %error, "the robot did not do it")).is_ok()
     };
-    let posture = |name: &str| Call::new("ALRobotPosture", "goToPosture", [name.into(), Value::F32(0.5)]);
-    let life = |state: &str| Call::new("ALAutonomousLife", "setState", [state.into()]);
+    let posture = |name: &str| ServiceCall::new("ALRobotPosture", "goToPosture", [name.into(), Value::F32(0.5)]);
+    let life = |state: &str| ServiceCall::new("ALAutonomousLife", "setState", [state.into()]);
     let kept = || before.lock().unwrap_or_else(PoisonError::into_inner);
     match control {
         Control::Take => {
-            let now = try_call(session, &Call::new("ALAutonomousLife", "getState", [])).await;
+            let now = try_call(session, &ServiceCall::new("ALAutonomousLife", "getState", [])).await;
             let now = now.and_then(|state| state.as_text().map(|state| state.into_owned()));
             if let Some(state) = now.filter(|state| state != "safeguard") {
                 *kept() = Some(state);
             }
             say(life("disabled"), BODY).await;
             // The end of its own life may end in a rest.
-            say(Call::new("ALMotion", "wakeUp", []), BODY).await;
+            say(ServiceCall::new("ALMotion", "wakeUp", []), BODY).await;
             if shared.state().posture != "Standing" {
                 say(posture("Stand"), BODY).await;
             }
@@ -277,15 +277,15 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
             let state = kept().take().unwrap_or_else(|| "solitary".to_owned());
             say(life(&state), BODY).await;
         }
-        Control::WakeUp => drop(say(Call::new("ALMotion", "wakeUp", []), BODY).await),
+        Control::WakeUp => drop(say(ServiceCall::new("ALMotion", "wakeUp", []), BODY).await),
         Control::Stand => drop(say(posture("Stand"), BODY).await),
         Control::Sit => drop(say(posture("Sit"), BODY).await),
         Control::ForgetFaces => {
-            say(Call::new("ALFaceDetection", "clearDatabase", []), BODY).await;
+            say(ServiceCall::new("ALFaceDetection", "clearDatabase", []), BODY).await;
             shared.looking.notify_one();
         }
         Control::ForgetFace(name) => {
-            say(Call::new("ALFaceDetection", "forgetPerson", [name.into()]), BODY).await;
+            say(ServiceCall::new("ALFaceDetection", "forgetPerson", [name.into()]), BODY).await;
             shared.looking.notify_one();
         }
         // By the link of Stop, or by lights.

@@ -7,14 +7,14 @@ pub(crate) const USUAL_SPEED: f32 = 100.0;
 
 /// The manner in which the robot spoke before.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Before {
+pub(crate) struct VoiceBefore {
     pub(crate) volume: Option<f32>,
     pub(crate) speed: Option<f32>,
     /// Only if it was changed.
     pub(crate) language: Option<String>,
 }
 
-impl Before {
+impl VoiceBefore {
     /// Returns the value in the form in which the robot keeps it.
     pub(crate) fn value(&self) -> Value {
         let number = |number: Option<f32>| number.map_or_else(|| "".into(), Value::F32);
@@ -34,16 +34,16 @@ impl Before {
 
 #[cfg(test)]
 mod tests {
-    use super::Before;
+    use super::VoiceBefore;
     use qi::Value;
 
     #[test]
     fn what_the_robot_keeps_of_a_voice_is_what_it_was() {
-        let before = Before { volume: Some(0.5), speed: Some(90.0), language: Some("French".to_owned()) };
-        assert_eq!(Before::of(&before.value()), before);
-        assert_eq!(Before::of(&Before::default().value()), Before::default());
+        let before = VoiceBefore { volume: Some(0.5), speed: Some(90.0), language: Some("French".to_owned()) };
+        assert_eq!(VoiceBefore::of(&before.value()), before);
+        assert_eq!(VoiceBefore::of(&VoiceBefore::default().value()), VoiceBefore::default());
         for odd in [Value::Unit, "French".into(), Value::List(vec![Value::Unit])] {
-            assert_eq!(Before::of(&odd), Before::default());
+            assert_eq!(VoiceBefore::of(&odd), VoiceBefore::default());
         }
     }
 }

@@ -1,11 +1,11 @@
 //! The voice of the robot: changed by an action, and put back at its end, at a Stop, and after a loss as soon as it is
 //! there again, also by a server that was started anew.
 
-use crate::deed::{Call, Manner};
+use crate::deed::{Manner, ServiceCall};
 use crate::kept;
 use crate::link::{CALL, call, try_call};
-use crate::shared::Shared;
-use crate::voice_before::{Before, USUAL_SPEED};
+use crate::shared::NaoShared;
+use crate::voice_before::{USUAL_SPEED, VoiceBefore};
 use qi::{QiError, Session, Value};
 use robot::Use;
 use std::sync::Arc;
@@ -22,8 +22,8 @@ pub(crate) struct Voicing {
     turn: Arc<tokio::sync::Mutex<()>>,
 }
 
-fn voice(method: &'static str, arguments: impl Into<Vec<Value>>) -> Call {
-    Call::new("ALTextToSpeech", method, arguments)
+fn voice(method: &'static str, arguments: impl Into<Vec<Value>>) -> ServiceCall {
+    ServiceCall::new("ALTextToSpeech", method, arguments)
 }
 
 impl Voicing {
@@ -35,7 +35,7 @@ impl Voicing {
     pub(crate) fn set(
         &mut self,
         session: &Session,
-        shared: &Arc<Shared>,
+        shared: &Arc<NaoShared>,
         stop_generation: u64,
         user: Use,
         manner: Manner,
@@ -69,14 +69,14 @@ impl Voicing {
     }
 
     /// A use ends: if it changed the voice last, that is as before.
-    pub(crate) fn leave(&mut self, session: &Session, shared: &Arc<Shared>, user: &Use) {
+    pub(crate) fn leave(&mut self, session: &Session, shared: &Arc<NaoShared>, user: &Use) {
         if self.user.as_ref() == Some(user) {
             self.end(session, shared);
         }
     }
 
     /// The voice is as before.
-    pub(crate) fn end(&mut self, session: &Session, shared: &Arc<Shared>) {
+    pub(crate) fn end(&mut self, session: &Session, shared: &Arc<NaoShared>) {
         if self.user.take().is_some() {
             let (session, shared, turn) = (session.clone(), Arc::clone(shared), Arc::clone(&self.turn));
             let own_name = self.own_name.clone();
@@ -89,14 +89,14 @@ impl Voicing {
 }
 
 /// Remembers how it speaks, unless that is remembered: what it was before the first change counts.
-async fn note_before(session: &Session, shared: &Shared, own_name: &str, with_language: bool) {
+async fn note_before(session: &Session, shared: &NaoShared, own_name: &str, with_language: bool) {
     let known = shared.state().voice_before.clone();
     let mut before = match known.clone() {
         Some(known) => known,
         None => {
-            let number = async |wanted: Call| Some(try_call(session, &wanted).await?.as_f64()? as f32);
+            let number = async |wanted: ServiceCall| Some(try_call(session, &wanted).await?.as_f64()? as f32);
             let volume = number(voice("getVolume", [])).await;
-            Before { volume, speed: number(voice("getParameter", ["speed".into()])).await, language: None }
+            VoiceBefore { volume, speed: number(voice("getParameter", ["speed".into()])).await, language: None }
         }
     };
     if with_language && before.language.is_none() {
@@ -110,7 +110,7 @@ async fn note_before(session: &Session, shared: &Shared, own_name: &str, with_la
 }
 
 /// Speaks as before it was changed, if it was.
-pub(crate) async fn put_back(session: &Session, shared: &Shared, own_name: &str) {
+pub(crate) async fn put_back(session: &Session, shared: &NaoShared, own_name: &str) {
     let before = {
         let mut state = shared.state();
         (state.gestures, state.voice_speed) = (false, USUAL_SPEED);
@@ -125,13 +125,13 @@ pub(crate) async fn put_back(session: &Session, shared: &Shared, own_name: &str)
 /// Speaks as before it was changed by who could not put it back.
 pub(crate) async fn put_back_left(session: &Session, own_name: &str) {
     if let Some(before) = kept::kept(session, own_name, WHAT).await {
-        restore(session, own_name, Before::of(&before)).await;
+        restore(session, own_name, VoiceBefore::of(&before)).await;
     }
 }
 
 /// False if the link is over: then it is done when the robot is there again.
-async fn restore(session: &Session, own_name: &str, before: Before) -> bool {
-    let Before { volume, speed, language } = before;
+async fn restore(session: &Session, own_name: &str, before: VoiceBefore) -> bool {
+    let VoiceBefore { volume, speed, language } = before;
     let language = language.map(|language| voice("setLanguage", [language.as_str().into()]));
     let speed = speed.map(|speed| voice("setParameter", ["speed".into(), speed.into()]));
     let volume = volume.map(|volume| voice("setVolume", [volume.into()]));
@@ -145,9 +145,9 @@ async fn restore(session: &Session, own_name: &str, before: Before) -> bool {
 }
 
 /// Says a text, with gestures if that is wanted and the robot can.
-pub(crate) async fn say(session: &Session, shared: &Shared, text: &str, within: Duration) -> Result<Value, QiError> {
+pub(crate) async fn say(session: &Session, shared: &NaoShared, text: &str, within: Duration) -> Result<Value, QiError> {
     if shared.state().gestures {
-        let animated = Call::new("ALAnimatedSpeech", "say", [text.into()]);
+        let animated = ServiceCall::new("ALAnimatedSpeech", "say", [text.into()]);
         match call(session, &animated, within).await {
             Err(QiError::NoService { .. } | QiError::NoMethod { .. }) => {}
             done => return done,

@@ -77,7 +77,7 @@ pub struct Invitation {
     pub ends_ms: Option<u64>,
     /// The people who came by it, newest first; at most [`CAME_MAX`].
     #[serde(default)]
-    pub came: Vec<Came>,
+    pub came: Vec<InvitedGuest>,
     /// True if it was revoked.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub revoked: bool,
@@ -90,7 +90,7 @@ pub struct Invitation {
 /// Somebody who came by an invitation, on one of their devices.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Came {
+pub struct InvitedGuest {
     /// The name that they gave themselves; empty until they did.
     pub name: String,
     /// When they came last, in milliseconds since 1970.

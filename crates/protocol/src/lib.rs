@@ -16,20 +16,20 @@ mod request;
 mod why;
 
 pub use behaviour::LIBRARY;
-pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Tagged, Used};
+pub use behaviour::library::{ActionDriver, Contested, Cursor, HelperUse, SearchPlace, Similar, Sort, Tagged};
 pub use history::{HISTORY_MAX_LINES, HistoryLine};
-pub use invitation::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, LABEL_MAX_CHARS, Lasts, Role};
+pub use invitation::{CAME_MAX, DAY_MS, INVITATIONS_MAX, Invitation, InvitedGuest, LABEL_MAX_CHARS, Lasts, Role};
 pub use library::{
-    Exercise, ExerciseQuestion, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream,
-    Summary, Tried, WORDS_MAX_CHARS,
+    Exercise, ExerciseQuestion, FOUND_MAX, GraphOutline, LIST_MAX_LINES, ListQuery, PICTURES_MAX, PictureOf,
+    PictureStream, RehearsalResult, Summary, WORDS_MAX_CHARS,
 };
 pub use live::{ConnectorSample, HeldPart, Press, RobotState, RunPhase, RunState, StreamSample, Values};
-pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
-pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, RealRobot};
-pub use recording::{MarkEdit, MarkSort, Recorded, Recording, RecordingMark, Records, Session};
+pub use parts::{Assembly, PART_MAX_BYTES, PartMissing, PartsCursor, RecordsPart};
+pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, FoundRobot, LOGIN_MAX_CHARS, RealRobot, RobotFindings};
+pub use recording::{MarkEdit, MarkSort, Recorded, RecordedSession, Recording, RecordingMark, Records};
 pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
-pub use request::{Area, Ask, Credential, Pointer, Request};
-pub use why::{Because, Blocked, Why, WhyNot, WhyStep, WhyWith};
+pub use request::{Ask, CanvasArea, Credential, Pointer, Request};
+pub use why::{Because, BlockedConnector, Why, WhyNot, WhyStep, WhyWith};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
 pub const VERSION: u32 = 15;
@@ -98,7 +98,7 @@ pub const ROBOT_NAME_MAX_CHARS: usize = 40;
 
 #[cfg(test)]
 mod tests {
-    use crate::{Ask, ListQuery, Message, Place, Refused, Reply, Request};
+    use crate::{Ask, ListQuery, Message, Refused, Reply, Request, SearchPlace};
 
     #[test]
     fn an_ask_is_plain_json() {
@@ -114,7 +114,7 @@ mod tests {
         assert_eq!(ask.request, Request::List { query: ListQuery::default() });
         let text = r#"{"ask":1,"request":{"is":"list","query":{"place":"bin","words":"ball","most":10}}}"#;
         let Request::List { query } = serde_json::from_str::<Ask>(text).unwrap().request else { panic!() };
-        assert_eq!((query.place, query.words.as_str(), query.most), (Place::Bin, "ball", 10));
+        assert_eq!((query.place, query.words.as_str(), query.most), (SearchPlace::Bin, "ball", 10));
     }
 
     #[test]

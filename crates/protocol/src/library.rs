@@ -1,7 +1,7 @@
 //! The questions and answers of the library page: pages of behaviours, their pictures, and what they have to do with
 //! each other.
 
-use behaviour::library::{Cursor, Place, Sort};
+use behaviour::library::{Cursor, SearchPlace, Sort};
 use behaviour::{Id, StreamKind};
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +19,7 @@ pub const FOUND_MAX: usize = 200;
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 pub struct ListQuery {
     /// Where to look.
-    pub place: Place,
+    pub place: SearchPlace,
     /// Words that must all occur, in any case, in names, tags, streams, notes or procedures; empty for everything.
     pub words: String,
     /// Only those that this person made.
@@ -37,7 +37,7 @@ pub struct ListQuery {
 impl Default for ListQuery {
     fn default() -> Self {
         Self {
-            place: Place::Here,
+            place: SearchPlace::Here,
             words: String::new(),
             owner: None,
             tag: None,
@@ -72,7 +72,7 @@ pub struct Summary {
     pub tags: Vec<String>,
     /// The picture of its graph: for a template.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub picture: Option<Picture>,
+    pub picture: Option<GraphOutline>,
 }
 
 /// A behaviour to learn with: what one begins with, and what it shall become.
@@ -109,7 +109,7 @@ impl Exercise {
 /// The result of a rehearsal of an exercise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum Tried {
+pub enum RehearsalResult {
     /// The goal is reached; with a sentence that says so.
     Reached(String),
     /// Something is not as it shall be.
@@ -142,14 +142,14 @@ pub struct PictureOf {
 /// The outlines of a graph: where its streams stand and which lead to which.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Picture {
+pub struct GraphOutline {
     /// The streams of the graph, at most [`Picture::STREAMS_MAX`].
     pub streams: Vec<PictureStream>,
     /// From which stream to which values flow, as places in `streams`.
     pub lines: Vec<[u16; 2]>,
 }
 
-impl Picture {
+impl GraphOutline {
     /// The most streams that a picture shows.
     pub const STREAMS_MAX: usize = 200;
 }

@@ -10,7 +10,7 @@ pub const PART_MAX_BYTES: usize = 128 << 10;
 /// The place up to which the records of a behaviour were given, part after part; each is copied only when it is its
 /// turn.
 #[derive(Clone, Debug, Default)]
-pub struct Parts {
+pub struct PartsCursor {
     /// The last record that was given.
     last: Option<RecordId>,
     ended: bool,
@@ -18,16 +18,16 @@ pub struct Parts {
 
 /// Some records, and whether more follow.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct RecordsPart {
     /// In order of id.
     pub records: Behaviour,
     /// True if another part follows.
     pub more: bool,
 }
 
-impl Parts {
+impl PartsCursor {
     /// The next part of this behaviour, always the same one; there is at least one.
-    pub fn next(&mut self, whole: &Behaviour) -> Option<Part> {
+    pub fn next(&mut self, whole: &Behaviour) -> Option<RecordsPart> {
         if self.ended {
             return None;
         }
@@ -45,14 +45,14 @@ impl Parts {
         let more = left.peek().is_some();
         self.last = part.records.last_key_value().map(|(id, _)| id.clone());
         self.ended = !more;
-        Some(Part { records: part, more })
+        Some(RecordsPart { records: part, more })
     }
 }
 
 impl Reply {
     /// A welcome, or a behaviour as it is or was, with its first part.
     #[must_use]
-    pub fn with(mut self, part: Part) -> Self {
+    pub fn with(mut self, part: RecordsPart) -> Self {
         if let Some((records, more)) = self.records() {
             (*records, *more) = (part.records, part.more);
         }
@@ -118,7 +118,7 @@ impl std::error::Error for PartMissing {}
 
 #[cfg(test)]
 mod tests {
-    use super::{Assembly, PART_MAX_BYTES, PartMissing, Parts};
+    use super::{Assembly, PART_MAX_BYTES, PartMissing, PartsCursor};
     use crate::{Message, Reply};
     use behaviour::{Behaviour, Id, Kind, Note, Record, RecordId};
 
@@ -140,7 +140,7 @@ mod tests {
     /// The messages as they are sent.
     fn messages(whole: &Behaviour) -> Vec<Message> {
         let mut first = Some(opened());
-        let mut parts = Parts::default();
+        let mut parts = PartsCursor::default();
         let parts = (0..).zip(std::iter::from_fn(|| parts.next(whole)));
         let reply = parts.map(|(at, part)| match first.take() {
             Some(first) => Message { ask: Some(7), reply: first.with(part) },
@@ -167,7 +167,7 @@ mod tests {
                 let ping = Message { ask: None, reply: Reply::Done };
                 assert_eq!(assembly.take(ping.clone()), Ok(Some(ping)), "the rest passes");
             }
-            let wanted = opened().with(super::Part { records: whole, more: false });
+            let wanted = opened().with(super::RecordsPart { records: whole, more: false });
             assert_eq!(heard, [Message { ask: Some(7), reply: wanted }]);
         }
     }

@@ -71,7 +71,7 @@ pub struct CheckStep {
 /// The findings of a look at a robot.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub struct Checked {
+pub struct RobotFindings {
     /// The steps in order, up to the first that failed.
     pub steps: Vec<CheckStep>,
     /// The name that the robot gives itself; may be empty.

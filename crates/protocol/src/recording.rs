@@ -48,8 +48,8 @@ pub struct Recording {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub by: String,
     /// The session that it is part of, and what it has.
-    #[serde(default, skip_serializing_if = "Session::is_plain")]
-    pub session: Session,
+    #[serde(default, skip_serializing_if = "RecordedSession::is_plain")]
+    pub session: RecordedSession,
     /// The time of its last line, in milliseconds since Start; none if that is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length_ms: Option<u64>,
@@ -74,7 +74,7 @@ pub struct Recording {
 /// The session that a recorded run is part of, and what of it is recorded.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub struct Session {
+pub struct RecordedSession {
     /// The code of who takes part, never a name: letters, digits, `-`, `_` and `.`, at most [`crate::CODE_MAX_CHARS`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub participant: Option<String>,
@@ -86,7 +86,7 @@ pub struct Session {
     pub records: Records,
 }
 
-impl Session {
+impl RecordedSession {
     /// True if nothing of the session was said.
     #[must_use]
     pub fn is_plain(&self) -> bool {

@@ -1,11 +1,12 @@
 //! The messages of the server, asked or unasked.
 
 use crate::{
-    Area, Checked, Contested, Cursor, Driver, Exercise, FoundRobot, HistoryLine, Invitation, Picture, Pointer, Press,
-    Recording, RecordingMark, RobotState, Role, RunState, Similar, Summary, Tagged, Tried, Used, Values,
+    ActionDriver, CanvasArea, Contested, Cursor, Exercise, FoundRobot, GraphOutline, HelperUse, HistoryLine,
+    Invitation, Pointer, Press, Recording, RecordingMark, RehearsalResult, RobotFindings, RobotState, Role, RunState,
+    Similar, Summary, Tagged, Values,
 };
 use behaviour::{
-    Accepted, Asked, Behaviour, Checkpoint, Fix, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value, ValueType,
+    Accepted, AskResult, Behaviour, Checkpoint, Fix, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value, ValueType,
 };
 use robot::Scene;
 use serde::{Deserialize, Serialize};
@@ -74,19 +75,19 @@ pub enum Reply {
     /// The pictures of some graphs. Behaviours that are gone are left out.
     Pictures {
         /// Which, and its picture.
-        pictures: Vec<(Id, Picture)>,
+        pictures: Vec<(Id, GraphOutline)>,
     },
     /// The users of a helper.
     WhereUsed {
         /// Nearest uses first, at most [`crate::FOUND_MAX`].
-        uses: Vec<Used>,
+        uses: Vec<HelperUse>,
         /// The number of uses altogether.
         total: u64,
     },
     /// The drivers of an action.
     Drivers {
         /// At most [`crate::FOUND_MAX`].
-        drivers: Vec<Driver>,
+        drivers: Vec<ActionDriver>,
         /// The number of drivers altogether.
         total: u64,
     },
@@ -229,7 +230,7 @@ pub enum Reply {
     /// The result of a rehearsal of an exercise.
     Tried {
         /// The result.
-        tried: Tried,
+        tried: RehearsalResult,
     },
     /// The types of the values that streams carry.
     Types {
@@ -256,7 +257,7 @@ pub enum Reply {
         /// When this was said, on the clock of [`Asked`].
         now_ms: u64,
         /// The state of the wish.
-        asked: Asked,
+        asked: AskResult,
     },
     /// The locks in a behaviour: who is editing what; told when that changes, newest wins.
     Locks {
@@ -320,7 +321,7 @@ pub enum Reply {
     /// The findings of a look at a robot.
     RobotChecked {
         /// Step by step.
-        checked: Box<Checked>,
+        checked: Box<RobotFindings>,
     },
     /// The robots that say in the network that they are there.
     FoundRobots {
@@ -556,5 +557,5 @@ pub struct Person {
     pub selected: Option<Id>,
     /// The part of the canvas that they see.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub view: Option<Area>,
+    pub view: Option<CanvasArea>,
 }

@@ -1,7 +1,7 @@
 //! The requests of a client.
 
-use crate::{Lasts, ListQuery, MarkEdit, MarkSort, PictureOf, RealRobot, RecordingMark, Role, Session};
-use behaviour::{Change, Helper, Id, Params, Problem, RecordId, Seen, Token, Value};
+use crate::{Lasts, ListQuery, MarkEdit, MarkSort, PictureOf, RealRobot, RecordedSession, RecordingMark, Role};
+use behaviour::{Change, Helper, Id, LockToken, Params, Problem, RecordId, SeenKinds, Value};
 use robot::{Control, Identity, SceneEdit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -94,7 +94,7 @@ pub enum Request {
         change: Change,
         /// Of the locks that this client holds there: what somebody locked is changed only with the lock's own token.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
-        tokens: Vec<Token>,
+        tokens: Vec<LockToken>,
     },
     /// Locks records of the open behaviour while somebody edits them: all of them or none, never waiting. Answered by
     /// `Locked`, or by `No` with the name of who is editing one of them.
@@ -109,14 +109,14 @@ pub enum Request {
         /// In which behaviour.
         behaviour: Id,
         /// Which lock.
-        token: Token,
+        token: LockToken,
     },
     /// Somebody is typing in the editor of what they locked. Not answered.
     Typing {
         /// In which behaviour.
         behaviour: Id,
         /// Under which lock.
-        token: Token,
+        token: LockToken,
     },
     /// Asks whoever is editing a record to let this client edit it; silence means yes. Answered by `Asked`.
     AskFor {
@@ -137,7 +137,7 @@ pub enum Request {
         /// In which behaviour.
         behaviour: Id,
         /// Which lock.
-        token: Token,
+        token: LockToken,
         /// True to hand it over, false for *not yet*, which counts for a minute from when somebody asked first.
         yes: bool,
     },
@@ -167,7 +167,7 @@ pub enum Request {
         again: bool,
         /// Of the locks that this client holds there.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
-        tokens: Vec<Token>,
+        tokens: Vec<LockToken>,
     },
     /// A page of the history of a behaviour, newest first. Answered by `History`.
     History {
@@ -198,7 +198,7 @@ pub enum Request {
         called: String,
         /// Of the locks that this client holds there.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
-        tokens: Vec<Token>,
+        tokens: Vec<LockToken>,
     },
     /// Brings back what a change removed and is still not there, as one new change. Answered as `Propose`.
     BringBack {
@@ -210,7 +210,7 @@ pub enum Request {
         op: Id,
         /// Of the locks that this client holds there.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
-        tokens: Vec<Token>,
+        tokens: Vec<LockToken>,
     },
     /// Gives a revision a name. Answered by `Done`; everyone there is told `Versions`.
     NameVersion {
@@ -254,8 +254,8 @@ pub enum Request {
         /// The problem, as it was told.
         problem: Problem,
         /// The kinds of the newest values that were seen.
-        #[serde(default, skip_serializing_if = "Seen::is_empty")]
-        seen: Seen,
+        #[serde(default, skip_serializing_if = "SeenKinds::is_empty")]
+        seen: SeenKinds,
     },
     /// Asks what every stream of a behaviour carries, as far as one can tell before it runs, else by what was seen.
     /// Answered by `Types`.
@@ -263,8 +263,8 @@ pub enum Request {
         /// Which behaviour.
         behaviour: Id,
         /// The kinds of the newest values that were seen.
-        #[serde(default, skip_serializing_if = "Seen::is_empty")]
-        seen: Seen,
+        #[serde(default, skip_serializing_if = "SeenKinds::is_empty")]
+        seen: SeenKinds,
     },
     /// Asks if a behaviour as it is saved reaches the goal of an exercise: it is rehearsed on fixed readings in logical
     /// time, without a robot. Answered by `Tried`.
@@ -285,7 +285,7 @@ pub enum Request {
         selected: Option<Id>,
         /// The part of the canvas that is in view, for who follows; none where there is no canvas.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        view: Option<Area>,
+        view: Option<CanvasArea>,
     },
     /// Changes the name of this person that others see from now on, also beside what they are editing. Answered by
     /// `Done`.
@@ -304,8 +304,8 @@ pub enum Request {
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         record: bool,
         /// The session that the recording is part of, and what it has.
-        #[serde(default, skip_serializing_if = "Session::is_plain")]
-        session: Session,
+        #[serde(default, skip_serializing_if = "RecordedSession::is_plain")]
+        session: RecordedSession,
     },
     /// Records a running behaviour from now on. Answered by `Done`, also if it is recorded already.
     Record {
@@ -315,8 +315,8 @@ pub enum Request {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
         /// The session that the recording is part of, and what it has.
-        #[serde(default, skip_serializing_if = "Session::is_plain")]
-        session: Session,
+        #[serde(default, skip_serializing_if = "RecordedSession::is_plain")]
+        session: RecordedSession,
     },
     /// Ends the recording of a running behaviour, which runs on. Answered by `Done`.
     EndRecording {
@@ -574,7 +574,7 @@ pub struct Pointer {
 
 /// A part of the canvas, in canvas units; no side of it is larger than [`crate::CANVAS_MAX`].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Area {
+pub struct CanvasArea {
     /// The left end of the area.
     pub x: f64,
     /// The upper end of the area.

@@ -59,12 +59,12 @@ pub struct WhyNot {
     /// The id of the stream.
     pub stream: String,
     /// The connectors that kept a value back, the nearest to the stream first, then those to which nothing came.
-    pub blocked: Vec<Blocked>,
+    pub blocked: Vec<BlockedConnector>,
 }
 
 /// A connector that kept a value back.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Blocked {
+pub struct BlockedConnector {
     /// The id of the connector.
     pub connector: String,
     /// The id of the stream from which the value came to it, or should have come.

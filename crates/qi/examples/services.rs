@@ -1,7 +1,7 @@
 //! Lists the services of a peer and calls one: `cargo run -p qi --example services -- tcp://HOST:PORT [SERVICE METHOD [TEXT]]`.
 #![expect(clippy::print_stdout, reason = "an example speaks on standard output")]
 
-use qi::{Options, QiError, Session, Value};
+use qi::{QiError, Session, SessionOptions, Value};
 
 #[tokio::main]
 async fn main() -> Result<(), QiError> {
@@ -11,7 +11,7 @@ async fn main() -> Result<(), QiError> {
         println!("services tcp://HOST:PORT [SERVICE METHOD [TEXT]]");
         return Ok(());
     };
-    let session = Session::connect(&address.parse()?, Options::default()).await?;
+    let session = Session::connect(&address.parse()?, SessionOptions::default()).await?;
     for service in session.services().await? {
         println!("{:>4} {} {}", service.service_id, service.name, service.endpoints.join(" "));
     }

@@ -16,7 +16,7 @@ pub enum Scheme {
 
 /// The address of a peer.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Address {
+pub struct PeerAddress {
     /// The transport on which it is spoken to.
     pub scheme: Scheme,
     /// A name or an address; an IPv6 address without its brackets.
@@ -25,7 +25,7 @@ pub struct Address {
     pub port: u16,
 }
 
-impl FromStr for Address {
+impl FromStr for PeerAddress {
     type Err = QiError;
 
     /// Reads `tcp://HOST:PORT` or `tcps://HOST:PORT`; IPv6 addresses stand in brackets.
@@ -34,7 +34,7 @@ impl FromStr for Address {
     }
 }
 
-fn read(text: &str) -> Option<Address> {
+fn read(text: &str) -> Option<PeerAddress> {
     let (scheme, rest) = match text.split_once("://")? {
         ("tcp", rest) => (Scheme::Tcp, rest),
         ("tcps", rest) => (Scheme::Tcps, rest),
@@ -45,10 +45,10 @@ fn read(text: &str) -> Option<Address> {
     let host = inner.or_else(|| (!host.contains(':')).then_some(host))?;
     let is_plain = !host.is_empty() && !host.contains(|c: char| c.is_whitespace() || "/@[]".contains(c));
     let port = port.parse().ok().filter(|port| *port > 0)?;
-    is_plain.then(|| Address { scheme, host: host.to_owned(), port })
+    is_plain.then(|| PeerAddress { scheme, host: host.to_owned(), port })
 }
 
-impl fmt::Display for Address {
+impl fmt::Display for PeerAddress {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let scheme = match self.scheme {
             Scheme::Tcp => "tcp",

@@ -7,14 +7,14 @@ use std::fmt;
 use std::time::Duration;
 
 use crate::agreed::{Agreed, Generation};
-use crate::error::{Cause, QiError};
-use crate::link::{Link, Target};
-use crate::signature::Signature;
+use crate::error::{ConnectError, QiError};
+use crate::link::{Link, MemberTarget};
+use crate::signature::ValueSignature;
 use crate::value::{Layout, Value, decode, encode};
-use crate::wire::Kind;
+use crate::wire::MessageKind;
 
-const AUTHENTICATE: Target = Target { service: 0, object: 0, action: 8 };
-const GREETING: Target = Target { service: 0, object: 0, action: 0 };
+const AUTHENTICATE: MemberTarget = MemberTarget { service: 0, object: 0, action: 8 };
+const GREETING: MemberTarget = MemberTarget { service: 0, object: 0, action: 0 };
 const STATE: &str = "__qi_auth_state";
 const STATE_CONTINUE: u32 = 2;
 const STATE_DONE: u32 = 3;
@@ -50,15 +50,19 @@ fn ours() -> Vec<(&'static str, Value)> {
 }
 
 /// Says hello on a new link.
-pub(crate) async fn greet(link: &Link, credentials: Option<&Credentials>, within: Duration) -> Result<(), Cause> {
+pub(crate) async fn greet(
+    link: &Link,
+    credentials: Option<&Credentials>,
+    within: Duration,
+) -> Result<(), ConnectError> {
     let mut credentials = credentials.cloned();
     let mut new_token = None;
     for _ in 0..STEPS_MAX {
         let answer = match ask(link, credentials.as_ref(), within).await {
             Ok(answer) => answer,
             Err(QiError::Remote { text, .. }) => return greet_2014(link, text),
-            Err(QiError::Timeout { within, .. }) => return Err(Cause::Timeout(within)),
-            Err(other) => return Err(Cause::Call(Box::new(other))),
+            Err(QiError::Timeout { within, .. }) => return Err(ConnectError::Timeout(within)),
+            Err(other) => return Err(ConnectError::Call(Box::new(other))),
         };
         if let Some(token) = answer.get("auth_newToken").and_then(Value::as_text) {
             new_token = Some(token.into_owned());
@@ -70,12 +74,12 @@ pub(crate) async fn greet(link: &Link, credentials: Option<&Credentials>, within
             }
             Some(STATE_CONTINUE) => match (&new_token, &mut credentials) {
                 (Some(token), Some(credentials)) => credentials.password.clone_from(token),
-                _ => return Err(Cause::UnknownLogin),
+                _ => return Err(ConnectError::UnknownLogin),
             },
-            _ => return Err(Cause::Refused("no reason was given".to_owned())),
+            _ => return Err(ConnectError::Refused("no reason was given".to_owned())),
         }
     }
-    Err(Cause::UnknownLogin)
+    Err(ConnectError::UnknownLogin)
 }
 
 async fn ask(link: &Link, credentials: Option<&Credentials>, within: Duration) -> Result<Value, QiError> {
@@ -90,13 +94,13 @@ async fn ask(link: &Link, credentials: Option<&Credentials>, within: Duration) -
 }
 
 /// A refusal of somebody who greeted us first is no refusal: it does not know that call.
-fn greet_2014(link: &Link, refusal: String) -> Result<(), Cause> {
-    let Some(greeting) = link.greeting() else { return Err(Cause::Refused(refusal)) };
-    let call = |error: QiError| Cause::Call(Box::new(error));
+fn greet_2014(link: &Link, refusal: String) -> Result<(), ConnectError> {
+    let Some(greeting) = link.greeting() else { return Err(ConnectError::Refused(refusal)) };
+    let call = |error: QiError| ConnectError::Call(Box::new(error));
     let theirs = decode(greeting, &capabilities(), Layout::default()).map_err(|error| call(error.into()))?;
     let payload =
         encode(&Value::map(ours()), &capabilities(), Layout::default()).map_err(|error| call(error.into()))?;
-    link.send(Kind::Capability, 0, 0, GREETING, payload).map_err(call)?;
+    link.send(MessageKind::Capability, 0, 0, GREETING, payload).map_err(call)?;
     link.agree(agreed(&theirs, Generation::Capabilities, None));
     Ok(())
 }
@@ -113,6 +117,6 @@ fn agreed(theirs: &Value, generation: Generation, new_token: Option<String>) -> 
 }
 
 /// `{sm}`: names and whatever belongs to them.
-fn capabilities() -> Signature {
-    Signature::Map(Box::new(Signature::Str), Box::new(Signature::Dynamic))
+fn capabilities() -> ValueSignature {
+    ValueSignature::Map(Box::new(ValueSignature::Str), Box::new(ValueSignature::Dynamic))
 }

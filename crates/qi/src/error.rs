@@ -4,11 +4,11 @@ use std::io;
 use std::time::Duration;
 
 use crate::fingerprint::Fingerprint;
-use crate::malformed::{Malformed, Unfit};
+use crate::malformed::{Malformed, TypeMismatch};
 
 /// The stages of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Stage {
+pub enum ConnectionStage {
     /// Finding the host's address by its name.
     Name,
     /// Opening the connection.
@@ -23,7 +23,7 @@ pub enum Stage {
     Service,
 }
 
-impl std::fmt::Display for Stage {
+impl std::fmt::Display for ConnectionStage {
     fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
         to.write_str(match self {
             Self::Name => "finding the host",
@@ -38,7 +38,7 @@ impl std::fmt::Display for Stage {
 
 /// The reasons why a stage of connecting failed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Cause {
+pub enum ConnectError {
     /// The system says so: refused, unreachable, reset.
     #[error("{0}")]
     Io(io::ErrorKind),
@@ -80,7 +80,7 @@ pub enum Cause {
 
 /// The reasons why a link is over.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Ending {
+pub enum LinkEnding {
     /// The peer closed it.
     #[error("the other side closed it")]
     Peer,
@@ -105,13 +105,13 @@ pub enum QiError {
     #[error("{stage} failed: {cause}")]
     Connect {
         /// The stage that failed.
-        stage: Stage,
+        stage: ConnectionStage,
         /// The cause of the failure.
-        cause: Cause,
+        cause: ConnectError,
     },
     /// The link is over; every call that waits ends with this.
     #[error("the connection is gone: {0}")]
-    Disconnected(Ending),
+    Disconnected(LinkEnding),
     /// No answer in time. The peer may still do what was asked; a late answer is dropped.
     #[error("{what} did not answer within {} ms", .within.as_millis())]
     Timeout {
@@ -158,7 +158,7 @@ pub enum QiError {
     },
     /// A value cannot be written as what the peer wants.
     #[error("{0}")]
-    Unfit(#[from] Unfit),
+    Unfit(#[from] TypeMismatch),
     /// The peer's method failed. In the peer's words.
     #[error("{}{text}", .module.as_ref().map(|module| format!("{module}: ")).unwrap_or_default())]
     Remote {
@@ -209,16 +209,16 @@ impl QiError {
     }
 
     /// This as the reason why `stage` failed; what names its stage already stays as it is.
-    pub(crate) fn at(self, stage: Stage) -> Self {
+    pub(crate) fn at(self, stage: ConnectionStage) -> Self {
         match self {
             named @ Self::Connect { .. } => named,
-            Self::Timeout { within, .. } => Self::Connect { stage, cause: Cause::Timeout(within) },
-            other => Self::Connect { stage, cause: Cause::Call(Box::new(other)) },
+            Self::Timeout { within, .. } => Self::Connect { stage, cause: ConnectError::Timeout(within) },
+            other => Self::Connect { stage, cause: ConnectError::Call(Box::new(other)) },
         }
     }
 }
 
-impl Cause {
+impl ConnectError {
     fn retryable(&self) -> bool {
         match self {
             Self::Io(_) | Self::UnknownHost(_) | Self::Timeout(_) => true,

@@ -34,21 +34,24 @@ mod tls;
 mod value;
 mod wire;
 
-pub use address::{Address, Scheme};
+pub use address::{PeerAddress, Scheme};
 pub use agreed::{Agreed, Generation};
 pub use auth::Credentials;
-pub use choose::Chosen;
-pub use error::{Cause, Ending, QiError, Stage};
+pub use choose::ChosenMethod;
+pub use error::{ConnectError, ConnectionStage, LinkEnding, QiError};
 pub use fingerprint::Fingerprint;
 pub use link::{
-    Answer, Event, IN_FLIGHT_MAX, Keep, Link, QUEUE_MAX_BYTES, QUEUE_MAX_FRAMES, SUBSCRIBERS_MAX, Subscription, Target,
-    WAITING_MAX_BYTES,
+    CallAnswer, EventChoice, IN_FLIGHT_MAX, Link, MemberTarget, QUEUE_MAX_BYTES, QUEUE_MAX_FRAMES, SUBSCRIBERS_MAX,
+    SignalEvent, Subscription, WAITING_MAX_BYTES,
 };
-pub use malformed::{DEPTH_MAX, Malformed, Unfit, VALUES_MAX};
+pub use malformed::{DEPTH_MAX, Malformed, TypeMismatch, VALUES_MAX};
 pub use meta::{MetaMethod, MetaObject, MetaSignal};
 pub use object::{CALL_WITHIN, Object};
-pub use session::{Choice, Options, ServiceInfo, Session, choose_endpoint};
-pub use signature::{Names, Signature};
+pub use session::{EndpointChoice, ServiceInfo, Session, SessionOptions, choose_endpoint};
+pub use signature::{TupleNames, ValueSignature};
 pub use tls::Trust;
 pub use value::{Layout, ObjectRef, Value, decode, decode_arguments, encode, encode_arguments, fit};
-pub use wire::{FLAG_DYNAMIC, FLAG_RETURN_SIGNATURE, FRAME_MAX_BYTES, Frame, Framer, HEADER_BYTES, Header, Kind};
+pub use wire::{
+    FLAG_DYNAMIC, FLAG_RETURN_SIGNATURE, FRAME_MAX_BYTES, Framer, HEADER_BYTES, MessageFrame, MessageHeader,
+    MessageKind,
+};

@@ -19,16 +19,16 @@ use tokio::task::AbortHandle;
 use tokio::time::timeout;
 
 pub use fan_out::SUBSCRIBERS_MAX;
-pub use mailbox::{Event, Keep, WAITING_MAX_BYTES};
-pub use pending::{Answer, IN_FLIGHT_MAX};
+pub use mailbox::{EventChoice, SignalEvent, WAITING_MAX_BYTES};
+pub use pending::{CallAnswer, IN_FLIGHT_MAX};
 pub use signals::Subscription;
 
 use crate::agreed::Agreed;
-use crate::error::{Ending, QiError};
+use crate::error::{LinkEnding, QiError};
 use crate::value::Layout;
-use crate::wire::{Frame, Header, Kind};
+use crate::wire::{MessageFrame, MessageHeader, MessageKind};
 use fan_out::FanOut;
-use pending::{Pending, Waiting};
+use pending::{PendingCall, PendingCalls};
 
 /// The most messages that may wait to be written.
 pub const QUEUE_MAX_FRAMES: usize = 256;
@@ -36,11 +36,11 @@ pub const QUEUE_MAX_FRAMES: usize = 256;
 pub const QUEUE_MAX_BYTES: usize = 32 << 20;
 /// The method that is pinged: `machineId` of the service directory, which every generation has; a refusal is an answer
 /// too.
-const PING: Target = Target { service: 1, object: 1, action: 108 };
+const PING: MemberTarget = MemberTarget { service: 1, object: 1, action: 108 };
 
 /// A method, signal or property of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Target {
+pub struct MemberTarget {
     /// The number of the service.
     pub service: u32,
     /// The number of the object; 1 is the service itself.
@@ -51,31 +51,31 @@ pub struct Target {
 
 /// One connection; clones are the same one. It ends when nobody holds it any more.
 #[derive(Debug, Clone)]
-pub struct Link(Arc<Held>);
+pub struct Link(Arc<LinkHandle>);
 
 #[derive(Debug)]
-struct Held {
-    shared: Arc<Shared>,
+struct LinkHandle {
+    shared: Arc<LinkShared>,
     tasks: [AbortHandle; 2],
 }
 
-impl Drop for Held {
+impl Drop for LinkHandle {
     fn drop(&mut self) {
-        self.shared.end(Ending::Here);
+        self.shared.end(LinkEnding::Here);
         self.tasks.iter().for_each(AbortHandle::abort);
     }
 }
 
 /// The state that the tasks and all who hold the link have in common.
 #[derive(Debug)]
-struct Shared {
+struct LinkShared {
     outgoing: mpsc::Sender<Vec<u8>>,
     /// Bytes that wait to be written, or are being written.
     outgoing_bytes: AtomicUsize,
-    pending: Pending,
+    pending: PendingCalls,
     fan_out: FanOut,
     registering: tokio::sync::Mutex<()>,
-    ended: watch::Sender<Option<Ending>>,
+    ended: watch::Sender<Option<LinkEnding>>,
     /// The capabilities that the peer told without being asked, as they came: the generation of NAOqi 2.1.
     greeting: OnceLock<Vec<u8>>,
     agreed: OnceLock<Agreed>,
@@ -88,10 +88,10 @@ impl Link {
     /// A link over any stream of bytes. Starts its two tasks on the current tokio runtime; nothing is said yet.
     pub fn over(stream: impl AsyncRead + AsyncWrite + Send + 'static) -> Self {
         let (outgoing, waiting) = mpsc::channel(QUEUE_MAX_FRAMES);
-        let shared = Arc::new(Shared {
+        let shared = Arc::new(LinkShared {
             outgoing,
             outgoing_bytes: AtomicUsize::new(0),
-            pending: Pending::default(),
+            pending: PendingCalls::default(),
             fan_out: FanOut::default(),
             registering: tokio::sync::Mutex::default(),
             ended: watch::Sender::new(None),
@@ -104,7 +104,7 @@ impl Link {
         let (from, to) = tokio::io::split(stream);
         let reader = tokio::spawn(tasks::read(Arc::clone(&shared), from)).abort_handle();
         let writer = tokio::spawn(tasks::write(Arc::clone(&shared), to, waiting)).abort_handle();
-        Self(Arc::new(Held { shared, tasks: [reader, writer] }))
+        Self(Arc::new(LinkHandle { shared, tasks: [reader, writer] }))
     }
 
     /// Calls and waits for the answer. `what` names the call in errors.
@@ -114,12 +114,12 @@ impl Link {
     /// that time, [`QiError::Disconnected`], and what the peer answers with: [`QiError::Remote`], [`QiError::Canceled`].
     pub async fn call(
         &self,
-        target: Target,
+        target: MemberTarget,
         flags: u8,
         payload: Vec<u8>,
         within: Duration,
         what: &str,
-    ) -> Result<Answer, QiError> {
+    ) -> Result<CallAnswer, QiError> {
         let mut waiting = self.asked(target, flags, payload)?;
         self.answered(&mut waiting, within, what).await
     }
@@ -131,21 +131,21 @@ impl Link {
     /// Fails as [`Link::call`] does; with [`QiError::Canceled`] if it was not wanted any more.
     pub async fn call_until(
         &self,
-        target: Target,
+        target: MemberTarget,
         flags: u8,
         payload: Vec<u8>,
         within: Duration,
         what: &str,
         unwanted: impl Future<Output = ()>,
-    ) -> Result<Answer, QiError> {
+    ) -> Result<CallAnswer, QiError> {
         let mut waiting = self.asked(target, flags, payload)?;
         let id = waiting.id();
         tokio::select! {
             answer = self.answered(&mut waiting, within, what) => answer,
             () = unwanted => {
                 if self.agreed().is_some_and(|agreed| agreed.cancelable) {
-                    let target = Target { action: 0, ..target };
-                    self.send(Kind::Cancel, self.shared().pending.next_id(), 0, target, id.to_le_bytes().to_vec())?;
+                    let target = MemberTarget { action: 0, ..target };
+                    self.send(MessageKind::Cancel, self.shared().pending.next_id(), 0, target, id.to_le_bytes().to_vec())?;
                 }
                 Err(QiError::Canceled { what: what.to_owned() })
             }
@@ -153,7 +153,12 @@ impl Link {
     }
 
     /// The answer to a call, as it settles.
-    async fn answered(&self, waiting: &mut Waiting<'_>, within: Duration, what: &str) -> Result<Answer, QiError> {
+    async fn answered(
+        &self,
+        waiting: &mut PendingCall<'_>,
+        within: Duration,
+        what: &str,
+    ) -> Result<CallAnswer, QiError> {
         match timeout(within, waiting.answer()).await {
             Ok(Some(answer)) => answer.settled(what),
             Ok(None) => Err(self.disconnected()),
@@ -162,13 +167,13 @@ impl Link {
     }
 
     /// Sends a call; what waits for its answer.
-    fn asked(&self, target: Target, flags: u8, payload: Vec<u8>) -> Result<Waiting<'_>, QiError> {
+    fn asked(&self, target: MemberTarget, flags: u8, payload: Vec<u8>) -> Result<PendingCall<'_>, QiError> {
         let waiting = self.shared().pending.begin().ok_or(QiError::Busy { what: "calls", limit: IN_FLIGHT_MAX });
         let waiting = match self.ending() {
             Some(ending) => return Err(QiError::Disconnected(ending)),
             None => waiting?,
         };
-        self.send(Kind::Call, waiting.id(), flags, target, payload)?;
+        self.send(MessageKind::Call, waiting.id(), flags, target, payload)?;
         Ok(waiting)
     }
 
@@ -176,8 +181,8 @@ impl Link {
     ///
     /// # Errors
     /// [`QiError::Busy`] with [`QUEUE_MAX_FRAMES`] messages or [`QUEUE_MAX_BYTES`] waiting to be written, [`QiError::Disconnected`].
-    pub fn post(&self, target: Target, flags: u8, payload: Vec<u8>) -> Result<(), QiError> {
-        self.send(Kind::Post, self.shared().pending.next_id(), flags, target, payload)
+    pub fn post(&self, target: MemberTarget, flags: u8, payload: Vec<u8>) -> Result<(), QiError> {
+        self.send(MessageKind::Post, self.shared().pending.next_id(), flags, target, payload)
     }
 
     /// Asks the peer for a sign of life; answers with how long it took. A peer that is gone without a word is found by
@@ -201,8 +206,8 @@ impl Link {
 
     /// Sends a call and drops its answer. libqi does not carry out everything that is only posted: it forgets by which link
     /// a post came, and a registration belongs to its link.
-    pub(crate) fn tell(&self, target: Target, payload: Vec<u8>) -> Result<(), QiError> {
-        self.send(Kind::Call, self.shared().pending.next_id(), 0, target, payload)
+    pub(crate) fn tell(&self, target: MemberTarget, payload: Vec<u8>) -> Result<(), QiError> {
+        self.send(MessageKind::Call, self.shared().pending.next_id(), 0, target, payload)
     }
 
     /// Returns the number of answers that came and nobody waited for; they are dropped. They belong to calls that had
@@ -218,16 +223,16 @@ impl Link {
 
     /// Ends the link: everything that waits on it ends with [`QiError::Disconnected`].
     pub fn close(&self) {
-        self.shared().end(Ending::Here);
+        self.shared().end(LinkEnding::Here);
     }
 
     /// Returns the reason why the link is over, if it is.
-    pub fn ending(&self) -> Option<Ending> {
+    pub fn ending(&self) -> Option<LinkEnding> {
         self.shared().ended.borrow().clone()
     }
 
     /// Waits for the end of the link.
-    pub async fn ended(&self) -> Ending {
+    pub async fn ended(&self) -> LinkEnding {
         self.shared().ended().await
     }
 
@@ -250,23 +255,30 @@ impl Link {
     }
 
     pub(crate) fn disconnected(&self) -> QiError {
-        QiError::Disconnected(self.ending().unwrap_or(Ending::Here))
+        QiError::Disconnected(self.ending().unwrap_or(LinkEnding::Here))
     }
 
-    pub(crate) fn send(&self, kind: Kind, id: u32, flags: u8, target: Target, payload: Vec<u8>) -> Result<(), QiError> {
-        let Target { service, object, action } = target;
-        let frame = Frame { header: Header { kind, flags, id, service, object, action }, payload };
+    pub(crate) fn send(
+        &self,
+        kind: MessageKind,
+        id: u32,
+        flags: u8,
+        target: MemberTarget,
+        payload: Vec<u8>,
+    ) -> Result<(), QiError> {
+        let MemberTarget { service, object, action } = target;
+        let frame = MessageFrame { header: MessageHeader { kind, flags, id, service, object, action }, payload };
         self.shared().send(&frame)
     }
 
-    fn shared(&self) -> &Shared {
+    fn shared(&self) -> &LinkShared {
         &self.0.shared
     }
 }
 
-impl Shared {
-    fn send(&self, frame: &Frame) -> Result<(), QiError> {
-        let bytes = frame.to_bytes().ok_or(QiError::Unfit(crate::Unfit::TooLarge))?;
+impl LinkShared {
+    fn send(&self, frame: &MessageFrame) -> Result<(), QiError> {
+        let bytes = frame.to_bytes().ok_or(QiError::Unfit(crate::TypeMismatch::TooLarge))?;
         if let Some(ending) = self.ended.borrow().clone() {
             return Err(QiError::Disconnected(ending));
         }
@@ -279,7 +291,7 @@ impl Shared {
             self.written(size);
             match error {
                 mpsc::error::TrySendError::Full(_) => QiError::Busy { what: "messages", limit: QUEUE_MAX_FRAMES },
-                mpsc::error::TrySendError::Closed(_) => QiError::Disconnected(Ending::Here),
+                mpsc::error::TrySendError::Closed(_) => QiError::Disconnected(LinkEnding::Here),
             }
         })
     }
@@ -290,7 +302,7 @@ impl Shared {
     }
 
     /// The first reason counts.
-    fn end(&self, ending: Ending) {
+    fn end(&self, ending: LinkEnding) {
         let is_first = self.ended.send_if_modified(|ended| {
             let is_first = ended.is_none();
             ended.get_or_insert(ending);
@@ -302,10 +314,10 @@ impl Shared {
         }
     }
 
-    async fn ended(&self) -> Ending {
+    async fn ended(&self) -> LinkEnding {
         let mut ended = self.ended.subscribe();
         // The sender is `self`, so that this cannot fail while somebody waits here.
-        ended.wait_for(Option::is_some).await.ok().and_then(|ending| ending.clone()).unwrap_or(Ending::Here)
+        ended.wait_for(Option::is_some).await.ok().and_then(|ending| ending.clone()).unwrap_or(LinkEnding::Here)
     }
 
     fn heard(&self) {

@@ -63,7 +63,7 @@ pub enum Malformed {
 
 /// The reasons why a value cannot be written as a type.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Unfit {
+pub enum TypeMismatch {
     /// Another kind of value than the type wants.
     #[error("{given} cannot be given as {wanted}")]
     Type {

@@ -1,6 +1,6 @@
 //! The abilities of an object, as it tells them itself: methods, signals and properties with their numbers and types.
 
-use crate::signature::Signature;
+use crate::signature::ValueSignature;
 
 /// A method.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,9 +10,9 @@ pub struct MetaMethod {
     /// The name of the method; several methods may share it.
     pub name: String,
     /// The type of what it returns.
-    pub returns: Signature,
+    pub returns: ValueSignature,
     /// The types of its arguments: a tuple, or any type for a method that takes anything.
-    pub parameters: Signature,
+    pub parameters: ValueSignature,
     /// The purpose of the method, in its author's words; often empty.
     pub description: String,
 }
@@ -25,7 +25,7 @@ pub struct MetaSignal {
     /// The name of the signal or property.
     pub name: String,
     /// The type: of a signal the types of what its events carry, a tuple; of a property the type of its value.
-    pub signature: Signature,
+    pub signature: ValueSignature,
 }
 
 /// The methods, signals and properties of an object.

@@ -4,9 +4,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::error::QiError;
-use crate::link::{Keep, Link, Subscription, Target};
+use crate::link::{EventChoice, Link, MemberTarget, Subscription};
 use crate::meta::{MetaMethod, MetaObject};
-use crate::signature::Signature;
+use crate::signature::ValueSignature;
 use crate::value::{ObjectRef, Value, encode_arguments};
 use crate::wire::FLAG_DYNAMIC;
 
@@ -39,7 +39,7 @@ impl Object {
     /// # Errors
     /// Fails as any call can.
     pub async fn at(link: Link, service: u32, object: u32, name: &str, within: Duration) -> Result<Self, QiError> {
-        let target = Target { service, object, action: META_OBJECT };
+        let target = MemberTarget { service, object, action: META_OBJECT };
         let answer = link.call(target, 0, object.to_le_bytes().to_vec(), within, "metaObject").await?;
         let meta = Arc::new(MetaObject::decode(answer.payload())?);
         Ok(Self { link, service, object, name: name.into(), meta, within, _given_out: None })
@@ -143,7 +143,7 @@ impl Object {
     ///
     /// # Errors
     /// [`QiError::NoMember`], and those of [`Link::subscribe`].
-    pub async fn subscribe(&self, signal: &str, keep: Keep) -> Result<Subscription, QiError> {
+    pub async fn subscribe(&self, signal: &str, keep: EventChoice) -> Result<Subscription, QiError> {
         let found = self.meta.signal(signal).ok_or_else(|| self.no_member("signal", signal))?;
         self.link.subscribe(self.target(found.uid), found.signature.clone(), keep, self.within).await
     }
@@ -157,7 +157,7 @@ impl Object {
         let payload = self.written_dynamics(&[name.into()])?;
         let what = format!("{}.{name}", self.name);
         let answer = self.link.call(self.target(PROPERTY), 0, payload, self.within, &what).await?;
-        Ok(match answer.value(&Signature::Dynamic, self.link.layout())? {
+        Ok(match answer.value(&ValueSignature::Dynamic, self.link.layout())? {
             Value::Dynamic(inner) => *inner,
             other => other,
         })
@@ -179,16 +179,16 @@ impl Object {
         let chosen = self.meta.choose(name, arguments).ok_or_else(|| QiError::NoMethod {
             object: self.name.to_string(),
             name: name.to_owned(),
-            given: Signature::tuple(arguments.iter().map(Value::signature).collect()).to_string(),
+            given: ValueSignature::tuple(arguments.iter().map(Value::signature).collect()).to_string(),
             candidates: self.meta.candidates(name),
         })?;
-        let flags = if chosen.method.parameters == Signature::Dynamic { FLAG_DYNAMIC } else { 0 };
+        let flags = if chosen.method.parameters == ValueSignature::Dynamic { FLAG_DYNAMIC } else { 0 };
         let payload = encode_arguments(arguments, &chosen.method.parameters, self.link.layout())?;
         Ok((chosen.method, flags, payload))
     }
 
     fn written_dynamics(&self, arguments: &[Value]) -> Result<Vec<u8>, QiError> {
-        let signature = Signature::tuple(vec![Signature::Dynamic; arguments.len()]);
+        let signature = ValueSignature::tuple(vec![ValueSignature::Dynamic; arguments.len()]);
         Ok(encode_arguments(arguments, &signature, self.link.layout())?)
     }
 
@@ -196,8 +196,8 @@ impl Object {
         QiError::NoMember { object: self.name.to_string(), what, name: name.to_owned() }
     }
 
-    fn target(&self, action: u32) -> Target {
-        Target { service: self.service, object: self.object, action }
+    fn target(&self, action: u32) -> MemberTarget {
+        MemberTarget { service: self.service, object: self.object, action }
     }
 }
 
@@ -211,7 +211,7 @@ struct GivenOut {
 
 impl Drop for GivenOut {
     fn drop(&mut self) {
-        let target = Target { service: self.service, object: self.object, action: TERMINATE };
+        let target = MemberTarget { service: self.service, object: self.object, action: TERMINATE };
         // A link that is over took it along.
         let _gone = self.link.tell(target, self.object.to_le_bytes().to_vec());
     }

@@ -11,13 +11,13 @@ use std::time::Duration;
 
 use tokio::task::AbortHandle;
 
-pub use endpoint::{Choice, ServiceInfo, choose as choose_endpoint};
+pub use endpoint::{EndpointChoice, ServiceInfo, choose as choose_endpoint};
 
-use crate::address::Address;
+use crate::address::PeerAddress;
 use crate::auth::Credentials;
-use crate::error::{Cause, QiError, Stage};
+use crate::error::{ConnectError, ConnectionStage, QiError};
 use crate::fingerprint::Fingerprint;
-use crate::link::{Keep, Link, Subscription};
+use crate::link::{EventChoice, Link, Subscription};
 use crate::object::{CALL_WITHIN, Object};
 use crate::tls::Trust;
 use crate::value::Value;
@@ -33,7 +33,7 @@ const LINKS_MAX: usize = 16;
 
 /// The options of a connection.
 #[derive(Debug, Clone)]
-pub struct Options {
+pub struct SessionOptions {
     /// User and password, where the peer wants them.
     pub credentials: Option<Credentials>,
     /// The certificates that are accepted behind `tcps`.
@@ -44,7 +44,7 @@ pub struct Options {
     pub call_within: Duration,
 }
 
-impl Default for Options {
+impl Default for SessionOptions {
     /// No password, any certificate, 5 s a stage, 2 s a call.
     fn default() -> Self {
         Self { credentials: None, trust: Trust::First, stage_within: Duration::from_secs(5), call_within: CALL_WITHIN }
@@ -53,25 +53,25 @@ impl Default for Options {
 
 /// A peer that we are logged in at; clones are the same session. Its link ends when nobody holds it or its objects.
 #[derive(Debug, Clone)]
-pub struct Session(Arc<Inner>);
+pub struct Session(Arc<SessionInner>);
 
 #[derive(Debug)]
-struct Inner {
+struct SessionInner {
     link: Link,
-    address: Address,
+    address: PeerAddress,
     peer: IpAddr,
     fingerprint: Option<Fingerprint>,
-    options: Options,
+    options: SessionOptions,
     directory: Object,
     /// The directory's description of itself.
     itself: Option<ServiceInfo>,
     cache: Arc<Cache>,
     /// To other processes of the same host.
-    links: tokio::sync::Mutex<BTreeMap<Address, Link>>,
+    links: tokio::sync::Mutex<BTreeMap<PeerAddress, Link>>,
     watcher: AbortHandle,
 }
 
-impl Drop for Inner {
+impl Drop for SessionInner {
     fn drop(&mut self) {
         self.watcher.abort();
     }
@@ -82,24 +82,25 @@ impl Session {
     ///
     /// # Errors
     /// [`QiError::Connect`], which names the stage that failed.
-    pub async fn connect(address: &Address, options: Options) -> Result<Self, QiError> {
+    pub async fn connect(address: &PeerAddress, options: SessionOptions) -> Result<Self, QiError> {
         let dialled = dial::dial(address, &options).await?;
         let (link, within) = (dialled.link, options.stage_within);
         let directory = async {
             let directory = Object::at(link.clone(), DIRECTORY, MAIN_OBJECT, DIRECTORY_NAME, within).await?;
             let itself = directory.call("service", &[DIRECTORY_NAME.into()]).await;
             let itself = itself.ok().and_then(|value| ServiceInfo::from_value(&value));
-            let added = directory.subscribe("serviceAdded", Keep::All(CHANGES_MAX)).await?;
-            let removed = directory.subscribe("serviceRemoved", Keep::All(CHANGES_MAX)).await?;
+            let added = directory.subscribe("serviceAdded", EventChoice::All(CHANGES_MAX)).await?;
+            let removed = directory.subscribe("serviceRemoved", EventChoice::All(CHANGES_MAX)).await?;
             Ok((directory.within(options.call_within), itself, added, removed))
         };
         let (directory, itself, added, removed) =
-            directory.await.map_err(|error: QiError| error.at(Stage::Directory))?;
+            directory.await.map_err(|error: QiError| error.at(ConnectionStage::Directory))?;
         let cache = Arc::new(Cache::default());
         let watcher = tokio::spawn(cache::watch(Arc::clone(&cache), added, removed)).abort_handle();
         let (address, peer, fingerprint) = (address.clone(), dialled.peer, dialled.fingerprint);
         let links = tokio::sync::Mutex::default();
-        let inner = Inner { link, address, peer, fingerprint, options, directory, itself, cache, links, watcher };
+        let inner =
+            SessionInner { link, address, peer, fingerprint, options, directory, itself, cache, links, watcher };
         Ok(Self(Arc::new(inner)))
     }
 
@@ -155,7 +156,7 @@ impl Session {
     /// # Errors
     /// Fails as [`Object::subscribe`] does.
     pub async fn added(&self) -> Result<Subscription, QiError> {
-        self.0.directory.subscribe("serviceAdded", Keep::All(CHANGES_MAX)).await
+        self.0.directory.subscribe("serviceAdded", EventChoice::All(CHANGES_MAX)).await
     }
 
     /// Listens to services that go: their number and name.
@@ -163,7 +164,7 @@ impl Session {
     /// # Errors
     /// Fails as [`Object::subscribe`] does.
     pub async fn removed(&self) -> Result<Subscription, QiError> {
-        self.0.directory.subscribe("serviceRemoved", Keep::All(CHANGES_MAX)).await
+        self.0.directory.subscribe("serviceRemoved", EventChoice::All(CHANGES_MAX)).await
     }
 
     async fn find(&self, name: &str) -> Result<ServiceInfo, QiError> {
@@ -179,16 +180,18 @@ impl Session {
         let inner = &self.0;
         let relative = inner.link.agreed().is_some_and(|agreed| agreed.relative_endpoints);
         match endpoint::choose(info, inner.itself.as_ref(), &inner.address, inner.peer, relative) {
-            Choice::SameLink => Ok(inner.link.clone()),
-            Choice::Dial(address) => self.other_link(&address).await.map_err(|error| error.at(Stage::Service)),
-            Choice::Nowhere => {
-                let cause = Cause::NoEndpoint { service: info.name.clone(), offered: info.endpoints.clone() };
-                Err(QiError::Connect { stage: Stage::Service, cause })
+            EndpointChoice::SameLink => Ok(inner.link.clone()),
+            EndpointChoice::Dial(address) => {
+                self.other_link(&address).await.map_err(|error| error.at(ConnectionStage::Service))
+            }
+            EndpointChoice::Nowhere => {
+                let cause = ConnectError::NoEndpoint { service: info.name.clone(), offered: info.endpoints.clone() };
+                Err(QiError::Connect { stage: ConnectionStage::Service, cause })
             }
         }
     }
 
-    async fn other_link(&self, address: &Address) -> Result<Link, QiError> {
+    async fn other_link(&self, address: &PeerAddress) -> Result<Link, QiError> {
         let mut links = self.0.links.lock().await;
         links.retain(|_, link| link.ending().is_none());
         if let Some(link) = links.get(address) {

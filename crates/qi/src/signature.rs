@@ -9,7 +9,7 @@ use crate::malformed::Malformed;
 
 /// The type of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Signature {
+pub enum ValueSignature {
     /// `v`: nothing.
     Void,
     /// `b`: true or false.
@@ -45,27 +45,27 @@ pub enum Signature {
     /// `X`: something that the peer cannot send.
     Unknown,
     /// `[T]`: values of one type.
-    List(Box<Signature>),
+    List(Box<ValueSignature>),
     /// `{KV}`: keys and their values.
-    Map(Box<Signature>, Box<Signature>),
+    Map(Box<ValueSignature>, Box<ValueSignature>),
     /// `(T..)`, or `(T..)<Name,field,..>`: fields in a row.
-    Tuple(Vec<Signature>, Option<Names>),
+    Tuple(Vec<ValueSignature>, Option<TupleNames>),
     /// `+T`: a value or nothing.
-    Optional(Box<Signature>),
+    Optional(Box<ValueSignature>),
     /// `#T`: any number of arguments of one type.
-    VarArgs(Box<Signature>),
+    VarArgs(Box<ValueSignature>),
 }
 
 /// The names of a tuple and its fields.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Names {
+pub struct TupleNames {
     /// The name of the tuple.
     pub name: String,
     /// The names of its fields, in their order.
     pub fields: Vec<String>,
 }
 
-impl Signature {
+impl ValueSignature {
     /// The type of several values in a row, without names.
     pub fn tuple(fields: Vec<Self>) -> Self {
         Self::Tuple(fields, None)
@@ -77,7 +77,7 @@ impl Signature {
     }
 }
 
-impl FromStr for Signature {
+impl FromStr for ValueSignature {
     type Err = Malformed;
 
     /// Reads one whole signature.
@@ -86,7 +86,7 @@ impl FromStr for Signature {
     }
 }
 
-impl fmt::Display for Signature {
+impl fmt::Display for ValueSignature {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::List(of) => write!(to, "[{of}]"),
@@ -104,7 +104,7 @@ impl fmt::Display for Signature {
     }
 }
 
-impl fmt::Display for Names {
+impl fmt::Display for TupleNames {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         write!(to, "<{}", self.name)?;
         self.fields.iter().try_for_each(|field| write!(to, ",{field}"))?;
@@ -113,27 +113,27 @@ impl fmt::Display for Names {
 }
 
 /// The types that are one letter.
-const LETTERS: [(&str, Signature); 17] = [
-    ("v", Signature::Void),
-    ("b", Signature::Bool),
-    ("c", Signature::I8),
-    ("C", Signature::U8),
-    ("w", Signature::I16),
-    ("W", Signature::U16),
-    ("i", Signature::I32),
-    ("I", Signature::U32),
-    ("l", Signature::I64),
-    ("L", Signature::U64),
-    ("f", Signature::F32),
-    ("d", Signature::F64),
-    ("s", Signature::Str),
-    ("r", Signature::Raw),
-    ("m", Signature::Dynamic),
-    ("o", Signature::Object),
-    ("X", Signature::Unknown),
+const LETTERS: [(&str, ValueSignature); 17] = [
+    ("v", ValueSignature::Void),
+    ("b", ValueSignature::Bool),
+    ("c", ValueSignature::I8),
+    ("C", ValueSignature::U8),
+    ("w", ValueSignature::I16),
+    ("W", ValueSignature::U16),
+    ("i", ValueSignature::I32),
+    ("I", ValueSignature::U32),
+    ("l", ValueSignature::I64),
+    ("L", ValueSignature::U64),
+    ("f", ValueSignature::F32),
+    ("d", ValueSignature::F64),
+    ("s", ValueSignature::Str),
+    ("r", ValueSignature::Raw),
+    ("m", ValueSignature::Dynamic),
+    ("o", ValueSignature::Object),
+    ("X", ValueSignature::Unknown),
 ];
 
-impl Signature {
+impl ValueSignature {
     fn letter(&self) -> &'static str {
         LETTERS.iter().find(|(_, plain)| plain == self).map_or("X", |(letter, _)| letter)
     }

@@ -11,7 +11,7 @@ use tokio::net::TcpStream;
 use tokio_rustls::TlsConnector;
 use tokio_rustls::client::TlsStream;
 
-use crate::error::Cause;
+use crate::error::ConnectError;
 use crate::fingerprint::Fingerprint;
 use crate::locked::locked;
 
@@ -31,25 +31,28 @@ pub(crate) async fn agree(
     host: &str,
     trust: Trust,
     within: Duration,
-) -> Result<(TlsStream<TcpStream>, Fingerprint), Cause> {
-    let seen = Arc::new(Seen { trust, found: Mutex::new(None), provider: Arc::new(ring::default_provider()) });
+) -> Result<(TlsStream<TcpStream>, Fingerprint), ConnectError> {
+    let seen =
+        Arc::new(SeenCertificate { trust, found: Mutex::new(None), provider: Arc::new(ring::default_provider()) });
     let name = ServerName::try_from(host.to_owned()).or_else(|_| ServerName::try_from("peer"));
-    let name = name.map_err(|error| Cause::Tls(error.to_string()))?;
-    let connector = TlsConnector::from(Arc::new(config(&seen).map_err(|error| Cause::Tls(error.to_string()))?));
+    let name = name.map_err(|error| ConnectError::Tls(error.to_string()))?;
+    let connector = TlsConnector::from(Arc::new(config(&seen).map_err(|error| ConnectError::Tls(error.to_string()))?));
     let agreed = tokio::time::timeout(within, connector.connect(name, stream)).await;
     let found = *locked(&seen.found);
     match (agreed, found) {
-        (Err(_), _) => Err(Cause::Timeout(within)),
+        (Err(_), _) => Err(ConnectError::Timeout(within)),
         (Ok(Ok(stream)), Some(found)) => Ok((stream, found)),
-        (Ok(Ok(_)), None) => Err(Cause::Tls("no certificate was shown".to_owned())),
+        (Ok(Ok(_)), None) => Err(ConnectError::Tls("no certificate was shown".to_owned())),
         (Ok(Err(error)), found) => Err(match (trust, found) {
-            (Trust::Only(expected), Some(found)) if found != expected => Cause::CertificateChanged { expected, found },
-            _ => Cause::Tls(error.to_string()),
+            (Trust::Only(expected), Some(found)) if found != expected => {
+                ConnectError::CertificateChanged { expected, found }
+            }
+            _ => ConnectError::Tls(error.to_string()),
         }),
     }
 }
 
-fn config(seen: &Arc<Seen>) -> Result<ClientConfig, Error> {
+fn config(seen: &Arc<SeenCertificate>) -> Result<ClientConfig, Error> {
     let config =
         ClientConfig::builder_with_provider(Arc::clone(&seen.provider)).with_safe_default_protocol_versions()?;
     let verifier: Arc<dyn ServerCertVerifier> = Arc::clone(seen) as Arc<dyn ServerCertVerifier>;
@@ -61,13 +64,13 @@ fn config(seen: &Arc<Seen>) -> Result<ClientConfig, Error> {
 
 /// Notes the certificate that is shown. Who shows it must also prove that it has its key.
 #[derive(Debug)]
-struct Seen {
+struct SeenCertificate {
     trust: Trust,
     found: Mutex<Option<Fingerprint>>,
     provider: Arc<CryptoProvider>,
 }
 
-impl ServerCertVerifier for Seen {
+impl ServerCertVerifier for SeenCertificate {
     fn verify_server_cert(
         &self,
         certificate: &CertificateDer<'_>,

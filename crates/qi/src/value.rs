@@ -9,7 +9,7 @@ mod meta;
 
 use std::sync::Arc;
 
-pub(crate) use decode::Reader;
+pub(crate) use decode::Decoder;
 pub use decode::{decode, decode_arguments};
 pub(crate) use encode::{bytes, count};
 pub use encode::{encode, encode_arguments};
@@ -17,7 +17,7 @@ pub use fit::fit;
 
 use crate::malformed::{DEPTH_MAX, VALUES_MAX};
 use crate::meta::MetaObject;
-use crate::signature::Signature;
+use crate::signature::ValueSignature;
 
 /// A value of the protocol. Integers and floats keep their width; [`Value::seen`] and the `as_` functions look through
 /// dynamics and widths.
@@ -88,40 +88,40 @@ pub struct Layout {
 
 impl Value {
     /// The type that this value is written as in a dynamic. Lists of several types are lists of dynamics, as in libqi.
-    pub fn signature(&self) -> Signature {
+    pub fn signature(&self) -> ValueSignature {
         match self {
-            Self::Unit => Signature::Void,
-            Self::Bool(_) => Signature::Bool,
-            Self::I8(_) => Signature::I8,
-            Self::U8(_) => Signature::U8,
-            Self::I16(_) => Signature::I16,
-            Self::U16(_) => Signature::U16,
-            Self::I32(_) => Signature::I32,
-            Self::U32(_) => Signature::U32,
-            Self::I64(_) => Signature::I64,
-            Self::U64(_) => Signature::U64,
-            Self::F32(_) => Signature::F32,
-            Self::F64(_) => Signature::F64,
-            Self::Str(_) => Signature::Str,
-            Self::Raw(_) => Signature::Raw,
-            Self::Dynamic(_) => Signature::Dynamic,
-            Self::Object(_) => Signature::Object,
-            Self::List(items) => Signature::list(common(items.iter())),
-            Self::Map(entries) => Signature::Map(
+            Self::Unit => ValueSignature::Void,
+            Self::Bool(_) => ValueSignature::Bool,
+            Self::I8(_) => ValueSignature::I8,
+            Self::U8(_) => ValueSignature::U8,
+            Self::I16(_) => ValueSignature::I16,
+            Self::U16(_) => ValueSignature::U16,
+            Self::I32(_) => ValueSignature::I32,
+            Self::U32(_) => ValueSignature::U32,
+            Self::I64(_) => ValueSignature::I64,
+            Self::U64(_) => ValueSignature::U64,
+            Self::F32(_) => ValueSignature::F32,
+            Self::F64(_) => ValueSignature::F64,
+            Self::Str(_) => ValueSignature::Str,
+            Self::Raw(_) => ValueSignature::Raw,
+            Self::Dynamic(_) => ValueSignature::Dynamic,
+            Self::Object(_) => ValueSignature::Object,
+            Self::List(items) => ValueSignature::list(common(items.iter())),
+            Self::Map(entries) => ValueSignature::Map(
                 Box::new(common(entries.iter().map(|(key, _)| key))),
                 Box::new(common(entries.iter().map(|(_, value)| value))),
             ),
-            Self::Tuple(items) => Signature::tuple(items.iter().map(Self::signature).collect()),
+            Self::Tuple(items) => ValueSignature::tuple(items.iter().map(Self::signature).collect()),
             Self::Optional(inner) => {
-                let of = inner.as_ref().map_or(Signature::Dynamic, |inner| inner.signature());
-                Signature::Optional(Box::new(of))
+                let of = inner.as_ref().map_or(ValueSignature::Dynamic, |inner| inner.signature());
+                ValueSignature::Optional(Box::new(of))
             }
         }
     }
 }
 
 /// The type of all of these, or any type if they differ or there are none.
-fn common<'a>(mut values: impl Iterator<Item = &'a Value>) -> Signature {
-    let Some(first) = values.next().map(Value::signature) else { return Signature::Dynamic };
-    if values.all(|value| value.signature() == first) { first } else { Signature::Dynamic }
+fn common<'a>(mut values: impl Iterator<Item = &'a Value>) -> ValueSignature {
+    let Some(first) = values.next().map(Value::signature) else { return ValueSignature::Dynamic };
+    if values.all(|value| value.signature() == first) { first } else { ValueSignature::Dynamic }
 }

@@ -17,7 +17,7 @@ const KEPT_MAX_BYTES: usize = 1 << 20;
 
 /// The purposes of a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum MessageKind {
     /// Asks for a method and wants an answer.
     Call,
     /// The result of a call.
@@ -36,7 +36,7 @@ pub enum Kind {
     Canceled,
 }
 
-impl Kind {
+impl MessageKind {
     const ALL: [Self; 8] =
         [Self::Call, Self::Reply, Self::Error, Self::Post, Self::Event, Self::Capability, Self::Cancel, Self::Canceled];
 
@@ -52,9 +52,9 @@ impl Kind {
 
 /// Everything about a message but its payload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Header {
+pub struct MessageHeader {
     /// The purpose of the message.
-    pub kind: Kind,
+    pub kind: MessageKind,
     /// [`FLAG_DYNAMIC`] and [`FLAG_RETURN_SIGNATURE`].
     pub flags: u8,
     /// Counted by the sender; an answer carries the one of its call. Events have ids of their own, which may be the same.
@@ -67,7 +67,7 @@ pub struct Header {
     pub action: u32,
 }
 
-impl Header {
+impl MessageHeader {
     /// The 28 bytes of a message with so many bytes of payload. The version is 0, as libqi's is.
     pub fn to_bytes(&self, payload_bytes: u32) -> [u8; HEADER_BYTES] {
         let mut bytes = [0; HEADER_BYTES];
@@ -93,7 +93,7 @@ impl Header {
             return Err(Malformed::Magic { found });
         }
         let [_, _, kind, flags] = rest.to_le_bytes();
-        let kind = Kind::from_number(kind)?;
+        let kind = MessageKind::from_number(kind)?;
         let bytes = usize::try_from(size).ok().filter(|bytes| *bytes <= FRAME_MAX_BYTES);
         let bytes = bytes.ok_or(Malformed::TooLarge { size })?;
         Ok((Self { kind, flags, id, service, object, action }, bytes))
@@ -102,14 +102,14 @@ impl Header {
 
 /// A whole message.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Frame {
+pub struct MessageFrame {
     /// The kind of message and whom it is for.
-    pub header: Header,
+    pub header: MessageHeader,
     /// The content, at most [`FRAME_MAX_BYTES`].
     pub payload: Vec<u8>,
 }
 
-impl Frame {
+impl MessageFrame {
     /// The bytes of the whole message, or nothing if its payload is larger than [`FRAME_MAX_BYTES`].
     pub fn to_bytes(&self) -> Option<Vec<u8>> {
         let size = u32::try_from(self.payload.len()).ok().filter(|_| self.payload.len() <= FRAME_MAX_BYTES)?;
@@ -145,13 +145,13 @@ impl Framer {
     ///
     /// # Errors
     /// Fails as [`Header::from_bytes`] does, as soon as the header is there. The stream cannot be read on after that.
-    pub fn next_frame(&mut self) -> Result<Option<Frame>, Malformed> {
+    pub fn next_frame(&mut self) -> Result<Option<MessageFrame>, Malformed> {
         let waiting = self.buffer.get(self.taken..).unwrap_or_default();
         let Some((header, rest)) = waiting.split_first_chunk::<HEADER_BYTES>() else { return Ok(None) };
-        let (header, size) = Header::from_bytes(header)?;
+        let (header, size) = MessageHeader::from_bytes(header)?;
         let Some(payload) = rest.get(..size) else { return Ok(None) };
         let payload = payload.to_vec();
         self.taken += HEADER_BYTES + size;
-        Ok(Some(Frame { header, payload }))
+        Ok(Some(MessageFrame { header, payload }))
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::header::{Header, Lack};
 use crate::json::json;
-use crate::lines::End;
+use crate::lines::EndLine;
 use crate::read::{Entry, NoRecording, open};
 use behaviour::{BehaviourFile, StreamKind, Value};
 use engine::{Emission, Handover, Limits, Matching, Run};
@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 
 /// A recording that gives its own actions again.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Checked {
+pub struct CheckedRecording {
     /// The number of actions that were compared.
     pub actions: u64,
     /// From how many readings they come.
@@ -27,7 +27,7 @@ pub struct Checked {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ending {
     /// With its last line.
-    Whole(End),
+    Whole(EndLine),
     /// It has as many bytes as it may have.
     Full,
     /// Without a last line: the server or the disk ended in the middle.
@@ -36,7 +36,7 @@ pub enum Ending {
 
 /// A value that an action was told.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Told {
+pub struct ToldValue {
     /// The time at which it was told, in milliseconds since Start.
     pub at_ms: u64,
     /// The id of its stream.
@@ -73,9 +73,9 @@ pub enum Different {
     /// The first action that differs.
     Action {
         /// The action as it was recorded, if one was.
-        recorded: Option<Box<Told>>,
+        recorded: Option<Box<ToldValue>>,
         /// The action that the replay gives, if it gives one.
-        replayed: Option<Box<Told>>,
+        replayed: Option<Box<ToldValue>>,
         /// Values that the clock dropped while it was recorded.
         late: u64,
     },
@@ -85,7 +85,7 @@ pub enum Different {
 ///
 /// # Errors
 /// The first difference, or why there is nothing to compare.
-pub fn check(text: &str) -> Result<Checked, Different> {
+pub fn check(text: &str) -> Result<CheckedRecording, Different> {
     let (header, lines) = open(text).map_err(|NoRecording| Different::NoRecording)?;
     if let Some(lack) = header.lacks() {
         return Err(Different::Lacks(lack));
@@ -100,11 +100,11 @@ pub fn check(text: &str) -> Result<Checked, Different> {
 /// A recording that is replayed while it is read, an entry at a time.
 pub struct Replay {
     revision: u64,
-    playing: Option<Playing>,
+    playing: Option<PlayingProgram>,
     /// The time at which an edited behaviour was applied, if it follows with the next file.
     applied_ms: Option<u64>,
-    recorded: VecDeque<Box<Told>>,
-    replayed: VecDeque<Box<Told>>,
+    recorded: VecDeque<Box<ToldValue>>,
+    replayed: VecDeque<Box<ToldValue>>,
     actions: u64,
     readings: u64,
     last_ms: u64,
@@ -112,7 +112,7 @@ pub struct Replay {
 }
 
 /// The program that runs, with its file.
-struct Playing {
+struct PlayingProgram {
     file: BehaviourFile,
     run: Run,
 }
@@ -167,7 +167,9 @@ impl Replay {
     /// A reading is fed; what an action was told is kept for the comparison.
     fn value(&mut self, at_ms: u64, stream: &str, value: Value) -> Result<(), Different> {
         self.last_ms = self.last_ms.max(at_ms);
-        let Some(Playing { file, run }) = &mut self.playing else { return Err(Different::Lacks(Lack::Everything)) };
+        let Some(PlayingProgram { file, run }) = &mut self.playing else {
+            return Err(Different::Lacks(Lack::Everything));
+        };
         let Some(at) = run.stream_index(stream) else {
             return Err(Different::Stream { at_ms, stream: stream.to_owned() });
         };
@@ -188,21 +190,23 @@ impl Replay {
         let unread = || Different::Program("this rrp cannot read it; update rrp".to_owned());
         let file = file.ok_or_else(unread)?;
         let built = Run::build(&file, Limits::default());
-        let first = |faults: Vec<engine::Fault>| faults.first().map(ToString::to_string).unwrap_or_default();
+        let first = |faults: Vec<engine::GraphFault>| faults.first().map(ToString::to_string).unwrap_or_default();
         let mut run = built.map_err(|faults| Different::Program(first(faults)))?;
         if let (Some(until_ms), Some(before)) = (self.applied_ms.take(), &mut self.playing) {
             let to = &mut self.replayed;
             before.run.until(Millis(until_ms), &mut |emission| told(&before.file, &emission, to));
             run.resume_from(before.run.handover(), &Matching::between(&before.file, &file));
         }
-        self.playing = Some(Playing { file, run });
+        self.playing = Some(PlayingProgram { file, run });
         Ok(())
     }
 
     fn memory(&mut self, at_ms: u64, memory: Option<Box<Handover>>) -> Result<(), Different> {
         self.last_ms = self.last_ms.max(at_ms);
         let memory = memory.ok_or(Different::Lacks(Lack::Memory))?;
-        let Some(Playing { file, run }) = &mut self.playing else { return Err(Different::Lacks(Lack::Everything)) };
+        let Some(PlayingProgram { file, run }) = &mut self.playing else {
+            return Err(Different::Lacks(Lack::Everything));
+        };
         run.resume_from(*memory, &Matching::between(file, file));
         Ok(())
     }
@@ -215,7 +219,7 @@ impl Replay {
     }
 
     fn until(&mut self, at_ms: u64) {
-        if let Some(Playing { file, run }) = &mut self.playing {
+        if let Some(PlayingProgram { file, run }) = &mut self.playing {
             let to = &mut self.replayed;
             run.until(Millis(at_ms), &mut |emission| told(file, &emission, to));
         }
@@ -225,7 +229,7 @@ impl Replay {
     ///
     /// # Errors
     /// The first difference, or why there is nothing to compare.
-    pub fn finish(mut self) -> Result<Checked, Different> {
+    pub fn finish(mut self) -> Result<CheckedRecording, Different> {
         if self.playing.is_none() {
             return Err(Different::Lacks(Lack::Everything));
         }
@@ -243,7 +247,7 @@ impl Replay {
             return Err(Different::Action { recorded: None, replayed: more, late });
         }
         let until_ms = if let Ending::Whole(end) = &ends { end.at_ms } else { self.last_ms };
-        Ok(Checked { actions: self.actions, readings: self.readings, until_ms, ends })
+        Ok(CheckedRecording { actions: self.actions, readings: self.readings, until_ms, ends })
     }
 
     /// Compares what both have so far.
@@ -266,7 +270,7 @@ impl Replay {
     }
 }
 
-fn told(file: &BehaviourFile, emission: &Emission, to: &mut VecDeque<Box<Told>>) {
+fn told(file: &BehaviourFile, emission: &Emission, to: &mut VecDeque<Box<ToldValue>>) {
     if let &Emission::Value { at, stream, value, .. } = emission
         && file.streams[stream.index()].kind == StreamKind::Actuator
     {
@@ -274,7 +278,7 @@ fn told(file: &BehaviourFile, emission: &Emission, to: &mut VecDeque<Box<Told>>)
     }
 }
 
-fn of(file: &BehaviourFile, at_ms: u64, stream: usize, value: &Value) -> Box<Told> {
+fn of(file: &BehaviourFile, at_ms: u64, stream: usize, value: &Value) -> Box<ToldValue> {
     let stream = &file.streams[stream];
-    Box::new(Told { at_ms, stream: stream.id.clone(), name: stream.name.clone(), value: json(value) })
+    Box::new(ToldValue { at_ms, stream: stream.id.clone(), name: stream.name.clone(), value: json(value) })
 }

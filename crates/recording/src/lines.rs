@@ -43,7 +43,7 @@ pub enum Line {
         error: String,
     },
     /// A value that an action was told and that the robot did not do.
-    Refused(Box<Refusal>),
+    Refused(Box<RefusedLine>),
     /// An action that somebody had the robot do by hand.
     Hand(Box<Hand>),
     /// An edited behaviour goes on from here.
@@ -79,14 +79,14 @@ pub enum Line {
         scene: Box<Scene>,
     },
     /// Somebody marked a moment.
-    Note(Note),
+    Note(NoteLine),
     /// The last line.
-    End(End),
+    End(EndLine),
 }
 
 /// A value that an action was told and that the robot did not do.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Refusal {
+pub struct RefusedLine {
     /// The time at which the robot said so, in milliseconds since Start.
     #[serde(rename = "t")]
     pub at_ms: u64,
@@ -124,7 +124,7 @@ pub struct Hand {
 
 /// A moment that somebody marked. Its time is that of the press, so that it may be earlier than that of the line before.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Note {
+pub struct NoteLine {
     /// The time of the moment, in milliseconds since Start.
     #[serde(rename = "t")]
     pub at_ms: u64,
@@ -152,7 +152,7 @@ pub struct Note {
     pub gone: bool,
 }
 
-impl From<RecordingMark> for Note {
+impl From<RecordingMark> for NoteLine {
     fn from(mark: RecordingMark) -> Self {
         let RecordingMark { id, t, until, word, sort, note, by, at: _, open, gone } = mark;
         Self { at_ms: t, id: Some(id), until, word, sort, by, note, open, gone }
@@ -182,7 +182,7 @@ pub struct RobotLine {
 /// The last line: how a recording ends.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct End {
+pub struct EndLine {
     /// The time of the last line.
     #[serde(rename = "t")]
     pub at_ms: u64,
@@ -202,12 +202,12 @@ pub struct End {
 
 /// The ids of streams and connectors as JSON texts.
 #[derive(Debug)]
-pub struct Names {
+pub struct LineNames {
     streams: IndexVec<StreamIx, String>,
     connectors: IndexVec<ConnectorIx, String>,
 }
 
-impl Names {
+impl LineNames {
     /// Those of a behaviour.
     #[must_use]
     pub fn of(file: &BehaviourFile) -> Self {

@@ -1,6 +1,6 @@
 //! The marks of a recording: those of the run itself, and those of the file beside it that only grows.
 
-use crate::lines::Note;
+use crate::lines::NoteLine;
 use crate::read::{Entry, read_line};
 use behaviour::Id;
 use protocol::RecordingMark;
@@ -14,15 +14,15 @@ pub fn run_marks<'t>(lines: impl Iterator<Item = &'t str>) -> impl Iterator<Item
 
 /// The mark that a line of a run is, if it is one. Most are none, and are not read.
 #[must_use]
-pub fn run_note(line: &str) -> Option<Note> {
+pub fn run_note(line: &str) -> Option<NoteLine> {
     let may_be = line.contains("\"mark\":\"note\"");
     if let Entry::Note(note) = may_be.then(|| read_line(line))? { Some(note) } else { None }
 }
 
 /// The mark that a note of a run is, by its number from 1.
 #[must_use]
-pub fn mark(number: usize, note: Note) -> Option<RecordingMark> {
-    let Note { at_ms, id, until, word, sort, by, note, open, gone } = note;
+pub fn mark(number: usize, note: NoteLine) -> Option<RecordingMark> {
+    let NoteLine { at_ms, id, until, word, sort, by, note, open, gone } = note;
     let id = id.or_else(|| Id::new(&format!("note-{number}")).ok())?;
     Some(RecordingMark { id, t: at_ms, until, word, sort, note, by, at: String::new(), open, gone })
 }

@@ -15,8 +15,8 @@ pub(crate) fn written(memory: &Handover) -> Option<String> {
 /// The memory of a line; none if it was too large, or is not one that this program knows.
 pub(crate) fn read(line: &str) -> Option<Handover> {
     #[derive(Deserialize)]
-    struct Kept {
+    struct MemoryLine {
         memory: Option<Handover>,
     }
-    serde_json::from_str::<Kept>(line).ok()?.memory
+    serde_json::from_str::<MemoryLine>(line).ok()?.memory
 }

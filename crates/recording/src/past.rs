@@ -9,7 +9,7 @@ use engine::{Limits, Run, StreamIx};
 use robot::Millis;
 
 /// A recording, played up to the end of a stretch.
-pub struct Past {
+pub struct PlayedPast {
     /// The header of the recording.
     pub header: Header,
     /// The run as it was then.
@@ -24,13 +24,13 @@ pub struct Past {
 ///
 /// # Errors
 /// If it is none, or lacks what a replay needs.
-pub fn past(text: &str, stretch: Stretch, is_it: &dyn Fn(&FileStream) -> bool) -> Result<Past, Different> {
+pub fn past(text: &str, stretch: Stretch, is_it: &dyn Fn(&FileStream) -> bool) -> Result<PlayedPast, Different> {
     let (header, lines) = open(text).map_err(|NoRecording| Different::NoRecording)?;
     if let Some(lack) = header.lacks() {
         return Err(Different::Lacks(lack));
     }
     let until_ms = stretch.until.0;
-    let mut player = Player { stretch, is_it, traced: None, applied_ms: None, last_ms: 0, lost: 0 };
+    let mut player = PastPlayer { stretch, is_it, traced: None, applied_ms: None, last_ms: 0, lost: 0 };
     let mut closed_ms = None;
     for entry in lines.entries() {
         if starts(&entry).is_some_and(|at_ms| at_ms > until_ms) {
@@ -63,7 +63,7 @@ fn starts(entry: &Entry) -> Option<u64> {
     }
 }
 
-struct Player<'s> {
+struct PastPlayer<'s> {
     stretch: Stretch,
     is_it: &'s dyn Fn(&FileStream) -> bool,
     traced: Option<Traced>,
@@ -73,7 +73,7 @@ struct Player<'s> {
     lost: u64,
 }
 
-impl Player<'_> {
+impl PastPlayer<'_> {
     fn take(&mut self, entry: Entry) -> Result<(), Different> {
         if let Some(at_ms) = starts(&entry) {
             self.last_ms = self.last_ms.max(at_ms);
@@ -111,7 +111,7 @@ impl Player<'_> {
     fn file(&mut self, file: Option<BehaviourFile>) -> Result<(), Different> {
         let unread = || Different::Program("this rrp cannot read it; update rrp".to_owned());
         let file = file.ok_or_else(unread)?;
-        let first = |faults: Vec<engine::Fault>| faults.first().map(ToString::to_string).unwrap_or_default();
+        let first = |faults: Vec<engine::GraphFault>| faults.first().map(ToString::to_string).unwrap_or_default();
         let run = Run::build(&file, Limits::default()).map_err(|faults| Different::Program(first(faults)))?;
         let stream = file.streams.iter().position(|stream| (self.is_it)(stream)).map(StreamIx::of);
         match (&mut self.traced, self.applied_ms.take()) {
@@ -126,12 +126,12 @@ impl Player<'_> {
         Ok(())
     }
 
-    fn finish(mut self, header: Header, closed_ms: Option<u64>) -> Result<Past, Different> {
+    fn finish(mut self, header: Header, closed_ms: Option<u64>) -> Result<PlayedPast, Different> {
         let mut traced = self.traced.take().ok_or(Different::Lacks(Lack::Everything))?;
         // Nobody knows how far the last instant of one that is cut off was carried by then.
         let Self { mut stretch, lost, last_ms, .. } = self;
         let until_ms = closed_ms.unwrap_or(last_ms).min(stretch.until.0);
         traced.until(Millis(until_ms), &mut |cause| stretch.hear(cause));
-        Ok(Past { header, traced, stretch, lost })
+        Ok(PlayedPast { header, traced, stretch, lost })
     }
 }

@@ -13,7 +13,7 @@ const PEOPLE_MAX: usize = 200;
 
 /// The parts that are kept although they are about people.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Keep {
+pub struct PrivateParts {
     /// The names of who pressed, instead of `P1`, `P2`, ….
     pub names: bool,
     /// Texts that come of faces and recognised words.
@@ -23,7 +23,7 @@ pub struct Keep {
 /// Leaves out what is not kept.
 #[derive(Debug, Default)]
 pub struct Private {
-    keep: Keep,
+    keep: PrivateParts,
     /// The people, in order of appearance.
     people: Vec<String>,
     /// The ids of streams whose texts are about people.
@@ -35,13 +35,13 @@ pub struct Private {
 impl Private {
     /// Keeps so much, and knows nobody yet.
     #[must_use]
-    pub fn keeping(keep: Keep) -> Self {
+    pub fn keeping(keep: PrivateParts) -> Self {
         Self { keep, ..Self::default() }
     }
 
     /// For a recording with these people and lines.
     pub(crate) fn of(
-        keep: Keep,
+        keep: PrivateParts,
         people: impl IntoIterator<Item = String>,
         entries: impl Iterator<Item = Entry>,
     ) -> Self {
@@ -161,19 +161,19 @@ fn without(text: &str, name: &str, code: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Keep, Private};
+    use super::{Private, PrivateParts};
     use behaviour::Value;
 
     #[test]
     fn names_are_codes_as_words_of_their_own() {
         let people = ["Al", "Al Ono", "愛子"].map(str::to_owned);
-        let private = Private::of(Keep::default(), people, std::iter::empty());
+        let private = Private::of(PrivateParts::default(), people, std::iter::empty());
         assert_eq!(private.name("Al"), "P1");
         assert_eq!(private.text("Also Al, Al Ono and 愛子さん: Al"), "Also P1, P2 and P3さん: P1");
         let value: Value = serde_json::from_str(r#"{"a":["Al",2],"b":""}"#).unwrap();
         assert_eq!(private.told(&value, false), serde_json::from_str(r#"{"a":["P1",2],"b":""}"#).unwrap());
         assert_eq!(private.told(&value, true), serde_json::from_str(r#"{"a":["(left out)",2],"b":""}"#).unwrap());
-        let kept = Private::of(Keep { names: true, personal: true }, ["Al".to_owned()], std::iter::empty());
+        let kept = Private::of(PrivateParts { names: true, personal: true }, ["Al".to_owned()], std::iter::empty());
         assert_eq!((kept.name("Al"), kept.text("by Al")), ("Al".to_owned(), "by Al".to_owned()));
     }
 }

@@ -1,7 +1,7 @@
 //! The lines of a recording as they are read again, whatever version wrote them.
 
 use crate::header::Header;
-use crate::lines::{End, Hand, Note, Refusal, RobotLine};
+use crate::lines::{EndLine, Hand, NoteLine, RefusedLine, RobotLine};
 use crate::memory;
 use behaviour::{BehaviourFile, Value};
 use engine::Handover;
@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 
 /// A recording that was opened: its header, and its other lines with their numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Open<'t> {
+pub struct OpenRecording<'t> {
     rest: &'t str,
     /// The number of lines before the rest.
     before: usize,
@@ -45,7 +45,7 @@ pub enum Entry {
         error: String,
     },
     /// A value that the robot did not do.
-    Refused(Refusal),
+    Refused(RefusedLine),
     /// An action that somebody had it do by hand.
     Hand(Hand),
     /// An edited behaviour goes on.
@@ -81,7 +81,7 @@ pub enum Entry {
         scene: Box<Scene>,
     },
     /// A moment that somebody marked.
-    Note(Note),
+    Note(NoteLine),
     /// Lines are missing here.
     Gap {
         /// The number of lines that are missing.
@@ -90,7 +90,7 @@ pub enum Entry {
     /// It has as many bytes as it may have, and ends here.
     Full,
     /// The last line.
-    End(End),
+    End(EndLine),
     /// Something that this program does not know.
     Unknown,
 }
@@ -99,24 +99,24 @@ pub enum Entry {
 ///
 /// # Errors
 /// If its first line is not that of a recording.
-pub fn open(text: &str) -> Result<(Header, Open<'_>), NoRecording> {
+pub fn open(text: &str) -> Result<(Header, OpenRecording<'_>), NoRecording> {
     let mut before = 0;
     let mut rest = text;
     while let Some((line, after)) = rest.split_once('\n') {
         before += 1;
         rest = after;
         if !line.trim().is_empty() {
-            return header(line).map(|header| (header, Open { rest, before })).ok_or(NoRecording);
+            return header(line).map(|header| (header, OpenRecording { rest, before })).ok_or(NoRecording);
         }
     }
-    header(rest).map(|header| (header, Open { rest: "", before })).ok_or(NoRecording)
+    header(rest).map(|header| (header, OpenRecording { rest: "", before })).ok_or(NoRecording)
 }
 
 fn header(line: &str) -> Option<Header> {
     serde_json::from_str::<Header>(line).ok().filter(Header::is_one)
 }
 
-impl<'t> Open<'t> {
+impl<'t> OpenRecording<'t> {
     /// Returns its other lines, each with its number. A last line that is not whole is left out.
     pub fn lines(self) -> impl Iterator<Item = (usize, &'t str)> {
         let (whole, last) = self.rest.rsplit_once('\n').unwrap_or(("", self.rest));
@@ -183,18 +183,18 @@ fn whole<T: DeserializeOwned>(text: &str) -> Option<T> {
 
 fn file(text: &str) -> Option<BehaviourFile> {
     #[derive(Deserialize)]
-    struct Kept {
+    struct FileLine {
         file: BehaviourFile,
     }
-    whole::<Kept>(text).map(|kept| kept.file)
+    whole::<FileLine>(text).map(|kept| kept.file)
 }
 
 fn scene(text: &str) -> Option<Scene> {
     #[derive(Deserialize)]
-    struct Kept {
+    struct RoomLine {
         scene: Scene,
     }
-    whole::<Kept>(text).map(|kept| kept.scene)
+    whole::<RoomLine>(text).map(|kept| kept.scene)
 }
 
 fn number(line: &Value, name: &str) -> Option<u64> {

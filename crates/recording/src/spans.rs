@@ -1,6 +1,6 @@
 //! Things that went on for a while, as bars on tracks: what is told again and again within a second is one bar.
 
-use crate::timeline::{Event, Timeline, What};
+use crate::timeline::{Happening, Timeline, TimelineEvent};
 
 /// A pause shorter than this, in milliseconds, does not end a thing that goes on.
 const JOINED_MS: u64 = 1_000;
@@ -9,11 +9,11 @@ const MOMENT_MS: u64 = 500;
 
 /// The bars of one thing, by time; none overlaps another, and each lasts at least a millisecond.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Track {
+pub struct SpanTrack {
     /// The name of the thing that they are of: unique among the tracks.
     pub name: String,
     /// The kind of thing; none for marks.
-    pub what: Option<What>,
+    pub what: Option<Happening>,
     /// The bars.
     pub spans: Vec<Span>,
 }
@@ -36,8 +36,8 @@ pub struct Span {
 /// The tracks of a recording: marks by their words, then what people did, what the program did, and what went wrong. What was
 /// sensed is left out, as that goes on all the time.
 #[must_use]
-pub fn tracks(timeline: &Timeline) -> Vec<Track> {
-    let mut tracks: Vec<Track> = Vec::new();
+pub fn tracks(timeline: &Timeline) -> Vec<SpanTrack> {
+    let mut tracks: Vec<SpanTrack> = Vec::new();
     for mark in &timeline.marks {
         let name = if mark.word.is_empty() { "marks".to_owned() } else { format!("mark: {}", mark.word) };
         let until = mark.until.filter(|until| *until > mark.t);
@@ -46,7 +46,15 @@ pub fn tracks(timeline: &Timeline) -> Vec<Track> {
         let span = Span { from_ms: mark.t, until_ms, is_moment, says, by: mark.by.clone() };
         place(&mut tracks, &name, span);
     }
-    let shown = [What::ByHand, What::Pretended, What::Action, What::NotDone, What::Failed, What::Changed, What::Robot];
+    let shown = [
+        Happening::ByHand,
+        Happening::Pretended,
+        Happening::Action,
+        Happening::NotDone,
+        Happening::Failed,
+        Happening::Changed,
+        Happening::Robot,
+    ];
     for what in shown {
         for event in timeline.events.iter().filter(|event| event.what == what) {
             let of = if event.subject.is_empty() { "" } else { ": " };
@@ -57,16 +65,16 @@ pub fn tracks(timeline: &Timeline) -> Vec<Track> {
     tracks
 }
 
-fn moment(event: &Event) -> Span {
+fn moment(event: &TimelineEvent) -> Span {
     let (from_ms, until_ms) = (event.at_ms, event.at_ms + MOMENT_MS);
     Span { from_ms, until_ms, is_moment: true, says: event.says.clone(), by: event.by.clone() }
 }
 
 /// Puts a mark on the first track of its word that is free then. A moment gives way to what comes after it.
-fn place(tracks: &mut Vec<Track>, word: &str, span: Span) {
+fn place(tracks: &mut Vec<SpanTrack>, word: &str, span: Span) {
     for name in behaviour::numbered(word, " ") {
         let Some(track) = tracks.iter_mut().find(|track| track.name == name) else {
-            tracks.push(Track { name, what: None, spans: vec![span] });
+            tracks.push(SpanTrack { name, what: None, spans: vec![span] });
             return;
         };
         let last = track.spans.last_mut().filter(|last| last.until_ms > span.from_ms);
@@ -81,9 +89,9 @@ fn place(tracks: &mut Vec<Track>, word: &str, span: Span) {
 }
 
 /// Adds a bar, or makes the one before it longer.
-fn push(tracks: &mut Vec<Track>, name: &str, what: What, span: Span) {
+fn push(tracks: &mut Vec<SpanTrack>, name: &str, what: Happening, span: Span) {
     let at = tracks.iter().position(|track| track.name == name).unwrap_or_else(|| {
-        tracks.push(Track { name: name.to_owned(), what: Some(what), spans: Vec::new() });
+        tracks.push(SpanTrack { name: name.to_owned(), what: Some(what), spans: Vec::new() });
         tracks.len() - 1
     });
     let spans = &mut tracks[at].spans;
@@ -106,7 +114,7 @@ fn is_number(says: &str) -> bool {
 }
 
 /// Each bar ends where the next one begins at the latest, and none is without a length.
-fn untangle(track: &mut Track) {
+fn untangle(track: &mut SpanTrack) {
     track.spans.sort_by_key(|span| span.from_ms);
     let mut free_ms = 0;
     for span in &mut track.spans {

@@ -1,10 +1,10 @@
 //! The findings about a recording, said in English.
 
-use crate::check::{Checked, Different, Ending, Told};
+use crate::check::{CheckedRecording, Different, Ending, ToldValue};
 use crate::header::Lack;
 use std::fmt;
 
-impl fmt::Display for Checked {
+impl fmt::Display for CheckedRecording {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let Self { actions, readings, until_ms, ends } = self;
         let until = Time(*until_ms);
@@ -53,7 +53,7 @@ impl fmt::Display for Different {
     }
 }
 
-fn differs(recorded: Option<&Told>, replayed: Option<&Told>, to: &mut fmt::Formatter) -> fmt::Result {
+fn differs(recorded: Option<&ToldValue>, replayed: Option<&ToldValue>, to: &mut fmt::Formatter) -> fmt::Result {
     match (recorded, replayed) {
         (Some(was), None) => write!(to, "The replay differs: the robot was told {was}, and the replay gives nothing."),
         (None, Some(is)) => write!(to, "The replay differs: it gives {is}, and the robot was told nothing."),
@@ -64,7 +64,7 @@ fn differs(recorded: Option<&Told>, replayed: Option<&Told>, to: &mut fmt::Forma
     }
 }
 
-impl fmt::Display for Told {
+impl fmt::Display for ToldValue {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         write!(to, "“{}” {} at {}", self.name, self.value, Time(self.at_ms))
     }

@@ -7,7 +7,7 @@ const DRAWN_MAX: usize = 2_048;
 
 /// The bars of one thing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Bars {
+pub(crate) struct ReportBars {
     /// The number of bars.
     pub(crate) count: u64,
     /// The time of all bars together, in milliseconds.
@@ -22,7 +22,7 @@ pub(crate) struct Bars {
     near_ms: u64,
 }
 
-impl Bars {
+impl ReportBars {
     /// Something came; `says` is its text, if it is one.
     pub(crate) fn come(&mut self, at_ms: u64, says: Option<&str>) {
         let goes_on = self.count > 0
@@ -70,24 +70,24 @@ impl Bars {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bars, DRAWN_MAX};
+    use super::{DRAWN_MAX, ReportBars};
 
     #[test]
     fn what_comes_again_within_a_second_is_one_bar() {
-        let mut bars = Bars::default();
+        let mut bars = ReportBars::default();
         for at_ms in [0, 400, 1_399, 2_399, 5_000] {
             bars.come(at_ms, None);
         }
         assert_eq!((bars.count, bars.total_ms), (3, 1_399));
         assert_eq!(bars.drawn, [(0, 1_399), (2_399, 2_399), (5_000, 5_000)]);
-        let mut said = Bars::default();
+        let mut said = ReportBars::default();
         [(0, "a"), (100, "b"), (200, "b")].into_iter().for_each(|(at_ms, says)| said.come(at_ms, Some(says)));
         assert_eq!((said.count, said.total_ms), (2, 100), "another text is another one");
     }
 
     #[test]
     fn however_many_there_are_few_are_drawn_and_all_are_counted() {
-        let mut bars = Bars::default();
+        let mut bars = ReportBars::default();
         (0..100_000_u64).for_each(|number| bars.come(number * 1_500, None));
         assert_eq!(bars.count, 100_000);
         assert!(bars.drawn.len() <= DRAWN_MAX && bars.drawn.is_sorted(), "{}", bars.drawn.len());

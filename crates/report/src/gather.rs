@@ -1,10 +1,10 @@
 //! Gathers from a recording, an entry at a time, what its report says: however long it is, that stays small.
 
-use crate::bars::Bars;
+use crate::bars::ReportBars;
 use crate::troubles::{Trouble, Troubles};
 use behaviour::{BehaviourFile, Helper, Id, Knowledge, Params, StreamKind, Unit, Value, ValueType, infer};
 use protocol::{RECORDING_MARKS_MAX, RecordingMark};
-use recording::{Entry, Hand, Header, Keep, Private, mark, marks};
+use recording::{Entry, Hand, Header, Private, PrivateParts, mark, marks};
 use sentences::Language;
 use std::collections::BTreeMap;
 
@@ -29,13 +29,13 @@ pub struct Gathered {
     pub(crate) private: Private,
     pub(crate) language: Language,
     /// The streams with a row, in the order of the program.
-    pub(crate) rows: Vec<Row>,
+    pub(crate) rows: Vec<StreamRow>,
     /// The number of streams without one, for want of room.
     pub(crate) more_rows: u64,
     /// The programs that ran.
-    pub(crate) programs: Vec<Program>,
+    pub(crate) programs: Vec<RanProgram>,
     /// Presses by what they had the robot do.
-    pub(crate) hands: Vec<Pressed>,
+    pub(crate) hands: Vec<HandAction>,
     /// The moments of presses.
     pub(crate) presses: Vec<u64>,
     pub(crate) troubles: Troubles,
@@ -51,20 +51,20 @@ pub struct Gathered {
 
 /// One stream of the program.
 #[derive(Debug)]
-pub(crate) struct Row {
+pub(crate) struct StreamRow {
     id: String,
     pub(crate) name: String,
     /// None in a recording that does not say.
     pub(crate) kind: Option<StreamKind>,
     /// The bars of what it sensed, or what it was told.
-    pub(crate) bars: Bars,
+    pub(crate) bars: ReportBars,
     /// By person what they pretended.
-    pub(crate) pretended: BTreeMap<String, Bars>,
+    pub(crate) pretended: BTreeMap<String, ReportBars>,
 }
 
 /// A program that ran from then on.
 #[derive(Debug)]
-pub(crate) struct Program {
+pub(crate) struct RanProgram {
     pub(crate) at_ms: u64,
     pub(crate) revision: u64,
     /// None if this rrp cannot read it.
@@ -75,14 +75,14 @@ pub(crate) struct Program {
 
 /// An action that somebody had the robot do.
 #[derive(Debug)]
-pub(crate) struct Pressed {
+pub(crate) struct HandAction {
     /// The device, and the text that it was told; that may be empty.
     pub(crate) what: (String, String),
     /// By person how often.
     pub(crate) by: BTreeMap<String, u64>,
 }
 
-impl Pressed {
+impl HandAction {
     pub(crate) fn count(&self) -> u64 {
         self.by.values().sum()
     }
@@ -107,7 +107,7 @@ pub(crate) enum Ended {
 impl Gathered {
     /// Begins with the first line of a recording.
     #[must_use]
-    pub fn of(header: Header, keep: Keep, language: Language) -> Self {
+    pub fn of(header: Header, keep: PrivateParts, language: Language) -> Self {
         let mut private = Private::keeping(keep);
         private.person(&header.by);
         Self {
@@ -235,8 +235,8 @@ impl Gathered {
             return None;
         }
         let (name, kind) = about.map_or((short(id), None), |(name, kind)| (short(name), Some(kind)));
-        let (bars, pretended) = (Bars::default(), BTreeMap::new());
-        self.rows.push(Row { id: id.to_owned(), name, kind, bars, pretended });
+        let (bars, pretended) = (ReportBars::default(), BTreeMap::new());
+        self.rows.push(StreamRow { id: id.to_owned(), name, kind, bars, pretended });
         Some(self.rows.len() - 1)
     }
 
@@ -252,7 +252,7 @@ impl Gathered {
         let at = known.unwrap_or_else(|| {
             // The last row is that of all others.
             if self.hands.len() < ROWS_MAX {
-                self.hands.push(Pressed { what, by: BTreeMap::new() });
+                self.hands.push(HandAction { what, by: BTreeMap::new() });
             }
             self.hands.len() - 1
         });
@@ -279,7 +279,7 @@ impl Gathered {
                 Some((sentences, more)) => (Some(sentences), more),
                 None => (None, 0),
             };
-            self.programs.push(Program { at_ms, revision, sentences, more });
+            self.programs.push(RanProgram { at_ms, revision, sentences, more });
         }
     }
 }

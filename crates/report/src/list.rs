@@ -20,7 +20,7 @@ const ROWS: usize = 25;
 
 /// A recording with what is known of it.
 #[derive(Clone, Debug)]
-pub struct Listed {
+pub struct ListedRecording {
     /// The description by its first and its last line.
     pub recording: Recording,
     /// The number of its marks by now, if that is known.
@@ -31,9 +31,9 @@ pub struct Listed {
 
 /// The recording that is looked at.
 #[derive(Clone, Debug)]
-pub struct Marked {
+pub struct ChosenRecording {
     /// The description, with the finding of its replay.
-    pub listed: Listed,
+    pub listed: ListedRecording,
     /// The marks, by time.
     pub marks: Vec<RecordingMark>,
 }
@@ -57,9 +57,9 @@ pub struct Choice {
 #[derive(Clone, Debug)]
 pub struct List {
     /// All recordings, or all in the bin; newest first.
-    pub all: Vec<Listed>,
+    pub all: Vec<ListedRecording>,
     /// The one that is looked at.
-    pub chosen: Option<Marked>,
+    pub chosen: Option<ChosenRecording>,
     /// The recordings that are looked for.
     pub choice: Choice,
     /// The number of recordings in the bin.
@@ -139,7 +139,8 @@ impl List {
 #[must_use]
 pub fn list(list: &List) -> String {
     let words = list.words();
-    let found: Vec<&Listed> = list.all.iter().filter(|one| list.choice.fits(&one.recording, list.zone)).collect();
+    let found: Vec<&ListedRecording> =
+        list.all.iter().filter(|one| list.choice.fits(&one.recording, list.zone)).collect();
     let rows = list.choice.rows.max(ROWS);
     let newest = list.all.first().map(|one| clean(&one.recording.began)).unwrap_or_default();
     let title = if list.choice.bin { words.bin() } else { words.recordings() };
@@ -243,7 +244,7 @@ fn select(name: &str, all: &str, options: &BTreeSet<&str>, chosen: &str) -> Mark
     }
 }
 
-fn table(list: &List, rows: &[&Listed]) -> Markup {
+fn table(list: &List, rows: &[&ListedRecording]) -> Markup {
     let words = list.words();
     html! {
         @if rows.is_empty() { p class="faint" { (if list.choice.bin { words.bin_is_empty() } else { words.none_found() }) } } @else {
@@ -259,7 +260,7 @@ fn table(list: &List, rows: &[&Listed]) -> Markup {
     }
 }
 
-fn row(list: &List, one: &Listed) -> Markup {
+fn row(list: &List, one: &ListedRecording) -> Markup {
     let (words, recording) = (list.words(), &one.recording);
     let clock = Clock::of(&recording.began, list.zone);
     let is_chosen = list.chosen.as_ref().is_some_and(|chosen| chosen.listed.recording.file == recording.file);
@@ -286,7 +287,7 @@ fn row(list: &List, one: &Listed) -> Markup {
 }
 
 /// The state of a recording in few words: that comes first by which something is missing.
-fn state(words: Words, one: &Listed, clock: Clock) -> String {
+fn state(words: Words, one: &ListedRecording, clock: Clock) -> String {
     let Recording { goes_on, old_form, cut_off, session, .. } = &one.recording;
     match one.replayed {
         _ if *goes_on => words.recording_now().to_owned(),

@@ -10,7 +10,7 @@ pub(crate) mod words;
 use crate::clock::{Clock, Zone};
 use crate::gather::Gathered;
 use crate::replayed::Replayed;
-use crate::sessions::Session;
+use crate::sessions::SessionNumbers;
 use behaviour::without_unseen;
 use maud::{DOCTYPE, Markup, html};
 use sentences::Language;
@@ -26,7 +26,7 @@ pub(crate) const SCRIPT_ID: &str = "print";
 
 /// The wishes of who reads a report.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct ReportWishes {
     /// True if the people who pressed stand with their names.
     pub names: bool,
     /// The zone in which moments are told.
@@ -46,7 +46,7 @@ struct Sheet<'a> {
 
 /// The page of what was gathered of a recording, with the sessions of the same participant.
 #[must_use]
-pub fn page(of: &Gathered, replayed: Replayed, sessions: &[Session], asked: &Asked) -> String {
+pub fn page(of: &Gathered, replayed: Replayed, sessions: &[SessionNumbers], asked: &ReportWishes) -> String {
     let sheet = Sheet { of, clock: Clock::of(&of.header.began, asked.zone), words: Words(of.language) };
     let words = sheet.words;
     let title = words.title(of.header.participant.as_deref().map(clean).as_deref());

@@ -1,6 +1,6 @@
 //! The finding of a replay, for a report and for a list.
 
-use recording::{Checked, Different, Ending, Lack};
+use recording::{CheckedRecording, Different, Ending, Lack};
 
 /// The finding of a replay of a recording through its own program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,10 +23,10 @@ pub enum Replayed {
     TooLong,
 }
 
-impl From<&Result<Checked, Different>> for Replayed {
-    fn from(found: &Result<Checked, Different>) -> Self {
+impl From<&Result<CheckedRecording, Different>> for Replayed {
+    fn from(found: &Result<CheckedRecording, Different>) -> Self {
         match found {
-            Ok(Checked { ends: Ending::Whole(_) | Ending::Full | Ending::CutOff, .. }) => Self::Same,
+            Ok(CheckedRecording { ends: Ending::Whole(_) | Ending::Full | Ending::CutOff, .. }) => Self::Same,
             Err(Different::Action { recorded, replayed, .. }) => {
                 let first = [recorded, replayed].into_iter().flatten().map(|told| told.at_ms).min();
                 Self::Differs(first.unwrap_or(0))

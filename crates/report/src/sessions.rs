@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 /// A session in numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Session {
+pub struct SessionNumbers {
     /// The time at which it began: `2026-11-21T18:34:06Z`.
     pub(crate) began: String,
     /// True for the one that the report is about.
@@ -19,7 +19,7 @@ pub struct Session {
     pub(crate) by_hand: u64,
 }
 
-impl Session {
+impl SessionNumbers {
     /// Begins to count a session; its marks are as they are by now.
     #[must_use]
     pub fn of(recording: &Recording, marks: &[RecordingMark], is_this: bool) -> Self {

@@ -1,6 +1,6 @@
 //! The troubles of a run: what was not done, what broke, and where the recording has holes.
 
-use recording::{Hand, Refusal, RobotLine};
+use recording::{Hand, RefusedLine, RobotLine};
 
 /// The most that are told one by one; the rest is counted.
 const TOLD_MAX: usize = 100;
@@ -58,7 +58,7 @@ impl Troubles {
     }
 
     /// The robot refused a value of a stream of this name.
-    pub(crate) fn refused(&mut self, subject: &str, refusal: &Refusal) {
+    pub(crate) fn refused(&mut self, subject: &str, refusal: &RefusedLine) {
         let (with, times) = (refusal.with.clone().unwrap_or_default(), refusal.count.unwrap_or(1));
         let known = self.told.iter_mut().find_map(|(_, trouble)| match trouble {
             Trouble::NotDone { subject: of, why, with: keeper, count } => {

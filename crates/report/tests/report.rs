@@ -3,8 +3,8 @@
 
 use behaviour::{DeviceType, Knowledge, Params, StreamKind};
 use protocol::Recording;
-use recording::{Keep, open};
-use report::{Asked, Gathered, Replayed, Session, Zone, page};
+use recording::{PrivateParts, open};
+use report::{Gathered, Replayed, ReportWishes, SessionNumbers, Zone, page};
 use sentences::Language;
 
 const RECORDING: &str = include_str!("data/greet.jsonl");
@@ -29,15 +29,15 @@ impl Knowledge for Catalogue {
 
 fn gathered(text: &str, later: &str, names: bool, language: Language) -> Gathered {
     let (header, lines) = open(text).unwrap();
-    let mut gathered = Gathered::of(header, Keep { names, personal: false }, language);
+    let mut gathered = Gathered::of(header, PrivateParts { names, personal: false }, language);
     lines.entries().for_each(|entry| gathered.take(&entry, &Catalogue));
     gathered.finish(later);
     gathered
 }
 
-fn asked(names: bool) -> Asked {
+fn asked(names: bool) -> ReportWishes {
     let download = "/api/recordings/greet.jsonl".to_owned();
-    Asked { names, zone: Zone::east_by(Some(60)), download, parts: ["/report.css", "/report.js"] }
+    ReportWishes { names, zone: Zone::east_by(Some(60)), download, parts: ["/report.css", "/report.js"] }
 }
 
 fn told(text: &str, later: &str, names: bool, language: Language) -> String {
@@ -240,14 +240,14 @@ fn no_text_of_anybody_is_more_than_a_text() {
     }
 }
 
-fn session(began: &str, laughs: u64, away_ms: u64, is_this: bool) -> Session {
+fn session(began: &str, laughs: u64, away_ms: u64, is_this: bool) -> SessionNumbers {
     let mut marks: Vec<_> = (0..laughs)
         .map(|at| serde_json::from_str(&format!(r#"{{"id":"m{at}","t":{at},"word":"laughs"}}"#)).unwrap())
         .collect();
     let away = format!(r#"{{"id":"a","t":0,"until":{away_ms},"word":"looks away"}}"#);
     marks.push(serde_json::from_str(&away).unwrap());
     let about = Recording { began: began.to_owned(), length_ms: Some(90_000), ..Recording::default() };
-    let mut session = Session::of(&about, &marks, is_this);
+    let mut session = SessionNumbers::of(&about, &marks, is_this);
     for line in RECORDING.lines() {
         session.count(line);
     }

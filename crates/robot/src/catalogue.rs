@@ -4,7 +4,7 @@ use crate::Shape::{Object, ObjectOrFirst};
 use crate::devices;
 use crate::params::{DeviceFault, Param, check_params};
 use behaviour::connectors::Carries;
-use behaviour::{Filled, Params, StreamKind, Unit, Value};
+use behaviour::{FillFrom, Params, StreamKind, Unit, Value};
 use std::borrow::Cow;
 
 /// A sense or an action.
@@ -36,7 +36,7 @@ pub struct Device {
     /// The way in which an action is offered as the next step of a stream.
     pub next_step: NextStep,
     /// An example value in JSON, for stimulating by hand.
-    pub example: Example,
+    pub example: JsonExample,
     /// The values of a sense that can be pretended at one press; empty for an action.
     pub pretend: &'static [Pretend],
 }
@@ -114,11 +114,11 @@ pub struct Pretend {
     /// Says what there would be, behind "as if": `ball near`.
     pub says: &'static str,
     /// The value.
-    pub value: Example,
+    pub value: JsonExample,
 }
 
 /// A value written as JSON.
-pub type Example = &'static str;
+pub type JsonExample = &'static str;
 
 /// A part of the body that one command at a time may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -6,18 +6,18 @@ use std::fmt;
 
 /// A stream that a robot cannot serve. [`fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Missing {
+pub struct UnfitStream {
     /// The stream.
     pub stream: Id,
     /// The name of the stream.
     pub name: String,
     /// Why not.
-    pub why: Why,
+    pub why: UnfitReason,
 }
 
 /// Why a robot cannot serve a stream.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Why {
+pub enum UnfitReason {
     /// No device is chosen.
     NotChosen,
     /// The robot does not have this device, for this reason if it gives one.
@@ -26,16 +26,18 @@ pub enum Why {
     DoesNotFit(DeviceFault),
 }
 
-impl fmt::Display for Missing {
+impl fmt::Display for UnfitStream {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let name = &self.name;
         match &self.why {
-            Why::NotChosen => write!(to, "“{name}” has no device yet. Choose one."),
-            Why::NotThere(device, None) => write!(to, "“{name}” needs {device}, which this robot does not have."),
-            Why::NotThere(device, Some(why)) => {
+            UnfitReason::NotChosen => write!(to, "“{name}” has no device yet. Choose one."),
+            UnfitReason::NotThere(device, None) => {
+                write!(to, "“{name}” needs {device}, which this robot does not have.")
+            }
+            UnfitReason::NotThere(device, Some(why)) => {
                 write!(to, "“{name}” needs {device}, which this robot does not have: {why}.")
             }
-            Why::DoesNotFit(reason) => write!(to, "“{name}” does not fit: {reason}."),
+            UnfitReason::DoesNotFit(reason) => write!(to, "“{name}” does not fit: {reason}."),
         }
     }
 }
@@ -43,22 +45,22 @@ impl fmt::Display for Missing {
 /// Returns what a robot with these devices lacks to run a behaviour, in file order; nothing if it can run it. The reasons
 /// why devices are not there come from `lacking`.
 #[must_use]
-pub fn missing<D: AsRef<str>>(behaviour: &Behaviour, devices: &[D], lacking: &[Lacking]) -> Vec<Missing> {
+pub fn missing<D: AsRef<str>>(behaviour: &Behaviour, devices: &[D], lacking: &[Lacking]) -> Vec<UnfitStream> {
     let why = |name: &str| lacking.iter().find(|one| one.device == name).map(|one| one.why.clone());
     let mut found = Vec::new();
     for (id, stream) in behaviour.streams_in_order() {
         let why = match (stream.kind, &stream.device) {
             (StreamKind::Ordinary, _) => None,
-            (_, None) => Some(Why::NotChosen),
+            (_, None) => Some(UnfitReason::NotChosen),
             (_, Some(name)) if !devices.iter().any(|device| device.as_ref() == name) => {
-                Some(Why::NotThere(name.clone(), why(name)))
+                Some(UnfitReason::NotThere(name.clone(), why(name)))
             }
             (kind, Some(name)) => {
                 let checked = device(kind, name).and_then(|device| device.check(&stream.params));
-                checked.err().map(Why::DoesNotFit)
+                checked.err().map(UnfitReason::DoesNotFit)
             }
         };
-        found.extend(why.map(|why| Missing { stream: id.clone(), name: stream.name.clone(), why }));
+        found.extend(why.map(|why| UnfitStream { stream: id.clone(), name: stream.name.clone(), why }));
     }
     found
 }

@@ -1,7 +1,7 @@
 //! Names that are installed on a robot and can be chosen there: behaviours, gestures, sounds and languages.
 
 use crate::devices::ONLY_WITH;
-use crate::{Device, DeviceFault, Missing, ParamKind, RobotFault, Why};
+use crate::{Device, DeviceFault, ParamKind, RobotFault, UnfitReason, UnfitStream};
 use behaviour::{Behaviour, Id, Params, Stream, Value};
 use serde::{Deserialize, Serialize};
 
@@ -103,11 +103,11 @@ pub fn is_file(sound: &str) -> bool {
 
 /// The streams whose action is to start something that is not installed on a robot, in file order.
 #[must_use]
-pub fn not_installed(behaviour: &Behaviour, installed: &Installed) -> Vec<Missing> {
+pub fn not_installed(behaviour: &Behaviour, installed: &Installed) -> Vec<UnfitStream> {
     let lacks = |(id, stream): (&Id, &Stream)| {
         let device = crate::device(stream.kind, stream.device.as_deref()?).ok()?;
         let fault = device.check_installed(&stream.params, installed).err()?;
-        Some(Missing { stream: id.clone(), name: stream.name.clone(), why: Why::DoesNotFit(fault) })
+        Some(UnfitStream { stream: id.clone(), name: stream.name.clone(), why: UnfitReason::DoesNotFit(fault) })
     };
     behaviour.streams_in_order().into_iter().filter_map(lacks).collect()
 }

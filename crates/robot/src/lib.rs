@@ -20,13 +20,14 @@ mod types;
 
 pub use camera::{Camera, Picture};
 pub use catalogue::{
-    Device, Example, Field, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting, actuators, device, sensors,
+    Device, Field, JsonExample, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting, actuators, device,
+    sensors,
 };
 pub use condition::{Condition, Control, FACES_MAX, Lacking, Life, Network};
 pub use describe::catalogue_lines;
 pub use devices::{TrackMode, TrackTarget, is_personal};
 pub use fault::RobotFault;
-pub use fits::{Missing, Why, missing};
+pub use fits::{UnfitReason, UnfitStream, missing};
 pub use helpers::{
     helper_label, helper_label_of, helper_labels, helper_stream, helper_streams, shipped_helpers, shipped_signature,
 };
@@ -36,7 +37,9 @@ pub use installed::{
 };
 pub use pad::usual_pad;
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
-pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
+pub use scene::{
+    Ball, Body, JOINTS, Obstacle, Printed, PrintedMark, SPOKEN_MAX_CHARS, Scene, SceneEdit, ScenePerson, Touchable,
+};
 pub use types::device_type;
 
 use behaviour::{Id, Params, Value};

@@ -46,11 +46,11 @@ pub struct Scene {
     /// The balls.
     pub balls: Vec<Ball>,
     /// The people.
-    pub people: Vec<Person>,
+    pub people: Vec<ScenePerson>,
     /// The things that stand in the way.
     pub obstacles: Vec<Obstacle>,
     /// The printed marks.
-    pub landmarks: Vec<Mark>,
+    pub landmarks: Vec<PrintedMark>,
 }
 
 /// A value that the robot was told to show.
@@ -192,7 +192,7 @@ pub struct Ball {
 /// A person.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Person {
+pub struct ScenePerson {
     /// The person's name for [`SceneEdit`]: `person`, `friend`.
     pub id: String,
     /// Feet: x and y.
@@ -226,7 +226,7 @@ pub struct Obstacle {
 /// A printed mark with a number, upright.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Mark {
+pub struct PrintedMark {
     /// The name of the mark for [`SceneEdit`]: `mark64`, `mark80`.
     pub id: String,
     /// The number of the mark.

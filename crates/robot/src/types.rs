@@ -53,18 +53,18 @@ impl Shape {
 }
 
 impl Pace {
-    fn with(self, params: &Params) -> behaviour::Pace {
+    fn with(self, params: &Params) -> behaviour::DevicePace {
         match self {
-            Self::Steady => behaviour::Pace::Steady,
-            Self::WhileThere => behaviour::Pace::WhileThere,
-            Self::Happening => behaviour::Pace::Happening,
+            Self::Steady => behaviour::DevicePace::Steady,
+            Self::WhileThere => behaviour::DevicePace::WhileThere,
+            Self::Happening => behaviour::DevicePace::Happening,
             Self::Beat(param) => {
                 let beat = params.get(param).and_then(Value::as_number);
                 let is_steady = beat.is_some_and(|beat| beat < STEADY_BELOW_MS);
-                if is_steady { behaviour::Pace::Steady } else { behaviour::Pace::Happening }
+                if is_steady { behaviour::DevicePace::Steady } else { behaviour::DevicePace::Happening }
             }
-            Self::Brief => behaviour::Pace::Brief,
-            Self::Lasting => behaviour::Pace::Lasting,
+            Self::Brief => behaviour::DevicePace::Brief,
+            Self::Lasting => behaviour::DevicePace::Lasting,
         }
     }
 }
@@ -73,7 +73,7 @@ impl Pace {
 mod tests {
     use super::device_type;
     use crate::{actuators, sensors};
-    use behaviour::{Pace, Params, StreamKind, Unit, Value, ValueType};
+    use behaviour::{DevicePace, Params, StreamKind, Unit, Value, ValueType};
 
     fn chosen(name: &str, value: impl Into<Value>) -> Params {
         Params::from([(name.to_owned(), value.into())])
@@ -85,7 +85,7 @@ mod tests {
         let radians = ValueType::in_unit(Unit::Radians);
         assert_eq!([ball.value.field("x"), ball.value.field("size")], [Some(radians.clone()), Some(radians)]);
         assert_eq!(ball.value.field("time"), Some(ValueType::in_unit(Unit::Milliseconds)));
-        assert_eq!((ball.value.field("distance"), ball.pace), (None, Pace::WhileThere));
+        assert_eq!((ball.value.field("distance"), ball.pace), (None, DevicePace::WhileThere));
     }
 
     #[test]
@@ -100,7 +100,7 @@ mod tests {
             [ValueType::Any, ValueType::Text]
         );
         let tick = |ms: f64| device_type(StreamKind::Sensor, "Tick", &chosen("period_ms", ms)).pace;
-        assert_eq!([tick(1_000.0), tick(100.0)], [Pace::Happening, Pace::Steady]);
+        assert_eq!([tick(1_000.0), tick(100.0)], [DevicePace::Happening, DevicePace::Steady]);
         let touch = |params: &Params| device_type(StreamKind::Sensor, "HeadTouch", params).tells_end;
         assert!(touch(&chosen("release", "yes")) && !touch(&Params::new()));
     }
@@ -130,8 +130,10 @@ mod tests {
             let declared = device_type(device.kind, device.name, &Params::new()).value;
             assert_eq!(declared.takes(&ValueType::of(&example)), behaviour::Fit::Good, "{}", device.name);
             let is_sense = device.kind == StreamKind::Sensor;
-            let lasts =
-                matches!(device_type(device.kind, device.name, &Params::new()).pace, Pace::Brief | Pace::Lasting);
+            let lasts = matches!(
+                device_type(device.kind, device.name, &Params::new()).pace,
+                DevicePace::Brief | DevicePace::Lasting
+            );
             assert_eq!(lasts, !is_sense, "{}", device.name);
         }
         assert_eq!(device_type(StreamKind::Sensor, "Nothing", &Params::new()).value, ValueType::Any);

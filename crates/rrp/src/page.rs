@@ -5,9 +5,9 @@ use server::PageFile;
 
 #[derive(RustEmbed)]
 #[folder = "$RRP_PAGE_DIR"]
-struct Files;
+struct EmbeddedFiles;
 
 /// The page's file of a name.
 pub(crate) fn page(name: &str) -> Option<PageFile> {
-    Files::get(name).map(|file| PageFile { hash: file.metadata.sha256_hash(), data: file.data })
+    EmbeddedFiles::get(name).map(|file| PageFile { hash: file.metadata.sha256_hash(), data: file.data })
 }

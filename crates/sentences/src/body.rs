@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// A part of a body.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Part {
+pub(crate) enum SpokenBodyPart {
     /// A name; of an argument, its number.
     Name(String, Option<usize>),
     /// A number as it is written.
@@ -24,8 +24,8 @@ const SIGNS: [&str; 24] = [
 ];
 
 /// The parts of a body whose arguments have these names, each with its bytes. None if anything else stands there.
-pub(crate) fn parts(body: &str, args: &[String]) -> Option<Vec<(Part, Range<usize>)>> {
-    let mut found: Vec<(Part, Range<usize>)> = Vec::new();
+pub(crate) fn parts(body: &str, args: &[String]) -> Option<Vec<(SpokenBodyPart, Range<usize>)>> {
+    let mut found: Vec<(SpokenBodyPart, Range<usize>)> = Vec::new();
     let mut at = 0;
     while at < body.len() {
         let rest = &body[at..];
@@ -37,7 +37,7 @@ pub(crate) fn parts(body: &str, args: &[String]) -> Option<Vec<(Part, Range<usiz
         let (part, length) = if first.is_ascii_digit() {
             number(rest)?
         } else if is_name_letter(first) {
-            let is_field = matches!(found.last(), Some((Part::Sign("."), _)));
+            let is_field = matches!(found.last(), Some((SpokenBodyPart::Sign("."), _)));
             name(rest, if is_field { &[] } else { args })
         } else if first == '"' {
             text(rest)?
@@ -45,7 +45,7 @@ pub(crate) fn parts(body: &str, args: &[String]) -> Option<Vec<(Part, Range<usiz
             return None;
         } else {
             let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign))?;
-            (Part::Sign(sign), sign.len())
+            (SpokenBodyPart::Sign(sign), sign.len())
         };
         found.push((part, at..at + length));
         at += length;
@@ -53,27 +53,27 @@ pub(crate) fn parts(body: &str, args: &[String]) -> Option<Vec<(Part, Range<usiz
     Some(found)
 }
 
-fn number(rest: &str) -> Option<(Part, usize)> {
+fn number(rest: &str) -> Option<(SpokenBodyPart, usize)> {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let whole = digits(rest);
     let fraction = rest[whole..].strip_prefix('.').map_or(0, digits);
     let length = if fraction > 0 { whole + 1 + fraction } else { whole };
     let is_plain = !rest[length..].starts_with(is_name_letter);
-    is_plain.then_some((Part::Number(rest[..length].parse().ok()?), length))
+    is_plain.then_some((SpokenBodyPart::Number(rest[..length].parse().ok()?), length))
 }
 
-fn name(rest: &str, args: &[String]) -> (Part, usize) {
+fn name(rest: &str, args: &[String]) -> (SpokenBodyPart, usize) {
     let length = rest.find(|c| !is_name_letter(c)).unwrap_or(rest.len());
     let name = &rest[..length];
-    (Part::Name(name.to_owned(), args.iter().position(|arg| arg == name)), length)
+    (SpokenBodyPart::Name(name.to_owned(), args.iter().position(|arg| arg == name)), length)
 }
 
-fn text(rest: &str) -> Option<(Part, usize)> {
+fn text(rest: &str) -> Option<(SpokenBodyPart, usize)> {
     let mut inside = String::new();
     let mut chars = rest.char_indices().skip(1);
     while let Some((at, c)) = chars.next() {
         match c {
-            '"' => return Some((Part::Text(inside), at + 1)),
+            '"' => return Some((SpokenBodyPart::Text(inside), at + 1)),
             '\\' => inside.push(match chars.next()?.1 {
                 'n' => '\n',
                 same @ ('"' | '\\') => same,
@@ -96,11 +96,11 @@ pub(crate) fn skeleton(body: &str, args: &[String]) -> String {
     let mut all = String::new();
     for (part, _) in parts {
         let piece = match part {
-            Part::Name(_, Some(number)) => format!("${number}"),
-            Part::Name(name, None) => format!(" {name}"),
-            Part::Number(number) => format!(" {number}"),
-            Part::Text(text) => text_literal(&text),
-            Part::Sign(sign) => sign.to_owned(),
+            SpokenBodyPart::Name(_, Some(number)) => format!("${number}"),
+            SpokenBodyPart::Name(name, None) => format!(" {name}"),
+            SpokenBodyPart::Number(number) => format!(" {number}"),
+            SpokenBodyPart::Text(text) => text_literal(&text),
+            SpokenBodyPart::Sign(sign) => sign.to_owned(),
         };
         all.push_str(&piece);
     }

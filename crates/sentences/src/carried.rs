@@ -1,13 +1,13 @@
 //! What a stream carries, as far as it decides the words for it.
 
 use crate::clauses::{CONVERSIONS, is_ball};
-use crate::does::{Calc, Does};
+use crate::does::{Calc, SpokenConnector};
 use behaviour::{Helper, StreamKind, Unit};
 use robot::Shape;
 
 /// What a stream carries.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Carried {
+pub(crate) enum CarriedKind {
     /// What this sense reads.
     Sense(&'static str),
     /// A distance, in `cm` or `m`.
@@ -28,18 +28,18 @@ pub(crate) enum Carried {
 
 /// How a value, or one of its fields, is measured.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Measure {
+pub(crate) enum ValueMeasure {
     /// As a distance, in `cm` or `m`.
     Distance(&'static str),
     /// As a number, with its unit.
     Number(String),
 }
 
-impl Carried {
+impl CarriedKind {
     /// What is carried after a connector that takes from this.
-    pub(crate) fn after(&self, does: &Does) -> Self {
+    pub(crate) fn after(&self, does: &SpokenConnector) -> Self {
         match does {
-            Does::Make(Calc::Helper(helper)) => match helper.as_str() {
+            SpokenConnector::Make(Calc::Helper(helper)) => match helper.as_str() {
                 "distance" => Self::Distance("cm"),
                 "ball_to_distance" => Self::Distance("m"),
                 "ball_x_and_distance" => Self::Sides,
@@ -47,30 +47,36 @@ impl Carried {
                 "select_arm" => Self::Arm,
                 _ => Self::Other,
             },
-            Does::Make(Calc::Field(field)) => match self.measure(Some(field)) {
-                Measure::Distance(unit) => Self::Distance(unit),
-                Measure::Number(unit) if unit == "rad" => Self::Angle,
-                Measure::Number(unit) if unit.is_empty() => Self::Other,
-                Measure::Number(unit) => Self::Number(unit),
+            SpokenConnector::Make(Calc::Field(field)) => match self.measure(Some(field)) {
+                ValueMeasure::Distance(unit) => Self::Distance(unit),
+                ValueMeasure::Number(unit) if unit == "rad" => Self::Angle,
+                ValueMeasure::Number(unit) if unit.is_empty() => Self::Other,
+                ValueMeasure::Number(unit) => Self::Number(unit),
             },
-            Does::Make(_) | Does::Stamp | Does::Remember(_) | Does::Any | Does::Together(_) | Does::Latest(_) => {
-                Self::Other
-            }
-            Does::Keep(_) | Does::KeepBy(_) | Does::Every(_) | Does::Later(_) | Does::Quiet(_) | Does::Changed(_) => {
-                self.clone()
-            }
+            SpokenConnector::Make(_)
+            | SpokenConnector::Stamp
+            | SpokenConnector::Remember(_)
+            | SpokenConnector::Any
+            | SpokenConnector::Together(_)
+            | SpokenConnector::Latest(_) => Self::Other,
+            SpokenConnector::Keep(_)
+            | SpokenConnector::KeepBy(_)
+            | SpokenConnector::Every(_)
+            | SpokenConnector::Later(_)
+            | SpokenConnector::Quiet(_)
+            | SpokenConnector::Changed(_) => self.clone(),
         }
     }
 
     /// How it, or one of its fields, is measured.
-    pub(crate) fn measure(&self, field: Option<&str>) -> Measure {
+    pub(crate) fn measure(&self, field: Option<&str>) -> ValueMeasure {
         match (self, field) {
-            (Self::Distance(unit), None) => Measure::Distance(unit),
-            (Self::Sides, Some("d")) => Measure::Distance("m"),
-            (Self::Sides, Some("x")) | (Self::Angle, None) => Measure::Number("rad".to_owned()),
-            (Self::Number(unit), None) => Measure::Number(unit.clone()),
+            (Self::Distance(unit), None) => ValueMeasure::Distance(unit),
+            (Self::Sides, Some("d")) => ValueMeasure::Distance("m"),
+            (Self::Sides, Some("x")) | (Self::Angle, None) => ValueMeasure::Number("rad".to_owned()),
+            (Self::Number(unit), None) => ValueMeasure::Number(unit.clone()),
             (Self::Sense(sense), field) => measured(sense, field),
-            _ => Measure::Number(String::new()),
+            _ => ValueMeasure::Number(String::new()),
         }
     }
 
@@ -81,15 +87,15 @@ impl Carried {
 }
 
 /// How the catalogue says that values of a sense, or their fields, are measured.
-fn measured(sense: &str, field: Option<&str>) -> Measure {
-    let number = |unit: &str| Measure::Number(unit.to_owned());
+fn measured(sense: &str, field: Option<&str>) -> ValueMeasure {
+    let number = |unit: &str| ValueMeasure::Number(unit.to_owned());
     let Ok(device) = robot::device(StreamKind::Sensor, sense) else { return number("") };
     let shape = match field {
         None => Some(device.shape.usual()),
         Some(name) => device.shape.fields().iter().find(|field| field.name == name).map(|field| &field.of),
     };
     match shape {
-        Some(Shape::Number(Some(Unit::Metres))) => Measure::Distance("m"),
+        Some(Shape::Number(Some(Unit::Metres))) => ValueMeasure::Distance("m"),
         Some(Shape::Number(Some(Unit::Fraction) | None)) | None => number(""),
         Some(Shape::Number(Some(unit))) => number(unit.symbol()),
         Some(_) => number(""),

@@ -7,7 +7,7 @@ use robot::{Device, Param};
 
 /// A connector that belongs to a clause.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Part {
+pub(crate) enum ClausePart {
     /// A test of whether a field (empty: the value) is true, or is not.
     Truth(&'static str, bool),
     /// A test of whether a field is a text, which is `{text}`.
@@ -30,33 +30,33 @@ pub(crate) struct Clause {
     pub(crate) device: &'static str,
     /// Parameters that it is for; the others are holes of its words, or as they are when nobody chose.
     pub(crate) fixed: &'static [(&'static str, &'static str)],
-    pub(crate) parts: &'static [Part],
+    pub(crate) parts: &'static [ClausePart],
 }
 
 const fn clause(
     id: &'static str,
     device: &'static str,
     fixed: &'static [(&'static str, &'static str)],
-    parts: &'static [Part],
+    parts: &'static [ClausePart],
 ) -> Clause {
     Clause { id, device, fixed, parts }
 }
 
 const FELT: &[(&str, &str)] = &[("release", "no")];
 const BOTH: &[(&str, &str)] = &[("release", "yes")];
-const TOUCHED: &[Part] = &[Part::Truth("", true)];
-const LET_GO: &[Part] = &[Part::Truth("", false)];
-const HELD: &[Part] = &[Part::Quiet, Part::Truth("", true)];
-const QUIET: &[Part] = &[Part::Quiet];
+const TOUCHED: &[ClausePart] = &[ClausePart::Truth("", true)];
+const LET_GO: &[ClausePart] = &[ClausePart::Truth("", false)];
+const HELD: &[ClausePart] = &[ClausePart::Quiet, ClausePart::Truth("", true)];
+const QUIET: &[ClausePart] = &[ClausePart::Quiet];
 
 /// What is told of senses. Clauses with more connectors come before those of the same sense with fewer.
 pub(crate) const SENSES: &[Clause] = &[
     clause("ball.quiet", "RedBall", &[], QUIET),
     clause("ball.seen", "RedBall", &[], &[]),
-    clause("face.new", "FaceDetection", &[], &[Part::Truth("new", true)]),
-    clause("face.known", "FaceDetection", &[], &[Part::Truth("new", false)]),
-    clause("face.clear", "FaceDetection", &[], &[Part::Truth("recognized_new_face", true)]),
-    clause("face.another", "FaceDetection", &[], &[Part::Changed("id")]),
+    clause("face.new", "FaceDetection", &[], &[ClausePart::Truth("new", true)]),
+    clause("face.known", "FaceDetection", &[], &[ClausePart::Truth("new", false)]),
+    clause("face.clear", "FaceDetection", &[], &[ClausePart::Truth("recognized_new_face", true)]),
+    clause("face.another", "FaceDetection", &[], &[ClausePart::Changed("id")]),
     clause("face.quiet", "FaceDetection", &[], QUIET),
     clause("face.seen", "FaceDetection", &[], &[]),
     clause("touch.touched", "HeadTouch", FELT, TOUCHED),
@@ -84,7 +84,7 @@ pub(crate) const SENSES: &[Clause] = &[
     clause("people.counted", "People", &[], &[]),
     clause("mark.any", "Landmark", &[("number", "0")], &[]),
     clause("mark.number", "Landmark", &[], &[]),
-    clause("word.one", "WordRecognized", &[], &[Part::Text("word")]),
+    clause("word.one", "WordRecognized", &[], &[ClausePart::Text("word")]),
     clause("word.heard", "WordRecognized", &[], &[]),
     clause("sound.quiet", "SoundLocated", &[], QUIET),
     clause("sound.heard", "SoundLocated", &[], &[]),
@@ -126,10 +126,10 @@ pub(crate) const ACTIONS: &[Clause] = &[
     clause("lights.value", "Lights", &[("color", "Value")], &[]),
     clause("lights.off", "Lights", &[("color", "off")], &[]),
     clause("lights.color", "Lights", &[], &[]),
-    clause("shine.nearer", "EyeBrightness", &[], &[Part::Helper("distance_to_brightness")]),
-    clause("shine.number", "EyeBrightness", &[], &[Part::Number]),
+    clause("shine.nearer", "EyeBrightness", &[], &[ClausePart::Helper("distance_to_brightness")]),
+    clause("shine.number", "EyeBrightness", &[], &[ClausePart::Number]),
     clause("shine.value", "EyeBrightness", &[], &[]),
-    clause("move.number", "SetJointPosition", &[], &[Part::Number]),
+    clause("move.number", "SetJointPosition", &[], &[ClausePart::Number]),
     clause("move.value", "SetJointPosition", &[], &[]),
     clause("animation.own", "Animation", &[("animation", "robot")], &[]),
     clause("animation.plays", "Animation", &[("gesture", "")], &[]),
@@ -137,7 +137,7 @@ pub(crate) const ACTIONS: &[Clause] = &[
     clause("behavior.runs", "Behavior", &[], &[]),
     clause("voice.speaks", "Voice", &[], &[]),
     clause("posture.takes", "Posture", &[], &[]),
-    clause("walk.number", "Walk", &[], &[Part::Number]),
+    clause("walk.number", "Walk", &[], &[ClausePart::Number]),
     clause("walk.value", "Walk", &[], &[]),
     clause("sound.file", "Sound", &[("sound", "file")], &[]),
     clause("sound.plays", "Sound", &[("file", "")], &[]),

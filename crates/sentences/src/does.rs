@@ -1,17 +1,17 @@
 //! What connectors do, as far as sentences tell it: from an operation, and back.
 
-use crate::body::{Part, free_names, parts, skeleton, text_literal};
-use crate::test::{Places, Test, field_of};
+use crate::body::{SpokenBodyPart, free_names, parts, skeleton, text_literal};
+use crate::test::{TestPlaces, ValueTest, field_of};
 use behaviour::connectors::{ConnectorMeaning, with_meaning};
 use behaviour::{Operation, Parameters, Procedure, Value};
 
 /// What a connector does with its values.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Does {
+pub(crate) enum SpokenConnector {
     /// Makes a new value of each.
     Make(Calc),
     /// Keeps what passes a test.
-    Keep(Test),
+    Keep(ValueTest),
     /// Keeps what a procedure says.
     KeepBy(Calc),
     /// Passes on the newest at most every so many milliseconds.
@@ -25,7 +25,7 @@ pub(crate) enum Does {
     /// Passes on what is different from before.
     Changed(Option<Calc>),
     /// Makes each of the one before.
-    Remember(Memory),
+    Remember(RememberedKind),
     /// Passes on whatever comes on any of its inputs.
     Any,
     /// Makes a value of the newest of all its inputs, whenever one comes.
@@ -70,7 +70,7 @@ impl PartialEq for Calc {
 
 /// What is remembered.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Memory {
+pub(crate) enum RememberedKind {
     /// How often something came that is true.
     TrueOnes,
     /// How often something came.
@@ -94,19 +94,19 @@ pub(crate) enum Memory {
 }
 
 /// Memories that have words and no number: their bodies, and what they start from.
-const MEMORIES: [(Memory, &str, Value); 7] = [
-    (Memory::TrueOnes, "if {v} { {m} + 1 } else { {m} }", Value::Int(0)),
-    (Memory::Ones, "{m} + 1", Value::Int(0)),
-    (Memory::Largest, "max({m}, {v})", Value::Int(0)),
-    (Memory::Sum, "{m} + {v}", Value::Int(0)),
-    (Memory::Turns, "!{m}", Value::Bool(false)),
-    (Memory::Held, "if {v} == 2 { 2 + {m} % 2 } else { {v} }", Value::Int(0)),
-    (Memory::Draws, "({m} * 1103 + {v}.t + 12345) % 65536", Value::Int(1)),
+const MEMORIES: [(RememberedKind, &str, Value); 7] = [
+    (RememberedKind::TrueOnes, "if {v} { {m} + 1 } else { {m} }", Value::Int(0)),
+    (RememberedKind::Ones, "{m} + 1", Value::Int(0)),
+    (RememberedKind::Largest, "max({m}, {v})", Value::Int(0)),
+    (RememberedKind::Sum, "{m} + {v}", Value::Int(0)),
+    (RememberedKind::Turns, "!{m}", Value::Bool(false)),
+    (RememberedKind::Held, "if {v} == 2 { 2 + {m} % 2 } else { {v} }", Value::Int(0)),
+    (RememberedKind::Draws, "({m} * 1103 + {v}.t + 12345) % 65536", Value::Int(1)),
 ];
 
-impl Does {
+impl SpokenConnector {
     /// What an operation does, with the places of the numbers of its test. `args` are the names of its arguments.
-    pub(crate) fn of(operation: &Operation, args: &[String]) -> (Self, Places) {
+    pub(crate) fn of(operation: &Operation, args: &[String]) -> (Self, TestPlaces) {
         let period = operation.period_ms().unwrap_or_default();
         let procedure = operation.procedure();
         let calc =
@@ -122,7 +122,7 @@ impl Does {
             ConnectorMeaning::Changes => {
                 Self::Changed(procedure.map(|procedure| calc().or_written(procedure, args, false)))
             }
-            ConnectorMeaning::Remembers => Self::Remember(Memory::of(procedure, args, operation.start())),
+            ConnectorMeaning::Remembers => Self::Remember(RememberedKind::of(procedure, args, operation.start())),
             ConnectorMeaning::Together => Self::Together(several()),
             ConnectorMeaning::Latest => Self::Latest(several()),
             ConnectorMeaning::PassesOn => Self::Any,
@@ -134,7 +134,7 @@ impl Does {
     pub(crate) fn calc(&self) -> Option<&Calc> {
         match self {
             Self::Make(calc) | Self::KeepBy(calc) | Self::Changed(Some(calc)) => Some(calc),
-            Self::Together(calc) | Self::Latest(calc) | Self::Remember(Memory::By(calc, _)) => Some(calc),
+            Self::Together(calc) | Self::Latest(calc) | Self::Remember(RememberedKind::By(calc, _)) => Some(calc),
             _ => None,
         }
     }
@@ -197,14 +197,14 @@ impl Does {
     }
 }
 
-fn keeps(procedure: Option<&Procedure>, args: &[String]) -> (Does, Places) {
+fn keeps(procedure: Option<&Procedure>, args: &[String]) -> (SpokenConnector, TestPlaces) {
     match procedure {
-        Some(Procedure::Body { body, .. }) => match Test::of(body, args) {
-            Some((test, places)) => (Does::Keep(test), places),
-            None => (Does::KeepBy(Calc::Written(args.to_vec(), body.clone())), Vec::new()),
+        Some(Procedure::Body { body, .. }) => match ValueTest::of(body, args) {
+            Some((test, places)) => (SpokenConnector::Keep(test), places),
+            None => (SpokenConnector::KeepBy(Calc::Written(args.to_vec(), body.clone())), Vec::new()),
         },
-        Some(Procedure::Helper(name)) => (Does::KeepBy(Calc::Helper(name.clone())), Vec::new()),
-        None => (Does::KeepBy(Calc::Written(args.to_vec(), String::new())), Vec::new()),
+        Some(Procedure::Helper(name)) => (SpokenConnector::KeepBy(Calc::Helper(name.clone())), Vec::new()),
+        None => (SpokenConnector::KeepBy(Calc::Written(args.to_vec(), String::new())), Vec::new()),
     }
 }
 
@@ -219,14 +219,18 @@ impl Calc {
             return Self::Field(field);
         }
         match parts(body, args).unwrap_or_default().as_slice() {
-            [(Part::Text(text), _)] => Self::Text(text.clone()),
+            [(SpokenBodyPart::Text(text), _)] => Self::Text(text.clone()),
             // Whole numbers are not measured ones, and sentences would not tell them apart.
-            [(Part::Number(number), _)] if body.contains('.') => Self::Number(*number),
-            [(Part::Sign("-"), _), (Part::Number(number), _)] if body.contains('.') => Self::Number(-number),
-            [(Part::Name(_, Some(0)), _), (Part::Sign("+"), _), (Part::Name(_, Some(1)), _)] if args.len() == 2 => {
-                Self::Sum
+            [(SpokenBodyPart::Number(number), _)] if body.contains('.') => Self::Number(*number),
+            [(SpokenBodyPart::Sign("-"), _), (SpokenBodyPart::Number(number), _)] if body.contains('.') => {
+                Self::Number(-number)
             }
-            [(Part::Name(_, Some(last)), _)] if args.len() > 1 && last + 1 == args.len() => Self::Last,
+            [
+                (SpokenBodyPart::Name(_, Some(0)), _),
+                (SpokenBodyPart::Sign("+"), _),
+                (SpokenBodyPart::Name(_, Some(1)), _),
+            ] if args.len() == 2 => Self::Sum,
+            [(SpokenBodyPart::Name(_, Some(last)), _)] if args.len() > 1 && last + 1 == args.len() => Self::Last,
             _ => Self::Written(args.to_vec(), body.clone()),
         }
     }
@@ -294,7 +298,7 @@ impl Calc {
     }
 }
 
-impl Memory {
+impl RememberedKind {
     fn of(procedure: Option<&Procedure>, args: &[String], start: Option<&Value>) -> Self {
         let start = start.cloned().unwrap_or_default();
         let (calc, body) = match procedure {

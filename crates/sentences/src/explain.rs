@@ -6,19 +6,19 @@ mod starts;
 mod steps;
 mod why;
 
-use crate::clauses::{ACTIONS, Clause, Part, TARGETS};
-use crate::does::Does;
+use crate::clauses::{ACTIONS, Clause, ClausePart, TARGETS};
+use crate::does::SpokenConnector;
 use crate::fits::{is_part, params_fit};
 use crate::pattern::grammar;
 use crate::sentence::{Phrase, Piece, Sentence};
 use crate::token::quoted;
-use crate::words::{Words, words};
-use crate::{Language, carried::Carried};
+use crate::words::{LanguageWords, words};
+use crate::{Language, carried::CarriedKind};
 use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind, connectors};
-use chain::{Chain, Known, Link, Start};
+use chain::{Chain, ChainConnector, ChainStart, KnownGraph};
 use robot::Device;
 use starts::tight;
-pub use why::{Answers, Moment};
+pub use why::{AnswerSentence, Answers};
 
 /// What a behaviour does: a sentence for every connector that leads to an action, in their order. `helpers` are those of
 /// the library, `unit` tells in what the numbers of a stream are measured, `cm` for example, where the caller knows it.
@@ -32,7 +32,7 @@ pub fn explain(
     unit: &dyn Fn(&Id) -> Option<String>,
     language: Language,
 ) -> Vec<Sentence> {
-    let known = Known { behaviour, graph: Graph::of(behaviour), helpers };
+    let known = KnownGraph { behaviour, graph: Graph::of(behaviour), helpers };
     let mut told: Vec<Id> = Vec::new();
     let mut before: Option<Chain> = None;
     let mut sentences = Vec::new();
@@ -41,7 +41,7 @@ pub fn explain(
         let (Some(input), true) = (connector.inputs.first(), to_action) else { continue };
         let Some(action) = behaviour.stream(&connector.output) else { continue };
         let chain = known.chain(input);
-        let mut teller = Teller::new(&known, unit, language);
+        let mut teller = SentenceTeller::new(&known, unit, language);
         let otherwise = before.take().and_then(|before| follows(&before, &chain));
         teller.sentence(&chain, otherwise, (id, connector, action), told.contains(&connector.output));
         told.push(connector.output.clone());
@@ -53,24 +53,25 @@ pub fn explain(
 
 /// Which link of a chain passes exactly what the last test of the chain before it keeps out.
 fn follows(before: &Chain, chain: &Chain) -> Option<usize> {
-    let last = before.links.iter().rfind(|link| matches!(link.does, Does::Keep(_) | Does::KeepBy(_)))?;
+    let last =
+        before.links.iter().rfind(|link| matches!(link.does, SpokenConnector::Keep(_) | SpokenConnector::KeepBy(_)))?;
     let at = chain.links.iter().position(|link| link.from == last.from)?;
-    let is_test = matches!(chain.links[at].does, Does::Keep(_) | Does::KeepBy(_));
+    let is_test = matches!(chain.links[at].does, SpokenConnector::Keep(_) | SpokenConnector::KeepBy(_));
     (is_test && chain.links[at].does.is_opposite_of(&last.does)).then_some(at)
 }
 
 /// Tells one sentence.
-struct Teller<'a> {
-    known: &'a Known<'a>,
+struct SentenceTeller<'a> {
+    known: &'a KnownGraph<'a>,
     unit: &'a dyn Fn(&Id) -> Option<String>,
     language: Language,
-    words: &'static Words,
+    words: &'static LanguageWords,
     phrases: Vec<Phrase>,
     depth: usize,
 }
 
-impl<'a> Teller<'a> {
-    fn new(known: &'a Known<'a>, unit: &'a dyn Fn(&Id) -> Option<String>, language: Language) -> Self {
+impl<'a> SentenceTeller<'a> {
+    fn new(known: &'a KnownGraph<'a>, unit: &'a dyn Fn(&Id) -> Option<String>, language: Language) -> Self {
         Self { known, unit, language, words: words(language), phrases: Vec::new(), depth: 0 }
     }
 
@@ -110,15 +111,15 @@ impl<'a> Teller<'a> {
     }
 
     /// The first clause that says what an action does with what the last links make.
-    fn action_clause(&self, device: &Device, stream: &Stream, links: &[Link]) -> Option<&'static Clause> {
+    fn action_clause(&self, device: &Device, stream: &Stream, links: &[ChainConnector]) -> Option<&'static Clause> {
         let grammar = grammar(self.language);
         ACTIONS.iter().filter(|clause| clause.device == device.name).find(|clause| {
             let fits = match (clause.parts, links.last()) {
                 ([], _) => true,
-                ([Part::Helper(name)], Some(last)) => {
-                    let measured = last.carried.is_ball() || matches!(last.carried, Carried::Distance(_));
+                ([ClausePart::Helper(name)], Some(last)) => {
+                    let measured = last.carried.is_ball() || matches!(last.carried, CarriedKind::Distance(_));
                     self.known.knows(name)
-                        && is_part(&last.does, Part::Helper(name))
+                        && is_part(&last.does, ClausePart::Helper(name))
                         && measured
                         && !needs_distance(links)
                 }
@@ -130,10 +131,11 @@ impl<'a> Teller<'a> {
     }
 
     /// How many of the last links an action's clause tells.
-    fn used(clause: &Clause, links: &[Link]) -> usize {
+    fn used(clause: &Clause, links: &[ChainConnector]) -> usize {
         let [.., distance, last] = links else { return clause.parts.len() };
-        let is_distance = is_part(&distance.does, Part::Helper("ball_to_distance"));
-        let with_distance = matches!(clause.parts, [Part::Helper(_)]) && is_distance && distance.carried.is_ball();
+        let is_distance = is_part(&distance.does, ClausePart::Helper("ball_to_distance"));
+        let with_distance =
+            matches!(clause.parts, [ClausePart::Helper(_)]) && is_distance && distance.carried.is_ball();
         if with_distance && last.from == &distance.connector.output { 2 } else { clause.parts.len() }
     }
 
@@ -141,7 +143,7 @@ impl<'a> Teller<'a> {
         &mut self,
         chain: &Chain<'a>,
         clause: Option<(&'static Clause, &'static Device)>,
-        links: &[Link<'a>],
+        links: &[ChainConnector<'a>],
         (id, connector, stream): (&'a Id, &'a Connector, &Stream),
         again: bool,
     ) {
@@ -171,7 +173,7 @@ impl<'a> Teller<'a> {
     fn way(&mut self, chain: &Chain<'a>, end: usize, lead: &'static str) {
         let mut links = &chain.links[..end];
         if let Some((first, rest)) = links.split_first()
-            && let Does::Every(_) = first.does
+            && let SpokenConnector::Every(_) = first.does
         {
             let pieces = self.step_pieces("every", first);
             self.push(pieces, &links[..1], &[]);
@@ -182,7 +184,7 @@ impl<'a> Teller<'a> {
         }
         let used = self.start(&chain.start, links);
         links = &links[used..];
-        if !matches!(chain.start, Start::Any(..))
+        if !matches!(chain.start, ChainStart::Any(..))
             && let Some((first, rest)) = links.split_first()
             && let Some(id) = tight(&first.does)
         {
@@ -203,7 +205,7 @@ impl<'a> Teller<'a> {
     }
 
     /// A phrase that means these links and streams.
-    fn push(&mut self, pieces: Vec<Piece>, links: &[Link<'a>], streams: &[&Id]) {
+    fn push(&mut self, pieces: Vec<Piece>, links: &[ChainConnector<'a>], streams: &[&Id]) {
         let streams = streams.iter().copied().chain(links.iter().map(|link| &link.connector.output));
         let connectors = links.iter().map(|link| link.id.clone()).collect();
         self.phrases.push(Phrase { pieces, streams: streams.cloned().collect(), connectors });
@@ -233,8 +235,8 @@ impl<'a> Teller<'a> {
 }
 
 /// Whether the last link makes a brightness of something whose distance nobody made.
-fn needs_distance(links: &[Link]) -> bool {
+fn needs_distance(links: &[ChainConnector]) -> bool {
     let [.., last] = links else { return true };
-    let made = links.len() > 1 && is_part(&links[links.len() - 2].does, Part::Helper("ball_to_distance"));
+    let made = links.len() > 1 && is_part(&links[links.len() - 2].does, ClausePart::Helper("ball_to_distance"));
     last.carried.is_ball() && !made
 }

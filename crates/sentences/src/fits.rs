@@ -1,9 +1,9 @@
 //! Whether a clause says what a device with its parameters and its connectors does.
 
-use crate::clauses::{Clause, Part};
-use crate::does::{Calc, Does};
+use crate::clauses::{Clause, ClausePart};
+use crate::does::{Calc, SpokenConnector};
 use crate::pattern::{Grammar, holes};
-use crate::test::{Asks, Test};
+use crate::test::{Asks, ValueTest};
 use behaviour::{Params, Value};
 use robot::{Device, with_defaults};
 
@@ -40,16 +40,19 @@ fn is_text(value: &Value, wanted: &str) -> bool {
 }
 
 /// Whether a connector is this part of a clause.
-pub(crate) fn is_part(does: &Does, part: Part) -> bool {
+pub(crate) fn is_part(does: &SpokenConnector, part: ClausePart) -> bool {
     let is_field = |field: &Option<String>, wanted: &str| field.as_deref().unwrap_or("") == wanted;
     match (part, does) {
-        (Part::Truth(wanted, truth), Does::Keep(Test { field, asks: Asks::Truth(is) })) => {
+        (ClausePart::Truth(wanted, truth), SpokenConnector::Keep(ValueTest { field, asks: Asks::Truth(is) })) => {
             is_field(field, wanted) && *is == truth
         }
-        (Part::Text(wanted), Does::Keep(Test { field, asks: Asks::Text(true, _) })) => is_field(field, wanted),
-        (Part::Quiet, Does::Quiet(_)) | (Part::Number, Does::Make(Calc::Number(_))) => true,
-        (Part::Changed(wanted), Does::Changed(Some(Calc::Field(field)))) => field == wanted,
-        (Part::Helper(wanted), Does::Make(Calc::Helper(name))) => name == wanted,
+        (ClausePart::Text(wanted), SpokenConnector::Keep(ValueTest { field, asks: Asks::Text(true, _) })) => {
+            is_field(field, wanted)
+        }
+        (ClausePart::Quiet, SpokenConnector::Quiet(_))
+        | (ClausePart::Number, SpokenConnector::Make(Calc::Number(_))) => true,
+        (ClausePart::Changed(wanted), SpokenConnector::Changed(Some(Calc::Field(field)))) => field == wanted,
+        (ClausePart::Helper(wanted), SpokenConnector::Make(Calc::Helper(name))) => name == wanted,
         _ => false,
     }
 }

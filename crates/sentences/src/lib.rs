@@ -19,12 +19,12 @@ mod test;
 mod token;
 mod words;
 
-pub use explain::{Answers, Moment, explain};
+pub use explain::{AnswerSentence, Answers, explain};
 pub use language::{Language, NoLanguage};
 pub use read::{
-    Doubt, Draft, DraftConnector, DraftStream, Reading, TEXT_MAX_CHARS, Understood, Vague, language_of,
+    Doubt, Draft, DraftConnector, DraftStream, TEXT_MAX_CHARS, TextReading, Understood, VagueNumber, language_of,
     looks_like_sentence, read, read_speech,
 };
-pub use sentence::{Choice, Choosable, Literal, Number, Phrase, Piece, Sentence};
+pub use sentence::{Choosable, LiteralPlace, Number, Phrase, Piece, Sentence, SentenceChoice};
 pub use speech::Lexicon;
 pub use words::device_label;

@@ -1,7 +1,7 @@
 //! Numbers and durations in sentences: how they are written, and what they may sensibly be changed to.
 
 use crate::Language;
-use crate::sentence::{Literal, Number};
+use crate::sentence::{LiteralPlace, Number};
 use crate::words::words;
 
 /// A number as people write it.
@@ -11,7 +11,7 @@ pub(crate) fn written(value: f64) -> String {
 }
 
 /// A number that a body or a parameter holds, with its unit; units that are phrases are part of the words around it.
-pub(crate) fn number(value: f64, unit: &str, at: Literal, limits: Option<(f64, f64, f64)>) -> Number {
+pub(crate) fn number(value: f64, unit: &str, at: LiteralPlace, limits: Option<(f64, f64, f64)>) -> Number {
     let unit = if unit.contains(' ') { "" } else { unit };
     let text = if unit.is_empty() { written(value) } else { format!("{} {unit}", written(value)) };
     let (min, max, step) = limits.unwrap_or_else(|| usual(value, unit));
@@ -32,7 +32,7 @@ fn usual(value: f64, unit: &str) -> (f64, f64, f64) {
 }
 
 /// A duration of so many milliseconds, which is kept as such.
-pub(crate) fn duration(period_ms: u64, at: Literal, language: Language, alone: bool) -> Number {
+pub(crate) fn duration(period_ms: u64, at: LiteralPlace, language: Language, alone: bool) -> Number {
     let durations = words(language).durations;
     // Seconds may have one digit after the point.
     let fits = |size: u64| period_ms >= size && period_ms.is_multiple_of(if size == 1_000 { 100 } else { size });

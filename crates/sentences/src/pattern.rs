@@ -2,14 +2,14 @@
 
 use crate::Language;
 use crate::sentence::Piece;
-use crate::token::{Token, tokens};
+use crate::token::{SentenceToken, tokens};
 use crate::words::words;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// A part of a pattern.
 #[derive(Clone, Debug)]
-pub(crate) enum Element {
+pub(crate) enum PatternElement {
     /// Words as they are.
     Literal(Literal),
     /// Words that can be changed for their like.
@@ -17,18 +17,18 @@ pub(crate) enum Element {
     /// What is filled in.
     Hole(&'static str),
     /// What is told only if something in it is unusual.
-    Optional(Vec<Element>),
+    Optional(Vec<PatternElement>),
 }
 
 /// Words as they are told and as they are read.
 #[derive(Clone, Debug)]
 pub(crate) struct Literal {
     pub(crate) shown: &'static str,
-    pub(crate) tokens: Vec<Token>,
+    pub(crate) tokens: Vec<SentenceToken>,
 }
 
 /// What fills a hole: pieces, and whether they say what nobody chose.
-pub(crate) struct Filling {
+pub(crate) struct HoleFiller {
     pub(crate) pieces: Vec<Piece>,
     pub(crate) is_default: bool,
 }
@@ -36,9 +36,9 @@ pub(crate) struct Filling {
 /// The patterns of a language by their rules, the one that is told first.
 pub(crate) struct Grammar {
     pub(crate) language: Language,
-    patterns: BTreeMap<&'static str, Vec<Vec<Element>>>,
+    patterns: BTreeMap<&'static str, Vec<Vec<PatternElement>>>,
     /// Words without holes, as they are read.
-    phrases: BTreeMap<&'static str, Vec<Token>>,
+    phrases: BTreeMap<&'static str, Vec<SentenceToken>>,
 }
 
 static GRAMMARS: LazyLock<[Grammar; 2]> = LazyLock::new(|| Language::ALL.map(Grammar::of));
@@ -59,27 +59,27 @@ impl Grammar {
     }
 
     /// Words that `Words::phrases` has, as they are read.
-    pub(crate) fn phrase(&self, words: &str) -> &[Token] {
+    pub(crate) fn phrase(&self, words: &str) -> &[SentenceToken] {
         self.phrases.get(words).map_or(&[], Vec::as_slice)
     }
 
     /// The patterns of a rule, the one that is told first; none if it has none.
-    pub(crate) fn rule(&self, id: &str) -> &[Vec<Element>] {
+    pub(crate) fn rule(&self, id: &str) -> &[Vec<PatternElement>] {
         self.patterns.get(id).map_or(&[], Vec::as_slice)
     }
 
     /// The pattern of a rule that is told.
-    pub(crate) fn told(&self, id: &str) -> &[Element] {
+    pub(crate) fn told(&self, id: &str) -> &[PatternElement] {
         self.rule(id).first().map_or(&[], Vec::as_slice)
     }
 }
 
-fn elements(text: &'static str, language: Language) -> Vec<Element> {
+fn elements(text: &'static str, language: Language) -> Vec<PatternElement> {
     let mut found = Vec::new();
     let mut rest = text;
     while let Some(at) = rest.find(['{', '[', '<']) {
         let (before, from) = rest.split_at(at);
-        found.extend(literal(before, language).map(Element::Literal));
+        found.extend(literal(before, language).map(PatternElement::Literal));
         let close = match from.as_bytes()[0] {
             b'{' => '}',
             b'[' => ']',
@@ -88,13 +88,13 @@ fn elements(text: &'static str, language: Language) -> Vec<Element> {
         let end = from.find(close).unwrap_or(from.len());
         let inside = &from[1..end];
         match close {
-            '}' => found.push(Element::Hole(inside)),
-            ']' => found.push(Element::Optional(elements(inside, language))),
-            _ => found.extend(literal(inside, language).map(Element::Marked)),
+            '}' => found.push(PatternElement::Hole(inside)),
+            ']' => found.push(PatternElement::Optional(elements(inside, language))),
+            _ => found.extend(literal(inside, language).map(PatternElement::Marked)),
         }
         rest = from.get(end + 1..).unwrap_or("");
     }
-    found.extend(literal(rest, language).map(Element::Literal));
+    found.extend(literal(rest, language).map(PatternElement::Literal));
     found
 }
 
@@ -104,40 +104,40 @@ fn literal(shown: &'static str, language: Language) -> Option<Literal> {
 }
 
 /// The names of the holes of a pattern.
-pub(crate) fn holes(elements: &[Element]) -> Vec<&'static str> {
-    let hole = |element: &Element| match element {
-        Element::Hole(name) => vec![*name],
-        Element::Optional(inside) => holes(inside),
-        Element::Literal(_) | Element::Marked(_) => Vec::new(),
+pub(crate) fn holes(elements: &[PatternElement]) -> Vec<&'static str> {
+    let hole = |element: &PatternElement| match element {
+        PatternElement::Hole(name) => vec![*name],
+        PatternElement::Optional(inside) => holes(inside),
+        PatternElement::Literal(_) | PatternElement::Marked(_) => Vec::new(),
     };
     elements.iter().flat_map(hole).collect()
 }
 
 /// The words that can be changed for their like.
-pub(crate) fn marked(elements: &[Element]) -> Option<&'static str> {
+pub(crate) fn marked(elements: &[PatternElement]) -> Option<&'static str> {
     elements.iter().find_map(|element| match element {
-        Element::Marked(words) => Some(words.shown),
-        Element::Literal(_) | Element::Hole(_) | Element::Optional(_) => None,
+        PatternElement::Marked(words) => Some(words.shown),
+        PatternElement::Literal(_) | PatternElement::Hole(_) | PatternElement::Optional(_) => None,
     })
 }
 
 /// A pattern with its holes filled; a hole that nothing fills makes it none.
 pub(crate) fn filled(
-    elements: &[Element],
-    fill: &mut dyn FnMut(&str) -> Option<Filling>,
+    elements: &[PatternElement],
+    fill: &mut dyn FnMut(&str) -> Option<HoleFiller>,
     mark: &mut dyn FnMut(&str) -> Piece,
-) -> Option<Filling> {
-    let mut all = Filling { pieces: Vec::new(), is_default: true };
+) -> Option<HoleFiller> {
+    let mut all = HoleFiller { pieces: Vec::new(), is_default: true };
     for element in elements {
         match element {
-            Element::Literal(words) => all.pieces.push(Piece::Text(words.shown.to_owned())),
-            Element::Marked(words) => all.pieces.push(mark(words.shown)),
-            Element::Hole(name) => {
+            PatternElement::Literal(words) => all.pieces.push(Piece::Text(words.shown.to_owned())),
+            PatternElement::Marked(words) => all.pieces.push(mark(words.shown)),
+            PatternElement::Hole(name) => {
                 let filling = fill(name)?;
                 all.is_default &= filling.is_default;
                 all.pieces.extend(filling.pieces);
             }
-            Element::Optional(inside) => {
+            PatternElement::Optional(inside) => {
                 let filling = filled(inside, fill, mark)?;
                 if !filling.is_default {
                     all.pieces.extend(filling.pieces);

@@ -11,19 +11,19 @@ mod parse;
 mod spoken;
 mod tree;
 
-pub use draft::{Doubt, Draft, DraftConnector, DraftStream, Reading, Understood, Vague};
+pub use draft::{Doubt, Draft, DraftConnector, DraftStream, TextReading, Understood, VagueNumber};
 
 use crate::Language;
 use crate::clauses::CONVERSIONS;
 use crate::speech::Lexicon;
 use crate::test::Comparison;
-use crate::token::{Placed, Token, tokens};
+use crate::token::{Placed, SentenceToken, tokens};
 use behaviour::{Behaviour, Helper, Params, StreamKind, connectors, look_same};
-use build::{Act, Builder, Source};
+use build::{FedAction, GraphBuilder, StreamSource};
 use doubts::Repaired;
-use names::Names;
+use names::NameGiver;
 use std::ops::Range;
-use tree::Span;
+use tree::TokenSpan;
 
 /// The longest text that is read, in characters.
 pub const TEXT_MAX_CHARS: usize = 1_000;
@@ -80,7 +80,7 @@ fn outside_quotes(text: &str) -> impl Iterator<Item = char> {
 ///
 /// Where words are not understood, the reading has doubts with suggestions, and the draft is the best guess.
 #[must_use]
-pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Option<&Behaviour>) -> Reading {
+pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Option<&Behaviour>) -> TextReading {
     let end = text.char_indices().nth(TEXT_MAX_CHARS).map_or(text.len(), |(at, _)| at);
     let known = &text[..end];
     let repaired = doubts::repaired(known, tokens(known, language), language);
@@ -95,9 +95,9 @@ fn reading_of(
     language: Language,
     helpers: &[&Helper],
     behaviour: Option<&Behaviour>,
-) -> Reading {
+) -> TextReading {
     let Repaired { told, tokens, mut doubts } = repaired;
-    let mut builder = Builder::new(behaviour, language);
+    let mut builder = GraphBuilder::new(behaviour, language);
     told.iter().for_each(|sentence| builder.sentence(sentence));
     doubts.extend(builder.unmeant.iter().map(|span| Doubt {
         range: bytes(&tokens, span),
@@ -107,11 +107,11 @@ fn reading_of(
     if end < text.len() {
         doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new(), why: None });
     }
-    let mut reading = drafted(&builder, &tokens, Names::new(language, behaviour), behaviour);
+    let mut reading = drafted(&builder, &tokens, NameGiver::new(language, behaviour), behaviour);
     let missing = builder.nodes.iter().filter(|node| match &node.source {
-        Source::Missing(_) => true,
-        Source::Made(does, ..) => does.helper().is_some_and(|name| !is_helper(name, helpers)),
-        Source::Sense(..) | Source::Existing(_) => false,
+        StreamSource::Missing(_) => true,
+        StreamSource::Made(does, ..) => does.helper().is_some_and(|name| !is_helper(name, helpers)),
+        StreamSource::Sense(..) | StreamSource::Existing(_) => false,
     });
     let missing = missing.map(|node| &node.span).chain(builder.acts.iter().filter_map(|act| {
         let is_there = |name: &String| {
@@ -137,11 +137,11 @@ pub fn read_speech(
     lexicon: &Lexicon,
     helpers: &[&Helper],
     behaviour: Option<&Behaviour>,
-) -> Reading {
+) -> TextReading {
     let end = text.char_indices().nth(TEXT_MAX_CHARS).map_or(text.len(), |(at, _)| at);
     let known = &text[..end];
     let exact = doubts::exact(known, tokens(known, language), language)
-        .filter(|exact| !exact.told.iter().any(tree::Told::is_guess));
+        .filter(|exact| !exact.told.iter().any(tree::ToldSentence::is_guess));
     if let Some(exact) = exact {
         let told = reading_of(exact, text, end, language, helpers, behaviour);
         if told.is_whole() {
@@ -154,13 +154,19 @@ pub fn read_speech(
 }
 
 /// Reads the first `end` bytes of what somebody says in their own words.
-fn read_words(text: &str, end: usize, language: Language, lexicon: &Lexicon, behaviour: Option<&Behaviour>) -> Reading {
+fn read_words(
+    text: &str,
+    end: usize,
+    language: Language,
+    lexicon: &Lexicon,
+    behaviour: Option<&Behaviour>,
+) -> TextReading {
     let known = &text[..end];
     let speech = crate::speech::understood(known, language, lexicon);
     let tokens: Vec<Placed> = speech
         .places
         .iter()
-        .map(|range| Placed { token: Token::Sign(' '), range: range.clone(), is_doubtful: false })
+        .map(|range| Placed { token: SentenceToken::Sign(' '), range: range.clone(), is_doubtful: false })
         .collect();
     let mut doubts: Vec<Doubt> = speech
         .doubts
@@ -174,10 +180,10 @@ fn read_words(text: &str, end: usize, language: Language, lexicon: &Lexicon, beh
     if end < text.len() {
         doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new(), why: None });
     }
-    let mut reading = Reading::default();
+    let mut reading = TextReading::default();
     if doubts.is_empty() {
-        let mut builder = Builder::new(behaviour, language);
-        let mut making = spoken::Making::new(&mut builder, language);
+        let mut builder = GraphBuilder::new(behaviour, language);
+        let mut making = spoken::GraphMaking::new(&mut builder, language);
         making.rules(&speech.rules);
         let failed = making.doubts;
         doubts.extend(failed.iter().map(|span| Doubt {
@@ -189,15 +195,15 @@ fn read_words(text: &str, end: usize, language: Language, lexicon: &Lexicon, beh
             doubts.push(Doubt { range: text.len()..text.len(), suggestions: Vec::new(), why: None });
         }
         if doubts.is_empty() {
-            reading = drafted(&builder, &tokens, Names::new(language, behaviour), behaviour);
+            reading = drafted(&builder, &tokens, NameGiver::new(language, behaviour), behaviour);
         }
     }
     doubts.sort_by_key(|doubt| doubt.range.start);
     doubts.dedup_by(|one, other| one.range == other.range);
     reading.texts = speech.texts;
-    let told = |(range, word): (Range<usize>, crate::speech::meaning::Vague)| {
+    let told = |(range, word): (Range<usize>, crate::speech::meaning::VagueWord)| {
         let (comparison, value, unit) = word.bound;
-        Vague::of(known, range, (value, unit), comparison == Comparison::Less, word.moves, language)
+        VagueNumber::of(known, range, (value, unit), comparison == Comparison::Less, word.moves, language)
     };
     reading.vague = speech.vague.into_iter().map(told).collect();
     reading.doubts = doubts;
@@ -210,19 +216,24 @@ fn is_helper(name: &str, helpers: &[&Helper]) -> bool {
 }
 
 /// The bytes of tokens.
-fn bytes(tokens: &[Placed], span: &Span) -> Range<usize> {
+fn bytes(tokens: &[Placed], span: &TokenSpan) -> Range<usize> {
     let first = tokens.get(span.start).or(tokens.last()).map_or(0, |placed| placed.range.start);
     let last = tokens.get(span.end.max(span.start + 1) - 1).or(tokens.last()).map_or(first, |placed| placed.range.end);
     first..last.max(first)
 }
 
-fn drafted(builder: &Builder, tokens: &[Placed], mut names: Names, behaviour: Option<&Behaviour>) -> Reading {
-    let mut reading = Reading::default();
+fn drafted(
+    builder: &GraphBuilder,
+    tokens: &[Placed],
+    mut names: NameGiver,
+    behaviour: Option<&Behaviour>,
+) -> TextReading {
+    let mut reading = TextReading::default();
     let stream_names = names.of_nodes(builder);
     let is_doubtful =
-        |span: &Span| tokens.get(span.clone()).unwrap_or_default().iter().any(|placed| placed.is_doubtful);
+        |span: &TokenSpan| tokens.get(span.clone()).unwrap_or_default().iter().any(|placed| placed.is_doubtful);
     // Words that mean several parts raise a doubt about the last one of them.
-    let last_of = |span: &Span| builder.nodes.iter().rposition(|node| node.span == *span);
+    let last_of = |span: &TokenSpan| builder.nodes.iter().rposition(|node| node.span == *span);
     for (at, (node, name)) in builder.nodes.iter().zip(&stream_names).enumerate() {
         let doubtful = is_doubtful(&node.span) && last_of(&node.span) == Some(at);
         let mut stream = DraftStream {
@@ -235,17 +246,17 @@ fn drafted(builder: &Builder, tokens: &[Placed], mut names: Names, behaviour: Op
         };
         let mut understood = Understood { range: bytes(tokens, &node.span), streams: vec![at], connectors: Vec::new() };
         match &node.source {
-            Source::Sense(device, params) => {
+            StreamSource::Sense(device, params) => {
                 (stream.kind, stream.device) = (StreamKind::Sensor, Some(device.name.to_owned()));
                 stream.params = params.clone();
             }
-            Source::Existing(id) => {
+            StreamSource::Existing(id) => {
                 stream.existing = Some(id.clone());
                 stream.kind =
                     behaviour.and_then(|behaviour| behaviour.stream(id)).map_or(stream.kind, |known| known.kind);
             }
-            Source::Missing(_) => stream.doubtful = true,
-            Source::Made(does, inputs, measured) => {
+            StreamSource::Missing(_) => stream.doubtful = true,
+            StreamSource::Made(does, inputs, measured) => {
                 let spec = connectors::with_meaning(does.meaning());
                 let from = inputs.iter().map(|input| stream_names[*input].as_str());
                 let args = spec.map_or_else(Vec::new, |spec| spec.argument_names(from));
@@ -280,7 +291,7 @@ fn drafted(builder: &Builder, tokens: &[Placed], mut names: Names, behaviour: Op
 }
 
 /// The stream of an action.
-fn acting(act: &Act, names: &mut Names, behaviour: Option<&Behaviour>, doubtful: bool) -> DraftStream {
+fn acting(act: &FedAction, names: &mut NameGiver, behaviour: Option<&Behaviour>, doubtful: bool) -> DraftStream {
     let name = names.of_act(act);
     let known = || behaviour?.streams().find(|(_, stream)| look_same(&stream.name, &name)).map(|(id, _)| id.clone());
     let existing = if act.device.is_none() { known() } else { None };

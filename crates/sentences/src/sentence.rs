@@ -35,7 +35,7 @@ pub enum Piece {
     /// A number with its unit.
     Number(Number),
     /// One of several words.
-    Choice(Choice),
+    Choice(SentenceChoice),
 }
 
 /// A number that can be changed.
@@ -55,7 +55,7 @@ pub struct Number {
     /// One press of plus or minus, in `unit`.
     pub step: f64,
     /// Where it is kept.
-    pub at: Literal,
+    pub at: LiteralPlace,
     /// What is kept is the value times this: 1000 for seconds that are kept as milliseconds.
     pub scale: f64,
 }
@@ -63,7 +63,7 @@ pub struct Number {
 /// A choice that can be changed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Choice {
+pub struct SentenceChoice {
     /// How it stands in the sentence.
     pub text: String,
     /// What there is to choose.
@@ -71,7 +71,7 @@ pub struct Choice {
     /// Which of them is chosen: its `value`.
     pub chosen: String,
     /// Where it is kept.
-    pub at: Literal,
+    pub at: LiteralPlace,
 }
 
 /// One that can be chosen.
@@ -87,7 +87,7 @@ pub struct Choosable {
 /// Where something is kept that can be changed in a sentence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", rename_all_fields = "camelCase")]
-pub enum Literal {
+pub enum LiteralPlace {
     /// These bytes of the body of a connector.
     Body {
         /// The connector.

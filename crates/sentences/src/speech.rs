@@ -19,17 +19,17 @@ pub use lexicon::Lexicon;
 pub(crate) use assemble::{ended, own_event};
 
 use crate::Language;
-use assemble::Said;
+use assemble::SaidSoFar;
 use atoms::{Atom, atoms};
-use meaning::{Body, Event, Phase, Rule, Vague};
+use meaning::{MeantRule, SensedEvent, TouchPhase, TouchedPart, VagueWord};
 use std::ops::Range;
-use tokens::{What, tokens};
+use tokens::{SpeechTokenKind, tokens};
 use turned::turned;
 
 /// What was said.
 #[derive(Debug, Default)]
-pub(crate) struct Speech {
-    pub(crate) rules: Vec<Rule>,
+pub(crate) struct UnderstoodSpeech {
+    pub(crate) rules: Vec<MeantRule>,
     /// The bytes of each token.
     pub(crate) places: Vec<Range<usize>>,
     /// Words in doubt, by their bytes, with why and what could stand there instead.
@@ -39,22 +39,25 @@ pub(crate) struct Speech {
     /// Words that were taken as a text.
     pub(crate) texts: Vec<Range<usize>>,
     /// Words that got a number because nobody said one, by their bytes.
-    pub(crate) vague: Vec<(Range<usize>, Vague)>,
+    pub(crate) vague: Vec<(Range<usize>, VagueWord)>,
 }
 
 /// The most tokens that are read.
 const TOKENS_MAX: usize = 400;
 
 /// Understands a text.
-pub(crate) fn understood(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
+pub(crate) fn understood(text: &str, language: Language, lexicon: &Lexicon) -> UnderstoodSpeech {
     let mut speech = heard(text, language, lexicon);
     suggest(text, language, lexicon, &mut speech);
     speech
 }
 
-fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
+fn heard(text: &str, language: Language, lexicon: &Lexicon) -> UnderstoodSpeech {
     let all = tokens(text, language);
-    let mut speech = Speech { places: all.iter().map(|token| token.range.clone()).collect(), ..Speech::default() };
+    let mut speech = UnderstoodSpeech {
+        places: all.iter().map(|token| token.range.clone()).collect(),
+        ..UnderstoodSpeech::default()
+    };
     let bytes = |span: &Range<usize>| {
         let first = all.get(span.start).map_or(text.len(), |token| token.range.start);
         let last = all.get(span.end.max(span.start + 1) - 1).map_or(first, |token| token.range.end);
@@ -65,17 +68,17 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
         return speech;
     }
     let source = |span: &Range<usize>| text.get(bytes(span)).unwrap_or_default().to_owned();
-    let mut said = Said::default();
+    let mut said = SaidSoFar::default();
     let mut spans: Vec<(Range<usize>, Option<&'static str>)> = Vec::new();
     let mut known: Vec<Range<usize>> = Vec::new();
     let mut at = 0;
     while at < all.len() {
-        let stops = |at: usize| matches!(all[at].what, What::Sign('.' | '!' | '?' | ';'));
+        let stops = |at: usize| matches!(all[at].what, SpeechTokenKind::Sign('.' | '!' | '?' | ';'));
         let end = (at..all.len()).find(|end| stops(*end)).unwrap_or(all.len());
         let part = turned(atoms(&all, at, end, lexicon, language), language);
         if !part.is_empty() {
             said.spoken_of = spoken_of(&all[..end], lexicon, language, said.spoken_of);
-            let asks = all.get(end).is_some_and(|token| token.what == What::Sign('?'));
+            let asks = all.get(end).is_some_and(|token| token.what == SpeechTokenKind::Sign('?'));
             let cover = segments::cover(&part, language, asks, &source);
             known.extend(part.iter().filter(|atom| !atom.is_unknown()).map(|atom| bytes(&atom.span)));
             for doubt in cover.doubts {
@@ -123,21 +126,26 @@ fn why(atoms: &[Atom], span: &Range<usize>, lexicon: &Lexicon) -> Option<&'stati
 }
 
 /// The parts of the body that texts speak of: “touch my hand”.
-fn spoken_of(all: &[tokens::Token], lexicon: &Lexicon, language: Language, mut known: Vec<Event>) -> Vec<Event> {
+fn spoken_of(
+    all: &[tokens::SpeechToken],
+    lexicon: &Lexicon,
+    language: Language,
+    mut known: Vec<SensedEvent>,
+) -> Vec<SensedEvent> {
     for token in all {
-        let What::Quote(text) = &token.what else { continue };
+        let SpeechTokenKind::Quote(text) = &token.what else { continue };
         let inside = tokens(text, language);
         if inside.len() > TOKENS_MAX {
             continue;
         }
         for atom in atoms(&inside, 0, inside.len(), lexicon, language) {
             let device = match atom.of("part").map(|sense| sense.arg) {
-                Some("hand") => Body::Hand,
-                Some("head") => Body::Head,
-                Some("foot") => Body::Foot,
+                Some("hand") => TouchedPart::Hand,
+                Some("head") => TouchedPart::Head,
+                Some("foot") => TouchedPart::Foot,
                 _ => continue,
             };
-            let event = Event::Touch(device, Vec::new(), Phase::Begins);
+            let event = SensedEvent::Touch(device, Vec::new(), TouchPhase::Begins);
             if !known.contains(&event) {
                 known.push(event);
             }
@@ -148,7 +156,7 @@ fn spoken_of(all: &[tokens::Token], lexicon: &Lexicon, language: Language, mut k
 
 /// Suggests words for those that look like slips: those with which more of the rest is understood. Where slips were all
 /// that was wrong, only they stay in doubt.
-fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speech) {
+fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut UnderstoodSpeech) {
     const TRIED_MAX: usize = 12;
     let mut tried = 0;
     let mut mended = text.to_owned();

@@ -1,6 +1,6 @@
 //! Tests of values as the grammar knows them: one or two comparisons, or something that is true or not.
 
-use crate::body::{Part, parts, text_literal};
+use crate::body::{SpokenBodyPart, parts, text_literal};
 use std::ops::Range;
 
 /// How a value is compared.
@@ -52,7 +52,7 @@ impl Comparison {
 
 /// What is asked of a value, or of one of its fields.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Test {
+pub(crate) struct ValueTest {
     /// The field; none for the value itself.
     pub(crate) field: Option<String>,
     pub(crate) asks: Asks,
@@ -70,32 +70,33 @@ pub(crate) enum Asks {
 }
 
 /// The places in a body of what a test compares with: of each comparison its sign and its number.
-pub(crate) type Places = Vec<(Range<usize>, Range<usize>)>;
+pub(crate) type TestPlaces = Vec<(Range<usize>, Range<usize>)>;
 
 /// A side of `&&`: its field, its comparison and the literal.
-struct Side {
+struct TestSide {
     field: Option<String>,
     comparison: Comparison,
-    literal: Part,
+    literal: SpokenBodyPart,
     places: (Range<usize>, Range<usize>),
 }
 
-impl Test {
+impl ValueTest {
     /// The test of a body over one argument, with the places of its numbers; none if the grammar has no words for it.
-    pub(crate) fn of(body: &str, args: &[String]) -> Option<(Self, Places)> {
+    pub(crate) fn of(body: &str, args: &[String]) -> Option<(Self, TestPlaces)> {
         let [_] = args else { return None };
         let all = parts(body, args)?;
-        let both: Vec<&[(Part, Range<usize>)]> = all.split(|(part, _)| *part == Part::Sign("&&")).collect();
+        let both: Vec<&[(SpokenBodyPart, Range<usize>)]> =
+            all.split(|(part, _)| *part == SpokenBodyPart::Sign("&&")).collect();
         if let [only] = both[..]
             && let Some((field, truth)) = truth(only)
         {
             return Some((Self { field, asks: Asks::Truth(truth) }, Vec::new()));
         }
-        let sides: Vec<Side> = both.into_iter().map(side).collect::<Option<_>>()?;
+        let sides: Vec<TestSide> = both.into_iter().map(side).collect::<Option<_>>()?;
         Self::of_sides(sides)
     }
 
-    fn of_sides(sides: Vec<Side>) -> Option<(Self, Places)> {
+    fn of_sides(sides: Vec<TestSide>) -> Option<(Self, TestPlaces)> {
         let field = sides.first()?.field.clone();
         let fits = sides.len() == 1 || (sides.len() == 2 && sides.iter().all(|side| side.comparison.bounds()));
         if !fits || sides.iter().any(|side| side.field != field) {
@@ -103,13 +104,13 @@ impl Test {
         }
         let places = sides.iter().map(|side| side.places.clone()).collect();
         let asks = match &sides[..] {
-            [Side { literal: Part::Text(text), comparison, .. }] if !comparison.bounds() => {
+            [TestSide { literal: SpokenBodyPart::Text(text), comparison, .. }] if !comparison.bounds() => {
                 Asks::Text(*comparison == Comparison::Is, text.clone())
             }
             _ => {
-                let number = |side: &Side| match side.literal {
-                    Part::Number(number) => Some((side.comparison, number)),
-                    Part::Name(..) | Part::Text(_) | Part::Sign(_) => None,
+                let number = |side: &TestSide| match side.literal {
+                    SpokenBodyPart::Number(number) => Some((side.comparison, number)),
+                    SpokenBodyPart::Name(..) | SpokenBodyPart::Text(_) | SpokenBodyPart::Sign(_) => None,
                 };
                 Asks::Numbers(sides.iter().map(number).collect::<Option<_>>()?)
             }
@@ -149,37 +150,42 @@ impl Test {
 }
 
 /// `x`, `!x`, `x.field` or `!x.field`.
-fn truth(parts: &[(Part, Range<usize>)]) -> Option<(Option<String>, bool)> {
+fn truth(parts: &[(SpokenBodyPart, Range<usize>)]) -> Option<(Option<String>, bool)> {
     let (truth, rest) = match parts {
-        [(Part::Sign("!"), _), rest @ ..] => (false, rest),
+        [(SpokenBodyPart::Sign("!"), _), rest @ ..] => (false, rest),
         rest => (true, rest),
     };
     let (field, []) = subject(rest)? else { return None };
     Some((field, truth))
 }
 
-type Parts<'p> = &'p [(Part, Range<usize>)];
+type TestParts<'p> = &'p [(SpokenBodyPart, Range<usize>)];
 
-fn subject(parts: Parts) -> Option<(Option<String>, Parts)> {
+fn subject(parts: TestParts) -> Option<(Option<String>, TestParts)> {
     match parts {
-        [(Part::Name(_, Some(0)), _), (Part::Sign("."), _), (Part::Name(field, _), _), rest @ ..] => {
-            Some((Some(field.clone()), rest))
-        }
-        [(Part::Name(_, Some(0)), _), rest @ ..] => Some((None, rest)),
+        [
+            (SpokenBodyPart::Name(_, Some(0)), _),
+            (SpokenBodyPart::Sign("."), _),
+            (SpokenBodyPart::Name(field, _), _),
+            rest @ ..,
+        ] => Some((Some(field.clone()), rest)),
+        [(SpokenBodyPart::Name(_, Some(0)), _), rest @ ..] => Some((None, rest)),
         _ => None,
     }
 }
 
-fn side(parts: Parts) -> Option<Side> {
+fn side(parts: TestParts) -> Option<TestSide> {
     let (field, rest) = subject(parts)?;
-    let [(Part::Sign(sign), at_sign), rest @ ..] = rest else { return None };
+    let [(SpokenBodyPart::Sign(sign), at_sign), rest @ ..] = rest else { return None };
     let (comparison, ..) = COMPARISONS.into_iter().find(|(_, known, _)| known == sign)?;
     let (literal, at) = match rest {
-        [(Part::Sign("-"), minus), (Part::Number(number), at)] => (Part::Number(-number), minus.start..at.end),
-        [(literal @ (Part::Number(_) | Part::Text(_)), at)] => (literal.clone(), at.clone()),
+        [(SpokenBodyPart::Sign("-"), minus), (SpokenBodyPart::Number(number), at)] => {
+            (SpokenBodyPart::Number(-number), minus.start..at.end)
+        }
+        [(literal @ (SpokenBodyPart::Number(_) | SpokenBodyPart::Text(_)), at)] => (literal.clone(), at.clone()),
         _ => return None,
     };
-    Some(Side { field, comparison, literal, places: (at_sign.clone(), at) })
+    Some(TestSide { field, comparison, literal, places: (at_sign.clone(), at) })
 }
 
 /// The field of `x.field`.
@@ -193,7 +199,7 @@ pub(crate) fn field_of(body: &str, args: &[String]) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::Test;
+    use super::ValueTest;
 
     #[test]
     fn simple_bodies_are_tests_and_tests_are_bodies() {
@@ -201,7 +207,7 @@ mod tests {
         for body in
             ["ball < 40", "ball.d <= 0.5", "ball > -0.5 && ball <= 1.5", "!ball.new", "ball", "ball == \"a\\\"b\""]
         {
-            let (test, _) = Test::of(body, &args).unwrap();
+            let (test, _) = ValueTest::of(body, &args).unwrap();
             assert_eq!(test.body("ball", false), body);
         }
         for body in [
@@ -213,14 +219,14 @@ mod tests {
             "ball > 1 && ball.x < 2",
             "5 < ball",
         ] {
-            assert_eq!(Test::of(body, &args), None, "{body}");
+            assert_eq!(ValueTest::of(body, &args), None, "{body}");
         }
     }
 
     #[test]
     fn a_test_and_its_opposite_take_turns() {
         let args = ["x".to_owned()];
-        let (test, places) = Test::of("x <= 0.50", &args).unwrap();
+        let (test, places) = ValueTest::of("x <= 0.50", &args).unwrap();
         assert_eq!(test.opposite().unwrap().body("x", true), "x > 0.5");
         assert_eq!(test.opposite().unwrap().opposite(), Some(test));
         assert_eq!(places, [(2..4, 5..9)]);

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// One token.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Token {
+pub(crate) enum SentenceToken {
     /// A word in lower case; of Japanese, one character.
     Word(String),
     /// A number, with a minus before it.
@@ -24,7 +24,7 @@ pub(crate) enum Token {
 /// A token and its bytes in the text.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Placed {
-    pub(crate) token: Token,
+    pub(crate) token: SentenceToken,
     pub(crate) range: Range<usize>,
     /// Whether it stands in place of what was not understood.
     pub(crate) is_doubtful: bool,
@@ -39,7 +39,7 @@ const NUMBER_MAX_CHARS: usize = 60;
 
 /// The tokens of a text, in order. Articles and hyphens are left out.
 pub(crate) fn tokens(text: &str, language: Language) -> Vec<Placed> {
-    let mut reader = Reader { chars: text.char_indices().collect(), end: text.len(), at: 0, language };
+    let mut reader = Tokenizer { chars: text.char_indices().collect(), end: text.len(), at: 0, language };
     let mut found = Vec::new();
     while let Some(placed) = reader.next() {
         found.extend(placed);
@@ -99,14 +99,14 @@ fn closing(open: char) -> Option<char> {
     }
 }
 
-struct Reader {
+struct Tokenizer {
     chars: Vec<(usize, char)>,
     end: usize,
     at: usize,
     language: Language,
 }
 
-impl Reader {
+impl Tokenizer {
     /// The next token, or nothing in place of what means nothing; none at the end.
     fn next(&mut self) -> Option<Option<Placed>> {
         let start = self.at;
@@ -117,11 +117,17 @@ impl Reader {
             Some(self.number())
         } else if self.is_letter(0) {
             let word = self.word();
-            (!ARTICLES.contains(&word.as_str())).then_some(Token::Word(word))
+            (!ARTICLES.contains(&word.as_str())).then_some(SentenceToken::Word(word))
         } else {
             self.at += 1;
             let means = !c.is_whitespace() && c != '-' && c != '\'';
-            means.then(|| if c.is_alphanumeric() || c == 'ー' { Token::Word(c.to_string()) } else { Token::Sign(c) })
+            means.then(|| {
+                if c.is_alphanumeric() || c == 'ー' {
+                    SentenceToken::Word(c.to_string())
+                } else {
+                    SentenceToken::Sign(c)
+                }
+            })
         };
         let range = self.byte(start)..self.byte(self.at);
         Some(token.map(|token| Placed { token, range, is_doubtful: false }))
@@ -159,29 +165,29 @@ impl Reader {
     }
 
     /// The number that begins here, with both decimal signs.
-    fn number(&mut self) -> Token {
+    fn number(&mut self) -> SentenceToken {
         let rest: String = self.chars[self.at..].iter().take(NUMBER_MAX_CHARS).map(|(_, c)| *c).collect();
         let Some((number, length)) = number_at(&rest) else {
             return self.digits();
         };
         self.at += rest[..length].chars().count();
         match number {
-            TypedNumber::Is(number) => Token::Number(number),
-            TypedNumber::Either(one, other) => Token::Either(one, other),
+            TypedNumber::Is(number) => SentenceToken::Number(number),
+            TypedNumber::Either(one, other) => SentenceToken::Either(one, other),
         }
     }
 
     /// Digits that are no number with what follows them, such as those of a date: each by themselves.
-    fn digits(&mut self) -> Token {
+    fn digits(&mut self) -> SentenceToken {
         let mut digits = String::new();
         while let Some(c) = self.peek(0).map(plain).filter(|c| c.is_ascii_digit() || (*c == '-' && digits.is_empty())) {
             digits.push(c);
             self.at += 1;
         }
-        Token::Number(digits.parse().unwrap_or_default())
+        SentenceToken::Number(digits.parse().unwrap_or_default())
     }
 
-    fn quote(&mut self, open: char, close: char) -> Token {
+    fn quote(&mut self, open: char, close: char) -> SentenceToken {
         let mut inside = String::new();
         self.at += 1;
         while let Some(c) = self.peek(0) {
@@ -195,42 +201,42 @@ impl Reader {
             inside.push(if c == LINE_END { '\n' } else { c });
         }
         match open {
-            '`' if inside == "…" => Token::Code(String::new()),
-            '`' => Token::Code(inside),
-            _ => Token::Quoted(inside),
+            '`' if inside == "…" => SentenceToken::Code(String::new()),
+            '`' => SentenceToken::Code(inside),
+            _ => SentenceToken::Quoted(inside),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Token, code, quoted, tokens};
+    use super::{SentenceToken, code, quoted, tokens};
     use crate::Language;
 
-    fn read(text: &str, language: Language) -> Vec<Token> {
+    fn read(text: &str, language: Language) -> Vec<SentenceToken> {
         tokens(text, language).into_iter().map(|placed| placed.token).collect()
     }
 
     #[test]
     fn words_numbers_and_quotes_are_told_apart() {
-        let word = |word: &str| Token::Word(word.to_owned());
+        let word = |word: &str| SentenceToken::Word(word.to_owned());
         let read_en = read("The ball’s 40cm, -0.5 “a ”” b”", Language::English);
-        let quote = Token::Quoted("a ” b".to_owned());
-        let number = Token::Number;
-        assert_eq!(read_en, [word("ball's"), number(40.0), word("cm"), Token::Sign(','), number(-0.5), quote]);
+        let quote = SentenceToken::Quoted("a ” b".to_owned());
+        let number = SentenceToken::Number;
+        assert_eq!(read_en, [word("ball's"), number(40.0), word("cm"), SentenceToken::Sign(','), number(-0.5), quote]);
         let read_ja = read("赤い４０ｃｍ。", Language::Japanese);
-        assert_eq!(read_ja, [word("赤"), word("い"), number(40.0), word("cm"), Token::Sign('.')]);
+        assert_eq!(read_ja, [word("赤"), word("い"), number(40.0), word("cm"), SentenceToken::Sign('.')]);
     }
 
     #[test]
     fn numbers_are_read_as_one_with_both_decimal_signs() {
         let read_en = |text| read(text, Language::English);
         for text in ["1,5", "1.5", "１，５", "1．5"] {
-            assert_eq!(read_en(text), [Token::Number(1.5)], "{text}");
+            assert_eq!(read_en(text), [SentenceToken::Number(1.5)], "{text}");
         }
-        assert_eq!(read_en("1,000"), [Token::Either(1000.0, 1.0)]);
-        assert_eq!(read_en("5, 6"), [Token::Number(5.0), Token::Sign(','), Token::Number(6.0)]);
-        let ten = Token::Number(1.0);
+        assert_eq!(read_en("1,000"), [SentenceToken::Either(1000.0, 1.0)]);
+        assert_eq!(read_en("5, 6"), [SentenceToken::Number(5.0), SentenceToken::Sign(','), SentenceToken::Number(6.0)]);
+        let ten = SentenceToken::Number(1.0);
         assert_eq!(read_en("1.2.3")[0], ten);
     }
 
@@ -238,8 +244,8 @@ mod tests {
     fn what_is_quoted_is_read_as_it_was() {
         for text in ["", "a", "say “no”", "「」", "`x`", "a\nb", "””"] {
             for language in Language::ALL {
-                assert_eq!(read(&quoted(text, language), language), [Token::Quoted(text.to_owned())], "{text}");
-                assert_eq!(read(&code(text), language), [Token::Code(text.to_owned())], "{text}");
+                assert_eq!(read(&quoted(text, language), language), [SentenceToken::Quoted(text.to_owned())], "{text}");
+                assert_eq!(read(&code(text), language), [SentenceToken::Code(text.to_owned())], "{text}");
             }
         }
     }

@@ -14,22 +14,22 @@ use crate::Language;
 pub(crate) type Rule = (&'static str, &'static [&'static str]);
 
 /// The words for a value that is chosen.
-pub(crate) type Chosen = (&'static str, &'static [&'static str]);
+pub(crate) type ChosenWords = (&'static str, &'static [&'static str]);
 
 /// The words of a language.
-pub(crate) struct Words {
+pub(crate) struct LanguageWords {
     /// By what they mean.
     pub(crate) rules: &'static [&'static [Rule]],
     /// By device and parameter, `HeadTouch.part`: what may be chosen.
-    pub(crate) choices: &'static [(&'static str, &'static [Chosen])],
+    pub(crate) choices: &'static [(&'static str, &'static [ChosenWords])],
     /// Fields of values.
-    pub(crate) fields: &'static [Chosen],
+    pub(crate) fields: &'static [ChosenWords],
     /// Units of numbers: as bodies mean them, and their words.
-    pub(crate) units: &'static [Chosen],
+    pub(crate) units: &'static [ChosenWords],
     /// Units of durations in milliseconds, the largest first: as one stands alone, as several do, and other words.
     pub(crate) durations: &'static [(u64, &'static str, &'static str, &'static [&'static str])],
     /// Words for words that the grammar does not have: each with those that may be meant.
-    pub(crate) hints: &'static [Chosen],
+    pub(crate) hints: &'static [ChosenWords],
     /// Between a step and the next one.
     pub(crate) comma: &'static str,
     /// At the end.
@@ -49,14 +49,14 @@ pub(crate) struct Words {
 }
 
 /// The words of a language.
-pub(crate) fn words(language: Language) -> &'static Words {
+pub(crate) fn words(language: Language) -> &'static LanguageWords {
     match language {
         Language::English => &en::WORDS,
         Language::Japanese => &ja::WORDS,
     }
 }
 
-impl Words {
+impl LanguageWords {
     /// The words for a meaning, those that are told first; none if it has none.
     pub(crate) fn rule(&self, id: &str) -> &'static [&'static str] {
         let rules = self.rules.iter().flat_map(|rules| rules.iter());
@@ -76,7 +76,7 @@ impl Words {
     }
 
     /// What may be chosen for a parameter.
-    pub(crate) fn choices(&self, device: &str, param: &str) -> &'static [Chosen] {
+    pub(crate) fn choices(&self, device: &str, param: &str) -> &'static [ChosenWords] {
         let known = self.choices.iter().find(|(key, _)| key.split_once('.') == Some((device, param)));
         known.map_or(&[], |(_, choices)| choices)
     }

@@ -16,9 +16,9 @@ mod values;
 mod writer;
 
 use crate::state::ServerState;
-use crate::support::identity::Identity;
-use crate::support::shares::{Limits, SharedPlace, SharedPlaces};
-use budgets::{Budget, Budgets};
+use crate::support::identity::PersonIdentity;
+use crate::support::shares::{ShareLimits, SharedPlace, SharedPlaces};
+use budgets::{Budgets, PersonBudget};
 use clients::Clients;
 use outbox::AllWaiting;
 use secrets::Secrets;
@@ -28,9 +28,9 @@ use topics::Topics;
 
 /// WebSockets that may be open; other requests get through beyond that. A guest has eight pages. The host is not counted, as
 /// programs that the host runs speak for many, yet only what is kept for the host is sure.
-const SOCKETS: Limits = Limits { all: 512, guest: 8, host: 512, reserved: 64, still_ms: 0 };
+const SOCKETS: ShareLimits = ShareLimits { all: 512, guest: 8, host: 512, reserved: 64, still_ms: 0 };
 /// WebSockets among them that have not greeted yet.
-const HALF_OPEN: Limits = Limits { all: 128, guest: 8, host: 64, reserved: 64, still_ms: 0 };
+const HALF_OPEN: ShareLimits = ShareLimits { all: 128, guest: 8, host: 64, reserved: 64, still_ms: 0 };
 
 /// Everyone who is connected, and the server behind them.
 pub(crate) struct Connections {
@@ -52,8 +52,8 @@ pub(crate) struct Connections {
 /// A place for a socket, with whose it is and what they may ask.
 pub(crate) struct Seat {
     place: SharedPlace,
-    budget: Arc<Budget>,
-    person: Arc<Identity>,
+    budget: Arc<PersonBudget>,
+    person: Arc<PersonIdentity>,
 }
 
 /// Why somebody gets no place for a socket.
@@ -85,7 +85,7 @@ impl Connections {
     ///
     /// # Errors
     /// Why they get none.
-    pub(crate) fn place(&self, person: &Identity) -> Result<Seat, NoPlace> {
+    pub(crate) fn place(&self, person: &PersonIdentity) -> Result<Seat, NoPlace> {
         let budget = self.budgets.of(person);
         if !budget.may_open() {
             return Err(NoPlace::TooOften);

@@ -13,17 +13,17 @@ mod qr;
 mod reserve;
 mod secret;
 
-pub(crate) use entry::Entry;
-pub(crate) use guesses::Source;
-pub(crate) use guest::{Guest, Here};
+pub(crate) use entry::Identified;
+pub(crate) use guesses::GuessSource;
+pub(crate) use guest::{Guest, GuestPresence};
 pub(crate) use host::HostAccess;
 pub(crate) use keeping::keep;
-pub(crate) use permissions::{Asked, Route};
+pub(crate) use permissions::{AskedOperation, Route};
 
 use crate::support::digest::Digest;
 use crate::support::{atomic_file, lock, now_ms};
 use behaviour::{Id, without_unseen};
-use book::{Book, Indexed, Made, Names};
+use book::{Book, GuestNames, Indexed, InvitationSeed};
 use guesses::Guesses;
 use guest::Live;
 use protocol::{COME_IN_PATH, Invitation, LABEL_MAX_CHARS, Lasts, Refused, Role};
@@ -46,13 +46,13 @@ const NO_RANDOM: &str = "this computer gives no random numbers";
 /// All invitations.
 pub(crate) struct Invitations {
     file: Option<PathBuf>,
-    way: OnceLock<Way>,
+    way: OnceLock<LinkTarget>,
     /// Held while the book is written: one writer at a time. Revoking does not wait for it.
     writing: Mutex<()>,
     /// Held while what holds is put in the place of what held, for no longer.
     replacing: Mutex<()>,
     /// What guests are called, as far as the book does not say it yet.
-    names: Mutex<Names>,
+    names: Mutex<GuestNames>,
     /// What is revoked, as far as the book on the disk does not say it yet.
     reserve: Mutex<Reserve>,
     /// Whether the book says less than it should.
@@ -69,7 +69,7 @@ pub(crate) struct Invitations {
 
 /// Where links lead.
 #[derive(Clone, Debug)]
-pub(crate) struct Way {
+pub(crate) struct LinkTarget {
     /// `https://192.168.1.5:7130`.
     pub(crate) origin: String,
     /// The fingerprint of the certificate, if the server made it.
@@ -137,7 +137,7 @@ impl Invitations {
     }
 
     /// From now on others can come in by this way.
-    pub(crate) fn open(&self, way: Way) {
+    pub(crate) fn open(&self, way: LinkTarget) {
         let _once = self.way.set(way);
     }
 
@@ -186,7 +186,7 @@ impl Invitations {
         }
         let token = secret::random().ok_or_else(|| Refused::InvitationsNotKept(NO_RANDOM.to_owned()))?;
         let label = without_unseen(&terms.label).trim().chars().take(LABEL_MAX_CHARS).collect();
-        let made = Made { id: Id::from_uuid(Uuid::new_v4()), now_ms: now_ms(), link: Digest::of(&token) };
+        let made = InvitationSeed { id: Id::from_uuid(Uuid::new_v4()), now_ms: now_ms(), link: Digest::of(&token) };
         let invitation = self.change(|book| {
             first(book);
             book.make(made, Terms { label, ..terms })
@@ -217,7 +217,7 @@ impl Invitations {
     ///
     /// # Errors
     /// If it lets nobody in; then also if too many such links came from there.
-    pub(crate) fn come_in(&self, token: &str, from: Source) -> Result<String, NotIn> {
+    pub(crate) fn come_in(&self, token: &str, from: GuessSource) -> Result<String, NotIn> {
         let link = Digest::of(token);
         if !self.book.borrow().is_open(&link, now_ms()) {
             return Err(self.guessed(from));
@@ -239,13 +239,13 @@ impl Invitations {
     ///
     /// # Errors
     /// As [`Self::come_in`], but for the disk.
-    pub(crate) fn promise(&self, token: &str, from: Source) -> Result<(String, Role), NotIn> {
+    pub(crate) fn promise(&self, token: &str, from: GuessSource) -> Result<(String, Role), NotIn> {
         let promise = self.book.borrow().promise(&Digest::of(token), now_ms());
         promise.ok_or_else(|| self.guessed(from))
     }
 
     /// Somebody tried a link that does not work.
-    fn guessed(&self, from: Source) -> NotIn {
+    fn guessed(&self, from: GuessSource) -> NotIn {
         let tried_ms = u64::try_from(self.began.elapsed().as_millis()).unwrap_or(u64::MAX);
         let mut guesses = lock(&self.guesses);
         match guesses.check(tried_ms, from) {
@@ -273,11 +273,11 @@ impl Invitations {
     }
 
     /// A guest is here, under this name, until what is returned is dropped.
-    pub(crate) fn arrive(self: &Arc<Self>, guest: &Guest, name: &str) -> Here {
+    pub(crate) fn arrive(self: &Arc<Self>, guest: &Guest, name: &str) -> GuestPresence {
         lock(&self.live).arrive(&guest.pass);
         self.call(guest, name);
         self.tell();
-        Here::of(Arc::clone(self), guest.pass)
+        GuestPresence::of(Arc::clone(self), guest.pass)
     }
 
     /// A guest is called this from now on: known at once, and written later.

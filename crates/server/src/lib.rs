@@ -17,10 +17,10 @@ mod support;
 mod words;
 
 pub use http::address::address_in;
-pub use http::network::{Network, NoCertificate, Secured};
-pub use http::page::{Page, PageFile};
+pub use http::network::{GuestNetwork, NoCertificate, Secured};
+pub use http::page::{PageFile, PageFiles};
 pub use library::create::first_library;
 pub use library::list::{free_name, names};
 pub use robots::{BackupMisfit, check_robots, put_robots, robots_in};
 pub use rooms::knowledge::Knowing;
-pub use serve::{Config, Invited, Ready, ServeError, serve, serve_with};
+pub use serve::{Config, InvitedFrom, ReadyServer, ServeError, serve, serve_with};

@@ -21,7 +21,7 @@ use store::Store;
 use tokio::sync::Mutex;
 
 /// What making and importing behaviours takes.
-pub(crate) struct Library {
+pub(crate) struct LibraryService {
     /// Where behaviours are kept.
     pub(crate) store: Arc<dyn Store>,
     /// Whether the store can be reached.

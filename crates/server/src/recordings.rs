@@ -15,11 +15,11 @@ use crate::support::file_name::dashed;
 use crate::support::lock;
 use behaviour::{Engine, Id, numbered};
 use described::described;
-pub(crate) use looked::Looked;
+pub(crate) use looked::ReportSource;
 use marks::later;
 pub(crate) use marks::tidied;
-use protocol::{Recording, Refused, Session};
-pub(crate) use recorder::{Recorder, Step};
+use protocol::{RecordedSession, Recording, Refused};
+pub(crate) use recorder::{RecordedStep, Recorder};
 use recording::Header;
 use session::checked;
 use std::collections::{BTreeMap, BTreeSet};
@@ -52,19 +52,19 @@ pub(crate) struct Recordings {
     checked: Arc<Mutex<BTreeMap<String, (looked::Version, report::Replayed)>>>,
     /// Taken while a mark is written.
     marking: Arc<Mutex<()>>,
-    bounds: Bounds,
+    bounds: RecordingBounds,
 }
 
 /// The bounds of the recordings that are kept.
 #[derive(Clone, Copy, Debug)]
-struct Bounds {
+struct RecordingBounds {
     /// The most that are kept.
     kept: usize,
     /// The most bytes that they have together.
     bytes: u64,
 }
 
-impl Default for Bounds {
+impl Default for RecordingBounds {
     fn default() -> Self {
         Self { kept: KEPT_MAX, bytes: ALL_MAX_BYTES }
     }
@@ -123,12 +123,12 @@ impl From<NotRecorded> for Refused {
 
 /// A file that is being written, until this is dropped.
 #[derive(Debug)]
-struct Open {
+struct OpenRecordingFile {
     all: Arc<Mutex<BTreeSet<String>>>,
     name: String,
 }
 
-impl Drop for Open {
+impl Drop for OpenRecordingFile {
     fn drop(&mut self) {
         lock(&self.all).remove(&self.name);
     }
@@ -149,7 +149,7 @@ pub(crate) struct About<'a> {
     /// What runs.
     pub(crate) file: &'a Arc<behaviour::BehaviourFile>,
     /// The session that it is part of, and what is recorded.
-    pub(crate) session: &'a Session,
+    pub(crate) session: &'a RecordedSession,
 }
 
 impl About<'_> {
@@ -206,7 +206,7 @@ impl Recordings {
     }
 
     /// Removes the oldest recordings until there is room for one more; answers how many went.
-    fn make_room(&self, folder: &Path, Bounds { kept, bytes }: Bounds) -> Result<u64, NotRecorded> {
+    fn make_room(&self, folder: &Path, RecordingBounds { kept, bytes }: RecordingBounds) -> Result<u64, NotRecorded> {
         let written = |path: &Path| path.metadata().and_then(|about| about.modified()).ok();
         let bin = self.bin().unwrap_or_default();
         let is_binned = |path: &Path| path.parent() == Some(&*bin);
@@ -232,9 +232,9 @@ impl Recordings {
         if left < kept && taken + RECORDING_MAX_BYTES <= bytes { Ok(gone) } else { Err(NotRecorded::Full) }
     }
 
-    fn opened(&self, name: &str) -> Open {
+    fn opened(&self, name: &str) -> OpenRecordingFile {
         lock(&self.open).insert(name.to_owned());
-        Open { all: self.open.clone(), name: name.to_owned() }
+        OpenRecordingFile { all: self.open.clone(), name: name.to_owned() }
     }
 
     /// True if one is still being written.

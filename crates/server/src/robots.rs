@@ -33,21 +33,21 @@ mod tests;
 
 pub use backup::{check_robots, put_robots, robots_in};
 pub(crate) use command_queue::ByHand;
-pub(crate) use host::{Host, Start};
-pub(crate) use live::{LiveValues, Seen};
+pub(crate) use host::{Host, StartOrder};
+pub(crate) use live::{LiveValues, SeenLive};
 pub use refusal::BackupMisfit;
-pub(crate) use refusal::NoRun;
-pub(crate) use run_marks::{Marked, Press, RunMarks};
+pub(crate) use refusal::StartError;
+pub(crate) use run_marks::{MarkPress, PressOutcome, RunMarks};
 
 use crate::recordings::{NotRecorded, Recordings};
 use crate::support::lock;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
 use engine::Limits;
-use order::Order;
-use protocol::{MarkEdit, ROBOTS_MAX, RealRobot, RecordingMark, Refused, RobotState, RunState, Session};
+use order::RobotOrder;
+use protocol::{MarkEdit, ROBOTS_MAX, RealRobot, RecordedSession, RecordingMark, Refused, RobotState, RunState};
 use refusal::RobotsUnchanged;
-use register::{Known, Register};
+use register::{Register, RegisteredRobot};
 use robot::SceneEdit;
 use settling::Settling;
 use status_feed::StatusFeed;
@@ -224,8 +224,8 @@ impl Robots {
         behaviour: &Id,
         robot: Option<&Id>,
         mark: &RecordingMark,
-        press: Press,
-    ) -> Result<Vec<Marked>, Refused> {
+        press: MarkPress,
+    ) -> Result<Vec<PressOutcome>, Refused> {
         let is_meant = |host: &Host| robot.is_none_or(|robot| host.id() == robot);
         match self.running(behaviour, robot) {
             Ok(hosts) => hosts.iter().map(|host| host.mark(behaviour, mark.clone(), press)).collect(),
@@ -241,7 +241,13 @@ impl Robots {
     ///
     /// # Errors
     /// If the run is forgotten, if there is no such mark, or if that cannot be done to it.
-    pub(crate) fn edit_mark(&self, run: u64, id: &Id, edit: &MarkEdit, press: Press) -> Result<Marked, Refused> {
+    pub(crate) fn edit_mark(
+        &self,
+        run: u64,
+        id: &Id,
+        edit: &MarkEdit,
+        press: MarkPress,
+    ) -> Result<PressOutcome, Refused> {
         let edited = self.hosts().iter().find_map(|host| host.edit_mark(run, id, edit.clone(), press));
         edited.unwrap_or_else(|| Err(NotRecorded::NoMark.into()))
     }
@@ -269,7 +275,7 @@ impl Robots {
         behaviour: &Id,
         robot: Option<&Id>,
         by: &str,
-        session: &Session,
+        session: &RecordedSession,
     ) -> Result<(), Refused> {
         let hosts = self.running(behaviour, robot)?;
         hosts.iter().try_for_each(|host| host.record(behaviour, by, session))
@@ -310,7 +316,7 @@ impl Robots {
     }
 
     /// The robots as a backup keeps them. Reads the data folder: not for the async threads.
-    pub(crate) fn kept(&self) -> Vec<store::backup::Robot> {
+    pub(crate) fn kept(&self) -> Vec<store::backup::BackedUpRobot> {
         self.fleet.data.as_deref().map(robots_in).unwrap_or_default()
     }
 
@@ -334,11 +340,11 @@ impl Robots {
 
 impl Fleet {
     /// A robot of the register, on a thread of its own.
-    fn host(self: &Arc<Self>, known: &Known) -> std::io::Result<Host> {
+    fn host(self: &Arc<Self>, known: &RegisteredRobot) -> std::io::Result<Host> {
         let address = known.real.as_ref().map(|real| real.address.clone());
         let identity = known.real.as_ref().and_then(|real| real.identity.clone());
         let state = RobotState { address, identity, ..RobotState::connecting(known.robot.clone(), known.name.clone()) };
-        let (order, known) = (Order::within(self.data.as_deref(), &known.robot), known.clone());
+        let (order, known) = (RobotOrder::within(self.data.as_deref(), &known.robot), known.clone());
         let fleet = Arc::downgrade(self);
         let make: robot_thread::Make = Box::new(move || {
             // Made anew, it may be reached in another way than at first.

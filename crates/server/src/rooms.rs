@@ -15,12 +15,12 @@ use crate::support::message::encode;
 use crate::support::store_health::StoreHealth;
 use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
-use behaviour::{Behaviour, Change, Decision, Id, Knowledge, RecordId, Refusal, Room, Token};
+use behaviour::{Behaviour, Change, Decision, Id, Knowledge, LockToken, RecordId, Refusal, Room};
 use knowledge::Knowing;
 use list_news::ListNews;
-use member::{Answer, Member};
-use past::Past;
-use protocol::{Area, Exercise, LIBRARY, Pointer, Refused, Reply, Role, Summary};
+use member::{AnswerTo, Member};
+use past::PastRequest;
+use protocol::{CanvasArea, Exercise, LIBRARY, Pointer, Refused, Reply, Role, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::{BTreeSet, HashMap};
@@ -34,21 +34,21 @@ const MAILBOX_MAX_NOTES: usize = 1_024;
 const ROOMS_MAX: usize = 1_024;
 
 /// What a room is told.
-pub(crate) enum Note {
+pub(crate) enum RoomCommand {
     /// Somebody comes in, asking with this number; who enters the library is welcomed.
     Join(Member, u32, Option<Entering>),
     /// A link leaves.
-    Leave(u64, Parting),
+    Leave(u64, LeaveReason),
     /// A change is proposed, with the tokens of what its sender locked.
-    Propose(Change, Vec<Token>, Answer),
+    Propose(Change, Vec<LockToken>, AnswerTo),
     /// Something about who is editing what, from a link.
-    Locking(u64, Locking),
+    Locking(u64, LockRequest),
     /// Something of its past is wanted.
-    Past(Past, Answer),
+    Past(PastRequest, AnswerTo),
     /// The behaviour shall go to the bin, unless somebody else is editing it.
-    Remove(Remover, Answer),
+    Remove(BinRequest, AnswerTo),
     /// The changes after a revision are wanted.
-    Since(u64, Answer),
+    Since(u64, AnswerTo),
     /// Where a link's person is.
     Present(u64, Whereabouts),
     /// A link's person is called something else from now on.
@@ -56,7 +56,7 @@ pub(crate) enum Note {
     /// The server asks whether locks of others would let in a change of its own.
     MayChange(Change, oneshot::Sender<Result<(), Refused>>),
     /// The server itself wants to see it as it is.
-    Look(oneshot::Sender<Result<Look, Refused>>),
+    Look(oneshot::Sender<Result<SavedLook, Refused>>),
 }
 
 /// What only who is welcomed hears of themselves.
@@ -69,7 +69,7 @@ pub(crate) struct Entering {
 
 /// Who moves a behaviour to the bin.
 #[derive(Clone, Debug)]
-pub(crate) struct Remover {
+pub(crate) struct BinRequest {
     /// Their client, whose own locks do not matter.
     pub(crate) client: Id,
     /// What they are called.
@@ -80,12 +80,12 @@ pub(crate) struct Remover {
 pub(crate) struct Whereabouts {
     pub(crate) pointer: Option<Pointer>,
     pub(crate) selected: Option<Id>,
-    pub(crate) view: Option<Area>,
+    pub(crate) view: Option<CanvasArea>,
 }
 
 /// How a link leaves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Parting {
+pub(crate) enum LeaveReason {
     /// Somebody went elsewhere: nothing is kept for them.
     Chosen,
     /// The link ended: who it was may come back.
@@ -93,24 +93,24 @@ pub(crate) enum Parting {
 }
 
 /// What a link wants with the locks of a behaviour.
-pub(crate) enum Locking {
+pub(crate) enum LockRequest {
     /// To lock these records.
-    Take(BTreeSet<RecordId>, Answer),
+    Take(BTreeSet<RecordId>, AnswerTo),
     /// To give a lock back.
-    Release(Token, Answer),
+    Release(LockToken, AnswerTo),
     /// Somebody types under a lock.
-    Touch(Token),
+    Touch(LockToken),
     /// To have what somebody else is editing.
-    Ask(RecordId, Answer),
+    Ask(RecordId, AnswerTo),
     /// To take what somebody else is editing from them; who asks may.
-    TakeOver(RecordId, Answer),
+    TakeOver(RecordId, AnswerTo),
     /// To have it no more.
-    Withdraw(RecordId, Answer),
+    Withdraw(RecordId, AnswerTo),
     /// To say yes or not yet to who asks.
-    Reply(Token, bool, Answer),
+    Reply(LockToken, bool, AnswerTo),
 }
 
-impl Locking {
+impl LockRequest {
     /// Answers who waits that it cannot be.
     pub(crate) fn refuse(self, no: Refused) {
         match self {
@@ -127,9 +127,9 @@ impl Locking {
 
 /// A behaviour as it is saved.
 #[derive(Clone, Debug)]
-pub(crate) struct Look(Arc<Room>);
+pub(crate) struct SavedLook(Arc<Room>);
 
-impl Look {
+impl SavedLook {
     /// Its records.
     pub(crate) fn behaviour(&self) -> &Behaviour {
         self.0.behaviour()
@@ -152,7 +152,7 @@ impl Look {
     }
 }
 
-impl Note {
+impl RoomCommand {
     /// Answers who waits that it cannot be.
     fn refuse(self, no: Refused) {
         match self {
@@ -207,7 +207,7 @@ pub(crate) struct Surroundings {
 /// The open rooms. A clone is the same rooms.
 #[derive(Clone)]
 pub(crate) struct Rooms {
-    open: Arc<Mutex<HashMap<Id, mpsc::Sender<Note>>>>,
+    open: Arc<Mutex<HashMap<Id, mpsc::Sender<RoomCommand>>>>,
     around: Arc<Surroundings>,
 }
 
@@ -233,7 +233,7 @@ impl Rooms {
     }
 
     /// Tells a room something and opens it if need be. Never waits.
-    pub(crate) fn tell(&self, behaviour: &Id, note: Note) {
+    pub(crate) fn tell(&self, behaviour: &Id, note: RoomCommand) {
         let mut open = lock(&self.open);
         if !open.contains_key(behaviour) {
             if open.len() >= ROOMS_MAX || self.around.tasks.ends() {
@@ -252,14 +252,14 @@ impl Rooms {
     }
 
     /// Tells a room something if it is open.
-    pub(crate) fn tell_open(&self, behaviour: &Id, note: Note) {
+    pub(crate) fn tell_open(&self, behaviour: &Id, note: RoomCommand) {
         if let Some(mailbox) = lock(&self.open).get(behaviour) {
             let _ = mailbox.try_send(note);
         }
     }
 
     /// Lets a room go, unless somebody wrote to it just now.
-    fn let_go(&self, behaviour: &Id, inbox: &mpsc::Receiver<Note>) -> bool {
+    fn let_go(&self, behaviour: &Id, inbox: &mpsc::Receiver<RoomCommand>) -> bool {
         let mut open = lock(&self.open);
         let gone = inbox.is_empty();
         if gone {
@@ -269,9 +269,9 @@ impl Rooms {
     }
 
     /// A behaviour as it is saved now.
-    pub(crate) async fn look(&self, behaviour: &Id) -> Result<Look, Refused> {
+    pub(crate) async fn look(&self, behaviour: &Id) -> Result<SavedLook, Refused> {
         let (waiting, answer) = oneshot::channel();
-        self.tell(behaviour, Note::Look(waiting));
+        self.tell(behaviour, RoomCommand::Look(waiting));
         answer.await.unwrap_or(Err(Refused::NoBehaviour))
     }
 
@@ -283,7 +283,7 @@ impl Rooms {
     /// Proposes a change in the server's own name.
     pub(crate) async fn propose(&self, behaviour: &Id, change: Change) -> Result<(), Refused> {
         let (waiting, answer) = oneshot::channel();
-        self.tell(behaviour, Note::Propose(change, Vec::new(), Answer::Server(waiting)));
+        self.tell(behaviour, RoomCommand::Propose(change, Vec::new(), AnswerTo::Server(waiting)));
         match answer.await {
             Ok(Reply::No { no }) => Err(no),
             Ok(_) => Ok(()),

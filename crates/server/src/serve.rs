@@ -2,13 +2,13 @@
 
 mod others;
 
-pub use others::Invited;
+pub use others::InvitedFrom;
 
 use crate::connection::Connections;
 use crate::http::address::AddressFile;
-use crate::http::door::Door;
-use crate::http::network::{Network, NoCertificate};
-use crate::http::page::Page;
+use crate::http::door::EntryDoor;
+use crate::http::network::{GuestNetwork, NoCertificate};
+use crate::http::page::PageFiles;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
 use crate::invitations::{self, HostAccess, Invitations};
@@ -16,7 +16,7 @@ use crate::library::create::first_library;
 use crate::library::exercises::{ExerciseStart, exercises};
 use crate::library::templates::{Template, templates};
 use crate::library::thumbnails::Thumbnails;
-use crate::library::{Library, bin};
+use crate::library::{LibraryService, bin};
 use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::knowledge::Knowing;
@@ -58,7 +58,7 @@ pub struct Config {
     /// one.
     pub listen: SocketAddr,
     /// Where it listens for others, who come by invitation; none if nobody else comes.
-    pub network: Option<Network>,
+    pub network: Option<GuestNetwork>,
     /// The address of its store: a folder for the embedded one, or what [`store::open_url`] knows.
     pub store: String,
     /// The folder for recordings, the robots and the orders on them; without one nothing can be recorded, and robots that
@@ -67,7 +67,7 @@ pub struct Config {
     /// The seed of the first simulated robot's noise.
     pub seed: u64,
     /// The page that it shows.
-    pub page: Page,
+    pub page: PageFiles,
 }
 
 /// Why the server did not start, or ended.
@@ -95,7 +95,7 @@ impl From<StoreError> for ServeError {
 
 /// Where a server is, once it accepts connections.
 #[derive(Clone, Debug)]
-pub struct Ready {
+pub struct ReadyServer {
     /// Where this computer reaches it.
     pub address: SocketAddr,
     /// Where others do, or the proxy through which they come.
@@ -103,7 +103,7 @@ pub struct Ready {
     /// A link by which one browser of this computer becomes the host's, once; none without random numbers.
     pub host_link: Option<String>,
     /// How the first one comes in from elsewhere, if others may.
-    pub invited: Option<Invited>,
+    pub invited: Option<InvitedFrom>,
 }
 
 /// Serves a store until `stop`; `ready` is told the address once connections are accepted.
@@ -112,7 +112,7 @@ pub struct Ready {
 /// A sentence, if the server cannot start.
 pub async fn serve(
     config: Config,
-    ready: impl FnOnce(Ready),
+    ready: impl FnOnce(ReadyServer),
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
@@ -123,7 +123,7 @@ pub async fn serve(
         () = &mut stop => return Ok(()),
     };
     let (url, told) = (config.store.clone(), std::sync::OnceLock::new());
-    let ready = |now: Ready| {
+    let ready = |now: ReadyServer| {
         // Before anybody is told, so that whoever waits for the server finds it.
         let _first = told.set(AddressFile::new(&url, now.address));
         ready(now);
@@ -138,7 +138,7 @@ pub async fn serve(
 pub async fn serve_with(
     store: Arc<dyn Store>,
     config: Config,
-    ready: impl FnOnce(Ready),
+    ready: impl FnOnce(ReadyServer),
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
@@ -157,7 +157,7 @@ pub async fn serve_with(
     let messages = Messages::start().map_err(ServeError::Thread)?;
     let router = routes::routes(served, messages.handle().clone(), config.page, address);
     let routed = Routed { router, on: state.tasks.runtime.clone() };
-    let door = Door::local(address.port(), Arc::clone(&host));
+    let door = EntryDoor::local(address.port(), Arc::clone(&host));
     let local = accept::start(listener, door, state.robots.clone(), closing.clone()).map_err(ServeError::Thread)?;
     let (mut accepting, mut ways) = (vec![local.0], vec![local.1]);
     let mut invited = None;
@@ -178,7 +178,7 @@ pub async fn serve_with(
         tracing::warn!("commands cannot show that they are the host's: the key could not be written");
     }
     tracing::info!(%address, epoch = state.epoch, "the server is ready");
-    ready(Ready { address, network: reached, host_link: host.new_link(address), invited });
+    ready(ReadyServer { address, network: reached, host_link: host.new_link(address), invited });
     stop.await;
     end(&state, &closing, &connections).await;
     let threads = move || accepting.into_iter().for_each(|thread| drop(thread.join()));
@@ -272,7 +272,7 @@ fn put_together(
     let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
     let (workers, lookups, tasks, epoch) = (workers.clone(), lookups.clone(), tasks.clone(), *epoch);
     let rooms = Rooms::within(surroundings);
-    let library = Arc::new(Library {
+    let library = Arc::new(LibraryService {
         store: Arc::clone(&store),
         health: health.clone(),
         knowing: Arc::clone(&knowing),

@@ -1,7 +1,7 @@
 //! The whole state of the server: only starting, HTTP and connections know it, everything else is given what it needs.
 
 use crate::invitations::{HostAccess, Invitations};
-use crate::library::Library;
+use crate::library::LibraryService;
 use crate::library::thumbnails::Thumbnails;
 use crate::recordings::Recordings;
 use crate::robots::Robots;
@@ -41,7 +41,7 @@ pub(crate) struct ServerState {
     /// The open rooms.
     pub(crate) rooms: Rooms,
     /// Making and importing behaviours.
-    pub(crate) library: Arc<Library>,
+    pub(crate) library: Arc<LibraryService>,
     /// Pictures of graphs.
     pub(crate) thumbnails: Thumbnails,
     /// Grows with every start of the server; on a disk too full to count them, the time of the start.

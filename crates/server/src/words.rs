@@ -5,11 +5,11 @@ use crate::http::origin::NotAllowed;
 use crate::invitations::NotIn;
 use crate::library::import::NotImported;
 use crate::recordings::{NotRecorded, Stuck};
-use crate::robots::refusal::{BackupMisfit, NoRun, NotByHand, RobotsUnchanged, RunFailure};
+use crate::robots::refusal::{BackupMisfit, NotByHand, RobotsUnchanged, RunFailure, StartError};
 use crate::rooms::knowledge::Unchecked;
 use crate::serve::ServeError;
 use behaviour::BODY_MAX_CHARS;
-use engine::Fault;
+use engine::GraphFault;
 use protocol::{
     ADDRESS_MAX_CHARS, CODE_MAX_CHARS, HAND_MAX_BYTES, LOGIN_MAX_CHARS, MARK_MAX_CHARS, MARK_WORD_MAX_CHARS,
     RECORDING_TITLE_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, SESSION_MAX_CHARS,
@@ -167,7 +167,7 @@ impl fmt::Display for Stuck {
     }
 }
 
-impl fmt::Display for NoRun {
+impl fmt::Display for StartError {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::TooMany => to.write_str("too many programs run already; stop one first"),
@@ -197,10 +197,10 @@ impl fmt::Display for NoRun {
 impl fmt::Display for NotByHand {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::StopPressed => write!(to, "{}", NoRun::StopPressed(None)),
-            Self::Twin(name) => write!(to, "{}", NoRun::Twin(name.clone())),
+            Self::StopPressed => write!(to, "{}", StartError::StopPressed(None)),
+            Self::Twin(name) => write!(to, "{}", StartError::Twin(name.clone())),
             Self::Large => write!(to, "what it is told has more than {HAND_MAX_BYTES} bytes; say less"),
-            Self::Silent => write!(to, "{}", NoRun::Silent),
+            Self::Silent => write!(to, "{}", StartError::Silent),
             Self::Robot(fault) => write!(to, "{fault}"),
         }
     }
@@ -213,7 +213,7 @@ impl fmt::Display for RunFailure {
             Self::TooLong(stream) => {
                 write!(to, "a procedure took too long three times; look at the one that makes “{stream}”")
             }
-            Self::Late => write!(to, "{}", NoRun::Late),
+            Self::Late => write!(to, "{}", StartError::Late),
             Self::NotFollowed => to.write_str("it could not go on with what was applied; start it again"),
             Self::Robot => to.write_str("the robot failed and is started again"),
             Self::Halt(reason) => write!(to, "{reason}; look after the robot first"),
@@ -269,7 +269,7 @@ impl fmt::Display for BackupMisfit {
     }
 }
 
-fn first_of(faults: &[Fault], to: &mut fmt::Formatter) -> fmt::Result {
+fn first_of(faults: &[GraphFault], to: &mut fmt::Formatter) -> fmt::Result {
     match faults {
         [] => Ok(()),
         [one] => write!(to, "{}", one.reason),

@@ -6,7 +6,7 @@ mod mirror;
 pub use link::handshake;
 pub use mirror::Mirror;
 
-use crate::client::link::{Line, Link};
+use crate::client::link::{ConsoleLink, OpenRequest};
 use behaviour::{Behaviour, Change, Id, Record, RecordId};
 use protocol::{Credential, ListQuery, Person, Refused, Reply, Request, RobotState, Summary, VERSION};
 use std::hash::{BuildHasher, RandomState};
@@ -28,7 +28,7 @@ const AWAITED_MS: u64 = 20_000;
 
 /// The reasons why something asked was not done.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Trouble {
+pub enum ClientError {
     /// The server said no.
     No(Refused),
     /// The link failed.
@@ -79,18 +79,18 @@ pub enum NoLink {
     EndedBecause(String),
 }
 
-impl From<NoLink> for Trouble {
+impl From<NoLink> for ClientError {
     fn from(why: NoLink) -> Self {
         Self::Link(why)
     }
 }
 
-impl std::error::Error for Trouble {}
+impl std::error::Error for ClientError {}
 
 /// A greeted link to a server; dropping it ends the link.
 pub struct Client {
-    link: Arc<Link>,
-    lines: mpsc::Sender<Line>,
+    link: Arc<ConsoleLink>,
+    lines: mpsc::Sender<OpenRequest>,
     told: mpsc::Receiver<Reply>,
     asks: AtomicU32,
     welcome: Welcome,
@@ -110,7 +110,7 @@ impl Client {
     ///
     /// # Errors
     /// If there is no server, or it refuses the greeting.
-    pub async fn connect(url: &str, name: &str) -> Result<Self, Trouble> {
+    pub async fn connect(url: &str, name: &str) -> Result<Self, ClientError> {
         Self::connect_again(url, None, name).await
     }
 
@@ -118,7 +118,7 @@ impl Client {
     ///
     /// # Errors
     /// If there is no server, or it refuses the greeting.
-    pub async fn connect_again(url: &str, again: Option<Credential>, name: &str) -> Result<Self, Trouble> {
+    pub async fn connect_again(url: &str, again: Option<Credential>, name: &str) -> Result<Self, ClientError> {
         let (link, lines, told, carrier) = link::open(url).await?;
         let nobody = Id::new("nobody").map_err(|reason| NoLink::Id(reason.to_string()))?;
         let client = nobody.clone();
@@ -155,12 +155,12 @@ impl Client {
     ///
     /// # Errors
     /// If the server says no, or the link ends.
-    pub async fn ask(&self, request: Request) -> Result<Reply, Trouble> {
+    pub async fn ask(&self, request: Request) -> Result<Reply, ClientError> {
         let (waiting, answer) = oneshot::channel();
         self.send(request, Some(waiting)).await?;
         let answered = tokio::time::timeout(Duration::from_millis(ANSWER_MS), answer).await;
         match answered {
-            Ok(Ok(Reply::No { no })) => Err(Trouble::No(no)),
+            Ok(Ok(Reply::No { no })) => Err(ClientError::No(no)),
             Ok(Ok(reply)) => Ok(reply),
             Ok(Err(_)) => Err(self.ended()),
             Err(_) => Err(NoLink::Unanswered.into()),
@@ -171,13 +171,13 @@ impl Client {
     ///
     /// # Errors
     /// If the link ended.
-    pub async fn tell(&self, request: Request) -> Result<(), Trouble> {
+    pub async fn tell(&self, request: Request) -> Result<(), ClientError> {
         self.send(request, None).await
     }
 
-    async fn send(&self, request: Request, waiting: Option<oneshot::Sender<Reply>>) -> Result<(), Trouble> {
+    async fn send(&self, request: Request, waiting: Option<oneshot::Sender<Reply>>) -> Result<(), ClientError> {
         let ask = self.asks.fetch_add(1, Ordering::Relaxed) + 1;
-        self.lines.send(Line { ask, request, waiting }).await.map_err(|_| self.ended())
+        self.lines.send(OpenRequest { ask, request, waiting }).await.map_err(|_| self.ended())
     }
 
     /// Returns the reason why the link ended, if it did.
@@ -186,7 +186,7 @@ impl Client {
         self.link.ended()
     }
 
-    fn ended(&self) -> Trouble {
+    fn ended(&self) -> ClientError {
         self.link.ended().unwrap_or(NoLink::Ended).into()
     }
 
@@ -211,7 +211,7 @@ impl Client {
     ///
     /// # Errors
     /// If the link ends, or it does not come within 20 s.
-    pub async fn until(&mut self, mut wanted: impl FnMut(&Reply) -> bool) -> Result<Reply, Trouble> {
+    pub async fn until(&mut self, mut wanted: impl FnMut(&Reply) -> bool) -> Result<Reply, ClientError> {
         let search = async {
             while let Some(reply) = self.told.recv().await {
                 if wanted(&reply) {
@@ -237,7 +237,7 @@ impl Client {
     ///
     /// # Errors
     /// If the link ends, or the server does not tell of its robots within 20 s.
-    pub async fn robots(&mut self) -> Result<Vec<RobotState>, Trouble> {
+    pub async fn robots(&mut self) -> Result<Vec<RobotState>, ClientError> {
         self.robots_that(|robots| !robots.is_empty()).await
     }
 
@@ -245,20 +245,20 @@ impl Client {
     ///
     /// # Errors
     /// If the link ends, or it does not say so within 20 s.
-    pub async fn robot(&mut self, robot: Option<&Id>) -> Result<RobotState, Trouble> {
+    pub async fn robot(&mut self, robot: Option<&Id>) -> Result<RobotState, ClientError> {
         let find = |robots: &[RobotState]| {
             let is_meant = |known: &&RobotState| robot.is_none_or(|robot| known.robot == *robot);
             robots.iter().find(is_meant).filter(|robot| !robot.devices.is_empty()).cloned()
         };
         let robots = self.robots_that(|robots| find(robots).is_some()).await?;
-        find(&robots).ok_or(Trouble::No(Refused::NoRobot))
+        find(&robots).ok_or(ClientError::No(Refused::NoRobot))
     }
 
     /// The robots as soon as they are so.
     pub(crate) async fn robots_that(
         &mut self,
         wanted: impl Fn(&[RobotState]) -> bool,
-    ) -> Result<Vec<RobotState>, Trouble> {
+    ) -> Result<Vec<RobotState>, ClientError> {
         let known = self.link.mirrors().robots.clone();
         if wanted(&known) {
             return Ok(known);
@@ -279,16 +279,16 @@ impl Client {
     ///
     /// # Errors
     /// If the server says no, or the link ends.
-    pub async fn load(&self, behaviour: &Id) -> Result<Mirror, Trouble> {
+    pub async fn load(&self, behaviour: &Id) -> Result<Mirror, ClientError> {
         self.ask(Request::Open { behaviour: behaviour.clone() }).await?;
-        self.open().ok_or(Trouble::No(Refused::NothingOpen))
+        self.open().ok_or(ClientError::No(Refused::NothingOpen))
     }
 
     /// Returns the programs that a query finds, page after page, until there are `most` or no more.
     ///
     /// # Errors
     /// If the server says no, or the link ends.
-    pub async fn programs(&self, mut query: ListQuery, most: usize) -> Result<Vec<Summary>, Trouble> {
+    pub async fn programs(&self, mut query: ListQuery, most: usize) -> Result<Vec<Summary>, ClientError> {
         let mut found = Vec::new();
         loop {
             match self.ask(Request::List { query: query.clone() }).await {
@@ -297,7 +297,7 @@ impl Client {
                     query.after = next;
                 }
                 Ok(other) => return Err(NoLink::NoList(Box::new(other)).into()),
-                Err(Trouble::No(Refused::TooFast)) => {
+                Err(ClientError::No(Refused::TooFast)) => {
                     tokio::time::sleep(Duration::from_millis(SLOWER_MS)).await;
                     continue;
                 }
@@ -314,8 +314,8 @@ impl Client {
     ///
     /// # Errors
     /// If the server says no, or the link ends.
-    pub async fn put(&self, label: &str, id: RecordId, record: Option<Record>) -> Result<Reply, Trouble> {
-        let open = self.open().ok_or(Trouble::No(Refused::NothingOpen))?;
+    pub async fn put(&self, label: &str, id: RecordId, record: Option<Record>) -> Result<Reply, ClientError> {
+        let open = self.open().ok_or(ClientError::No(Refused::NothingOpen))?;
         let change = self.change(label, &open.records, vec![(id, record)]);
         self.ask(Request::Propose { behaviour: open.behaviour, change, tokens: Vec::new() }).await
     }

@@ -49,7 +49,7 @@ use futures_util::future::BoxFuture;
 use std::time::Instant;
 
 /// All commands in the order of the thesis's table, then ours.
-pub(crate) const ALL: &[&Command] = &[
+pub(crate) const ALL: &[&ConsoleCommand] = &[
     &connect::COMMAND,
     &disconnect::COMMAND,
     &stimulate::COMMAND,
@@ -103,7 +103,7 @@ pub(crate) const ALL: &[&Command] = &[
 ];
 
 /// Something that can be typed.
-pub(crate) struct Command {
+pub(crate) struct ConsoleCommand {
     /// The name of the command: `show out ops`.
     pub(crate) name: &'static str,
     /// The words that follow the name, as help shows them.
@@ -143,7 +143,7 @@ impl Console {
 }
 
 /// The command that a line means, and the rest of the line. A name typed out wins over beginnings of names.
-pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), NotDone> {
+pub(crate) fn read(line: &str) -> Result<(&'static ConsoleCommand, &str), NotDone> {
     let typed: Vec<String> = line.split_whitespace().map(str::to_lowercase).collect();
     let whole = ALL.iter().filter(|command| is_whole(command, &typed)).max_by_key(|command| command.name.len());
     let meant: Vec<_> = match whole {
@@ -161,13 +161,13 @@ pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), NotDone> {
 }
 
 /// True if the name was typed out.
-fn is_whole(command: &Command, typed: &[String]) -> bool {
+fn is_whole(command: &ConsoleCommand, typed: &[String]) -> bool {
     let words: Vec<_> = command.name.split(' ').collect();
     typed.len() >= words.len() && words.iter().zip(typed).all(|(word, typed)| word == typed)
 }
 
 /// True if every typed word begins its word of the name, as far as both go.
-fn begins(command: &Command, typed: &[String]) -> bool {
+fn begins(command: &ConsoleCommand, typed: &[String]) -> bool {
     let mut pairs = command.name.split(' ').zip(typed);
     !typed.is_empty() && pairs.all(|(word, typed)| word.starts_with(typed.as_str()))
 }

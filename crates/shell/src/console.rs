@@ -1,6 +1,6 @@
 //! The console: what is connected, loaded and looked at, and where answers go.
 
-use crate::refusal::{Answer, NotDone};
+use crate::refusal::{ExpectedAnswer, NotDone};
 use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
 use protocol::{ListQuery, Reply, Request, RobotState, RunPhase, RunState, Summary};
@@ -88,7 +88,7 @@ impl Console {
     pub(crate) async fn all_running(&mut self) -> Result<Vec<RunState>, NotDone> {
         let robots = self.robots().await?;
         let Reply::Runs { mut runs } = self.ask(Request::Runs).await? else {
-            return Err(NotDone::NoAnswer(Answer::Runs));
+            return Err(NotDone::NoAnswer(ExpectedAnswer::Runs));
         };
         runs.retain(|run| run.phase == RunPhase::Running);
         let at = |run: &RunState| robots.iter().position(|robot| robot.robot == run.robot);

@@ -10,7 +10,7 @@ mod script;
 mod terminal;
 mod words;
 
-pub use client::{Client, DEFAULT_URL, Mirror, NoLink, Trouble, handshake};
+pub use client::{Client, ClientError, DEFAULT_URL, Mirror, NoLink, handshake};
 pub use console::Console;
 
 use std::io::IsTerminal;

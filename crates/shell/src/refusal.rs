@@ -1,12 +1,12 @@
 //! The reasons why a line that was typed is not obeyed. The sentences about them stand in `words.rs`.
 
-use crate::Trouble;
+use crate::ClientError;
 
 /// The reasons why a line that was typed is not obeyed.
 #[derive(Debug)]
 pub(crate) enum NotDone {
     /// The server did not do it.
-    Trouble(Trouble),
+    Trouble(ClientError),
     /// No command is called like what was typed.
     NoCommand(String),
     /// Several commands begin like what was typed.
@@ -25,7 +25,7 @@ pub(crate) enum NotDone {
     /// No stream is loaded.
     NoStream,
     /// The server answered something else than this.
-    NoAnswer(Answer),
+    NoAnswer(ExpectedAnswer),
     /// The robot to add has no name.
     NoRobotName,
     /// The robot to add cannot be reached; with a sentence that says why.
@@ -60,7 +60,7 @@ pub(crate) enum NotDone {
 
 /// The answer for which the server was asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Answer {
+pub(crate) enum ExpectedAnswer {
     /// The runs.
     Runs,
     /// Actions.
@@ -107,8 +107,8 @@ pub(crate) enum NotFound {
     },
 }
 
-impl From<Trouble> for NotDone {
-    fn from(trouble: Trouble) -> Self {
+impl From<ClientError> for NotDone {
+    fn from(trouble: ClientError) -> Self {
         Self::Trouble(trouble)
     }
 }

@@ -15,19 +15,19 @@ use std::path::PathBuf;
 const HISTORY_MAX_LINES: usize = 1_000;
 const PROMPT: &str = "rrp> ";
 
-type Lines = Editor<Known, DefaultHistory>;
+type TerminalLines = Editor<CompletionNames, DefaultHistory>;
 
 /// The names that completion knows: commands, programs and streams.
-struct Known(Vec<String>);
+struct CompletionNames(Vec<String>);
 
-impl Helper for Known {}
-impl Highlighter for Known {}
-impl Validator for Known {}
-impl Hinter for Known {
+impl Helper for CompletionNames {}
+impl Highlighter for CompletionNames {}
+impl Validator for CompletionNames {}
+impl Hinter for CompletionNames {
     type Hint = String;
 }
 
-impl Completer for Known {
+impl Completer for CompletionNames {
     type Candidate = String;
 
     fn complete(&self, line: &str, at: usize, _: &Context<'_>) -> rustyline::Result<(usize, Vec<String>)> {
@@ -51,7 +51,7 @@ fn complete(names: &[String], line: &str) -> (usize, Vec<String>) {
 /// Until exit or Ctrl-D. A refused command can be corrected here, so all is well in the end.
 pub(crate) async fn run(console: &mut Console) -> bool {
     let config = Config::builder().max_history_size(HISTORY_MAX_LINES).map(|config| config.auto_add_history(true));
-    let lines = config.and_then(|config| Lines::with_config(config.build()));
+    let lines = config.and_then(|config| TerminalLines::with_config(config.build()));
     let Ok(mut lines) = lines else { return crate::script::run(console).await };
     let history = history();
     if let Some(file) = &history {
@@ -59,7 +59,7 @@ pub(crate) async fn run(console: &mut Console) -> bool {
     }
     console.say("Type “show commands” to see what can be typed.");
     while !console.is_done() {
-        lines.set_helper(Some(Known(console.names().await)));
+        lines.set_helper(Some(CompletionNames(console.names().await)));
         let (back, line) = match tokio::task::spawn_blocking(move || read(lines)).await {
             Ok(read) => read,
             Err(_) => return false,
@@ -77,7 +77,7 @@ pub(crate) async fn run(console: &mut Console) -> bool {
 }
 
 /// One line; none at the end. Ctrl-C clears the line.
-fn read(mut lines: Lines) -> (Lines, Option<String>) {
+fn read(mut lines: TerminalLines) -> (TerminalLines, Option<String>) {
     let line = match lines.readline(PROMPT) {
         Ok(line) => Some(line),
         Err(ReadlineError::Interrupted) => Some(String::new()),

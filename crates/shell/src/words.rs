@@ -1,10 +1,10 @@
 //! The English sentences for something that was asked or typed and is not done.
 
-use crate::refusal::{Answer, NotDone, NotFound};
-use crate::{NoLink, Trouble};
+use crate::refusal::{ExpectedAnswer, NotDone, NotFound};
+use crate::{ClientError, NoLink};
 use std::fmt;
 
-impl fmt::Display for Trouble {
+impl fmt::Display for ClientError {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::No(no) => write!(to, "{no}"),
@@ -79,7 +79,7 @@ impl fmt::Display for NotDone {
 }
 
 /// Says that the answer did not come.
-impl fmt::Display for Answer {
+impl fmt::Display for ExpectedAnswer {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         to.write_str(match self {
             Self::Runs => "The server did not say what runs.",

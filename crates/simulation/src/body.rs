@@ -1,8 +1,8 @@
 //! Where every link, the camera and the hands are, from the joint angles: forward kinematics.
 
 use crate::math::{Pose, Vector, pose, vector};
-use crate::model::{MOTORS, Model, REVOLUTE};
-use crate::table::Shape;
+use crate::model::{BodyModel, MOTORS, REVOLUTE};
+use crate::table::Primitive;
 
 /// The middle of a closed hand in the frame of its link, in metres: the middle of its capsule in the table.
 const PALM: Vector = Vector::new(0.041, 0.0, -0.004);
@@ -13,12 +13,12 @@ const HEELS: [Vector; 2] = [Vector::new(-0.05, 0.035, -0.0353), Vector::new(-0.0
 
 /// An arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Side {
+pub(crate) enum ArmSide {
     Left,
     Right,
 }
 
-impl Side {
+impl ArmSide {
     /// 1 to the left, −1 to the right.
     pub(crate) fn sign(self) -> f32 {
         if self == Self::Left { 1.0 } else { -1.0 }
@@ -36,8 +36,8 @@ impl Side {
 }
 
 /// The poses of all links in the room.
-pub(crate) struct Body {
-    model: &'static Model,
+pub(crate) struct BodyPoses {
+    model: &'static BodyModel,
     links: Vec<Pose>,
     hands: [usize; 2],
     feet: [usize; 2],
@@ -46,9 +46,9 @@ pub(crate) struct Body {
     measured: Option<([f32; MOTORS], f32)>,
 }
 
-impl Body {
+impl BodyPoses {
     /// A body standing in StandInit with its lowest part on the floor.
-    pub(crate) fn new(model: &'static Model) -> Self {
+    pub(crate) fn new(model: &'static BodyModel) -> Self {
         let links = vec![Pose::IDENTITY; model.links.len()];
         let hands = [model.link("LHand"), model.link("RHand")];
         let feet = [model.link("LFoot"), model.link("RFoot")];
@@ -119,8 +119,8 @@ impl Body {
     }
 
     /// The middle of a hand.
-    pub(crate) fn hand(&self, side: Side) -> Vector {
-        self.links[self.hands[usize::from(side == Side::Right)]].transform_point(PALM)
+    pub(crate) fn hand(&self, side: ArmSide) -> Vector {
+        self.links[self.hands[usize::from(side == ArmSide::Right)]].transform_point(PALM)
     }
 
     /// Where the camera is and looks: x, y, z, yaw, pitch (down positive).
@@ -133,12 +133,12 @@ impl Body {
 }
 
 /// Returns how low a shape reaches in the room, in metres.
-fn lowest(shape: &Shape, link: &Pose) -> f32 {
+fn lowest(shape: &Primitive, link: &Pose) -> f32 {
     let height = |at: [f32; 3]| link.transform_point(vector(at)).z;
     match shape {
-        Shape::Sphere { at, r } => height(*at) - r,
-        Shape::Capsule { a, b, r } => height(*a).min(height(*b)) - r,
-        Shape::Box { at, half } => {
+        Primitive::Sphere { at, r } => height(*at) - r,
+        Primitive::Capsule { a, b, r } => height(*a).min(height(*b)) - r,
+        Primitive::Box { at, half } => {
             let axes = [Vector::X, Vector::Y, Vector::Z].map(|axis| link.transform_vector(axis).z.abs());
             height(*at) - axes.iter().zip(half).map(|(axis, half)| axis * half).sum::<f32>()
         }
@@ -147,20 +147,20 @@ fn lowest(shape: &Shape, link: &Pose) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Body, Side};
-    use crate::model::Model;
+    use super::{ArmSide, BodyPoses};
+    use crate::model::BodyModel;
 
     #[test]
     fn a_standing_nao_has_its_camera_at_half_a_metre_looking_ahead() {
-        let gaze = Body::new(Model::nao()).gaze();
+        let gaze = BodyPoses::new(BodyModel::nao()).gaze();
         assert!((0.47..0.53).contains(&gaze[2]), "{gaze:?}");
         assert!(gaze[3].abs() < 1e-6 && (gaze[4] - 0.020_944).abs() < 1e-5, "{gaze:?}");
     }
 
     #[test]
     fn the_hands_are_mirror_images() {
-        let body = Body::new(Model::nao());
-        let (left, right) = (body.hand(Side::Left), body.hand(Side::Right));
+        let body = BodyPoses::new(BodyModel::nao());
+        let (left, right) = (body.hand(ArmSide::Left), body.hand(ArmSide::Right));
         assert!((left.y + right.y).abs() < 1e-4 && (left.x - right.x).abs() < 1e-4 && left.y > 0.05, "{left} {right}");
     }
 }

@@ -19,17 +19,17 @@ const WALL_M: f32 = 3.0;
 const TILE_M: f32 = 0.5;
 
 /// Red, green and blue.
-type Color = [u8; 3];
+type Rgb = [u8; 3];
 
-const FLOOR: [Color; 2] = [[196, 186, 170], [184, 173, 156]];
-const WALL: Color = [226, 224, 216];
-const CEILING: Color = [240, 240, 238];
-const SKIN: Color = [224, 176, 142];
-const HAIR: Color = [84, 60, 44];
-const EYE: Color = [40, 32, 30];
-const CLOTHES: [Color; 2] = [[72, 110, 168], [176, 96, 120]];
-const PAPER: Color = [250, 250, 250];
-const INK: Color = [20, 20, 20];
+const FLOOR: [Rgb; 2] = [[196, 186, 170], [184, 173, 156]];
+const WALL: Rgb = [226, 224, 216];
+const CEILING: Rgb = [240, 240, 238];
+const SKIN: Rgb = [224, 176, 142];
+const HAIR: Rgb = [84, 60, 44];
+const EYE: Rgb = [40, 32, 30];
+const CLOTHES: [Rgb; 2] = [[72, 110, 168], [176, 96, 120]];
+const PAPER: Rgb = [250, 250, 250];
+const INK: Rgb = [20, 20, 20];
 
 /// A thing in the room, as it is painted.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +37,7 @@ enum Thing {
     Ball {
         at: Vector,
         radius: f32,
-        color: Color,
+        color: Rgb,
     },
     /// A head that faces `to`.
     Head {
@@ -48,12 +48,12 @@ enum Thing {
     Body {
         at: [f32; 2],
         height: f32,
-        color: Color,
+        color: Rgb,
     },
     Box {
         low: Vector,
         high: Vector,
-        color: Color,
+        color: Rgb,
     },
     /// A printed mark: a disc whose front looks along `front`.
     Mark {
@@ -64,7 +64,7 @@ enum Thing {
 
 /// The things that the camera has before it at one moment.
 #[derive(Debug)]
-struct View {
+struct ViewBefore {
     number: u64,
     camera: Pose,
     half: [f32; 2],
@@ -73,18 +73,18 @@ struct View {
 
 /// The state that the robot's thread and those who look have in common.
 #[derive(Debug, Default)]
-pub(crate) struct Shown {
+pub(crate) struct CameraShared {
     looks: AtomicBool,
-    view: Mutex<Option<Arc<View>>>,
+    view: Mutex<Option<Arc<ViewBefore>>>,
 }
 
-impl Shown {
-    fn view(&self) -> MutexGuard<'_, Option<Arc<View>>> {
+impl CameraShared {
+    fn view(&self) -> MutexGuard<'_, Option<Arc<ViewBefore>>> {
         self.view.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Camera for Shown {
+impl Camera for CameraShared {
     fn look(&self, looks: bool) {
         self.looks.store(looks, Ordering::SeqCst);
         if !looks {
@@ -106,7 +106,7 @@ impl SimulatedNao {
         }
         let (camera, half) = (self.body.camera(), self.model.camera.half);
         let things = things(&self.world, camera.translation);
-        *self.shown.view() = Some(Arc::new(View { number: self.now, camera, half, things }));
+        *self.shown.view() = Some(Arc::new(ViewBefore { number: self.now, camera, half, things }));
     }
 }
 
@@ -136,7 +136,7 @@ fn things(world: &World, eye: Vector) -> Vec<Thing> {
 }
 
 /// The colour that is meant by a name of the room.
-fn paint(name: &str) -> Color {
+fn paint(name: &str) -> Rgb {
     match name {
         "red" => [206, 44, 40],
         "green" => [46, 150, 62],
@@ -145,7 +145,7 @@ fn paint(name: &str) -> Color {
     }
 }
 
-impl View {
+impl ViewBefore {
     fn paint(&self) -> Option<Picture> {
         let [width, height] = SIZE;
         let mut rgb = Vec::with_capacity(usize::from(width) * usize::from(height) * 3);
@@ -162,7 +162,7 @@ impl View {
     }
 
     /// The colour of what a ray meets first.
-    fn along(&self, way: Vector) -> Color {
+    fn along(&self, way: Vector) -> Rgb {
         let from = self.camera.translation;
         let met = self.things.iter().filter_map(|thing| thing.meet(from, way));
         let nearest = met.min_by(|one, other| one.0.total_cmp(&other.0));
@@ -176,7 +176,7 @@ impl View {
 
 impl Thing {
     /// Returns how far along a ray the thing is, and its colour there.
-    fn meet(&self, from: Vector, way: Vector) -> Option<(f32, Color)> {
+    fn meet(&self, from: Vector, way: Vector) -> Option<(f32, Rgb)> {
         match *self {
             Self::Ball { at, radius, color } => {
                 let far = sphere(from - at, way, radius)?;
@@ -206,7 +206,7 @@ impl Thing {
 }
 
 /// The colour of a head where its surface looks along `out`, with hair above and behind and two eyes.
-fn face(out: Vector, to: Vector) -> Color {
+fn face(out: Vector, to: Vector) -> Rgb {
     let left = Vector::new(-to.y, to.x, 0.0).normalize_or_zero();
     let (ahead, aside, up) = (out.dot(to), out.dot(left), out.z);
     let eye = libm::hypotf(aside.abs() - 0.34, up - 0.15) < 0.12;
@@ -218,7 +218,7 @@ fn face(out: Vector, to: Vector) -> Color {
 }
 
 /// A colour as it looks where the surface looks along `out`: light comes from above.
-fn lit(color: Color, out: Vector) -> Color {
+fn lit(color: Rgb, out: Vector) -> Rgb {
     let part = 0.72 + 0.28 * out.z.clamp(-1.0, 1.0);
     color.map(|shade| (f32::from(shade) * part) as u8)
 }
@@ -271,7 +271,7 @@ fn cuboid(from: Vector, way: Vector, low: Vector, high: Vector) -> Option<(f32, 
 }
 
 /// Returns how far along a ray the floor, a wall or the ceiling is, and its colour.
-fn room(from: Vector, way: Vector) -> (f32, Color) {
+fn room(from: Vector, way: Vector) -> (f32, Rgb) {
     let side = |at: f32, along: f32| match along {
         0.0 => f32::INFINITY,
         _ => (HALF_M + 0.1 - at * along.signum()) / along.abs(),

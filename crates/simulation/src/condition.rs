@@ -1,7 +1,7 @@
 //! The condition of the robot, who has it, and why everything ends.
 
-use crate::devices::{Kind, face};
-use crate::hash::Digest;
+use crate::devices::{PostureKind, face};
+use crate::hash::RunningHash;
 use crate::nao::SimulatedNao;
 use robot::{Condition, Control, Life, RobotFault};
 use std::sync::Arc;
@@ -11,7 +11,7 @@ const SPEED: f32 = 0.5;
 
 /// The robot's own state: motors, life of its own, rest.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Own {
+pub(crate) struct OwnState {
     /// True if its motors are on and it holds a posture.
     pub(crate) awake: bool,
     pub(crate) stiff: bool,
@@ -24,15 +24,15 @@ pub(crate) struct Own {
     pub(crate) empty: bool,
 }
 
-impl Default for Own {
+impl Default for OwnState {
     fn default() -> Self {
         Self { awake: true, stiff: true, life: Life::Disabled, before: None, resting: false, empty: false }
     }
 }
 
-impl Own {
+impl OwnState {
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.text(&format!("{self:?}"));
     }
 }
@@ -79,17 +79,17 @@ impl SimulatedNao {
             Control::Rest => {
                 self.able()?;
                 self.hold();
-                self.assume(Kind::Crouch, SPEED, None);
+                self.assume(PostureKind::Crouch, SPEED, None);
                 self.own.resting = true;
             }
             Control::WakeUp => self.wake()?,
             Control::Stand => {
                 self.ready()?;
-                self.assume(Kind::Stand, SPEED, None);
+                self.assume(PostureKind::Stand, SPEED, None);
             }
             Control::Sit => {
                 self.ready()?;
-                self.assume(Kind::Sit, SPEED, None);
+                self.assume(PostureKind::Sit, SPEED, None);
             }
             Control::ForgetFaces => self.known.fill(false),
             Control::ForgetFace(name) => {
@@ -105,8 +105,8 @@ impl SimulatedNao {
         self.able()?;
         let slept = !self.own.awake || self.own.resting;
         (self.own.awake, self.own.stiff, self.own.resting) = (true, true, false);
-        if slept || self.family() != Kind::Stand.family() {
-            self.assume(Kind::Stand, SPEED, None);
+        if slept || self.family() != PostureKind::Stand.family() {
+            self.assume(PostureKind::Stand, SPEED, None);
         }
         Ok(())
     }

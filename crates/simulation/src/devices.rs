@@ -28,18 +28,18 @@ mod voice;
 mod walk;
 mod word_recognized;
 
-pub(crate) use animation::{Playing, paths};
+pub(crate) use animation::{PlayingGesture, paths};
 pub(crate) use battery::Charge;
 pub(crate) use behavior::BEHAVIORS;
 pub(crate) use eyes::Eyes;
 pub(crate) use faces::face;
 pub(crate) use fall::Lean;
 pub(crate) use lights::Lights;
-pub(crate) use posture::{Going, Kind};
-pub use sound::Played;
+pub(crate) use posture::{Going, PostureKind};
+pub use sound::PlayedSound;
 pub(crate) use sound::Sounds;
 pub(crate) use touch::Pads;
-pub(crate) use tracker::{Follow, Point};
+pub(crate) use tracker::{FollowingBody, PointingArm};
 pub(crate) use voice::Voice;
 pub(crate) use walk::Walking;
 
@@ -50,15 +50,15 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 /// A device and what the simulation does for it.
-pub(crate) struct Driver {
+pub(crate) struct SimulatedDriver {
     /// The device's name in the catalogue.
     pub(crate) name: &'static str,
     /// Opens it with what was chosen; none if it cannot be used like that.
-    open: fn(&Chosen) -> Option<Opened>,
+    open: fn(&DeviceParams) -> Option<SimulatedDevice>,
 }
 
 /// All drivers; the catalogue says in which order people see them.
-const ALL: &[Driver] = &[
+const ALL: &[SimulatedDriver] = &[
     animation::DRIVER,
     balls::COLOR_BALL,
     balls::RED_BALL,
@@ -95,9 +95,9 @@ const ALL: &[Driver] = &[
 ];
 
 /// An open device.
-pub(crate) enum Opened {
+pub(crate) enum SimulatedDevice {
     Sense(Box<dyn Sense>),
-    Act(Arc<dyn Act>),
+    Act(Arc<dyn SimulatedAct>),
 }
 
 /// When a sense is asked.
@@ -121,7 +121,7 @@ pub(crate) trait Sense: Debug + Send {
 }
 
 /// An action with its settings, all of them in its `Debug`.
-pub(crate) trait Act: Debug + Send + Sync {
+pub(crate) trait SimulatedAct: Debug + Send + Sync {
     /// True if it moves the body, which a robot that rests or lies on the floor does not.
     fn moves(&self) -> bool;
 
@@ -132,20 +132,20 @@ pub(crate) trait Act: Debug + Send + Sync {
     fn end(&self, _nao: &mut SimulatedNao, _user: &Use) {}
 }
 
-impl Opened {
+impl SimulatedDevice {
     fn sense(sense: impl Sense + 'static) -> Option<Self> {
         Some(Self::Sense(Box::new(sense)))
     }
 
-    fn act(act: impl Act + 'static) -> Option<Self> {
+    fn act(act: impl SimulatedAct + 'static) -> Option<Self> {
         Some(Self::Act(Arc::new(act)))
     }
 }
 
 /// The parameters of a device, those that nobody chose by their defaults.
-struct Chosen(Params);
+struct DeviceParams(Params);
 
-impl Chosen {
+impl DeviceParams {
     fn text(&self, name: &str) -> Option<&str> {
         self.0.get(name)?.as_text()
     }
@@ -166,14 +166,15 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
 }
 
 /// Opens a device by name with its parameters checked.
-pub(crate) fn open(name: &str, given: &Params) -> Result<Opened, RobotFault> {
+pub(crate) fn open(name: &str, given: &Params) -> Result<SimulatedDevice, RobotFault> {
     let none = || RobotFault::NoDevice(name.to_owned());
     let driver = ALL.iter().find(|driver| driver.name == name).ok_or_else(none)?;
     let kinds = [StreamKind::Sensor, StreamKind::Actuator];
     let known = kinds.into_iter().find_map(|kind| robot::device(kind, name).ok()).ok_or_else(none)?;
     known.check(given)?;
     known.check_installed(given, &crate::installed::installed())?;
-    (driver.open)(&Chosen(with_defaults(known.params, given))).ok_or_else(|| RobotFault::Unusable(name.to_owned()))
+    (driver.open)(&DeviceParams(with_defaults(known.params, given)))
+        .ok_or_else(|| RobotFault::Unusable(name.to_owned()))
 }
 
 /// A number of the simulation as a value.
@@ -188,7 +189,7 @@ fn number(value: &Value) -> Result<f64, RobotFault> {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALL, Opened, names, open};
+    use super::{ALL, SimulatedDevice, names, open};
     use behaviour::Params;
 
     #[test]
@@ -203,10 +204,10 @@ mod tests {
     #[test]
     fn every_device_opens_as_what_the_catalogue_says() {
         for sense in robot::sensors() {
-            assert!(matches!(open(sense.name, &Params::new()), Ok(Opened::Sense(_))), "{}", sense.name);
+            assert!(matches!(open(sense.name, &Params::new()), Ok(SimulatedDevice::Sense(_))), "{}", sense.name);
         }
         for action in robot::actuators().filter(|action| action.name != "Tablet") {
-            assert!(matches!(open(action.name, &Params::new()), Ok(Opened::Act(_))), "{}", action.name);
+            assert!(matches!(open(action.name, &Params::new()), Ok(SimulatedDevice::Act(_))), "{}", action.name);
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The things that people do in the simulated room.
 
 use crate::base::Base;
-use crate::body::Body;
-use crate::condition::Own;
+use crate::body::BodyPoses;
+use crate::condition::OwnState;
 use crate::devices::{Charge, Eyes, Lean};
-use crate::hearing::Heard;
+use crate::hearing::RoomSound;
 use crate::math::{Vector, vector, wrapped};
 use crate::nao::SimulatedNao;
 use crate::room::{ball_place, inside, obstacle_place, person_place};
@@ -171,7 +171,7 @@ impl SimulatedNao {
     }
 
     fn sound(&mut self, words: Option<Arc<str>>, at: Vector, loudness: f32) -> Result<(), RoomFault> {
-        if self.hearing.make(Heard { words, at, loudness }) { Ok(()) } else { Err(RoomFault::TooLoud) }
+        if self.hearing.make(RoomSound { words, at, loudness }) { Ok(()) } else { Err(RoomFault::TooLoud) }
     }
 
     /// Everything as it was at first. Robot time goes on and open devices stay open.
@@ -180,9 +180,9 @@ impl SimulatedNao {
         self.pads.let_go();
         self.hearing.forget();
         self.sounds.stop(self.now);
-        (self.lean, self.charge, self.own) = (Lean::default(), Charge::default(), Own::default());
+        (self.lean, self.charge, self.own) = (Lean::default(), Charge::default(), OwnState::default());
         self.halted = None;
-        self.body = Body::new(self.model);
+        self.body = BodyPoses::new(self.model);
         self.world = World::new(self.model, &self.body);
         self.servo = Servo::new(self.model);
         self.base = Base::default();

@@ -3,15 +3,15 @@
 use robot::Use;
 
 /// Adds whose it is.
-pub(crate) fn digest_use(user: &Use, digest: &mut Digest) {
+pub(crate) fn digest_use(user: &Use, digest: &mut RunningHash) {
     digest.whole(user.run);
     digest.text(user.stream.as_str());
 }
 
 /// A running fingerprint.
-pub(crate) struct Digest(u64);
+pub(crate) struct RunningHash(u64);
 
-impl Digest {
+impl RunningHash {
     /// The start value of FNV-1a with 64 bits.
     pub(crate) fn new() -> Self {
         Self(0xcbf2_9ce4_8422_2325)

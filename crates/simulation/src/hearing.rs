@@ -1,6 +1,6 @@
 //! The hearing of the robot: words and noises, one a step, but nothing while it is loud itself.
 
-use crate::hash::Digest;
+use crate::hash::RunningHash;
 use crate::math::Vector;
 use crate::nao::SimulatedNao;
 use std::collections::VecDeque;
@@ -11,7 +11,7 @@ const WAITING_MAX: usize = 16;
 
 /// A sound in the room.
 #[derive(Clone, Debug)]
-pub(crate) struct Heard {
+pub(crate) struct RoomSound {
     /// The words, if somebody speaks.
     pub(crate) words: Option<Arc<str>>,
     pub(crate) at: Vector,
@@ -22,16 +22,16 @@ pub(crate) struct Heard {
 /// The ears.
 #[derive(Default)]
 pub(crate) struct Hearing {
-    waiting: VecDeque<Heard>,
+    waiting: VecDeque<RoomSound>,
     /// The sound that is heard in this step.
-    pub(crate) now: Option<Heard>,
+    pub(crate) now: Option<RoomSound>,
     /// The last words.
     pub(crate) words: Option<Arc<str>>,
 }
 
 impl Hearing {
     /// A sound is made; false if too many wait already.
-    pub(crate) fn make(&mut self, sound: Heard) -> bool {
+    pub(crate) fn make(&mut self, sound: RoomSound) -> bool {
         let room = self.waiting.len() < WAITING_MAX;
         if room {
             self.waiting.push_back(sound);
@@ -45,7 +45,7 @@ impl Hearing {
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.count(self.waiting.len());
         for sound in self.waiting.iter().chain(&self.now) {
             digest.text(sound.words.as_deref().unwrap_or_default());

@@ -31,7 +31,7 @@ mod speech;
 mod table;
 mod world;
 
-pub use devices::Played;
+pub use devices::PlayedSound;
 pub use edit::RoomFault;
 pub use nao::SimulatedNao;
 pub use noise::Noise;

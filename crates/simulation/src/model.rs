@@ -1,8 +1,8 @@
 //! The table of the robot: links, joints with limits and speeds, camera and posture, compiled in.
 
-use crate::body::Side;
+use crate::body::ArmSide;
 use crate::math::{Pose, Vector, pose, turn, vector};
-use crate::table::{JointRow, Link, SonarRow, Table, TableFault};
+use crate::table::{BodyPart, BodyTable, JointRow, SonarRow, TableFault};
 use robot::JOINTS;
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -35,7 +35,7 @@ pub(crate) struct Motor {
 }
 
 /// The top camera.
-pub(crate) struct Camera {
+pub(crate) struct CameraMount {
     pub(crate) link: usize,
     pub(crate) mount: Pose,
     /// Half the field of view to the side and up or down, in radians.
@@ -43,7 +43,7 @@ pub(crate) struct Camera {
 }
 
 /// A sonar: x of its mount is the middle of its cone.
-pub(crate) struct Sonar {
+pub(crate) struct SonarMount {
     pub(crate) link: usize,
     pub(crate) mount: Pose,
     /// Half the opening of its cone in radians.
@@ -51,7 +51,7 @@ pub(crate) struct Sonar {
 }
 
 /// Postures in the order of [`JOINTS`].
-pub(crate) struct Postures {
+pub(crate) struct OrderedPostures {
     pub(crate) stand: [f32; MOTORS],
     pub(crate) stand_init: [f32; MOTORS],
     pub(crate) crouch: [f32; MOTORS],
@@ -59,21 +59,21 @@ pub(crate) struct Postures {
 }
 
 /// The robot's table, with names resolved.
-pub(crate) struct Model {
-    pub(crate) links: Vec<Link>,
+pub(crate) struct BodyModel {
+    pub(crate) links: Vec<BodyPart>,
     pub(crate) hinges: Vec<Hinge>,
     pub(crate) motors: Vec<Motor>,
     pub(crate) head_pitch_by_yaw: Vec<[f32; 3]>,
-    pub(crate) camera: Camera,
+    pub(crate) camera: CameraMount,
     /// The sonars in the chest, left and right.
-    pub(crate) sonars: Vec<Sonar>,
-    pub(crate) postures: Postures,
+    pub(crate) sonars: Vec<SonarMount>,
+    pub(crate) postures: OrderedPostures,
 }
 
-impl Model {
+impl BodyModel {
     /// The NAO V6 of `nao_body.toml`, read once.
     pub(crate) fn nao() -> &'static Self {
-        static NAO: OnceLock<Model> = OnceLock::new();
+        static NAO: OnceLock<BodyModel> = OnceLock::new();
         NAO.get_or_init(|| {
             let read = Self::read(include_str!("nao_body.toml"));
             read.unwrap_or_else(|fault| panic!("the compiled-in table, which every test reads: {fault}"))
@@ -81,7 +81,7 @@ impl Model {
     }
 
     fn read(text: &str) -> Result<Self, TableFault> {
-        let table: Table = toml::from_str(text).map_err(TableFault::Unreadable)?;
+        let table: BodyTable = toml::from_str(text).map_err(TableFault::Unreadable)?;
         let names: Vec<&str> = table.joints.iter().map(|joint| joint.name.as_str()).collect();
         if names != JOINTS[..REVOLUTE] {
             return Err(TableFault::Order);
@@ -112,20 +112,20 @@ pub(crate) fn motor(name: &str) -> Option<usize> {
 const ARM: [&str; 5] = ["ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll", "WristYaw"];
 
 /// The motors of an arm, without its hand.
-pub(crate) fn arm_motors(side: Side) -> impl Iterator<Item = usize> {
+pub(crate) fn arm_motors(side: ArmSide) -> impl Iterator<Item = usize> {
     ARM.iter().filter_map(move |joint| motor(&format!("{}{joint}", side.letter())))
 }
 
 /// The motors of an arm, its hand last.
-pub(crate) fn arm_motors_and_hand(side: Side) -> impl Iterator<Item = usize> {
+pub(crate) fn arm_motors_and_hand(side: ArmSide) -> impl Iterator<Item = usize> {
     arm_motors(side).chain(motor(&format!("{}Hand", side.letter())))
 }
 
-fn link_of(table: &Table, name: &str) -> Result<usize, TableFault> {
+fn link_of(table: &BodyTable, name: &str) -> Result<usize, TableFault> {
     table.links.iter().position(|link| link.name == name).ok_or_else(|| TableFault::NoLink(name.to_owned()))
 }
 
-fn hinges(table: &Table) -> Result<Vec<Hinge>, TableFault> {
+fn hinges(table: &BodyTable) -> Result<Vec<Hinge>, TableFault> {
     let hinge = |row: &JointRow| {
         Ok(Hinge {
             parent: link_of(table, &row.parent)?,
@@ -137,7 +137,7 @@ fn hinges(table: &Table) -> Result<Vec<Hinge>, TableFault> {
     table.joints.iter().map(hinge).collect()
 }
 
-fn motors(table: &Table) -> Vec<Motor> {
+fn motors(table: &BodyTable) -> Vec<Motor> {
     let joints = table.joints.iter().map(|row| Motor {
         limits: row.limits,
         top_speed: row.vmax,
@@ -147,26 +147,30 @@ fn motors(table: &Table) -> Vec<Motor> {
     joints.chain(hands).collect()
 }
 
-fn camera(table: &Table) -> Result<Camera, TableFault> {
+fn camera(table: &BodyTable) -> Result<CameraMount, TableFault> {
     let row = table.cameras.iter().find(|row| row.name == "CameraTop").ok_or(TableFault::NoCamera)?;
     let link = link_of(table, &row.link)?;
-    Ok(Camera { link, mount: pose(vector(row.at), Vector::Y, row.pitch_down), half: [row.hfov / 2.0, row.vfov / 2.0] })
+    Ok(CameraMount {
+        link,
+        mount: pose(vector(row.at), Vector::Y, row.pitch_down),
+        half: [row.hfov / 2.0, row.vfov / 2.0],
+    })
 }
 
-fn sonars(table: &Table) -> Result<Vec<Sonar>, TableFault> {
+fn sonars(table: &BodyTable) -> Result<Vec<SonarMount>, TableFault> {
     let sonar = |row: &SonarRow| {
         let tilt = Pose::from_parts(Vector::ZERO, turn(Vector::Y, row.pitch_down));
         let mount = pose(vector(row.at), Vector::Z, row.yaw) * tilt;
-        Ok(Sonar { link: link_of(table, &row.link)?, mount, half_cone: row.half_cone })
+        Ok(SonarMount { link: link_of(table, &row.link)?, mount, half_cone: row.half_cone })
     };
-    let sonars: Vec<Sonar> = table.sonars.iter().map(sonar).collect::<Result<_, TableFault>>()?;
+    let sonars: Vec<SonarMount> = table.sonars.iter().map(sonar).collect::<Result<_, TableFault>>()?;
     if sonars.len() == 2 { Ok(sonars) } else { Err(TableFault::Sonars) }
 }
 
-fn postures(table: &Table) -> Result<Postures, TableFault> {
+fn postures(table: &BodyTable) -> Result<OrderedPostures, TableFault> {
     let whole = |angles: &Vec<f32>| angles.clone().try_into().map_err(|_| TableFault::Posture);
     let rows = &table.postures;
-    Ok(Postures {
+    Ok(OrderedPostures {
         stand: whole(&rows.stand)?,
         stand_init: whole(&rows.stand_init)?,
         crouch: whole(&rows.crouch)?,
@@ -176,11 +180,11 @@ fn postures(table: &Table) -> Result<Postures, TableFault> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOTORS, Model, motor};
+    use super::{BodyModel, MOTORS, motor};
 
     #[test]
     fn the_table_is_whole_and_its_postures_are_inside_the_limits() {
-        let model = Model::nao();
+        let model = BodyModel::nao();
         assert_eq!((model.motors.len(), model.links.len(), model.hinges.len()), (MOTORS, 25, 24));
         let postures = &model.postures;
         for posture in [&postures.stand, &postures.stand_init, &postures.crouch, &postures.sit] {

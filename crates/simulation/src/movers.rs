@@ -1,6 +1,6 @@
 //! The use that moves each motor: when a use of the robot ends, what it moves holds, and nothing else does.
 
-use crate::hash::{Digest, digest_use};
+use crate::hash::{RunningHash, digest_use};
 use robot::Use;
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ impl Movers {
     }
 
     /// Adds who moves what.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.count(self.0.len());
         for (motor, user) in &self.0 {
             digest.count(*motor);

@@ -1,16 +1,19 @@
 //! The simulated NAO as a whole: what it is made of, its steps, and its fingerprint.
 
 use crate::base::Base;
-use crate::body::Body;
-use crate::camera::Shown;
-use crate::condition::Own;
-use crate::devices::{Act, Charge, Eyes, Follow, Going, Lean, Lights, Pads, Played, Playing, Point, Sounds, Walking};
-use crate::hash::{Digest, digest_use};
+use crate::body::BodyPoses;
+use crate::camera::CameraShared;
+use crate::condition::OwnState;
+use crate::devices::{
+    Charge, Eyes, FollowingBody, Going, Lean, Lights, Pads, PlayedSound, PlayingGesture, PointingArm, SimulatedAct,
+    Sounds, Walking,
+};
+use crate::hash::{RunningHash, digest_use};
 use crate::hearing::Hearing;
-use crate::model::{Model, motor};
+use crate::model::{BodyModel, motor};
 use crate::movers::Movers;
 use crate::noise::{Noise, Random};
-use crate::senses::Senses;
+use crate::senses::OpenSenses;
 use crate::servo::Servo;
 use crate::speech::{Speech, Spoken};
 use crate::world::World;
@@ -24,19 +27,19 @@ pub(crate) const STEP_MS: u64 = 10;
 /// A NAO in its room, computed. Time is handed in; the same seed and the same calls give the same bits on every
 /// machine.
 pub struct SimulatedNao {
-    pub(crate) model: &'static Model,
+    pub(crate) model: &'static BodyModel,
     pub(crate) now: u64,
     pub(crate) servo: Servo,
     pub(crate) movers: Movers,
     pub(crate) base: Base,
-    pub(crate) body: Body,
+    pub(crate) body: BodyPoses,
     pub(crate) world: World,
-    pub(crate) senses: Senses,
-    pub(crate) acts: BTreeMap<robot::Use, Arc<dyn Act>>,
-    pub(crate) follow: Option<Follow>,
-    pub(crate) points: Vec<Point>,
+    pub(crate) senses: OpenSenses,
+    pub(crate) acts: BTreeMap<robot::Use, Arc<dyn SimulatedAct>>,
+    pub(crate) follow: Option<FollowingBody>,
+    pub(crate) points: Vec<PointingArm>,
     pub(crate) walking: Option<Walking>,
-    pub(crate) playing: Option<Playing>,
+    pub(crate) playing: Option<PlayingGesture>,
     pub(crate) going: Option<Going>,
     pub(crate) lean: Lean,
     pub(crate) speech: Speech,
@@ -44,14 +47,14 @@ pub struct SimulatedNao {
     pub(crate) hearing: Hearing,
     pub(crate) pads: Pads,
     pub(crate) charge: Charge,
-    pub(crate) own: Own,
+    pub(crate) own: OwnState,
     /// Why everything ended, until somebody asks.
     pub(crate) halted: Option<String>,
     pub(crate) eyes: Eyes,
     pub(crate) lights: Lights,
     pub(crate) printed: VecDeque<Printed>,
     /// The pictures that people see through its camera; no part of what it computes.
-    pub(crate) shown: Arc<Shown>,
+    pub(crate) shown: Arc<CameraShared>,
     pub(crate) known: Vec<bool>,
     pub(crate) safe: bool,
     pub(crate) noise: Noise,
@@ -62,8 +65,8 @@ impl SimulatedNao {
     /// A robot standing in the posture StandInit in the middle of its room, at robot time 0.
     #[must_use]
     pub fn new(seed: u64) -> Self {
-        let model = Model::nao();
-        let body = Body::new(model);
+        let model = BodyModel::nao();
+        let body = BodyPoses::new(model);
         let world = World::new(model, &body);
         Self {
             known: vec![false; world.people.len()],
@@ -74,7 +77,7 @@ impl SimulatedNao {
             base: Base::default(),
             body,
             world,
-            senses: Senses::default(),
+            senses: OpenSenses::default(),
             acts: BTreeMap::new(),
             follow: None,
             points: Vec::new(),
@@ -87,7 +90,7 @@ impl SimulatedNao {
             hearing: Hearing::default(),
             pads: Pads::default(),
             charge: Charge::default(),
-            own: Own::default(),
+            own: OwnState::default(),
             halted: None,
             eyes: Eyes::default(),
             lights: Lights::default(),
@@ -132,7 +135,7 @@ impl SimulatedNao {
 
     /// The sounds that were played, oldest first, at most 100.
     #[must_use]
-    pub fn sounds(&self) -> &[Played] {
+    pub fn sounds(&self) -> &[PlayedSound] {
         self.sounds.log()
     }
 
@@ -166,7 +169,7 @@ impl SimulatedNao {
     /// A fingerprint of the whole state: two robots that were told the same have the same, on every machine.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        let mut digest = Digest::new();
+        let mut digest = RunningHash::new();
         digest.whole(self.now);
         self.digest_motion(&mut digest);
         self.world.digest(&mut digest);
@@ -177,7 +180,7 @@ impl SimulatedNao {
         digest.finish()
     }
 
-    fn digest_motion(&self, digest: &mut Digest) {
+    fn digest_motion(&self, digest: &mut RunningHash) {
         let servo = &self.servo;
         for joints in [&servo.now, &servo.reference, &servo.target, &servo.speed] {
             digest.floats(joints);
@@ -201,7 +204,7 @@ impl SimulatedNao {
         self.going.iter().for_each(|going| going.digest(digest));
     }
 
-    fn digest_mind(&self, digest: &mut Digest) {
+    fn digest_mind(&self, digest: &mut RunningHash) {
         digest.floats(&self.eyes.color);
         digest.floats(&[self.eyes.brightness, self.noise.angle, self.noise.size, self.noise.drop]);
         digest.count(self.printed.len());

@@ -1,6 +1,6 @@
 //! Disturbances of the senses, seeded. All are off unless somebody turns them on.
 
-use crate::hash::Digest;
+use crate::hash::RunningHash;
 use crate::sight::Sighting;
 
 /// The errors of the camera's measurements.
@@ -54,7 +54,7 @@ impl Random {
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.whole(self.0);
     }
 }

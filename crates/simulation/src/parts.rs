@@ -1,10 +1,10 @@
 //! The shapes of the floor, the walls, the people and the robot's parts for rapier.
 
-use crate::body::Body;
+use crate::body::BodyPoses;
 use crate::math::{Pose, Vector, vector};
-use crate::model::Model;
+use crate::model::BodyModel;
 use crate::room::{HALF_M, HEAD_M, ObstacleKind, PersonKind, WAIST_M};
-use crate::table::{Link, Shape};
+use crate::table::{BodyPart, Primitive};
 use rapier3d::prelude::{ColliderBuilder, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle};
 
 /// The groups that meet each other: the robot's parts meet things, never each other.
@@ -54,12 +54,16 @@ pub(crate) fn add_room(physics: &mut PhysicsWorld) {
 }
 
 /// Adds the parts of the robot that have shapes; each with its link.
-pub(crate) fn add_parts(physics: &mut PhysicsWorld, model: &Model, robot: &Body) -> Vec<(usize, RigidBodyHandle)> {
+pub(crate) fn add_parts(
+    physics: &mut PhysicsWorld,
+    model: &BodyModel,
+    robot: &BodyPoses,
+) -> Vec<(usize, RigidBodyHandle)> {
     let with_shapes = model.links.iter().enumerate().filter(|(_, link)| !link.shapes.is_empty());
     with_shapes.map(|(index, link)| (index, add_part(physics, link, robot.links()[index]))).collect()
 }
 
-fn add_part(physics: &mut PhysicsWorld, link: &Link, at: Pose) -> RigidBodyHandle {
+fn add_part(physics: &mut PhysicsWorld, link: &BodyPart, at: Pose) -> RigidBodyHandle {
     let body = physics.insert_body(RigidBodyBuilder::kinematic_position_based().pose(at));
     for shape in &link.shapes {
         physics.insert_collider(collider(shape).collision_groups(group::robot(link.name == "Head")), Some(body));
@@ -67,11 +71,11 @@ fn add_part(physics: &mut PhysicsWorld, link: &Link, at: Pose) -> RigidBodyHandl
     body
 }
 
-fn collider(shape: &Shape) -> ColliderBuilder {
+fn collider(shape: &Primitive) -> ColliderBuilder {
     match shape {
-        Shape::Box { at, half } => ColliderBuilder::cuboid(half[0], half[1], half[2]).translation(vector(*at)),
-        Shape::Sphere { at, r } => ColliderBuilder::ball(*r).translation(vector(*at)),
-        Shape::Capsule { a, b, r } => ColliderBuilder::capsule_from_endpoints(vector(*a), vector(*b), *r),
+        Primitive::Box { at, half } => ColliderBuilder::cuboid(half[0], half[1], half[2]).translation(vector(*at)),
+        Primitive::Sphere { at, r } => ColliderBuilder::ball(*r).translation(vector(*at)),
+        Primitive::Capsule { a, b, r } => ColliderBuilder::capsule_from_endpoints(vector(*a), vector(*b), *r),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The robot in its room as a picture.
 
-use crate::body::Side;
-use crate::devices::{Follow, Point};
+use crate::body::ArmSide;
+use crate::devices::{FollowingBody, PointingArm};
 use crate::nao::SimulatedNao;
 use crate::room::MARK_M;
 use crate::world::{self, BallBody, ObstacleBody, PersonBody};
-use robot::{Ball, Body, Mark, Obstacle, Person, Scene};
+use robot::{Ball, Body, Obstacle, PrintedMark, Scene, ScenePerson};
 
 impl SimulatedNao {
     /// Everything in the room now.
@@ -21,7 +21,7 @@ impl SimulatedNao {
     }
 
     fn body_picture(&self) -> Body {
-        let hands = [Side::Left, Side::Right].map(|side| self.body.hand(side).to_array());
+        let hands = [ArmSide::Left, ArmSide::Right].map(|side| self.body.hand(side).to_array());
         Body {
             base: self.base.at,
             joints: self.servo.now.to_vec(),
@@ -45,8 +45,8 @@ impl SimulatedNao {
     }
 
     fn tracking(&self) -> String {
-        let head = self.follow.iter().map(Follow::words);
-        let arms = self.points.iter().map(Point::words);
+        let head = self.follow.iter().map(FollowingBody::words);
+        let arms = self.points.iter().map(PointingArm::words);
         head.chain(arms).collect::<Vec<_>>().join(", ")
     }
 
@@ -66,8 +66,8 @@ impl SimulatedNao {
         self.world.balls.iter().enumerate().map(picture).collect()
     }
 
-    fn people_pictures(&self) -> Vec<Person> {
-        let picture = |(index, person): (usize, &PersonBody)| Person {
+    fn people_pictures(&self) -> Vec<ScenePerson> {
+        let picture = |(index, person): (usize, &PersonBody)| ScenePerson {
             id: person.id.to_owned(),
             at: person.at,
             height: person.height,
@@ -89,8 +89,8 @@ impl SimulatedNao {
         self.world.obstacles.iter().map(picture).collect()
     }
 
-    fn landmark_pictures(&self) -> Vec<Mark> {
-        let picture = |(index, mark): (usize, &world::Mark)| Mark {
+    fn landmark_pictures(&self) -> Vec<PrintedMark> {
+        let picture = |(index, mark): (usize, &world::WorldMark)| PrintedMark {
             id: mark.id.to_owned(),
             number: mark.number,
             at: mark.at.to_array(),

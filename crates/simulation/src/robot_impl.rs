@@ -1,6 +1,6 @@
 //! The simulated robot as a [`Robot`]: it does what every robot can do.
 
-use crate::devices::{Opened, names, open};
+use crate::devices::{SimulatedDevice, names, open};
 use crate::installed::installed;
 use crate::nao::{STEP_MS, SimulatedNao};
 use behaviour::{Params, Value};
@@ -41,8 +41,8 @@ impl Robot for SimulatedNao {
         }
         self.safe = false;
         match device {
-            Opened::Sense(sense) => self.senses.open(user, sense, self.now),
-            Opened::Act(act) => {
+            SimulatedDevice::Sense(sense) => self.senses.open(user, sense, self.now),
+            SimulatedDevice::Act(act) => {
                 self.acts.insert(user.clone(), act);
             }
         }

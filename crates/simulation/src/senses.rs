@@ -1,13 +1,13 @@
 //! The open senses: when each is due, and what it gives.
 
 use crate::devices::{Beat, Sense};
-use crate::hash::{Digest, digest_use};
+use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
 use robot::{Millis, Reading, Use};
 use std::collections::BTreeMap;
 
 /// An open sense and how often it was due since.
-struct Open {
+struct SimulatedOpenSense {
     sense: Box<dyn Sense>,
     since: u64,
     count: u64,
@@ -15,14 +15,14 @@ struct Open {
 
 /// All open senses.
 #[derive(Default)]
-pub(crate) struct Senses {
-    open: BTreeMap<Use, Open>,
+pub(crate) struct OpenSenses {
+    open: BTreeMap<Use, SimulatedOpenSense>,
 }
 
-impl Senses {
+impl OpenSenses {
     /// Opens a sense; its beat starts now.
     pub(crate) fn open(&mut self, user: &Use, sense: Box<dyn Sense>, now: u64) {
-        self.open.insert(user.clone(), Open { sense, since: now, count: 0 });
+        self.open.insert(user.clone(), SimulatedOpenSense { sense, since: now, count: 0 });
     }
 
     /// Closes a sense, if it is open.
@@ -41,7 +41,7 @@ impl Senses {
     }
 
     /// Adds what is open.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.count(self.open.len());
         for (user, open) in &self.open {
             digest_use(user, digest);
@@ -52,7 +52,7 @@ impl Senses {
     }
 }
 
-impl Open {
+impl SimulatedOpenSense {
     /// The moment for which it is due, if it is; counts it.
     fn due(&mut self, now: u64) -> Option<u64> {
         let (micros, parts) = match self.sense.beat() {

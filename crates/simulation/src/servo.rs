@@ -1,7 +1,7 @@
 //! The motors: a reference that keeps to speeds and limits, and joints that follow it with a lag.
 
 use crate::math::nearer;
-use crate::model::{HEAD_PITCH, HEAD_YAW, MOTORS, Model};
+use crate::model::{BodyModel, HEAD_PITCH, HEAD_YAW, MOTORS};
 
 /// From command to motion, in seconds: three motion cycles of 12 ms (B-Human's assumption for a NAO).
 const LAG_S: f32 = 0.036;
@@ -10,7 +10,7 @@ pub(crate) const STEP_S: f32 = 0.01;
 
 /// All motors.
 pub(crate) struct Servo {
-    model: &'static Model,
+    model: &'static BodyModel,
     /// Where the joints are.
     pub(crate) now: [f32; MOTORS],
     /// Where the motion planner wants them at this moment.
@@ -24,7 +24,7 @@ pub(crate) struct Servo {
 
 impl Servo {
     /// Motors resting in the posture StandInit.
-    pub(crate) fn new(model: &'static Model) -> Self {
+    pub(crate) fn new(model: &'static BodyModel) -> Self {
         let stand = model.postures.stand_init;
         let follow = 1.0 - libm::expf(-STEP_S / LAG_S);
         Self { model, now: stand, reference: stand, target: stand, speed: [0.3; MOTORS], follow }
@@ -90,11 +90,11 @@ impl Servo {
 #[cfg(test)]
 mod tests {
     use super::Servo;
-    use crate::model::{HEAD_PITCH, HEAD_YAW, Model, motor};
+    use crate::model::{BodyModel, HEAD_PITCH, HEAD_YAW, motor};
 
     #[test]
     fn a_joint_reaches_its_target_no_faster_than_its_speed() {
-        let mut servo = Servo::new(Model::nao());
+        let mut servo = Servo::new(BodyModel::nao());
         servo.aim(HEAD_YAW, 1.0, 0.1);
         for _ in 0..100 {
             servo.step();
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn a_turned_head_nods_less_and_both_hips_move_together() {
-        let mut servo = Servo::new(Model::nao());
+        let mut servo = Servo::new(BodyModel::nao());
         let [left, right] = ["LHipYawPitch", "RHipYawPitch"].map(|name| motor(name).expect("present"));
         servo.aim(HEAD_YAW, 1.527, 1.0);
         servo.aim(HEAD_PITCH, 9.0, 1.0);
@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn numbers_that_are_none_are_ignored() {
-        let mut servo = Servo::new(Model::nao());
+        let mut servo = Servo::new(BodyModel::nao());
         servo.aim(HEAD_YAW, f32::NAN, 1.0);
         servo.aim(HEAD_YAW, 0.1, f32::INFINITY);
         assert_eq!(servo.target[HEAD_YAW].to_bits(), 0.0_f32.to_bits());

@@ -1,7 +1,7 @@
 //! Speaking: a short queue, and a log of what was said.
 
 use crate::devices::Voice;
-use crate::hash::{Digest, digest_use};
+use crate::hash::{RunningHash, digest_use};
 use robot::{Millis, RobotFault, Use};
 use std::collections::VecDeque;
 
@@ -37,14 +37,14 @@ pub(crate) struct Speech {
     ends: Option<u64>,
     /// The uses that want what is being said.
     users: Vec<Use>,
-    waiting: VecDeque<Wish>,
+    waiting: VecDeque<QueuedSpeech>,
     log: Vec<Spoken>,
     /// The way in which it speaks, and the use that wants that.
     pub(crate) voice: Option<(Use, Voice)>,
 }
 
 /// A text that waits.
-struct Wish {
+struct QueuedSpeech {
     text: String,
     /// The uses that want it said.
     users: Vec<Use>,
@@ -69,7 +69,7 @@ impl Speech {
         if self.waiting.len() >= QUEUE_MAX {
             return Err(RobotFault::TextsWait(QUEUE_MAX));
         }
-        self.waiting.push_back(Wish { text: text.to_owned(), users: vec![user.clone()] });
+        self.waiting.push_back(QueuedSpeech { text: text.to_owned(), users: vec![user.clone()] });
         self.step(now);
         Ok(())
     }
@@ -128,8 +128,8 @@ impl Speech {
         }
     }
 
-    fn begin(&mut self, wish: Wish, now: u64) {
-        let Wish { text, users } = wish;
+    fn begin(&mut self, wish: QueuedSpeech, now: u64) {
+        let QueuedSpeech { text, users } = wish;
         self.users = users;
         let speed = self.voice.as_ref().map_or(100, |(_, voice)| u64::from(voice.speed).max(1));
         self.ends = Some(now + duration_ms(&text) * 100 / speed);
@@ -148,7 +148,7 @@ impl Speech {
     }
 
     /// Adds the queue and the log.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.whole(self.ends.unwrap_or_default());
         digest.count(self.waiting.len());
         self.users.iter().for_each(|user| digest_use(user, digest));

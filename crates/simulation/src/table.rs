@@ -34,8 +34,8 @@ impl fmt::Display for TableFault {
 
 /// The contents of the file.
 #[derive(Deserialize)]
-pub(crate) struct Table {
-    pub(crate) links: Vec<Link>,
+pub(crate) struct BodyTable {
+    pub(crate) links: Vec<BodyPart>,
     pub(crate) joints: Vec<JointRow>,
     pub(crate) hands: Vec<HandRow>,
     pub(crate) head_pitch_by_yaw: Vec<[f32; 3]>,
@@ -46,15 +46,15 @@ pub(crate) struct Table {
 
 /// A rigid part of the body.
 #[derive(Deserialize)]
-pub(crate) struct Link {
+pub(crate) struct BodyPart {
     pub(crate) name: String,
-    pub(crate) shapes: Vec<Shape>,
+    pub(crate) shapes: Vec<Primitive>,
 }
 
 /// A primitive shape in the frame of its link, in metres.
 #[derive(Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-pub(crate) enum Shape {
+pub(crate) enum Primitive {
     Box { at: [f32; 3], half: [f32; 3] },
     Sphere { at: [f32; 3], r: f32 },
     Capsule { a: [f32; 3], b: [f32; 3], r: f32 },

@@ -1,9 +1,9 @@
 //! The physical room: floor, walls, balls, people and the robot's parts as bodies of rapier.
 
-use crate::body::Body;
-use crate::hash::Digest;
+use crate::body::BodyPoses;
+use crate::hash::RunningHash;
 use crate::math::{Pose, Vector, across};
-use crate::model::Model;
+use crate::model::BodyModel;
 use crate::parts::{add_obstacle, add_parts, add_person, add_room, group};
 use crate::room::{self, HALF_M, MARKS, OBSTACLES, PEOPLE, WAIST_M};
 use crate::servo::STEP_S;
@@ -44,7 +44,7 @@ pub(crate) struct ObstacleBody {
 }
 
 /// A printed mark, too thin to be a body.
-pub(crate) struct Mark {
+pub(crate) struct WorldMark {
     pub(crate) id: &'static str,
     pub(crate) number: u16,
     pub(crate) at: Vector,
@@ -60,12 +60,12 @@ pub(crate) struct World {
     pub(crate) balls: Vec<BallBody>,
     pub(crate) people: Vec<PersonBody>,
     pub(crate) obstacles: Vec<ObstacleBody>,
-    pub(crate) marks: Vec<Mark>,
+    pub(crate) marks: Vec<WorldMark>,
 }
 
 impl World {
     /// The room as it is at first, the robot standing in it.
-    pub(crate) fn new(model: &Model, robot: &Body) -> Self {
+    pub(crate) fn new(model: &BodyModel, robot: &BodyPoses) -> Self {
         let mut physics = PhysicsWorld { gravity: Vector::new(0.0, 0.0, -9.81), ..PhysicsWorld::default() };
         physics.integration_parameters.dt = STEP_S;
         add_room(&mut physics);
@@ -94,7 +94,7 @@ impl World {
     }
 
     /// One step: the robot's parts go where its body says, everything else where physics says.
-    pub(crate) fn step(&mut self, robot: &Body, base: [f32; 3]) {
+    pub(crate) fn step(&mut self, robot: &BodyPoses, base: [f32; 3]) {
         for (link, part) in &self.parts {
             if let Some(part) = self.physics.bodies.get_mut(*part) {
                 part.set_next_kinematic_position(robot.links()[*link]);
@@ -159,7 +159,7 @@ impl World {
     }
 
     /// True if a foot would meet an obstacle on the way from `base` to `next`, and more than it does already.
-    pub(crate) fn obstacle_blocks(&self, robot: &Body, base: [f32; 3], next: [f32; 2]) -> bool {
+    pub(crate) fn obstacle_blocks(&self, robot: &BodyPoses, base: [f32; 3], next: [f32; 2]) -> bool {
         let way = Vector::new(next[0] - base[0], next[1] - base[1], 0.0);
         self.in_the_way().any(|obstacle| {
             let nearest = |way: Vector| {
@@ -235,7 +235,7 @@ impl World {
     }
 
     /// Everything that moves, bit for bit, in the order it was made.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         for (_, body) in self.physics.bodies.iter() {
             let (pose, linear, angular) = (body.position(), body.linvel(), body.angvel());
             digest.floats(&pose.translation.to_array());
@@ -276,8 +276,8 @@ impl ObstacleBody {
 }
 
 /// The marks as they are at first, facing where the robot stands then.
-fn marks() -> Vec<Mark> {
-    let mark = |kind: &room::MarkKind| Mark {
+fn marks() -> Vec<WorldMark> {
+    let mark = |kind: &room::MarkKind| WorldMark {
         id: kind.id,
         number: kind.number,
         at: kind.at,

@@ -8,13 +8,13 @@ mod robots;
 #[cfg(test)]
 mod tests;
 
-pub use copy::{Difference, compare, migrate};
+pub use copy::{StoreDifference, compare, migrate};
 pub use restore::{Backup, read, restore, verify};
-pub use robots::{Body, Reached, Robot};
+pub use robots::{BackedUpBody, BackedUpRobot, Reached};
 
-use crate::{LIBRARY, Place, Query, Store, StoreError};
+use crate::{LIBRARY, Query, SearchPlace, Store, StoreError};
 use behaviour::{Checkpoint, Id, Refusal};
-use lines::{Line, Sum};
+use lines::{BackupLine, Sum};
 use std::future::Future;
 use thiserror::Error;
 
@@ -35,7 +35,7 @@ pub enum BackupError {
     File(#[from] std::io::Error),
     /// The file is no whole backup; with the line and what is wrong there.
     #[error("Line {0} of the backup: {1} Take another backup.")]
-    Broken(u64, Flaw),
+    Broken(u64, BackupFlaw),
     /// The store to fill holds something else already; with its id.
     #[error("The store is not empty: it holds “{0}”, which is not from here. Choose an empty one.")]
     NotEmpty(Id),
@@ -46,7 +46,7 @@ pub enum BackupError {
 
 /// The flaws of a line of a backup.
 #[derive(Debug, Error)]
-pub enum Flaw {
+pub enum BackupFlaw {
     /// It does not begin as a backup does.
     #[error("This is no {BACKUP_FORMAT}.")]
     NoBackup,
@@ -99,7 +99,7 @@ pub struct Counted {
 
 /// One behaviour, before its history.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Shelf {
+pub(crate) struct BackedUpBehaviour {
     id: Id,
     revision: u64,
     /// The time when it went to the bin, and the name of the person who put it there.
@@ -117,7 +117,7 @@ pub type Progress<'p> = &'p (dyn Fn(Counted, u64) + Send + Sync);
 pub async fn backup<F, W>(
     store: &dyn Store,
     epoch: u64,
-    robots: &[Robot],
+    robots: &[BackedUpRobot],
     mut put: F,
     progress: Progress<'_>,
 ) -> Result<Counted, BackupError>
@@ -126,22 +126,22 @@ where
     W: Future<Output = std::io::Result<()>>,
 {
     let (shelves, mut sum, mut done) = (shelves(store).await?, Sum::default(), Counted::default());
-    put(sum.line(&Line::Start { format: BACKUP_FORMAT.to_owned(), epoch })).await?;
+    put(sum.line(&BackupLine::Start { format: BACKUP_FORMAT.to_owned(), epoch })).await?;
     for robot in robots {
-        put(sum.line(&Line::Robot(robot.clone()))).await?;
+        put(sum.line(&BackupLine::Robot(robot.clone()))).await?;
     }
     for shelf in &shelves {
-        put(sum.line(&Line::of(shelf))).await?;
+        put(sum.line(&BackupLine::of(shelf))).await?;
         let mut since = 0;
         while since < shelf.revision {
             for change in page(store, shelf, since).await? {
                 since = change.revision;
                 done.changes += 1;
-                put(sum.line(&Line::Change(change))).await?;
+                put(sum.line(&BackupLine::Change(change))).await?;
             }
         }
         for checkpoint in named(store, shelf).await? {
-            put(sum.line(&Line::Named(checkpoint))).await?;
+            put(sum.line(&BackupLine::Named(checkpoint))).await?;
         }
         done.behaviours += 1;
         progress(done, shelves.len() as u64);
@@ -151,7 +151,11 @@ where
 }
 
 /// The next changes of a behaviour, up to the revision that it had at first.
-async fn page(store: &dyn Store, shelf: &Shelf, since: u64) -> Result<Vec<behaviour::Committed>, BackupError> {
+async fn page(
+    store: &dyn Store,
+    shelf: &BackedUpBehaviour,
+    since: u64,
+) -> Result<Vec<behaviour::Committed>, BackupError> {
     let mut page = store.history(&shelf.id, since, PAGE_CHANGES).await?;
     page.retain(|change| change.revision <= shelf.revision);
     if page.is_empty() {
@@ -162,23 +166,23 @@ async fn page(store: &dyn Store, shelf: &Shelf, since: u64) -> Result<Vec<behavi
 }
 
 /// The named versions of a behaviour, up to the revision that it had at first.
-async fn named(store: &dyn Store, shelf: &Shelf) -> Result<Vec<Checkpoint>, StoreError> {
+async fn named(store: &dyn Store, shelf: &BackedUpBehaviour) -> Result<Vec<Checkpoint>, StoreError> {
     let mut named = store.checkpoints(&shelf.id).await?;
     named.retain(|one| one.revision <= shelf.revision);
     Ok(named)
 }
 
 /// Returns everything that the store holds, the library first, then in order of id.
-pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<Shelf>, StoreError> {
+pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<BackedUpBehaviour>, StoreError> {
     let mut all = Vec::new();
-    for place in [Place::Here, Place::Bin] {
+    for place in [SearchPlace::Here, SearchPlace::Bin] {
         let mut query = Query { place, ..Query::default() };
         loop {
             let page = store.list(&query).await?;
-            all.extend(page.lines.into_iter().map(|line| Shelf {
+            all.extend(page.lines.into_iter().map(|line| BackedUpBehaviour {
                 id: line.id,
                 revision: line.revision,
-                removed: (place == Place::Bin).then_some((line.changed_ms, line.by)),
+                removed: (place == SearchPlace::Bin).then_some((line.changed_ms, line.by)),
             }));
             query.after = page.next;
             if query.after.is_none() {
@@ -190,7 +194,7 @@ pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<Shelf>, StoreError>
     all.dedup_by(|a, b| a.id == b.id);
     let library = Id::new(LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
     if let Some(loaded) = store.load(&library).await? {
-        all.insert(0, Shelf { id: library, revision: loaded.revision, removed: None });
+        all.insert(0, BackedUpBehaviour { id: library, revision: loaded.revision, removed: None });
     }
     Ok(all)
 }

@@ -18,15 +18,15 @@ mod schemas;
 #[cfg(test)]
 mod tests;
 
-pub use import::{Import, Mode, Unfit, import};
+pub use import::{Import, ImportError, ImportMode, import};
 pub use json::write::write_json;
-pub use kind::Kind;
+pub use kind::FileKind;
 pub use svg::write_svg;
 pub use text::text_of;
 pub use xml::write::{NoXml, write_xml};
 
 use behaviour::{BEHAVIOUR_MAX_BYTES, BehaviourFile, LIBRARY_MAX_BYTES};
-use place::Lines;
+use place::LineStarts;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -56,7 +56,7 @@ impl std::error::Error for FileFault {}
 
 /// A file that was looked at.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Looked {
+pub struct ReadFile {
     /// The behaviour, if its form is right.
     pub file: Option<BehaviourFile>,
     /// The faults of its form, from top to bottom; of very many only the first.
@@ -65,7 +65,7 @@ pub struct Looked {
     pub places: BTreeMap<String, (u32, u32)>,
 }
 
-impl Looked {
+impl ReadFile {
     /// Faults that say first the id of what they are about, `id: reason`, with the place of it.
     #[must_use]
     pub fn place(&self, faults: &[impl fmt::Display]) -> Vec<FileFault> {
@@ -102,24 +102,24 @@ pub fn read(bytes: &[u8]) -> Result<BehaviourFile, FileFault> {
 
 /// Looks at a whole file and tells every fault of its form.
 #[must_use]
-pub fn look(bytes: &[u8]) -> Looked {
+pub fn look(bytes: &[u8]) -> ReadFile {
     match looked(bytes) {
         Ok(looked) => looked,
-        Err(fault) => Looked { faults: vec![fault], ..Looked::default() },
+        Err(fault) => ReadFile { faults: vec![fault], ..ReadFile::default() },
     }
 }
 
-fn looked(bytes: &[u8]) -> Result<Looked, FileFault> {
+fn looked(bytes: &[u8]) -> Result<ReadFile, FileFault> {
     let at_start = |reason: String| FileFault { line: 1, column: 1, reason };
     if bytes.len() > FILE_MAX_BYTES {
         let reason = format!("The file has {} bytes, and a program may have {FILE_MAX_BYTES}.", bytes.len());
         return Err(at_start(reason + " Split it into several."));
     }
-    if let Some(kind) = Kind::of(bytes) {
+    if let Some(kind) = FileKind::of(bytes) {
         return Err(at_start(kind.no_program()));
     }
     let text = text_of(bytes)?;
-    let lines = Lines::of(text);
+    let lines = LineStarts::of(text);
     let start = text.len() - text.trim_start().len();
     let tree = match text.as_bytes().get(start) {
         Some(b'{') => json::tree(text, &lines)?,

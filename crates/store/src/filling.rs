@@ -14,14 +14,14 @@ const OLDER: &str = "rrp.restoring";
 
 /// The source from which a store is filled.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Source {
+pub struct FillingSource {
     /// Tells it from every other one.
     pub key: String,
     /// The command that goes on with it, as somebody types it; it has no password in it.
     pub again: String,
 }
 
-impl Source {
+impl FillingSource {
     /// True if a store with this mark may be filled from here.
     fn fits(&self, mark: &Self) -> bool {
         self.key == mark.key || mark.key.is_empty()
@@ -45,7 +45,7 @@ impl Filling {
     ///
     /// # Errors
     /// [`StoreError::Unfinished`] if it is being filled from elsewhere.
-    pub async fn begin(to: &Arc<dyn Store>, source: &Source) -> Result<Self, StoreError> {
+    pub async fn begin(to: &Arc<dyn Store>, source: &FillingSource) -> Result<Self, StoreError> {
         let goes_on = check(&**to, source).await?;
         let mut mark = to.begin_filling(source).await;
         if mark.as_ref().is_err_and(StoreError::is_open) {
@@ -84,7 +84,7 @@ impl Filling {
 ///
 /// # Errors
 /// [`StoreError::Unfinished`] if it is being filled from elsewhere.
-pub(crate) async fn check(store: &dyn Store, source: &Source) -> Result<bool, StoreError> {
+pub(crate) async fn check(store: &dyn Store, source: &FillingSource) -> Result<bool, StoreError> {
     match store.filling().await? {
         None => Ok(false),
         Some(mark) if source.fits(&mark) => Ok(true),
@@ -100,7 +100,7 @@ pub async fn check_whole(store: &dyn Store) -> Result<(), StoreError> {
     store.filling().await?.map_or(Ok(()), |mark| Err(unfinished(mark)))
 }
 
-fn unfinished(mark: Source) -> StoreError {
+fn unfinished(mark: FillingSource) -> StoreError {
     StoreError::Unfinished(mark.again)
 }
 
@@ -109,7 +109,7 @@ fn unfinished(mark: Source) -> StoreError {
 /// # Errors
 /// [`StoreError::Unfinished`] if it did.
 pub fn check_folder(folder: &Path) -> Result<(), StoreError> {
-    if folder.join(OLDER).exists() { Err(unfinished(Source::of_an_older_rrp())) } else { Ok(()) }
+    if folder.join(OLDER).exists() { Err(unfinished(FillingSource::of_an_older_rrp())) } else { Ok(()) }
 }
 
 /// Takes away the mark that a restore of an older rrp left in a folder: what it began has come to its end.
@@ -121,7 +121,7 @@ pub fn end_in_folder(folder: &Path) -> io::Result<()> {
 }
 
 /// The mark in a folder of files.
-pub(crate) fn in_folder(folder: &Path) -> Result<Option<Source>, StoreError> {
+pub(crate) fn in_folder(folder: &Path) -> Result<Option<FillingSource>, StoreError> {
     let file = folder.join(FILE);
     match std::fs::read(&file) {
         Ok(text) => {
@@ -134,12 +134,12 @@ pub(crate) fn in_folder(folder: &Path) -> Result<Option<Source>, StoreError> {
 }
 
 /// The mark of an older rrp in a folder.
-pub(crate) fn of_older(folder: &Path) -> Option<Source> {
-    folder.join(OLDER).exists().then(Source::of_an_older_rrp)
+pub(crate) fn of_older(folder: &Path) -> Option<FillingSource> {
+    folder.join(OLDER).exists().then(FillingSource::of_an_older_rrp)
 }
 
 /// Marks a folder of files, whatever an older rrp left there.
-pub(crate) fn begin_in_folder(folder: &Path, source: &Source) -> Result<Source, StoreError> {
+pub(crate) fn begin_in_folder(folder: &Path, source: &FillingSource) -> Result<FillingSource, StoreError> {
     if let Some(mark) = in_folder(folder)?.filter(|mark| !mark.key.is_empty()) {
         return Ok(mark);
     }

@@ -6,12 +6,12 @@ mod log;
 mod tests;
 
 use crate::{
-    Append, Contested, Driver, FolderLock, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Source, Store,
-    StoreError, Used, checkpoints, filling, json, lock_folder,
+    ActionDriver, Append, Contested, FillingSource, FolderLock, HelperUse, LIBRARY, Listing, Loaded, MemoryStore,
+    Query, Similar, Store, StoreError, checkpoints, filling, json, lock_folder,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
-use log::{Line, Logs, Strange};
+use log::{LogLine, Logs, Strange};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -56,23 +56,23 @@ impl FolderStore {
 }
 
 /// Takes a line of a file into memory; else says why it cannot follow the lines before it.
-fn take(kept: &MemoryStore, behaviour: &Id, line: Line) -> Result<(), Strange> {
+fn take(kept: &MemoryStore, behaviour: &Id, line: LogLine) -> Result<(), Strange> {
     match line {
-        Line::Change(committed) => match kept.judge(behaviour, &committed)? {
+        LogLine::Change(committed) => match kept.judge(behaviour, &committed)? {
             Append::Applied => kept.put(behaviour, &committed),
             Append::Duplicate { .. } | Append::Reused { .. } | Append::Conflict { .. } => {
                 return Err(Strange::Order(committed.revision));
             }
         },
-        Line::Removed { at_ms, by } => drop(kept.removed(behaviour, at_ms, &by)),
-        Line::Restored => drop(kept.restored(behaviour)),
-        Line::Named(checkpoint) => match kept.judge_checkpoint(behaviour, &checkpoint) {
+        LogLine::Removed { at_ms, by } => drop(kept.removed(behaviour, at_ms, &by)),
+        LogLine::Restored => drop(kept.restored(behaviour)),
+        LogLine::Named(checkpoint) => match kept.judge_checkpoint(behaviour, &checkpoint) {
             (true, true) => kept.put_checkpoint(behaviour, &checkpoint),
             _ => return Err(Strange::Name(checkpoint.name)),
         },
-        Line::Unnamed { name } if kept.take_checkpoint(behaviour, &name) => {}
-        Line::Unnamed { name } => return Err(Strange::Name(name)),
-        Line::Epoch(epoch) => kept.set_epoch(epoch),
+        LogLine::Unnamed { name } if kept.take_checkpoint(behaviour, &name) => {}
+        LogLine::Unnamed { name } => return Err(Strange::Name(name)),
+        LogLine::Epoch(epoch) => kept.set_epoch(epoch),
     }
     Ok(())
 }
@@ -85,7 +85,7 @@ impl Store for FolderStore {
             json::checked(&committed)?;
             let verdict = kept.judge(&id, &committed)?;
             if verdict == Append::Applied {
-                logs.add(&id, &Line::Change(committed.clone()))?;
+                logs.add(&id, &LogLine::Change(committed.clone()))?;
                 kept.put(&id, &committed);
             }
             Ok(verdict)
@@ -115,7 +115,7 @@ impl Store for FolderStore {
             checkpoints::check(&checkpoint)?;
             let (is_kept, is_new) = kept.judge_checkpoint(&id, &checkpoint);
             if is_kept && is_new {
-                logs.add(&id, &Line::Named(checkpoint.clone()))?;
+                logs.add(&id, &LogLine::Named(checkpoint.clone()))?;
                 kept.put_checkpoint(&id, &checkpoint);
             }
             Ok(is_kept)
@@ -127,7 +127,7 @@ impl Store for FolderStore {
         let (id, name) = (behaviour.clone(), name.to_owned());
         self.write(move |kept, logs| {
             if kept.has_checkpoint(&id, &name) {
-                logs.add(&id, &Line::Unnamed { name: name.clone() })?;
+                logs.add(&id, &LogLine::Unnamed { name: name.clone() })?;
                 kept.take_checkpoint(&id, &name);
             }
             Ok(())
@@ -140,7 +140,7 @@ impl Store for FolderStore {
         self.write(move |kept, logs| {
             let there = id.as_str() != LIBRARY && kept.in_bin(&id) == Some(false);
             if there {
-                logs.add(&id, &Line::Removed { at_ms: now_ms, by: by.clone() })?;
+                logs.add(&id, &LogLine::Removed { at_ms: now_ms, by: by.clone() })?;
                 kept.removed(&id, now_ms, &by);
             }
             Ok(there)
@@ -153,7 +153,7 @@ impl Store for FolderStore {
         self.write(move |kept, logs| {
             let there = kept.in_bin(&id) == Some(true);
             if there {
-                logs.add(&id, &Line::Restored)?;
+                logs.add(&id, &LogLine::Restored)?;
                 kept.restored(&id);
             }
             Ok(there)
@@ -174,11 +174,11 @@ impl Store for FolderStore {
         .await
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
         self.kept.users(helper).await
     }
 
-    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+    async fn drivers(&self, actuator: &str) -> Result<Vec<ActionDriver>, StoreError> {
         self.kept.drivers(actuator).await
     }
 
@@ -211,11 +211,11 @@ impl Store for FolderStore {
         .await
     }
 
-    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+    async fn filling(&self) -> Result<Option<FillingSource>, StoreError> {
         self.write(|_, logs| filling::in_folder(logs.folder())).await
     }
 
-    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+    async fn begin_filling(&self, source: &FillingSource) -> Result<FillingSource, StoreError> {
         let source = source.clone();
         self.write(move |_, logs| filling::begin_in_folder(logs.folder(), &source)).await
     }

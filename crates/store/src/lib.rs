@@ -30,9 +30,9 @@ mod usage;
 mod without_neo4j;
 
 pub use behaviour::LIBRARY;
-pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Tagged, Used};
+pub use behaviour::library::{ActionDriver, Contested, Cursor, HelperUse, SearchPlace, Similar, Sort, Tagged};
 pub use error::{StoreError, Unkept};
-pub use filling::{Filling, Source, check_folder, check_whole, end_in_folder};
+pub use filling::{Filling, FillingSource, check_folder, check_whole, end_in_folder};
 pub use folder::FolderStore;
 pub use folder_lock::{FolderLock, lock_folder};
 pub use memory::MemoryStore;
@@ -111,17 +111,17 @@ pub trait Store: Send + Sync {
 
     /// Returns the direct users of a helper: connectors of behaviours outside the bin that name it or call it in their
     /// body, and other helpers of the library that call it. In order of behaviour and record.
-    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError>;
+    async fn users(&self, helper: &str) -> Result<Vec<HelperUse>, StoreError>;
 
     /// Returns the users of a helper, also through other helpers. Nearest uses first, then in order of behaviour and
     /// record.
-    async fn where_used(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
+    async fn where_used(&self, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
         usage::through_others(self, helper).await
     }
 
     /// Behaviours outside the bin that drive an action of the robot, by its name in the catalogue, each with the names
     /// of the sensor streams that lead there. In order of behaviour.
-    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError>;
+    async fn drivers(&self, actuator: &str) -> Result<Vec<ActionDriver>, StoreError>;
 
     /// Actions that more than one behaviour outside the bin drives, by name, each with those behaviours.
     async fn contested(&self) -> Result<Vec<Contested>, StoreError>;
@@ -142,11 +142,11 @@ pub trait Store: Send + Sync {
     async fn raise_epoch(&self, least: u64) -> Result<(), StoreError>;
 
     /// Returns the source from which it is being filled, if that has begun and not ended: then only a part is in it.
-    async fn filling(&self) -> Result<Option<Source>, StoreError>;
+    async fn filling(&self) -> Result<Option<FillingSource>, StoreError>;
 
     /// Marks it as being filled from there, unless it is marked already; gives the mark that it has then, and is durable when
     /// it answers. [`Filling`] is the door to this.
-    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError>;
+    async fn begin_filling(&self, source: &FillingSource) -> Result<FillingSource, StoreError>;
 
     /// Takes the mark away, if there is one; durable when it answers.
     async fn end_filling(&self) -> Result<(), StoreError>;
@@ -202,7 +202,7 @@ pub struct Loaded {
 
 /// One line in the list of behaviours.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Listed {
+pub struct ListedBehaviour {
     /// The id of the behaviour.
     pub id: Id,
     /// The name of the behaviour.

@@ -6,8 +6,8 @@ use crate::insight::{devices_of, sensors_of};
 use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
 use crate::{
-    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Source, Store,
-    StoreError, Used, json, search_text,
+    ActionDriver, Append, Contested, FillingSource, HelperUse, LIBRARY, ListedBehaviour, Listing, Loaded, Query,
+    SearchPlace, Similar, Sort, Store, StoreError, json, search_text,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id, StreamKind};
@@ -18,18 +18,18 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Keeps behaviours until the last clone is dropped.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryStore {
-    kept: Arc<Mutex<Kept>>,
+    kept: Arc<Mutex<StoredBehaviour>>,
 }
 
 #[derive(Debug, Default)]
-struct Kept {
-    behaviours: BTreeMap<Id, Shelf>,
+struct StoredBehaviour {
+    behaviours: BTreeMap<Id, MemoryShelf>,
     epoch: u64,
-    filling: Option<Source>,
+    filling: Option<FillingSource>,
 }
 
 #[derive(Debug, Default)]
-struct Shelf {
+struct MemoryShelf {
     behaviour: Behaviour,
     history: Vec<Committed>,
     /// Every op id with the revision it made.
@@ -96,7 +96,7 @@ impl MemoryStore {
         old.map(|(id, _)| id.clone()).collect()
     }
 
-    fn kept(&self) -> MutexGuard<'_, Kept> {
+    fn kept(&self) -> MutexGuard<'_, StoredBehaviour> {
         self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -114,7 +114,7 @@ impl Store for MemoryStore {
     }
 
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
-        Ok(self.kept().behaviours.get(behaviour).map(Shelf::loaded))
+        Ok(self.kept().behaviours.get(behaviour).map(MemoryShelf::loaded))
     }
 
     async fn list(&self, query: &Query) -> Result<Listing, StoreError> {
@@ -162,16 +162,16 @@ impl Store for MemoryStore {
         Ok(u32::try_from(before - kept.behaviours.len()).unwrap_or(u32::MAX))
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
         let kept = self.kept();
         Ok(in_order(kept.open().flat_map(|(id, shelf)| shelf.uses(id, helper)).collect()))
     }
 
-    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+    async fn drivers(&self, actuator: &str) -> Result<Vec<ActionDriver>, StoreError> {
         let kept = self.kept();
         let drivers = kept.open().filter_map(|(id, shelf)| {
             let sensors = sensors_of(&shelf.behaviour, actuator)?;
-            Some(Driver { behaviour: id.clone(), name: shelf.behaviour.name().to_owned(), sensors })
+            Some(ActionDriver { behaviour: id.clone(), name: shelf.behaviour.name().to_owned(), sensors })
         });
         Ok(drivers.collect())
     }
@@ -196,11 +196,11 @@ impl Store for MemoryStore {
         Ok(kept.epoch)
     }
 
-    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+    async fn filling(&self) -> Result<Option<FillingSource>, StoreError> {
         Ok(self.kept().filling.clone())
     }
 
-    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+    async fn begin_filling(&self, source: &FillingSource) -> Result<FillingSource, StoreError> {
         Ok(self.kept().filling.get_or_insert_with(|| source.clone()).clone())
     }
 
@@ -214,7 +214,7 @@ impl Store for MemoryStore {
     }
 }
 
-impl Kept {
+impl StoredBehaviour {
     fn judge(&self, id: &Id, committed: &Committed) -> Result<Append, StoreError> {
         let Some(shelf) = self.behaviours.get(id) else {
             return Ok(if committed.revision == 1 { Append::Applied } else { Append::Conflict { head: 0 } });
@@ -237,12 +237,13 @@ impl Kept {
     }
 
     /// The behaviours outside the bin.
-    fn open(&self) -> impl Iterator<Item = (&Id, &Shelf)> {
+    fn open(&self) -> impl Iterator<Item = (&Id, &MemoryShelf)> {
         self.behaviours.iter().filter(|(_, shelf)| shelf.removed.is_none())
     }
 
     fn listing(&self, query: &Query) -> Listing {
-        let there = self.behaviours.iter().filter(|(_, shelf)| shelf.removed.is_some() == (query.place == Place::Bin));
+        let there =
+            self.behaviours.iter().filter(|(_, shelf)| shelf.removed.is_some() == (query.place == SearchPlace::Bin));
         let there: Vec<_> = there.filter_map(|(id, shelf)| Some((shelf, shelf.line(id)?))).collect();
         let (total, needles) = (there.len() as u64, query.needles());
         let found = there.into_iter().filter(|(shelf, line)| {
@@ -294,7 +295,7 @@ impl Kept {
     }
 }
 
-impl Shelf {
+impl MemoryShelf {
     fn head(&self) -> u64 {
         self.history.last().map_or(0, |last| last.revision)
     }
@@ -314,17 +315,17 @@ impl Shelf {
         Loaded { behaviour: self.behaviour.clone(), revision: self.head(), removed_ms }
     }
 
-    fn line(&self, id: &Id) -> Option<Listed> {
+    fn line(&self, id: &Id) -> Option<ListedBehaviour> {
         let last = &self.history.last()?.change;
         let (changed_ms, by) = self.removed.clone().unwrap_or_else(|| (last.at_ms, last.author.clone()));
         let settings = self.behaviour.settings()?;
         let (name, tags) = (settings.name.clone(), settings.tags.clone());
         let streams = u32::try_from(self.behaviour.streams().count()).unwrap_or(u32::MAX);
         let owner = self.history.first()?.change.author.clone();
-        Some(Listed { id: id.clone(), name, revision: self.head(), changed_ms, by, owner, streams, tags })
+        Some(ListedBehaviour { id: id.clone(), name, revision: self.head(), changed_ms, by, owner, streams, tags })
     }
 
-    fn uses(&self, id: &Id, helper: &str) -> Vec<Used> {
+    fn uses(&self, id: &Id, helper: &str) -> Vec<HelperUse> {
         let records = self.behaviour.records.iter().filter(|(_, record)| uses(record, helper));
         records.map(|(key, record)| usage(id, self.behaviour.name(), key, record)).collect()
     }

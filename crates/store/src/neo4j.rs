@@ -21,12 +21,13 @@ mod tests;
 mod thesis;
 
 use crate::{
-    Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Source, Store, StoreError, Used, json,
+    ActionDriver, Append, Contested, FillingSource, HelperUse, LIBRARY, Listing, Loaded, Query, Similar, Store,
+    StoreError, json,
 };
-use address::Address;
+use address::Neo4jAddress;
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
-use link::Link;
+use link::Neo4jConnections;
 use std::sync::Arc;
 use std::time::Duration;
 pub use thesis::read_thesis;
@@ -34,7 +35,7 @@ pub use thesis::read_thesis;
 /// Keeps behaviours in a Neo4j database, which other servers may use at the same time. Every call answers within
 /// 3 seconds, also when Neo4j does not; what failed then works again as soon as Neo4j does.
 pub struct Neo4jStore {
-    link: Arc<Link>,
+    link: Arc<Neo4jConnections>,
 }
 
 /// The longest time of a call, all attempts together.
@@ -59,9 +60,9 @@ pub async fn open_neo4j(url: &str) -> Result<Neo4jStore, StoreError> {
 /// # Errors
 /// Fails as [`open_neo4j`] does.
 pub async fn open_neo4j_within(url: &str, answer_max: Duration) -> Result<Neo4jStore, StoreError> {
-    let address = Address::read(url, &|name| std::env::var(name).ok())?;
+    let address = Neo4jAddress::read(url, &|name| std::env::var(name).ok())?;
     schema::migrate(&address).await?;
-    Ok(Neo4jStore { link: Arc::new(Link::new(&address, answer_max)?) })
+    Ok(Neo4jStore { link: Arc::new(Neo4jConnections::new(&address, answer_max)?) })
 }
 
 impl Neo4jStore {
@@ -119,11 +120,11 @@ impl Store for Neo4jStore {
         bin::purge(&self.link, removed_before_ms).await
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
         insight::users(&self.link, helper).await
     }
 
-    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+    async fn drivers(&self, actuator: &str) -> Result<Vec<ActionDriver>, StoreError> {
         insight::drivers(&self.link, actuator).await
     }
 
@@ -143,11 +144,11 @@ impl Store for Neo4jStore {
         bin::raise_epoch(&self.link, least).await
     }
 
-    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+    async fn filling(&self) -> Result<Option<FillingSource>, StoreError> {
         filling::mark(&self.link).await
     }
 
-    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+    async fn begin_filling(&self, source: &FillingSource) -> Result<FillingSource, StoreError> {
         filling::begin(&self.link, source).await
     }
 

@@ -1,6 +1,6 @@
 //! A store by its address.
 
-use crate::{FolderStore, Source, Store, StoreError, check_whole};
+use crate::{FillingSource, FolderStore, Store, StoreError, check_whole};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -73,7 +73,7 @@ async fn neo4j(_url: &str, _answer_max: Option<Duration>) -> Result<Arc<dyn Stor
 /// Returns the mark of a store that is filled from the one with this address, `again` being the command for that. The
 /// address may be written in another way the next time.
 #[must_use]
-pub fn source_of(url: &str, again: &str) -> Source {
+pub fn source_of(url: &str, again: &str) -> FillingSource {
     let place = url.split_once("://").map(|(_, rest)| rest.rsplit_once('@').map_or(rest, |(_, place)| place));
     let key = match (folder_of(url), place) {
         (Some(folder), _) => {
@@ -83,7 +83,7 @@ pub fn source_of(url: &str, again: &str) -> Source {
         }
         (None, place) => format!("database {}", place.unwrap_or(url)),
     };
-    Source { key, again: again.to_owned() }
+    FillingSource { key, again: again.to_owned() }
 }
 
 /// An address as others may see it: without a password, its folder from the root.

@@ -1,7 +1,7 @@
 //! The questions of the library page: which behaviours, in which order, from where on.
 
-use crate::Listed;
-use behaviour::library::{Cursor, Place, Sort};
+use crate::ListedBehaviour;
+use behaviour::library::{Cursor, SearchPlace, Sort};
 use behaviour::{Behaviour, Procedure, Record, as_looks};
 
 /// The most lines of one page.
@@ -13,7 +13,7 @@ const SEARCH_MAX_BYTES: usize = 24_000;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
     /// The place to look in.
-    pub place: Place,
+    pub place: SearchPlace,
     /// Words that must all occur, in any case, anywhere in [`search_text`]; empty for everything.
     pub words: String,
     /// The person whose behaviours alone are asked for.
@@ -31,7 +31,7 @@ pub struct Query {
 impl Default for Query {
     fn default() -> Self {
         Self {
-            place: Place::Here,
+            place: SearchPlace::Here,
             words: String::new(),
             owner: None,
             tag: None,
@@ -51,7 +51,7 @@ impl Query {
 
     /// True if a line is on this page or a later one.
     #[must_use]
-    pub fn comes_after(&self, line: &Listed) -> bool {
+    pub fn comes_after(&self, line: &ListedBehaviour) -> bool {
         let Some(after) = &self.after else { return true };
         match self.sort {
             Sort::Changed => (line.changed_ms, &line.id) < (after.changed_ms, &after.id),
@@ -61,7 +61,7 @@ impl Query {
 }
 
 /// The place of a line.
-fn place_of(line: &Listed) -> Cursor {
+fn place_of(line: &ListedBehaviour) -> Cursor {
     Cursor { changed_ms: line.changed_ms, name_key: name_key(&line.name), id: line.id.clone() }
 }
 
@@ -69,7 +69,7 @@ fn place_of(line: &Listed) -> Cursor {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listing {
     /// The lines of the page.
-    pub lines: Vec<Listed>,
+    pub lines: Vec<ListedBehaviour>,
     /// The line after which the next page begins, if there is one.
     pub next: Option<Cursor>,
     /// The number of behaviours in that place altogether, whatever the query asks.
@@ -79,7 +79,7 @@ pub struct Listing {
 impl Listing {
     /// A page from lines in order, of which there may be one more than asked for.
     #[must_use]
-    pub fn of(mut lines: Vec<Listed>, query: &Query, total: u64) -> Self {
+    pub fn of(mut lines: Vec<ListedBehaviour>, query: &Query, total: u64) -> Self {
         let most = query.most.min(PAGE_MAX_LINES) as usize;
         let more = lines.len() > most;
         lines.truncate(most);

@@ -15,19 +15,19 @@ mod write;
 mod writer;
 
 use crate::{
-    Append, Contested, Driver, FolderLock, Listing, Loaded, Query, Similar, Source, Store, StoreError, Used, disk,
-    lock_folder,
+    ActionDriver, Append, Contested, FillingSource, FolderLock, HelperUse, Listing, Loaded, Query, Similar, Store,
+    StoreError, disk, lock_folder,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
-use fault::Fault;
+use fault::SqliteFault;
 use readers::Readers;
 use rusqlite::Connection;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
-use write::Ready;
-use writer::Writer;
+use write::PreparedChange;
+use writer::SqliteWriter;
 
 /// Room for the pages around a change, in bytes; while the disk is full, less room than that is none.
 const ROOM_MIN_BYTES: usize = 1 << 20;
@@ -43,7 +43,7 @@ pub struct SqliteStore {
     // Dropped before the writer, which then is the last to close the database and folds its log into it.
     readers: Arc<Readers>,
     /// None while the disk has been full since the start.
-    writer: Arc<OnceLock<Writer>>,
+    writer: Arc<OnceLock<SqliteWriter>>,
     /// The free space in bytes that ends a full disk; 0 while nothing was refused.
     wants_bytes: AtomicUsize,
     lock: Arc<FolderLock>,
@@ -63,11 +63,11 @@ pub async fn open(data_dir: &Path) -> Result<SqliteStore, StoreError> {
 fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
     let lock = Arc::new(lock_folder(data_dir)?);
     let file = connect::database(data_dir);
-    let told = |fault: Fault| fault.told(&file);
+    let told = |fault: SqliteFault| fault.told(&file);
     let (readers, writer, wants_bytes) = match connect::writer(&file).map_err(told) {
         Ok(at) => {
             let readers = Readers::open(file.clone()).map_err(told)?;
-            (readers, Writer::start(at, file.clone(), Arc::clone(&lock))?.into(), 0)
+            (readers, SqliteWriter::start(at, file.clone(), Arc::clone(&lock))?.into(), 0)
         }
         Err(error) if is_full(&error, data_dir) => {
             let readers = Readers::alone(file.clone()).map_err(|fault| at_least_full(fault.told(&file)))?;
@@ -97,7 +97,7 @@ fn at_least_full(error: StoreError) -> StoreError {
 }
 
 impl SqliteStore {
-    fn writer(&self) -> Result<&Writer, StoreError> {
+    fn writer(&self) -> Result<&SqliteWriter, StoreError> {
         self.writer.get().ok_or(StoreError::Full)
     }
 
@@ -105,7 +105,7 @@ impl SqliteStore {
     async fn write<T, F>(&self, bytes: usize, work: F) -> Result<T, StoreError>
     where
         T: Send + 'static,
-        F: FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
+        F: FnOnce(&Connection) -> Result<T, SqliteFault> + Send + 'static,
     {
         let written = self.writer()?.ask(work).await;
         if matches!(written, Err(StoreError::Full)) {
@@ -132,7 +132,7 @@ impl SqliteStore {
         let (file, lock, writer) = (self.file.clone(), Arc::clone(&self.lock), Arc::clone(&self.writer));
         let start = move |at| {
             // Nobody else comes through: there is one place for whoever opens it.
-            let _only_once = writer.set(Writer::start(at, file, lock)?);
+            let _only_once = writer.set(SqliteWriter::start(at, file, lock)?);
             Ok(())
         };
         self.readers.open_up(start).await
@@ -143,17 +143,18 @@ impl SqliteStore {
 impl Store for SqliteStore {
     async fn append(&self, behaviour: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
         let (id, committed, after) = (behaviour.clone(), committed.clone(), after.clone());
-        let ready = tokio::task::spawn_blocking(move || Ready::new(committed, after)).await;
+        let ready = tokio::task::spawn_blocking(move || PreparedChange::new(committed, after)).await;
         let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))??;
         self.write(ready.bytes(), move |at| write::append(at, &id, &ready)).await
     }
 
     async fn append_all(&self, behaviour: &Id, changes: &[(Committed, Behaviour)]) -> Result<Vec<Append>, StoreError> {
         let (id, changes) = (behaviour.clone(), changes.to_vec());
-        let prepare = move || changes.into_iter().map(|(committed, after)| Ready::new(committed, after)).collect();
-        let ready: Result<Result<Vec<Ready>, StoreError>, _> = tokio::task::spawn_blocking(prepare).await;
+        let prepare =
+            move || changes.into_iter().map(|(committed, after)| PreparedChange::new(committed, after)).collect();
+        let ready: Result<Result<Vec<PreparedChange>, StoreError>, _> = tokio::task::spawn_blocking(prepare).await;
         let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))??;
-        let bytes = ready.iter().map(Ready::bytes).sum();
+        let bytes = ready.iter().map(PreparedChange::bytes).sum();
         self.write(bytes, move |at| write::append_all(at, &id, &ready)).await
     }
 
@@ -202,12 +203,12 @@ impl Store for SqliteStore {
         self.write(0, move |at| write::purge(at, removed_before_ms)).await
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
         let helper = helper.to_owned();
         self.readers.ask(move |at| read::users(at, &helper)).await
     }
 
-    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+    async fn drivers(&self, actuator: &str) -> Result<Vec<ActionDriver>, StoreError> {
         let actuator = actuator.to_owned();
         self.readers.ask(move |at| insight::drivers(at, &actuator)).await
     }
@@ -229,12 +230,12 @@ impl Store for SqliteStore {
         self.write(0, move |at| write::raise_epoch(at, least)).await
     }
 
-    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+    async fn filling(&self) -> Result<Option<FillingSource>, StoreError> {
         let mark = self.readers.ask(filling::mark).await?;
         Ok(mark.or_else(|| self.file.parent().and_then(crate::filling::of_older)))
     }
 
-    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+    async fn begin_filling(&self, source: &FillingSource) -> Result<FillingSource, StoreError> {
         let source = source.clone();
         self.write(0, move |at| filling::begin(at, &source)).await
     }

@@ -1,12 +1,12 @@
 //! The test if a record uses a helper, by name or in its body.
 
-use crate::{LIBRARY, Store, StoreError, Used};
+use crate::{HelperUse, LIBRARY, Store, StoreError};
 use behaviour::{Id, Procedure, Record, RecordId, calls_helper};
 use std::collections::{BTreeSet, HashSet, VecDeque};
 
 /// Returns the users of a helper, also through other helpers; every user once, by its shortest way.
-pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -> Result<Vec<Used>, StoreError> {
-    let (mut found, mut seen): (Vec<Used>, HashSet<(Id, RecordId)>) = Default::default();
+pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
+    let (mut found, mut seen): (Vec<HelperUse>, HashSet<(Id, RecordId)>) = Default::default();
     let mut open = VecDeque::from([helper.to_owned()]);
     while let Some(next) = open.pop_front() {
         let through = (next != helper).then(|| next.clone());
@@ -18,7 +18,7 @@ pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -
             if is_helper {
                 open.push_back(user.name.clone());
             }
-            found.push(Used { through: through.clone(), ..user });
+            found.push(HelperUse { through: through.clone(), ..user });
         }
     }
     Ok(found)
@@ -54,13 +54,13 @@ fn procedure(record: &Record) -> Option<&Procedure> {
 }
 
 /// The use of a helper by this record, in a behaviour of that name.
-pub(crate) fn usage(behaviour: &Id, name: &str, id: &RecordId, record: &Record) -> Used {
+pub(crate) fn usage(behaviour: &Id, name: &str, id: &RecordId, record: &Record) -> HelperUse {
     let name = if let Record::Helper(helper) = record { &helper.name } else { name };
-    Used { behaviour: behaviour.clone(), name: name.to_owned(), record: id.clone(), through: None }
+    HelperUse { behaviour: behaviour.clone(), name: name.to_owned(), record: id.clone(), through: None }
 }
 
 /// Puts uses in their order.
-pub(crate) fn in_order(mut uses: Vec<Used>) -> Vec<Used> {
+pub(crate) fn in_order(mut uses: Vec<HelperUse>) -> Vec<HelperUse> {
     uses.sort_by(|a, b| (&a.behaviour, &a.record).cmp(&(&b.behaviour, &b.record)));
     uses
 }

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::neo4j;
 use crate::qi_python;
-use crate::tools::{self, Outcome, Workspace};
+use crate::tools::{self, ToolResult, Workspace};
 
 /// Others that run the engine's graphs, at the versions that claims are made about.
 const RXJS: &str = "rxjs@7.8.2";
@@ -17,7 +17,7 @@ const MEASURE_THREADS: &str = "robots::tests::threads::hand_overs";
 
 /// Measures rooms with many people, bad networks, kills, guessed links and floods of strangers on the optimised server, which is
 /// built before; fails if a bar is missed or anything is lost. `words` pick a figure.
-pub(crate) fn rooms(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+pub(crate) fn rooms(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     tools::run(&mut workspace.cargo(&["build", "--release", "--package", "rrp"]), "Building the optimised server")?;
     let figures = words.first().map_or("figure_".to_owned(), |word| format!("figure_{word}"));
     let tests = ["test", "--release", "--package", "house", "--test", "rooms", "--test", "invitations", "--", &figures];
@@ -32,7 +32,7 @@ pub(crate) fn rooms(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
 }
 
 /// Measures the stores.
-pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
+pub(crate) fn stores(workspace: &Workspace) -> ToolResult<()> {
     let mut cargo = workspace.cargo(&["bench", "--package", "store", "--bench", "stores"]);
     match neo4j::ensure(workspace) {
         Ok(folder) => drop(cargo.env("RRP_NEO4J", folder)),
@@ -42,7 +42,7 @@ pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
 }
 
 /// Measures a robot over the link, against the stand-in and beside the Python client of libqi; `words` pick a part.
-pub(crate) fn nao(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+pub(crate) fn nao(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     let python = match qi_python::ensure(workspace) {
         Ok(python) => python,
         Err(sentence) => {
@@ -55,14 +55,14 @@ pub(crate) fn nao(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
 }
 
 /// Measures how long typed sentences take to be read; a number says how many.
-pub(crate) fn sentences(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+pub(crate) fn sentences(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     let mut cargo = workspace.cargo(&["bench", "--package", "sentences", "--bench", "reader", "--"]);
     tools::run(cargo.args(words), "The benchmark of typed sentences")
 }
 
 /// Measures the engine, how long runaway procedures hold it, and the hand-overs between the threads around it; `words`
 /// pick a part.
-pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     match words {
         // All of them, also after a bar was missed.
         [] => [graphs(workspace, words), stalls(workspace), threads(workspace)].into_iter().collect(),
@@ -73,13 +73,13 @@ pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
 }
 
 /// Measures how long runaway procedures hold a thread; fails beyond the bounds.
-fn stalls(workspace: &Workspace) -> Outcome<()> {
+fn stalls(workspace: &Workspace) -> ToolResult<()> {
     let mut cargo = workspace.cargo(&["bench", "--package", "engine", "--bench", "stalls"]);
     tools::run(&mut cargo, "The benchmark of runaway procedures")
 }
 
 /// Measures the engine, beside the others that can be installed here; `words` go to the benchmark.
-fn graphs(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+fn graphs(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     let folder = |name: &str| workspace.target.join("bench").join(name);
     let others = [
         ("RxJS", "RRP_BENCH_RXJS", from_npm(RXJS, folder("rxjs"))),
@@ -99,14 +99,14 @@ fn graphs(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
 
 /// Measures how long it takes from a sense over the threads to an action. It stands among the server's tests, since
 /// the server shows its threads to nobody else.
-fn threads(workspace: &Workspace) -> Outcome<()> {
+fn threads(workspace: &Workspace) -> ToolResult<()> {
     let words = ["test", "--release", "--package", "server", "--lib", "--", "--exact", MEASURE_THREADS];
     let mut cargo = workspace.cargo(&words);
     tools::run(cargo.args(["--ignored", "--nocapture"]), "The benchmark of the threads")
 }
 
 /// A folder that has a package of npm, at a version.
-fn from_npm(package: &str, folder: PathBuf) -> Outcome<PathBuf> {
+fn from_npm(package: &str, folder: PathBuf) -> ToolResult<PathBuf> {
     let (name, version) = package.split_once('@').unwrap_or((package, ""));
     if is_installed(&folder.join("node_modules").join(name).join("package.json"), version) {
         return Ok(folder);
@@ -125,7 +125,7 @@ fn is_installed(package: &Path, version: &str) -> bool {
 }
 
 /// The Python of a folder of its own that has a package of PyPI, at a version.
-fn from_pypi(package: &str, folder: &Path) -> Outcome<PathBuf> {
+fn from_pypi(package: &str, folder: &Path) -> ToolResult<PathBuf> {
     let python = folder.join("bin/python");
     let (name, version) = package.split_once("==").unwrap_or((package, ""));
     let ask = format!("import importlib.metadata as m; assert m.version({name:?}) == {version:?}");
@@ -140,7 +140,7 @@ fn from_pypi(package: &str, folder: &Path) -> Outcome<PathBuf> {
 }
 
 /// Refuses what needs a program that is not here.
-fn needs(programs: &[&str]) -> Outcome<()> {
+fn needs(programs: &[&str]) -> ToolResult<()> {
     let missing = programs.iter().find(|program| tools::on_path(program).is_none());
     missing.map_or(Ok(()), |program| Err(format!("there is no {program} on PATH; install it")))
 }

@@ -7,14 +7,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use crate::tools::Outcome;
+use crate::tools::ToolResult;
 
 /// The time between two looks whether a command has ended.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// Commands that run one after the other; what they print goes into a file until they are waited for.
-pub(crate) struct Beside {
-    work: Option<JoinHandle<Outcome<()>>>,
+pub(crate) struct CommandsBeside {
+    work: Option<JoinHandle<ToolResult<()>>>,
     running: Arc<Mutex<Running>>,
     said: PathBuf,
 }
@@ -26,9 +26,9 @@ struct Running {
     given_up: bool,
 }
 
-impl Beside {
+impl CommandsBeside {
     /// Begins with the first; the file of what they say is made anew.
-    pub(crate) fn begin(commands: Vec<Command>, said: PathBuf) -> Outcome<Self> {
+    pub(crate) fn begin(commands: Vec<Command>, said: PathBuf) -> ToolResult<Self> {
         let unwritten = |error: std::io::Error| format!("{} cannot be written: {error}.", said.display());
         let file = File::create(&said).map_err(unwritten)?;
         let running = Arc::new(Mutex::new(Running::default()));
@@ -39,7 +39,7 @@ impl Beside {
     }
 
     /// Waits for all of them, and prints what they said.
-    pub(crate) fn wait(mut self) -> Outcome<()> {
+    pub(crate) fn wait(mut self) -> ToolResult<()> {
         let ended = self.work.take().map(JoinHandle::join);
         print!("{}", fs::read_to_string(&self.said).unwrap_or_default());
         ended.unwrap_or(Ok(Ok(()))).unwrap_or_else(|_| Err("What runs beside failed inside.".to_owned()))
@@ -47,7 +47,7 @@ impl Beside {
 }
 
 /// Whoever gives up leaves nothing running.
-impl Drop for Beside {
+impl Drop for CommandsBeside {
     fn drop(&mut self) {
         let mut running = self.running.lock().unwrap_or_else(PoisonError::into_inner);
         running.given_up = true;
@@ -57,7 +57,7 @@ impl Drop for Beside {
     }
 }
 
-fn run(mut command: Command, said: &File, running: &Mutex<Running>) -> Outcome<()> {
+fn run(mut command: Command, said: &File, running: &Mutex<Running>) -> ToolResult<()> {
     let what = format!("`{command:?}`");
     let copy = || said.try_clone().map_err(|error| format!("{what} has nowhere to write: {error}."));
     command.stdin(Stdio::null()).stdout(copy()?).stderr(copy()?);
@@ -98,7 +98,7 @@ mod tests {
         let folder = tempfile::tempdir()?;
         let said = folder.path().join("said");
         let commands = vec![shell("echo one"), shell("echo two; exit 3"), shell("echo three")];
-        let failed = Beside::begin(commands, said.clone())?.wait();
+        let failed = CommandsBeside::begin(commands, said.clone())?.wait();
         assert!(failed.is_err_and(|sentence| sentence.contains("exit status: 3")));
         assert_eq!(fs::read_to_string(said)?, "one\ntwo\n");
         Ok(())
@@ -110,7 +110,7 @@ mod tests {
         let said = folder.path().join("said");
         let late = folder.path().join("late");
         let commands = vec![shell("sleep 600"), shell(&format!("touch {}", late.display()))];
-        let mut beside = Beside::begin(commands, said)?;
+        let mut beside = CommandsBeside::begin(commands, said)?;
         let work = beside.work.take();
         drop(beside);
         drop(work.map(JoinHandle::join));

@@ -10,7 +10,7 @@ use std::thread;
 use crate::split;
 
 /// File contents by their name relative to a folder, with `/` between the parts.
-pub(crate) type Files = BTreeMap<String, Vec<u8>>;
+pub(crate) type DistFiles = BTreeMap<String, Vec<u8>>;
 
 /// Kinds that are compressed already.
 const COMPRESSED: [&str; 15] =
@@ -20,12 +20,12 @@ const COMPRESSED: [&str; 15] =
 const QUALITY: i32 = 11;
 const QUALITY_LATER: i32 = 10;
 /// A way to compress, by the ending of the file that it makes: of a file with this name and content.
-type Press = (&'static str, fn(&str, &[u8]) -> io::Result<Vec<u8>>);
-const PRESSES: [Press; 2] = [("br", brotlied), ("gz", |_, content| compression::gzip(content))];
+type Compression = (&'static str, fn(&str, &[u8]) -> io::Result<Vec<u8>>);
+const PRESSES: [Compression; 2] = [("br", brotlied), ("gz", |_, content| compression::gzip(content))];
 
 /// Reads every file below `folder`; a folder that is not there holds none.
-pub(crate) fn read(folder: &Path) -> Result<Files, String> {
-    let mut files = Files::new();
+pub(crate) fn read(folder: &Path) -> Result<DistFiles, String> {
+    let mut files = DistFiles::new();
     for (name, path) in walk(folder)? {
         let content = fs::read(&path).map_err(|error| trouble(&path, "read", &error))?;
         files.insert(name, content);
@@ -44,13 +44,13 @@ pub(crate) fn listing(folder: &Path) -> Result<BTreeMap<String, u64>, String> {
 
 /// Makes `folder` hold exactly `files` and, if asked, `.br` and `.gz` beside them.
 /// Answers how many of `files` were new or different.
-pub(crate) fn write(folder: &Path, files: &Files, compressed: bool) -> Result<usize, String> {
+pub(crate) fn write(folder: &Path, files: &DistFiles, compressed: bool) -> Result<usize, String> {
     let same = |name: &str, content: &[u8]| fs::read(folder.join(name)).is_ok_and(|old| old == *content);
     let changed: BTreeSet<&String> =
         files.iter().filter(|(name, content)| !same(name, content)).map(|(name, _)| name).collect();
     let mut kept: Vec<String> = Vec::new();
     if compressed {
-        let wanted: Vec<(&String, &[u8], &Press)> = files
+        let wanted: Vec<(&String, &[u8], &Compression)> = files
             .iter()
             .filter(|(name, _)| !is_compressed(name))
             .flat_map(|(name, content)| PRESSES.iter().map(move |press| (name, content.as_slice(), press)))
@@ -80,10 +80,10 @@ fn beside(name: &str, kind: &str) -> String {
 
 /// Compresses all that waits, by the names of the compressed files, and leaves out what would not be smaller; the
 /// longest first, on all cores.
-fn press_all(mut waiting: Vec<(&String, &[u8], &Press)>) -> Result<Files, String> {
+fn press_all(mut waiting: Vec<(&String, &[u8], &Compression)>) -> Result<DistFiles, String> {
     waiting.sort_by_key(|(_, content, _)| content.len());
     let cores = thread::available_parallelism().map_or(1, usize::from).min(waiting.len());
-    let (waiting, done) = (Mutex::new(waiting), Mutex::new(Ok(Files::new())));
+    let (waiting, done) = (Mutex::new(waiting), Mutex::new(Ok(DistFiles::new())));
     let next = || lock(&waiting).pop();
     let work = || {
         while let Some((name, content, (kind, press))) = next() {
@@ -210,7 +210,7 @@ mod tests {
 
     type Tested = Result<(), Box<dyn std::error::Error>>;
 
-    fn page(files: &[(&str, &str)]) -> Files {
+    fn page(files: &[(&str, &str)]) -> DistFiles {
         files.iter().map(|(name, text)| ((*name).to_owned(), text.repeat(100).into_bytes())).collect()
     }
 

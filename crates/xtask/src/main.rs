@@ -18,7 +18,7 @@ mod tools;
 
 use std::process::ExitCode;
 
-use tools::{Outcome, Workspace};
+use tools::{ToolResult, Workspace};
 
 const HELP: &str = "\
 cargo xtask COMMAND
@@ -53,11 +53,11 @@ fn main() -> ExitCode {
 }
 
 /// Runs the command in `words`; a command that is not known is refused with the help.
-fn obey(words: &[String]) -> Outcome<()> {
+fn obey(words: &[String]) -> ToolResult<()> {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match words.as_slice() {
-        ["page"] => page::build(&Workspace::here()?, page::Mode::Small),
-        ["page", "--dev"] => page::build(&Workspace::here()?, page::Mode::Quick),
+        ["page"] => page::build(&Workspace::here()?, page::PageMode::Small),
+        ["page", "--dev"] => page::build(&Workspace::here()?, page::PageMode::Quick),
         ["serve", rest @ ..] => serve::run(&Workspace::here()?, rest),
         ["rrp", rest @ ..] => serve::program(&Workspace::here()?, rest),
         ["neo4j"] => {

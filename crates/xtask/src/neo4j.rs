@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::tools::{self, Outcome, Workspace};
+use crate::tools::{self, ToolResult, Workspace};
 
 /// The files that it is made of, in `tests/neo4j`.
 const SOURCES: [&str; 3] = ["pom.xml", "Neo4jIt.java", "neo4j.conf"];
@@ -20,7 +20,7 @@ const CLASSES: &str = "classes.jsa";
 
 /// Makes `target/neo4j`, with `lib/` and `neo4j.conf`, unless it is up to date; answers with that folder, or with
 /// a sentence that says why there is none.
-pub(crate) fn ensure(workspace: &Workspace) -> Outcome<PathBuf> {
+pub(crate) fn ensure(workspace: &Workspace) -> ToolResult<PathBuf> {
     let sources = workspace.root.join("tests/neo4j");
     let folder = workspace.target.join("neo4j");
     let stamp = folder.join("stamp");
@@ -36,7 +36,7 @@ pub(crate) fn ensure(workspace: &Workspace) -> Outcome<PathBuf> {
 }
 
 /// One number for all that it is made of.
-fn fingerprint(sources: &Path) -> Outcome<String> {
+fn fingerprint(sources: &Path) -> ToolResult<String> {
     let mut hasher = DefaultHasher::new();
     FORMAT.hash(&mut hasher);
     for name in SOURCES {
@@ -46,7 +46,7 @@ fn fingerprint(sources: &Path) -> Outcome<String> {
     Ok(format!("{:016x}", hasher.finish()))
 }
 
-fn make(sources: &Path, folder: &Path) -> Outcome<()> {
+fn make(sources: &Path, folder: &Path) -> ToolResult<()> {
     let failed = |error: std::io::Error| format!("{} cannot be written: {error}.", folder.display());
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(failed)?;
@@ -63,7 +63,7 @@ fn make(sources: &Path, folder: &Path) -> Outcome<()> {
 }
 
 /// Starts it once, and keeps what Java has read by then of its many classes. It ends by itself: it has no input.
-fn keep_classes(folder: &Path) -> Outcome<()> {
+fn keep_classes(folder: &Path) -> ToolResult<()> {
     let archive = format!("-XX:ArchiveClassesAtExit={CLASSES}");
     let mut java = Command::new("java");
     java.args([
@@ -83,7 +83,7 @@ fn keep_classes(folder: &Path) -> Outcome<()> {
 }
 
 /// Makes sure that Java and Maven are here, from Debian's packages where that is possible without asking.
-fn ensure_java() -> Outcome<()> {
+fn ensure_java() -> ToolResult<()> {
     if missing().is_some() {
         tools::install("Java or Maven", &PACKAGES);
     }

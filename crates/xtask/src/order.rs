@@ -8,12 +8,12 @@ use wasmparser::{
     CodeSectionReader, CustomSectionReader, FunctionBody, FunctionSectionReader, Parser, Payload, TypeRef,
 };
 
-use crate::tools::Outcome;
+use crate::tools::ToolResult;
 
 /// Returns the code with its functions in another order. Generic code is compiled for many types, and what comes of it
 /// mostly ends alike; a compressor finds it best where it stands close by.
-pub(crate) fn alike_together(code: &[u8]) -> Outcome<Vec<u8>> {
-    let ordered = Order::of(code).map_err(Error::from).and_then(|mut order| {
+pub(crate) fn alike_together(code: &[u8]) -> ToolResult<Vec<u8>> {
+    let ordered = FunctionOrder::of(code).map_err(Error::from).and_then(|mut order| {
         let mut module = Module::new();
         order.parse_core_module(&mut module, Parser::new(0), code)?;
         Ok(module.finish())
@@ -22,7 +22,7 @@ pub(crate) fn alike_together(code: &[u8]) -> Outcome<Vec<u8>> {
 }
 
 /// The new order of the functions.
-struct Order {
+struct FunctionOrder {
     /// The number of imported functions: these stay where they are, before all others.
     imported: u32,
     /// Of the others, which one stands at each place.
@@ -31,7 +31,7 @@ struct Order {
     place: Vec<u32>,
 }
 
-impl Order {
+impl FunctionOrder {
     fn of(code: &[u8]) -> Result<Self, wasmparser::BinaryReaderError> {
         let (mut imported, mut bodies) = (0, Vec::new());
         for payload in Parser::new(0).parse_all(code) {
@@ -58,7 +58,7 @@ impl Order {
     }
 }
 
-impl Reencode for Order {
+impl Reencode for FunctionOrder {
     type Error = Infallible;
 
     fn function_index(&mut self, function: u32) -> Result<u32, Error> {

@@ -9,11 +9,11 @@ use std::process::Command;
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use crate::dist::{self, Files};
+use crate::dist::{self, DistFiles};
 use crate::order;
 use crate::split;
 use crate::styles;
-use crate::tools::{self, Outcome, WASM, Workspace};
+use crate::tools::{self, ToolResult, WASM, Workspace};
 
 /// The package that becomes the page.
 const PACKAGE: &str = "frontend";
@@ -33,32 +33,32 @@ const SMALL: &str = "-C no-prepopulate-passes -C passes=cgscc(inline,function-at
 
 /// The amount of work that goes into the page.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub(crate) enum Mode {
+pub(crate) enum PageMode {
     /// Optimised and compressed, as people get it.
     Small,
     /// For trying an edit: quick to build, not compressed, with readable stack traces.
     Quick,
 }
 
-impl Mode {
+impl PageMode {
     fn profile(self) -> &'static str {
         match self {
-            Mode::Small => "page",
-            Mode::Quick => "dev",
+            PageMode::Small => "page",
+            PageMode::Quick => "dev",
         }
     }
 
     /// The folder name that cargo gives to the profile.
     fn folder(self) -> &'static str {
         match self {
-            Mode::Small => "page",
-            Mode::Quick => "debug",
+            PageMode::Small => "page",
+            PageMode::Quick => "debug",
         }
     }
 }
 
 /// Builds the page into `target/page`; files that did not change are not touched.
-pub(crate) fn build(workspace: &Workspace, mode: Mode) -> Outcome<()> {
+pub(crate) fn build(workspace: &Workspace, mode: PageMode) -> ToolResult<()> {
     tools::ensure_wasm(workspace)?;
     println!("Building the page with the profile `{}`.", mode.profile());
     let wasm = compile(workspace, PACKAGE, mode)?;
@@ -66,7 +66,7 @@ pub(crate) fn build(workspace: &Workspace, mode: Mode) -> Outcome<()> {
 }
 
 /// A command that builds the page as people get it.
-pub(crate) fn builder() -> Outcome<Command> {
+pub(crate) fn builder() -> ToolResult<Command> {
     let this = env::current_exe().map_err(|error| format!("This program is not found: {error}."))?;
     let mut command = Command::new(this);
     command.arg("page");
@@ -75,11 +75,11 @@ pub(crate) fn builder() -> Outcome<Command> {
 
 /// Compiles `package` for the browser and answers with its wasm file. Its target folder is its own: the server is compiled
 /// at the same time, and holds the lock of the usual one.
-fn compile(workspace: &Workspace, package: &str, mode: Mode) -> Outcome<PathBuf> {
+fn compile(workspace: &Workspace, package: &str, mode: PageMode) -> ToolResult<PathBuf> {
     let folder = workspace.target.join("page-build");
     let mut cargo = workspace.cargo(&["build", "--lib", "--target", WASM, "--package", package]);
     cargo.args(["--profile", mode.profile(), "--target-dir"]).arg(&folder);
-    let small = (mode == Mode::Small).then_some(SMALL);
+    let small = (mode == PageMode::Small).then_some(SMALL);
     let flags: Vec<&str> = [ERASED, split::FLAGS].into_iter().chain(small).collect();
     cargo.env(FLAGS, flags.join(" "));
     tools::run(&mut cargo, "Building the page")?;
@@ -91,7 +91,7 @@ fn compile(workspace: &Workspace, package: &str, mode: Mode) -> Outcome<PathBuf>
 }
 
 /// Makes `target/page` out of the wasm file and the folder of static files, unless it is up to date.
-fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<()> {
+fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: PageMode) -> ToolResult<()> {
     let code = fs::read(wasm).map_err(|error| format!("{} cannot be read: {error}.", wasm.display()))?;
     let mut statics = dist::read(statics)?;
     statics.retain(|name, _| !name.split('/').any(|part| part.starts_with('.')));
@@ -103,7 +103,7 @@ fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<(
         return Ok(());
     }
     let files = join(bind(target, &code, mode)?, statics)?;
-    let changed = dist::write(&page, &files, mode == Mode::Small)?;
+    let changed = dist::write(&page, &files, mode == PageMode::Small)?;
     println!(
         "The page is in {}: {}, {changed} of its files new.",
         page.display(),
@@ -113,14 +113,14 @@ fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<(
 }
 
 /// One number for all that the page is made of.
-fn fingerprint(code: &[u8], statics: &Files, mode: Mode) -> u64 {
+fn fingerprint(code: &[u8], statics: &DistFiles, mode: PageMode) -> u64 {
     let mut hasher = DefaultHasher::new();
     (FORMAT, env!("CARGO_PKG_VERSION"), mode, code, statics).hash(&mut hasher);
     hasher.finish()
 }
 
 /// Turns compiled code into a module for the browser, `app.js` and `app_bg.wasm`, and what that fetches later.
-fn bind(target: &Path, code: &[u8], mode: Mode) -> Outcome<Files> {
+fn bind(target: &Path, code: &[u8], mode: PageMode) -> ToolResult<DistFiles> {
     let folder = target.join("page-build/bound");
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|error| format!("{} cannot be emptied: {error}.", folder.display()))?;
@@ -129,7 +129,7 @@ fn bind(target: &Path, code: &[u8], mode: Mode) -> Outcome<Files> {
     let mut pieces = split::cut(&target.join("page-build/cut"), code, &module)?;
     let mut bindgen = Bindgen::new();
     bindgen.input_bytes(NAME, std::mem::take(&mut pieces.first)).typescript(false).out_name(NAME);
-    bindgen.remove_name_section(mode == Mode::Small).remove_producers_section(true);
+    bindgen.remove_name_section(mode == PageMode::Small).remove_producers_section(true);
     // The pieces reach each other by what the linker exports.
     bindgen.keep_lld_exports(true).demangle(false);
     let made = bindgen.web(true).and_then(|bindgen| bindgen.generate(&folder));
@@ -138,7 +138,7 @@ fn bind(target: &Path, code: &[u8], mode: Mode) -> Outcome<Files> {
     let text = files.get(&module).and_then(|text| std::str::from_utf8(text).ok()).unwrap_or_default();
     files.insert(module, pieces.with_loader(text)?.into_bytes());
     files.append(&mut pieces.later);
-    if mode == Mode::Small {
+    if mode == PageMode::Small {
         for (_, code) in files.iter_mut().filter(|(name, _)| name.ends_with(".wasm")) {
             *code = order::alike_together(code)?;
         }
@@ -147,7 +147,7 @@ fn bind(target: &Path, code: &[u8], mode: Mode) -> Outcome<Files> {
 }
 
 /// Both sets of files; a static file may not hide a built one.
-fn join(mut built: Files, statics: Files) -> Outcome<Files> {
+fn join(mut built: DistFiles, statics: DistFiles) -> ToolResult<DistFiles> {
     for (name, content) in statics {
         if built.insert(name.clone(), content).is_some() {
             return Err(format!("static/{name} has the name of a file that the build makes; rename it."));
@@ -169,7 +169,7 @@ impl Stamp {
         now.is_ok_and(|now| fs::read_to_string(&self.file).is_ok_and(|saved| saved == now))
     }
 
-    fn save(&self, page: &Path) -> Outcome<()> {
+    fn save(&self, page: &Path) -> ToolResult<()> {
         let words = self.words(&dist::listing(page)?);
         fs::write(&self.file, words).map_err(|error| format!("{} cannot be written: {error}.", self.file.display()))
     }
@@ -188,18 +188,18 @@ mod tests {
 
     #[test]
     fn the_fingerprint_follows_every_input() -> Tested {
-        let statics = Files::from([("index.html".to_owned(), b"<p>".to_vec())]);
-        let first = fingerprint(b"code", &statics, Mode::Small);
-        assert_eq!(first, fingerprint(b"code", &statics, Mode::Small));
-        assert_ne!(first, fingerprint(b"edoc", &statics, Mode::Small));
-        assert_ne!(first, fingerprint(b"code", &Files::new(), Mode::Small));
-        assert_ne!(first, fingerprint(b"code", &statics, Mode::Quick));
+        let statics = DistFiles::from([("index.html".to_owned(), b"<p>".to_vec())]);
+        let first = fingerprint(b"code", &statics, PageMode::Small);
+        assert_eq!(first, fingerprint(b"code", &statics, PageMode::Small));
+        assert_ne!(first, fingerprint(b"edoc", &statics, PageMode::Small));
+        assert_ne!(first, fingerprint(b"code", &DistFiles::new(), PageMode::Small));
+        assert_ne!(first, fingerprint(b"code", &statics, PageMode::Quick));
         Ok(())
     }
 
     #[test]
     fn a_static_file_may_not_hide_a_built_one() -> Tested {
-        let files = Files::from([("app.js".to_owned(), Vec::new())]);
+        let files = DistFiles::from([("app.js".to_owned(), Vec::new())]);
         assert!(join(files.clone(), files).is_err_and(|sentence| sentence.contains("static/app.js")));
         Ok(())
     }
@@ -208,7 +208,7 @@ mod tests {
     fn a_stamp_notices_a_lost_file() -> Tested {
         let folder = tempfile::tempdir()?;
         let page = folder.path().join("page");
-        let files = Files::from([("a.css".to_owned(), b"a {}".to_vec()), ("b.css".to_owned(), b"b {}".to_vec())]);
+        let files = DistFiles::from([("a.css".to_owned(), b"a {}".to_vec()), ("b.css".to_owned(), b"b {}".to_vec())]);
         dist::write(&page, &files, false)?;
         let stamp = Stamp { file: folder.path().join("stamp"), input: 7 };
         assert!(!stamp.holds(&page));

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::tools::{self, Outcome, Workspace};
+use crate::tools::{self, ToolResult, Workspace};
 
 /// Built, for each Python that there is one for; by its name, version and sums (Python 3.9 to 3.12 on x86_64 Linux).
 const PACKAGE: &str = "qi==3.1.5 \
@@ -17,7 +17,7 @@ const PYTHONS: [&str; 5] = ["python3", "python3.11", "python3.12", "python3.10",
 
 /// Makes `target/qi-python` unless it is up to date; answers with its Python, or with a sentence that says why there is
 /// none.
-pub(crate) fn ensure(workspace: &Workspace) -> Outcome<PathBuf> {
+pub(crate) fn ensure(workspace: &Workspace) -> ToolResult<PathBuf> {
     if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
         return Err("libqi is built for Linux on x86_64 only.".to_owned());
     }
@@ -37,7 +37,7 @@ pub(crate) fn ensure(workspace: &Workspace) -> Outcome<PathBuf> {
 }
 
 /// A Python of a version that there is a built libqi for.
-fn outer() -> Outcome<&'static str> {
+fn outer() -> ToolResult<&'static str> {
     if found().is_none() {
         tools::install("Python", &["python3", "python3-venv"]);
     }
@@ -49,7 +49,7 @@ fn found() -> Option<&'static str> {
     PYTHONS.into_iter().find(|name| tools::said(Command::new(name).args(["-c", ask])).is_some())
 }
 
-fn make(outer: &str, folder: &Path) -> Outcome<()> {
+fn make(outer: &str, folder: &Path) -> ToolResult<()> {
     tools::run(Command::new(outer).args(["-m", "venv", "--clear"]).arg(folder), "python3 -m venv")?;
     let wanted = folder.join("requirements.txt");
     fs::write(&wanted, PACKAGE).map_err(|error| format!("{} cannot be written: {error}.", wanted.display()))?;

@@ -3,13 +3,13 @@
 use std::process::Command;
 
 use crate::qi_python;
-use crate::tools::{self, Outcome, Workspace};
+use crate::tools::{self, ToolResult, Workspace};
 
 /// The port on which NAOqi listens.
 const PORT: u16 = 9559;
 
 /// `words` are `[PORT]`; runs until Ctrl-C.
-pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     let port = match words {
         [] => PORT,
         [port] => port.parse().map_err(|_| format!("`{port}` is no port; give one from 1 to 65535."))?,

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
 
-use crate::beside::Beside;
-use crate::page::{self, Mode};
-use crate::tools::{self, Outcome, Workspace};
+use crate::beside::CommandsBeside;
+use crate::page::{self, PageMode};
+use crate::tools::{self, ToolResult, Workspace};
 
 /// The package that people run: the one that carries the page.
 const PROGRAM: &str = "rrp";
@@ -17,7 +17,7 @@ pub(crate) const PROFILE: &str = "serve";
 pub(crate) const WITHOUT_NEO4J: &str = "--no-default-features";
 
 /// `words` are `[--dev] [--] ARGS`; ARGS go to `rrp serve` as they are.
-pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     let (dev, rest) = match words {
         ["--dev", rest @ ..] => (true, rest),
         rest => (false, rest),
@@ -29,15 +29,15 @@ pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
 }
 
 /// Becomes rrp as it was built last, as people run it or else for development, with these words.
-pub(crate) fn program(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+pub(crate) fn program(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {
     let built = [workspace.served(), workspace.server()].into_iter().find(|program| program.is_file());
     let program = built.ok_or("rrp is not built yet. Run `cargo xtask serve` first.")?;
     become_server(Command::new(program).args(words))
 }
 
 /// Builds what is quick to build, for trying an edit.
-fn develop(workspace: &Workspace) -> Outcome<PathBuf> {
-    page::build(workspace, Mode::Quick)?;
+fn develop(workspace: &Workspace) -> ToolResult<PathBuf> {
+    page::build(workspace, PageMode::Quick)?;
     println!("Building the server, not optimised.");
     tools::run(&mut workspace.cargo(&["build", "--package", "rrp"]), "Building the server")?;
     Ok(workspace.server())
@@ -52,7 +52,7 @@ fn wants_neo4j(arguments: &[&str]) -> bool {
 
 /// Builds what people use: the page beside the server, then the program with both in it. What speaks to a Neo4j is built
 /// for those who have one.
-fn optimise(workspace: &Workspace, neo4j: bool) -> Outcome<PathBuf> {
+fn optimise(workspace: &Workspace, neo4j: bool) -> ToolResult<PathBuf> {
     let began = Instant::now();
     let server = workspace.served();
     if server.is_file() {
@@ -61,7 +61,7 @@ fn optimise(workspace: &Workspace, neo4j: bool) -> Outcome<PathBuf> {
         println!("Building the page and the server for the first time: six to twelve minutes on two cores.");
     }
     tools::ensure_wasm(workspace)?;
-    let page = Beside::begin(vec![page::builder()?], workspace.target.join("page.txt"))?;
+    let page = CommandsBeside::begin(vec![page::builder()?], workspace.target.join("page.txt"))?;
     let packages = packages(workspace)?;
     let cargo = |what: &[&str]| {
         let mut cargo = workspace.cargo(&["build", "--profile", PROFILE]);
@@ -79,7 +79,7 @@ fn optimise(workspace: &Workspace, neo4j: bool) -> Outcome<PathBuf> {
 
 /// The program and all it uses directly, selected together, so that everything but the program itself, with the page in it,
 /// is built before the page is.
-fn packages(workspace: &Workspace) -> Outcome<Vec<String>> {
+fn packages(workspace: &Workspace) -> ToolResult<Vec<String>> {
     let file = workspace.root.join("crates").join(PROGRAM).join("Cargo.toml");
     let text = fs::read_to_string(&file).map_err(|error| format!("{} cannot be read: {error}.", file.display()))?;
     let lines =
@@ -90,13 +90,13 @@ fn packages(workspace: &Workspace) -> Outcome<Vec<String>> {
 
 /// Turns this process into the server, so that Ctrl-C, other signals and the exit code are the server's own.
 #[cfg(unix)]
-fn become_server(server: &mut Command) -> Outcome<()> {
+fn become_server(server: &mut Command) -> ToolResult<()> {
     use std::os::unix::process::CommandExt;
     Err(format!("The server could not be started: {}.", server.exec()))
 }
 
 #[cfg(not(unix))]
-fn become_server(server: &mut Command) -> Outcome<()> {
+fn become_server(server: &mut Command) -> ToolResult<()> {
     tools::run(server, "The server")
 }
 

@@ -10,8 +10,8 @@ use wasm_encoder::{ImportSection, Module, RawSection};
 use wasm_split_cli_support::Options;
 use wasmparser::{Parser, Payload};
 
-use crate::dist::{self, Files};
-use crate::tools::Outcome;
+use crate::dist::{self, DistFiles};
+use crate::tools::ToolResult;
 
 /// The flags by which the linker leaves in the code what is needed to cut it.
 pub(crate) const FLAGS: &str = "-C link-args=--emit-relocs";
@@ -33,11 +33,11 @@ const MARK: &str = "__wbindgen_describe_generic_import";
 const OLD_MARK: &str = "__wbindgen_describe_cast";
 
 /// The page's code in pieces.
-pub(crate) struct Pieces {
+pub(crate) struct PagePieces {
     /// The module that is loaded first; wasm-bindgen has yet to see it.
     pub(crate) first: Vec<u8>,
     /// The files that are loaded later, by their names.
-    pub(crate) later: Files,
+    pub(crate) later: DistFiles,
     /// The JavaScript that loads them.
     loader: String,
 }
@@ -49,7 +49,7 @@ pub(crate) fn is_later(name: &str) -> bool {
 
 /// Cuts `code`, which was linked with `FLAGS`, into pieces for the page's own `module`. `folder` is for what comes about on
 /// the way.
-pub(crate) fn cut(folder: &Path, code: &[u8], module: &str) -> Outcome<Pieces> {
+pub(crate) fn cut(folder: &Path, code: &[u8], module: &str) -> ToolResult<PagePieces> {
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(|error| format!("{} cannot be emptied: {error}.", folder.display()))?;
     }
@@ -68,11 +68,11 @@ pub(crate) fn cut(folder: &Path, code: &[u8], module: &str) -> Outcome<Pieces> {
     let loader = take(LINK.trim_start_matches("./"))?;
     let loader = String::from_utf8(loader).map_err(|error| format!("The loader is no text: {error}."))?;
     let loader = without_import(&loader, &main_module)?;
-    named_by_content(Pieces { first, later: files, loader })
+    named_by_content(PagePieces { first, later: files, loader })
 }
 
 /// Code in which an import has another name.
-fn with_import_renamed(code: &[u8], from: &str, to: &str) -> Outcome<Vec<u8>> {
+fn with_import_renamed(code: &[u8], from: &str, to: &str) -> ToolResult<Vec<u8>> {
     let trouble = |error: &dyn Display| format!("The page's imports could not be renamed: {error}.");
     let mut module = Module::new();
     for payload in Parser::new(0).parse_all(code) {
@@ -93,17 +93,17 @@ fn with_import_renamed(code: &[u8], from: &str, to: &str) -> Outcome<Vec<u8>> {
 }
 
 /// The loader as a part of the page's own module, from which it need not import anything then.
-fn without_import(loader: &str, main_module: &str) -> Outcome<String> {
+fn without_import(loader: &str, main_module: &str) -> ToolResult<String> {
     let import = format!("import {{ initSync }} from \"{main_module}\";\n");
     let rest = loader.strip_prefix(&import).ok_or("The loader does not begin with its import.")?;
     Ok(rest.to_owned())
 }
 
 /// A page that is older than the server must never get a piece that does not fit it: the name of each says what is in all.
-fn named_by_content(mut pieces: Pieces) -> Outcome<Pieces> {
+fn named_by_content(mut pieces: PagePieces) -> ToolResult<PagePieces> {
     let mut hasher = DefaultHasher::new();
     (&pieces.first, &pieces.later).hash(&mut hasher);
-    let (all, mut later) = (hasher.finish(), Files::new());
+    let (all, mut later) = (hasher.finish(), DistFiles::new());
     for (name, code) in pieces.later {
         let stem = name.strip_suffix(".wasm").unwrap_or_default();
         let common = stem.strip_prefix(COMMON).map(|number| format!("common-{number}"));
@@ -115,12 +115,12 @@ fn named_by_content(mut pieces: Pieces) -> Outcome<Pieces> {
         pieces.loader = pieces.loader.replace(&format!("./{name}"), &format!("./{named}"));
         later.insert(named, code);
     }
-    Ok(Pieces { later, ..pieces })
+    Ok(PagePieces { later, ..pieces })
 }
 
-impl Pieces {
+impl PagePieces {
     /// The module that wasm-bindgen made of the first piece, with the loader inside: one file less to wait for.
-    pub(crate) fn with_loader(&self, module: &str) -> Outcome<String> {
+    pub(crate) fn with_loader(&self, module: &str) -> ToolResult<String> {
         let from = format!(" from \"{LINK}\"");
         // Once for each piece.
         let is_import = |line: &&str| line.starts_with("import * as ") && line.contains(&from);
@@ -161,9 +161,9 @@ mod tests {
         module.finish()
     }
 
-    fn pieces(first: &[u8]) -> Pieces {
+    fn pieces(first: &[u8]) -> PagePieces {
         let loader = "const load = makeLoad(\"./split_later.wasm\");\nexport const load_later = load;\n".to_owned();
-        Pieces { first: first.to_vec(), later: Files::from([("split_later.wasm".to_owned(), vec![1])]), loader }
+        PagePieces { first: first.to_vec(), later: DistFiles::from([("split_later.wasm".to_owned(), vec![1])]), loader }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The stylesheet of the page: small files, each named after what it dresses, joined into one in a fixed order.
 
-use crate::dist::Files;
-use crate::tools::Outcome;
+use crate::dist::DistFiles;
+use crate::tools::ToolResult;
 
 /// The folder of the small files, below the static files.
 const FOLDER: &str = "styles/";
@@ -67,7 +67,7 @@ const ORDER: [&str; 51] = [
 ];
 
 /// The static files with one stylesheet in place of the small ones.
-pub(crate) fn join(mut statics: Files) -> Outcome<Files> {
+pub(crate) fn join(mut statics: DistFiles) -> ToolResult<DistFiles> {
     let mut sheet = Vec::new();
     for name in ORDER {
         let part = statics.remove(&path(name));
@@ -95,7 +95,7 @@ mod tests {
 
     type Tested = Result<(), Box<dyn std::error::Error>>;
 
-    fn all() -> Files {
+    fn all() -> DistFiles {
         ORDER.iter().map(|name| (path(name), format!("{name};").into_bytes())).collect()
     }
 

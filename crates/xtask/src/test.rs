@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::beside::Beside;
+use crate::beside::CommandsBeside;
 use crate::neo4j;
 use crate::page;
 use crate::qi_python;
 use crate::serve;
 use crate::supply;
-use crate::tools::{self, Outcome, Workspace};
+use crate::tools::{self, ToolResult, Workspace};
 
 /// The packages that are optimised: the server as people run it, which is attacked, and the hostile corpus, as stacks,
 /// overflows and comparisons differ between debug and release. Selected together, so that what both use is compiled
@@ -38,16 +38,16 @@ const WANTED_GIGABYTES: u32 = 9;
 const SLOWEST: usize = 10;
 
 /// One named check.
-type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
+type NamedCheck = (&'static str, fn(&mut TestRun) -> ToolResult<()>);
 
-const STEPS: [Step; 11] = [
+const STEPS: [NamedCheck; 11] = [
     ("tools", find_tools_and_begin),
     ("a Neo4j for the tests", find_neo4j),
     ("libqi for the tests", find_libqi),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
     ("what we take from others", check_supply),
     ("the server and the tests", |run| run.cargo(&[&["test", "--no-run"], ALL_BUT_THIS.as_slice()].concat())),
-    ("the page, the optimised server and a module", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
+    ("the page, the optimised server and a module", |run| run.beside.take().map_or(Ok(()), CommandsBeside::wait)),
     ("hostile procedures, optimised", |run| run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())),
     ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
     ("cargo doc, and the tests of this program", check_documents_and_build_the_rest),
@@ -55,20 +55,20 @@ const STEPS: [Step; 11] = [
 ];
 
 /// A run through the checks, and what it found on the way.
-struct Run<'a> {
+struct TestRun<'a> {
     workspace: &'a Workspace,
     chromium: Option<PathBuf>,
     neo4j: Option<PathBuf>,
     /// A Python that has the real libqi.
     libqi: Option<PathBuf>,
-    beside: Option<Beside>,
+    beside: Option<CommandsBeside>,
     skipped: Vec<String>,
 }
 
 /// Runs every check and stops at the first that fails.
-pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
+pub(crate) fn all(workspace: &Workspace) -> ToolResult<()> {
     let started = Instant::now();
-    let mut run = Run::on(workspace);
+    let mut run = TestRun::on(workspace);
     tell_disk(workspace);
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
@@ -86,8 +86,8 @@ pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
 }
 
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
-pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
-    let mut run = Run::on(workspace);
+pub(crate) fn only(workspace: &Workspace, filter: &str) -> ToolResult<()> {
+    let mut run = TestRun::on(workspace);
     make_ready(workspace)?;
     find_tools(&mut run)?;
     find_neo4j(&mut run)?;
@@ -97,13 +97,13 @@ pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
     Ok(())
 }
 
-impl<'a> Run<'a> {
+impl<'a> TestRun<'a> {
     fn on(workspace: &'a Workspace) -> Self {
-        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, skipped: Vec::new() }
+        TestRun { workspace, chromium: None, neo4j: None, libqi: None, beside: None, skipped: Vec::new() }
     }
 
     /// Returns the place of a part that `tests` need; without it they are skipped by name, but never in CI.
-    fn made(&mut self, made: Outcome<PathBuf>, part: &str, tests: &str) -> Outcome<Option<PathBuf>> {
+    fn made(&mut self, made: ToolResult<PathBuf>, part: &str, tests: &str) -> ToolResult<Option<PathBuf>> {
         match made {
             Ok(place) => {
                 println!("{part} is at {}.", place.display());
@@ -117,7 +117,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn cargo(&mut self, words: &[&str]) -> Outcome<()> {
+    fn cargo(&mut self, words: &[&str]) -> ToolResult<()> {
         tools::run(&mut self.workspace.cargo(words), &format!("`cargo {}`", words.join(" ")))
     }
 
@@ -127,7 +127,7 @@ impl<'a> Run<'a> {
     }
 
     /// Runs the tests and gathers the names of those that skipped themselves.
-    fn tests(&mut self, more: &[&str]) -> Outcome<()> {
+    fn tests(&mut self, more: &[&str]) -> ToolResult<()> {
         let list = self.workspace.target.join("skipped.txt");
         let times = self.workspace.target.join("times.txt");
         [&list, &times].into_iter().for_each(|file| drop(fs::remove_file(file)));
@@ -164,19 +164,19 @@ impl<'a> Run<'a> {
 
 /// The page is built beside the other checks, after it the server that carries it, and then what one of the tests would build
 /// alone. What is installed comes meanwhile.
-fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
+fn find_tools_and_begin(run: &mut TestRun) -> ToolResult<()> {
     make_ready(run.workspace)?;
     let workspace = run.workspace;
     let optimised = workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
     let folder = workspace.target.join("tmp/wasm").display().to_string();
     let module = workspace.cargo(&[MODULE.as_slice(), &["--target-dir", &folder]].concat());
     let commands = vec![page::builder()?, optimised, module];
-    run.beside = Some(Beside::begin(commands, workspace.target.join("beside.txt"))?);
+    run.beside = Some(CommandsBeside::begin(commands, workspace.target.join("beside.txt"))?);
     find_tools(run)
 }
 
 /// Makes sure that the page can be compiled, and makes its folder, which the server's code names at compile time.
-fn make_ready(workspace: &Workspace) -> Outcome<()> {
+fn make_ready(workspace: &Workspace) -> ToolResult<()> {
     tools::ensure_wasm(workspace)?;
     let page = workspace.page();
     fs::create_dir_all(&page).map_err(|error| format!("{} cannot be made: {error}.", page.display()))
@@ -184,14 +184,14 @@ fn make_ready(workspace: &Workspace) -> Outcome<()> {
 
 /// Checks what is documented, and builds the tests of this program. Nothing is compiled once tests run: a browser that has to
 /// share two cores with a compiler is slower by chance.
-fn check_documents_and_build_the_rest(run: &mut Run) -> Outcome<()> {
+fn check_documents_and_build_the_rest(run: &mut TestRun) -> ToolResult<()> {
     let mut documents = run.workspace.cargo(&["doc", "--workspace", "--no-deps"]);
     tools::run(documents.env("RUSTDOCFLAGS", "-D warnings"), "`cargo doc --workspace --no-deps`")?;
     run.cargo(&[&["test", "--no-run"], THIS_AND_ITS_OWN.as_slice()].concat())
 }
 
 /// Looks for the browser and for what single tests need.
-fn find_tools(run: &mut Run) -> Outcome<()> {
+fn find_tools(run: &mut TestRun) -> ToolResult<()> {
     // The XSD of behaviour files is tried with it; its test says so if it is not to be had.
     if tools::on_path("xmllint").is_none() {
         tools::install("xmllint", &["libxml2-utils"]);
@@ -212,20 +212,20 @@ fn find_tools(run: &mut Run) -> Outcome<()> {
 }
 
 /// Makes the Neo4j that the tests of its store start.
-fn find_neo4j(run: &mut Run) -> Outcome<()> {
+fn find_neo4j(run: &mut TestRun) -> ToolResult<()> {
     let made = neo4j::ensure(run.workspace);
     run.neo4j = run.made(made, "Neo4j", "tests of the Neo4j store")?;
     Ok(())
 }
 
 /// Makes the Python with the real libqi that the tests of `qi` talk to.
-fn find_libqi(run: &mut Run) -> Outcome<()> {
+fn find_libqi(run: &mut TestRun) -> ToolResult<()> {
     let made = qi_python::ensure(run.workspace);
     run.libqi = run.made(made, "libqi", "tests with the real libqi")?;
     Ok(())
 }
 
-fn check_supply(run: &mut Run) -> Outcome<()> {
+fn check_supply(run: &mut TestRun) -> ToolResult<()> {
     match supply::check(run.workspace)? {
         Some(part) => run.skip(part),
         None => println!("Licences, sources, doubles and advisories are as .deny.toml wants them."),

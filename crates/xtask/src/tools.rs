@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use crate::serve;
 
 /// A result whose error is a sentence for the person at the terminal.
-pub(crate) type Outcome<T> = Result<T, String>;
+pub(crate) type ToolResult<T> = Result<T, String>;
 
 /// The target triple of the page.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
@@ -48,7 +48,7 @@ pub(crate) struct Workspace {
 
 impl Workspace {
     /// Finds the repository that this program was built from.
-    pub(crate) fn here() -> Outcome<Workspace> {
+    pub(crate) fn here() -> ToolResult<Workspace> {
         let manifest = env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").to_owned());
         let root = Path::new(&manifest).ancestors().nth(2).map(Path::to_path_buf);
         let root = root.filter(|root| root.join("Cargo.toml").is_file());
@@ -118,7 +118,7 @@ fn is_outer(name: &str) -> bool {
 }
 
 /// Runs `command` with our own input and output; anything but success is an error that names it as `what`.
-pub(crate) fn run(command: &mut Command, what: &str) -> Outcome<()> {
+pub(crate) fn run(command: &mut Command, what: &str) -> ToolResult<()> {
     match command.status() {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("{what} failed ({status}); what went wrong is printed above.")),
@@ -134,7 +134,7 @@ pub(crate) fn said(command: &mut Command) -> Option<String> {
 }
 
 /// Makes sure that rustc can build for the browser, with rustup when it cannot yet.
-pub(crate) fn ensure_wasm(workspace: &Workspace) -> Outcome<()> {
+pub(crate) fn ensure_wasm(workspace: &Workspace) -> ToolResult<()> {
     if has_wasm(workspace) {
         return Ok(());
     }

@@ -2,7 +2,7 @@
 //! of them.
 
 use super::Stage;
-use super::view::{Bounds, View};
+use super::view::{CanvasBounds, View};
 use behaviour::connectors;
 use leptos::prelude::*;
 
@@ -68,7 +68,7 @@ impl Stage {
     }
 
     /// A view of all of the graph and of something beside it below what covers the top; none if that is seen already.
-    pub(super) fn showing_too(&self, own: Bounds, covered: f64) -> Option<View> {
+    pub(super) fn showing_too(&self, own: CanvasBounds, covered: f64) -> Option<View> {
         let (view, size) = (self.view.get_untracked(), self.size.get_untracked());
         let (left, top) = view.to_stage(behaviour::Place { x: own.left, y: own.top });
         let (right, bottom) = view.to_stage(behaviour::Place { x: own.right, y: own.bottom });
@@ -77,7 +77,7 @@ impl Stage {
         }
         let free = (size.0, (size.1 - covered).max(1.0));
         let streams = self.shapes.with_untracked(|shapes| shapes.iter().map(|(_, bounds)| *bounds).collect::<Vec<_>>());
-        let whole = Bounds::around(streams.into_iter().chain([own])).map(|all| View::fitting(all, 0.0, free));
+        let whole = CanvasBounds::around(streams.into_iter().chain([own])).map(|all| View::fitting(all, 0.0, free));
         let new = whole
             .filter(|whole| whole.zoom >= READABLE)
             .unwrap_or_else(|| view.panned(0.0, -covered).revealing(own, free, MARGIN));
@@ -85,7 +85,7 @@ impl Stage {
     }
 
     /// The least pan that brings `bounds` into the free part with a margin.
-    pub(super) fn revealing(&self, bounds: Bounds, margin: f64) -> View {
+    pub(super) fn revealing(&self, bounds: CanvasBounds, margin: f64) -> View {
         let (view, above) = (self.view.get_untracked(), self.above());
         self.in_free(|free| view.panned(0.0, -above).revealing(bounds, free, margin))
     }

@@ -1,8 +1,8 @@
 //! The bounds of things on the canvas: streams, chips, notes, groups. Not reactive.
 
 use super::chip::chip_of;
-use super::fold::{End, end_of};
-use super::view::Bounds;
+use super::fold::{ConnectorEnd, end_of};
+use super::view::CanvasBounds;
 use crate::desk::Desk;
 use crate::layout::{BOX, CHIP_HEIGHT, LEVEL, STREAM_HEIGHT, chip_width, chip_words, note_size, stream_width};
 use behaviour::{Id, Place};
@@ -12,7 +12,7 @@ use leptos::prelude::*;
 const FRAME: (f64, f64, f64) = (20.0, 84.0, 16.0);
 
 /// Returns the bounds of a stream, without its live value, or of a note or group.
-pub(super) fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+pub(super) fn bounds(desk: &Desk, id: &Id) -> Option<CanvasBounds> {
     let Some(signals) = desk.document.stream(id) else {
         return note_bounds(desk, id).or_else(|| group_bounds(desk, id));
     };
@@ -21,25 +21,25 @@ pub(super) fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
 }
 
 /// Returns the bounds of a note.
-fn note_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+fn note_bounds(desk: &Desk, id: &Id) -> Option<CanvasBounds> {
     let signals = desk.document.note_signals(id)?;
     let (width, height) = signals.record.with_untracked(|note| note_size(&note.text));
     let place = signals.place.get_untracked();
-    Some(Bounds { bottom: place.y + height, ..around(place, width) })
+    Some(CanvasBounds { bottom: place.y + height, ..around(place, width) })
 }
 
 /// Returns the bounds of a group: of its box, or of its frame.
-fn group_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+fn group_bounds(desk: &Desk, id: &Id) -> Option<CanvasBounds> {
     untrack(|| if desk.document.is_folded(id) { box_bounds(desk, id) } else { frame_of(desk, id) })
 }
 
-pub(super) fn box_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+pub(super) fn box_bounds(desk: &Desk, id: &Id) -> Option<CanvasBounds> {
     let at = desk.document.group(id)?.at.get_untracked()?;
-    Some(Bounds { bottom: at.y + BOX.1, ..around(at, BOX.0) })
+    Some(CanvasBounds { bottom: at.y + BOX.1, ..around(at, BOX.0) })
 }
 
 /// Returns the bounds of an open group's frame: around its streams.
-fn frame_of(desk: &Desk, id: &Id) -> Option<Bounds> {
+fn frame_of(desk: &Desk, id: &Id) -> Option<CanvasBounds> {
     framed(untrack(|| desk.document.members(id)).iter().filter_map(|id| bounds(desk, id)))
 }
 
@@ -62,50 +62,55 @@ pub(super) fn group_at(desk: &Desk, moving: &[(Id, Place)], by: (f64, f64)) -> O
 }
 
 /// The frame around some streams, with its title on top.
-pub(super) fn framed(streams: impl Iterator<Item = Bounds>) -> Option<Bounds> {
-    let Bounds { left, top, right, bottom } = Bounds::around(streams)?;
-    Some(Bounds { left: left - FRAME.0, top: top - FRAME.1, right: right + FRAME.0, bottom: bottom + FRAME.2 })
+pub(super) fn framed(streams: impl Iterator<Item = CanvasBounds>) -> Option<CanvasBounds> {
+    let CanvasBounds { left, top, right, bottom } = CanvasBounds::around(streams)?;
+    Some(CanvasBounds { left: left - FRAME.0, top: top - FRAME.1, right: right + FRAME.0, bottom: bottom + FRAME.2 })
 }
 
 /// Returns the bounds of the notes and groups.
-pub(super) fn aside_bounds(desk: &Desk) -> Vec<Bounds> {
+pub(super) fn aside_bounds(desk: &Desk) -> Vec<CanvasBounds> {
     let (notes, groups) = (desk.document.note_ids.get_untracked(), desk.document.group_ids.get_untracked());
     let notes = notes.iter().filter_map(|id| note_bounds(desk, id));
     notes.chain(groups.iter().filter_map(|id| group_bounds(desk, id))).collect()
 }
 
-pub(super) fn around(place: Place, width: f64) -> Bounds {
-    Bounds { left: place.x - width / 2.0, top: place.y, right: place.x + width / 2.0, bottom: place.y + STREAM_HEIGHT }
+pub(super) fn around(place: Place, width: f64) -> CanvasBounds {
+    CanvasBounds {
+        left: place.x - width / 2.0,
+        top: place.y,
+        right: place.x + width / 2.0,
+        bottom: place.y + STREAM_HEIGHT,
+    }
 }
 
 /// Returns the bounds of a connector's chip, if it is seen.
-pub(super) fn chip_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+pub(super) fn chip_bounds(desk: &Desk, id: &Id) -> Option<CanvasBounds> {
     let record = desk.document.connector(id)?.record.get_untracked();
     let chip = untrack(|| chip_of(desk, &record))?;
-    Some(Bounds { bottom: chip.y + CHIP_HEIGHT, ..around(chip, chip_width(&chip_words(&record))) })
+    Some(CanvasBounds { bottom: chip.y + CHIP_HEIGHT, ..around(chip, chip_width(&chip_words(&record))) })
 }
 
 /// About where a connector runs.
-pub(super) fn connector_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+pub(super) fn connector_bounds(desk: &Desk, id: &Id) -> Option<CanvasBounds> {
     let ends = desk.document.connector(id)?.record.with_untracked(|connector| {
         let mut ends = connector.inputs.clone();
         ends.push(connector.output.clone());
         ends
     });
-    let places = ends.iter().filter_map(|end| untrack(|| end_of(desk, end, End::Output)));
-    Bounds::around(places.map(|place| around(place, LEVEL)))
+    let places = ends.iter().filter_map(|end| untrack(|| end_of(desk, end, ConnectorEnd::Output)));
+    CanvasBounds::around(places.map(|place| around(place, LEVEL)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::framed;
-    use crate::canvas::view::Bounds;
+    use crate::canvas::view::CanvasBounds;
 
     #[test]
     fn a_frame_goes_around_its_streams_with_room_for_its_title() {
-        let at = |left: f64, top: f64| Bounds { left, top, right: left + 100.0, bottom: top + 48.0 };
+        let at = |left: f64, top: f64| CanvasBounds { left, top, right: left + 100.0, bottom: top + 48.0 };
         let frame = framed([at(0.0, 0.0), at(300.0, 140.0)].into_iter()).unwrap();
-        assert_eq!(frame, Bounds { left: -20.0, top: -84.0, right: 420.0, bottom: 204.0 });
+        assert_eq!(frame, CanvasBounds { left: -20.0, top: -84.0, right: 420.0, bottom: 204.0 });
         assert!(framed(std::iter::empty()).is_none());
     }
 }

@@ -3,8 +3,8 @@
 
 use super::Stage;
 use super::chip::chip_of;
-use super::strip_spot::{Area, EDGE, HEIGHT as STRIP, ZOOM_BOX};
-use super::view::Bounds;
+use super::strip_spot::{EDGE, HEIGHT as STRIP, StageArea, ZOOM_BOX};
+use super::view::CanvasBounds;
 use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
 use crate::icons::Icon;
@@ -146,7 +146,7 @@ fn rival(problem: &Problem) -> Option<String> {
 }
 
 /// Returns the bounds of the stream of that name.
-fn rival_bounds(desk: &Desk, stage: &Stage, name: &str) -> Option<Bounds> {
+fn rival_bounds(desk: &Desk, stage: &Stage, name: &str) -> Option<CanvasBounds> {
     let is_it = |id: &Id| {
         desk.document.stream(id).is_some_and(|stream| stream.record.with_untracked(|stream| stream.name == name))
     };
@@ -176,7 +176,7 @@ fn spot_memo(
         let ((left, top), (right, bottom)) = (corner(own.left, own.top), corner(own.right, own.bottom));
         let covered = |(x, y): (f64, f64)| {
             let (from, to) = (view.to_canvas((x, y)), view.to_canvas((x + SIZE.0, y + high)));
-            let area = Bounds { left: from.x, top: from.y, right: to.x, bottom: to.y };
+            let area = CanvasBounds { left: from.x, top: from.y, right: to.x, bottom: to.y };
             let streams = stage.shapes.with(|shapes| shapes.iter().filter(|(_, other)| area.meets(*other)).count());
             let chips = desk.document.connector_ids.with(|ids| {
                 ids.iter().filter_map(|id| stage.chip_bounds(id)).filter(|other| area.meets(*other)).count()
@@ -184,7 +184,7 @@ fn spot_memo(
             let (own_left, own_right) = (left.min(right), left.max(right));
             let own = x < own_right && x + SIZE.0 > own_left && y < bottom && y + high > top;
             let tools = x + SIZE.0 > size.0 - ZOOM_BOX.0 && y + high > size.1 - ZOOM_BOX.1;
-            let bubble = Area { left: x, top: y, right: x + SIZE.0, bottom: y + high };
+            let bubble = StageArea { left: x, top: y, right: x + SIZE.0, bottom: y + high };
             let strip = stage.strip.with(|strip| strip.is_some_and(|strip| strip.shared(&bubble) > 0.0));
             let rival = rival.is_some_and(|rival| area.meets(rival));
             streams * 2 + chips * 2 + [own, tools, strip, rival].map(usize::from).iter().sum::<usize>() * 20

@@ -1,8 +1,8 @@
 //! Something of the left list is carried to the graph: a sense to free ground, an action or a helper to a stream.
 
 use super::{Stage, wire};
-use crate::browser::{self, Heard};
-use crate::desk::{Carried, Item, Moved, Phase, Spot, use_desk};
+use crate::browser::{self, ListenerHandle};
+use crate::desk::{CarriedItem, CarryStage, ListItem, Moved, NewSpot, use_desk};
 use crate::escape;
 use crate::icons::Icon;
 use crate::layout::STREAM_HEIGHT;
@@ -33,13 +33,13 @@ pub(crate) fn carry() -> AnyView {
 fn Carrying() -> impl IntoView {
     let stage = expect_context::<Stage>();
     StoredValue::new_local(hear(&stage));
-    if use_desk().carried.with_untracked(|carried| carried.as_ref().is_some_and(Carried::is_by_finger)) {
+    if use_desk().carried.with_untracked(|carried| carried.as_ref().is_some_and(CarriedItem::is_by_finger)) {
         let stage = stage.clone();
         let pressed = stage.pressed_at();
         browser::after(REST_MS, move || stage.rest(pressed));
     }
     let carried = use_desk().carried.clone();
-    let shown = ArcMemo::new(move |_| carried.get().filter(Carried::is_held));
+    let shown = ArcMemo::new(move |_| carried.get().filter(CarriedItem::is_held));
     move || {
         shown.get().map(|carried| {
             let at = format!("translate({:.0}px,{:.0}px)", carried.at.0 + BESIDE.0, carried.at.1 + BESIDE.1);
@@ -57,16 +57,16 @@ fn Carrying() -> impl IntoView {
 }
 
 /// The sign and the name of an item, as in the list.
-fn looks(item: &Item) -> (&'static str, &'static str, String) {
+fn looks(item: &ListItem) -> (&'static str, &'static str, String) {
     match item {
-        Item::Sense(device) => ("kind sensor", device.icon, words::device(device).to_owned()),
-        Item::Action(device) => ("kind actuator", device.icon, words::device(device).to_owned()),
-        Item::Helper(helper) => ("kind plain", "fx", words::helper_name_of(helper)),
+        ListItem::Sense(device) => ("kind sensor", device.icon, words::device(device).to_owned()),
+        ListItem::Action(device) => ("kind actuator", device.icon, words::device(device).to_owned()),
+        ListItem::Helper(helper) => ("kind plain", "fx", words::helper_name_of(helper)),
     }
 }
 
 /// Everything that is heard while something hangs on a pointer.
-fn hear(stage: &Stage) -> Vec<Heard> {
+fn hear(stage: &Stage) -> Vec<ListenerHandle> {
     let on = |event: &str, act: fn(&Stage, &Event)| {
         let stage = stage.clone();
         browser::hear_first(event, move |event| act(&stage, &event))
@@ -93,7 +93,7 @@ fn hear(stage: &Stage) -> Vec<Heard> {
             }
         }),
         on("click", |stage, event| {
-            if stage.phase().is_some_and(|phase| phase != Phase::Pressed) {
+            if stage.phase().is_some_and(|phase| phase != CarryStage::Pressed) {
                 swallow(event)
             }
         }),
@@ -116,27 +116,27 @@ fn point(event: &PointerEvent) -> (f64, f64) {
 }
 
 impl Stage {
-    fn phase(&self) -> Option<Phase> {
+    fn phase(&self) -> Option<CarryStage> {
         self.desk.carried.with_untracked(|carried| carried.as_ref().map(|carried| carried.phase))
     }
 
     fn carries(&self) -> bool {
-        self.phase() == Some(Phase::Carried)
+        self.phase() == Some(CarryStage::Carried)
     }
 
     /// Returns the press as it is, to know it again.
-    fn pressed_at(&self) -> Option<Carried> {
+    fn pressed_at(&self) -> Option<CarriedItem> {
         self.desk.carried.get_untracked()
     }
 
     /// A finger rested on what it pressed.
-    fn rest(&self, pressed: Option<Carried>) {
+    fn rest(&self, pressed: Option<CarriedItem>) {
         if self.desk.carried.get_untracked() != pressed {
             return;
         }
         let targets = self.carry_targets();
         self.desk.carried.update(|carried| {
-            if let Some(carried) = carried.as_mut().filter(|carried| carried.phase == Phase::Pressed)
+            if let Some(carried) = carried.as_mut().filter(|carried| carried.phase == CarryStage::Pressed)
                 && carried.rested()
             {
                 carried.targets = targets;
@@ -146,7 +146,7 @@ impl Stage {
 
     fn carry_on(&self, event: &PointerEvent) {
         let Some(mut carried) = self.desk.carried.get_untracked() else { return };
-        if carried.pointer != event.pointer_id() || carried.phase == Phase::Ended {
+        if carried.pointer != event.pointer_id() || carried.phase == CarryStage::Ended {
             return;
         }
         if event.buttons() == 0 {
@@ -173,7 +173,7 @@ impl Stage {
         if carried.pointer != event.pointer_id() {
             return;
         }
-        if carried.phase == Phase::Pressed {
+        if carried.phase == CarryStage::Pressed {
             self.desk.carried.set(None);
             return;
         }
@@ -185,7 +185,7 @@ impl Stage {
         self.put_down();
         let held = self.desk.carried.clone();
         browser::after(CLICK_MS, move || {
-            if held.with_untracked(|held| held.as_ref().is_some_and(|held| held.phase == Phase::Ended)) {
+            if held.with_untracked(|held| held.as_ref().is_some_and(|held| held.phase == CarryStage::Ended)) {
                 held.set(None);
             }
         });
@@ -195,13 +195,13 @@ impl Stage {
     fn put_down(&self) {
         self.desk.carried.update(|carried| {
             if let Some(carried) = carried {
-                (carried.phase, carried.targets, carried.over) = (Phase::Ended, None, None);
+                (carried.phase, carried.targets, carried.over) = (CarryStage::Ended, None, None);
             }
         });
     }
 
     /// Finds what would become of it where the pointer is.
-    fn look_below(&self, carried: &mut Carried) {
+    fn look_below(&self, carried: &mut CarriedItem) {
         let (below, is_paper) = wire::under(carried.at.0 as f32, carried.at.1 as f32);
         carried.over = below.filter(|id| carried.targets.as_ref().is_some_and(|targets| targets.contains(id)));
         carried.fits = is_paper && !carried.item.is_led();
@@ -211,25 +211,25 @@ impl Stage {
     fn carry_targets(&self) -> Option<Arc<BTreeSet<Id>>> {
         let item = self.desk.carried.with_untracked(|carried| carried.as_ref().map(|carried| carried.item.clone()))?;
         let takes = match &item {
-            Item::Sense(_) => return None,
-            Item::Action(_) => true,
-            Item::Helper(helper) => takes_one(helper),
+            ListItem::Sense(_) => return None,
+            ListItem::Action(_) => true,
+            ListItem::Helper(helper) => takes_one(helper),
         };
         let behaviour = self.desk.document.behaviour();
         let gives = behaviour.streams().filter(|(_, stream)| takes && stream.kind != StreamKind::Actuator);
         Some(Arc::new(gives.map(|(id, _)| id.clone()).collect()))
     }
 
-    fn put_there(&self, carried: &Carried) {
+    fn put_there(&self, carried: &CarriedItem) {
         let desk = &self.desk;
         match (&carried.item, &carried.over) {
-            (Item::Sense(device), _) if carried.fits => {
+            (ListItem::Sense(device), _) if carried.fits => {
                 let Some(at) = self.place_at(carried.at) else { return };
                 desk.document.add_sensor_at(device, at);
             }
-            (Item::Action(device), Some(stream)) => lead_to_action(desk, stream.clone(), device),
-            (Item::Helper(helper), Some(stream)) => lead_to_helper(desk, stream, &helper.name, Spot::Below),
-            (Item::Sense(_) | Item::Action(_) | Item::Helper(_), _) => {}
+            (ListItem::Action(device), Some(stream)) => lead_to_action(desk, stream.clone(), device),
+            (ListItem::Helper(helper), Some(stream)) => lead_to_helper(desk, stream, &helper.name, NewSpot::Below),
+            (ListItem::Sense(_) | ListItem::Action(_) | ListItem::Helper(_), _) => {}
         }
     }
 
@@ -241,16 +241,16 @@ impl Stage {
     }
 
     /// Says what would come of a drop.
-    fn says(&self, carried: &Carried) -> String {
+    fn says(&self, carried: &CarriedItem) -> String {
         if let Some(id) = &carried.over {
             let record = self.desk.document.stream(id).map(|signals| signals.record);
             return record.map(|record| words::carried_after(&record.read_untracked().name)).unwrap_or_default();
         }
         match &carried.item {
-            Item::Sense(_) if carried.fits => words::carried_here().to_owned(),
-            Item::Sense(_) => words::carried_to_ground().to_owned(),
-            Item::Helper(helper) if !takes_one(helper) => words::carried_takes_more(helper.params.len()),
-            Item::Action(_) | Item::Helper(_) => {
+            ListItem::Sense(_) if carried.fits => words::carried_here().to_owned(),
+            ListItem::Sense(_) => words::carried_to_ground().to_owned(),
+            ListItem::Helper(helper) if !takes_one(helper) => words::carried_takes_more(helper.params.len()),
+            ListItem::Action(_) | ListItem::Helper(_) => {
                 let none = carried.targets.as_ref().is_none_or(|targets| targets.is_empty());
                 if none { words::carried_no_stream().to_owned() } else { words::carried_to_stream().to_owned() }
             }

@@ -3,10 +3,10 @@
 use super::Stage;
 use super::curve::{asides, chip_place, curves, straight, straight_ways, ways};
 use super::differs::{Differs, differs_memo};
-use super::fold::{End, end_of, inputs_outside};
+use super::fold::{ConnectorEnd, end_of, inputs_outside};
 use super::mark::{self, MarkBadge, mark_memo};
 use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo, unused_memo};
-use super::room::Side;
+use super::room::ChipSide;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
 use crate::fields::pieces;
 use crate::icons::Icon;
@@ -17,14 +17,14 @@ use leptos::prelude::*;
 
 /// The way of a connector on the canvas.
 #[derive(Clone, Debug, PartialEq)]
-struct Way {
+struct ChipWay {
     inputs: Vec<Place>,
     /// None where it leads into a folded group: its chip is in there.
     chip: Option<Place>,
     output: Place,
 }
 
-impl Way {
+impl ChipWay {
     /// Returns it as a path, with a small head at its end or without.
     fn path(&self, head: bool) -> String {
         match (self.chip, head) {
@@ -43,14 +43,14 @@ pub(super) fn way_of(desk: &Desk, id: &Id) -> Option<String> {
 }
 
 /// Reactive: follows the connector and the places of its streams.
-fn way(desk: &Desk, connector: &Connector) -> Option<Way> {
+fn way(desk: &Desk, connector: &Connector) -> Option<ChipWay> {
     let kind = desk.document.stream(&connector.output)?.record.with(|stream| stream.kind);
     let outside = inputs_outside(desk, connector);
-    let inputs: Vec<Place> = outside.into_iter().filter_map(|id| end_of(desk, id, End::Input)).collect();
-    let output = end_of(desk, &connector.output, End::Output)?;
+    let inputs: Vec<Place> = outside.into_iter().filter_map(|id| end_of(desk, id, ConnectorEnd::Input)).collect();
+    let output = end_of(desk, &connector.output, ConnectorEnd::Output)?;
     let is_seen = desk.document.hidden_in(&connector.output).is_none();
     let chip = is_seen.then(|| chip_place(&inputs, output, kind, aside(desk, connector)));
-    Some(Way { chip, inputs, output })
+    Some(ChipWay { chip, inputs, output })
 }
 
 /// Returns how far the chip stands aside of the action that it leads to with others. Reactive.
@@ -58,14 +58,14 @@ fn aside(desk: &Desk, connector: &Connector) -> Option<f64> {
     let others = desk.document.shared.with(|shared| shared.get(&connector.output).cloned())?;
     let all = others.iter().filter_map(|id| Some(desk.document.connector(id)?.record.get()));
     let all: Vec<Connector> = all.collect();
-    let x = |id: &Id| Some(end_of(desk, id, End::Input)?.x);
+    let x = |id: &Id| Some(end_of(desk, id, ConnectorEnd::Input)?.x);
     let from = |one: &Connector| one.inputs.iter().filter_map(x).sum::<f64>() / f64::max(one.inputs.len() as f64, 1.0);
     let chips: Vec<(f64, f64)> = all.iter().map(|one| (from(one), chip_width(&chip_words(one)))).collect();
     let mine = all.iter().position(|one| one == connector)?;
     asides(&chips).get(mine).copied()
 }
 
-fn way_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<Option<Way>> {
+fn way_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<Option<ChipWay>> {
     let (desk, record) = (desk.clone(), signals.record.clone());
     ArcMemo::new(move |_| record.with(|connector| way(&desk, connector)))
 }
@@ -251,7 +251,7 @@ fn near_selection(desk: &Desk, signals: &ConnectorSignals) -> impl Fn() -> bool 
 
 /// The words of a chip about the run.
 #[derive(Clone, Debug, PartialEq)]
-struct Said {
+struct RunWords {
     text: String,
     /// The number of times that its procedure failed; none if it only says who holds the robot's part.
     faults: Option<u64>,
@@ -259,7 +259,7 @@ struct Said {
 
 /// Returns how often its procedure failed and why, or who keeps the robot's part from the action that it leads to. A
 /// chip that is not used yet says nothing: the robot runs another version of it.
-fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<bool>) -> ArcMemo<Option<Said>> {
+fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<bool>) -> ArcMemo<Option<RunWords>> {
     let (desk, id, record, unused) = (desk.clone(), id.clone(), signals.record.clone(), unused.clone());
     ArcMemo::new(move |_| {
         if unused.get() || desk.robots.running().is_none() {
@@ -267,18 +267,18 @@ fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<
         }
         let failed = desk.robots.failing.with(|failing| {
             let failing = failing.iter().find(|failing| failing.connector == id)?;
-            Some(Said { text: words::failed(failing.count, &failing.why), faults: Some(failing.count) })
+            Some(RunWords { text: words::failed(failing.count, &failing.why), faults: Some(failing.count) })
         });
         failed.or_else(|| {
             let output = record.with(|connector| connector.operation.spec().acts().then(|| connector.output.clone()));
-            Some(Said { text: desk.robots.held(&output?)?, faults: None })
+            Some(RunWords { text: desk.robots.held(&output?)?, faults: None })
         })
     })
 }
 
 /// A badge with the count, and beside it the sentence where there is room: of the newest that fails, and of what is selected.
 #[component]
-fn Bubble(id: Id, said: ArcMemo<Option<Said>>) -> impl IntoView {
+fn Bubble(id: Id, said: ArcMemo<Option<RunWords>>) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
     let chosen = chosen_memo(&desk, &id);
@@ -290,12 +290,12 @@ fn Bubble(id: Id, said: ArcMemo<Option<Said>>) -> impl IntoView {
     };
     let room = stage.side_of_chip(&id);
     let badge = said.clone();
-    let sentence = move |said: Said| {
+    let sentence = move |said: RunWords| {
         let is_open = said.faults.is_none() || chosen.get() || newest.get();
         let (side, width) = room.get().filter(|_| is_open)?;
         let held = said.faults.is_none();
         Some(view! {
-            <span class="fault" class:held=held class:left=side == Side::Left aria-hidden="true" title=said.text.clone()
+            <span class="fault" class:held=held class:left=side == ChipSide::Left aria-hidden="true" title=said.text.clone()
                 style:max-width=format!("{width:.0}px")>
                 <span>{said.text.clone()}</span>
             </span>

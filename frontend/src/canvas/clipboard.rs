@@ -2,8 +2,8 @@
 
 use super::Stage;
 use crate::browser;
-use crate::desk::{Desk, Dialog, Part, Pasted, Put, Selected};
-use crate::keys::Pressed;
+use crate::desk::{Desk, Dialog, Pasted, ProgramPart, Put, Selected};
+use crate::keys::PressedKey;
 use crate::words;
 use behaviour::{Helper, Place};
 use leptos::prelude::*;
@@ -16,7 +16,7 @@ fn helpers(desk: &Desk) -> Vec<Helper> {
 }
 
 /// Returns what is chosen as a part of a program, and which of it is in that. If it cannot be copied, says why.
-fn chosen_part(desk: &Desk) -> Option<(Part, BTreeSet<Selected>)> {
+fn chosen_part(desk: &Desk) -> Option<(ProgramPart, BTreeSet<Selected>)> {
     let chosen = desk.document.chosen();
     let part = desk.document.part(&chosen, &helpers(desk));
     if !part.is_empty() {
@@ -57,7 +57,7 @@ fn paste_copied(desk: &Desk, stage: Option<&Stage>) {
 }
 
 /// Puts a part in; on the canvas it is brought into view.
-fn put(desk: &Desk, stage: Option<&Stage>, part: Part, at: Put) {
+fn put(desk: &Desk, stage: Option<&Stage>, part: ProgramPart, at: Put) {
     let stage = stage.cloned();
     desk.document.put_in(part, at, &helpers(desk), move || {
         if let Some(stage) = stage {
@@ -76,7 +76,7 @@ pub(super) fn duplicate(desk: &Desk, stage: Option<&Stage>) {
 /// Pastes a part of a program under the pointer, and beside what was copied where there is no canvas; offers to open a
 /// whole program. Returns true if it was one of them.
 pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
-    let Some(part) = Part::read(text) else {
+    let Some(part) = ProgramPart::read(text) else {
         let whole = Pasted::read(text);
         let is_whole = whole.is_some();
         whole.into_iter().for_each(|whole| desk.dialog.set(Some(Dialog::OpenPasted(whole))));

@@ -1,14 +1,14 @@
 //! The menu of what lies under the pointer: the right button, a long press, or the menu key.
 
 use super::Stage;
-use super::hand::Point;
+use super::hand::StagePoint;
 use super::offer::{leaves_menu, step};
 use super::strip_spot::EDGE;
 use crate::browser;
-use crate::commands::{ALL, Command, On};
+use crate::commands::{ALL, On, PageCommand};
 use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -23,9 +23,9 @@ const GONE_MS: i32 = 40;
 
 /// An open menu.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Context {
+pub(crate) struct ContextMenu {
     /// The place on the stage where it was asked for, in pixels.
-    pub(super) at: Point,
+    pub(super) at: StagePoint,
     /// The thing that the menu is about; none for the ground.
     pub(super) about: Option<Selected>,
     pub(super) on: On,
@@ -35,7 +35,7 @@ pub(crate) struct Context {
 
 impl Stage {
     /// Opens the menu of what is there. It is selected first, unless it is one of several that are.
-    pub(super) fn ask_menu(&self, at: Point, about: Option<Selected>, by_finger: bool) {
+    pub(super) fn ask_menu(&self, at: StagePoint, about: Option<Selected>, by_finger: bool) {
         let several = self.desk.document.several.get_untracked();
         let on = match &about {
             Some(one) if several.contains(one) => On::Several,
@@ -51,7 +51,7 @@ impl Stage {
         self.forget_wire();
         // What is added or pasted from it goes there.
         self.pointer.set(Some(self.view.get_untracked().to_canvas(at)));
-        self.context.set(Some(Context { at, about, on, by_finger }));
+        self.context.set(Some(ContextMenu { at, about, on, by_finger }));
     }
 
     pub(super) fn forget_menu(&self) {
@@ -75,9 +75,9 @@ fn Menu() -> impl IntoView {
 }
 
 #[component]
-fn Items(desk: Desk, stage: Stage, context: Context) -> impl IntoView {
-    let is_shown = |command: &&Command| command.on.contains(&context.on) && untrack(|| command.can_be_done(&desk));
-    let commands: Vec<&'static Command> = ALL.iter().filter(is_shown).collect();
+fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
+    let is_shown = |command: &&PageCommand| command.on.contains(&context.on) && untrack(|| command.can_be_done(&desk));
+    let commands: Vec<&'static PageCommand> = ALL.iter().filter(is_shown).collect();
     let size = stage.size.get_untracked();
     let height = commands.len() as f64 * ROW + 12.0;
     let fit = |at: f64, own: f64, whole: f64| at.min(whole - own - EDGE).max(EDGE);

@@ -1,8 +1,8 @@
 //! The choice of streams and connectors that are drawn: those in or near the view, by coarse cells, so that small pans
 //! change nothing.
 
-use super::view::{Bounds, View};
-use behaviour::Filled;
+use super::view::{CanvasBounds, View};
+use behaviour::FillFrom;
 
 /// The side of a cell in canvas units.
 const CELL: f64 = 600.0;
@@ -25,7 +25,7 @@ impl Cells {
     }
 
     /// True if something touches these cells.
-    pub(super) fn touch(&self, bounds: &Bounds) -> bool {
+    pub(super) fn touch(&self, bounds: &CanvasBounds) -> bool {
         cell(bounds.right) >= self.left
             && cell(bounds.left) <= self.right
             && cell(bounds.bottom) >= self.top
@@ -49,10 +49,10 @@ pub(super) fn drawn<T: Clone + Ord>(all: &[T], seen: impl Fn(&T) -> bool, before
 #[cfg(test)]
 mod tests {
     use super::{Cells, drawn};
-    use crate::canvas::view::{Bounds, View};
+    use crate::canvas::view::{CanvasBounds, View};
 
-    fn at(x: f64, y: f64) -> Bounds {
-        Bounds { left: x, top: y, right: x + 100.0, bottom: y + 48.0 }
+    fn at(x: f64, y: f64) -> CanvasBounds {
+        CanvasBounds { left: x, top: y, right: x + 100.0, bottom: y + 48.0 }
     }
 
     #[test]

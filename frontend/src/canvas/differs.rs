@@ -2,7 +2,7 @@
 //! what is not there.
 
 use super::curve::{chip_place, curves};
-use crate::desk::{Compared, Desk, use_desk};
+use crate::desk::{ComparedVersions, Desk, use_desk};
 use crate::icons::Icon;
 use crate::layout::{GAP, chip_width, chip_words, stream_width, what_it_was};
 use crate::words;
@@ -24,7 +24,7 @@ pub(super) fn differs_memo(desk: &Desk, id: &RecordId) -> ArcMemo<Option<Differi
     ArcMemo::new(move |_| desk.document.compared.with(|compared| difference(&desk, compared.as_deref()?, &id)))
 }
 
-fn difference(desk: &Desk, compared: &Compared, id: &RecordId) -> Option<Differing> {
+fn difference(desk: &Desk, compared: &ComparedVersions, id: &RecordId) -> Option<Differing> {
     let difference = compared.difference.of(id)?;
     let text = match difference {
         Difference::New => words::is_new().to_owned(),
@@ -61,10 +61,10 @@ enum Shadow {
     Connector { id: Id, connector: Connector, path: String, chip: Place, differs: Option<Differing> },
 }
 
-fn missing(desk: &Desk, compared: &Compared) -> Vec<Shadow> {
+fn missing(desk: &Desk, compared: &ComparedVersions) -> Vec<Shadow> {
     let mut found = Vec::new();
     for (one, other) in [(&compared.was, None), (&compared.is, Some(&compared.was))] {
-        let places = Places { desk, free: desk.document.missing_places(one), behaviour: one };
+        let places = NowPlaces { desk, free: desk.document.missing_places(one), behaviour: one };
         for (id, record) in &one.records {
             let known = other.is_some_and(|other| other.records.contains_key(id));
             if !known && !is_there(desk, id) {
@@ -84,13 +84,13 @@ fn is_there(desk: &Desk, id: &RecordId) -> bool {
 }
 
 /// The places where things stand now, else where they stood.
-struct Places<'a> {
+struct NowPlaces<'a> {
     desk: &'a Desk,
     behaviour: &'a Behaviour,
     free: BTreeMap<Id, Place>,
 }
 
-impl Places<'_> {
+impl NowPlaces<'_> {
     fn of(&self, id: &Id) -> Option<Place> {
         let now = self.desk.document.stream(id).map(|signals| signals.place.get());
         now.or_else(|| self.behaviour.place(id)).or_else(|| self.free.get(id).copied())

@@ -3,14 +3,14 @@
 
 use super::Stage;
 use super::chip::{Edge, way_of};
-use super::stage::{Drawn, Edited};
+use super::stage::{DrawnNow, Edited};
 use crate::desk::{Desk, Selected};
 use behaviour::{Connector, Id};
 use leptos::prelude::*;
 use std::collections::{BTreeSet, HashMap};
 
 /// The things that others have selected, and those that they edit.
-type Others = (ArcRwSignal<Vec<(Id, u8, String)>>, ArcRwSignal<HashMap<Id, Edited>>);
+type OthersMarks = (ArcRwSignal<Vec<(Id, u8, String)>>, ArcRwSignal<HashMap<Id, Edited>>);
 
 /// True if a connector takes from one of these streams or leads to one.
 fn touches(desk: &Desk, connector: &Id, is_one: impl Fn(&Id) -> bool) -> bool {
@@ -30,9 +30,9 @@ pub(super) fn moving_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMe
 /// those where somebody else is, for their rings.
 pub(super) fn chips_memo(
     desk: Desk,
-    drawn: ArcMemo<Drawn>,
+    drawn: ArcMemo<DrawnNow>,
     is_tiny: ArcRwSignal<bool>,
-    others: Others,
+    others: OthersMarks,
 ) -> ArcMemo<Vec<Id>> {
     ArcMemo::new(move |_| {
         let mut chips = drawn.with(|drawn| drawn.chips.clone());

@@ -2,7 +2,7 @@
 
 use super::minimap;
 use super::strip_spot::ZOOM_BOX;
-use super::view::{Bounds, View};
+use super::view::{CanvasBounds, View};
 use behaviour::Place;
 
 /// The map with its margin, and what is below it, at the bottom right of the stage, in pixels.
@@ -17,10 +17,16 @@ pub(super) fn corners(streams: usize, window_height: f64) -> Vec<(f64, f64)> {
 }
 
 /// All of `bounds` as large as it may be with no part of it under one of the corners: to the left of them or above them.
-pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64), parts: &[Bounds], corners: &[(f64, f64)]) -> View {
+pub(super) fn fitting(
+    bounds: CanvasBounds,
+    spare: f64,
+    size: (f64, f64),
+    parts: &[CanvasBounds],
+    corners: &[(f64, f64)],
+) -> View {
     let whole = View::fitting(bounds, spare, size);
     // Values may lie under them for once.
-    let streams = Bounds { right: bounds.right - spare, ..bounds };
+    let streams = CanvasBounds { right: bounds.right - spare, ..bounds };
     let is_clear =
         |view: &View| !parts.iter().any(|part| corners.iter().any(|corner| is_under(view, part, size, *corner)));
     if is_clear(&whole) {
@@ -36,7 +42,7 @@ pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64), parts: &[Bou
 }
 
 /// True if a part would lie under a corner of the stage.
-fn is_under(view: &View, part: &Bounds, size: (f64, f64), corner: (f64, f64)) -> bool {
+fn is_under(view: &View, part: &CanvasBounds, size: (f64, f64), corner: (f64, f64)) -> bool {
     let (right, bottom) = view.to_stage(Place { x: part.right, y: part.bottom });
     right > size.0 - corner.0 && bottom > size.1 - corner.1
 }
@@ -44,14 +50,14 @@ fn is_under(view: &View, part: &Bounds, size: (f64, f64), corner: (f64, f64)) ->
 #[cfg(test)]
 mod tests {
     use super::{corners, fitting, is_under};
-    use crate::canvas::view::{Bounds, View};
+    use crate::canvas::view::{CanvasBounds, View};
 
     const STAGE: (f64, f64) = (900.0, 700.0);
 
-    fn grid(columns: usize, rows: usize) -> Vec<Bounds> {
+    fn grid(columns: usize, rows: usize) -> Vec<CanvasBounds> {
         let at = |column: usize, row: usize| {
             let (left, top) = (column as f64 * 200.0, row as f64 * 120.0);
-            Bounds { left, top, right: left + 140.0, bottom: top + 48.0 }
+            CanvasBounds { left, top, right: left + 140.0, bottom: top + 48.0 }
         };
         (0..rows).flat_map(|row| (0..columns).map(move |column| at(column, row))).collect()
     }
@@ -61,7 +67,7 @@ mod tests {
         for (columns, rows) in [(2, 3), (6, 4), (12, 3), (3, 12), (20, 15), (60, 40)] {
             for streams in [20, 60] {
                 let (parts, corners) = (grid(columns, rows), corners(streams, 900.0));
-                let all = Bounds::around(parts.iter().copied()).unwrap();
+                let all = CanvasBounds::around(parts.iter().copied()).unwrap();
                 let view = fitting(all, 0.0, STAGE, &parts, &corners);
                 let under =
                     parts.iter().filter(|part| corners.iter().any(|corner| is_under(&view, part, STAGE, *corner)));
@@ -75,7 +81,7 @@ mod tests {
     #[test]
     fn what_is_clear_of_them_stands_as_it_would_without_them() {
         let parts = grid(2, 3);
-        let all = Bounds::around(parts.iter().copied()).unwrap();
+        let all = CanvasBounds::around(parts.iter().copied()).unwrap();
         assert_eq!(fitting(all, 0.0, STAGE, &parts, &corners(6, 900.0)), View::fitting(all, 0.0, STAGE));
         assert_eq!(corners(60, 400.0).len(), 1, "a low window has no map");
     }

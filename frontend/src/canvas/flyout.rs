@@ -4,7 +4,7 @@ use super::Stage;
 use super::chip::chip_of;
 use super::pointers::edit;
 use super::strip_spot::EDGE;
-use super::view::Bounds;
+use super::view::CanvasBounds;
 use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
@@ -32,11 +32,11 @@ const FIELDS: [&str; 3] = [".flyout .stepper input", ".flyout select:enabled", "
 /// opens its dialog.
 pub(super) fn enter(desk: &Desk, id: &Id) {
     let (desk, what) = (desk.clone(), Selected::Connector(id.clone()));
-    let before = focus::Before::now();
+    let before = focus::FocusBefore::now();
     once_here(move || enter_soon(desk, what, before, LOOKS_MAX));
 }
 
-fn enter_soon(desk: Desk, what: Selected, before: focus::Before, looks: u32) {
+fn enter_soon(desk: Desk, what: Selected, before: focus::FocusBefore, looks: u32) {
     browser::after(SOON_MS, move || {
         let is_still = desk.document.selected.with_untracked(|selected| *selected == Some(what.clone()));
         // A person who came there faster types already, or has left again.
@@ -92,7 +92,7 @@ pub(super) fn Flyout(id: Id) -> impl IntoView {
         let [left, right] = [x - half - NEAR - SIZE.0, x + half + NEAR];
         let covered = |at: f64| {
             let (from, to) = (view.to_canvas((at, y - HIGHER)), view.to_canvas((at + SIZE.0, y - HIGHER + SIZE.1)));
-            let area = Bounds { left: from.x, top: from.y, right: to.x, bottom: to.y };
+            let area = CanvasBounds { left: from.x, top: from.y, right: to.x, bottom: to.y };
             stage.shapes.with(|shapes| shapes.iter().filter(|(_, bounds)| area.meets(*bounds)).count())
         };
         let fits = |at: f64| at >= EDGE && at + SIZE.0 + EDGE <= size.0;

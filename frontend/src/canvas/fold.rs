@@ -11,14 +11,14 @@ const REACH: f64 = 96.0;
 
 /// The two ends of a connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum ConnectorEnd {
     Input,
     Output,
 }
 
 /// Returns where the stream is seen that is an end of a connector; for a box, where a stream would stand that has its
 /// edge there. Reactive.
-pub(super) fn end_of(desk: &Desk, stream: &Id, end: End) -> Option<Place> {
+pub(super) fn end_of(desk: &Desk, stream: &Id, end: ConnectorEnd) -> Option<Place> {
     let own = desk.document.stream(stream)?.place.get();
     let Some(group) = desk.document.hidden_in(stream) else { return Some(own) };
     let at = desk.document.group(&group)?.at.get()?;
@@ -26,11 +26,11 @@ pub(super) fn end_of(desk: &Desk, stream: &Id, end: End) -> Option<Place> {
 }
 
 /// An edge reaches a box about where its stream is in it.
-fn on_box(stream: Place, at: Place, end: End) -> Place {
+fn on_box(stream: Place, at: Place, end: ConnectorEnd) -> Place {
     let x = at.x + (stream.x - at.x).clamp(-REACH, REACH);
     match end {
-        End::Input => Place { x, y: at.y + BOX.1 - STREAM_HEIGHT },
-        End::Output => Place { x, y: at.y },
+        ConnectorEnd::Input => Place { x, y: at.y + BOX.1 - STREAM_HEIGHT },
+        ConnectorEnd::Output => Place { x, y: at.y },
     }
 }
 
@@ -43,16 +43,16 @@ pub(super) fn inputs_outside<'a>(desk: &Desk, connector: &'a Connector) -> Vec<&
 
 #[cfg(test)]
 mod tests {
-    use super::{End, on_box};
+    use super::{ConnectorEnd, on_box};
     use behaviour::Place;
 
     #[test]
     fn edges_end_on_the_rim_of_a_box() {
         let at = Place { x: 100.0, y: 200.0 };
         let stream = |x: f64| Place { x, y: 0.0 };
-        assert_eq!(on_box(stream(120.0), at, End::Output), Place { x: 120.0, y: 200.0 });
-        assert_eq!(on_box(stream(900.0), at, End::Output).x, 196.0, "never past its corner");
+        assert_eq!(on_box(stream(120.0), at, ConnectorEnd::Output), Place { x: 120.0, y: 200.0 });
+        assert_eq!(on_box(stream(900.0), at, ConnectorEnd::Output).x, 196.0, "never past its corner");
         // A curve begins below a stream: 48 further down is the lower edge of a box of 64.
-        assert_eq!(on_box(stream(-900.0), at, End::Input), Place { x: 4.0, y: 216.0 });
+        assert_eq!(on_box(stream(-900.0), at, ConnectorEnd::Input), Place { x: 4.0, y: 216.0 });
     }
 }

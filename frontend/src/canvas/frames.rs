@@ -5,7 +5,7 @@ use super::bounds::{around, framed};
 use super::differs::{Differs, differs_memo};
 use super::node::{ProblemBadge, Ring, Ringed, kind_class, ringed};
 use super::notes::{drawn_memo, placed};
-use super::view::Bounds;
+use super::view::CanvasBounds;
 use crate::desk::{Desk, GroupSignals, Selected, use_desk};
 use crate::icons::Icon;
 use crate::layout::stream_width;
@@ -49,7 +49,7 @@ fn members_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Id>> {
 
 /// Returns the frame of a group. The width of its streams is looked up only when that changes, so that a drag adds
 /// little.
-fn frame_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Option<Bounds>> {
+fn frame_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Option<CanvasBounds>> {
     let (desk, members) = (desk.clone(), members.clone());
     let sizes = ArcMemo::new(move |_| {
         let size = |id: Id| {
@@ -82,7 +82,7 @@ fn Frame(id: Id) -> impl IntoView {
     let counts = counts_memo(&desk, &members);
     let [label, title, button] = [(); 3].map(|()| record.clone());
     let (lit, pressed, width, height) = (chosen.clone(), chosen.clone(), frame.clone(), frame.clone());
-    let side = |of: fn(Bounds) -> f64, frame: ArcMemo<Option<Bounds>>| {
+    let side = |of: fn(CanvasBounds) -> f64, frame: ArcMemo<Option<CanvasBounds>>| {
         move || frame.get().map(|at| format!("{:.0}px", of(at)))
     };
     let folded = id.clone();
@@ -179,9 +179,9 @@ fn FoldedBox(id: Id) -> impl IntoView {
 }
 
 /// The number of streams of one kind.
-type Count = (StreamKind, usize);
+type KindCount = (StreamKind, usize);
 
-fn counts_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Vec<Count>> {
+fn counts_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Vec<KindCount>> {
     let (desk, members) = (desk.clone(), members.clone());
     ArcMemo::new(move |_| {
         let kind = |id: &Id| Some(desk.document.stream(id)?.record.with(|stream| stream.kind));
@@ -193,23 +193,23 @@ fn counts_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Vec<Count>> {
 }
 
 /// The counts in words: `1 sense, 2 streams`.
-pub(super) fn counted(counts: &[Count]) -> String {
+pub(super) fn counted(counts: &[KindCount]) -> String {
     let counted = counts.iter().map(|(kind, count)| words::count_of_kind(*kind, *count));
     words::listed(counted.collect::<Vec<_>>().iter().map(String::as_str))
 }
 
-fn shape((kind, count): Count) -> impl IntoView {
+fn shape((kind, count): KindCount) -> impl IntoView {
     view! { <span class="box-count"><i class=format!("kind-shape {}", kind_class(kind))></i><span data-says=count.to_string()></span></span> }
 }
 
 /// Streams of a group and the connectors that lead to them.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Inside {
+struct GroupMembers {
     streams: BTreeSet<Id>,
     connectors: BTreeSet<Id>,
 }
 
-fn inside_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Inside> {
+fn inside_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<GroupMembers> {
     let (desk, members) = (desk.clone(), members.clone());
     ArcMemo::new(move |_| {
         let streams: BTreeSet<Id> = members.get().into_iter().collect();
@@ -220,12 +220,12 @@ fn inside_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<Inside> {
                 .is_some_and(|signals| signals.record.with_untracked(|connector| streams.contains(&connector.output)))
         };
         let connectors = desk.document.connector_ids.get().into_iter().filter(leads_in).collect();
-        Inside { streams, connectors }
+        GroupMembers { streams, connectors }
     })
 }
 
 /// The first problem of something inside, one that keeps the behaviour from running first.
-fn trouble_memo(desk: &Desk, inside: &ArcMemo<Inside>) -> ArcMemo<Option<(String, bool)>> {
+fn trouble_memo(desk: &Desk, inside: &ArcMemo<GroupMembers>) -> ArcMemo<Option<(String, bool)>> {
     let (desk, inside) = (desk.clone(), inside.clone());
     ArcMemo::new(move |_| {
         inside.with(|inside| {
@@ -242,7 +242,7 @@ fn trouble_memo(desk: &Desk, inside: &ArcMemo<Inside>) -> ArcMemo<Option<(String
     })
 }
 
-fn ring_memo(stage: &Stage, id: &Id, inside: &ArcMemo<Inside>) -> ArcMemo<Ringed> {
+fn ring_memo(stage: &Stage, id: &Id, inside: &ArcMemo<GroupMembers>) -> ArcMemo<Ringed> {
     let (stage, id, inside) = (stage.clone(), id.clone(), inside.clone());
     ArcMemo::new(move |_| {
         let all = inside.with(|inside| {
@@ -253,7 +253,7 @@ fn ring_memo(stage: &Stage, id: &Id, inside: &ArcMemo<Inside>) -> ArcMemo<Ringed
 }
 
 /// Returns true while a connector inside has just fired.
-fn fires_memo(desk: &Desk, stage: &Stage, inside: &ArcMemo<Inside>) -> ArcMemo<bool> {
+fn fires_memo(desk: &Desk, stage: &Stage, inside: &ArcMemo<GroupMembers>) -> ArcMemo<bool> {
     let (desk, running, inside) = (desk.clone(), stage.running.clone(), inside.clone());
     ArcMemo::new(move |_| {
         running.get()

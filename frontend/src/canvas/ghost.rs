@@ -3,7 +3,7 @@
 use super::Stage;
 use super::curve::{chip_place, curves};
 use super::node::kind_class;
-use super::view::{Bounds, View};
+use super::view::{CanvasBounds, View};
 use crate::desk::{Desk, Ghost, GhostConnector, GhostStream, use_desk};
 use crate::icons::Icon;
 use crate::layout::{STREAM_HEIGHT, chip_width, chip_words, stream_width, what_it_is};
@@ -28,7 +28,7 @@ fn Preview() -> impl IntoView {
     move || {
         shown.get().map(|ghost| {
             let place = |id: &Id| place(&stage, &ghost, id);
-            let ways: Vec<Way> = ghost.connectors.iter().filter_map(|connector| way(connector, place)).collect();
+            let ways: Vec<GhostWay> = ghost.connectors.iter().filter_map(|connector| way(connector, place)).collect();
             let path: String = ways.iter().map(|way| way.path.as_str()).collect();
             let first = ghost.streams.first().map(|stream| stream.id.clone());
             let streams = ghost.streams.iter().map(|stream| node(stream, first.as_ref() == Some(&stream.id)));
@@ -48,13 +48,13 @@ fn bring_into_view(stage: &Stage, desk: &Desk) {
     let before = StoredValue::new(None::<(View, View)>);
     let (moved, ghost) = (stage.clone(), desk.document.ghost.clone());
     Effect::new(move |_| {
-        let own = |stream: &GhostStream| Bounds {
+        let own = |stream: &GhostStream| CanvasBounds {
             left: stream.place.x - stream_width(&stream.stream) / 2.0,
             top: stream.place.y,
             right: stream.place.x + stream_width(&stream.stream) / 2.0,
             bottom: stream.place.y + STREAM_HEIGHT,
         };
-        let all = ghost.with(|ghost| Bounds::around(ghost.iter().flat_map(|ghost| &ghost.streams).map(own)));
+        let all = ghost.with(|ghost| CanvasBounds::around(ghost.iter().flat_map(|ghost| &ghost.streams).map(own)));
         let Some(all) = all.filter(|_| before.get_value().is_none()) else { return };
         let view = moved.view.get_untracked();
         if let Some(new) = moved.showing_too(all, TYPED) {
@@ -73,7 +73,7 @@ fn bring_into_view(stage: &Stage, desk: &Desk) {
 }
 
 /// The way of a connector of the preview.
-struct Way {
+struct GhostWay {
     path: String,
     chip: Place,
     words: crate::layout::ChipWords,
@@ -89,13 +89,13 @@ fn place(stage: &Stage, ghost: &Ghost, id: &Id) -> Option<(Place, StreamKind)> {
     })
 }
 
-fn way(ghost: &GhostConnector, place: impl Fn(&Id) -> Option<(Place, StreamKind)>) -> Option<Way> {
+fn way(ghost: &GhostConnector, place: impl Fn(&Id) -> Option<(Place, StreamKind)>) -> Option<GhostWay> {
     let connector = &ghost.connector;
     let inputs: Vec<Place> = connector.inputs.iter().filter_map(|id| Some(place(id)?.0)).collect();
     let (output, kind) = place(&connector.output)?;
     let chip = chip_place(&inputs, output, kind, None);
     let icon = connector.operation.spec().icon.name;
-    Some(Way {
+    Some(GhostWay {
         path: curves(&inputs, chip, output),
         chip,
         words: chip_words(connector),
@@ -104,7 +104,7 @@ fn way(ghost: &GhostConnector, place: impl Fn(&Id) -> Option<(Place, StreamKind)
     })
 }
 
-fn chip(way: &Way) -> impl IntoView + use<> {
+fn chip(way: &GhostWay) -> impl IntoView + use<> {
     let at = format!("translate({:.1}px,{:.1}px) translateX(-50%)", way.chip.x, way.chip.y);
     let width = format!("{:.0}px", chip_width(&way.words));
     view! {

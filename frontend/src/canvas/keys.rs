@@ -2,11 +2,11 @@
 
 use super::plus::plus_below;
 use super::pointers::edit;
-use super::walk::{Way, walk};
+use super::walk::{StepDirection, walk};
 use super::{Stage, flyout};
 use crate::desk::{Desk, Selected};
 use crate::escape;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::focus;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -67,7 +67,7 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
     let several = desk.document.several.with_untracked(|several| !several.is_empty());
     let on_button = target.closest("button").ok().flatten().is_some();
     escape::may_end(event, || choose_nothing(desk, stage, several));
-    let go = |here: Option<Selected>, way: Way| {
+    let go = |here: Option<Selected>, way: StepDirection| {
         if event.shift_key() { extend(desk, stage, here, way) } else { step(desk, stage, here, way) }
     };
     let done = match event.pressed().as_str() {
@@ -84,10 +84,10 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         }
         "Delete" | "Backspace" if !on_button => with(here, |here| remove(desk, stage, &here)),
         "ArrowDown" if !several && !event.shift_key() && to_plus(stage, &target) => true,
-        "ArrowDown" => go(here, Way::Down),
-        "ArrowUp" => go(here, Way::Up),
-        "ArrowLeft" if !on_button => go(here, Way::Left),
-        "ArrowRight" if !on_button => go(here, Way::Right),
+        "ArrowDown" => go(here, StepDirection::Down),
+        "ArrowUp" => go(here, StepDirection::Up),
+        "ArrowLeft" if !on_button => go(here, StepDirection::Left),
+        "ArrowRight" if !on_button => go(here, StepDirection::Right),
         "+" | "=" => then(|| stage.zoom_by(1.25)),
         "-" => then(|| stage.zoom_by(0.8)),
         "0" => then(|| stage.fit()),
@@ -188,7 +188,7 @@ fn remove(desk: &Desk, stage: &Stage, what: &Selected) {
         return focus::press_of(desk, what, ".strip .remove > button");
     }
     let next = match what {
-        Selected::Stream(id) => walk(&desk.document.behaviour(), id, Way::Up, |_| None),
+        Selected::Stream(id) => walk(&desk.document.behaviour(), id, StepDirection::Up, |_| None),
         Selected::Connector(id) => desk
             .document
             .connector(id)
@@ -202,7 +202,7 @@ fn remove(desk: &Desk, stage: &Stage, what: &Selected) {
 }
 
 /// Goes on with what is there chosen too; back over what is chosen already it is let go of again.
-fn extend(desk: &Desk, stage: &Stage, here: Option<Selected>, way: Way) -> bool {
+fn extend(desk: &Desk, stage: &Stage, here: Option<Selected>, way: StepDirection) -> bool {
     let Some(next) = next(desk, here.clone(), way).map(|next| stage.seen_as(next)) else { return true };
     let mut chosen = desk.document.chosen();
     match here {
@@ -222,7 +222,7 @@ fn go(desk: &Desk, stage: &Stage, next: Id) {
     stage.focus(next.id());
 }
 
-fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, way: Way) -> bool {
+fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, way: StepDirection) -> bool {
     if let Some(aside @ (Selected::Note(_) | Selected::Group(_))) = &here {
         return stage.step_aside(aside, way);
     }
@@ -233,15 +233,15 @@ fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, way: Way) -> bool {
 }
 
 /// The stream that is reached from there.
-fn next(desk: &Desk, here: Option<Selected>, way: Way) -> Option<Id> {
+fn next(desk: &Desk, here: Option<Selected>, way: StepDirection) -> Option<Id> {
     let place = |id: &Id| desk.document.stream(id).map(|signals| signals.place.get_untracked());
     match here {
         Some(Selected::Stream(id)) => walk(&desk.document.behaviour(), &id, way, place),
         Some(Selected::Connector(id)) => desk.document.connector(&id).and_then(|signals| {
             signals.record.with_untracked(|connector| match way {
-                Way::Down => Some(connector.output.clone()),
-                Way::Up => connector.inputs.first().cloned(),
-                Way::Left | Way::Right => None,
+                StepDirection::Down => Some(connector.output.clone()),
+                StepDirection::Up => connector.inputs.first().cloned(),
+                StepDirection::Left | StepDirection::Right => None,
             })
         }),
         Some(Selected::Note(_) | Selected::Group(_)) => None,

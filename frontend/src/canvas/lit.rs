@@ -2,7 +2,7 @@
 
 use super::Stage;
 use super::chip::path_of;
-use super::view::Bounds;
+use super::view::CanvasBounds;
 use crate::desk::{Desk, Lit, use_desk};
 use leptos::prelude::*;
 use std::fmt::Write;
@@ -56,7 +56,7 @@ fn drawn(desk: &Desk, stage: &Stage, lit: &Lit) -> (String, String) {
     (edges, boxes)
 }
 
-fn rounded(path: &mut String, Bounds { left, top, right, bottom }: Bounds) {
+fn rounded(path: &mut String, CanvasBounds { left, top, right, bottom }: CanvasBounds) {
     let (x, y) = (left + ROUND, top + ROUND);
     let (width, height) = (right - left - 2.0 * ROUND, bottom - top - 2.0 * ROUND);
     let corner = format!("a{ROUND} {ROUND} 0 0 1");
@@ -69,12 +69,12 @@ fn rounded(path: &mut String, Bounds { left, top, right, bottom }: Bounds) {
 #[cfg(test)]
 mod tests {
     use super::rounded;
-    use crate::canvas::view::Bounds;
+    use crate::canvas::view::CanvasBounds;
 
     #[test]
     fn a_box_goes_around_its_corners() {
         let mut path = String::new();
-        rounded(&mut path, Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 });
+        rounded(&mut path, CanvasBounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 });
         assert!(path.starts_with("M14 0h72a14 14 0 0 1 14 14v20a") && path.ends_with("Z"), "{path}");
     }
 }

@@ -1,10 +1,10 @@
 //! The thunderbolt: every connector that can come out of a stream.
 
 use crate::browser;
-use crate::desk::{Dialog, Spot, use_desk};
+use crate::desk::{Dialog, NewSpot, use_desk};
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::words;
 use behaviour::Id;
 use behaviour::connectors::{self, Spec};
@@ -21,7 +21,12 @@ pub(super) fn BoltMenu(input: Id) -> impl IntoView {
     let [expanded, shown, toggle, keys, leave] = [(); 5].map(|()| open.clone());
     let choose = move |kind: &'static Spec| {
         open.set(false);
-        desk.dialog.set(Some(Dialog::Operation { input: input.clone(), connector: None, kind, spot: Spot::default() }));
+        desk.dialog.set(Some(Dialog::Operation {
+            input: input.clone(),
+            connector: None,
+            kind,
+            spot: NewSpot::default(),
+        }));
     };
     view! {
         <div class="bolt" node_ref=root

@@ -1,10 +1,10 @@
 //! The whole graph in small, from 30 streams on: where one looks, and a way to look elsewhere.
 
 use super::Stage;
-use super::hand::Point;
-use super::view::{Bounds, View};
+use super::hand::StagePoint;
+use super::view::{CanvasBounds, View};
 use crate::desk::use_desk;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::layout::STREAM_HEIGHT;
 use crate::words;
 use behaviour::{Place, StreamKind};
@@ -40,7 +40,7 @@ struct Scale {
 
 impl Scale {
     /// All of the graph in the middle of the map.
-    fn of(all: Bounds) -> Self {
+    fn of(all: CanvasBounds) -> Self {
         let (width, height) = ((all.right - all.left).max(1.0), (all.bottom - all.top).max(1.0));
         let free = (SIZE.0 - 2.0 * FREE, SIZE.1 - 2.0 * FREE);
         let factor = (free.0 / width).min(free.1 / height);
@@ -48,11 +48,11 @@ impl Scale {
         Self { left: all.left - spare.0 / factor, top: all.top - spare.1 / factor, factor }
     }
 
-    fn to_map(self, place: Place) -> Point {
+    fn to_map(self, place: Place) -> StagePoint {
         ((place.x - self.left) * self.factor, (place.y - self.top) * self.factor)
     }
 
-    fn to_canvas(self, (x, y): Point) -> Place {
+    fn to_canvas(self, (x, y): StagePoint) -> Place {
         Place { x: x / self.factor + self.left, y: y / self.factor + self.top }
     }
 }
@@ -63,7 +63,7 @@ fn Minimap() -> impl IntoView {
     let stage = expect_context::<Stage>();
     let shapes = stage.shapes.clone();
     let scale = ArcMemo::new(move |_| {
-        shapes.with(|shapes| Bounds::around(shapes.iter().map(|(_, bounds)| *bounds))).map(Scale::of)
+        shapes.with(|shapes| CanvasBounds::around(shapes.iter().map(|(_, bounds)| *bounds))).map(Scale::of)
     });
     let kind = |kind: StreamKind, class: &'static str| {
         let (desk, shapes, scale) = (desk.clone(), stage.shapes.clone(), scale.clone());
@@ -147,12 +147,12 @@ fn Minimap() -> impl IntoView {
 #[cfg(test)]
 mod tests {
     use super::{SIZE, Scale};
-    use crate::canvas::view::Bounds;
+    use crate::canvas::view::CanvasBounds;
     use behaviour::Place;
 
     #[test]
     fn all_of_the_graph_is_on_the_map_and_the_way_back_is_the_same() {
-        let all = Bounds { left: -4_000.0, top: 0.0, right: 1_000.0, bottom: 9_000.0 };
+        let all = CanvasBounds { left: -4_000.0, top: 0.0, right: 1_000.0, bottom: 9_000.0 };
         let scale = Scale::of(all);
         for (x, y) in [(all.left, all.top), (all.right, all.bottom)] {
             let at = scale.to_map(Place { x, y });

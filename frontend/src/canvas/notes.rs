@@ -5,7 +5,7 @@ use super::bounds::bounds;
 use super::cull::drawn;
 use super::differs::{Differs, differs_memo};
 use super::node::OthersRing;
-use super::noting::Noting;
+use super::noting::NoteWriting;
 use crate::desk::{Desk, NoteSignals, Selected, use_desk};
 use crate::layout::note_size;
 use crate::panels::{NoteField, author_color, note_name, written_by};
@@ -48,7 +48,7 @@ fn Notes() -> impl IntoView {
 
 /// A note that is not saved yet.
 #[component]
-fn NewNote(noting: Noting) -> impl IntoView {
+fn NewNote(noting: NoteWriting) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
     let at = placed(noting.at);

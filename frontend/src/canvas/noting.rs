@@ -2,7 +2,7 @@
 
 use super::Stage;
 use super::bounds::bounds;
-use super::walk::Way;
+use super::walk::StepDirection;
 use crate::desk::Selected;
 use crate::words;
 use behaviour::{Graph, Id, Kind, Place, RecordId};
@@ -11,7 +11,7 @@ use protocol::Role;
 
 /// A note that is written.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Noting {
+pub(super) struct NoteWriting {
     /// The id of the note; none for a new one.
     pub(super) id: Option<Id>,
     /// The middle of its top edge.
@@ -31,7 +31,7 @@ impl Stage {
         };
         let middle = view.to_canvas((size.0 / 2.0, (size.1 + self.above()) / 2.0));
         let at = self.pointer.get_untracked().filter(seen).unwrap_or(middle);
-        self.noting.set(Some(Noting { id: None, at }));
+        self.noting.set(Some(NoteWriting { id: None, at }));
     }
 
     /// Begins a note beside what is chosen.
@@ -39,7 +39,7 @@ impl Stage {
         let around = untrack(|| self.around(&self.desk.document.chosen()));
         let beside = around.map(|around| Place { x: around.left - 150.0, y: around.top });
         match beside.filter(|_| untrack(|| self.desk.may(Role::Editor))) {
-            Some(at) => self.noting.set(Some(Noting { id: None, at })),
+            Some(at) => self.noting.set(Some(NoteWriting { id: None, at })),
             None => self.add_note(),
         }
     }
@@ -52,7 +52,7 @@ impl Stage {
                 let is_free =
                     || !self.desk.document.says_busy(&RecordId::new(Kind::Note, id), words::note_of_somebody());
                 if let Some(at) = place.filter(|_| untrack(|| self.desk.may(Role::Editor)) && is_free()) {
-                    self.noting.set(Some(Noting { id: Some(id.clone()), at }));
+                    self.noting.set(Some(NoteWriting { id: Some(id.clone()), at }));
                 }
                 true
             }
@@ -118,13 +118,13 @@ impl Stage {
     }
 
     /// From a note or group to the next one; from a folded group up and down along its edges, if it has some there.
-    pub(super) fn step_aside(&self, here: &Selected, way: Way) -> bool {
+    pub(super) fn step_aside(&self, here: &Selected, way: StepDirection) -> bool {
         let next = self.along_edges(here, way).or_else(|| {
             let all = self.asides();
             let at = all.iter().position(|one| one == here)?;
             let next = match way {
-                Way::Down | Way::Right => at + 1,
-                Way::Up | Way::Left => at.checked_sub(1)?,
+                StepDirection::Down | StepDirection::Right => at + 1,
+                StepDirection::Up | StepDirection::Left => at.checked_sub(1)?,
             };
             all.get(next).cloned()
         });
@@ -135,7 +135,7 @@ impl Stage {
         true
     }
 
-    fn along_edges(&self, here: &Selected, way: Way) -> Option<Selected> {
+    fn along_edges(&self, here: &Selected, way: StepDirection) -> Option<Selected> {
         let Selected::Group(id) = here else { return None };
         let document = &self.desk.document;
         let inside = untrack(|| if document.is_folded(id) { document.members(id) } else { Vec::new() });
@@ -143,9 +143,13 @@ impl Stage {
         let graph = Graph::of(&behaviour);
         let ends = |stream: &Id| -> Vec<Id> {
             match way {
-                Way::Down => graph.out_of_stream(stream).iter().map(|(_, next)| next.output.clone()).collect(),
-                Way::Up => graph.into_stream(stream).iter().flat_map(|(_, next)| next.inputs.clone()).collect(),
-                Way::Left | Way::Right => Vec::new(),
+                StepDirection::Down => {
+                    graph.out_of_stream(stream).iter().map(|(_, next)| next.output.clone()).collect()
+                }
+                StepDirection::Up => {
+                    graph.into_stream(stream).iter().flat_map(|(_, next)| next.inputs.clone()).collect()
+                }
+                StepDirection::Left | StepDirection::Right => Vec::new(),
             }
         };
         let next = inside.iter().flat_map(ends).find(|end| !inside.contains(end))?;

@@ -3,10 +3,10 @@
 use super::Stage;
 use super::wire::focus_soon;
 use crate::browser;
-use crate::desk::{Choice, Desk, Dialog, Gap, Selected, Spot, use_desk};
+use crate::desk::{Desk, Dialog, Gap, GraphChoice, NewSpot, Selected, use_desk};
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::layout::STREAM_HEIGHT;
 use crate::panels::{Finder, focus};
 use crate::steps::{Offer, Step, actions, after, everything, take};
@@ -29,7 +29,7 @@ pub(super) struct Offering {
     input: Id,
     /// The place where the menu opens, in canvas units.
     at: Place,
-    spot: Spot,
+    spot: NewSpot,
     /// Only actions are asked for.
     acts: bool,
 }
@@ -37,17 +37,17 @@ pub(super) struct Offering {
 impl Offering {
     /// Offers what can come after a stream, its new stream standing there.
     pub(super) fn at(input: Id, at: Place) -> Self {
-        Self { input, at, spot: Spot::At(at), acts: false }
+        Self { input, at, spot: NewSpot::At(at), acts: false }
     }
 
     /// The actions that a stream can lead to.
     fn actions(input: Id, at: Place) -> Self {
-        Self { input, at, spot: Spot::default(), acts: true }
+        Self { input, at, spot: NewSpot::default(), acts: true }
     }
 
     /// Offers what can be put into an edge.
     pub(super) fn into_gap(gap: Gap, at: Place) -> Self {
-        Self { input: gap.input.clone(), at, spot: Spot::Into(gap), acts: false }
+        Self { input: gap.input.clone(), at, spot: NewSpot::Into(gap), acts: false }
     }
 }
 
@@ -65,7 +65,7 @@ impl Stage {
             let Some(choice) = desk.asked.get() else { return };
             desk.asked.set(None);
             match choice {
-                Choice::Action(id) => stage.offer_actions(&id),
+                GraphChoice::Action(id) => stage.offer_actions(&id),
                 other => desk.dialog.set(Some(Dialog::Choose(other))),
             }
         });
@@ -144,7 +144,7 @@ fn Open(offering: Offering) -> impl IntoView {
 /// Shows what is likely, and the way to everything else.
 #[component]
 fn Items(desk: Desk, stage: Stage, offering: Offering, finds: RwSignal<bool>) -> impl IntoView {
-    let in_gap = matches!(offering.spot, Spot::Into(_));
+    let in_gap = matches!(offering.spot, NewSpot::Into(_));
     let offers =
         untrack(|| if offering.acts { actions(&desk, &offering.input) } else { after(&desk, &offering.input, in_gap) });
     let find = move |_| {
@@ -165,7 +165,7 @@ fn Items(desk: Desk, stage: Stage, offering: Offering, finds: RwSignal<bool>) ->
 /// Everything, by its name; what is chosen goes where the offer is.
 #[component]
 fn Found(desk: Desk, stage: Stage, offering: Offering) -> impl IntoView {
-    let in_gap = matches!(offering.spot, Spot::Into(_));
+    let in_gap = matches!(offering.spot, NewSpot::Into(_));
     let offers = untrack(|| everything(&desk, &offering.input, in_gap));
     let held = StoredValue::new_local((desk, stage, offering));
     let choose = Callback::new(move |step: Step| {

@@ -1,7 +1,7 @@
 //! The graph on paper: all of it, as large as one page allows, below its name and its sentences.
 
 use super::Stage;
-use super::view::{Bounds, View};
+use super::view::{CanvasBounds, View};
 use crate::desk::{Desk, use_desk};
 use leptos::prelude::*;
 
@@ -20,7 +20,7 @@ pub(super) struct Paper {
 
 impl Paper {
     /// All of `bounds` on the kind of page on which it is larger. What is small is not enlarged and takes only its room.
-    fn of(bounds: Bounds) -> Self {
+    fn of(bounds: CanvasBounds) -> Self {
         let [tall, wide] = [TALL, WIDE].map(|size| View::fitting(bounds, 0.0, size));
         let is_wide = wide.zoom > tall.zoom;
         let (size, view) = if is_wide { (WIDE, wide) } else { (TALL, tall) };
@@ -40,7 +40,7 @@ const MARGIN: f64 = 12.0;
 /// While the page is printed, how the graph lies on it.
 pub(super) fn paper_memo(
     desk: &Desk,
-    all: impl Fn() -> Option<Bounds> + Send + Sync + 'static,
+    all: impl Fn() -> Option<CanvasBounds> + Send + Sync + 'static,
 ) -> ArcMemo<Option<Paper>> {
     let printing = desk.printing.clone();
     ArcMemo::new(move |_| printing.get().then(&all).flatten().map(Paper::of))
@@ -70,7 +70,7 @@ pub(crate) fn PaperTitle() -> impl IntoView {
 #[cfg(test)]
 mod tests {
     use super::{Paper, TALL, WIDE};
-    use crate::canvas::view::Bounds;
+    use crate::canvas::view::CanvasBounds;
     use behaviour::Place;
 
     #[test]
@@ -78,7 +78,7 @@ mod tests {
         for (right, bottom, shape, size) in
             [(4_000.0, 900.0, "wide", WIDE), (600.0, 3_000.0, "tall", TALL), (300.0, 200.0, "tall", TALL)]
         {
-            let paper = Paper::of(Bounds { left: -100.0, top: -50.0, right, bottom });
+            let paper = Paper::of(CanvasBounds { left: -100.0, top: -50.0, right, bottom });
             assert_eq!(paper.shape(), shape);
             let (left, top) = paper.view.to_stage(Place { x: -100.0, y: -50.0 });
             let (right, bottom) = paper.view.to_stage(Place { x: right, y: bottom });

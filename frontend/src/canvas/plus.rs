@@ -3,8 +3,8 @@
 use super::Stage;
 use super::chip::chip_of;
 use super::curve::distance_to_curve;
-use super::fold::{End, end_of};
-use super::hand::Point;
+use super::fold::{ConnectorEnd, end_of};
+use super::hand::StagePoint;
 use super::offer::Offering;
 use crate::desk::{Desk, Gap, Selected, use_desk};
 use crate::icons::Icon;
@@ -23,7 +23,7 @@ const HALF: f64 = 12.0;
 
 impl Stage {
     /// The edge that leads to a connector and passes near a point of the stage.
-    pub(super) fn edge_at(&self, at: Point) -> Option<Gap> {
+    pub(super) fn edge_at(&self, at: StagePoint) -> Option<Gap> {
         let view = self.view.get_untracked();
         // From afar nobody could hit it.
         if view.zoom < super::FAR {
@@ -31,7 +31,7 @@ impl Stage {
         }
         let place = view.to_canvas(at);
         let near = NEAR / view.zoom;
-        let place_of = |id: &Id| untrack(|| end_of(&self.desk, id, End::Input));
+        let place_of = |id: &Id| untrack(|| end_of(&self.desk, id, ConnectorEnd::Input));
         let passes = |from: Place, chip: Place| {
             let start = (from.x, from.y + STREAM_HEIGHT);
             let inside = place.y >= start.1
@@ -191,7 +191,7 @@ pub(super) fn Pluses() -> impl IntoView {
 
 /// Half way from a stream to a chip. Reactive.
 fn plus_place(desk: &Desk, gap: &Gap) -> Option<Place> {
-    let from = end_of(desk, &gap.input, End::Input)?;
+    let from = end_of(desk, &gap.input, ConnectorEnd::Input)?;
     let chip = desk.document.connector(&gap.connector)?.record.with(|connector| chip_of(desk, connector))?;
     Some(Place { x: (from.x + chip.x) / 2.0, y: (from.y + STREAM_HEIGHT + chip.y) / 2.0 })
 }

@@ -1,9 +1,9 @@
 //! From the browser's pointer events to what the hand means, and from there to the view and the desk.
 
-use super::hand::{Act, Hand, Point, Target};
+use super::hand::{HandAct, PointerTarget, PointersDown, StagePoint};
 use super::{Stage, bounds, wire};
 use crate::browser;
-use crate::desk::{Desk, Dialog, Selected, Spot};
+use crate::desk::{Desk, Dialog, NewSpot, Selected};
 use crate::layout::snapped;
 use behaviour::{Id, Place};
 use leptos::prelude::*;
@@ -24,10 +24,10 @@ const LONG_MS: i32 = 500;
 pub(super) struct Pointers {
     stage: Stage,
     desk: Desk,
-    hand: Rc<RefCell<Hand>>,
+    hand: Rc<RefCell<PointersDown>>,
     /// The things that are dragged, with where they were; and how far they are from there.
     moving: Rc<RefCell<Vec<(Id, Place)>>>,
-    moved_by: Rc<Cell<Point>>,
+    moved_by: Rc<Cell<StagePoint>>,
     /// True if the next click belongs to a drag that just ended.
     after_drag: Rc<Cell<bool>>,
     /// The number of times that a pointer went down or up, and whether it rested so long that a menu opened.
@@ -66,10 +66,11 @@ impl Pointers {
         }
         let drags = event.button() == 0 && untrack(|| self.desk.may(Role::Editor));
         let on = |mark: &str| target.as_ref().and_then(|target| marked(target, mark)).filter(|_| drags);
-        let handle = on("data-handle").map(Target::Handle);
-        let ground = if event.shift_key() && event.button() == 0 { Target::Ground } else { Target::Other };
+        let handle = on("data-handle").map(PointerTarget::Handle);
+        let ground =
+            if event.shift_key() && event.button() == 0 { PointerTarget::Ground } else { PointerTarget::Other };
         let thing = on("data-node").or_else(|| on("data-note")).or_else(|| on("data-group"));
-        let on = handle.or_else(|| thing.map(Target::Stream)).unwrap_or(ground);
+        let on = handle.or_else(|| thing.map(PointerTarget::Stream)).unwrap_or(ground);
         let act = self.hand.borrow_mut().down(event.pointer_id(), at(event), on);
         self.act(act, event);
     }
@@ -112,38 +113,38 @@ impl Pointers {
         }
     }
 
-    fn act(&self, act: Act, event: &PointerEvent) {
+    fn act(&self, act: HandAct, event: &PointerEvent) {
         match act {
-            Act::Nothing => {}
-            Act::Grab => grab(event),
-            Act::Wire(id) => {
+            HandAct::Nothing => {}
+            HandAct::Grab => grab(event),
+            HandAct::Wire(id) => {
                 self.stage.begin_wire(&id, true);
                 self.wire_on(event);
             }
-            Act::WireOn => self.wire_on(event),
-            Act::DropWire => {
+            HandAct::WireOn => self.wire_on(event),
+            HandAct::DropWire => {
                 self.after_drag.set(true);
                 self.wire_on(event);
                 self.stage.drop_wire(under(event).1);
             }
-            Act::ForgetWire => self.stage.forget_wire(),
-            Act::Lasso(from, to) => self.stage.lasso_to(from, to),
-            Act::EndLasso => {
+            HandAct::ForgetWire => self.stage.forget_wire(),
+            HandAct::Lasso(from, to) => self.stage.lasso_to(from, to),
+            HandAct::EndLasso => {
                 self.after_drag.set(true);
                 self.stage.end_lasso();
             }
-            Act::Drag(id, by) => self.drag(&id, by),
-            Act::Drop(_) => self.drop(),
-            Act::PutBack(id) => {
+            HandAct::Drag(id, by) => self.drag(&id, by),
+            HandAct::Drop(_) => self.drop(),
+            HandAct::PutBack(id) => {
                 let all: Vec<Id> = self.end_drag().into_iter().map(|(moved, _)| moved).chain([id]).collect();
                 self.desk.document.put_back(&all);
             }
-            Act::Pan((dx, dy)) => self.stage.look_by_hand(self.stage.view.get_untracked().panned(dx, dy)),
-            Act::Pinch(from, to, factor) => {
+            HandAct::Pan((dx, dy)) => self.stage.look_by_hand(self.stage.view.get_untracked().panned(dx, dy)),
+            HandAct::Pinch(from, to, factor) => {
                 let view = self.stage.view.get_untracked().panned(to.0 - from.0, to.1 - from.1);
                 self.stage.look_by_hand(view.zoomed(to, factor));
             }
-            Act::Rest => drop(self.end_drag()),
+            HandAct::Rest => drop(self.end_drag()),
         }
     }
 
@@ -185,7 +186,7 @@ impl Pointers {
     }
 
     /// All that moves is looked up once; from then on it only follows.
-    fn drag(&self, id: &Id, by: Point) {
+    fn drag(&self, id: &Id, by: StagePoint) {
         let mut moving = self.moving.borrow_mut();
         if moving.is_empty() {
             *moving = self.desk.document.moving(id);
@@ -294,7 +295,7 @@ impl Pointers {
     }
 
     /// A finger or pen rested on something, or on the paper.
-    fn pressed(&self, at: Point, hit: Option<Selected>) {
+    fn pressed(&self, at: StagePoint, hit: Option<Selected>) {
         self.pressed_long.set(true);
         self.after_drag.set(true);
         match hit {
@@ -344,7 +345,7 @@ pub(crate) fn edit(desk: &Desk, what: &Selected) {
                 input: connector.inputs.first().unwrap_or(&connector.output).clone(),
                 connector: Some(id.clone()),
                 kind: connector.operation.spec(),
-                spot: Spot::default(),
+                spot: NewSpot::default(),
             })
         }),
     };
@@ -387,7 +388,7 @@ fn marked(target: &Element, with: &str) -> Option<Id> {
 }
 
 /// Returns the place of an event on the stage.
-fn at(event: &MouseEvent) -> Point {
+fn at(event: &MouseEvent) -> StagePoint {
     let stage = event.current_target().and_then(|stage| stage.dyn_into::<Element>().ok());
     let origin = stage.map(|stage| stage.get_bounding_client_rect());
     let (left, top) = origin.map_or((0.0, 0.0), |origin| (origin.left(), origin.top()));

@@ -4,7 +4,7 @@ use super::Stage;
 use super::bounds::bounds;
 use crate::desk::{Desk, use_desk};
 use crate::escape;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::layout::{BOX, stream_width, text_width};
 use crate::panels::focus;
 use crate::words;

@@ -3,8 +3,8 @@
 use super::Stage;
 use super::bounds::bounds;
 use super::clipboard::{copy, duplicate};
-use super::hand::Point;
-use super::view::{Bounds, View};
+use super::hand::StagePoint;
+use super::view::{CanvasBounds, View};
 use crate::desk::{Desk, LineUp, Selected, use_desk};
 use crate::icons::Icon;
 use crate::layout::text_width;
@@ -29,12 +29,12 @@ const MARGIN: f64 = 24.0;
 
 impl Stage {
     /// The lasso goes from there to there.
-    pub(super) fn lasso_to(&self, from: Point, to: Point) {
+    pub(super) fn lasso_to(&self, from: StagePoint, to: StagePoint) {
         let view = self.view.get_untracked();
         let (one, other) = (view.to_canvas(from), view.to_canvas(to));
         let [left, right] = [one.x.min(other.x), one.x.max(other.x)];
         let [top, bottom] = [one.y.min(other.y), one.y.max(other.y)];
-        self.lasso.set(Some(Bounds { left, top, right, bottom }));
+        self.lasso.set(Some(CanvasBounds { left, top, right, bottom }));
     }
 
     /// Ends the lasso: everything in it is chosen too.
@@ -56,7 +56,7 @@ impl Stage {
     }
 
     /// Returns the bounds around these. Reactive.
-    pub(super) fn around(&self, these: &BTreeSet<Selected>) -> Option<Bounds> {
+    pub(super) fn around(&self, these: &BTreeSet<Selected>) -> Option<CanvasBounds> {
         self.desk.document.revision.track();
         self.shapes.with(|shapes| {
             let chosen = |id: &Id| these.contains(&self.shape(id));
@@ -66,7 +66,7 @@ impl Stage {
                 Selected::Note(id) | Selected::Group(id) => bounds(&self.desk, id),
                 Selected::Stream(_) => None,
             });
-            Bounds::around(shapes.chain(others))
+            CanvasBounds::around(shapes.chain(others))
         })
     }
 
@@ -253,7 +253,7 @@ fn SeveralTools() -> impl IntoView {
 }
 
 /// The left top corner of the tools of what is chosen; `above` is covered at the top.
-fn spot(around: Bounds, (view, size): (View, (f64, f64)), above: f64, width: f64) -> (f64, f64) {
+fn spot(around: CanvasBounds, (view, size): (View, (f64, f64)), above: f64, width: f64) -> (f64, f64) {
     let (left, top) = view.to_stage(Place { x: around.left, y: around.top });
     let (_, bottom) = view.to_stage(Place { x: around.right, y: around.bottom });
     // Where the stage is narrow they stand in two rows.
@@ -270,12 +270,12 @@ fn spot(around: Bounds, (view, size): (View, (f64, f64)), above: f64, width: f64
 #[cfg(test)]
 mod tests {
     use super::spot;
-    use crate::canvas::view::{Bounds, View};
+    use crate::canvas::view::{CanvasBounds, View};
 
     const STAGE: (f64, f64) = (800.0, 400.0);
 
     fn at(top: f64, bottom: f64) -> (f64, f64) {
-        let around = Bounds { left: 700.0, top, right: 780.0, bottom };
+        let around = CanvasBounds { left: 700.0, top, right: 780.0, bottom };
         spot(around, (View::default(), STAGE), 50.0, 400.0)
     }
 
@@ -286,7 +286,7 @@ mod tests {
         assert_eq!(at(60.0, 390.0).1, 280.0, "over the zoom buttons where there is none at all");
         assert_eq!(at(-500.0, -300.0).1, 280.0, "what is chosen is out of view");
         let narrow = spot(
-            Bounds { left: 0.0, top: 0.0, right: 9.0, bottom: 90.0 },
+            CanvasBounds { left: 0.0, top: 0.0, right: 9.0, bottom: 90.0 },
             (View::default(), (390.0, 500.0)),
             0.0,
             480.0,

@@ -2,19 +2,19 @@
 
 use super::TINY;
 use super::bounds::{aside_bounds, bounds, box_bounds, chip_bounds, connector_bounds};
-use super::context::Context;
+use super::context::ContextMenu;
 use super::cull::{Cells, drawn};
 use super::far::{chips_memo, moving_memo};
 use super::fit;
-use super::noting::Noting;
+use super::noting::NoteWriting;
 use super::offer::Offering;
 use super::paper::{Paper, paper_memo};
-use super::room::{self, Side};
-use super::strip_spot::Area;
-use super::view::{Bounds, View};
-use super::wire::{Targets, Wire, targets_memo};
+use super::room::{self, ChipSide};
+use super::strip_spot::StageArea;
+use super::view::{CanvasBounds, View};
+use super::wire::{Wire, WireTargets, targets_memo};
 use crate::browser;
-use crate::desk::{Desk, Editor, Gap, Selected, settled};
+use crate::desk::{Desk, Gap, OtherEditor, Selected, settled};
 use crate::later::{SecondPiece, second_piece};
 use crate::layout::VALUE_ROOM;
 use crate::panels::focus;
@@ -66,17 +66,17 @@ pub(crate) struct Stage {
     /// The view moves by itself and slowly.
     pub(super) glides: ArcRwSignal<bool>,
     /// The shapes that the strip keeps clear of: streams, in canvas units.
-    pub(super) shapes: ArcMemo<Vec<(Id, Bounds)>>,
+    pub(super) shapes: ArcMemo<Vec<(Id, CanvasBounds)>>,
     /// The wire that is being drawn.
     pub(super) wire: ArcRwSignal<Option<Wire>>,
     /// The part of it, or of what is carried, that streams and chips look at.
-    pub(super) targets: ArcMemo<Option<Targets>>,
+    pub(super) targets: ArcMemo<Option<WireTargets>>,
     /// The steps that are offered where a wire was dropped, or on an edge.
     pub(super) offering: ArcRwSignal<Option<Offering>>,
     /// The thing whose badge was pressed: its problem is told.
     pub(super) asked_about: ArcRwSignal<Option<Id>>,
     /// The menu that is open.
-    pub(super) context: ArcRwSignal<Option<Context>>,
+    pub(super) context: ArcRwSignal<Option<ContextMenu>>,
     /// The stream and the edge that a pointer is over.
     pub(super) hovered: ArcRwSignal<Option<Id>>,
     pub(super) hovered_edge: ArcRwSignal<Option<Gap>>,
@@ -85,19 +85,19 @@ pub(crate) struct Stage {
     /// The stream or group whose new name is typed.
     pub(super) renaming: ArcRwSignal<Option<Id>>,
     /// The note that is written.
-    pub(super) noting: ArcRwSignal<Option<Noting>>,
+    pub(super) noting: ArcRwSignal<Option<NoteWriting>>,
     /// The note or group to which the keyboard comes.
     pub(super) aside: ArcRwSignal<Option<Id>>,
     /// The thing that gets the keyboard as soon as it is drawn.
     pub(super) wanted: ArcRwSignal<Option<Id>>,
     /// The lasso that is drawn, in canvas units.
-    pub(super) lasso: ArcRwSignal<Option<Bounds>>,
+    pub(super) lasso: ArcRwSignal<Option<CanvasBounds>>,
     /// The place of the pointer over the canvas.
     pub(super) pointer: ArcRwSignal<Option<Place>>,
     /// The height of the sentences at the top, once that is known, in pixels.
     pub(super) above: ArcRwSignal<Option<f64>>,
     /// The area of the strip of what is selected, while it is there.
-    pub(super) strip: ArcRwSignal<Option<Area>>,
+    pub(super) strip: ArcRwSignal<Option<StageArea>>,
     /// The view that was shown when the program was opened.
     pub(super) opened: ArcRwSignal<Option<View>>,
     /// The words about a wire that screen readers hear.
@@ -111,7 +111,7 @@ pub(crate) struct Stage {
     pub(super) rests: ArcRwSignal<bool>,
     /// True if everything is so small that nothing can be read.
     pub(super) is_tiny: ArcRwSignal<bool>,
-    drawn: ArcMemo<Drawn>,
+    drawn: ArcMemo<DrawnNow>,
     chips: ArcMemo<Vec<Id>>,
     moves: Arc<AtomicU32>,
     pub(super) piece: SecondPiece,
@@ -120,7 +120,7 @@ pub(crate) struct Stage {
 
 /// The things that are in the page now.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Drawn {
+pub(super) struct DrawnNow {
     streams: Vec<Id>,
     connectors: Vec<Id>,
     /// The connectors of which the chip is seen: it is in a folded group with the stream that it leads to.
@@ -311,20 +311,20 @@ impl Stage {
             return self.glide(self.revealing(own, REVEAL_MARGIN));
         }
         let view = self.view.get_untracked();
-        let room = Bounds { right: own.right + VALUE_ROOM, bottom: own.bottom + STRIP / view.zoom, ..own };
+        let room = CanvasBounds { right: own.right + VALUE_ROOM, bottom: own.bottom + STRIP / view.zoom, ..own };
         let into = self.chips_at(id, true);
-        let all = Bounds::around(into.into_iter().chain([room])).unwrap_or(room);
+        let all = CanvasBounds::around(into.into_iter().chain([room])).unwrap_or(room);
         let size = (self.size.get_untracked().0, self.size.get_untracked().1 - self.above());
-        let fits = |bounds: &Bounds| {
+        let fits = |bounds: &CanvasBounds| {
             let (width, height) = ((bounds.right - bounds.left) * view.zoom, (bounds.bottom - bounds.top) * view.zoom);
             width <= size.0 - 2.0 * REVEAL_MARGIN && height <= size.1 - 2.0 * REVEAL_MARGIN
         };
-        let shown = if fits(&all) { all } else { Bounds { bottom: room.bottom, ..own } };
+        let shown = if fits(&all) { all } else { CanvasBounds { bottom: room.bottom, ..own } };
         self.glide(self.revealing(shown, REVEAL_MARGIN));
     }
 
     /// Returns the bounds of a chip.
-    pub(super) fn chip_bounds(&self, id: &Id) -> Option<Bounds> {
+    pub(super) fn chip_bounds(&self, id: &Id) -> Option<CanvasBounds> {
         chip_bounds(&self.desk, id)
     }
 
@@ -336,7 +336,7 @@ impl Stage {
     }
 
     /// Returns the bounds of the chips that lead to a stream or, unless `into`, that touch it at all.
-    pub(super) fn chips_at(&self, id: &Id, into: bool) -> Vec<Bounds> {
+    pub(super) fn chips_at(&self, id: &Id, into: bool) -> Vec<CanvasBounds> {
         let desk = &self.desk;
         let touches = |chip: &Id| {
             desk.document.connector(chip).is_some_and(|signals| {
@@ -356,13 +356,13 @@ impl Stage {
     }
 
     /// Returns the side on which a chip can say something without covering anything, and how wide that may be.
-    pub(super) fn side_of_chip(&self, id: &Id) -> ArcMemo<Option<(Side, f64)>> {
+    pub(super) fn side_of_chip(&self, id: &Id) -> ArcMemo<Option<(ChipSide, f64)>> {
         let (desk, shapes, id) = (self.desk.clone(), self.shapes.clone(), id.clone());
         ArcMemo::new(move |_| {
             desk.document.revision.track();
             let chip = chip_bounds(&desk, &id)?;
             let chips = desk.document.connector_ids.get().into_iter().filter(|other| *other != id);
-            let mut others: Vec<Bounds> = chips.filter_map(|other| chip_bounds(&desk, &other)).collect();
+            let mut others: Vec<CanvasBounds> = chips.filter_map(|other| chip_bounds(&desk, &other)).collect();
             shapes.with(|shapes| others.extend(shapes.iter().map(|(_, bounds)| *bounds)));
             room::beside_chip(&chip, &others)
         })
@@ -550,17 +550,17 @@ fn is_elsewhere() -> bool {
 }
 
 /// All that there is of a graph.
-struct Everything {
+struct WholeGraph {
     /// The first stream, else the first note.
-    first: Bounds,
+    first: CanvasBounds,
     /// The bounds of all of it: streams with their values, chips, notes and groups.
-    all: Bounds,
+    all: CanvasBounds,
     /// Each of them, without its value.
-    parts: Vec<Bounds>,
+    parts: Vec<CanvasBounds>,
     streams: usize,
 }
 
-impl Everything {
+impl WholeGraph {
     /// All of it in a stage of that size.
     fn whole(&self, size: (f64, f64)) -> View {
         let high = window().inner_height().ok().and_then(|high| high.as_f64()).unwrap_or(f64::MAX);
@@ -568,17 +568,17 @@ impl Everything {
     }
 }
 
-fn everything(desk: &Desk) -> Option<Everything> {
+fn everything(desk: &Desk) -> Option<WholeGraph> {
     let (streams, chips) = (desk.document.stream_ids.get_untracked(), desk.document.connector_ids.get_untracked());
     let seen = streams.iter().filter(|id| untrack(|| desk.document.hidden_in(id)).is_none());
-    let seen: Vec<Bounds> = seen.filter_map(|id| bounds(desk, id)).collect();
-    let mut parts: Vec<Bounds> =
+    let seen: Vec<CanvasBounds> = seen.filter_map(|id| bounds(desk, id)).collect();
+    let mut parts: Vec<CanvasBounds> =
         chips.iter().filter_map(|id| chip_bounds(desk, id)).chain(aside_bounds(desk)).collect();
     let first = *seen.first().or_else(|| parts.last())?;
-    let values = seen.iter().map(|bounds| Bounds { right: bounds.right + VALUE_ROOM, ..*bounds });
-    let all = Bounds::around(values.chain(parts.iter().copied()))?;
+    let values = seen.iter().map(|bounds| CanvasBounds { right: bounds.right + VALUE_ROOM, ..*bounds });
+    let all = CanvasBounds::around(values.chain(parts.iter().copied()))?;
     parts.extend(seen);
-    Some(Everything { first, all, parts, streams: streams.len() })
+    Some(WholeGraph { first, all, parts, streams: streams.len() })
 }
 
 /// The stream that the keyboard comes to: the one it was at last, if that is seen.
@@ -605,11 +605,11 @@ fn finished_memo(desk: &Desk, running: ArcMemo<bool>) -> ArcMemo<bool> {
     })
 }
 
-fn drawn_memo(desk: Desk, cells: ArcMemo<Cells>, rests: ArcRwSignal<bool>) -> ArcMemo<Drawn> {
-    ArcMemo::new(move |before: Option<&Drawn>| {
+fn drawn_memo(desk: Desk, cells: ArcMemo<Cells>, rests: ArcRwSignal<bool>) -> ArcMemo<DrawnNow> {
+    ArcMemo::new(move |before: Option<&DrawnNow>| {
         desk.document.revision.track();
         let (cells, rests, prints) = (cells.get(), rests.get(), desk.printing.get());
-        let none = Drawn::default();
+        let none = DrawnNow::default();
         let before = before.unwrap_or(&none);
         let stream_seen = |id: &Id| prints || bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
         let connector_seen = |id: &Id| prints || connector_bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
@@ -623,13 +623,13 @@ fn drawn_memo(desk: Desk, cells: ArcMemo<Cells>, rests: ArcRwSignal<bool>) -> Ar
             desk.document.connector(id).is_some_and(|signals| signals.record.with_untracked(output))
         };
         let chips = connectors.iter().filter(|id| hidden.is_empty() || !leads_in(id)).cloned().collect();
-        Drawn { streams: drawn(&streams, stream_seen, &before.streams, rests), connectors, chips }
+        DrawnNow { streams: drawn(&streams, stream_seen, &before.streams, rests), connectors, chips }
     })
 }
 
 /// Returns the bounds of streams, as of the last drop; nothing moves along with the hand.
-fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id, Bounds)>> {
-    ArcMemo::new(move |before: Option<&Vec<(Id, Bounds)>>| {
+fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id, CanvasBounds)>> {
+    ArcMemo::new(move |before: Option<&Vec<(Id, CanvasBounds)>>| {
         desk.document.revision.track();
         if let (Some(before), true) = (before, dragged.with(Option::is_some)) {
             return before.clone();
@@ -645,13 +645,13 @@ fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id,
     })
 }
 
-fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<HashMap<Id, f64>> {
+fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, CanvasBounds)>>) -> ArcMemo<HashMap<Id, f64>> {
     ArcMemo::new(move |_| {
         if !desk.robots.has_values.get() {
             return HashMap::new();
         }
         let connectors = desk.document.connector_ids.get();
-        let chips: Vec<Bounds> = connectors.iter().filter_map(|id| chip_bounds(&desk, id)).collect();
+        let chips: Vec<CanvasBounds> = connectors.iter().filter_map(|id| chip_bounds(&desk, id)).collect();
         shapes.with(|shapes| room::rooms(shapes, &chips))
     })
 }
@@ -659,7 +659,7 @@ fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<HashMap
 /// Somebody else is editing something.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Edited {
-    pub(super) editor: Editor,
+    pub(super) editor: OtherEditor,
     /// True for what is edited, false for the stream that it leads to.
     pub(super) is_it: bool,
 }

@@ -2,10 +2,10 @@
 
 use super::flyout::Flyout;
 use super::menu::BoltMenu;
-use super::strip_spot::{Area, Around, EDGE, HEIGHT, Own, covers_chip, strip_spot};
-use super::view::{Bounds, View};
+use super::strip_spot::{EDGE, HEIGHT, SelectedThing, StageArea, StripObstacles, covers_chip, strip_spot};
+use super::view::{CanvasBounds, View};
 use super::{Stage, pointers};
-use crate::desk::{Desk, LinkState, Saving, Selected, Spot, use_desk};
+use crate::desk::{Desk, LinkState, NewSpot, Saving, Selected, use_desk};
 use crate::icons::Icon;
 use crate::layout::{STREAM_HEIGHT, VALUE_ROOM, stream_width, text_width};
 use crate::panels::RemoveButton;
@@ -81,7 +81,7 @@ fn StreamStrip(id: Id) -> impl IntoView {
         ArcMemo::new(move |_| {
             let (view, size) = (stage.view.get(), size.get());
             let area = on_stage(view, place.get(), record.with(stream_width), STREAM_HEIGHT);
-            let own = Own { area, value: VALUE_ROOM * view.zoom, beside: false };
+            let own = SelectedThing { area, value: VALUE_ROOM * view.zoom, beside: false };
             let around = others.with(|others| others.seen(view, size));
             fitted(own, &around, fitting.get(), buttons, size)
         })
@@ -114,10 +114,10 @@ fn StreamStrip(id: Id) -> impl IntoView {
 }
 
 /// Tells what else floats where the strip stands, as long as it does.
-fn tell_where(told: ArcRwSignal<Option<Area>>, fitted: ArcMemo<(Vec<Offer>, (f64, f64))>, buttons: f64) {
+fn tell_where(told: ArcRwSignal<Option<StageArea>>, fitted: ArcMemo<(Vec<Offer>, (f64, f64))>, buttons: f64) {
     let is = told.clone();
     Effect::new(move |_| {
-        let area = fitted.with(|(offers, (left, top))| Area {
+        let area = fitted.with(|(offers, (left, top))| StageArea {
             left: *left,
             top: *top,
             right: left + strip_width(offers, buttons),
@@ -166,7 +166,7 @@ fn OfferButton(desk: Desk, id: Id, offer: Offer, first: bool) -> impl IntoView {
     let hint = offer.says();
     let (icon, label, step) = (offer.icon, offer.label, offer.step);
     view! {
-        <button type="button" class="next" class:likely=first title=hint on:click=move |_| take(&desk, &id, &step, Spot::default())>
+        <button type="button" class="next" class:likely=first title=hint on:click=move |_| take(&desk, &id, &step, NewSpot::default())>
             <Icon name=icon />
             <span>{label}</span>
         </button>
@@ -188,7 +188,13 @@ fn as_many_as_fit(mut offers: Vec<Offer>, width: f64, buttons: f64) -> Vec<Offer
 
 /// Returns as many of the offers as a strip has that covers no chip of its stream and lies under nothing, and where it
 /// stands then; all of them where even one would.
-fn fitted(own: Own, around: &Around, offers: Vec<Offer>, buttons: f64, size: (f64, f64)) -> (Vec<Offer>, (f64, f64)) {
+fn fitted(
+    own: SelectedThing,
+    around: &StripObstacles,
+    offers: Vec<Offer>,
+    buttons: f64,
+    size: (f64, f64),
+) -> (Vec<Offer>, (f64, f64)) {
     let spot = |offers: &[Offer]| strip_spot(own, around, strip_width(offers, buttons), size);
     let some = (1..=offers.len()).rev().map(|count| &offers[..count]);
     let clear = |offers: &&[Offer]| !covers_chip(spot(offers), around, strip_width(offers, buttons));
@@ -201,17 +207,17 @@ fn translated((x, y): (f64, f64)) -> String {
     format!("translate({x:.0}px,{y:.0}px)")
 }
 
-fn on_stage(view: View, place: Place, width: f64, height: f64) -> Area {
+fn on_stage(view: View, place: Place, width: f64, height: f64) -> StageArea {
     let (middle, top) = view.to_stage(place);
     let half = width / 2.0 * view.zoom;
-    Area { left: middle - half, top, right: middle + half, bottom: top + height * view.zoom }
+    StageArea { left: middle - half, top, right: middle + half, bottom: top + height * view.zoom }
 }
 
 /// The things that the strip of something keeps clear of, in canvas units.
 #[derive(Clone, Debug, PartialEq)]
-struct Others {
-    streams: Vec<Bounds>,
-    chips: Vec<Bounds>,
+struct OtherThings {
+    streams: Vec<CanvasBounds>,
+    chips: Vec<CanvasBounds>,
     /// True if a message stands at the bottom left of the stage.
     message: bool,
     /// The height of the sentences at the top.
@@ -220,19 +226,19 @@ struct Others {
     banner: bool,
 }
 
-impl Others {
+impl OtherThings {
     /// Returns where they are on a stage of this size.
-    fn seen(&self, view: View, size: (f64, f64)) -> Around {
-        let area = |bounds: &Bounds| {
+    fn seen(&self, view: View, size: (f64, f64)) -> StripObstacles {
+        let area = |bounds: &CanvasBounds| {
             let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
             let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
-            Area { left, top, right, bottom }
+            StageArea { left, top, right, bottom }
         };
         let left = (size.0 - BANNER.0) / 2.0;
-        let banner = Area { left, top: 0.0, right: left + BANNER.0, bottom: self.above + BANNER.1 };
-        let told = (self.above > 0.0).then_some(Area { left: 0.0, top: 0.0, right: size.0, bottom: self.above });
-        let message = Area { left: 0.0, top: size.1 - MESSAGE.1, right: MESSAGE.0, bottom: size.1 };
-        Around {
+        let banner = StageArea { left, top: 0.0, right: left + BANNER.0, bottom: self.above + BANNER.1 };
+        let told = (self.above > 0.0).then_some(StageArea { left: 0.0, top: 0.0, right: size.0, bottom: self.above });
+        let message = StageArea { left: 0.0, top: size.1 - MESSAGE.1, right: MESSAGE.0, bottom: size.1 };
+        StripObstacles {
             streams: self.streams.iter().map(area).collect(),
             chips: self.chips.iter().map(area).collect(),
             over: self
@@ -247,10 +253,10 @@ impl Others {
 }
 
 /// Returns the bounds of the streams that are not the one with this id, and of the chips at that one.
-fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
+fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<OtherThings> {
     let (stage, desk, id) = (stage.clone(), desk.clone(), id.clone());
     ArcMemo::new(move |_| {
-        let others = |shapes: &Vec<(Id, Bounds)>| {
+        let others = |shapes: &Vec<(Id, CanvasBounds)>| {
             shapes.iter().filter(|(other, _)| *other != id).map(|(_, bounds)| *bounds).collect()
         };
         desk.document.revision.track();
@@ -259,6 +265,6 @@ fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
         let saves = matches!(desk.document.saving.get(), Saving::Saved | Saving::Saving);
         let banner = !saves || desk.online.get() == LinkState::Offline;
         stage.above.track();
-        Others { above: stage.above(), streams, chips: stage.chips_at(&id, false), message, banner }
+        OtherThings { above: stage.above(), streams, chips: stage.chips_at(&id, false), message, banner }
     })
 }

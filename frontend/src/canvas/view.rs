@@ -1,7 +1,7 @@
 //! The part of the canvas that is in view: where it lies and how large it is drawn.
 
 use behaviour::Place;
-use protocol::Area;
+use protocol::CanvasArea;
 
 /// The smallest and the largest zoom.
 pub(super) const ZOOM: [f64; 2] = [0.02, 2.5];
@@ -34,26 +34,26 @@ impl Default for View {
 
 /// A rectangle in canvas units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bounds {
+pub(super) struct CanvasBounds {
     pub(super) left: f64,
     pub(super) top: f64,
     pub(super) right: f64,
     pub(super) bottom: f64,
 }
 
-impl Bounds {
+impl CanvasBounds {
     /// True if they share more than an edge.
     pub(super) fn holds(self, place: Place) -> bool {
         (self.left..=self.right).contains(&place.x) && (self.top..=self.bottom).contains(&place.y)
     }
 
-    pub(super) fn meets(self, other: Bounds) -> bool {
+    pub(super) fn meets(self, other: CanvasBounds) -> bool {
         self.left < other.right && self.right > other.left && self.top < other.bottom && self.bottom > other.top
     }
 
     /// Around all of these; none for none.
-    pub(super) fn around(all: impl Iterator<Item = Bounds>) -> Option<Bounds> {
-        all.reduce(|one, other| Bounds {
+    pub(super) fn around(all: impl Iterator<Item = CanvasBounds>) -> Option<CanvasBounds> {
+        all.reduce(|one, other| CanvasBounds {
             left: one.left.min(other.left),
             top: one.top.min(other.top),
             right: one.right.max(other.right),
@@ -97,7 +97,7 @@ impl View {
 
     /// All of `bounds` in the middle of a stage of that size, never larger than it is. At their right end `spare` is
     /// room for values, which does not count for the middle where there is enough of it.
-    pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64)) -> Self {
+    pub(super) fn fitting(bounds: CanvasBounds, spare: f64, size: (f64, f64)) -> Self {
         let (width, height) = ((bounds.right - bounds.left).max(1.0), (bounds.bottom - bounds.top).max(1.0));
         let free = Self::free(size);
         let zoom = (free.0 / width).min(free.1 / height).clamp(ZOOM[0], 1.0);
@@ -111,7 +111,7 @@ impl View {
 
     /// Returns the view of `bounds` when it is opened: the `whole` of it where that can be read, else its width, else
     /// what is around `first`, from the top.
-    pub(super) fn opening(whole: Self, bounds: Bounds, first: Bounds, size: (f64, f64)) -> Self {
+    pub(super) fn opening(whole: Self, bounds: CanvasBounds, first: CanvasBounds, size: (f64, f64)) -> Self {
         if whole.zoom >= READABLE {
             return whole;
         }
@@ -124,8 +124,8 @@ impl View {
     }
 
     /// The least pan that leaves a part of something in view.
-    pub(super) fn keeping<'a>(self, all: impl Iterator<Item = &'a Bounds>, size: (f64, f64)) -> Self {
-        let pan = |bounds: &Bounds| {
+    pub(super) fn keeping<'a>(self, all: impl Iterator<Item = &'a CanvasBounds>, size: (f64, f64)) -> Self {
+        let pan = |bounds: &CanvasBounds| {
             let (left, top) = self.to_stage(Place { x: bounds.left, y: bounds.top });
             let (right, bottom) = self.to_stage(Place { x: bounds.right, y: bounds.bottom });
             (kept(left, right, size.0), kept(top, bottom, size.1))
@@ -137,9 +137,9 @@ impl View {
 
     /// Returns the view in real size, around that of `all` which is nearest to the middle: whole where it fits, below
     /// what covers `above` of the stage.
-    pub(super) fn real_size(self, all: &[Bounds], size: (f64, f64), above: f64) -> Self {
+    pub(super) fn real_size(self, all: &[CanvasBounds], size: (f64, f64), above: f64) -> Self {
         let middle = (size.0 / 2.0, (size.1 + above) / 2.0);
-        let to = |bounds: &Bounds| {
+        let to = |bounds: &CanvasBounds| {
             self.to_stage(Place { x: middle_of(bounds.left, bounds.right), y: middle_of(bounds.top, bounds.bottom) })
         };
         let far = |at: (f64, f64)| (at.0 - middle.0).hypot(at.1 - middle.1);
@@ -151,14 +151,14 @@ impl View {
     }
 
     /// The part of the canvas that a stage of that size shows.
-    pub(super) fn area(self, size: (f64, f64)) -> Area {
+    pub(super) fn area(self, size: (f64, f64)) -> CanvasArea {
         let Place { x, y } = self.to_canvas((0.0, 0.0));
         let [x, y, width, height] = [x, y, size.0 / self.zoom, size.1 / self.zoom].map(f64::round);
-        Area { x, y, width: width.max(1.0), height: height.max(1.0) }
+        CanvasArea { x, y, width: width.max(1.0), height: height.max(1.0) }
     }
 
     /// All of what somebody else sees in the middle of a stage of that size.
-    pub(super) fn of_area(area: Area, size: (f64, f64)) -> Self {
+    pub(super) fn of_area(area: CanvasArea, size: (f64, f64)) -> Self {
         let zoom = (size.0 / area.width).min(size.1 / area.height).clamp(ZOOM[0], ZOOM[1]);
         let middle = |start: f64, span: f64, size: f64| size / 2.0 - (start + span / 2.0) * zoom;
         Self { x: middle(area.x, area.width, size.0), y: middle(area.y, area.height, size.1), zoom }
@@ -170,7 +170,7 @@ impl View {
     }
 
     /// The least pan that brings `bounds` into a stage of that size with a margin.
-    pub(super) fn revealing(self, bounds: Bounds, size: (f64, f64), margin: f64) -> Self {
+    pub(super) fn revealing(self, bounds: CanvasBounds, size: (f64, f64), margin: f64) -> Self {
         let (left, top) = self.to_stage(Place { x: bounds.left, y: bounds.top });
         let (right, bottom) = self.to_stage(Place { x: bounds.right, y: bounds.bottom });
         self.panned(into(left, right, size.0, margin), into(top, bottom, size.1, margin))
@@ -206,7 +206,7 @@ fn into(start: f64, end: f64, size: f64, margin: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bounds, View};
+    use super::{CanvasBounds, View};
     use behaviour::Place;
 
     const STAGE: (f64, f64) = (800.0, 600.0);
@@ -224,33 +224,33 @@ mod tests {
 
     #[test]
     fn fitting_shows_everything_and_never_enlarges() {
-        let bounds = Bounds { left: -900.0, top: 0.0, right: 900.0, bottom: 700.0 };
+        let bounds = CanvasBounds { left: -900.0, top: 0.0, right: 900.0, bottom: 700.0 };
         let view = View::fitting(bounds, 0.0, STAGE);
         let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
         let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
         assert!(left >= 0.0 && top >= 0.0 && right <= STAGE.0 && bottom <= STAGE.1);
-        let small = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
+        let small = CanvasBounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
         assert_eq!(View::fitting(small, 20.0, STAGE).zoom, 1.0);
     }
 
     #[test]
     fn a_long_or_wide_graph_opens_so_that_it_can_be_read() {
-        let first = Bounds { left: -50.0, top: 0.0, right: 50.0, bottom: 48.0 };
-        let chain = Bounds { left: -60.0, top: 0.0, right: 240.0, bottom: 8_400.0 };
+        let first = CanvasBounds { left: -50.0, top: 0.0, right: 50.0, bottom: 48.0 };
+        let chain = CanvasBounds { left: -60.0, top: 0.0, right: 240.0, bottom: 8_400.0 };
         let opening = |bounds| View::opening(View::fitting(bounds, 180.0, STAGE), bounds, first, STAGE);
         let view = opening(chain);
         assert_eq!(view.zoom, 1.0);
         assert!(view.to_stage(Place { x: 0.0, y: 0.0 }).1 > 0.0);
-        let wide = Bounds { left: -9_000.0, right: 9_000.0, ..chain };
+        let wide = CanvasBounds { left: -9_000.0, right: 9_000.0, ..chain };
         let view = opening(wide);
         assert_eq!((view.zoom, view.to_stage(Place { x: 0.0, y: 0.0 }).0), (0.4, 400.0));
-        let small = Bounds { bottom: 400.0, ..chain };
+        let small = CanvasBounds { bottom: 400.0, ..chain };
         assert_eq!(opening(small), View::fitting(small, 180.0, STAGE));
     }
 
     #[test]
     fn show_everything_shows_everything() {
-        let all = Bounds { left: -20_000.0, top: 0.0, right: 9_000.0, bottom: 15_000.0 };
+        let all = CanvasBounds { left: -20_000.0, top: 0.0, right: 9_000.0, bottom: 15_000.0 };
         let view = View::fitting(all, 180.0, STAGE);
         let (left, top) = view.to_stage(Place { x: all.left, y: all.top });
         let (right, bottom) = view.to_stage(Place { x: all.right, y: all.bottom });
@@ -259,8 +259,8 @@ mod tests {
 
     #[test]
     fn the_hand_cannot_lose_the_graph() {
-        let stream = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
-        let other = Bounds { left: 900.0, right: 1_000.0, ..stream };
+        let stream = CanvasBounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
+        let other = CanvasBounds { left: 900.0, right: 1_000.0, ..stream };
         let kept = |x, y| View { x, y, zoom: 1.0 }.keeping([stream, other].iter(), STAGE);
         assert_eq!(kept(50.0, 50.0), View { x: 50.0, y: 50.0, zoom: 1.0 });
         assert_eq!(kept(5_000.0, 50.0).x, 752.0);
@@ -270,17 +270,17 @@ mod tests {
 
     #[test]
     fn room_for_values_leaves_streams_in_the_middle() {
-        let bounds = Bounds { left: 0.0, top: 0.0, right: 300.0, bottom: 48.0 };
+        let bounds = CanvasBounds { left: 0.0, top: 0.0, right: 300.0, bottom: 48.0 };
         assert_eq!(View::fitting(bounds, 200.0, STAGE).x, 350.0);
-        let wide = Bounds { right: 740.0, ..bounds };
+        let wide = CanvasBounds { right: 740.0, ..bounds };
         assert_eq!(View::fitting(wide, 200.0, STAGE).x, 36.0);
     }
 
     #[test]
     fn real_size_lands_on_what_is_nearest() {
-        let stream = |x: f64| Bounds { left: x, top: 0.0, right: x + 100.0, bottom: 48.0 };
+        let stream = |x: f64| CanvasBounds { left: x, top: 0.0, right: x + 100.0, bottom: 48.0 };
         let all = [stream(-9_000.0), stream(9_000.0)];
-        let far = View::fitting(Bounds { left: -9_000.0, right: 9_100.0, ..all[0] }, 0.0, STAGE);
+        let far = View::fitting(CanvasBounds { left: -9_000.0, right: 9_100.0, ..all[0] }, 0.0, STAGE);
         let view = far.real_size(&all, STAGE, 60.0);
         let seen = all.iter().any(|bounds| {
             let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
@@ -294,9 +294,9 @@ mod tests {
     #[test]
     fn revealing_moves_no_more_than_needed() {
         let view = View::default();
-        let inside = Bounds { left: 100.0, top: 100.0, right: 200.0, bottom: 148.0 };
+        let inside = CanvasBounds { left: 100.0, top: 100.0, right: 200.0, bottom: 148.0 };
         assert_eq!(view.revealing(inside, STAGE, 20.0), view);
-        let below = Bounds { top: 700.0, bottom: 748.0, ..inside };
+        let below = CanvasBounds { top: 700.0, bottom: 748.0, ..inside };
         assert_eq!(view.revealing(below, STAGE, 20.0).y, -168.0);
     }
 }

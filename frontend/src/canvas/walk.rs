@@ -4,7 +4,7 @@ use behaviour::{Behaviour, Graph, Id, Place};
 
 /// The directions of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum StepDirection {
     Down,
     Up,
     Left,
@@ -12,19 +12,26 @@ pub(super) enum Way {
 }
 
 /// The stream that is reached from `from`; `place` tells where streams stand.
-pub(super) fn walk(behaviour: &Behaviour, from: &Id, way: Way, place: impl Fn(&Id) -> Option<Place>) -> Option<Id> {
+pub(super) fn walk(
+    behaviour: &Behaviour,
+    from: &Id,
+    way: StepDirection,
+    place: impl Fn(&Id) -> Option<Place>,
+) -> Option<Id> {
     let graph = Graph::of(behaviour);
     match way {
-        Way::Down => graph.out_of_stream(from).first().map(|(_, connector)| connector.output.clone()),
-        Way::Up => graph.into_stream(from).iter().find_map(|(_, connector)| connector.inputs.first().cloned()),
-        Way::Left | Way::Right => {
+        StepDirection::Down => graph.out_of_stream(from).first().map(|(_, connector)| connector.output.clone()),
+        StepDirection::Up => {
+            graph.into_stream(from).iter().find_map(|(_, connector)| connector.inputs.first().cloned())
+        }
+        StepDirection::Left | StepDirection::Right => {
             let mut row = siblings(behaviour, &graph, from);
             row.sort_by(|one, other| {
                 let x = |id: &Id| place(id).map_or(0.0, |place| place.x);
                 x(one).total_cmp(&x(other)).then_with(|| one.cmp(other))
             });
             let at = row.iter().position(|id| id == from)?;
-            let next = if way == Way::Left { at.checked_sub(1)? } else { at + 1 };
+            let next = if way == StepDirection::Left { at.checked_sub(1)? } else { at + 1 };
             row.get(next).cloned()
         }
     }
@@ -47,7 +54,7 @@ fn siblings(behaviour: &Behaviour, graph: &Graph, of: &Id) -> Vec<Id> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Way, walk};
+    use super::{StepDirection, walk};
     use behaviour::{Behaviour, Connector, Id, Kind, Params, Place, Record, RecordId, Stream, StreamKind, connectors};
 
     fn id(text: &str) -> Id {
@@ -81,10 +88,10 @@ mod tests {
         let made = graph();
         let x = |id: &Id| Some(Place { x: if id.as_str() == "c" { -50.0 } else { 0.0 }, y: 0.0 });
         let go = |from: &str, way| walk(&made, &id(from), way, x).map(|id| id.to_string());
-        assert_eq!(go("a", Way::Down).as_deref(), Some("b"));
-        assert_eq!(go("b", Way::Up).as_deref(), Some("a"));
-        assert_eq!(go("b", Way::Left).as_deref(), Some("c"));
-        assert_eq!(go("b", Way::Right), None);
-        assert_eq!(go("a", Way::Right).as_deref(), Some("z"));
+        assert_eq!(go("a", StepDirection::Down).as_deref(), Some("b"));
+        assert_eq!(go("b", StepDirection::Up).as_deref(), Some("a"));
+        assert_eq!(go("b", StepDirection::Left).as_deref(), Some("c"));
+        assert_eq!(go("b", StepDirection::Right), None);
+        assert_eq!(go("a", StepDirection::Right).as_deref(), Some("z"));
     }
 }

@@ -3,11 +3,11 @@
 use super::Stage;
 use super::chip::chip_of;
 use super::curve::curve_between;
-use super::hand::Point;
+use super::hand::StagePoint;
 use super::offer::Offering;
-use crate::desk::{Carried, Desk, Joining, Selected, WireEnd, use_desk, wire_ends};
+use crate::desk::{CarriedItem, Desk, Joining, Selected, WireEnd, use_desk, wire_ends};
 use crate::escape;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};
 use crate::panels::focus;
 use crate::words;
@@ -37,7 +37,7 @@ pub(super) struct Wire {
 
 /// The part of a wire that streams and chips look at: while its loose end only moves, it stays the same.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Targets {
+pub(super) struct WireTargets {
     /// The stream that the wire comes from; what is carried comes from no stream.
     from: Option<Id>,
     ids: Arc<BTreeSet<Id>>,
@@ -47,19 +47,19 @@ pub(super) struct Targets {
 /// Returns what streams and chips look at of the wire that is drawn, or of what is carried from the list.
 pub(super) fn targets_memo(
     wire: ArcRwSignal<Option<Wire>>,
-    carried: ArcRwSignal<Option<Carried>>,
-) -> ArcMemo<Option<Targets>> {
+    carried: ArcRwSignal<Option<CarriedItem>>,
+) -> ArcMemo<Option<WireTargets>> {
     ArcMemo::new(move |_| {
         let of_wire = wire.with(|wire| {
             let wire = wire.as_ref()?;
             let over = wire.over.as_ref().map(|end| end.id().clone());
-            Some(Targets { from: Some(wire.from.clone()), ids: Arc::clone(&wire.ids), over })
+            Some(WireTargets { from: Some(wire.from.clone()), ids: Arc::clone(&wire.ids), over })
         });
         of_wire.or_else(|| {
             carried.with(|carried| {
                 let carried = carried.as_ref()?;
                 let ids = Arc::clone(carried.targets.as_ref()?);
-                Some(Targets { from: None, ids, over: carried.over.clone() })
+                Some(WireTargets { from: None, ids, over: carried.over.clone() })
             })
         })
     })
@@ -88,7 +88,7 @@ impl Stage {
     }
 
     /// Moves the loose end of the wire after a pointer.
-    pub(super) fn move_wire(&self, at: Point, over: Option<&Id>) {
+    pub(super) fn move_wire(&self, at: StagePoint, over: Option<&Id>) {
         if self.offering.with_untracked(Option::is_some) || self.wire.with_untracked(Option::is_none) {
             return;
         }

@@ -2,7 +2,7 @@
 
 use super::Stage;
 use super::bounds::bounds;
-use super::view::Bounds;
+use super::view::CanvasBounds;
 use crate::desk::{Desk, use_desk};
 use crate::icons::Icon;
 use crate::later::{SecondPiece, second_piece};
@@ -56,7 +56,8 @@ impl Stage {
         let chosen = chosen.and_then(|selected| bounds(&self.desk, selected.id()));
         let (view, size) = (self.view.get_untracked(), self.size.get_untracked());
         self.glide(self.shapes.with_untracked(|shapes| {
-            let all: Vec<Bounds> = chosen.map_or_else(|| shapes.iter().map(|(_, at)| *at).collect(), |at| vec![at]);
+            let all: Vec<CanvasBounds> =
+                chosen.map_or_else(|| shapes.iter().map(|(_, at)| *at).collect(), |at| vec![at]);
             view.real_size(&all, size, self.above())
         }));
     }

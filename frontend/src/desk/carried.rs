@@ -11,11 +11,11 @@ const STILL: f64 = 5.0;
 const STILL_FINGER: f64 = 10.0;
 
 /// A point of the window, in pixels.
-type Point = (f64, f64);
+type WindowPoint = (f64, f64);
 
 /// The things that can be taken out of the list.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Item {
+pub(crate) enum ListItem {
     Sense(&'static Device),
     Action(&'static Device),
     Helper(Helper),
@@ -23,7 +23,7 @@ pub(crate) enum Item {
 
 /// The stage of the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Phase {
+pub(crate) enum CarryStage {
     /// Pressed; nobody knows yet whether that is all.
     Pressed,
     /// It hangs on the pointer.
@@ -34,19 +34,19 @@ pub(crate) enum Phase {
 
 /// Something of the list under a pointer that is down.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Carried {
-    pub(crate) item: Item,
+pub(crate) struct CarriedItem {
+    pub(crate) item: ListItem,
     pub(crate) pointer: i32,
-    pub(crate) phase: Phase,
+    pub(crate) phase: CarryStage,
     /// The place of the pointer.
-    pub(crate) at: Point,
+    pub(crate) at: WindowPoint,
     /// The streams that it can be led from; none for what needs no stream.
     pub(crate) targets: Option<Arc<BTreeSet<Id>>>,
     /// The one of them that the pointer is over.
     pub(crate) over: Option<Id>,
     /// True if it could stand on free ground there.
     pub(crate) fits: bool,
-    from: Point,
+    from: WindowPoint,
     by_finger: bool,
 }
 
@@ -61,17 +61,17 @@ pub(crate) enum Moved {
     Scrolls,
 }
 
-impl Item {
+impl ListItem {
     /// True if it is led from a stream.
     pub(crate) fn is_led(&self) -> bool {
         !matches!(self, Self::Sense(_))
     }
 }
 
-impl Carried {
+impl CarriedItem {
     /// A pointer went down on something of the list.
-    pub(crate) fn pressed(item: Item, pointer: i32, at: Point, by_finger: bool) -> Self {
-        let (phase, targets, over) = (Phase::Pressed, None, None);
+    pub(crate) fn pressed(item: ListItem, pointer: i32, at: WindowPoint, by_finger: bool) -> Self {
+        let (phase, targets, over) = (CarryStage::Pressed, None, None);
         Self { item, pointer, phase, at, targets, over, fits: false, from: at, by_finger }
     }
 
@@ -82,32 +82,32 @@ impl Carried {
 
     /// True if it hangs on the pointer.
     pub(crate) fn is_held(&self) -> bool {
-        self.phase == Phase::Carried
+        self.phase == CarryStage::Carried
     }
 
     /// The pointer is there now. A mouse or a pen carries from its first move on; a finger has to rest first.
-    pub(crate) fn moved(&mut self, at: Point) -> Moved {
+    pub(crate) fn moved(&mut self, at: WindowPoint) -> Moved {
         let far = (at.0 - self.from.0).hypot(at.1 - self.from.1);
         match self.phase {
-            Phase::Pressed if self.by_finger && far >= STILL_FINGER => Moved::Scrolls,
-            Phase::Pressed if self.by_finger || far < STILL => Moved::Nothing,
-            Phase::Pressed => {
-                (self.phase, self.at) = (Phase::Carried, at);
+            CarryStage::Pressed if self.by_finger && far >= STILL_FINGER => Moved::Scrolls,
+            CarryStage::Pressed if self.by_finger || far < STILL => Moved::Nothing,
+            CarryStage::Pressed => {
+                (self.phase, self.at) = (CarryStage::Carried, at);
                 Moved::Begins
             }
-            Phase::Carried => {
+            CarryStage::Carried => {
                 self.at = at;
                 Moved::Follows
             }
-            Phase::Ended => Moved::Nothing,
+            CarryStage::Ended => Moved::Nothing,
         }
     }
 
     /// A finger rested long enough; whether it carries now.
     pub(crate) fn rested(&mut self) -> bool {
-        let begins = self.phase == Phase::Pressed && self.by_finger;
+        let begins = self.phase == CarryStage::Pressed && self.by_finger;
         if begins {
-            self.phase = Phase::Carried;
+            self.phase = CarryStage::Carried;
         }
         begins
     }
@@ -115,18 +115,18 @@ impl Carried {
 
 #[cfg(test)]
 mod tests {
-    use super::{Carried, Item, Moved, Phase};
+    use super::{CarriedItem, CarryStage, ListItem, Moved};
 
-    fn pressed(by_finger: bool) -> Carried {
+    fn pressed(by_finger: bool) -> CarriedItem {
         let sense = robot::sensors().next().expect("there is a sense");
-        Carried::pressed(Item::Sense(sense), 1, (100.0, 100.0), by_finger)
+        CarriedItem::pressed(ListItem::Sense(sense), 1, (100.0, 100.0), by_finger)
     }
 
     #[test]
     fn a_press_that_hardly_moves_carries_nothing() {
         let mut mouse = pressed(false);
         assert_eq!(mouse.moved((103.0, 102.0)), Moved::Nothing);
-        assert_eq!(mouse.phase, Phase::Pressed);
+        assert_eq!(mouse.phase, CarryStage::Pressed);
     }
 
     #[test]
@@ -152,7 +152,7 @@ mod tests {
     fn what_ended_follows_nothing() {
         let mut mouse = pressed(false);
         mouse.moved((110.0, 100.0));
-        mouse.phase = Phase::Ended;
+        mouse.phase = CarryStage::Ended;
         assert_eq!(mouse.moved((200.0, 100.0)), Moved::Nothing);
         assert_eq!(mouse.at, (110.0, 100.0));
     }

@@ -40,21 +40,22 @@ pub(super) use build::{as_seen, helper_gone, helper_put};
 pub(crate) use choosing::Put;
 pub(crate) use conflict::{Conflict, wording};
 pub(crate) use conflicts::draft_key;
-pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
+pub(crate) use editing::{Asking, EditReading, Editing, OwnLock, WriteRight};
 pub(super) use gestures::short;
 pub(crate) use ghost::{Ghost, GhostConnector, GhostStream};
-use history::History;
+use history::HistoryPanel;
 pub(crate) use kinds::{
-    ConnectPlan, ConnectorSignals, GroupSignals, Lit, Mark, NoteSignals, Output, Saving, Selected, Spot, StreamSignals,
+    ConnectPlan, ConnectorSignals, GroupSignals, Lit, NewSpot, NoteSignals, Output, Saving, Selected, StreamSignals,
+    UnsavedMark,
 };
-pub(crate) use locks::Editor;
-pub(crate) use part::Part;
+pub(crate) use locks::OtherEditor;
+pub(crate) use part::ProgramPart;
 pub(crate) use rewire::{Gap, Joining, WireEnd, wire_ends};
 pub(crate) use session::EditSession;
 pub(crate) use several::LineUp;
 pub(crate) use signs::{Sign, initials, signs};
 pub(crate) use steps::bare;
-pub(crate) use versions::{Compared, Comparing, Version};
+pub(crate) use versions::{ComparedVersions, Comparing, OpenVersion};
 
 use super::tab::Tab;
 use crate::layout::Tidy;
@@ -67,10 +68,10 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// The open behaviour. A clone is the same document.
 #[derive(Clone)]
-pub(crate) struct Document(Arc<Fields>);
+pub(crate) struct Document(Arc<DocumentFields>);
 
 /// The state of the open behaviour that the page shows.
-pub(crate) struct Fields {
+pub(crate) struct DocumentFields {
     tab: Tab,
     pub(crate) open: ArcRwSignal<Option<Id>>,
     pub(crate) name: ArcRwSignal<String>,
@@ -123,25 +124,25 @@ pub(crate) struct Fields {
     pub(crate) undoable: ArcRwSignal<Option<String>>,
     pub(crate) redoable: ArcRwSignal<Option<String>>,
     /// The history as far as it is known: what was done, by whom and when.
-    pub(crate) history: ArcRwSignal<History>,
+    pub(crate) history: ArcRwSignal<HistoryPanel>,
     /// The versions that have a name.
     pub(crate) versions: ArcRwSignal<Vec<Checkpoint>>,
     /// The versions that are looked at here, and their differences once both are there.
     pub(crate) comparing: ArcRwSignal<Option<Comparing>>,
-    pub(crate) compared: ArcRwSignal<Option<Arc<Compared>>>,
+    pub(crate) compared: ArcRwSignal<Option<Arc<ComparedVersions>>>,
     /// Tells when the open behaviour was laid out after it was shown.
     pub(crate) laid_out: ArcTrigger,
     /// Changes of this tab that were refused because somebody was first, in any program.
     pub(super) conflicts: ArcRwSignal<Vec<Conflict>>,
     /// The records of the open behaviour with changes that wait to be sent.
     waits: ArcRwSignal<BTreeSet<RecordId>>,
-    state: Mutex<State>,
-    listener: OnceLock<Listener>,
+    state: Mutex<DocumentState>,
+    listener: OnceLock<DocumentListener>,
 }
 
 /// The state that is not shown itself.
 #[derive(Default)]
-struct State {
+struct DocumentState {
     /// The open behaviour as the server has it.
     confirmed: Behaviour,
     streams: BTreeMap<Id, StreamSignals>,
@@ -183,11 +184,11 @@ pub(super) enum DocumentEvent {
     Rewritten(ConnectorSignals),
 }
 
-type Listener = Box<dyn Fn(DocumentEvent) + Send + Sync>;
+type DocumentListener = Box<dyn Fn(DocumentEvent) + Send + Sync>;
 
 impl Deref for Document {
-    type Target = Fields;
-    fn deref(&self) -> &Fields {
+    type Target = DocumentFields;
+    fn deref(&self) -> &DocumentFields {
         &self.0
     }
 }
@@ -203,7 +204,7 @@ pub(crate) struct Remover {
 impl Document {
     /// Nothing open yet.
     pub(super) fn new(tab: Tab) -> Self {
-        Self(Arc::new(Fields {
+        Self(Arc::new(DocumentFields {
             tab,
             open: ArcRwSignal::default(),
             name: ArcRwSignal::default(),
@@ -298,7 +299,7 @@ impl Document {
         self.open.with_untracked(|open| open.as_ref() == Some(id))
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, DocumentState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

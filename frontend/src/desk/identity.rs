@@ -4,7 +4,7 @@ use super::Desk;
 use super::tab::set_if_new;
 use crate::{browser, link};
 use behaviour::Id;
-use browser::Keep;
+use browser::Drawer;
 use leptos::prelude::*;
 use protocol::{Credential, Reply, Request};
 
@@ -27,7 +27,7 @@ impl Desk {
     pub(crate) fn set_my_name(&self, name: &str) {
         let name: String = name.trim().chars().take(NAME_MAX_CHARS).collect();
         if !name.is_empty() && name != my_name() {
-            Keep::Browser.put(NAME_KEY, &name);
+            Drawer::Browser.put(NAME_KEY, &name);
             self.tell_my_name(name);
         }
         self.keep_my_name();
@@ -41,7 +41,7 @@ impl Desk {
 
     /// The name is fine as it is; nobody is asked again.
     pub(crate) fn keep_my_name(&self) {
-        Keep::Browser.put(ASKED_KEY, "1");
+        Drawer::Browser.put(ASKED_KEY, "1");
         set_if_new(&self.name_wanted, false);
     }
 
@@ -59,26 +59,26 @@ impl Desk {
 /// Returns the credential that this tab had on an earlier link.
 fn kept_credential() -> Option<Credential> {
     watch_this_tab();
-    let kept = Keep::Tab.get(TAB_KEY)?;
+    let kept = Drawer::Tab.get(TAB_KEY)?;
     let (client, secret) = kept.split_once(' ')?;
     Some(Credential { client: Id::new(client).ok()?, secret: Id::new(secret).ok()? })
 }
 
 pub(super) fn keep_credential(client: &Id, secret: &Id) {
-    Keep::Tab.put(TAB_KEY, &format!("{client} {secret}"));
+    Drawer::Tab.put(TAB_KEY, &format!("{client} {secret}"));
 }
 
 /// A doubled tab copies what is kept for a tab, so a tab that is alive already counts as another one: once for each page.
 fn watch_this_tab() {
     thread_local! {
         static WATCHED: () = {
-            if Keep::Tab.get(ALIVE_KEY).is_some() {
-                Keep::Tab.drop(TAB_KEY);
+            if Drawer::Tab.get(ALIVE_KEY).is_some() {
+                Drawer::Tab.drop(TAB_KEY);
             }
-            Keep::Tab.put(ALIVE_KEY, "1");
+            Drawer::Tab.put(ALIVE_KEY, "1");
             if let Some(window) = browser::window() {
-                browser::hear(&window, "pagehide", |_| Keep::Tab.drop(ALIVE_KEY));
-                browser::hear(&window, "pageshow", |_| Keep::Tab.put(ALIVE_KEY, "1"));
+                browser::hear(&window, "pagehide", |_| Drawer::Tab.drop(ALIVE_KEY));
+                browser::hear(&window, "pageshow", |_| Drawer::Tab.put(ALIVE_KEY, "1"));
             }
         };
     }
@@ -87,9 +87,9 @@ fn watch_this_tab() {
 
 /// The name in this browser, at first "Guest" with a number.
 fn my_name() -> String {
-    Keep::Browser.get(NAME_KEY).unwrap_or_else(|| {
+    Drawer::Browser.get(NAME_KEY).unwrap_or_else(|| {
         let name = format!("{GUEST}{}", (browser::random() * 90.0) as u32 + 10);
-        Keep::Browser.put(NAME_KEY, &name);
+        Drawer::Browser.put(NAME_KEY, &name);
         name
     })
 }
@@ -97,5 +97,5 @@ fn my_name() -> String {
 /// True if nobody here ever said a name, or was asked for it.
 pub(super) fn is_name_wanted() -> bool {
     let number = |name: &str| name.strip_prefix(GUEST).is_some_and(|number| number.parse::<u8>().is_ok());
-    Keep::Browser.get(ASKED_KEY).is_none() && number(&my_name())
+    Drawer::Browser.get(ASKED_KEY).is_none() && number(&my_name())
 }

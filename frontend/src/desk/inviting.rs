@@ -7,7 +7,7 @@ use protocol::{Invitation, Lasts, Reply, Request, Role};
 
 /// An invitation that was just made, with what is told of it only then.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Invited {
+pub(crate) struct NewInvitation {
     pub(crate) invitation: Invitation,
     pub(crate) link: String,
     /// The link as a QR code: rows of `0` and `1`.
@@ -21,10 +21,10 @@ impl Tab {
     pub(crate) fn invite(
         &self,
         (role, lasts, label): (Role, Lasts, String),
-        then: impl FnOnce(Result<Invited, NoAnswer>) + 'static,
+        then: impl FnOnce(Result<NewInvitation, NoAnswer>) + 'static,
     ) {
         self.look_up(Request::Invite { role, lasts, label }, move |answer| match answer {
-            Ok(Reply::Invited { invitation, link, qr, fingerprint }) => then(Ok(Invited {
+            Ok(Reply::Invited { invitation, link, qr, fingerprint }) => then(Ok(NewInvitation {
                 invitation: (**invitation).clone(),
                 link: link.clone(),
                 qr: qr.clone(),

@@ -25,10 +25,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The library. A clone is the same library.
 #[derive(Clone)]
-pub(crate) struct Library(Arc<Fields>);
+pub(crate) struct LibraryPanel(Arc<LibraryFields>);
 
 /// The state of the library that the page shows.
-pub(crate) struct Fields {
+pub(crate) struct LibraryFields {
     tab: Tab,
     document: Document,
     /// The newest programs.
@@ -37,7 +37,7 @@ pub(crate) struct Fields {
     pub(crate) programs_total: ArcRwSignal<u64>,
     /// Grows when the list of programs changed somewhere.
     pub(crate) news: ArcRwSignal<u32>,
-    pub(crate) pictures: ArcRwSignal<pictures::Pictures>,
+    pub(crate) pictures: ArcRwSignal<pictures::ProgramPictures>,
     pub(crate) templates: ArcRwSignal<Vec<Summary>>,
     /// The exercises to learn with.
     pub(crate) exercises: ArcRwSignal<Vec<Exercise>>,
@@ -47,33 +47,33 @@ pub(crate) struct Fields {
     pub(crate) gone: ArcRwSignal<Option<Gone>>,
     /// True while a file is dragged over the page.
     pub(crate) dropping: ArcRwSignal<bool>,
-    state: Mutex<State>,
+    state: Mutex<LibraryState>,
 }
 
 /// The state that is not shown itself.
 #[derive(Default)]
-struct State {
+struct LibraryState {
     /// The helpers as the server has them.
     records: Behaviour,
     revision: u64,
     /// The people who last changed a helper since the page was opened, by its id.
     changed_by: HashMap<Id, String>,
     /// The program that is to be made, until the server has answered.
-    making: Option<making::Making>,
+    making: Option<making::ProgramMaking>,
     wanted_pictures: pictures::WantedPictures,
 }
 
-impl Deref for Library {
-    type Target = Fields;
-    fn deref(&self) -> &Fields {
+impl Deref for LibraryPanel {
+    type Target = LibraryFields;
+    fn deref(&self) -> &LibraryFields {
         &self.0
     }
 }
 
-impl Library {
+impl LibraryPanel {
     /// Nothing known yet.
     pub(super) fn new(tab: Tab, document: Document) -> Self {
-        Self(Arc::new(Fields {
+        Self(Arc::new(LibraryFields {
             tab,
             document,
             programs: ArcRwSignal::default(),
@@ -89,7 +89,7 @@ impl Library {
         }))
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, LibraryState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

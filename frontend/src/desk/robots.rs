@@ -13,7 +13,7 @@ mod values;
 pub(crate) use theirs::Unused;
 
 use super::document::Document;
-use super::library::Library;
+use super::library::LibraryPanel;
 use super::tab::Tab;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -25,13 +25,13 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The robots. A clone is the same robots.
 #[derive(Clone)]
-pub(crate) struct Robots(Arc<Fields>);
+pub(crate) struct RobotsPanel(Arc<RobotsFields>);
 
 /// The state of the robots that the page shows.
-pub(crate) struct Fields {
+pub(crate) struct RobotsFields {
     tab: Tab,
     document: Document,
-    library: Library,
+    library: LibraryPanel,
     /// Every robot, oldest first.
     pub(crate) all: ArcRwSignal<Vec<RobotState>>,
     /// The one that this tab looks at.
@@ -51,39 +51,39 @@ pub(crate) struct Fields {
     pub(crate) has_values: ArcRwSignal<bool>,
     /// `performance.now()`, renewed twice a second while the open behaviour runs; for "quiet for 3 s".
     pub(crate) clock: ArcRwSignal<f64>,
-    state: Mutex<State>,
+    state: Mutex<RobotsState>,
 }
 
 /// The state that is not shown itself.
 #[derive(Default)]
-struct State {
+struct RobotsState {
     /// The robot that this tab wants to look at, if somebody chose.
     wanted: Option<Id>,
     /// The robot whose room and values the server tells.
     watched: Option<Id>,
     /// The wish that is put to the robot as soon as everything is saved.
-    when_saved: Option<starting::Wish>,
+    when_saved: Option<starting::StartIntent>,
     /// The run the live values belong to.
     run: u64,
     /// Values that wait to be shown, while nothing shall change often.
     held: Option<Values>,
     /// The version of the open behaviour that runs, if it runs, and what it has of what was changed since.
-    version: Option<unused::Version>,
-    before: unused::Before,
+    version: Option<unused::RobotVersion>,
+    before: unused::RecordsBefore,
     authors: theirs::Authors,
 }
 
-impl Deref for Robots {
-    type Target = Fields;
-    fn deref(&self) -> &Fields {
+impl Deref for RobotsPanel {
+    type Target = RobotsFields;
+    fn deref(&self) -> &RobotsFields {
         &self.0
     }
 }
 
-impl Robots {
+impl RobotsPanel {
     /// No robot yet.
-    pub(super) fn new(tab: Tab, document: Document, library: Library) -> Self {
-        Self(Arc::new(Fields {
+    pub(super) fn new(tab: Tab, document: Document, library: LibraryPanel) -> Self {
+        Self(Arc::new(RobotsFields {
             tab,
             document,
             library,
@@ -101,7 +101,7 @@ impl Robots {
         }))
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, RobotsState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -1,6 +1,6 @@
 //! The state of this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
-use super::{Carried, Gap, Pasted, Spot};
+use super::{CarriedItem, Gap, NewSpot, Pasted};
 use crate::link::{self, NoAnswer};
 use crate::words;
 use behaviour::connectors::Spec;
@@ -33,7 +33,7 @@ pub(crate) enum LinkEnd {
 
 /// Something of the graph to choose from a list, where the graph is shown.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Choice {
+pub(crate) enum GraphChoice {
     /// An action for this stream.
     Action(Id),
     /// The gap between a stream and a connector that takes from it.
@@ -49,9 +49,9 @@ pub(crate) enum Choice {
 pub(crate) enum Dialog {
     /// The thesis's Operation dialog: a new connector out of `input`, or the existing `connector`. `kind` is the one
     /// that is chosen at first; a new one goes to `spot`.
-    Operation { input: Id, connector: Option<Id>, kind: &'static Spec, spot: Spot },
+    Operation { input: Id, connector: Option<Id>, kind: &'static Spec, spot: NewSpot },
     /// Choosing what comes next at a place of the graph.
-    Choose(Choice),
+    Choose(GraphChoice),
     /// Name and parameters of a stream.
     EditStream(Id),
     /// Choosing a sense.
@@ -125,11 +125,11 @@ pub(crate) struct Gone {
 
 /// This tab. A clone is the same tab.
 #[derive(Clone, Default)]
-pub(crate) struct Tab(Arc<Fields>);
+pub(crate) struct Tab(Arc<TabFields>);
 
 /// The state of the tab that the page shows.
 #[derive(Default)]
-pub(crate) struct Fields {
+pub(crate) struct TabFields {
     pub(crate) online: ArcRwSignal<LinkState>,
     /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
     pub(crate) unheard: ArcRwSignal<Option<u32>>,
@@ -147,9 +147,9 @@ pub(crate) struct Fields {
     /// The words that only screen readers are told, as everybody else sees it.
     pub(crate) whisper: ArcRwSignal<String>,
     /// A choice that is to be offered where the graph is shown.
-    pub(crate) asked: ArcRwSignal<Option<Choice>>,
+    pub(crate) asked: ArcRwSignal<Option<GraphChoice>>,
     /// The thing that a hand takes out of the left list.
-    pub(crate) carried: ArcRwSignal<Option<Carried>>,
+    pub(crate) carried: ArcRwSignal<Option<CarriedItem>>,
     /// The program of which the exercise is put away.
     pub(crate) put_away: ArcRwSignal<Option<Id>>,
     /// At which step of the tour this person is, while they take it.
@@ -165,8 +165,8 @@ pub(crate) struct Fields {
 }
 
 impl Deref for Tab {
-    type Target = Fields;
-    fn deref(&self) -> &Fields {
+    type Target = TabFields;
+    fn deref(&self) -> &TabFields {
         &self.0
     }
 }

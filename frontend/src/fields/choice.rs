@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// What may be chosen, as `(in files, for people)`.
-pub(crate) type Options = Vec<(String, String)>;
+pub(crate) type ChoiceOptions = Vec<(String, String)>;
 
 const SEGMENTS_MAX: usize = 5;
 const SEGMENTS_CHARS_MAX: usize = 44;
@@ -16,7 +16,7 @@ static GROUPS: AtomicU32 = AtomicU32::new(0);
 #[component]
 pub(crate) fn Choice(
     #[prop(into)] label: String,
-    options: Options,
+    options: ChoiceOptions,
     value: RwSignal<String>,
     /// Whether few stand side by side however long their words are.
     #[prop(optional)]
@@ -31,7 +31,7 @@ pub(crate) fn Choice(
 }
 
 #[component]
-fn Segments(label: String, options: Options, value: RwSignal<String>) -> impl IntoView {
+fn Segments(label: String, options: ChoiceOptions, value: RwSignal<String>) -> impl IntoView {
     let group = format!("choice-{}", GROUPS.fetch_add(1, Ordering::Relaxed));
     let segment = move |(key, words): (String, String)| {
         let (chosen, key_now) = (key.clone(), key.clone());
@@ -60,7 +60,7 @@ fn Segments(label: String, options: Options, value: RwSignal<String>) -> impl In
 #[component]
 pub(crate) fn Select(
     #[prop(into)] label: String,
-    #[prop(into)] options: Signal<Options>,
+    #[prop(into)] options: Signal<ChoiceOptions>,
     value: RwSignal<String>,
 ) -> impl IntoView {
     let option = move |(key, words): (String, String)| {

@@ -3,7 +3,7 @@
 use super::{Choice, NumberField, TextField, Unfilled};
 use crate::desk::use_desk;
 use crate::words;
-use behaviour::{Filled, Params, Value};
+use behaviour::{FillFrom, Params, Value};
 use leptos::prelude::*;
 use robot::{Device, Param, ParamKind};
 
@@ -11,11 +11,11 @@ use robot::{Device, Param, ParamKind};
 #[derive(Clone)]
 pub(crate) struct ParamForm {
     device: &'static Device,
-    rows: Vec<Row>,
+    rows: Vec<ParamRow>,
 }
 
 #[derive(Clone)]
-struct Row {
+struct ParamRow {
     param: &'static Param,
     /// What is saved, and how that is shown.
     saved: ArcRwSignal<(Value, String)>,
@@ -27,7 +27,7 @@ impl ParamForm {
     pub(crate) fn new(device: &'static Device, given: &Params) -> Self {
         let row = |param: &'static Param| {
             let saved = saved_of(param, given);
-            Row { param, text: ArcRwSignal::new(saved.1.clone()), saved: ArcRwSignal::new(saved) }
+            ParamRow { param, text: ArcRwSignal::new(saved.1.clone()), saved: ArcRwSignal::new(saved) }
         };
         Self { device, rows: device.params.iter().map(row).collect() }
     }
@@ -52,7 +52,7 @@ impl ParamForm {
     /// # Errors
     /// If something does not fit.
     pub(crate) fn read(&self) -> Result<Params, Unfilled> {
-        self.rows.iter().try_for_each(Row::in_two_ways)?;
+        self.rows.iter().try_for_each(ParamRow::in_two_ways)?;
         let params: Params = self.rows.iter().map(|row| (row.param.name.to_owned(), row.value())).filled();
         self.device.check(&params).map(|()| params).map_err(|reason| Unfilled::Param(reason.to_string()))
     }
@@ -65,7 +65,7 @@ fn saved_of(param: &Param, given: &Params) -> (Value, String) {
     (value, shown)
 }
 
-impl Row {
+impl ParamRow {
     fn follow(&self, saved: (Value, String)) {
         let untouched = self.saved.with_untracked(|before| self.text.with_untracked(|text| *text == before.1));
         if untouched && self.text.with_untracked(|text| *text != saved.1) {

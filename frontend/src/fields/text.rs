@@ -1,6 +1,6 @@
 //! One line of text, and a number with its unit.
 
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use leptos::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wasm_bindgen::JsCast;

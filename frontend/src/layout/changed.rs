@@ -1,7 +1,7 @@
 //! The words for a change, as its history tells it: "Close ball: 40 → 60 cm".
 
 use super::was::{called, sources, what_it_was};
-use crate::words::{self, Deed};
+use crate::words::{self, HistoryWords};
 use behaviour::{Behaviour, Connector, Edit, Id, Kind, Record, RecordId, StreamKind};
 use protocol::HistoryLine;
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ type UnitOf<'a> = &'a dyn Fn(&Id) -> &'static str;
 
 /// Says what somebody did with a line of the history: by what it changed where the line holds that, else by its label.
 /// A thing that has another name today is called as today.
-pub(crate) fn done(now: &Behaviour, line: &HistoryLine, unit: UnitOf) -> Deed {
+pub(crate) fn done(now: &Behaviour, line: &HistoryLine, unit: UnitOf) -> HistoryWords {
     let Some(again) = words::taken_back(&line.label) else {
         return of_edits(now, &line.edits, unit).unwrap_or_else(|| words::deed(&line.label));
     };
@@ -26,7 +26,7 @@ pub(crate) fn done(now: &Behaviour, line: &HistoryLine, unit: UnitOf) -> Deed {
 }
 
 /// Says what these edits did, if they are of a kind that is told.
-fn of_edits(now: &Behaviour, edits: &[Edit], unit: UnitOf) -> Option<Deed> {
+fn of_edits(now: &Behaviour, edits: &[Edit], unit: UnitOf) -> Option<HistoryWords> {
     let (was, is) = (with(now, edits, |edit| &edit.before), with(now, edits, |edit| &edit.after));
     if let Some(led) = led(edits) {
         return Some(told_led(&is, led));
@@ -45,7 +45,7 @@ fn of_edits(now: &Behaviour, edits: &[Edit], unit: UnitOf) -> Option<Deed> {
     Some(told_changed(&was, &is, one, unit))
 }
 
-fn told_changed(was: &Behaviour, is: &Behaviour, edit: &Edit, unit: UnitOf) -> Deed {
+fn told_changed(was: &Behaviour, is: &Behaviour, edit: &Edit, unit: UnitOf) -> HistoryWords {
     let name = named(is, &edit.id);
     let (before, after) = (what_it_was(was, is, &edit.id), what_it_was(is, was, &edit.id));
     match (&edit.before, &edit.after) {
@@ -125,7 +125,7 @@ fn led(edits: &[Edit]) -> Option<Led<'_>> {
     }
 }
 
-fn told_led(is: &Behaviour, Led { connector, is_new }: Led) -> Deed {
+fn told_led(is: &Behaviour, Led { connector, is_new }: Led) -> HistoryWords {
     let (from, output) = (sources(is, connector), is.stream(&connector.output));
     let name = output.map_or_else(|| words::not_there().to_owned(), |stream| stream.name.clone());
     let is_action = output.is_some_and(|stream| stream.kind == StreamKind::Actuator);

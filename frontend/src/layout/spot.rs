@@ -4,7 +4,7 @@ use super::{
     CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, TIDY_VALUE_ROOM, Tidy, VALUE_ROOM, WIDTH_MAX, chip_width, chip_words,
     snapped, stream_width,
 };
-use behaviour::{Behaviour, Connector, Filled, Graph, Id, Place, Stream, StreamKind};
+use behaviour::{Behaviour, Connector, FillFrom, Graph, Id, Place, Stream, StreamKind};
 use std::collections::BTreeMap;
 
 /// The number of spots that are tried to the sides before the next level is.
@@ -23,16 +23,16 @@ const IN_A_ROW: usize = 6;
 
 /// Room that something takes.
 #[derive(Clone, Copy, Debug)]
-struct Room {
+struct TakenSpace {
     left: f64,
     right: f64,
     top: f64,
     bottom: f64,
 }
 
-impl Room {
+impl TakenSpace {
     /// A stream with its live value, and the chips that lead to it.
-    fn of(place: Place, size: Size) -> [Self; 2] {
+    fn of(place: Place, size: SpotSize) -> [Self; 2] {
         let [half, half_chip] = [size.stream, size.chip].map(|width| width / 2.0);
         let stream = Self {
             left: place.x - half,
@@ -50,7 +50,7 @@ impl Room {
         [stream, chip]
     }
 
-    fn meets(&self, other: &Room) -> bool {
+    fn meets(&self, other: &TakenSpace) -> bool {
         let apart = self.right + GAP <= other.left
             || other.right + GAP <= self.left
             || self.bottom + 20.0 <= other.top
@@ -61,12 +61,12 @@ impl Room {
 
 /// The width of a stream, and of the widest of the chips that lead to it (0 without any).
 #[derive(Clone, Copy, Debug)]
-struct Size {
+struct SpotSize {
     stream: f64,
     chip: f64,
 }
 
-impl Size {
+impl SpotSize {
     fn of<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> Self {
         let chip = into.map(|connector| chip_width(&chip_words(connector))).fold(0.0, f64::max);
         Self { stream: stream_width(stream), chip }
@@ -99,13 +99,13 @@ pub(crate) fn free_spot(
     }
     let x = sources.iter().map(|place| place.x).sum::<f64>() / sources.len() as f64;
     let y = sources.iter().map(|place| place.y).fold(f64::MIN, f64::max) + LEVEL;
-    let size = Size::of(stream, std::iter::once(connector));
+    let size = SpotSize::of(stream, std::iter::once(connector));
     let taken = taken(behaviour, places);
     let wanted = snapped(Place { x, y });
     // Branches stand in the order in which they were made, from left to right: what is new comes behind its siblings.
     let last = last_sibling(behaviour, places, connector);
     let wanted = Place { x: last.map_or(wanted.x, |last| wanted.x.max(last)), ..wanted };
-    let side = if last.is_some() { Side::RightFirst } else { Side::Nearest };
+    let side = if last.is_some() { SpotSide::RightFirst } else { SpotSide::Nearest };
     let row = if stream.kind == StreamKind::Actuator { row_of_actions(behaviour, places, wanted.y) } else { None };
     row.and_then(|row| in_row(&taken, Place { y: row, ..wanted }, wanted.y, size, side))
         .unwrap_or_else(|| beside(&taken, wanted, size, side))
@@ -121,14 +121,14 @@ fn last_sibling(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, connector: 
 
 /// To which side of the wanted spot something stands that finds no room there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+enum SpotSide {
     /// Wherever it is nearer.
     Nearest,
     /// To the right if there is room not far from there.
     RightFirst,
 }
 
-impl Side {
+impl SpotSide {
     /// Returns the steps to the right of the wanted spot that are tried, one after the other.
     fn steps(self, most: i32) -> impl Iterator<Item = f64> {
         let first = if self == Self::RightFirst { 0..most.min(RIGHT_STEPS) } else { 0..0 };
@@ -145,10 +145,10 @@ fn row_of_actions(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, below: f6
 }
 
 /// A free spot in a row where nothing stands between it and the row below the sources either.
-fn in_row(taken: &[Room], wanted: Place, from: f64, size: Size, side: Side) -> Option<Place> {
+fn in_row(taken: &[TakenSpace], wanted: Place, from: f64, size: SpotSize, side: SpotSide) -> Option<Place> {
     let is_free = |place: &Place| {
-        let [stream, chip] = Room::of(*place, size);
-        let way = Room { top: from - CHIP_HEIGHT, ..chip };
+        let [stream, chip] = TakenSpace::of(*place, size);
+        let way = TakenSpace { top: from - CHIP_HEIGHT, ..chip };
         taken.iter().all(|other| [stream, way].iter().all(|room| !room.meets(other)))
     };
     side.steps(IN_ROW_STEPS).map(|step| Place { x: wanted.x + step * STEP, ..wanted }).find(is_free)
@@ -161,14 +161,14 @@ pub(crate) fn free_sensor_spot(behaviour: &Behaviour, places: &BTreeMap<Id, Plac
     let row = places.values().filter(|place| (place.y - y).abs() < STREAM_HEIGHT);
     let right = row.map(|place| place.x).fold(f64::MIN, f64::max);
     let x = if places.is_empty() { 0.0 } else { right + SENSOR_STEP };
-    let size = Size::of(stream, std::iter::empty());
-    beside(&taken(behaviour, places), snapped(Place { x, y }), size, Side::Nearest)
+    let size = SpotSize::of(stream, std::iter::empty());
+    beside(&taken(behaviour, places), snapped(Place { x, y }), size, SpotSide::Nearest)
 }
 
 /// The wanted spot, else the nearest free one to its sides, else one lower.
-fn beside(taken: &[Room], wanted: Place, size: Size, side: Side) -> Place {
+fn beside(taken: &[TakenSpace], wanted: Place, size: SpotSize, side: SpotSide) -> Place {
     let is_free = |place: &Place| {
-        let rooms = Room::of(*place, size);
+        let rooms = TakenSpace::of(*place, size);
         taken.iter().all(|other| rooms.iter().all(|room| !room.meets(other)))
     };
     let levels = (0..4).flat_map(|level| side.steps(SIDE_STEPS).map(move |step| (step, f64::from(level))));
@@ -176,12 +176,12 @@ fn beside(taken: &[Room], wanted: Place, size: Size, side: Side) -> Place {
     spots.find(is_free).unwrap_or(wanted)
 }
 
-fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<Room> {
+fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<TakenSpace> {
     let graph = Graph::of(behaviour);
     let rooms = behaviour.streams().filter_map(|(id, stream)| {
         let into = graph.into_stream(id);
-        let size = Size::of(stream, into.iter().map(|(_, connector)| *connector));
-        Some(Room::of(*places.get(id)?, size))
+        let size = SpotSize::of(stream, into.iter().map(|(_, connector)| *connector));
+        Some(TakenSpace::of(*places.get(id)?, size))
     });
     rooms.flatten().collect()
 }

@@ -2,8 +2,8 @@
 
 use super::snapped;
 use super::spot::reach;
-use behaviour::layout::{Shape, arranged};
-use behaviour::{Behaviour, Filled, Graph, Id, Place, StreamKind};
+use behaviour::layout::{LaidOut, arranged};
+use behaviour::{Behaviour, FillFrom, Graph, Id, Place, StreamKind};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A place for every stream: senses in the top row of their part, actions in its bottom one; branches keep their order.
@@ -11,11 +11,11 @@ pub(crate) fn tidy(behaviour: &Behaviour, stage: (f64, f64)) -> BTreeMap<Id, Pla
     let streams = behaviour.streams_in_order();
     let graph = Graph::of(behaviour);
     let number: HashMap<&Id, usize> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).filled();
-    let shapes: Vec<Shape> = streams
+    let shapes: Vec<LaidOut> = streams
         .iter()
         .map(|(id, stream)| {
             let (left, right) = reach(stream, graph.into_stream(id).iter().map(|(_, connector)| *connector));
-            Shape { left, right, acts: stream.kind == StreamKind::Actuator, stood: behaviour.place(id) }
+            LaidOut { left, right, acts: stream.kind == StreamKind::Actuator, stood: behaviour.place(id) }
         })
         .collect();
     let places = arranged(&shapes, &edges(behaviour, &number), stage);

@@ -2,7 +2,7 @@
 
 use super::hold::hold;
 use super::may::may_operate;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
@@ -67,7 +67,7 @@ fn number_of(event: &KeyboardEvent) -> Option<usize> {
 }
 
 /// What stands on the button that a stream senses, if it is one. Reactive.
-fn label(desk: super::hold::Hold, id: &Id) -> Option<String> {
+fn label(desk: super::hold::DeskHold, id: &Id) -> Option<String> {
     let stream = desk.desk().document.stream(id)?;
     let stream = stream.record.read();
     let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;

@@ -1,6 +1,6 @@
 //! Several things that are chosen, a note or a group, in the right column.
 
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::inspector::{device_icon, kind_class};
 use super::may::{MayNot, may_edit};
 use super::note_field::{author_color, written_by};
@@ -46,7 +46,7 @@ fn Chosen() -> impl IntoView {
 }
 
 /// A thing by its name; pressed, it alone is chosen.
-fn row(desk: Hold, what: Selected) -> impl IntoView {
+fn row(desk: DeskHold, what: Selected) -> impl IntoView {
     let (icon, class, name) = shown(desk, &what);
     let go = move |_| desk.desk().document.choose([what.clone()].into());
     let title = name.clone();
@@ -59,7 +59,7 @@ fn row(desk: Hold, what: Selected) -> impl IntoView {
 }
 
 /// The icon of something, the class of that, and its name. Reactive.
-fn shown(desk: Hold, what: &Selected) -> (Option<&'static str>, String, String) {
+fn shown(desk: DeskHold, what: &Selected) -> (Option<&'static str>, String, String) {
     let document = desk.desk().document;
     let plain = |icon, name| (Some(icon), "kind plain".to_owned(), name);
     let found = match what {

@@ -28,7 +28,7 @@ mod waiting;
 pub(crate) use save_file::NoPicture;
 
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use crate::desk::Dialog;
 use crate::later::{NotHere, second_piece};
 use crate::words;
@@ -69,7 +69,7 @@ fn Coming() -> impl IntoView {
 }
 
 /// Refused changes are shown one after the other, as soon as no other dialog is open.
-fn show_refused(desk: Hold, open: Memo<Option<Dialog>>) {
+fn show_refused(desk: DeskHold, open: Memo<Option<Dialog>>) {
     let next = Memo::new(move |_| desk.desk().document.next_conflict());
     Effect::new(move |_| {
         if let (None, Some(op)) = (open.get(), next.get()) {
@@ -79,7 +79,7 @@ fn show_refused(desk: Hold, open: Memo<Option<Dialog>>) {
 }
 
 /// In place of the editor of something about which one has still to decide, the comparison.
-fn undecided(desk: Hold, dialog: Dialog) -> Dialog {
+fn undecided(desk: DeskHold, dialog: Dialog) -> Dialog {
     let about = match &dialog {
         Dialog::Operation { connector: Some(id), .. } | Dialog::EditStream(id) => id,
         _ => return dialog,

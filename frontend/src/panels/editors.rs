@@ -1,6 +1,6 @@
 //! Says aloud, once, when somebody else begins to edit something.
 
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use crate::layout::chip_words;
 use crate::words;
 use behaviour::{Kind, RecordId};
@@ -25,7 +25,7 @@ pub(crate) fn Editors() -> impl IntoView {
     view! { <p class="sr" role="status">{move || text.get()}</p> }
 }
 
-fn sentence(desk: Hold, record: &RecordId, name: &str) -> Option<String> {
+fn sentence(desk: DeskHold, record: &RecordId, name: &str) -> Option<String> {
     let document = desk.desk().document;
     let what = match record.kind {
         Kind::Stream => document.stream(&record.id)?.record.with_untracked(|stream| stream.name.clone()),

@@ -3,7 +3,7 @@
 mod sketch;
 
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::language::OtherLanguage;
 use super::may::{MayNot, may_edit};
 use super::teaching::take_tour;
@@ -100,7 +100,7 @@ fn Library() -> impl IntoView {
 }
 
 /// Whether a program runs on any robot. Reactive.
-fn runs_now(desk: Hold, id: &str) -> bool {
+fn runs_now(desk: DeskHold, id: &str) -> bool {
     let is_it = |run: &protocol::RunState| run.phase == RunPhase::Running && run.behaviour.as_str() == id;
     desk.desk().robots.runs.read().iter().any(is_it)
 }

@@ -2,7 +2,7 @@
 
 use super::focus;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::steps::{Offer, Step};
 use crate::words;
 use leptos::prelude::*;

@@ -1,7 +1,7 @@
 //! Where the keyboard is: walking through a group with arrow keys, and what can be focused in a dialog.
 
 use crate::desk::{Desk, Selected};
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::later::once_here;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -32,9 +32,9 @@ pub(crate) fn is_nowhere() -> bool {
 }
 
 /// Where the keyboard was when something was begun whose end comes a moment later.
-pub(crate) struct Before(Option<HtmlElement>);
+pub(crate) struct FocusBefore(Option<HtmlElement>);
 
-impl Before {
+impl FocusBefore {
     /// Where it is now.
     pub(crate) fn now() -> Self {
         Self(active())
@@ -57,16 +57,16 @@ impl Before {
 
 /// Does something with what a selector finds, `ms` milliseconds later, unless somebody went elsewhere until then.
 pub(crate) fn soon(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'static) {
-    look_after(ms, (Before::now(), selector.to_owned()), act);
+    look_after(ms, (FocusBefore::now(), selector.to_owned()), act);
 }
 
 /// As `soon`, for what is of the second piece of the page, however long that takes.
 pub(crate) fn soon_of_second_piece(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'static) {
-    let looked_for = (Before::now(), selector.to_owned());
+    let looked_for = (FocusBefore::now(), selector.to_owned());
     once_here(move || look_after(ms, looked_for, act));
 }
 
-fn look_after(ms: i32, (before, selector): (Before, String), act: impl FnOnce(&HtmlElement) + 'static) {
+fn look_after(ms: i32, (before, selector): (FocusBefore, String), act: impl FnOnce(&HtmlElement) + 'static) {
     crate::browser::after(ms, move || {
         let found = document().and_then(|document| document.query_selector(&selector).ok().flatten());
         if let Some(found) = found.filter(|_| !before.is_over()).and_then(|found| found.dyn_into().ok()) {

@@ -6,13 +6,13 @@ mod rows;
 mod sittings;
 
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::may::{MayNot, may_edit};
 use crate::browser;
-use crate::desk::{LinkState, Version};
+use crate::desk::{LinkState, OpenVersion};
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::layout::done;
 use crate::words;
 use behaviour::Id;
@@ -22,7 +22,7 @@ use leptos::prelude::*;
 use naming::Naming;
 use protocol::{HistoryLine, Person};
 use rows::{EditingNow, Row};
-use sittings::{Entry, Here, Known, entries};
+use sittings::{HistoryScope, ReaderClock, SittingEntry, entries};
 use std::collections::{BTreeMap, BTreeSet};
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
@@ -48,7 +48,7 @@ fn HistoryPanel() -> impl IntoView {
         }
     });
     end_from_outside(desk);
-    let row = move |entry: Entry| view! { <Row entry unfolded /> };
+    let row = move |entry: SittingEntry| view! { <Row entry unfolded /> };
     let name_it = move |_| names.set(Some(meant(desk)));
     view! {
         <section class="history" aria-label=words::history() node_ref=root on:keydown=move |event| key(&event, desk, names)>
@@ -79,21 +79,21 @@ fn HistoryPanel() -> impl IntoView {
 }
 
 /// Whether this person may change something, and the server hears it. Reactive.
-fn may_change(desk: Hold) -> bool {
+fn may_change(desk: DeskHold) -> bool {
     may_edit(desk) && desk.desk().online.get() == LinkState::Online
 }
 
 /// What the people who are here are called now. Reactive.
-fn called_now(desk: Hold) -> BTreeMap<Id, String> {
+fn called_now(desk: DeskHold) -> BTreeMap<Id, String> {
     let called = |person: &Person| (person.client.clone(), person.name.clone());
     desk.desk().document.people.with(|people| people.iter().map(called).collect())
 }
 
 /// What the panel shows, newest first. Reactive.
-fn lines(desk: Hold, unfolded: &BTreeSet<u64>, names: BTreeMap<Id, String>) -> Vec<Entry> {
+fn lines(desk: DeskHold, unfolded: &BTreeSet<u64>, names: BTreeMap<Id, String>) -> Vec<SittingEntry> {
     let desk = desk.desk();
     let me = desk.me.get();
-    let here = Here {
+    let here = ReaderClock {
         now_ms: browser::today_ms(),
         me: me.as_ref().map(|me| &me.client),
         my_name: me.as_ref().map_or("", |me| &me.name),
@@ -105,7 +105,7 @@ fn lines(desk: Hold, unfolded: &BTreeSet<u64>, names: BTreeMap<Id, String>) -> V
     // Names and units are those of now: a later change may have given others, and comes with a line of its own.
     let behaviour = untrack(|| desk.document.behaviour());
     let done = |line: &HistoryLine| done(&behaviour, line, &|id| untrack(|| desk.document.unit(id)));
-    entries(&lines, &versions, unfolded, &here, Known { names, done: &done })
+    entries(&lines, &versions, unfolded, &here, HistoryScope { names, done: &done })
 }
 
 /// What comes after the last line: older changes on demand, or that there are none.
@@ -130,7 +130,7 @@ fn End() -> impl IntoView {
 }
 
 /// The version that is meant now: of the line with the keyboard, else the one that is looked at, else the newest.
-fn meant(desk: Hold) -> u64 {
+fn meant(desk: DeskHold) -> u64 {
     let row = focus::active().and_then(|row| row.get_attribute("data-revision")).and_then(|text| text.parse().ok());
     let document = &desk.desk().document;
     let looked_at = document.comparing.with_untracked(|now| now.as_ref().map(|now| now.was));
@@ -138,16 +138,16 @@ fn meant(desk: Hold) -> u64 {
 }
 
 /// Looks at a version, or no longer if it is looked at already.
-fn choose(desk: Hold, revision: u64) {
+fn choose(desk: DeskHold, revision: u64) {
     let document = desk.desk().document;
     if document.comparing.with_untracked(|now| now.as_ref().is_some_and(|now| now.was == revision)) {
         document.end_comparing();
     } else {
-        document.compare(revision, Version::Now);
+        document.compare(revision, OpenVersion::Now);
     }
 }
 
-fn key(event: &KeyboardEvent, desk: Hold, names: RwSignal<Option<u64>>) {
+fn key(event: &KeyboardEvent, desk: DeskHold, names: RwSignal<Option<u64>>) {
     let target = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
     let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "SELECT"));
     let with_others = event.ctrl_key() || event.meta_key() || event.alt_key();
@@ -163,7 +163,7 @@ fn key(event: &KeyboardEvent, desk: Hold, names: RwSignal<Option<u64>>) {
 }
 
 /// Ends what was begun last: a name, comparing, the panel.
-fn end_next(desk: Hold, names: RwSignal<Option<u64>>) {
+fn end_next(desk: DeskHold, names: RwSignal<Option<u64>>) {
     if names.get_untracked().is_some() {
         names.set(None);
         back_to_lines();
@@ -175,7 +175,7 @@ fn end_next(desk: Hold, names: RwSignal<Option<u64>>) {
 }
 
 /// Escape ends comparing from everywhere on the page where it means nothing else.
-fn end_from_outside(desk: Hold) {
+fn end_from_outside(desk: DeskHold) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
         let desk = desk.desk();
         escape::may_end(&event, || {
@@ -190,7 +190,7 @@ fn end_from_outside(desk: Hold) {
     on_cleanup(move || handle.remove());
 }
 
-fn close(desk: Hold) {
+fn close(desk: DeskHold) {
     desk.desk().document.end_comparing();
     desk.desk().shows_history.set(false);
     if let Some(button) = focus::by_id("history-button").filter(|button| button.offset_width() > 0) {

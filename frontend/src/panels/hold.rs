@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 /// The desk, for the closures of one component.
 #[derive(Clone, Copy)]
-pub(crate) struct Hold(StoredValue<Desk, LocalStorage>);
+pub(crate) struct DeskHold(StoredValue<Desk, LocalStorage>);
 
 thread_local! {
     /// The page has one desk. What a component began, like an answer that comes late, may outlive the component.
@@ -16,15 +16,15 @@ thread_local! {
 }
 
 /// The desk, held by the component that is being made.
-pub(crate) fn hold() -> Hold {
+pub(crate) fn hold() -> DeskHold {
     let desk = use_desk();
     DESK.with_borrow_mut(|kept| {
         kept.get_or_insert_with(|| desk.clone());
     });
-    Hold(StoredValue::new_local(desk))
+    DeskHold(StoredValue::new_local(desk))
 }
 
-impl Hold {
+impl DeskHold {
     /// The desk itself.
     pub(crate) fn desk(self) -> Desk {
         let kept = || DESK.with_borrow(Option::clone);

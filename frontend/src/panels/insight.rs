@@ -6,8 +6,8 @@ use crate::icons::Icon;
 use crate::words;
 use behaviour::{Graph, Id, Stream, StreamKind};
 use leptos::prelude::*;
-use protocol::{Driver, Reply, Request};
-use robot::Missing;
+use protocol::{ActionDriver, Reply, Request};
+use robot::UnfitStream;
 
 /// How many streams or programs are named.
 const SHOWN_MAX: usize = 5;
@@ -57,7 +57,7 @@ pub(crate) fn AlsoUsed(record: Memo<Stream>) -> impl IntoView {
 #[component]
 fn OtherPrograms(action: String) -> impl IntoView {
     let desk = hold();
-    let found: RwSignal<(Vec<Driver>, u64)> = RwSignal::new((Vec::new(), 0));
+    let found: RwSignal<(Vec<ActionDriver>, u64)> = RwSignal::new((Vec::new(), 0));
     let open = desk.desk().document.open.get_untracked();
     desk.desk().look_up(Request::Drivers { actuator: action.clone() }, move |answer| {
         if let Ok(Reply::Drivers { drivers, total }) = answer {
@@ -67,7 +67,7 @@ fn OtherPrograms(action: String) -> impl IntoView {
             found.try_set((others, total.saturating_sub(here)));
         }
     });
-    let line = move |driver: Driver| {
+    let line = move |driver: ActionDriver| {
         let from = (!driver.sensors.is_empty()).then(|| words::from_senses(&words::listed(&driver.sensors)));
         let open = move |_| desk.desk().document.open_program(&driver.behaviour);
         view! {
@@ -108,7 +108,7 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
             missing
         })
     });
-    let line = move |missing: Missing| {
+    let line = move |missing: UnfitStream| {
         let (text, id) = (words::told_by(&missing), missing.stream);
         let label = words::titled(words::select(), &text);
         let select = move |_| desk.desk().document.selected.set(Some(Selected::Stream(id.clone())));

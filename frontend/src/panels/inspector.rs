@@ -6,14 +6,14 @@ mod settings;
 use super::chosen::{GroupPanel, NotePanel};
 use super::control::ConnectorControl;
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::insight::{AlsoUsed, Below};
 use super::may::{MayNot, may_edit, may_operate};
 use super::problems::{ProblemList, Problems, problem_count};
 use super::remove::RemoveButton;
-use super::trials::{self, Question, TrialTable};
+use super::trials::{self, TrialQuestion, TrialTable};
 use super::uses::Uses;
-use crate::desk::{ConnectorSignals, Dialog, Selected, Spot, StreamSignals};
+use crate::desk::{ConnectorSignals, Dialog, NewSpot, Selected, StreamSignals};
 use crate::icons::Icon;
 use crate::later::Later;
 use crate::layout::what_it_is;
@@ -217,7 +217,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
 pub(crate) fn edit_dialog(id: &Id, connector: &Connector) -> Dialog {
     let kind = connector.operation.spec();
     let input = connector.inputs.first().unwrap_or(&connector.output).clone();
-    Dialog::Operation { input, connector: Some(id.clone()), kind, spot: Spot::default() }
+    Dialog::Operation { input, connector: Some(id.clone()), kind, spot: NewSpot::default() }
 }
 
 /// The procedure of a connector as text.
@@ -229,7 +229,7 @@ fn procedure_text(connector: &Connector) -> Option<String> {
 }
 
 /// What a connector's procedure is asked. Reactive.
-pub(super) fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
+pub(super) fn question_of(desk: DeskHold, connector: &Connector) -> Option<TrialQuestion> {
     let desk = desk.desk();
     let spec = connector.operation.spec();
     let is_test = spec.is_test();
@@ -241,13 +241,13 @@ pub(super) fn question_of(desk: Hold, connector: &Connector) -> Option<Question>
             let names: Vec<String> = names.collect();
             let derived = || spec.argument_names(names.iter().map(String::as_str));
             let arguments = args.clone().unwrap_or_else(derived);
-            Some(Question { arguments, body: body.clone(), inputs, before, is_test })
+            Some(TrialQuestion { arguments, body: body.clone(), inputs, before, is_test })
         }
         Procedure::Helper(name) => {
             let helpers = desk.library.helpers.get();
             let (_, helper) = helpers.into_iter().find(|(_, helper)| helper.name == *name)?;
             let fits = helper.params.len() == spec.argument_count(inputs.len());
-            fits.then_some(Question { arguments: helper.params, body: helper.body, inputs, before, is_test })
+            fits.then_some(TrialQuestion { arguments: helper.params, body: helper.body, inputs, before, is_test })
         }
     }
 }

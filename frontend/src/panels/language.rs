@@ -1,7 +1,7 @@
 //! Which language the page speaks, and choosing the other one: as chosen before, else as the browser is set
 //! (`static/boot.js`, which fetches the words before anything is shown).
 
-use crate::browser::{self, Keep};
+use crate::browser::{self, Drawer};
 use crate::words;
 use leptos::prelude::*;
 use sentences::Language;
@@ -16,7 +16,7 @@ pub(crate) fn language() -> Language {
 
 /// Chooses it, for later too. The page opens again where it is: what is not saved yet is kept over that.
 fn choose(language: Language) {
-    Keep::Browser.put(CHOSEN, language.code());
+    Drawer::Browser.put(CHOSEN, language.code());
     if let Some(window) = browser::window() {
         let _ = window.location().reload();
     }

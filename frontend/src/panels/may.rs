@@ -1,6 +1,6 @@
 //! What one may not do is shown disabled, and beside it why.
 
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use leptos::prelude::*;
 use protocol::Role;
 
@@ -13,16 +13,16 @@ pub(crate) fn MayNot(#[prop(default = Role::Editor)] least: Role) -> impl IntoVi
 }
 
 /// Whether this person may edit. Reactive.
-pub(crate) fn may_edit(desk: Hold) -> bool {
+pub(crate) fn may_edit(desk: DeskHold) -> bool {
     desk.desk().may(Role::Editor)
 }
 
 /// Whether this person may run things on robots and use their rooms. Reactive.
-pub(crate) fn may_operate(desk: Hold) -> bool {
+pub(crate) fn may_operate(desk: DeskHold) -> bool {
     desk.desk().may(Role::Operator)
 }
 
 /// The title of something that needs a role: what it does, or why one may not.
-pub(crate) fn title_or_why(desk: Hold, least: Role, title: &str) -> String {
+pub(crate) fn title_or_why(desk: DeskHold, least: Role, title: &str) -> String {
     desk.desk().may_not(least).unwrap_or(title).to_owned()
 }

@@ -3,7 +3,7 @@
 use crate::browser;
 use crate::desk::{Desk, EditSession, use_desk};
 use crate::escape;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::focus;
 use crate::words;
 use behaviour::{Id, Kind, Note, RecordId};

@@ -19,7 +19,7 @@ mod starting;
 mod tiles;
 mod trouble;
 
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use crate::browser;
 use crate::words;
 use behaviour::Id;
@@ -36,20 +36,20 @@ const TICK_MS: i32 = 250;
 
 /// What the parts of the page share.
 #[derive(Clone, Copy)]
-struct Op {
-    desk: Hold,
+struct OperateShared {
+    desk: DeskHold,
     /// The time since 1970 by this computer's clock, in milliseconds, renewed four times a second.
     now: RwSignal<f64>,
     /// The run whose time is known, and when it began by this computer's clock.
     began: RwSignal<Option<(u64, f64)>>,
     /// The nine tiles.
-    pad: Memo<Vec<pad::Tile>>,
+    pad: Memo<Vec<pad::PadTile>>,
     /// What became of the newest press of each tile.
-    presses: RwSignal<Vec<press::Pressed>>,
+    presses: RwSignal<Vec<press::PressedTile>>,
     /// The presses of everybody within the last two minutes.
-    seen: RwSignal<VecDeque<seen::Seen>>,
+    seen: RwSignal<VecDeque<seen::SeenPress>>,
     /// The marks of the run.
-    marks: marks::Marks,
+    marks: marks::SessionMarks,
     /// True while what is asked at Start is open.
     asks: RwSignal<bool>,
     /// The run whose end somebody has read of.
@@ -59,14 +59,14 @@ struct Op {
 /// The operator's page, as a view.
 pub(crate) fn operate() -> AnyView {
     let desk = hold();
-    let op = Op {
+    let op = OperateShared {
         desk,
         now: RwSignal::new(browser::today_ms()),
         began: RwSignal::new(None),
         pad: pad::pad(desk),
         presses: RwSignal::default(),
         seen: RwSignal::default(),
-        marks: marks::Marks::new(),
+        marks: marks::SessionMarks::new(),
         asks: RwSignal::new(false),
         read: RwSignal::new(0),
     };
@@ -113,7 +113,7 @@ fn dress() {
 }
 
 /// Looks at the robot that the address names.
-fn look_at_asked(op: Op) {
+fn look_at_asked(op: OperateShared) {
     let path = browser::window().and_then(|window| window.location().pathname().ok()).unwrap_or_default();
     let named = path.strip_prefix(OPERATE_PATH).and_then(|rest| Id::new(rest.trim_matches('/')).ok());
     let Some(named) = named else { return };
@@ -128,7 +128,7 @@ fn look_at_asked(op: Op) {
 }
 
 /// Opens the program that runs on the robot, where somebody comes while one does, and whenever none is open.
-fn follow_what_runs(op: Op) {
+fn follow_what_runs(op: OperateShared) {
     Effect::new(move |came: Option<bool>| {
         let desk = op.desk.desk();
         let running = desk.robots.runs_here().into_iter().rfind(|run| run.phase == RunPhase::Running);
@@ -148,7 +148,7 @@ fn follow_what_runs(op: Op) {
 }
 
 /// What ended before somebody came here, or by the Stop of this page, is no news.
-fn forget_own_stops(op: Op) {
+fn forget_own_stops(op: OperateShared) {
     let ran = StoredValue::new(0);
     Effect::new(move |_| {
         let Some(last) = op.last() else { return };
@@ -170,7 +170,7 @@ fn stop_was_pressed() -> bool {
     form.is_some_and(|state| !state.is_empty())
 }
 
-impl Op {
+impl OperateShared {
     /// True while nothing that is known of the robot is sure: the server is silent, or its link to the robot is lost. Reactive.
     fn is_quiet(self) -> bool {
         self.desk.desk().unheard.read().is_some()

@@ -9,7 +9,7 @@ mod tree;
 
 use super::empty::EmptyStage;
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::may::may_edit;
 use super::problems::problem_count;
 use crate::canvas::{PaperTitle, pasted};
@@ -23,11 +23,11 @@ use leptos::prelude::*;
 pub(crate) use row_menu::row_menu;
 use rows::{ConnectorRow, StreamRow};
 use std::time::Duration;
-use tree::{Node, What};
+use tree::{OutlineNode, OutlineRowKind};
 use web_sys::FocusOptions;
 
 /// What is opened is shown from its beginning, and has the keyboard if nothing else has it.
-fn begin_at_top(desk: Hold) {
+fn begin_at_top(desk: DeskHold) {
     Effect::new(move |before: Option<Option<Id>>| {
         let open = desk.desk().document.open.get();
         if open.is_some() && before.is_some_and(|before| before != open) {
@@ -85,13 +85,13 @@ fn Outline() -> impl IntoView {
     if let Ok(handle) = set_interval(move || tick.update(|tick| *tick += 1), Duration::from_secs(1)) {
         on_cleanup(move || handle.clear());
     }
-    let row = move |node: Node| {
+    let row = move |node: OutlineNode| {
         let indent = format!("{}px", node.depth.min(8) * 22);
         let inside = match node.what {
-            What::Stream(id) => view! { <StreamRow id again=node.again tick /> }.into_any(),
-            What::Connector(id) => view! { <ConnectorRow id /> }.into_any(),
-            What::Group(id) => view! { <GroupRow id /> }.into_any(),
-            What::Note(id) => view! { <NoteRow id /> }.into_any(),
+            OutlineRowKind::Stream(id) => view! { <StreamRow id again=node.again tick /> }.into_any(),
+            OutlineRowKind::Connector(id) => view! { <ConnectorRow id /> }.into_any(),
+            OutlineRowKind::Group(id) => view! { <GroupRow id /> }.into_any(),
+            OutlineRowKind::Note(id) => view! { <NoteRow id /> }.into_any(),
         };
         view! { <li style:padding-left=indent><span class="sr">{words::level(node.depth + 1)}</span>{inside}</li> }
     };

@@ -1,14 +1,14 @@
 //! The left list: find or add senses, helpers and actions.
 
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::inspector::{device_icon, kind_class};
 use super::may::{MayNot, may_edit};
-use super::typed::Typing;
-use crate::desk::{Carried, ConnectPlan, Desk, Dialog, Item, Output, Selected, Spot};
+use super::typed::SentenceField;
+use crate::desk::{CarriedItem, ConnectPlan, Desk, Dialog, ListItem, NewSpot, Output, Selected};
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::later::Later;
 use crate::words;
 use behaviour::{Id, Params, Procedure, StreamKind, connectors};
@@ -26,7 +26,7 @@ const WORD_MIN: usize = 3;
 #[component]
 pub(crate) fn Palette() -> impl IntoView {
     let desk = hold();
-    let typing = Typing::new();
+    let typing = SentenceField::new();
     let search = typing.text;
     let may_be_sentence = Memo::new(move |_| is_longer(&search.read()));
     let key = move |event: web_sys::KeyboardEvent| {
@@ -89,7 +89,7 @@ pub(crate) fn Palette() -> impl IntoView {
 }
 
 /// A pointer went down on something of the list, which may become a way to the graph. The canvas hears what comes of it.
-fn take_up(desk: Hold, event: &PointerEvent, item: Item) {
+fn take_up(desk: DeskHold, event: &PointerEvent, item: ListItem) {
     let desk = desk.desk();
     let may = untrack(|| desk.document.open.read().is_some() && desk.may(protocol::Role::Editor));
     // From a dialog nothing is carried: the graph lies behind it.
@@ -99,12 +99,12 @@ fn take_up(desk: Hold, event: &PointerEvent, item: Item) {
     }
     let at = (f64::from(event.client_x()), f64::from(event.client_y()));
     let by_finger = event.pointer_type() == "touch";
-    desk.carried.set(Some(Carried::pressed(item, event.pointer_id(), at, by_finger)));
+    desk.carried.set(Some(CarriedItem::pressed(item, event.pointer_id(), at, by_finger)));
 }
 
 /// While a finger carries something the list does not scroll.
-fn keep_list(desk: Hold, event: &web_sys::TouchEvent) {
-    let held = desk.desk().carried.with_untracked(|carried| carried.as_ref().is_some_and(Carried::is_held));
+fn keep_list(desk: DeskHold, event: &web_sys::TouchEvent) {
+    let held = desk.desk().carried.with_untracked(|carried| carried.as_ref().is_some_and(CarriedItem::is_held));
     if held && event.cancelable() {
         event.prevent_default();
     }
@@ -133,20 +133,20 @@ fn is_named_in(sentence: &str, names: &[&str]) -> bool {
 }
 
 /// Whether something is found by what is typed: a name, or a sentence in which it is named. Reactive.
-pub(super) fn is_found(typing: Typing, names: &[&str]) -> bool {
+pub(super) fn is_found(typing: SentenceField, names: &[&str]) -> bool {
     let text = typing.text.read();
     if typing.open.get() { is_named_in(&text, names) } else { matches(&text, names) }
 }
 
 /// Over the list, while a sentence is typed.
 #[component]
-pub(super) fn AlsoFound(typing: Typing) -> impl IntoView {
+pub(super) fn AlsoFound(typing: SentenceField) -> impl IntoView {
     view! { <Show when=move || typing.open.get()><p class="also">{words::also_found()}</p></Show> }
 }
 
 /// The heading of a part of the list; while a sentence is typed, only over something.
 #[component]
-pub(super) fn Heading(typing: Typing, text: &'static str, none: Signal<bool>) -> impl IntoView {
+pub(super) fn Heading(typing: SentenceField, text: &'static str, none: Signal<bool>) -> impl IntoView {
     view! { <Show when=move || !(typing.open.get() && none.get())><h2>{text}</h2></Show> }
 }
 
@@ -157,7 +157,7 @@ fn technical(plain: &str, name: &str) -> Option<impl IntoView + use<>> {
 }
 
 #[component]
-fn Senses(typing: Typing) -> impl IntoView {
+fn Senses(typing: SentenceField) -> impl IntoView {
     let desk = hold();
     let item = move |device: &'static Device| {
         let closed = move || (desk.desk().document.open.read().is_none() || !may_edit(desk)).to_string();
@@ -169,7 +169,7 @@ fn Senses(typing: Typing) -> impl IntoView {
         let label = words::add_named(words::device(device));
         view! {
             <button class="item" type="button" data-stop="" tabindex="-1" title=words::device_says(device) aria-label=label
-                aria-disabled=closed on:click=add on:pointerdown=move |event| take_up(desk, &event, Item::Sense(device))>
+                aria-disabled=closed on:click=add on:pointerdown=move |event| take_up(desk, &event, ListItem::Sense(device))>
                 <span class="kind sensor"><Icon name=device.icon /></span>
                 <span class="named"><span class="cut">{words::device(device)}</span> {technical(words::device(device), device.name)}</span>
             </button>
@@ -186,7 +186,7 @@ fn Senses(typing: Typing) -> impl IntoView {
 }
 
 #[component]
-pub(super) fn Helpers(typing: Typing) -> impl IntoView {
+pub(super) fn Helpers(typing: SentenceField) -> impl IntoView {
     let desk = hold();
     let item = move |(id, helper): (Id, behaviour::Helper)| {
         let name = helper.name.clone();
@@ -200,7 +200,7 @@ pub(super) fn Helpers(typing: Typing) -> impl IntoView {
         let technical = technical(&plain, &helper.name);
         view! {
             <button class="item" type="button" data-stop="" tabindex="-1" title=words::translated(&helper.says)
-                on:click=edit on:pointerdown=move |event| take_up(desk, &event, Item::Helper(carried.clone()))>
+                on:click=edit on:pointerdown=move |event| take_up(desk, &event, ListItem::Helper(carried.clone()))>
                 <span class="kind plain"><Icon name="fx" /></span>
                 <span class="named"><span class="cut">{plain}</span> {technical}</span>
                 {used}
@@ -221,7 +221,7 @@ pub(super) fn Helpers(typing: Typing) -> impl IntoView {
 
 /// The streams of the open program, while something is looked for.
 #[component]
-pub(super) fn Here(typing: Typing) -> impl IntoView {
+pub(super) fn Here(typing: SentenceField) -> impl IntoView {
     let desk = hold();
     let found = move || {
         if typing.text.read().trim().is_empty() {
@@ -266,7 +266,7 @@ fn nearness(typed: &str, name: &str) -> u8 {
 }
 
 /// The stream that Enter goes to: the one that is called so, else the first that is found, unless a sentence is typed. Reactive.
-fn goes_to(desk: Hold, typing: Typing) -> Option<Id> {
+fn goes_to(desk: DeskHold, typing: SentenceField) -> Option<Id> {
     let typed = typing.text.read();
     if typed.trim().is_empty() {
         return None;
@@ -280,12 +280,12 @@ fn goes_to(desk: Hold, typing: Typing) -> Option<Id> {
 }
 
 /// How many connectors of the open program use a helper. Reactive.
-pub(crate) fn uses_of(desk: Hold, helper: &str) -> usize {
+pub(crate) fn uses_of(desk: DeskHold, helper: &str) -> usize {
     users_of(desk, helper).len()
 }
 
 /// The connectors of the open program that use a helper. Reactive.
-pub(crate) fn users_of(desk: Hold, helper: &str) -> Vec<Id> {
+pub(crate) fn users_of(desk: DeskHold, helper: &str) -> Vec<Id> {
     let desk = desk.desk();
     let ids = desk.document.connector_ids.get();
     let uses = |id: &Id| {
@@ -299,7 +299,7 @@ pub(crate) fn users_of(desk: Hold, helper: &str) -> Vec<Id> {
 }
 
 #[component]
-pub(super) fn Actions(typing: Typing) -> impl IntoView {
+pub(super) fn Actions(typing: SentenceField) -> impl IntoView {
     let desk = hold();
     let source = Memo::new(move |_| selected_source(desk));
     let item = move |device: &'static Device| {
@@ -308,7 +308,7 @@ pub(super) fn Actions(typing: Typing) -> impl IntoView {
             <button class="item" type="button" data-stop="" tabindex="-1" title=words::device_says(device) aria-label=label
                 aria-disabled=move || source.read().is_none().to_string()
                 on:click=move |_| subscribe(desk, source.get_untracked(), device)
-                on:pointerdown=move |event| take_up(desk, &event, Item::Action(device))>
+                on:pointerdown=move |event| take_up(desk, &event, ListItem::Action(device))>
                 <span class="kind actuator"><Icon name=device.icon /></span>
                 <span class="named"><span class="cut">{words::device(device)}</span> {technical(words::device(device), device.name)}</span>
             </button>
@@ -329,14 +329,14 @@ pub(super) fn Actions(typing: Typing) -> impl IntoView {
 }
 
 /// The selected stream, if something can come out of it. Reactive.
-fn selected_source(desk: Hold) -> Option<Id> {
+fn selected_source(desk: DeskHold) -> Option<Id> {
     let desk = desk.desk();
     let Some(Selected::Stream(id)) = desk.document.selected.get() else { return None };
     let record = desk.document.stream(&id)?.record;
     (record.read().kind != StreamKind::Actuator && desk.may(protocol::Role::Editor)).then_some(id)
 }
 
-fn subscribe(desk: Hold, source: Option<Id>, device: &'static Device) {
+fn subscribe(desk: DeskHold, source: Option<Id>, device: &'static Device) {
     if let Some(input) = source {
         lead_to_action(&desk.desk(), input, device);
     }
@@ -346,8 +346,12 @@ fn subscribe(desk: Hold, source: Option<Id>, device: &'static Device) {
 pub(crate) fn lead_to_action(desk: &Desk, input: Id, device: &'static Device) {
     let name = desk.document.name_for(words::device(device));
     let output = Output::New { name, device: Some(device.name.to_owned()), params: Params::new() };
-    let plan =
-        ConnectPlan { operation: connectors::to_action().with(()), inputs: vec![input], output, spot: Spot::default() };
+    let plan = ConnectPlan {
+        operation: connectors::to_action().with(()),
+        inputs: vec![input],
+        output,
+        spot: NewSpot::default(),
+    };
     desk.document.connect(plan, |_| {});
 }
 

@@ -1,6 +1,6 @@
 //! The people in the program, each with a sign of their own: one's own changes one's name, another's follows them.
 
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use crate::desk::{Dialog, Sign};
 use crate::words;
 use behaviour::Id;
@@ -41,7 +41,7 @@ pub(super) fn People() -> impl IntoView {
 }
 
 /// Everyone, or oneself where nothing is open. Reactive.
-fn everyone(desk: Hold) -> Vec<Sign> {
+fn everyone(desk: DeskHold) -> Vec<Sign> {
     let desk = desk.desk();
     let signs = desk.document.signs();
     let me = desk.me.get();
@@ -97,12 +97,12 @@ fn More(class: &'static str, #[prop(into)] more: Signal<usize>) -> impl IntoView
 }
 
 /// Whether this person is followed from here.
-pub(super) fn is_followed(desk: Hold, client: Id) -> Memo<bool> {
+pub(super) fn is_followed(desk: DeskHold, client: Id) -> Memo<bool> {
     Memo::new(move |_| desk.desk().document.following.with(|now| now.as_ref() == Some(&client)))
 }
 
 /// Follows somebody, or no longer.
-pub(super) fn follow_or_end(desk: Hold, client: &Id) {
+pub(super) fn follow_or_end(desk: DeskHold, client: &Id) {
     let document = desk.desk().document;
     let is_followed = document.following.with_untracked(|now| now.as_ref() == Some(client));
     if is_followed {

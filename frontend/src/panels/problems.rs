@@ -1,10 +1,10 @@
 //! Problems as sentences, each with a link to the element that has it.
 
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::insight::OnThisRobot;
 use super::may::may_edit;
-use crate::desk::{Choice, Selected};
+use crate::desk::{GraphChoice, Selected};
 use crate::icons::Icon;
 use crate::words;
 use behaviour::{Fix, FixKind, Id, Kind, Problem, ProblemKind};
@@ -45,7 +45,7 @@ pub(crate) fn Problems() -> impl IntoView {
 }
 
 /// How much is wrong with the open program, or fails on the robot. Reactive.
-pub(crate) fn problem_count(desk: Hold) -> usize {
+pub(crate) fn problem_count(desk: DeskHold) -> usize {
     desk.desk().document.problems.read().len() + desk.desk().robots.failing.read().len()
 }
 
@@ -180,7 +180,7 @@ pub(crate) fn ProblemLine(
 }
 
 /// What a fix does; a helper as people call it.
-fn fix_words(desk: Hold, kind: &FixKind) -> String {
+fn fix_words(desk: DeskHold, kind: &FixKind) -> String {
     let called = |name: &String| {
         let helpers = desk.desk().library.helpers.get_untracked();
         let known = helpers.iter().find(|(_, helper)| helper.name == *name);
@@ -194,18 +194,18 @@ fn fix_words(desk: Hold, kind: &FixKind) -> String {
 }
 
 /// What people do next about something that is not finished, and how it is called.
-fn step_of(problem: &Problem) -> Option<(&'static str, Choice)> {
+fn step_of(problem: &Problem) -> Option<(&'static str, GraphChoice)> {
     let id = problem.at.id.clone();
     match problem.kind {
-        ProblemKind::Unused => Some((words::add_an_action(), Choice::Action(id))),
-        ProblemKind::NoSource => Some((words::connect(), Choice::Sources(id))),
+        ProblemKind::Unused => Some((words::add_an_action(), GraphChoice::Action(id))),
+        ProblemKind::NoSource => Some((words::connect(), GraphChoice::Sources(id))),
         _ => None,
     }
 }
 
 /// Asks for the next step where the graph is shown.
 #[component]
-fn Step(label: &'static str, choice: Choice) -> impl IntoView {
+fn Step(label: &'static str, choice: GraphChoice) -> impl IntoView {
     let desk = hold();
     view! {
         <button class="link fix" type="button" on:click=move |_| desk.desk().asked.set(Some(choice.clone()))>{label}</button>

@@ -2,7 +2,7 @@
 
 use super::buttons::Buttons;
 use super::condition::Lights;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::recordings::{RecordRow, Recordings};
 use super::robots::RobotPicker;
 use super::running::Running;
@@ -75,7 +75,7 @@ fn Fails() -> impl IntoView {
 }
 
 /// What is true of the lamp now: a silent server says nothing about the robot. Reactive.
-fn lamp_now(desk: Hold) -> (&'static str, String) {
+fn lamp_now(desk: DeskHold) -> (&'static str, String) {
     let desk = desk.desk();
     if let Some(seconds) = desk.unheard.get() {
         return ("unheard", words::last_heard(seconds));
@@ -150,7 +150,7 @@ fn Start() -> impl IntoView {
 }
 
 /// Why Start has to wait. Reactive.
-fn why_not(desk: Hold) -> Option<String> {
+fn why_not(desk: DeskHold) -> Option<String> {
     let desk = desk.desk();
     if let Some(why) = desk.may_not(Role::Operator) {
         return Some(why.to_owned());
@@ -229,7 +229,7 @@ fn revoked_starter((behaviour, by): (Id, String)) -> impl IntoView {
 }
 
 /// What Start runs, and on which robot. Reactive.
-fn starts(desk: Hold) -> String {
+fn starts(desk: DeskHold) -> String {
     let document = &desk.desk().document;
     let acts = |id: &Id| document.stream(id).is_some_and(|stream| stream.record.read().kind == StreamKind::Actuator);
     if !document.stream_ids.read().iter().any(acts) {
@@ -239,7 +239,7 @@ fn starts(desk: Hold) -> String {
 }
 
 /// How the last run of this program ended, or what else runs. Reactive.
-fn last_words(desk: Hold) -> Option<String> {
+fn last_words(desk: DeskHold) -> Option<String> {
     match last_phase(desk) {
         Some(RunPhase::Paused(why)) => return Some(words::paused(why.trim_end_matches('.'))),
         Some(RunPhase::Faulted(why)) => return Some(words::ended(why.trim_end_matches('.'))),
@@ -252,12 +252,12 @@ fn last_words(desk: Hold) -> Option<String> {
 }
 
 /// Whether somebody who said who they are, and is not oneself, pressed Stop. Reactive.
-fn is_somebody_else(desk: Hold, by: &str) -> bool {
+fn is_somebody_else(desk: DeskHold, by: &str) -> bool {
     by != STOP_BUTTON && desk.desk().me.with(|me| me.as_ref().is_none_or(|me| me.name != by))
 }
 
 /// How the last run of this program is, or ended. Reactive.
-fn last_phase(desk: Hold) -> Option<RunPhase> {
+fn last_phase(desk: DeskHold) -> Option<RunPhase> {
     let desk = desk.desk();
     let open = desk.document.open.get()?;
     let last: RunState = desk.robots.runs_here().into_iter().rfind(|run| run.behaviour == open)?;

@@ -1,6 +1,6 @@
 //! Which robot this page looks at: its name in the robot box opens the list of all.
 
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::may::may_operate;
 use super::menu::{Menu, MenuItem};
 use super::robot_box::lamp_words;
@@ -102,7 +102,7 @@ fn Controls() -> impl IntoView {
     view! { <div class="menu-rule" role="separator"></div> {shown} }
 }
 
-fn item(desk: Hold, robot: RobotState) -> impl IntoView {
+fn item(desk: DeskHold, robot: RobotState) -> impl IntoView {
     let runs = desk.desk().robots.runs.get_untracked();
     let runs = runs.iter().filter(|run| run.robot == robot.robot && run.phase == RunPhase::Running);
     let runs: Vec<_> = runs.map(|run| run.name.clone()).collect();

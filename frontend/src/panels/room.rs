@@ -14,7 +14,7 @@ use crate::words;
 pub(crate) use camera::{CameraPicture, camera};
 
 use leptos::prelude::*;
-use map::Map;
+use map::RoomMap;
 use movable::Movable;
 use robot::SceneEdit;
 
@@ -43,9 +43,9 @@ pub(crate) fn Room() -> impl IntoView {
 pub(crate) fn RoomPicture() -> impl IntoView {
     let desk = hold();
     let held = RwSignal::new(None);
-    let map = Memo::new(move |old: Option<&Map>| match (held.read().is_some(), old) {
+    let map = Memo::new(move |old: Option<&RoomMap>| match (held.read().is_some(), old) {
         (true, Some(old)) => *old,
-        _ => Map::of(&desk.desk().robots.scene.read()),
+        _ => RoomMap::of(&desk.desk().robots.scene.read()),
     });
     let svg = NodeRef::<leptos::svg::Svg>::new();
     let hint =
@@ -85,10 +85,10 @@ pub(crate) fn room_tools() -> AnyView {
 }
 
 /// Which thing is held and where it is shown meanwhile, in metres.
-type Held = RwSignal<Option<(String, [f32; 3])>>;
+type HeldThing = RwSignal<Option<(String, [f32; 3])>>;
 
 #[component]
-fn Balls(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl IntoView {
+fn Balls(map: Memo<RoomMap>, held: HeldThing, svg: NodeRef<leptos::svg::Svg>) -> impl IntoView {
     let desk = hold();
     let ids = Memo::new(move |_| {
         let desk = desk.desk();
@@ -118,7 +118,7 @@ fn Balls(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl Int
 }
 
 #[component]
-fn People(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl IntoView {
+fn People(map: Memo<RoomMap>, held: HeldThing, svg: NodeRef<leptos::svg::Svg>) -> impl IntoView {
     let desk = hold();
     let ids = Memo::new(move |_| {
         let desk = desk.desk();

@@ -2,7 +2,7 @@
 
 use super::focus;
 use crate::browser;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent};

@@ -8,9 +8,9 @@ mod warned;
 mod which;
 
 use super::focus;
-use super::hold::{Hold, Soon, hold};
+use super::hold::{DeskHold, Soon, hold};
 use super::language::language;
-use crate::browser::{self, Keep};
+use crate::browser::{self, Drawer};
 use crate::canvas::Stage;
 use crate::desk::{Desk, Lit, Selected};
 use crate::icons::Icon;
@@ -40,9 +40,9 @@ const HEIGHT: &str = "--told";
 /// How many fields of the bar are open. Until none is, the sentences stay as they are: what somebody else does moves no
 /// field away from who types in it.
 #[derive(Clone, Copy)]
-struct Typing(RwSignal<u32>);
+struct OpenFields(RwSignal<u32>);
 
-impl Typing {
+impl OpenFields {
     fn begins(self) {
         self.0.update(|open| *open += 1);
     }
@@ -66,10 +66,10 @@ pub(crate) fn told() -> AnyView {
 fn Told() -> impl IntoView {
     let desk = hold();
     let language = language();
-    let typing = Typing(RwSignal::new(0));
+    let typing = OpenFields(RwSignal::new(0));
     provide_context(typing);
     let told = told_signal(desk, language, typing);
-    let folded = RwSignal::new(Keep::Browser.get(FOLDED).is_some());
+    let folded = RwSignal::new(Drawer::Browser.get(FOLDED).is_some());
     let whole = RwSignal::new(false);
     let printing = Memo::new(move |_| desk.desk().printing.get());
     let shown = Memo::new(move |_| {
@@ -87,7 +87,7 @@ fn Told() -> impl IntoView {
     let fold = move |_| {
         let fold = !folded.get_untracked();
         folded.set(fold);
-        if fold { Keep::Browser.put(FOLDED, "1") } else { Keep::Browser.drop(FOLDED) }
+        if fold { Drawer::Browser.put(FOLDED, "1") } else { Drawer::Browser.drop(FOLDED) }
     };
     on_cleanup(move || desk.desk().document.lit.set(Lit::default()));
     let warned = Warned::new();
@@ -167,7 +167,7 @@ fn walk(event: web_sys::KeyboardEvent) {
 
 /// How many sentences there are, where not all of them are shown.
 #[component]
-fn Summary(desk: Hold, shown: Memo<Which>, whole: RwSignal<bool>) -> impl IntoView {
+fn Summary(desk: DeskHold, shown: Memo<Which>, whole: RwSignal<bool>) -> impl IntoView {
     let line = move || {
         let shown = shown.get();
         let name = desk.desk().document.selected.with(|selected| name_of(&desk.desk(), selected.as_ref()?));
@@ -192,7 +192,7 @@ fn Summary(desk: Hold, shown: Memo<Which>, whole: RwSignal<bool>) -> impl IntoVi
 }
 
 /// What is told, made again soon after each change of the program or of a helper.
-fn told_signal(desk: Hold, language: Language, typing: Typing) -> RwSignal<Vec<Sentence>> {
+fn told_signal(desk: DeskHold, language: Language, typing: OpenFields) -> RwSignal<Vec<Sentence>> {
     let told = RwSignal::new(Vec::new());
     let of = StoredValue::new(None::<Id>);
     let make = move || {
@@ -229,7 +229,7 @@ fn told_signal(desk: Hold, language: Language, typing: Typing) -> RwSignal<Vec<S
 }
 
 /// What streams carry is asked again soon after what is saved has changed.
-fn ask_types(desk: Hold) {
+fn ask_types(desk: DeskHold) {
     let soon = Soon::new(move || {
         if let Some(desk) = desk.if_there() {
             desk.document.ask_types();

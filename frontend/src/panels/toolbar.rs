@@ -1,7 +1,7 @@
 //! The bar: the program's name and how saving goes, the thesis's tools in their order, undo, redo and the people.
 
 use super::focus;
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::language::OtherLanguage;
 use super::may::{may_edit, title_or_why};
 use super::menu::Menu;
@@ -71,7 +71,7 @@ pub(crate) fn Toolbar() -> impl IntoView {
 }
 
 /// Tells the browser's clock once when there is something to work with: a program, or the library.
-pub(super) fn mark_usable(desk: Hold) {
+pub(super) fn mark_usable(desk: DeskHold) {
     let told = StoredValue::new(false);
     Effect::new(move |_| {
         if desk.desk().is_usable() && !told.get_value() {
@@ -85,7 +85,7 @@ pub(super) fn mark_usable(desk: Hold) {
 
 /// Leaves the words of the tools away while there is no room for them: how much they need is known only where they are, by
 /// the letters of the computer, the language and how many people are here.
-fn keep_in_window(desk: Hold, tools: NodeRef<Div>) {
+fn keep_in_window(desk: DeskHold, tools: NodeRef<Div>) {
     let measure = move || {
         let Some(tools) = tools.try_get_untracked().flatten() else { return };
         let classes = tools.class_list();
@@ -150,7 +150,7 @@ fn ProgramName() -> impl IntoView {
     }
 }
 
-fn is_offline(desk: Hold) -> bool {
+fn is_offline(desk: DeskHold) -> bool {
     let desk = desk.desk();
     desk.unheard.read().is_some()
         || desk.online.get() == LinkState::Offline
@@ -158,7 +158,7 @@ fn is_offline(desk: Hold) -> bool {
         || !desk.document.conflicts_here().is_empty()
 }
 
-fn saving_line(desk: Hold) -> String {
+fn saving_line(desk: DeskHold) -> String {
     let desk = desk.desk();
     match (desk.online.get(), desk.document.saving.get()) {
         (_, Saving::Offline(waiting)) => words::offline(waiting),
@@ -224,7 +224,7 @@ fn Back() -> impl IntoView {
 }
 
 /// Whether this person can take something back. Reactive.
-fn can_undo(desk: Hold) -> bool {
+fn can_undo(desk: DeskHold) -> bool {
     desk.desk().may(Role::Editor) && desk.desk().can_undo()
 }
 
@@ -242,7 +242,7 @@ fn HistoryButton() -> impl IntoView {
     }
 }
 
-fn shows_history(desk: Hold) -> bool {
+fn shows_history(desk: DeskHold) -> bool {
     let desk = desk.desk();
     desk.shows_history.get() && desk.document.open.read().is_some()
 }
@@ -275,7 +275,7 @@ fn InviteButton() -> impl IntoView {
 }
 
 /// The person at the server's computer, once the server said that it is them. Reactive.
-fn may_invite(desk: Hold) -> bool {
+fn may_invite(desk: DeskHold) -> bool {
     desk.desk().role.get() == Some(Role::Host)
 }
 

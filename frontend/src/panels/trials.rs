@@ -1,6 +1,6 @@
 //! What a procedure makes of the newest real values: asked of the server while somebody writes or looks.
 
-use super::hold::{Hold, Soon, hold};
+use super::hold::{DeskHold, Soon, hold};
 pub(crate) use crate::live::LAST_MAX as SETS_MAX;
 use crate::live::short_value;
 use crate::words;
@@ -13,7 +13,7 @@ const SOON_MS: i32 = 200;
 
 /// A procedure and the streams it takes from.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Question {
+pub(crate) struct TrialQuestion {
     pub(crate) arguments: Vec<String>,
     pub(crate) body: String,
     pub(crate) inputs: Vec<Id>,
@@ -28,10 +28,10 @@ pub(crate) struct Question {
 pub(crate) struct Trial {
     /// The values, one an argument.
     pub(crate) values: Vec<String>,
-    pub(crate) from: Origin,
+    pub(crate) from: TrialOrigin,
     pub(crate) result: String,
     /// Whether the value passes, or that it failed.
-    pub(crate) mark: Mark,
+    pub(crate) mark: TrialMark,
 }
 
 impl Trial {
@@ -43,7 +43,7 @@ impl Trial {
 
 /// Where the values of a trial are from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Origin {
+pub(crate) enum TrialOrigin {
     /// What flows now.
     Now,
     /// What flowed last, before it was stopped.
@@ -54,7 +54,7 @@ pub(crate) enum Origin {
     Example,
 }
 
-impl Origin {
+impl TrialOrigin {
     fn words(self) -> &'static str {
         match self {
             Self::Now => words::now(),
@@ -67,7 +67,7 @@ impl Origin {
 
 /// How a trial went.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mark {
+pub(crate) enum TrialMark {
     Passes,
     /// It does not pass.
     Left,
@@ -77,7 +77,7 @@ pub(crate) enum Mark {
 
 /// The answers so far.
 #[derive(Clone)]
-pub(crate) struct Answers {
+pub(crate) struct TrialAnswers {
     /// Why the procedure cannot run at all.
     pub(crate) error: ArcRwSignal<Option<String>>,
     pub(crate) trials: ArcRwSignal<Vec<Trial>>,
@@ -89,8 +89,8 @@ pub(crate) struct Answers {
 }
 
 /// Keeps asking while the question or the values change.
-pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
-    let answers = Answers::none(true);
+pub(crate) fn ask(question: Memo<Option<TrialQuestion>>) -> TrialAnswers {
+    let answers = TrialAnswers::none(true);
     let desk = hold();
     let told = answers.clone();
     let soon = Soon::new(move || {
@@ -115,13 +115,13 @@ pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
 }
 
 /// Keeps asking about values that somebody writes down.
-pub(crate) fn ask_on(question: Memo<(Question, Vec<Vec<Value>>)>) -> Answers {
-    let answers = Answers::none(false);
+pub(crate) fn ask_on(question: Memo<(TrialQuestion, Vec<Vec<Value>>)>) -> TrialAnswers {
+    let answers = TrialAnswers::none(false);
     let desk = hold();
     let told = answers.clone();
     let soon = Soon::new(move || {
         if let (Some((asked, sets)), Some(_)) = (question.try_get_untracked(), desk.if_there()) {
-            told.ask(desk, Some(asked), sets.into_iter().map(|set| (Origin::Earlier, set)).collect());
+            told.ask(desk, Some(asked), sets.into_iter().map(|set| (TrialOrigin::Earlier, set)).collect());
         }
     });
     Effect::new(move |_| {
@@ -131,7 +131,7 @@ pub(crate) fn ask_on(question: Memo<(Question, Vec<Vec<Value>>)>) -> Answers {
     answers
 }
 
-impl Answers {
+impl TrialAnswers {
     fn none(flow: bool) -> Self {
         Self {
             error: ArcRwSignal::new(None),
@@ -142,7 +142,7 @@ impl Answers {
         }
     }
 
-    fn ask(&self, desk: Hold, question: Option<Question>, sets: Vec<(Origin, Vec<Value>)>) {
+    fn ask(&self, desk: DeskHold, question: Option<TrialQuestion>, sets: Vec<(TrialOrigin, Vec<Value>)>) {
         let number = self.number.get_untracked() + 1;
         self.number.set(number);
         let Some(question) = question.filter(|question| !question.body.trim().is_empty()) else {
@@ -151,7 +151,7 @@ impl Answers {
             self.unknown.set(None);
             return;
         };
-        let (froms, sets): (Vec<Origin>, Vec<Vec<Value>>) = sets.into_iter().unzip();
+        let (froms, sets): (Vec<TrialOrigin>, Vec<Vec<Value>>) = sets.into_iter().unzip();
         let me = self.clone();
         let whole = |set: &Vec<Value>| question.before.iter().chain(set).cloned().collect();
         let asked = (question.arguments.clone(), question.body.clone(), sets.iter().map(whole).collect());
@@ -183,7 +183,7 @@ fn read_once(trials: impl Iterator<Item = Trial>) -> Vec<Trial> {
 }
 
 /// Values of streams, with their units.
-fn written(desk: Hold, inputs: &[Id], set: &[Value]) -> Vec<String> {
+fn written(desk: DeskHold, inputs: &[Id], set: &[Value]) -> Vec<String> {
     let one = |(at, value): (usize, &Value)| match inputs.get(at) {
         Some(id) => untrack(|| desk.desk().document.measured(id, value)),
         None => short_value(value),
@@ -191,25 +191,25 @@ fn written(desk: Hold, inputs: &[Id], set: &[Value]) -> Vec<String> {
     set.iter().enumerate().map(one).collect()
 }
 
-fn trial(from: Origin, values: Vec<String>, result: Result<Value, String>, is_test: bool) -> Trial {
+fn trial(from: TrialOrigin, values: Vec<String>, result: Result<Value, String>, is_test: bool) -> Trial {
     let (result, mark) = match result {
-        Ok(Value::Bool(true)) if is_test => (words::passes().to_owned(), Mark::Passes),
-        Ok(_) if is_test => (words::stopped().to_owned(), Mark::Left),
-        Ok(value) => (short_value(&value), Mark::Plain),
-        Err(reason) => (words::translated(&reason), Mark::Fails),
+        Ok(Value::Bool(true)) if is_test => (words::passes().to_owned(), TrialMark::Passes),
+        Ok(_) if is_test => (words::stopped().to_owned(), TrialMark::Left),
+        Ok(value) => (short_value(&value), TrialMark::Plain),
+        Err(reason) => (words::translated(&reason), TrialMark::Fails),
     };
     Trial { values, from, result, mark }
 }
 
 /// The newest values of all inputs, then the ones before of a single input; examples where nothing came yet.
-fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
+fn sets(desk: DeskHold, inputs: &[Id]) -> Vec<(TrialOrigin, Vec<Value>)> {
     let newest: Option<Vec<(bool, Value)>> = inputs.iter().map(|id| newest(desk, id)).collect();
     let Some(newest) = newest.filter(|set| !set.is_empty()) else { return Vec::new() };
     let runs = untrack(|| desk.desk().robots.running().is_some() && desk.desk().unheard.read().is_none());
     let from = match (newest.iter().any(|(example, _)| *example), runs) {
-        (true, _) => Origin::Example,
-        (false, true) => Origin::Now,
-        (false, false) => Origin::Last,
+        (true, _) => TrialOrigin::Example,
+        (false, true) => TrialOrigin::Now,
+        (false, false) => TrialOrigin::Last,
     };
     let newest: Vec<Value> = newest.into_iter().map(|(_, value)| value).collect();
     let mut sets = vec![(from, newest)];
@@ -219,7 +219,7 @@ fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
         for value in signals.live.read_untracked().last.iter().rev() {
             let set = vec![value.clone()];
             if sets.len() < SETS_MAX && sets.iter().all(|(_, known)| *known != set) {
-                sets.push((Origin::Earlier, set));
+                sets.push((TrialOrigin::Earlier, set));
             }
         }
     }
@@ -227,16 +227,21 @@ fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
 }
 
 /// At most five sets of values that really came; none where only examples are known.
-pub(crate) fn real_sets(desk: Hold, inputs: &[Id]) -> Vec<Vec<Value>> {
+pub(crate) fn real_sets(desk: DeskHold, inputs: &[Id]) -> Vec<Vec<Value>> {
     let sets = sets(desk, inputs);
-    if sets.iter().any(|(from, _)| *from == Origin::Example) {
+    if sets.iter().any(|(from, _)| *from == TrialOrigin::Example) {
         return Vec::new();
     }
     sets.into_iter().map(|(_, set)| set).collect()
 }
 
 /// Tries a procedure once on sets of values. Not answered where there are none, without a link, or if it cannot run.
-pub(crate) fn try_on(desk: Hold, question: Question, sets: Vec<Vec<Value>>, then: impl FnOnce(Vec<Trial>) + 'static) {
+pub(crate) fn try_on(
+    desk: DeskHold,
+    question: TrialQuestion,
+    sets: Vec<Vec<Value>>,
+    then: impl FnOnce(Vec<Trial>) + 'static,
+) {
     if sets.is_empty() {
         return;
     }
@@ -244,12 +249,12 @@ pub(crate) fn try_on(desk: Hold, question: Question, sets: Vec<Vec<Value>>, then
     let inputs = question.inputs;
     desk.desk().document.check_body(question.arguments, question.body, whole, move |(_, results, _)| {
         let given = sets.iter().map(|set| written(desk, &inputs, set)).zip(results);
-        then(given.map(|(values, result)| trial(Origin::Earlier, values, result, question.is_test)).collect());
+        then(given.map(|(values, result)| trial(TrialOrigin::Earlier, values, result, question.is_test)).collect());
     });
 }
 
 /// The newest value of a stream, or an example, which the first part tells.
-fn newest(desk: Hold, id: &Id) -> Option<(bool, Value)> {
+fn newest(desk: DeskHold, id: &Id) -> Option<(bool, Value)> {
     let signals = desk.desk().document.stream(id)?;
     if let Some(value) = signals.live.read_untracked().value.clone() {
         return Some((false, value));
@@ -262,7 +267,7 @@ fn newest(desk: Hold, id: &Id) -> Option<(bool, Value)> {
 /// The trials in one line: "now 14.2 → passes". While values flow it is always as high, so that nothing under it moves
 /// away from who is about to press it; the earliest are left out where they do not fit.
 #[component]
-pub(crate) fn TrialLine(answers: Answers) -> impl IntoView {
+pub(crate) fn TrialLine(answers: TrialAnswers) -> impl IntoView {
     let desk = hold();
     let flow = answers.flow;
     let steady = move || flow && desk.desk().robots.running().is_some();
@@ -278,15 +283,15 @@ pub(crate) fn TrialLine(answers: Answers) -> impl IntoView {
 
 /// The trials as a table, for the inspector; `unit` is that of what comes out, if it is a number of one.
 #[component]
-pub(crate) fn TrialTable(answers: Answers, unit: Signal<&'static str>) -> impl IntoView {
+pub(crate) fn TrialTable(answers: TrialAnswers, unit: Signal<&'static str>) -> impl IntoView {
     let trials = answers.trials;
     let any = trials.clone();
     let row = move |trial: Trial| {
-        let mark = if trial.mark == Mark::Passes { "✓ " } else { "" };
-        let not_now = matches!(trial.from, Origin::Example | Origin::Last);
+        let mark = if trial.mark == TrialMark::Passes { "✓ " } else { "" };
+        let not_now = matches!(trial.from, TrialOrigin::Example | TrialOrigin::Last);
         let from = not_now.then(|| view! { <span class="faint">{trial.from.words()}" "</span> });
         let given = trial.given();
-        let result = words::with_unit(trial.result, if trial.mark == Mark::Plain { unit.get() } else { "" });
+        let result = words::with_unit(trial.result, if trial.mark == TrialMark::Plain { unit.get() } else { "" });
         view! {
             <tr>
                 <td class="cut" title=given.clone()>{from}{given.clone()}</td>
@@ -307,17 +312,17 @@ pub(crate) fn TrialTable(answers: Answers, unit: Signal<&'static str>) -> impl I
     }
 }
 
-fn class(mark: Mark) -> &'static str {
+fn class(mark: TrialMark) -> &'static str {
     match mark {
-        Mark::Passes => "good",
-        Mark::Plain | Mark::Left => "",
-        Mark::Fails => "bad-text",
+        TrialMark::Passes => "good",
+        TrialMark::Plain | TrialMark::Left => "",
+        TrialMark::Fails => "bad-text",
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Mark, Origin, Trial, read_once};
+    use super::{Trial, TrialMark, TrialOrigin, read_once};
 
     #[test]
     fn what_reads_alike_is_told_once() {
@@ -325,11 +330,11 @@ mod tests {
             values: vec![given.to_owned()],
             from,
             result: result.to_owned(),
-            mark: Mark::Plain,
+            mark: TrialMark::Plain,
         };
-        let now = trial(Origin::Now, "20", "stopped");
-        let other = trial(Origin::Earlier, "20", "passes");
-        let alike = trial(Origin::Earlier, "20", "stopped");
+        let now = trial(TrialOrigin::Now, "20", "stopped");
+        let other = trial(TrialOrigin::Earlier, "20", "passes");
+        let alike = trial(TrialOrigin::Earlier, "20", "stopped");
         let told = read_once([now.clone(), alike, other.clone(), other.clone()].into_iter());
         assert_eq!(told, [now, other], "the newest stays, and what came out differently");
     }

@@ -4,7 +4,7 @@
 mod drafted;
 mod lexicon;
 
-use super::hold::{Hold, hold};
+use super::hold::{DeskHold, hold};
 use super::inspector::kind_class;
 use super::may::may_edit;
 use crate::browser;
@@ -12,14 +12,14 @@ use crate::canvas::clip;
 use crate::words;
 use behaviour::Helper;
 use leptos::prelude::*;
-use lexicon::Words;
-use sentences::{Doubt, Reading, explain, language_of, looks_like_sentence, read, read_speech};
+use lexicon::LexiconState;
+use sentences::{Doubt, TextReading, explain, language_of, looks_like_sentence, read, read_speech};
 use std::ops::Range;
 use wasm_bindgen::JsCast;
 
 /// A field in which a sentence can be typed.
 #[derive(Clone, Copy)]
-pub(crate) struct Typing {
+pub(crate) struct SentenceField {
     pub(crate) text: RwSignal<String>,
     /// Whether what is typed is read as a sentence.
     pub(crate) open: RwSignal<bool>,
@@ -29,7 +29,7 @@ pub(crate) struct Typing {
     pub(crate) scrolled: RwSignal<i32>,
 }
 
-impl Typing {
+impl SentenceField {
     pub(crate) fn new() -> Self {
         let (entered, scrolled) = (RwSignal::new(0), RwSignal::new(0));
         Self { text: RwSignal::default(), open: RwSignal::new(false), entered, scrolled }
@@ -59,18 +59,18 @@ impl Typing {
 }
 
 /// What is made of a typed sentence, as a view.
-pub(crate) fn typed(typing: Typing) -> AnyView {
+pub(crate) fn typed(typing: SentenceField) -> AnyView {
     view! { <Typed typing /> }.into_any()
 }
 
 /// What is made of a typed sentence: doubts, what it would add, and adding it.
 #[component]
-pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>) -> impl IntoView {
+pub(super) fn Typed(typing: SentenceField, #[prop(optional)] done: Option<Callback<()>>) -> impl IntoView {
     let desk = hold();
     let reading = Memo::new(move |_| reading(desk, &typing.text.read()));
     let is_open = Memo::new(move |_| reading.read().is_some());
     let doubt = Memo::new(move |_| reading.read().as_ref().and_then(|reading| reading.doubts.first().cloned()));
-    let ready = Memo::new(move |_| reading.read().as_ref().is_some_and(Reading::is_whole));
+    let ready = Memo::new(move |_| reading.read().as_ref().is_some_and(TextReading::is_whole));
     let understood = Memo::new(move |_| {
         reading.read().as_ref().map_or_else(String::new, |reading| told(desk, &typing.text.read(), reading))
     });
@@ -163,9 +163,9 @@ fn one_line(text: &str) -> String {
 }
 
 /// Words that got a number because nobody said one, each with that number, which can be changed: then the text says it.
-fn vague(typing: Typing, reading: &Option<Reading>) -> Vec<AnyView> {
+fn vague(typing: SentenceField, reading: &Option<TextReading>) -> Vec<AnyView> {
     let whole = reading.iter().filter(|reading| reading.is_whole());
-    let one = |word: sentences::Vague| {
+    let one = |word: sentences::VagueNumber| {
         let said = typing.text.read_untracked().get(word.range.clone()).unwrap_or_default().to_owned();
         let (label, value, unit) = (said.clone(), word.value.to_string(), word.unit);
         let change = move |event: web_sys::Event| {
@@ -194,7 +194,7 @@ fn suggestions(doubt: Doubt, take: impl Fn(&str) + Copy + 'static) -> impl IntoV
 
 /// The typed words once more, under the field: what is not understood has a wave below it.
 #[component]
-fn Mirror(typing: Typing, reading: Memo<Option<Reading>>) -> impl IntoView {
+fn Mirror(typing: SentenceField, reading: Memo<Option<TextReading>>) -> impl IntoView {
     let pieces = move || {
         let text = typing.text.get();
         let doubts = reading.read().as_ref().map(|reading| reading.doubts.clone()).unwrap_or_default();
@@ -215,7 +215,7 @@ fn Mirror(typing: Typing, reading: Memo<Option<Reading>>) -> impl IntoView {
 
 /// The names of what would be new, each with its shape.
 #[component]
-fn WouldAdd(reading: Memo<Option<Reading>>) -> impl IntoView {
+fn WouldAdd(reading: Memo<Option<TextReading>>) -> impl IntoView {
     move || {
         let streams = reading.get().map(|reading| reading.draft.streams).unwrap_or_default();
         let new: Vec<_> = streams.into_iter().filter(|stream| stream.existing.is_none()).collect();
@@ -231,11 +231,11 @@ fn WouldAdd(reading: Memo<Option<Reading>>) -> impl IntoView {
 
 /// True while the words are fetched by which a text is understood.
 fn words_come(text: &str) -> bool {
-    matches!(untrack(|| lexicon::words(language_of(text))), Words::Come)
+    matches!(untrack(|| lexicon::words(language_of(text))), LexiconState::Come)
 }
 
 /// Reads what is typed as a sentence, if it is one and somebody here may edit. Reactive, but for the program itself.
-fn reading(desk: Hold, text: &str) -> Option<Reading> {
+fn reading(desk: DeskHold, text: &str) -> Option<TextReading> {
     let is_open = desk.desk().document.open.read().is_some();
     if !is_open || !may_edit(desk) || !looks_like_sentence(text) {
         return None;
@@ -246,15 +246,15 @@ fn reading(desk: Hold, text: &str) -> Option<Reading> {
         let helpers: Vec<&Helper> = helpers.iter().map(|(_, helper)| helper).collect();
         let language = language_of(text);
         Some(match lexicon::words(language) {
-            Words::Here(lexicon) => read_speech(text, language, lexicon, &helpers, Some(&behaviour)),
-            Words::Come => Reading::default(),
-            Words::Lost => read(text, language, &helpers, Some(&behaviour)),
+            LexiconState::Here(lexicon) => read_speech(text, language, lexicon, &helpers, Some(&behaviour)),
+            LexiconState::Come => TextReading::default(),
+            LexiconState::Lost => read(text, language, &helpers, Some(&behaviour)),
         })
     })
 }
 
 /// What was understood, as it is told; nothing while something is in doubt.
-fn told(desk: Hold, text: &str, reading: &Reading) -> String {
+fn told(desk: DeskHold, text: &str, reading: &TextReading) -> String {
     if !reading.is_whole() {
         return String::new();
     }

@@ -1,12 +1,12 @@
 //! The kind of value on a stream, as far as the page knows: by what the server found, else by what makes it, else by
 //! what was seen last. Pure.
 
-use super::suggest::Known;
+use super::suggest::StreamKnowledge;
 use crate::carries::made_by;
 use behaviour::{Behaviour, Helper, Id, StreamKind, ValueType};
 
 /// The kind of value on a stream.
-pub(super) fn kind_of(behaviour: &Behaviour, helpers: &[Helper], id: &Id, known: &Known) -> ValueType {
+pub(super) fn kind_of(behaviour: &Behaviour, helpers: &[Helper], id: &Id, known: &StreamKnowledge) -> ValueType {
     let told = known.kind.filter(|kind| **kind != ValueType::Any).cloned();
     let sensed = || {
         let stream = behaviour.stream(id).filter(|stream| stream.kind == StreamKind::Sensor)?;

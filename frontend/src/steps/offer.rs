@@ -1,6 +1,6 @@
 //! Likely next steps as buttons: picture, label, and what they do in a sentence.
 
-use super::suggest::{Known, Step, suggest};
+use super::suggest::{Step, StreamKnowledge, suggest};
 use super::take::takes_one;
 use crate::desk::Desk;
 use crate::words;
@@ -135,7 +135,7 @@ fn likely(desk: &Desk, id: &Id) -> Vec<Offer> {
     let helpers = helpers(desk);
     let value = desk.document.stream(id).and_then(|signals| signals.live.with_untracked(|live| live.value.clone()));
     let kind = desk.document.types.with_untracked(|types| types.get(id).cloned());
-    let known = Known { kind: kind.as_ref(), value: value.as_ref() };
+    let known = StreamKnowledge { kind: kind.as_ref(), value: value.as_ref() };
     let steps = suggest(&desk.document.behaviour(), id, &helpers, &known);
     steps.into_iter().map(|step| Offer::of(step, &helpers)).collect()
 }

@@ -27,7 +27,7 @@ pub(crate) enum Step {
 
 /// The knowledge about the stream for which steps are looked for.
 #[derive(Default)]
-pub(super) struct Known<'a> {
+pub(super) struct StreamKnowledge<'a> {
     /// The kind that the server found on it.
     pub(super) kind: Option<&'a ValueType>,
     /// The newest value of the running program.
@@ -38,7 +38,7 @@ pub(super) struct Known<'a> {
 const ACTIONS_MAX: usize = 2;
 
 /// Likely next steps for a stream: first what fits what it carries, last what always fits, and then what fits too.
-pub(super) fn suggest(behaviour: &Behaviour, id: &Id, helpers: &[Helper], known: &Known) -> Vec<Step> {
+pub(super) fn suggest(behaviour: &Behaviour, id: &Id, helpers: &[Helper], known: &StreamKnowledge) -> Vec<Step> {
     let Some(stream) = behaviour.stream(id) else { return Vec::new() };
     let graph = Graph::of(behaviour);
     if stream.kind == StreamKind::Actuator {

@@ -1,6 +1,6 @@
 //! Tests of the suggestions along the way of the thesis.
 
-use super::{Known, Step, suggest};
+use super::{Step, StreamKnowledge, suggest};
 use behaviour::{
     Behaviour, Connector, Declared, Helper, Id, Kind, Operation, Params, Procedure, Record, RecordId, Stream,
     StreamKind, Unit, Value, ValueType, connectors,
@@ -52,11 +52,11 @@ fn words(stream: &str, value: Option<&Value>) -> Vec<String> {
 }
 
 fn words_of(behaviour: &Behaviour, stream: &str, value: Option<&Value>) -> Vec<String> {
-    words_with(behaviour, stream, &robot::shipped_helpers(), &Known { value, kind: None })
+    words_with(behaviour, stream, &robot::shipped_helpers(), &StreamKnowledge { value, kind: None })
 }
 
 /// The likely ones, without what stands only in the list of all.
-fn words_with(behaviour: &Behaviour, stream: &str, helpers: &[Helper], known: &Known) -> Vec<String> {
+fn words_with(behaviour: &Behaviour, stream: &str, helpers: &[Helper], known: &StreamKnowledge) -> Vec<String> {
     suggest(behaviour, &id(stream), helpers, known).into_iter().map(word).collect()
 }
 
@@ -99,7 +99,7 @@ fn what_passed_a_filter_suggests_an_action() {
 fn an_action_of_what_passes_suggests_what_does_not_pass() {
     let mut made = track();
     assert_eq!(words("tracker", None), ["otherwise distance >= 20"]);
-    let steps = suggest(&made, &id("tracker"), &robot::shipped_helpers(), &Known::default());
+    let steps = suggest(&made, &id("tracker"), &robot::shipped_helpers(), &StreamKnowledge::default());
     assert!(matches!(&steps[..], [Step::Otherwise(_, _, tested)] if *tested == id("distance")));
     with_stream(&mut made, "far", StreamKind::Ordinary, None);
     with_connector(&mut made, connectors::filter::SPEC.with(Procedure::body("distance >= 20")), "distance", "far");
@@ -142,7 +142,8 @@ fn what_a_stream_carries_decides_whoever_made_it() {
     };
     let helpers =
         [own("near", Declared::In(Unit::Metres)), own("words", Declared::Text), own("nobody_said", Declared::Auto)];
-    let offered = |of: ValueType| words_with(&made, "distance", &helpers, &Known { kind: Some(&of), value: None });
+    let offered =
+        |of: ValueType| words_with(&made, "distance", &helpers, &StreamKnowledge { kind: Some(&of), value: None });
     let helpers_of = |all: Vec<String>| -> Vec<String> {
         all.into_iter().filter(|word| helpers.iter().any(|helper| word.ends_with(&helper.name))).collect()
     };
@@ -157,7 +158,7 @@ fn actions_are_offered_by_their_unit() {
     let mut made = Behaviour::default();
     with_stream(&mut made, "battery", StreamKind::Sensor, Some("Battery"));
     with_stream(&mut made, "light", StreamKind::Ordinary, None);
-    let known = |kind| Known { kind: Some(kind), value: None };
+    let known = |kind| StreamKnowledge { kind: Some(kind), value: None };
     let percent = words_of(&made, "battery", None);
     assert!(percent.contains(&"in 0 to 1: EyeBrightness".to_owned()), "{percent:?}");
     assert!(!percent.contains(&"EyeBrightness".to_owned()), "not as it is: {percent:?}");

@@ -1,8 +1,8 @@
 //! Taking a next step: at once where nothing is left to choose, else by way of its dialog.
 
 use super::suggest::Step;
-use crate::desk::{ConnectPlan, Desk, Dialog, Output, Selected, Spot};
-use crate::naming::{Parts, called};
+use crate::desk::{ConnectPlan, Desk, Dialog, NewSpot, Output, Selected};
+use crate::naming::{NameParts, called};
 use crate::words;
 use behaviour::connectors::{self, PERIOD_MS, Spec};
 use behaviour::{Helper, Id, Operation, Params, Procedure, Unit};
@@ -10,7 +10,7 @@ use leptos::prelude::*;
 use protocol::Refused;
 
 /// Does what was offered; a new stream goes to `spot`.
-pub(crate) fn take(desk: &Desk, input: &Id, step: &Step, spot: Spot) {
+pub(crate) fn take(desk: &Desk, input: &Id, step: &Step, spot: NewSpot) {
     match step {
         Step::Connector(kind) if !is_chosen_at_once(kind, &spot) => {
             let dialog = Dialog::Operation { input: input.clone(), connector: None, kind, spot };
@@ -18,7 +18,7 @@ pub(crate) fn take(desk: &Desk, input: &Id, step: &Step, spot: Spot) {
         }
         Step::Converted(from, to, then) => {
             let Some(first) = conversion(desk, input, (*from, *to), spot) else { return };
-            match then.as_deref().and_then(|then| plan(desk, input, then, Spot::Below)) {
+            match then.as_deref().and_then(|then| plan(desk, input, then, NewSpot::Below)) {
                 Some((then, asks)) => desk.document.connect_twice(first, then, answered(desk, asks)),
                 None => desk.document.connect(first, answered(desk, false)),
             }
@@ -32,11 +32,11 @@ pub(crate) fn take(desk: &Desk, input: &Id, step: &Step, spot: Spot) {
 }
 
 /// The connector that a step makes, and whether its settings are asked for then; none for one that asks first.
-fn plan(desk: &Desk, input: &Id, step: &Step, spot: Spot) -> Option<(ConnectPlan, bool)> {
+fn plan(desk: &Desk, input: &Id, step: &Step, spot: NewSpot) -> Option<(ConnectPlan, bool)> {
     let input = if let Step::Otherwise(.., tested) = step { tested } else { input };
     let (operation, output, asks) = match step {
         Step::Helper(name) => {
-            (by_helper(name), new_output(desk, &words::Naming::Page.helper(name), None, Params::new()), false)
+            (by_helper(name), new_output(desk, &words::NameLanguage::Page.helper(name), None, Params::new()), false)
         }
         Step::Connector(kind) => {
             (kind.with(()), new_output(desk, &name_of(desk, input, kind), None, Params::new()), false)
@@ -56,7 +56,7 @@ fn plan(desk: &Desk, input: &Id, step: &Step, spot: Spot) -> Option<(ConnectPlan
 }
 
 /// The value of a stream in another unit.
-fn conversion(desk: &Desk, input: &Id, (from, to): (Unit, Unit), spot: Spot) -> Option<ConnectPlan> {
+fn conversion(desk: &Desk, input: &Id, (from, to): (Unit, Unit), spot: NewSpot) -> Option<ConnectPlan> {
     let name = desk.document.stream(input)?.record.with_untracked(|stream| stream.name.clone());
     let argument = behaviour::argument_names([name.as_str()]).pop()?;
     let operation = connectors::to_new_value().with(Procedure::body(&from.convert(to, &argument)?));
@@ -69,7 +69,7 @@ fn by_helper(name: &str) -> Operation {
 }
 
 /// Makes a new value of a stream by a helper.
-pub(crate) fn lead_to_helper(desk: &Desk, input: &Id, name: &str, spot: Spot) {
+pub(crate) fn lead_to_helper(desk: &Desk, input: &Id, name: &str, spot: NewSpot) {
     take(desk, input, &Step::Helper(name.to_owned()), spot);
 }
 
@@ -80,16 +80,19 @@ pub(crate) fn takes_one(helper: &Helper) -> bool {
 
 /// True if a connector runs as it is, with what it begins with: chosen at a place of the graph, it is there at once, and
 /// its duration can be changed on it.
-fn is_chosen_at_once(spec: &Spec, spot: &Spot) -> bool {
+fn is_chosen_at_once(spec: &Spec, spot: &NewSpot) -> bool {
     let asks = spec.takes.procedure.is_some_and(|takes| !takes.is_optional);
-    *spot != Spot::Below && !asks && !spec.acts() && spec.inputs.least() == 1
+    *spot != NewSpot::Below && !asks && !spec.acts() && spec.inputs.least() == 1
 }
 
 /// Names the stream that a connector makes of this one.
 fn name_of(desk: &Desk, input: &Id, spec: &Spec) -> String {
     let name = desk.document.stream(input).map(|signals| signals.record.with_untracked(|stream| stream.name.clone()));
     let inputs: Vec<String> = name.into_iter().collect();
-    called(spec, &Parts { inputs: &inputs, period_ms: spec.takes.period.map(|_| PERIOD_MS), ..Parts::default() })
+    called(
+        spec,
+        &NameParts { inputs: &inputs, period_ms: spec.takes.period.map(|_| PERIOD_MS), ..NameParts::default() },
+    )
 }
 
 fn new_output(desk: &Desk, base: &str, device: Option<&str>, params: Params) -> Output {

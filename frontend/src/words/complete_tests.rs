@@ -2,7 +2,7 @@
 
 use super::language::speak;
 use super::{
-    Naming, condition, connector_word, deed, device, found_robot, helper_name_of, listed, no_connection,
+    NameLanguage, condition, connector_word, deed, device, found_robot, helper_name_of, listed, no_connection,
     people_and_you, saved_test, start, step_title, stop as stop_word, tour_action, tour_helper, tour_number,
     tour_sense, tour_start, tour_stop, tour_test, while_you,
 };
@@ -180,7 +180,7 @@ fn the_tour_names_what_stands_on_the_page() {
     let quoted = |name: &str| format!("「{name}」");
     let helper = robot::shipped_helpers().into_iter().find(|helper| helper.name == "distance").unwrap();
     assert!(tour_helper().contains(&quoted(&helper_name_of(&helper))), "{}", tour_helper());
-    let argument = behaviour::argument_names([Naming::Page.helper("distance").as_str()]).pop().unwrap();
+    let argument = behaviour::argument_names([NameLanguage::Page.helper("distance").as_str()]).pop().unwrap();
     assert_eq!(argument, "距離");
     assert!(tour_test().contains(&format!("「{argument} <」")), "{}", tour_test());
     let filter = connector_word(connectors::filter::SPEC.name);

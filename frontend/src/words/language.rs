@@ -17,7 +17,7 @@ const DEPTH_MAX: usize = 4;
 
 /// The texts of a second language.
 #[derive(Debug, Default)]
-pub(crate) struct Table {
+pub(crate) struct WordTable {
     texts: HashMap<&'static str, &'static str>,
     /// Those with holes, by what they begin with first: the longest words first.
     patterns: Vec<Pattern>,
@@ -33,13 +33,13 @@ struct Pattern {
 }
 
 thread_local! {
-    static TABLE: OnceCell<Table> = const { OnceCell::new() };
+    static TABLE: OnceCell<WordTable> = const { OnceCell::new() };
 }
 
 /// Begins to speak the language of this table. It counts once, before anything is shown.
 pub(crate) fn speak(text: String) {
     TABLE.with(|table| {
-        let _ = table.set(Table::read(text.leak()));
+        let _ = table.set(WordTable::read(text.leak()));
     });
 }
 
@@ -85,7 +85,7 @@ fn deeper(text: &str, depth: usize) -> String {
     TABLE.with(|table| table.get().and_then(|table| table.translate(text, depth))).unwrap_or_else(|| text.to_owned())
 }
 
-impl Table {
+impl WordTable {
     fn read(text: &'static str) -> Self {
         let (mut table, mut page_only) = (Self::default(), false);
         for block in text.split("\n\n") {

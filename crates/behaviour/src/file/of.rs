@@ -2,8 +2,8 @@
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile};
 use crate::{
-    Behaviour, Connector, Engine, Filled, Group, Helper, Id, Lookup, Note, Place, Procedure, Record, Settings, Stream,
-    Tile, TileAction, Value, called_names,
+    Behaviour, Connector, Engine, FillFrom, Group, Helper, Id, Lookup, Note, Place, Procedure, Record, Settings,
+    Stream, Tile, TileAction, Value, called_names,
 };
 use std::collections::BTreeMap;
 

@@ -2,14 +2,14 @@
 
 /// Something in a row: how far it reaches to both sides.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Reach {
+pub(super) struct RowReach {
     pub(super) left: f64,
     pub(super) right: f64,
 }
 
 /// The places nearest to the wanted ones at which nothing meets its neighbour, in this order. (Least squares under distances
 /// that are kept is isotonic regression: neighbours that push each other become one block around the mean of what they want.)
-pub(super) fn apart(wanted: &[f64], reaches: &[Reach], gap: f64) -> Vec<f64> {
+pub(super) fn apart(wanted: &[f64], reaches: &[RowReach], gap: f64) -> Vec<f64> {
     let mut offset = 0.0;
     let mut offsets = Vec::with_capacity(wanted.len());
     for (at, reach) in reaches.iter().enumerate() {
@@ -35,11 +35,11 @@ pub(super) fn apart(wanted: &[f64], reaches: &[Reach], gap: f64) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Reach, apart};
+    use super::{RowReach, apart};
 
     #[test]
     fn what_has_room_stands_where_it_wants_and_the_rest_around_its_mean() {
-        let reaches = [Reach { left: 10.0, right: 10.0 }; 3];
+        let reaches = [RowReach { left: 10.0, right: 10.0 }; 3];
         assert_eq!(apart(&[0.0, 100.0, 200.0], &reaches, 5.0), [0.0, 100.0, 200.0]);
         assert_eq!(apart(&[0.0, 0.0, 0.0], &reaches, 5.0), [-25.0, 0.0, 25.0]);
         assert_eq!(apart(&[50.0, 0.0, 200.0], &reaches, 5.0), [12.5, 37.5, 200.0], "in their order");

@@ -1,7 +1,7 @@
 //! Parts without a connection, in rows that fit a stage.
 
-use super::part::Part;
-use super::{PARTS_APART, STREAM_HEIGHT, Shape};
+use super::part::PlacedPart;
+use super::{LaidOut, PARTS_APART, STREAM_HEIGHT};
 
 /// The number of widths that are tried.
 const WIDTHS: usize = 48;
@@ -23,11 +23,11 @@ struct Stood {
     bottom: f64,
     left: f64,
     right: f64,
-    part: Part,
+    part: PlacedPart,
 }
 
 impl Stood {
-    fn of(part: Part, shapes: &[Shape]) -> Result<Self, Part> {
+    fn of(part: PlacedPart, shapes: &[LaidOut]) -> Result<Self, PlacedPart> {
         let (mut top, mut bottom, mut left, mut right) = (f64::MAX, f64::MIN, f64::MAX, f64::MIN);
         for shape in part.spots.iter().map(|spot| &shapes[spot.shape]) {
             let Some(at) = shape.stood else { continue };
@@ -39,7 +39,7 @@ impl Stood {
 }
 
 /// The parts as they stood, row by row, in each from the left column by column; behind them those that nobody placed.
-pub(super) fn in_order(parts: Vec<Part>, shapes: &[Shape]) -> Vec<Part> {
+pub(super) fn in_order(parts: Vec<PlacedPart>, shapes: &[LaidOut]) -> Vec<PlacedPart> {
     let (mut placed, mut others) = (Vec::new(), Vec::new());
     for part in parts {
         match Stood::of(part, shapes) {
@@ -73,7 +73,7 @@ fn bands(mut all: Vec<Stood>, stretch: impl Fn(&Stood) -> (f64, f64)) -> Vec<Vec
 }
 
 /// A corner for each part: in as few rows as are seen as large as possible on the stage.
-pub(super) fn packed(parts: &[Part], stage: (f64, f64)) -> Vec<Corner> {
+pub(super) fn packed(parts: &[PlacedPart], stage: (f64, f64)) -> Vec<Corner> {
     let widest = parts.iter().map(|part| part.width).fold(1.0, f64::max);
     let whole = parts.iter().map(|part| part.width + PARTS_APART.0).sum::<f64>().max(widest);
     let step = (whole / widest).powf(1.0 / WIDTHS as f64);
@@ -90,12 +90,12 @@ pub(super) fn packed(parts: &[Part], stage: (f64, f64)) -> Vec<Corner> {
 }
 
 /// Rows no wider than this; if `stacks`, what is low stands below its neighbour where the row is high enough for both.
-fn in_rows(parts: &[Part], width: f64, stacks: bool) -> (Vec<Corner>, (f64, f64)) {
+fn in_rows(parts: &[PlacedPart], width: f64, stacks: bool) -> (Vec<Corner>, (f64, f64)) {
     let mut corners: Vec<Corner> = Vec::with_capacity(parts.len());
     let (mut wide, mut top) = (0.0_f64, 0.0_f64);
     let mut from = 0;
     while from < parts.len() {
-        let row = Row::of(&parts[from..], width, stacks);
+        let row = PackRow::of(&parts[from..], width, stacks);
         wide = wide.max(row.width);
         corners.extend(row.corners.iter().map(|corner| Corner { y: corner.y + top, ..*corner }));
         top += row.height + PARTS_APART.1;
@@ -104,15 +104,15 @@ fn in_rows(parts: &[Part], width: f64, stacks: bool) -> (Vec<Corner>, (f64, f64)
     (corners, (wide.max(1.0), (top - PARTS_APART.1).max(1.0)))
 }
 
-struct Row {
+struct PackRow {
     corners: Vec<Corner>,
     width: f64,
     height: f64,
 }
 
-impl Row {
+impl PackRow {
     /// Takes as many of the parts as stand in a row of that width, one at least.
-    fn of(parts: &[Part], most: f64, stacks: bool) -> Self {
+    fn of(parts: &[PlacedPart], most: f64, stacks: bool) -> Self {
         let mut row = Self { corners: Vec::new(), width: 0.0, height: 0.0 };
         // The column that stands last: its left edge, its width and its lower end; and who stands alone in one.
         let mut column = (0.0_f64, 0.0_f64, 0.0_f64);

@@ -1,8 +1,8 @@
 //! One part of a graph: all that is connected, in layers.
 
-use super::across::{Reach, apart};
+use super::across::{RowReach, apart};
 use super::rows::rows;
-use super::{BENDS, GAP, LEVEL, STREAM_HEIGHT, Shape, WAY};
+use super::{BENDS, GAP, LEVEL, LaidOut, STREAM_HEIGHT, WAY};
 use crate::Place;
 
 /// The number of times that the members of a row are drawn to the row above and to the one below.
@@ -12,7 +12,7 @@ const FILLED_MAX: usize = 8;
 
 /// The place of a shape in its part.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
+pub(super) struct PartSpot {
     pub(super) shape: usize,
     pub(super) at: Place,
     /// True if it is an action in the last row, and goes down with the others of its row of parts.
@@ -21,14 +21,14 @@ pub(super) struct Spot {
 
 /// A part with its corner at the origin.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
-    pub(super) spots: Vec<Spot>,
+pub(super) struct PlacedPart {
+    pub(super) spots: Vec<PartSpot>,
     pub(super) width: f64,
     pub(super) height: f64,
 }
 
 /// Members of a part, and the edges between them by their places among the members.
-type Members = (Vec<usize>, Vec<(usize, usize)>);
+type PartMembers = (Vec<usize>, Vec<(usize, usize)>);
 
 /// The first of all that something is known to be connected with.
 fn top(root: &mut [usize], mut at: usize) -> usize {
@@ -40,19 +40,19 @@ fn top(root: &mut [usize], mut at: usize) -> usize {
 }
 
 /// Groups the members that are connected with each other, each part in the order of its members.
-pub(super) fn connected(count: usize, edges: &[(usize, usize)]) -> Vec<Members> {
+pub(super) fn connected(count: usize, edges: &[(usize, usize)]) -> Vec<PartMembers> {
     let mut root: Vec<usize> = (0..count).collect();
     for (from, to) in edges {
         let (one, other) = (top(&mut root, *from), top(&mut root, *to));
         root[one.max(other)] = one.min(other);
     }
-    let mut parts: Vec<Members> = Vec::new();
+    let mut parts: Vec<PartMembers> = Vec::new();
     let mut place = vec![(0, 0); count];
     for at in 0..count {
         let first = top(&mut root, at);
         if first == at {
             place[at].0 = parts.len();
-            parts.push(Members::default());
+            parts.push(PartMembers::default());
         }
         let part = place[first].0;
         place[at] = (part, parts[part].0.len());
@@ -147,8 +147,8 @@ fn mean(all: impl Iterator<Item = f64>) -> Option<f64> {
     (many > 0).then(|| sum / many as f64)
 }
 
-impl Part {
-    pub(super) fn of(shapes: &[Shape], members: Vec<usize>, edges: &[(usize, usize)]) -> Self {
+impl PlacedPart {
+    pub(super) fn of(shapes: &[LaidOut], members: Vec<usize>, edges: &[(usize, usize)]) -> Self {
         let layers = Layers::of(members.len(), edges, |at| shapes[members[at]].acts);
         let [above, below] = layers.neighbours();
         let stood = |at: usize| members.get(at).and_then(|shape| shapes[*shape].stood).map(|place| place.x);
@@ -162,10 +162,10 @@ impl Part {
         let key = |at: usize| (stood(leads(at)).unwrap_or(f64::MAX), leads(at));
         let ordered = layers.ordered(&above, key);
         let reach = |at: &usize| match members.get(*at) {
-            Some(shape) => Reach { left: shapes[*shape].left, right: shapes[*shape].right },
-            None => Reach { left: WAY / 2.0, right: WAY / 2.0 },
+            Some(shape) => RowReach { left: shapes[*shape].left, right: shapes[*shape].right },
+            None => RowReach { left: WAY / 2.0, right: WAY / 2.0 },
         };
-        let reaches: Vec<Vec<Reach>> = ordered.iter().map(|row| row.iter().map(reach).collect()).collect();
+        let reaches: Vec<Vec<RowReach>> = ordered.iter().map(|row| row.iter().map(reach).collect()).collect();
         let x = across(&ordered, &reaches, &[above, below]);
         let several = (0..layers.members)
             .any(|at| shapes[members[at]].acts && edges.iter().filter(|(_, to)| *to == at).nth(1).is_some());
@@ -177,7 +177,7 @@ impl Part {
         let spot = |(at, shape): (usize, &usize)| {
             let row = layers.rows[at];
             let place = Place { x: (x[at] - edge).round(), y: row as f64 * LEVEL + lower(row) };
-            Spot { shape: *shape, at: place, sinks: shapes[*shape].acts && row == bottom }
+            PartSpot { shape: *shape, at: place, sinks: shapes[*shape].acts && row == bottom }
         };
         let height = bottom as f64 * LEVEL + lower(bottom) + STREAM_HEIGHT;
         Self { spots: members.iter().enumerate().map(spot).collect(), width, height }
@@ -185,7 +185,7 @@ impl Part {
 }
 
 /// Places everything from left to right.
-fn across(ordered: &[Vec<usize>], reaches: &[Vec<Reach>], neighbours: &[Vec<Vec<usize>>; 2]) -> Vec<f64> {
+fn across(ordered: &[Vec<usize>], reaches: &[Vec<RowReach>], neighbours: &[Vec<Vec<usize>>; 2]) -> Vec<f64> {
     let mut x = vec![0.0; neighbours[0].len()];
     let mut draw = |row: usize, side: usize| {
         let at_row = &ordered[row];

@@ -1,16 +1,16 @@
 //! Nothing overlaps, what stood left stays left, and everything is about as wide and high as the stage.
 
-use super::{STREAM_HEIGHT, Shape, arranged};
+use super::{LaidOut, STREAM_HEIGHT, arranged};
 use crate::Place;
 use proptest::prelude::*;
 
 const STAGE: (f64, f64) = (860.0, 560.0);
 
-fn shape(acts: bool, width: f64) -> Shape {
-    Shape { left: width / 2.0, right: width / 2.0 + 60.0, acts, stood: None }
+fn shape(acts: bool, width: f64) -> LaidOut {
+    LaidOut { left: width / 2.0, right: width / 2.0 + 60.0, acts, stood: None }
 }
 
-fn overlap(shapes: &[Shape], places: &[Place]) -> Option<(usize, usize)> {
+fn overlap(shapes: &[LaidOut], places: &[Place]) -> Option<(usize, usize)> {
     (0..shapes.len()).flat_map(|one| (one + 1..shapes.len()).map(move |other| (one, other))).find(|(one, other)| {
         let (a, b) = (places[*one], places[*other]);
         let beside = a.x + shapes[*one].right > b.x - shapes[*other].left + 1.5
@@ -19,23 +19,23 @@ fn overlap(shapes: &[Shape], places: &[Place]) -> Option<(usize, usize)> {
     })
 }
 
-fn size(shapes: &[Shape], places: &[Place]) -> (f64, f64) {
+fn size(shapes: &[LaidOut], places: &[Place]) -> (f64, f64) {
     let left = shapes.iter().zip(places).map(|(shape, at)| at.x - shape.left).fold(f64::MAX, f64::min);
     let right = shapes.iter().zip(places).map(|(shape, at)| at.x + shape.right).fold(f64::MIN, f64::max);
     let bottom = places.iter().map(|at| at.y + STREAM_HEIGHT).fold(f64::MIN, f64::max);
     (right - left, bottom - places.iter().map(|at| at.y).fold(f64::MAX, f64::min))
 }
 
-fn zoom(shapes: &[Shape], places: &[Place]) -> f64 {
+fn zoom(shapes: &[LaidOut], places: &[Place]) -> f64 {
     let (width, height) = size(shapes, places);
     (STAGE.0 / width).min(STAGE.1 / height)
 }
 
 /// Any graph: its shapes, and edges that lead from an earlier one to a later one, with a few that close a circle.
-fn graph() -> impl Strategy<Value = (Vec<Shape>, Vec<(usize, usize)>)> {
+fn graph() -> impl Strategy<Value = (Vec<LaidOut>, Vec<(usize, usize)>)> {
     let shapes = proptest::collection::vec((any::<bool>(), 80.0..260.0_f64), 1..40);
     shapes.prop_flat_map(|shapes| {
-        let shapes: Vec<Shape> = shapes.into_iter().map(|(acts, width)| shape(acts, width.round())).collect();
+        let shapes: Vec<LaidOut> = shapes.into_iter().map(|(acts, width)| shape(acts, width.round())).collect();
         let many = shapes.len();
         let edges = proptest::collection::vec((0..many, 0..many, 0..8_u8), 0..many);
         let edges = edges.prop_map(|edges| {
@@ -103,7 +103,7 @@ proptest! {
 #[test]
 fn many_parts_take_the_proportions_of_the_stage() {
     for many in [20, 60, 300, 2_000] {
-        let shapes: Vec<Shape> = (0..many).map(|at| shape(at % 3 == 2, 100.0 + (at * 37 % 90) as f64)).collect();
+        let shapes: Vec<LaidOut> = (0..many).map(|at| shape(at % 3 == 2, 100.0 + (at * 37 % 90) as f64)).collect();
         let edges: Vec<(usize, usize)> = (0..many).filter(|at| at % 3 > 0).map(|at| (at - 1, at)).collect();
         for edges in [edges, Vec::new()] {
             let places = arranged(&shapes, &edges, STAGE);
@@ -117,7 +117,7 @@ fn many_parts_take_the_proportions_of_the_stage() {
 
 #[test]
 fn many_parts_are_seen_ten_times_as_large_as_in_one_row() {
-    let shapes: Vec<Shape> = (0..300).map(|_| shape(false, 130.0)).collect();
+    let shapes: Vec<LaidOut> = (0..300).map(|_| shape(false, 130.0)).collect();
     let places = arranged(&shapes, &[], STAGE);
     let row: Vec<Place> = (0..300).map(|at| Place { x: f64::from(at) * 214.0, y: 0.0 }).collect();
     assert!(zoom(&shapes, &places) > 10.0 * zoom(&shapes, &row));
@@ -125,7 +125,7 @@ fn many_parts_are_seen_ten_times_as_large_as_in_one_row() {
 
 #[test]
 fn a_few_parts_stand_in_one_row_with_their_actions_at_its_end() {
-    let shapes: Vec<Shape> =
+    let shapes: Vec<LaidOut> =
         [false, false, true, false, true, true].into_iter().map(|acts| shape(acts, 60.0)).collect();
     let places = arranged(&shapes, &[(0, 1), (1, 2), (3, 4)], (1_400.0, 800.0));
     let tops: Vec<f64> = places.iter().map(|at| at.y).collect();

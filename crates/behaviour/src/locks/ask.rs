@@ -1,7 +1,7 @@
 //! Asking for what somebody else is editing: one is put before the holder at a time, silence means yes.
 
-use super::{Grant, Holder, LockEvent, Locks, Token, Why};
-use crate::{Filled, Id, RecordId};
+use super::{Grant, Holder, LockEndReason, LockEvent, LockToken, Locks};
+use crate::{FillFrom, Id, RecordId};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
@@ -23,7 +23,7 @@ const REMEMBERED_MS: u64 = 60_000;
 /// The result of asking for a record.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum Asked {
+pub enum AskResult {
     /// The holder is asked; silence until then means yes.
     Waiting {
         /// Until when.
@@ -67,7 +67,7 @@ impl PutOff {
 
 /// Somebody wants a record.
 #[derive(Clone, Debug)]
-pub(super) struct Ask {
+pub(super) struct LockAsk {
     pub(super) asker: Holder,
     record: RecordId,
     /// The time when it was first put before the holder, also if that one said *not yet* since.
@@ -78,7 +78,7 @@ pub(super) struct Ask {
     agreed: bool,
 }
 
-impl Ask {
+impl LockAsk {
     /// True if the holder put it off for as long as that counts.
     fn is_last(&self, now_ms: u64) -> bool {
         now_ms >= self.since_ms + NOT_YET_MS
@@ -87,32 +87,32 @@ impl Ask {
 
 impl Locks {
     /// Asks the holder of a record for it. Asking twice is asking once.
-    pub fn ask(&mut self, now_ms: u64, asker: Holder, record: RecordId) -> Asked {
+    pub fn ask(&mut self, now_ms: u64, asker: Holder, record: RecordId) -> AskResult {
         self.advance(now_ms);
-        let Some(counter) = self.by_record.get(&record).copied() else { return Asked::Free };
+        let Some(counter) = self.by_record.get(&record).copied() else { return AskResult::Free };
         let put_off = put_off(&self.refused, &asker.client, &record);
         if let Some(put_off) = put_off.filter(|put_off| put_off.again_ms > self.now_ms) {
-            return Asked::TooSoon { again_ms: put_off.again_ms };
+            return AskResult::TooSoon { again_ms: put_off.again_ms };
         }
         let lock = &self.held[&counter];
         if lock.holder.session == asker.session {
-            return Asked::Yours;
+            return AskResult::Yours;
         }
-        let is_same = |ask: &Ask| ask.asker.session == asker.session && ask.record == record;
+        let is_same = |ask: &LockAsk| ask.asker.session == asker.session && ask.record == record;
         if let Some(before) = lock.asks.iter().position(is_same) {
             return self.waits(counter, before);
         }
         if lock.asks.len() >= ASKS_MAX {
-            return Asked::Full;
+            return AskResult::Full;
         }
         let before = lock.asks.len();
-        self.queue(counter, Ask { asker, record, since_ms: 0, by_ms: 0, agreed: false });
+        self.queue(counter, LockAsk { asker, record, since_ms: 0, by_ms: 0, agreed: false });
         self.waits(counter, before)
     }
 
     /// The holder says yes to who asked first: it goes to them once what was edited under it is saved. Returns true if
     /// anybody asked.
-    pub fn say_yes(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
+    pub fn say_yes(&mut self, now_ms: u64, session: u64, token: LockToken) -> bool {
         self.advance(now_ms);
         let now = self.now_ms;
         let Some(ask) = self.of(session, token).and_then(|lock| lock.asks.front_mut()) else { return false };
@@ -129,7 +129,7 @@ impl Locks {
 
     /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. A
     /// minute after somebody asked first it counts no more. Returns true if it counted.
-    pub fn say_not_yet(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
+    pub fn say_not_yet(&mut self, now_ms: u64, session: u64, token: LockToken) -> bool {
         self.advance(now_ms);
         let now_ms = self.now_ms;
         let Some(lock) = self.of(session, token) else { return false };
@@ -137,7 +137,7 @@ impl Locks {
             return false;
         }
         let (by, asked) = (lock.holder.name.clone(), lock.asks.pop_front());
-        let Some(Ask { asker, record, since_ms, .. }) = asked else { return false };
+        let Some(LockAsk { asker, record, since_ms, .. }) = asked else { return false };
         let again_ms = now_ms + AGAIN_MS;
         self.remember_refused(&asker, &record, PutOff { counter: token.counter, since_ms, again_ms });
         self.tell(LockEvent::NotYet { to: asker, record, by, again_ms });
@@ -145,14 +145,14 @@ impl Locks {
         true
     }
 
-    fn waits(&self, counter: u64, before: usize) -> Asked {
+    fn waits(&self, counter: u64, before: usize) -> AskResult {
         match self.held[&counter].asks.front() {
-            Some(ask) if before == 0 => Asked::Waiting { by_ms: ask.by_ms },
-            Some(_) | None => Asked::Queued { before },
+            Some(ask) if before == 0 => AskResult::Waiting { by_ms: ask.by_ms },
+            Some(_) | None => AskResult::Queued { before },
         }
     }
 
-    fn queue(&mut self, counter: u64, ask: Ask) {
+    fn queue(&mut self, counter: u64, ask: LockAsk) {
         let Some(lock) = self.held.get_mut(&counter) else { return };
         lock.asks.push_back(ask);
         if lock.asks.len() == 1 {
@@ -170,7 +170,8 @@ impl Locks {
         ask.since_ms = before.map_or(now_ms, |put_off| put_off.since_ms);
         ask.by_ms = now_ms + SILENCE_MS;
         let (asker, record, by_ms) = (ask.asker.clone(), ask.record.clone(), ask.by_ms);
-        let (holder, token, last) = (lock.holder.clone(), Token { epoch: self.epoch, counter }, ask.is_last(now_ms));
+        let (holder, token, last) =
+            (lock.holder.clone(), LockToken { epoch: self.epoch, counter }, ask.is_last(now_ms));
         self.tell(LockEvent::Asked { holder, token, asker, record, by_ms, last });
     }
 
@@ -192,22 +193,22 @@ impl Locks {
     pub(super) fn hand_over(&mut self, counter: u64) {
         let front = self.held.get(&counter).and_then(|lock| lock.asks.front());
         let Some(to) = front.map(|ask| ask.asker.name.clone()) else { return };
-        let asks = self.end(counter, Why::HandedOver { to });
+        let asks = self.end(counter, LockEndReason::HandedOver { to });
         self.settle(asks);
     }
 
     /// Gives each who asked what is free now, in the order in which they asked; others go on waiting for the holder.
-    pub(super) fn settle(&mut self, asks: VecDeque<Ask>) {
+    pub(super) fn settle(&mut self, asks: VecDeque<LockAsk>) {
         for ask in asks {
             match self.by_record.get(&ask.record).copied() {
                 Some(counter) if self.held[&counter].holder.session == ask.asker.session => {}
-                Some(counter) => self.queue(counter, Ask { agreed: false, ..ask }),
+                Some(counter) => self.queue(counter, LockAsk { agreed: false, ..ask }),
                 None => self.give_to(ask),
             }
         }
     }
 
-    fn give_to(&mut self, ask: Ask) {
+    fn give_to(&mut self, ask: LockAsk) {
         let (to, records) = (ask.asker, std::iter::once(ask.record).filled());
         let event = match self.check_room(to.session, 1) {
             Ok(()) => {
@@ -225,7 +226,7 @@ impl Locks {
     }
 
     /// Forgets questions; holders who were asked are told, and hear who asked next. Returns true if there were any.
-    fn forget_asks_that(&mut self, is_gone: impl Fn(&Ask) -> bool) -> bool {
+    fn forget_asks_that(&mut self, is_gone: impl Fn(&LockAsk) -> bool) -> bool {
         let (mut gone, mut first) = (false, Vec::new());
         for (counter, lock) in &mut self.held {
             let before = lock.asks.len();
@@ -235,7 +236,7 @@ impl Locks {
             first.extend(was_first.map(|asker| (*counter, lock.holder.clone(), asker)));
         }
         for (counter, holder, asker) in first {
-            self.tell(LockEvent::Withdrawn { holder, token: Token { epoch: self.epoch, counter }, asker });
+            self.tell(LockEvent::Withdrawn { holder, token: LockToken { epoch: self.epoch, counter }, asker });
             self.put_before_holder(counter);
         }
         gone

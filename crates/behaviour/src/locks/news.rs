@@ -1,6 +1,6 @@
 //! The events of locks, as data for those who have to be told.
 
-use super::{Denied, Grant, Holder, Locks, Token};
+use super::{Denied, Grant, Holder, LockToken, Locks};
 use crate::RecordId;
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ const NEWS_MAX: usize = 4_096;
 /// The reasons why a lock ended.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum Why {
+pub enum LockEndReason {
     /// The holder gave it back.
     Released,
     /// The holder did nothing for long.
@@ -54,14 +54,14 @@ pub enum LockEvent {
         /// The lock, whose token is void now.
         grant: Grant,
         /// The reason why it ended.
-        why: Why,
+        why: LockEndReason,
     },
     /// Somebody asks for it: silence until `by_ms` means yes. For its holder.
     Asked {
         /// The holder of the lock.
         holder: Holder,
         /// The lock.
-        token: Token,
+        token: LockToken,
         /// The person who asks.
         asker: Holder,
         /// For what.
@@ -77,7 +77,7 @@ pub enum LockEvent {
         /// The holder of the lock.
         holder: Holder,
         /// The lock.
-        token: Token,
+        token: LockToken,
         /// The person who asked.
         asker: Holder,
     },
@@ -106,7 +106,7 @@ pub enum LockEvent {
         /// The holder of the lock.
         holder: Holder,
         /// The lock.
-        token: Token,
+        token: LockToken,
         /// Until when.
         until_ms: u64,
     },
@@ -115,7 +115,7 @@ pub enum LockEvent {
         /// The holder of the lock.
         holder: Holder,
         /// The lock.
-        token: Token,
+        token: LockToken,
         /// The time when it will be free, unless they do something.
         free_ms: u64,
     },

@@ -1,7 +1,7 @@
 //! Tests of the locks, one sentence a test.
 
-use super::{Asked, Denied, Grant, Holder, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks};
-use super::{Presented, Token, Why};
+use super::{AskResult, Denied, Grant, Holder, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks};
+use super::{LockEndReason, LockToken, Presented};
 use crate::{Behaviour, Change, Id, Kind, Note, Place, Record, RecordId};
 use std::collections::BTreeSet;
 
@@ -56,18 +56,18 @@ fn granted(news: &[LockEvent]) -> Vec<(u64, &Grant)> {
     grants.collect()
 }
 
-fn whys(news: &[LockEvent]) -> Vec<&Why> {
+fn whys(news: &[LockEvent]) -> Vec<&LockEndReason> {
     news.iter().filter_map(|event| if let LockEvent::Freed { why, .. } = event { Some(why) } else { None }).collect()
 }
 
 #[test]
 fn a_set_is_locked_as_a_whole_or_not_at_all() {
     let (mut locks, grant) = aikos();
-    assert_eq!(grant.token, Token { epoch: 7, counter: 1 });
+    assert_eq!(grant.token, LockToken { epoch: 7, counter: 1 });
     assert_eq!(locks.take(1, who(BEN), set(&["c", "b"])), Err(held_by("b", "Aiko")));
     assert_eq!(locks.holder(&note("c")), None);
     assert!(locks.release(2, AIKO, grant.token));
-    assert_eq!(whys(&locks.news()), [&Why::Released]);
+    assert_eq!(whys(&locks.news()), [&LockEndReason::Released]);
     assert_eq!(locks.take(3, who(BEN), set(&["c", "b"])).unwrap().token.counter, 2);
 }
 
@@ -98,7 +98,7 @@ fn what_is_locked_takes_exactly_its_token_from_exactly_its_client() {
     assert_eq!(locks.check(&edit, &with(AIKO, &grant)), Ok(()));
     assert_eq!(locks.check(&change(&["c"]), &Presented::default()), Ok(()), "what nobody locked is free");
     let no = Err((&edit.edits[0].id, &who(AIKO)));
-    let older = Grant { token: Token { epoch: 6, counter: 1 }, ..grant.clone() };
+    let older = Grant { token: LockToken { epoch: 6, counter: 1 }, ..grant.clone() };
     let client = Some(who(AIKO).client);
     for wrong in [with(BEN, &grant), with(AIKO, &older), Presented { client, tokens: vec![] }, Presented::default()] {
         assert_eq!(locks.check(&edit, &wrong), no, "{wrong:?}");
@@ -108,7 +108,7 @@ fn what_is_locked_takes_exactly_its_token_from_exactly_its_client() {
 #[test]
 fn nobody_gives_back_or_answers_for_another() {
     let (mut locks, grant) = aikos();
-    assert_eq!(locks.ask(1, who(BEN), note("a")), Asked::Waiting { by_ms: 10_001 });
+    assert_eq!(locks.ask(1, who(BEN), note("a")), AskResult::Waiting { by_ms: 10_001 });
     assert!(!locks.release(2, BEN, grant.token) && !locks.touch(2, BEN, grant.token));
     assert!(!locks.say_yes(2, BEN, grant.token) && !locks.say_not_yet(2, BEN, grant.token));
     assert_eq!(locks.holder(&note("a")), Some(&who(AIKO)));
@@ -124,7 +124,7 @@ fn who_does_nothing_is_warned_and_then_gives_way() {
     assert_eq!(locks.due(), Some(120_000));
     assert!(locks.touch(119_999, AIKO, grant.token));
     assert_eq!(locks.due(), Some(209_999));
-    assert_eq!(whys(&locks.tick(239_999)), [&Why::Idle], "the warning came late, the end does not");
+    assert_eq!(whys(&locks.tick(239_999)), [&LockEndReason::Idle], "the warning came late, the end does not");
     assert_eq!(locks.due(), None);
 }
 
@@ -140,17 +140,17 @@ fn a_lock_waits_a_moment_for_a_client_whose_link_ended() {
     locks.leave(20_000, 11);
     assert_eq!(locks.due(), Some(30_000));
     assert!(locks.return_to(30_000, &who(AIKO).client, 12).is_empty());
-    assert_eq!(whys(&locks.news()), [&Why::Left]);
+    assert_eq!(whys(&locks.news()), [&LockEndReason::Left]);
 }
 
 #[test]
 fn silence_means_yes_and_the_old_token_is_void() {
     let (mut locks, grant) = aikos();
-    assert_eq!(locks.ask(1_000, who(BEN), note("a")), Asked::Waiting { by_ms: 11_000 });
-    assert_eq!(locks.ask(2_000, who(BEN), note("a")), Asked::Waiting { by_ms: 11_000 });
+    assert_eq!(locks.ask(1_000, who(BEN), note("a")), AskResult::Waiting { by_ms: 11_000 });
+    assert_eq!(locks.ask(2_000, who(BEN), note("a")), AskResult::Waiting { by_ms: 11_000 });
     assert_eq!(locks.news().len(), 1);
     let news = locks.tick(11_000);
-    assert_eq!(whys(&news), [&Why::HandedOver { to: "Ben".into() }]);
+    assert_eq!(whys(&news), [&LockEndReason::HandedOver { to: "Ben".into() }]);
     let [(BEN, theirs)] = granted(&news)[..] else { panic!("{news:?}") };
     assert_eq!((theirs.token.counter, &theirs.records), (2, &set(&["a"])));
     assert!(locks.check(&change(&["a"]), &with(AIKO, &grant)).is_err());
@@ -164,7 +164,7 @@ fn a_new_name_is_told_of_what_somebody_holds_and_asks_for() {
     locks.rename(&who(AIKO).client, "Airi");
     locks.rename(&who(BEN).client, "Benedikt");
     assert_eq!(locks.take(2_000, who(YUKI), set(&["b"])), Err(held_by("b", "Airi")));
-    assert_eq!(whys(&locks.tick(11_000)), [&Why::HandedOver { to: "Benedikt".into() }]);
+    assert_eq!(whys(&locks.tick(11_000)), [&LockEndReason::HandedOver { to: "Benedikt".into() }]);
 }
 
 #[test]
@@ -184,16 +184,16 @@ fn typing_means_not_yet_for_a_minute() {
 fn who_hears_not_yet_asks_again_later_and_the_next_is_heard() {
     let (mut locks, grant) = aikos();
     locks.ask(0, who(BEN), note("a"));
-    assert_eq!(locks.ask(1_000, who(YUKI), note("b")), Asked::Queued { before: 1 });
+    assert_eq!(locks.ask(1_000, who(YUKI), note("b")), AskResult::Queued { before: 1 });
     locks.news();
     assert!(locks.say_not_yet(2_000, AIKO, grant.token));
     let news = locks.news();
     assert!(matches!(&news[0], LockEvent::NotYet { to, again_ms: 32_000, .. } if *to == who(BEN)), "{news:?}");
     assert!(matches!(&news[1], LockEvent::Asked { asker, by_ms: 12_000, .. } if *asker == who(YUKI)), "{news:?}");
-    assert_eq!(locks.ask(3_000, who(BEN), note("a")), Asked::TooSoon { again_ms: 32_000 });
+    assert_eq!(locks.ask(3_000, who(BEN), note("a")), AskResult::TooSoon { again_ms: 32_000 });
     assert!(locks.say_yes(4_000, AIKO, grant.token));
     assert_eq!(granted(&locks.news())[0].0, YUKI);
-    assert_eq!(locks.ask(5_000, who(BEN), note("a")), Asked::Free, "what is free need not be asked for");
+    assert_eq!(locks.ask(5_000, who(BEN), note("a")), AskResult::Free, "what is free need not be asked for");
 }
 
 #[test]
@@ -207,14 +207,14 @@ fn not_yet_counts_for_a_minute_in_all() {
         lasts.collect::<Vec<_>>()
     };
     for (at, last) in [(0, false), (31_000, false), (62_000, true)] {
-        assert_eq!(locks.ask(at, who(BEN), note("a")), Asked::Waiting { by_ms: at + 10_000 });
+        assert_eq!(locks.ask(at, who(BEN), note("a")), AskResult::Waiting { by_ms: at + 10_000 });
         assert_eq!(asked(locks.news()), [(at + 10_000, last)]);
         assert_eq!(locks.say_not_yet(at + 1_000, AIKO, grant.token), !last, "{at}");
     }
     assert!(locks.touch(65_000, AIKO, grant.token), "typing counts no more either");
     assert_eq!((locks.news(), locks.holder(&note("a"))), (vec![], Some(&who(AIKO))));
     assert_eq!(granted(&locks.tick(72_000)).len(), 1);
-    assert_eq!(locks.ask(73_000, who(AIKO), note("a")), Asked::Waiting { by_ms: 83_000 });
+    assert_eq!(locks.ask(73_000, who(AIKO), note("a")), AskResult::Waiting { by_ms: 83_000 });
     assert_eq!(asked(locks.news()), [(83_000, false)], "of Ben it is asked for the first time");
 }
 
@@ -247,7 +247,7 @@ fn who_asked_may_withdraw_and_the_holder_hears_of_it() {
     locks.leave(3, YUKI);
     let gone = LockEvent::Withdrawn { holder: who(AIKO), token: grant.token, asker: who(YUKI) };
     assert_eq!(locks.news(), [gone], "who goes asks no more");
-    assert_eq!(whys(&locks.tick(20_000)), Vec::<&Why>::new());
+    assert_eq!(whys(&locks.tick(20_000)), Vec::<&LockEndReason>::new());
 }
 
 #[test]
@@ -271,7 +271,7 @@ fn the_version_says_whether_who_holds_what_changed() {
     step(&locks, "kept");
     locks.return_to(8, &who(AIKO).client, 9);
     step(&locks, "returned");
-    locks.release(9, BEN, Token { epoch: 7, counter: 2 });
+    locks.release(9, BEN, LockToken { epoch: 7, counter: 2 });
     step(&locks, "released");
     assert_eq!(steps.iter().map(|(_, changed)| *changed).collect::<Vec<_>>(), [false, true, true, true, true]);
 }
@@ -283,12 +283,12 @@ fn who_waits_gets_what_is_given_back_in_turn() {
     locks.ask(0, who(YUKI), note("a"));
     locks.ask(0, who(4), note("b"));
     locks.ask(0, who(5), note("b"));
-    assert_eq!(locks.ask(0, who(6), note("a")), Asked::Full);
+    assert_eq!(locks.ask(0, who(6), note("a")), AskResult::Full);
     locks.leave(1, 5);
     locks.release(2, AIKO, grant.token);
     let sessions: Vec<u64> = granted(&locks.news()).iter().map(|(session, _)| *session).collect();
     assert_eq!(sessions, [BEN, 4]);
-    assert_eq!(locks.ask(3, who(YUKI), note("a")), Asked::Waiting { by_ms: 10_002 }, "of Ben now");
+    assert_eq!(locks.ask(3, who(YUKI), note("a")), AskResult::Waiting { by_ms: 10_002 }, "of Ben now");
 }
 
 #[test]
@@ -296,10 +296,10 @@ fn an_admin_may_take_it() {
     let (mut locks, grant) = aikos();
     locks.ask(0, who(YUKI), note("a"));
     let taken = locks.take_over(5, who(BEN), note("a")).unwrap();
-    assert_eq!(whys(&locks.news()), [&Why::TakenOver { by: "Ben".into() }]);
+    assert_eq!(whys(&locks.news()), [&LockEndReason::TakenOver { by: "Ben".into() }]);
     assert!(locks.check(&change(&["a"]), &with(AIKO, &grant)).is_err());
     assert_eq!(locks.check(&change(&["a"]), &with(BEN, &taken)), Ok(()));
-    assert_eq!(locks.ask(6, who(YUKI), note("a")), Asked::Waiting { by_ms: 10_005 });
+    assert_eq!(locks.ask(6, who(YUKI), note("a")), AskResult::Waiting { by_ms: 10_005 });
 }
 
 #[test]

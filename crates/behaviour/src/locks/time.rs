@@ -1,6 +1,6 @@
 //! The effects of time on locks: warnings, idle and absent holders, silence that means yes.
 
-use super::{Lock, LockEvent, Locks, Token, Why};
+use super::{Lock, LockEndReason, LockEvent, LockToken, Locks};
 
 /// For how long a lock is kept for a client whose link ended.
 const GRACE_MS: u64 = 10_000;
@@ -13,7 +13,7 @@ const IDLE_MS: u64 = 120_000;
 #[derive(Clone, Debug)]
 enum Due {
     Warn,
-    End(Why),
+    End(LockEndReason),
     HandOver,
 }
 
@@ -25,9 +25,9 @@ impl Lock {
         }
         let idle = match self.was_warned {
             false => (self.active_ms + WARN_MS, Due::Warn),
-            true => (self.active_ms + IDLE_MS, Due::End(Why::Idle)),
+            true => (self.active_ms + IDLE_MS, Due::End(LockEndReason::Idle)),
         };
-        let left = self.left_ms.map(|left_ms| (left_ms + GRACE_MS, Due::End(Why::Left)));
+        let left = self.left_ms.map(|left_ms| (left_ms + GRACE_MS, Due::End(LockEndReason::Left)));
         let asked = self.asks.front().map(|ask| (ask.by_ms, Due::HandOver));
         [left, asked].into_iter().flatten().fold(idle, |first, other| if other.0 < first.0 { other } else { first })
     }
@@ -79,12 +79,12 @@ impl Locks {
         let Some(lock) = self.held.get_mut(&counter) else { return };
         lock.was_warned = true;
         let (holder, free_ms) = (lock.holder.clone(), lock.active_ms + IDLE_MS);
-        self.tell(LockEvent::Warned { holder, token: Token { epoch: self.epoch, counter }, free_ms });
+        self.tell(LockEvent::Warned { holder, token: LockToken { epoch: self.epoch, counter }, free_ms });
     }
 
     pub(super) fn tell_kept(&mut self, counter: u64) {
         let Some(holder) = self.held.get(&counter).map(|lock| lock.holder.clone()) else { return };
-        let (token, until_ms) = (Token { epoch: self.epoch, counter }, self.now_ms + GRACE_MS);
+        let (token, until_ms) = (LockToken { epoch: self.epoch, counter }, self.now_ms + GRACE_MS);
         self.tell(LockEvent::KeptFor { holder, token, until_ms });
     }
 }

@@ -2,7 +2,7 @@
 //! a comma before their decimals. None of them can stand there in a procedure that runs, so reading them as what they mean
 //! changes none that does. What stands in a text stays.
 
-use super::tokens::{Bracket, Kind, Token, tokens};
+use super::tokens::{Bracket, PlacedToken, TokenKind, tokens};
 use crate::{TypedNumber, has_unseen, typed_number};
 
 /// Quotes that look like the plain one, by what ends them.
@@ -57,12 +57,12 @@ fn measured(number: f64) -> String {
 /// The procedure in plain signs, and the first that was none with what it means.
 fn with_plain_signs(body: &str, arguments: &[String]) -> (String, Option<(String, String)>) {
     let (mut plain, mut first, mut done) = (String::with_capacity(body.len()), None, 0);
-    for Token { kind, place } in tokens(body) {
+    for PlacedToken { kind, place } in tokens(body) {
         let written = &body[place.clone()];
         let means = match kind {
-            Kind::Sign => sign(written),
-            Kind::Text => quoted(written).map(|_| in_plain_quotes(written)),
-            Kind::Word if arguments.iter().all(|name| name != written) => narrow(written),
+            TokenKind::Sign => sign(written),
+            TokenKind::Text => quoted(written).map(|_| in_plain_quotes(written)),
+            TokenKind::Word if arguments.iter().all(|name| name != written) => narrow(written),
             _ => None,
         };
         if let Some(means) = means {
@@ -124,22 +124,22 @@ fn in_plain_quotes(written: &str) -> String {
 /// Numbers with a comma before their decimals, where no comma can stand.
 fn decimal_commas(body: &str) -> Vec<(std::ops::Range<usize>, TypedNumber)> {
     let tokens = tokens(body);
-    let text = |at: usize| tokens.get(at).map_or("", |token: &Token| &body[token.place.clone()]);
-    let is = |at: usize, kind: Kind| tokens.get(at).is_some_and(|token| token.kind == kind);
-    let chooses = tokens.iter().enumerate().any(|(at, token)| token.kind == Kind::Word && text(at) == "switch");
+    let text = |at: usize| tokens.get(at).map_or("", |token: &PlacedToken| &body[token.place.clone()]);
+    let is = |at: usize, kind: TokenKind| tokens.get(at).is_some_and(|token| token.kind == kind);
+    let chooses = tokens.iter().enumerate().any(|(at, token)| token.kind == TokenKind::Word && text(at) == "switch");
     // For each bracket that is open, whether commas may stand in it.
     let (mut open, mut found): (Vec<bool>, Vec<_>) = (Vec::new(), Vec::new());
     for at in 0..tokens.len() {
         match tokens[at].kind {
-            Kind::Open(Bracket::Round) => {
+            TokenKind::Open(Bracket::Round) => {
                 let before = at.checked_sub(1).map(|before| tokens[before].kind);
-                open.push(matches!(before, Some(Kind::Word | Kind::Close(_) | Kind::Text)));
+                open.push(matches!(before, Some(TokenKind::Word | TokenKind::Close(_) | TokenKind::Text)));
             }
-            Kind::Open(Bracket::Square | Bracket::Map) => open.push(true),
-            Kind::Open(Bracket::Block | Bracket::Hole) => open.push(chooses),
-            Kind::Close(_) => drop(open.pop()),
-            Kind::Number
-                if !open.last().copied().unwrap_or(false) && is(at + 2, Kind::Number) && text(at + 1) == "," =>
+            TokenKind::Open(Bracket::Square | Bracket::Map) => open.push(true),
+            TokenKind::Open(Bracket::Block | Bracket::Hole) => open.push(chooses),
+            TokenKind::Close(_) => drop(open.pop()),
+            TokenKind::Number
+                if !open.last().copied().unwrap_or(false) && is(at + 2, TokenKind::Number) && text(at + 1) == "," =>
             {
                 let (first, last) = (&tokens[at].place, &tokens[at + 2].place);
                 let is_alone = (at == 0 || text(at - 1) != ".") && text(at + 3) != "." && text(at + 3) != ",";

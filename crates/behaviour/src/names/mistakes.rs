@@ -1,22 +1,22 @@
 //! Slips in procedures that run and cannot be meant: `=` for `==` in a test, and whole numbers divided as if they were
 //! measured.
 
-use super::tokens::{Bracket, Kind, Token, tokens};
+use super::tokens::{Bracket, PlacedToken, TokenKind, tokens};
 
 /// The test with `==` in the place of each `=`; none if it has none, or does more than ask.
 pub(crate) fn compared(body: &str) -> Option<String> {
     let tokens = tokens(body);
-    let text = |token: &Token| &body[token.place.clone()];
-    let does_more = |token: &Token| match token.kind {
-        Kind::Sign => text(token) == ";",
-        Kind::Word => matches!(text(token), "let" | "const"),
-        Kind::Open(Bracket::Block) => true,
+    let text = |token: &PlacedToken| &body[token.place.clone()];
+    let does_more = |token: &PlacedToken| match token.kind {
+        TokenKind::Sign => text(token) == ";",
+        TokenKind::Word => matches!(text(token), "let" | "const"),
+        TokenKind::Open(Bracket::Block) => true,
         _ => false,
     };
     if tokens.iter().any(does_more) {
         return None;
     }
-    let stores: Vec<_> = tokens.iter().filter(|token| token.kind == Kind::Sign && text(token) == "=").collect();
+    let stores: Vec<_> = tokens.iter().filter(|token| token.kind == TokenKind::Sign && text(token) == "=").collect();
     let (mut made, mut done) = (String::new(), 0);
     for token in &stores {
         made.push_str(&body[done..token.place.start]);
@@ -44,7 +44,7 @@ pub(crate) fn divided(body: &str) -> Option<Divided> {
     let tokens = tokens(body);
     let text = |at: usize| tokens.get(at).map_or("", |token| &body[token.place.clone()]);
     let whole = |at: usize| match tokens.get(at)?.kind {
-        Kind::Number => text(at).parse::<i64>().ok(),
+        TokenKind::Number => text(at).parse::<i64>().ok(),
         _ => None,
     };
     (0..tokens.len()).find_map(|at| {

@@ -1,7 +1,7 @@
 //! The meaning of each word of a procedure: a value from outside, one of its own, a function, a part or a key.
 
 use super::is_identifier;
-use super::tokens::{Bracket, Kind, Token, tokens};
+use super::tokens::{Bracket, PlacedToken, TokenKind, tokens};
 use std::ops::Range;
 
 /// Words that build a procedure and name nothing in it.
@@ -14,7 +14,7 @@ const GOING_ON: [&str; 4] = ["else", "catch", "while", "until"];
 
 /// The meanings of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Meaning {
+pub(super) enum WordMeaning {
     /// A value from outside, such as an argument.
     Outer,
     /// A value of the procedure's own; with which of [`Read::locals`].
@@ -29,21 +29,21 @@ pub(super) enum Meaning {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Word {
     pub(super) place: Range<usize>,
-    pub(super) meaning: Meaning,
+    pub(super) meaning: WordMeaning,
     /// The values of its own that are known where a value from outside is used: so many of [`Read::known`].
     known: Range<usize>,
 }
 
 /// A procedure that is read.
 #[derive(Default)]
-pub(super) struct Read {
+pub(super) struct ReadProcedure {
     pub(super) words: Vec<Word>,
     /// The names of the values of its own, in the order in which they are declared.
     pub(super) locals: Vec<String>,
     known: Vec<usize>,
 }
 
-impl Read {
+impl ReadProcedure {
     /// The values of its own that are known where the word stands.
     pub(super) fn known_at(&self, word: &Word) -> &[usize] {
         &self.known[word.known.clone()]
@@ -51,14 +51,14 @@ impl Read {
 }
 
 /// Reads a procedure. One that is not finished is read as far as it goes.
-pub(super) fn read(body: &str) -> Read {
+pub(super) fn read(body: &str) -> ReadProcedure {
     let tokens = tokens(body);
-    let mut reader = Reader {
+    let mut reader = ScopeReader {
         body,
         tokens: &tokens,
         scope: Vec::new(),
-        levels: vec![Level::of(Inside::Block, 0)],
-        read: Read::default(),
+        levels: vec![Level::of(WordSurroundings::Block, 0)],
+        read: ReadProcedure::default(),
     };
     let mut at = 0;
     while at < tokens.len() {
@@ -69,7 +69,7 @@ pub(super) fn read(body: &str) -> Read {
 
 /// The surroundings of a word.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Inside {
+enum WordSurroundings {
     Brackets,
     Block,
     Map,
@@ -78,7 +78,7 @@ enum Inside {
 }
 
 struct Level {
-    inside: Inside,
+    inside: WordSurroundings,
     /// The number of values that were known before it.
     known: usize,
     /// Declared by a statement that is not over.
@@ -90,32 +90,32 @@ struct Level {
 }
 
 impl Level {
-    fn of(inside: Inside, known: usize) -> Self {
-        Self { inside, known, declared: Vec::new(), for_block: Vec::new(), key: inside == Inside::Map }
+    fn of(inside: WordSurroundings, known: usize) -> Self {
+        Self { inside, known, declared: Vec::new(), for_block: Vec::new(), key: inside == WordSurroundings::Map }
     }
 }
 
-struct Reader<'b> {
+struct ScopeReader<'b> {
     body: &'b str,
-    tokens: &'b [Token],
+    tokens: &'b [PlacedToken],
     /// The values of its own that are known here, by number.
     scope: Vec<usize>,
     levels: Vec<Level>,
-    read: Read,
+    read: ReadProcedure,
 }
 
-impl<'b> Reader<'b> {
+impl<'b> ScopeReader<'b> {
     fn text(&self, at: usize) -> &'b str {
         self.tokens.get(at).map_or("", |token| &self.body[token.place.clone()])
     }
 
-    fn is(&self, at: usize, kind: Kind) -> bool {
+    fn is(&self, at: usize, kind: TokenKind) -> bool {
         self.tokens.get(at).is_some_and(|token| token.kind == kind)
     }
 
     fn level(&mut self) -> &mut Level {
         if self.levels.is_empty() {
-            self.levels.push(Level::of(Inside::Block, 0));
+            self.levels.push(Level::of(WordSurroundings::Block, 0));
         }
         let last = self.levels.len() - 1;
         &mut self.levels[last]
@@ -124,11 +124,11 @@ impl<'b> Reader<'b> {
     /// Reads one piece or several that belong together; tells where the next is.
     fn next(&mut self, at: usize) -> usize {
         match self.tokens[at].kind {
-            Kind::Word => return self.word(at),
-            Kind::Open(bracket) => self.open(bracket),
-            Kind::Close(bracket) => self.close(bracket, at),
-            Kind::Sign => return self.sign(at),
-            Kind::Number | Kind::Text => {}
+            TokenKind::Word => return self.word(at),
+            TokenKind::Open(bracket) => self.open(bracket),
+            TokenKind::Close(bracket) => self.close(bracket, at),
+            TokenKind::Sign => return self.sign(at),
+            TokenKind::Number | TokenKind::Text => {}
         }
         at + 1
     }
@@ -136,9 +136,9 @@ impl<'b> Reader<'b> {
     fn open(&mut self, bracket: Bracket) {
         let known = self.scope.len();
         let inside = match bracket {
-            Bracket::Round | Bracket::Square => Inside::Brackets,
-            Bracket::Block | Bracket::Hole => Inside::Block,
-            Bracket::Map => Inside::Map,
+            Bracket::Round | Bracket::Square => WordSurroundings::Brackets,
+            Bracket::Block | Bracket::Hole => WordSurroundings::Block,
+            Bracket::Map => WordSurroundings::Map,
         };
         if bracket == Bracket::Block {
             let values = std::mem::take(&mut self.level().for_block);
@@ -150,14 +150,14 @@ impl<'b> Reader<'b> {
     fn close(&mut self, bracket: Bracket, at: usize) {
         self.end_closures();
         self.end_level();
-        let goes_on = self.is(at + 1, Kind::Word) && GOING_ON.contains(&self.text(at + 1));
-        if bracket == Bracket::Block && self.level().inside == Inside::Closure(true) && !goes_on {
+        let goes_on = self.is(at + 1, TokenKind::Word) && GOING_ON.contains(&self.text(at + 1));
+        if bracket == Bracket::Block && self.level().inside == WordSurroundings::Closure(true) && !goes_on {
             self.end_level();
         }
     }
 
     fn end_closures(&mut self) {
-        while matches!(self.level().inside, Inside::Closure(_)) {
+        while matches!(self.level().inside, WordSurroundings::Closure(_)) {
             self.end_level();
         }
     }
@@ -178,7 +178,7 @@ impl<'b> Reader<'b> {
             "," => {
                 self.end_closures();
                 let level = self.level();
-                level.key = level.inside == Inside::Map;
+                level.key = level.inside == WordSurroundings::Map;
             }
             "|" if !self.is_behind_value(at) => return self.closure(at),
             "||" if !self.is_behind_value(at) => {
@@ -193,10 +193,10 @@ impl<'b> Reader<'b> {
     fn is_behind_value(&self, at: usize) -> bool {
         let Some(before) = at.checked_sub(1) else { return false };
         match self.tokens[before].kind {
-            Kind::Number | Kind::Text => true,
-            Kind::Close(bracket) => bracket != Bracket::Block,
-            Kind::Word => matches!(self.text(before), "true" | "false") || !BUILDING.contains(&self.text(before)),
-            Kind::Open(_) | Kind::Sign => false,
+            TokenKind::Number | TokenKind::Text => true,
+            TokenKind::Close(bracket) => bracket != Bracket::Block,
+            TokenKind::Word => matches!(self.text(before), "true" | "false") || !BUILDING.contains(&self.text(before)),
+            TokenKind::Open(_) | TokenKind::Sign => false,
         }
     }
 
@@ -205,7 +205,7 @@ impl<'b> Reader<'b> {
         let known = self.scope.len();
         let mut next = at + 1;
         while next < self.tokens.len() && self.text(next) != "|" {
-            if self.is(next, Kind::Word) {
+            if self.is(next, TokenKind::Word) {
                 let local = self.declare(next);
                 self.scope.push(local);
             }
@@ -216,21 +216,21 @@ impl<'b> Reader<'b> {
     }
 
     fn begin_closure(&mut self, body: usize, known: usize) {
-        let is_statement = self.is(body, Kind::Open(Bracket::Block))
+        let is_statement = self.is(body, TokenKind::Open(Bracket::Block))
             || matches!(self.text(body), "if" | "switch" | "while" | "loop" | "do" | "for" | "try");
-        self.levels.push(Level::of(Inside::Closure(is_statement), known));
+        self.levels.push(Level::of(WordSurroundings::Closure(is_statement), known));
     }
 
     fn word(&mut self, at: usize) -> usize {
         let text = self.text(at);
         let level = self.level();
         let is_key = std::mem::take(&mut level.key);
-        if at > 0 && matches!(self.text(at - 1), "." | "?.") && self.is(at - 1, Kind::Sign) {
-            self.put(at, Meaning::Part);
+        if at > 0 && matches!(self.text(at - 1), "." | "?.") && self.is(at - 1, TokenKind::Sign) {
+            self.put(at, WordMeaning::Part);
         } else if is_key && self.text(at + 1) == ":" {
             return at + 2;
         } else if text == "let" || text == "const" {
-            if self.is(at + 1, Kind::Word) {
+            if self.is(at + 1, TokenKind::Word) {
                 let local = self.declare(at + 1);
                 self.level().declared.push(local);
                 return at + 2;
@@ -238,7 +238,7 @@ impl<'b> Reader<'b> {
         } else if text == "for" || text == "catch" {
             return self.block_values(at + 1);
         } else if self.is_called(at) {
-            self.put(at, Meaning::Function);
+            self.put(at, WordMeaning::Function);
             self.named_in_text(at);
         } else if !BUILDING.contains(&text) {
             let meaning = self.meaning_of(text);
@@ -249,17 +249,17 @@ impl<'b> Reader<'b> {
 
     /// The values of a `for` or `catch`, with brackets or without, which are known in the block that follows.
     fn block_values(&mut self, at: usize) -> usize {
-        if self.is(at, Kind::Word) {
+        if self.is(at, TokenKind::Word) {
             let local = self.declare(at);
             self.level().for_block.push(local);
             return at + 1;
         }
-        if !self.is(at, Kind::Open(Bracket::Round)) {
+        if !self.is(at, TokenKind::Open(Bracket::Round)) {
             return at;
         }
         let mut next = at + 1;
-        while next < self.tokens.len() && !self.is(next, Kind::Close(Bracket::Round)) {
-            if self.is(next, Kind::Word) {
+        while next < self.tokens.len() && !self.is(next, TokenKind::Close(Bracket::Round)) {
+            if self.is(next, TokenKind::Word) {
                 let local = self.declare(next);
                 self.level().for_block.push(local);
             }
@@ -269,43 +269,43 @@ impl<'b> Reader<'b> {
     }
 
     fn is_called(&self, at: usize) -> bool {
-        let opens = |at: usize| self.is(at, Kind::Open(Bracket::Round));
+        let opens = |at: usize| self.is(at, TokenKind::Open(Bracket::Round));
         let is_name = !BUILDING.contains(&self.text(at));
         is_name && (opens(at + 1) || (self.text(at + 1) == "!" && opens(at + 2)))
     }
 
     /// Notes the function that a text names in a call such as `Fn("near")`.
     fn named_in_text(&mut self, at: usize) {
-        let Some(token) = self.tokens.get(at + 2).filter(|token| token.kind == Kind::Text) else { return };
+        let Some(token) = self.tokens.get(at + 2).filter(|token| token.kind == TokenKind::Text) else { return };
         let text = &self.body[token.place.clone()];
         let name = text.get(1..text.len().saturating_sub(1)).filter(|name| is_identifier(name));
         let place = token.place.start + 1..token.place.end.saturating_sub(1);
         match (self.text(at), name) {
-            ("Fn" | "is_def_fn", Some(_)) => self.put_at(place, Meaning::Function),
+            ("Fn" | "is_def_fn", Some(_)) => self.put_at(place, WordMeaning::Function),
             ("is_def_var", Some(name)) => self.put_at(place, self.meaning_of(name)),
             _ => {}
         }
     }
 
-    fn meaning_of(&self, name: &str) -> Meaning {
+    fn meaning_of(&self, name: &str) -> WordMeaning {
         let local = self.scope.iter().rev().find(|local| self.read.locals[**local] == name);
-        local.map_or(Meaning::Outer, |local| Meaning::Local(*local))
+        local.map_or(WordMeaning::Outer, |local| WordMeaning::Local(*local))
     }
 
     fn declare(&mut self, at: usize) -> usize {
         let local = self.read.locals.len();
         self.read.locals.push(self.text(at).to_owned());
-        self.put(at, Meaning::Local(local));
+        self.put(at, WordMeaning::Local(local));
         local
     }
 
-    fn put(&mut self, at: usize, meaning: Meaning) {
+    fn put(&mut self, at: usize, meaning: WordMeaning) {
         self.put_at(self.tokens[at].place.clone(), meaning);
     }
 
-    fn put_at(&mut self, place: Range<usize>, meaning: Meaning) {
+    fn put_at(&mut self, place: Range<usize>, meaning: WordMeaning) {
         let start = self.read.known.len();
-        if meaning == Meaning::Outer {
+        if meaning == WordMeaning::Outer {
             self.read.known.extend(&self.scope);
         }
         self.read.words.push(Word { place, meaning, known: start..self.read.known.len() });
@@ -314,12 +314,12 @@ impl<'b> Reader<'b> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Meaning, read};
+    use super::{WordMeaning, read};
 
     /// The values from outside, in order.
     fn outer(body: &str) -> Vec<&str> {
         let words = read(body).words.into_iter();
-        words.filter(|word| word.meaning == Meaning::Outer).map(|word| &body[word.place]).collect()
+        words.filter(|word| word.meaning == WordMeaning::Outer).map(|word| &body[word.place]).collect()
     }
 
     #[test]

@@ -12,7 +12,7 @@ const SIGNS: [&str; 23] = [
 
 /// The kinds of pieces of a procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum TokenKind {
     Word,
     Number,
     /// A text, or what stands in one before, between or behind its holes.
@@ -36,13 +36,13 @@ pub(crate) enum Bracket {
 
 /// A piece and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Token {
-    pub(crate) kind: Kind,
+pub(crate) struct PlacedToken {
+    pub(crate) kind: TokenKind,
     pub(crate) place: Range<usize>,
 }
 
 /// The pieces of a procedure, in order. One that is not finished has them as far as it goes.
-pub(crate) fn tokens(body: &str) -> Vec<Token> {
+pub(crate) fn tokens(body: &str) -> Vec<PlacedToken> {
     let mut cutter = Cutter { body, at: 0, braces: Vec::new(), found: Vec::new() };
     while cutter.at < body.len() {
         cutter.next();
@@ -55,7 +55,7 @@ struct Cutter<'b> {
     at: usize,
     /// The braces that are open.
     braces: Vec<Bracket>,
-    found: Vec<Token>,
+    found: Vec<PlacedToken>,
 }
 
 impl Cutter<'_> {
@@ -63,23 +63,24 @@ impl Cutter<'_> {
         let (start, rest) = (self.at, &self.body[self.at..]);
         let bytes = rest.as_bytes();
         match bytes[0] {
-            b'"' => self.put(Kind::Text, start + quoted(bytes)),
-            b'\'' => self.put(Kind::Text, start + quoted(bytes)),
+            b'"' => self.put(TokenKind::Text, start + quoted(bytes)),
+            b'\'' => self.put(TokenKind::Text, start + quoted(bytes)),
             b'`' => {
                 self.at += 1;
                 self.template(start);
             }
             b'#' if bytes.get(1) == Some(&b'{') => self.open(Bracket::Map, 2),
-            b'#' => self.put(raw_text(rest).map_or(Kind::Sign, |_| Kind::Text), start + raw_text(rest).unwrap_or(1)),
+            b'#' => self
+                .put(raw_text(rest).map_or(TokenKind::Sign, |_| TokenKind::Text), start + raw_text(rest).unwrap_or(1)),
             b'/' if bytes.get(1) == Some(&b'/') => self.at += rest.find('\n').unwrap_or(rest.len()),
             b'/' if bytes.get(1) == Some(&b'*') => self.at += comment(bytes),
             b'(' => self.open(Bracket::Round, 1),
             b'[' => self.open(Bracket::Square, 1),
             b'{' => self.open(Bracket::Block, 1),
-            b')' => self.put(Kind::Close(Bracket::Round), start + 1),
-            b']' => self.put(Kind::Close(Bracket::Square), start + 1),
+            b')' => self.put(TokenKind::Close(Bracket::Round), start + 1),
+            b']' => self.put(TokenKind::Close(Bracket::Square), start + 1),
             b'}' => self.close_brace(),
-            byte if byte.is_ascii_digit() => self.put(Kind::Number, after_word(self.body, start)),
+            byte if byte.is_ascii_digit() => self.put(TokenKind::Number, after_word(self.body, start)),
             _ => self.word_or_sign(),
         }
     }
@@ -88,19 +89,19 @@ impl Cutter<'_> {
         let (start, rest) = (self.at, &self.body[self.at..]);
         let first = rest.chars().next().unwrap_or(' ');
         if is_name_start(first) {
-            self.put(Kind::Word, after_word(self.body, start));
+            self.put(TokenKind::Word, after_word(self.body, start));
         } else if first.is_ascii_whitespace() {
             self.at += first.len_utf8();
         } else if let Some(length) = look_alikes::quoted(rest) {
-            self.put(Kind::Text, start + length);
+            self.put(TokenKind::Text, start + length);
         } else {
             let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));
-            self.put(Kind::Sign, start + sign.map_or(first.len_utf8(), |sign| sign.len()));
+            self.put(TokenKind::Sign, start + sign.map_or(first.len_utf8(), |sign| sign.len()));
         }
     }
 
-    fn put(&mut self, kind: Kind, end: usize) {
-        self.found.push(Token { kind, place: self.at..end });
+    fn put(&mut self, kind: TokenKind, end: usize) {
+        self.found.push(PlacedToken { kind, place: self.at..end });
         self.at = end;
     }
 
@@ -108,13 +109,13 @@ impl Cutter<'_> {
         if !matches!(bracket, Bracket::Round | Bracket::Square) {
             self.braces.push(bracket);
         }
-        self.put(Kind::Open(bracket), self.at + length);
+        self.put(TokenKind::Open(bracket), self.at + length);
     }
 
     /// The end of a block, of an object, or of a hole: behind that the text goes on.
     fn close_brace(&mut self) {
-        let Some(bracket) = self.braces.pop() else { return self.put(Kind::Sign, self.at + 1) };
-        self.put(Kind::Close(bracket), self.at + 1);
+        let Some(bracket) = self.braces.pop() else { return self.put(TokenKind::Sign, self.at + 1) };
+        self.put(TokenKind::Close(bracket), self.at + 1);
         if bracket == Bracket::Hole {
             self.template(self.at);
         }
@@ -129,11 +130,11 @@ impl Cutter<'_> {
         self.at = start;
         while at < bytes.len() {
             if is(at, b"${") {
-                self.put(Kind::Text, at);
+                self.put(TokenKind::Text, at);
                 return self.open(Bracket::Hole, 2);
             }
             if is(at, b"`") && !is(at, b"``") {
-                return self.put(Kind::Text, at + 1);
+                return self.put(TokenKind::Text, at + 1);
             }
             at += if is(at, b"\\${") {
                 3
@@ -143,7 +144,7 @@ impl Cutter<'_> {
                 1
             };
         }
-        self.put(Kind::Text, bytes.len());
+        self.put(TokenKind::Text, bytes.len());
     }
 }
 
@@ -183,10 +184,10 @@ fn comment(bytes: &[u8]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{Kind, tokens};
+    use super::{TokenKind, tokens};
 
     fn words(body: &str) -> Vec<&str> {
-        tokens(body).into_iter().filter(|token| token.kind == Kind::Word).map(|token| &body[token.place]).collect()
+        tokens(body).into_iter().filter(|token| token.kind == TokenKind::Word).map(|token| &body[token.place]).collect()
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::connectors::{Passes, Spec};
 use crate::flow::Gives;
 use crate::{
-    Behaviour, Connector, Filled, Fit, Graph, Helper, Id, Inference, Knowledge, Lookup, Procedure, Seen, Stream,
+    Behaviour, Connector, FillFrom, Fit, Graph, Helper, Id, Inference, Knowledge, Lookup, Procedure, SeenKinds, Stream,
     ValueType,
 };
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 const ABOVE_MAX: usize = 500;
 
 /// The surroundings that a hint looks at.
-pub(super) struct Around<'a> {
+pub(super) struct HintSurroundings<'a> {
     pub(super) behaviour: &'a Behaviour,
     pub(super) graph: Graph<'a>,
     /// Helpers by name.
@@ -21,12 +21,12 @@ pub(super) struct Around<'a> {
     pub(super) inference: Inference<'a>,
 }
 
-impl<'a> Around<'a> {
+impl<'a> HintSurroundings<'a> {
     pub(super) fn of(
         behaviour: &'a Behaviour,
         helpers: &[&'a Helper],
         knowledge: &'a dyn Knowledge,
-        seen: &Seen,
+        seen: &SeenKinds,
     ) -> Self {
         let library = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
         let inference = Inference::seeing(behaviour, helpers, knowledge, seen);

@@ -2,15 +2,15 @@
 
 mod draft;
 
-use super::around::Around;
+use super::around::HintSurroundings;
 use super::{Problem, ProblemKind, ways};
 use crate::connectors::{to_choose, to_leave_out_the_same, to_new_value, to_slow_down, to_tell_the_time};
 use crate::otherwise;
 use crate::{
     AsMeant, Behaviour, Change, Connector, Edit, Fit, Helper, Id, Kind, Knowledge, Operation, Parameters, Procedure,
-    Seen, Unit, ValueType, as_meant, rename_identifiers, rename_unknown,
+    SeenKinds, Unit, ValueType, as_meant, rename_identifiers, rename_unknown,
 };
-use draft::Draft;
+use draft::FixDraft;
 use serde::{Deserialize, Serialize};
 
 /// The time between values that were too many, in milliseconds.
@@ -83,18 +83,18 @@ pub fn fixes(
     knowledge: &dyn Knowledge,
     new_id: &mut dyn FnMut() -> Id,
 ) -> Vec<Fix> {
-    fixes_seeing(problem, behaviour, (helpers, &Seen::new()), knowledge, new_id)
+    fixes_seeing(problem, behaviour, (helpers, &SeenKinds::new()), knowledge, new_id)
 }
 
 /// Returns the fixes with the library and what was seen last, for a problem that was found with both.
 pub fn fixes_seeing(
     problem: &Problem,
     behaviour: &Behaviour,
-    (helpers, seen): (&[&Helper], &Seen),
+    (helpers, seen): (&[&Helper], &SeenKinds),
     knowledge: &dyn Knowledge,
     new_id: &mut dyn FnMut() -> Id,
 ) -> Vec<Fix> {
-    let around = Around::of(behaviour, helpers, knowledge, seen);
+    let around = HintSurroundings::of(behaviour, helpers, knowledge, seen);
     let mut fixer = Fixer { around: &around, at: &problem.at.id, new_id };
     match (&problem.kind, problem.at.kind) {
         (ProblemKind::WrongUnit { wants, gets }, Kind::Connector) => fixer.unit(*gets, *wants),
@@ -115,7 +115,7 @@ pub fn fixes_seeing(
 }
 
 struct Fixer<'a, 'n> {
-    around: &'a Around<'a>,
+    around: &'a HintSurroundings<'a>,
     at: &'a Id,
     new_id: &'n mut dyn FnMut() -> Id,
 }
@@ -125,8 +125,8 @@ impl<'a> Fixer<'a, '_> {
         self.around.behaviour.connector(self.at)
     }
 
-    fn draft(&mut self) -> Draft<'_> {
-        Draft::of(self.around.behaviour, self.new_id)
+    fn draft(&mut self) -> FixDraft<'_> {
+        FixDraft::of(self.around.behaviour, self.new_id)
     }
 
     fn unit(&mut self, from: Unit, to: Unit) -> Vec<Fix> {

@@ -2,10 +2,10 @@
 //! many.
 
 use super::ProblemKind;
-use super::around::{Around, is_driven_by};
+use super::around::{HintSurroundings, is_driven_by};
 use crate::connectors::{Passes, to_combine};
 use crate::flow::Gives;
-use crate::{Connector, Id, Lookup, Pace, Procedure, StreamKind, ValueType, called_names};
+use crate::{Connector, DevicePace, Id, Lookup, Procedure, StreamKind, ValueType, called_names};
 use std::collections::BTreeMap;
 
 /// The most actions that are compared with each other.
@@ -24,7 +24,7 @@ struct Fighter<'a> {
 
 /// Actions that are told different things by one reading, and want the same part of the robot: each with the name of the
 /// one before it, and the part.
-pub(super) fn fighting<'a>(around: &Around<'a>) -> Vec<(&'a Id, ProblemKind)> {
+pub(super) fn fighting<'a>(around: &HintSurroundings<'a>) -> Vec<(&'a Id, ProblemKind)> {
     let fighters: Vec<Fighter> = fighters(around);
     let fight = |at: usize| {
         let one = &fighters[at];
@@ -34,7 +34,7 @@ pub(super) fn fighting<'a>(around: &Around<'a>) -> Vec<(&'a Id, ProblemKind)> {
     (0..fighters.len()).filter_map(fight).collect()
 }
 
-fn fighters<'a>(around: &Around<'a>) -> Vec<Fighter<'a>> {
+fn fighters<'a>(around: &HintSurroundings<'a>) -> Vec<Fighter<'a>> {
     let streams = around.behaviour.streams_in_order().into_iter();
     let fighter = |(id, stream): (&'a Id, &'a crate::Stream)| {
         let claims = &around.inference.device(id).filter(|_| stream.kind == StreamKind::Actuator)?.claims;
@@ -46,7 +46,7 @@ fn fighters<'a>(around: &Around<'a>) -> Vec<Fighter<'a>> {
 }
 
 /// The streams whose values lead to a command of this action at once, and whether each of them does.
-fn commanding<'a>(around: &Around<'a>, action: &'a Id) -> BTreeMap<&'a Id, bool> {
+fn commanding<'a>(around: &HintSurroundings<'a>, action: &'a Id) -> BTreeMap<&'a Id, bool> {
     let (mut from, mut open) = (BTreeMap::new(), vec![(action, true)]);
     while let Some((id, each)) = open.pop() {
         if from.get(id).is_some_and(|known| *known || !each) {
@@ -75,14 +75,14 @@ fn contested(one: &Fighter, other: &Fighter) -> Option<String> {
 }
 
 /// Actions that are told by a touch and once more by letting go, with the name of the sense.
-pub(super) fn pressed_and_released<'a>(around: &Around<'a>) -> Vec<(&'a Id, ProblemKind)> {
+pub(super) fn pressed_and_released<'a>(around: &HintSurroundings<'a>) -> Vec<(&'a Id, ProblemKind)> {
     let pressing = pressing(around);
     let sense = |id: &Id| pressing.get(id).filter(|_| *around.inference.of_stream(id) == ValueType::Any);
     actions(around, |id| Some(ProblemKind::PressAndRelease { sense: (*sense(id)?).to_owned() }))
 }
 
 /// The streams that tell of a touch and of its end, with the name of the sense.
-pub(super) fn pressing<'a>(around: &Around<'a>) -> Lookup<&'a Id, &'a str> {
+pub(super) fn pressing<'a>(around: &HintSurroundings<'a>) -> Lookup<&'a Id, &'a str> {
     let tells_end = |id: &Id| around.inference.device(id).is_some_and(|device| device.tells_end);
     let passes = |connector: &Connector, _: &Id| {
         let spec = connector.operation.spec();
@@ -92,14 +92,14 @@ pub(super) fn pressing<'a>(around: &Around<'a>) -> Lookup<&'a Id, &'a str> {
 }
 
 /// Actions that take long and are told many times a second, with the name of the sense.
-pub(super) fn too_fast<'a>(around: &Around<'a>) -> Vec<(&'a Id, ProblemKind)> {
+pub(super) fn too_fast<'a>(around: &HintSurroundings<'a>) -> Vec<(&'a Id, ProblemKind)> {
     let fast = fast(around);
-    let sense = |id: &Id| fast.get(id).filter(|_| pace(around, id) == Pace::Lasting);
+    let sense = |id: &Id| fast.get(id).filter(|_| pace(around, id) == DevicePace::Lasting);
     actions(around, |id| Some(ProblemKind::FasterThanAction { sense: (*sense(id)?).to_owned() }))
 }
 
 /// The streams with many values a second, with the name of the sense.
-pub(super) fn fast<'a>(around: &Around<'a>) -> Lookup<&'a Id, &'a str> {
+pub(super) fn fast<'a>(around: &HintSurroundings<'a>) -> Lookup<&'a Id, &'a str> {
     let passes = |connector: &Connector, input: &Id| {
         let spec = connector.operation.spec();
         (spec.gives == Gives::Each || spec.is_test()) && is_driven_by(connector, input)
@@ -107,12 +107,12 @@ pub(super) fn fast<'a>(around: &Around<'a>) -> Lookup<&'a Id, &'a str> {
     reached(around, |id| pace(around, id).is_fast(), passes)
 }
 
-fn pace(around: &Around, id: &Id) -> Pace {
-    around.inference.device(id).map_or(Pace::Unknown, |device| device.pace)
+fn pace(around: &HintSurroundings, id: &Id) -> DevicePace {
+    around.inference.device(id).map_or(DevicePace::Unknown, |device| device.pace)
 }
 
 /// Those actions, in the order of the file, of which there is something to say.
-fn actions<'a>(around: &Around<'a>, says: impl Fn(&Id) -> Option<ProblemKind>) -> Vec<(&'a Id, ProblemKind)> {
+fn actions<'a>(around: &HintSurroundings<'a>, says: impl Fn(&Id) -> Option<ProblemKind>) -> Vec<(&'a Id, ProblemKind)> {
     let streams = around.behaviour.streams_in_order().into_iter();
     let actions = streams.filter(|(_, stream)| stream.kind == StreamKind::Actuator);
     actions.filter_map(|(id, _)| Some((id, says(id)?))).collect()
@@ -121,7 +121,7 @@ fn actions<'a>(around: &Around<'a>, says: impl Fn(&Id) -> Option<ProblemKind>) -
 /// The streams to which values flow from some senses, those included, by some connectors: each with the name of the first
 /// such sense.
 fn reached<'a>(
-    around: &Around<'a>,
+    around: &HintSurroundings<'a>,
     is_sense: impl Fn(&Id) -> bool,
     passes: impl Fn(&Connector, &Id) -> bool,
 ) -> Lookup<&'a Id, &'a str> {
@@ -150,7 +150,7 @@ struct Coming<'a> {
 
 /// A combination that goes on with an old value of one stream whenever the other gives one (thesis 4.4.8): the places of
 /// the old and the new input.
-pub(super) fn stale(around: &Around, connector: &Connector) -> Option<(usize, usize)> {
+pub(super) fn stale(around: &HintSurroundings, connector: &Connector) -> Option<(usize, usize)> {
     let is_small = connector.inputs.len() <= COMBINED_MAX;
     if connector.operation.spec() != to_combine() || !is_small || knows_time(connector) {
         return None;
@@ -171,7 +171,7 @@ fn knows_time(connector: &Connector) -> bool {
 }
 
 /// Finds the origin of a stream's values; none if somebody cares for their time already.
-fn coming<'a>(around: &Around<'a>, id: &'a Id) -> Option<Coming<'a>> {
+fn coming<'a>(around: &HintSurroundings<'a>, id: &'a Id) -> Option<Coming<'a>> {
     let (streams, ways) = around.above(id)?;
     if ways.iter().any(|connector| connector.operation.spec().passes == Passes::Other) {
         return None;
@@ -180,8 +180,8 @@ fn coming<'a>(around: &Around<'a>, id: &'a Id) -> Option<Coming<'a>> {
     let (senses, paces): (Vec<_>, Vec<_>) = streams.iter().filter_map(of_device).unzip();
     let each = ways.iter().all(|connector| connector.operation.spec().gives == Gives::Each);
     let tested = ways.iter().any(|connector| connector.operation.spec().is_test());
-    let is_steady = each && !paces.is_empty() && paces.iter().all(|pace| *pace == Pace::Steady);
-    let may_end = tested || paces.contains(&Pace::WhileThere);
+    let is_steady = each && !paces.is_empty() && paces.iter().all(|pace| *pace == DevicePace::Steady);
+    let may_end = tested || paces.contains(&DevicePace::WhileThere);
     let fades = may_end && !paces.is_empty() && paces.iter().all(|pace| pace.is_fast());
     Some(Coming { senses, is_steady, fades })
 }

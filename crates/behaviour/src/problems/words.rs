@@ -9,13 +9,13 @@ impl Problem {
     /// Says the problem in one English sentence.
     #[must_use]
     pub fn what(&self) -> String {
-        What(self).to_string()
+        ProblemSubject(self).to_string()
     }
 
     /// Says the problem beside its element, so without the name where the sentence has none in the middle.
     #[must_use]
     pub fn what_beside(&self) -> String {
-        Beside(self).to_string()
+        WordsBeside(self).to_string()
     }
 
     /// Says how people can solve it, in one English sentence.
@@ -29,13 +29,13 @@ impl fmt::Display for Problem {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let advice = self.advice();
         let gap = if advice.is_empty() { "" } else { " " };
-        write!(to, "{}{gap}{advice}", What(self))
+        write!(to, "{}{gap}{advice}", ProblemSubject(self))
     }
 }
 
-struct What<'a>(&'a Problem);
+struct ProblemSubject<'a>(&'a Problem);
 
-impl fmt::Display for What<'_> {
+impl fmt::Display for ProblemSubject<'_> {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let Self(Problem { name, kind, blocks, .. }) = self;
         match kind {
@@ -90,14 +90,14 @@ impl fmt::Display for What<'_> {
     }
 }
 
-struct Beside<'a>(&'a Problem);
+struct WordsBeside<'a>(&'a Problem);
 
-impl fmt::Display for Beside<'_> {
+impl fmt::Display for WordsBeside<'_> {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match &self.0.kind {
             ProblemKind::WrongUnit { wants, gets } => write!(to, "Wants {}, gets {}.", full(*wants), gets.name()),
             ProblemKind::WrongType { wants, gets } => write!(to, "Wants {wants}, gets {gets}."),
-            _ => write!(to, "{}", What(self.0)),
+            _ => write!(to, "{}", ProblemSubject(self.0)),
         }
     }
 }

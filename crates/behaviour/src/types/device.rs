@@ -8,7 +8,7 @@ pub struct DeviceType {
     /// The kind of value that it gives, or takes.
     pub value: ValueType,
     /// The pace of its values, or the time that one of them keeps it busy.
-    pub pace: Pace,
+    pub pace: DevicePace,
     /// True if a sense that tells two moments apart also tells that something ended.
     pub tells_end: bool,
     /// The parts of the robot that it uses.
@@ -27,7 +27,7 @@ pub struct Claims {
 
 /// The pace of a sense's values, or the time that an action is busy with one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Pace {
+pub enum DevicePace {
     /// One cannot tell.
     #[default]
     Unknown,
@@ -43,7 +43,7 @@ pub enum Pace {
     Lasting,
 }
 
-impl Pace {
+impl DevicePace {
     /// True if a sense reads many times a second.
     #[must_use]
     pub fn is_fast(self) -> bool {

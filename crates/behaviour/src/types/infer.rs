@@ -2,7 +2,7 @@
 
 use super::{Declared, DeviceType, Fit, Signature, ValueType};
 use crate::connectors::{Passes, Takes};
-use crate::{Behaviour, Connector, Filled, Graph, Helper, Id, Knowledge, Lookup, Procedure, StreamKind};
+use crate::{Behaviour, Connector, FillFrom, Graph, Helper, Id, Knowledge, Lookup, Procedure, StreamKind};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ const ARGUMENTS_MAX: usize = 32;
 /// The kind of value on every stream; of an action, what it takes.
 #[must_use]
 pub fn infer(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge) -> BTreeMap<Id, ValueType> {
-    infer_seeing(behaviour, helpers, knowledge, &Seen::new())
+    infer_seeing(behaviour, helpers, knowledge, &SeenKinds::new())
 }
 
 /// Infers the kinds, where what nobody knows is of the kind that was seen last.
@@ -27,7 +27,7 @@ pub fn infer_seeing(
     behaviour: &Behaviour,
     helpers: &[&Helper],
     knowledge: &dyn Knowledge,
-    seen: &Seen,
+    seen: &SeenKinds,
 ) -> BTreeMap<Id, ValueType> {
     let inference = Inference::seeing(behaviour, helpers, knowledge, seen);
     let mut types = inference.types;
@@ -35,11 +35,11 @@ pub fn infer_seeing(
 }
 
 /// The kinds of the newest values of a running program, by stream.
-pub type Seen = BTreeMap<Id, ValueType>;
+pub type SeenKinds = BTreeMap<Id, ValueType>;
 
 /// The knowledge about a behaviour: the kinds on its streams, its devices, and the results of its helpers.
 pub struct Inference<'a> {
-    helpers: Helpers<'a>,
+    helpers: HelperResults<'a>,
     devices: Lookup<&'a Id, DeviceType>,
     types: Lookup<&'a Id, ValueType>,
     /// The number of bytes that may still be read to look for names.
@@ -47,7 +47,7 @@ pub struct Inference<'a> {
 }
 
 /// The results of helpers, by the kinds of their arguments.
-struct Helpers<'a> {
+struct HelperResults<'a> {
     library: Lookup<&'a str, &'a Helper>,
     names: Vec<&'a str>,
     knowledge: &'a dyn Knowledge,
@@ -62,12 +62,17 @@ impl<'a> Inference<'a> {
     /// Finds out what every stream carries. `helpers` is the library.
     #[must_use]
     pub fn of(behaviour: &'a Behaviour, helpers: &[&'a Helper], knowledge: &'a dyn Knowledge) -> Self {
-        Self::seeing(behaviour, helpers, knowledge, &Seen::new())
+        Self::seeing(behaviour, helpers, knowledge, &SeenKinds::new())
     }
 
     /// Infers the kinds, where what nobody knows is of the kind that was seen last.
     #[must_use]
-    pub fn seeing(behaviour: &'a Behaviour, helpers: &[&'a Helper], knowledge: &'a dyn Knowledge, seen: &Seen) -> Self {
+    pub fn seeing(
+        behaviour: &'a Behaviour,
+        helpers: &[&'a Helper],
+        knowledge: &'a dyn Knowledge,
+        seen: &SeenKinds,
+    ) -> Self {
         let or_seen = |id: &Id, of: ValueType| match of {
             ValueType::Any => seen.get(id).cloned().unwrap_or_default(),
             known => known,
@@ -75,7 +80,7 @@ impl<'a> Inference<'a> {
         let library: Lookup<_, _> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
         let names = helpers.iter().map(|helper| helper.name.as_str()).distinct();
         let (left, depth) = (Cell::new(READ_MAX_BYTES), Cell::new(0));
-        let helpers = Helpers { library, names, knowledge, known: RefCell::default(), left, depth };
+        let helpers = HelperResults { library, names, knowledge, known: RefCell::default(), left, depth };
         let (devices, types, unnamed) = (Lookup::new(), Lookup::new(), Cell::new(READ_MAX_BYTES));
         let mut made = Self { helpers, devices, types, unnamed };
         for (id, stream) in behaviour.streams() {
@@ -217,7 +222,7 @@ fn told(declared: Declared, comes: &ValueType) -> ValueType {
     }
 }
 
-impl Helpers<'_> {
+impl HelperResults<'_> {
     fn signature(&self, name: &str) -> Option<Signature> {
         let helper = self.library.get(name)?;
         let known = self.knowledge.signature(helper);

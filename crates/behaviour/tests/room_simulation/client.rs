@@ -3,7 +3,7 @@
 use crate::gestures;
 use crate::server::{Down, Mutant, Up, Wish};
 use crate::witness::{Check, Disk, check_fits};
-use behaviour::{Behaviour, Change, Grant, Id, RecordId, Token};
+use behaviour::{Behaviour, Change, Grant, Id, LockToken, RecordId};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Changes that may wait for an answer.
@@ -21,7 +21,7 @@ pub(crate) struct Client {
     pub(crate) pending: VecDeque<Wish>,
     /// The changes that were answered, each with true if it was made, as this client was told.
     pub(crate) answers: BTreeMap<Id, bool>,
-    locks: BTreeMap<Token, BTreeSet<RecordId>>,
+    locks: BTreeMap<LockToken, BTreeSet<RecordId>>,
     ops: u64,
     /// The error of its clock, in milliseconds.
     pub(crate) off_ms: i64,
@@ -71,18 +71,18 @@ impl Client {
     }
 
     /// One of the locks it thinks it has.
-    pub(crate) fn lock(&self, nth: u64) -> Option<Token> {
+    pub(crate) fn lock(&self, nth: u64) -> Option<LockToken> {
         let many = self.locks.len() as u64;
         self.locks.keys().nth(nth.checked_rem(many)? as usize).copied()
     }
 
     /// Returns its tokens, as a server before this one would have given them.
-    pub(crate) fn older_tokens(&self) -> Vec<Token> {
-        self.locks.keys().map(|token| Token { epoch: token.epoch.wrapping_sub(1), ..*token }).collect()
+    pub(crate) fn older_tokens(&self) -> Vec<LockToken> {
+        self.locks.keys().map(|token| LockToken { epoch: token.epoch.wrapping_sub(1), ..*token }).collect()
     }
 
     /// It gives a lock back.
-    pub(crate) fn forget(&mut self, token: Token) {
+    pub(crate) fn forget(&mut self, token: LockToken) {
         self.locks.remove(&token);
     }
 

@@ -3,8 +3,8 @@
 use crate::gestures::{Anything, start};
 use crate::witness::{Check, Disk, Witness};
 use behaviour::{
-    Behaviour, Change, Committed, Decision, Denied, Grant, Holder, Id, LockEvent, Locks, Presented, RecordId, Refusal,
-    Room, Token, UndoLog, Why,
+    Behaviour, Change, Committed, Decision, Denied, Grant, Holder, Id, LockEndReason, LockEvent, LockToken, Locks,
+    Presented, RecordId, Refusal, Room, UndoLog,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -62,12 +62,12 @@ impl Wish {
 #[derive(Clone, Debug)]
 pub(crate) enum Up {
     Hello(usize),
-    Propose(Wish, Vec<Token>),
+    Propose(Wish, Vec<LockToken>),
     Take(BTreeSet<RecordId>),
-    Release(Token),
-    Type(Token),
+    Release(LockToken),
+    Type(LockToken),
     Ask(RecordId),
-    Answer(Token, bool),
+    Answer(LockToken, bool),
     Steal(RecordId),
     Since(u64),
     Pong,
@@ -84,7 +84,7 @@ pub(crate) enum Down {
     Made(Id, u64),
     Refused(Id),
     Granted(Grant),
-    Freed(Token),
+    Freed(LockToken),
     Ping(Option<u64>),
     Closed,
 }
@@ -99,7 +99,7 @@ struct Job {
     session: u64,
     client: usize,
     wish: Wish,
-    tokens: Vec<Token>,
+    tokens: Vec<LockToken>,
 }
 
 /// A change that the store was asked to keep.
@@ -226,7 +226,7 @@ impl Server {
         let grant = match answer {
             Ok(grant) => grant,
             Err(Denied::Held { .. }) if self.is(Mutant::DoubleGrant) => {
-                Grant { token: Token { epoch: self.disk.epoch, counter: 1_000_000 + self.now_ms }, records }
+                Grant { token: LockToken { epoch: self.disk.epoch, counter: 1_000_000 + self.now_ms }, records }
             }
             Err(_) => return Ok(()),
         };
@@ -251,11 +251,11 @@ impl Server {
                 }
                 LockEvent::Freed { holder, grant, why } => {
                     self.count(match why {
-                        Why::Released => "freed: released",
-                        Why::Idle => "freed: idle",
-                        Why::Left => "freed: left",
-                        Why::HandedOver { .. } => "freed: handed over",
-                        Why::TakenOver { .. } => "freed: taken over",
+                        LockEndReason::Released => "freed: released",
+                        LockEndReason::Idle => "freed: idle",
+                        LockEndReason::Left => "freed: left",
+                        LockEndReason::HandedOver { .. } => "freed: handed over",
+                        LockEndReason::TakenOver { .. } => "freed: taken over",
                     });
                     self.witness.freed(&grant);
                     self.say(holder.session, Down::Freed(grant.token));

@@ -1,7 +1,7 @@
 //! Watches what is granted, let in and saved, and compares it with what was promised. Knows nothing of how rooms do it.
 
 use crate::gestures::check_rules;
-use behaviour::{Behaviour, Change, Committed, Edit, Grant, Id, Kind, Presented, RecordId, Token};
+use behaviour::{Behaviour, Change, Committed, Edit, Grant, Id, Kind, LockToken, Presented, RecordId};
 use std::collections::BTreeMap;
 
 /// The result of a check: the words of what went wrong, if something did.
@@ -13,7 +13,7 @@ const DEAD_MAX_MS: u64 = 25_000;
 /// The clients that were told that a record is theirs.
 #[derive(Default)]
 pub(crate) struct Witness {
-    holders: BTreeMap<RecordId, (Token, u64)>,
+    holders: BTreeMap<RecordId, (LockToken, u64)>,
     /// Whose each link is.
     clients: BTreeMap<u64, Id>,
     /// Links that carry nothing any more, and since when.
@@ -49,7 +49,7 @@ impl Witness {
     }
 
     /// Every token that is good for something.
-    pub(crate) fn tokens(&self) -> Vec<Token> {
+    pub(crate) fn tokens(&self) -> Vec<LockToken> {
         self.holders.values().map(|(token, _)| *token).collect()
     }
 

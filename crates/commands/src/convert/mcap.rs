@@ -15,7 +15,7 @@ const NS: u64 = 1_000_000;
 
 /// A message.
 #[derive(Serialize)]
-struct Message<'a, T> {
+struct McapMessage<'a, T> {
     value: T,
     #[serde(skip_serializing_if = "str::is_empty")]
     by: &'a str,
@@ -33,8 +33,8 @@ pub(super) fn written(timeline: &Timeline) -> McapResult<Vec<u8>> {
     for event in &timeline.events {
         let topic = topic(event.what.word(), &event.subject);
         let text = match &event.value {
-            Some(value) => json(&Message { value, by: &event.by }),
-            None => json(&Message { value: &event.says, by: &event.by }),
+            Some(value) => json(&McapMessage { value, by: &event.by }),
+            None => json(&McapMessage { value: &event.says, by: &event.by }),
         };
         messages.push((event.at_ms, topic, text));
     }
@@ -62,7 +62,7 @@ fn topic(what: &str, subject: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::written;
-    use recording::{Keep, Timeline, timeline};
+    use recording::{PrivateParts, Timeline, timeline};
     use std::collections::BTreeSet;
 
     const RECORDING: &str = include_str!("../../../report/tests/data/greet.jsonl");
@@ -91,15 +91,15 @@ mod tests {
             messages(&written(&of).unwrap()).into_iter().map(|(.., text)| text).collect::<String>()
         };
         let names = ["Aiko", "Ben", "Cleo", "Emma", "banana"];
-        let plain = all(Keep::default());
+        let plain = all(PrivateParts::default());
         assert!(names.iter().all(|name| !plain.contains(name)) && plain.contains("P1"), "{plain}");
-        let kept = all(Keep { names: true, personal: true });
+        let kept = all(PrivateParts { names: true, personal: true });
         assert!(names[1..].iter().all(|name| kept.contains(name)), "{kept}");
     }
 
     #[test]
     fn an_mcap_is_read_back_by_its_library() {
-        let of = timeline(RECORDING, MARKS, Keep::default()).unwrap();
+        let of = timeline(RECORDING, MARKS, PrivateParts::default()).unwrap();
         let bytes = written(&of).unwrap();
         let all = messages(&bytes);
         assert_eq!(all.len(), of.events.len() + of.marks.len());

@@ -13,7 +13,7 @@ const TURNS_MAX: u64 = 10_000;
 const HALVES_MAX: u64 = 100;
 
 /// The files of one command.
-pub(super) struct Batch {
+pub(super) struct FileBatch {
     /// Of what is in them.
     key: u128,
     /// How often all of them were imported before.
@@ -37,7 +37,7 @@ pub(super) enum Goes {
     IsHere(Id, String),
 }
 
-impl Batch {
+impl FileBatch {
     fn of(files: &[(PathBuf, Vec<u8>)]) -> Self {
         let key = files.iter().fold(sum(FIRST, &[]), |key, (_, bytes)| {
             let length = (bytes.len() as u64).to_be_bytes();
@@ -125,7 +125,7 @@ fn sum(before: u128, bytes: &[u8]) -> u128 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Batch, sum};
+    use super::{FileBatch, sum};
     use std::collections::BTreeSet;
     use std::path::PathBuf;
 
@@ -136,14 +136,14 @@ mod tests {
     #[test]
     fn an_import_that_was_cut_short_goes_on_and_one_that_was_not_begins_anew() {
         let files = files(&["a", "b", "a"]);
-        let first = Batch::among(&BTreeSet::new(), &files);
+        let first = FileBatch::among(&BTreeSet::new(), &files);
         let ids: Vec<_> = (0..3).map(|at| first.id(at, 0)).collect();
         assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), 3, "the same file twice is two programs");
-        let cut_short = Batch::among(&ids[..2].iter().cloned().collect(), &files);
+        let cut_short = FileBatch::among(&ids[..2].iter().cloned().collect(), &files);
         assert_eq!(cut_short.id(2, 0), ids[2]);
-        let anew = Batch::among(&ids.iter().cloned().collect(), &files);
+        let anew = FileBatch::among(&ids.iter().cloned().collect(), &files);
         assert!((0..3).all(|at| !ids.contains(&anew.id(at, 0))));
-        assert_ne!(Batch::of(&self::files(&["ab", ""])).key, Batch::of(&self::files(&["a", "b"])).key);
+        assert_ne!(FileBatch::of(&self::files(&["ab", ""])).key, FileBatch::of(&self::files(&["a", "b"])).key);
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Several runs side by side in one logical time: at each instant first the readings, then the ticks.
 
-use super::Trace;
+use super::ReplayTrace;
 use super::printer::Printer;
 use crate::failure::Failure;
-use crate::trace::Reading;
+use crate::trace::TraceReading;
 use behaviour::{BehaviourFile, Engine};
 use engine::{End, Run};
 use robot::Millis;
@@ -15,7 +15,7 @@ use std::vec::IntoIter;
 pub(super) struct Player {
     name: String,
     run: Run,
-    readings: Peekable<IntoIter<Reading>>,
+    readings: Peekable<IntoIter<TraceReading>>,
     /// The last instant whose readings count.
     last: Millis,
     /// The last instant whose ticks run.
@@ -24,8 +24,8 @@ pub(super) struct Player {
 
 impl Player {
     /// A run of a file, with the readings of a trace up to `until` or to its end.
-    pub(super) fn new(until: Option<u64>, file: &BehaviourFile, run: Run, trace: Trace) -> Self {
-        let Trace { readings, closed } = trace;
+    pub(super) fn new(until: Option<u64>, file: &BehaviourFile, run: Run, trace: ReplayTrace) -> Self {
+        let ReplayTrace { readings, closed } = trace;
         let last = Millis(until.unwrap_or_else(|| readings.last().map_or(0, |(at, ..)| at.0)));
         // A frame that has begun by then runs too, unless it was recorded how far instants were closed.
         let end = match file.engine.unwrap_or_default() {

@@ -1,8 +1,8 @@
 //! Recordings of runs as traces: the readings are replayed, outputs and marks between them are left out.
 
-use super::Trace;
-use crate::failure::{Failure, Senseless};
-use crate::trace::{Reading, parse_line};
+use super::ReplayTrace;
+use crate::failure::{Failure, TraceLineError};
+use crate::trace::{TraceReading, parse_line};
 use behaviour::{StreamKind, Value};
 use engine::Run;
 use robot::Millis;
@@ -10,26 +10,34 @@ use std::io::Write;
 
 /// The readings of a recording; none if the text is no recording. Streams that the behaviour does not have are left
 /// out, as it may have been edited since; gaps, and what a replay cannot repeat, are told on standard error.
-pub(super) fn parse(text: &str, run: &Run) -> Option<Result<Trace, Failure>> {
+pub(super) fn parse(text: &str, run: &Run) -> Option<Result<ReplayTrace, Failure>> {
     let (_, lines) = recording::open(text).ok()?;
     Some(read(lines, run))
 }
 
-fn read(lines: recording::Open, run: &Run) -> Result<Trace, Failure> {
-    let mut reader =
-        Reader { run, readings: Vec::new(), closed: None, lost: 0, late: 0, strange: 0, applied: 0, remembers: 0 };
+fn read(lines: recording::OpenRecording, run: &Run) -> Result<ReplayTrace, Failure> {
+    let mut reader = RecordingReader {
+        run,
+        readings: Vec::new(),
+        closed: None,
+        lost: 0,
+        late: 0,
+        strange: 0,
+        applied: 0,
+        remembers: 0,
+    };
     for (number, line) in lines.lines() {
         reader.read(line).map_err(|why| Failure::RecordingLine(number, why))?;
     }
     for warning in reader.warnings() {
         let _ = writeln!(std::io::stderr(), "{warning}");
     }
-    Ok(Trace { readings: reader.readings, closed: reader.closed })
+    Ok(ReplayTrace { readings: reader.readings, closed: reader.closed })
 }
 
-struct Reader<'r> {
+struct RecordingReader<'r> {
     run: &'r Run,
-    readings: Vec<Reading>,
+    readings: Vec<TraceReading>,
     closed: Option<Millis>,
     lost: u64,
     late: u64,
@@ -41,8 +49,8 @@ struct Reader<'r> {
     remembers: u64,
 }
 
-impl Reader<'_> {
-    fn read(&mut self, text: &str) -> Result<(), Senseless> {
+impl RecordingReader<'_> {
+    fn read(&mut self, text: &str) -> Result<(), TraceLineError> {
         let line: Value = serde_json::from_str(text)?;
         if line.field("mark").is_some() {
             self.mark(&line);

@@ -1,6 +1,6 @@
 //! Moments as people say them: `4200`, `0:04.2`, `12:04:17.2`.
 
-use crate::no_answer::NoAnswer;
+use crate::no_answer::WhyFailure;
 use recording::open;
 use std::str::FromStr;
 
@@ -82,7 +82,7 @@ impl Moment {
     ///
     /// # Errors
     /// If it is a time of day at which nothing ran.
-    pub(super) fn within(&self, ran: &Ran) -> Result<(u64, u64), NoAnswer> {
+    pub(super) fn within(&self, ran: &Ran) -> Result<(u64, u64), WhyFailure> {
         match *self {
             Self::Millis(at_ms) => Ok((at_ms, at_ms)),
             Self::Since(at_ms, lasts_ms) => Ok((at_ms, at_ms + lasts_ms - 1)),
@@ -109,9 +109,9 @@ impl Ran {
 
     /// A time of day, or hours since Start, in milliseconds since Start. The time of day of the first line goes first; else that
     /// of the only zone in which the recording was running then.
-    fn since_start(&self, clock_ms: u64, lasts_ms: u64) -> Result<u64, NoAnswer> {
+    fn since_start(&self, clock_ms: u64, lasts_ms: u64) -> Result<u64, WhyFailure> {
         let Some(began_ms) = self.began_ms else {
-            return if self.began.is_empty() && self.until_ms == 0 { Err(NoAnswer::NoClock) } else { Ok(clock_ms) };
+            return if self.began.is_empty() && self.until_ms == 0 { Err(WhyFailure::NoClock) } else { Ok(clock_ms) };
         };
         let ran_then = |since_ms: &u64| *since_ms <= self.until_ms + lasts_ms;
         // The first line counts whole seconds, so that a moment of the first one may seem to be before it.
@@ -120,7 +120,7 @@ impl Ran {
         let mut others = (1..DAY_MS / ZONE_MS).map(since).filter(ran_then);
         let only = others.next().filter(|_| others.next().is_none());
         let hours = Some(clock_ms).filter(ran_then);
-        let not_then = || NoAnswer::NotThen { began: self.began.clone(), until_ms: self.until_ms };
+        let not_then = || WhyFailure::NotThen { began: self.began.clone(), until_ms: self.until_ms };
         first.or(only).or(hours).ok_or_else(not_then)
     }
 }
@@ -134,7 +134,7 @@ fn time_of(line: &str) -> Option<u64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{HOUR_MS, Moment, NoAnswer, Ran};
+    use super::{HOUR_MS, Moment, Ran, WhyFailure};
 
     fn moment(text: &str) -> Option<Moment> {
         text.parse().ok()
@@ -172,6 +172,6 @@ mod tests {
     #[test]
     fn a_trace_has_no_time_of_day() {
         let within = moment("12:00:00").unwrap().within(&Ran::default());
-        assert!(matches!(within, Err(NoAnswer::NoClock)));
+        assert!(matches!(within, Err(WhyFailure::NoClock)));
     }
 }

@@ -1,6 +1,6 @@
 //! The answer as it is printed: one line of JSON, or sentences.
 
-use super::words::Time;
+use super::words::SinceStart;
 use crate::explain::units;
 use crate::failure::Failure;
 use behaviour::{BehaviourFile, Helper};
@@ -13,7 +13,7 @@ use std::io::Write;
 /// An answer.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
-pub(super) enum Told {
+pub(super) enum ToldAnswer {
     Why(Why),
     Not(WhyNot),
 }
@@ -33,7 +33,12 @@ pub(super) fn warn(lost: u64, fault: Option<RunFault>) {
 ///
 /// # Errors
 /// If the program is one of which no sentences can be told.
-pub(super) fn tell(told: &Told, file: &BehaviourFile, json: bool, language: Language) -> Result<(), Vec<Failure>> {
+pub(super) fn tell(
+    told: &ToldAnswer,
+    file: &BehaviourFile,
+    json: bool,
+    language: Language,
+) -> Result<(), Vec<Failure>> {
     let lines =
         if json { vec![serde_json::to_string(told).unwrap_or_default()] } else { sentences(told, file, language)? };
     let mut out = std::io::stdout().lock();
@@ -42,18 +47,18 @@ pub(super) fn tell(told: &Told, file: &BehaviourFile, json: bool, language: Lang
     Ok(())
 }
 
-fn sentences(told: &Told, file: &BehaviourFile, language: Language) -> Result<Vec<String>, Vec<Failure>> {
+fn sentences(told: &ToldAnswer, file: &BehaviourFile, language: Language) -> Result<Vec<String>, Vec<Failure>> {
     let flaws =
         |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.to_string())).collect::<Vec<_>>();
     let behaviour = file.records(|_| None).map_err(flaws)?;
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();
     let unit = units(&behaviour, &helpers);
-    let clock = |ms: u64| Time(ms).to_string();
+    let clock = |ms: u64| SinceStart(ms).to_string();
     let answers = Answers::of(&behaviour, &helpers, &unit, &clock, language);
     let moments = match told {
-        Told::Why(why) => answers.why(why),
-        Told::Not(not) => answers.why_not(not),
+        ToldAnswer::Why(why) => answers.why(why),
+        ToldAnswer::Not(not) => answers.why_not(not),
     };
     Ok(moments.into_iter().map(|moment| moment.text).collect())
 }

@@ -1,7 +1,7 @@
 //! The sentences on standard error where nothing can be told, in English.
 
 use super::moment::NoMoment;
-use crate::no_answer::NoAnswer;
+use crate::no_answer::WhyFailure;
 use recording::Different;
 use std::fmt;
 
@@ -19,35 +19,35 @@ impl fmt::Display for NoMoment {
 
 impl std::error::Error for NoMoment {}
 
-impl fmt::Display for NoAnswer {
+impl fmt::Display for WhyFailure {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::NoStream { wanted, is_action, names } => unknown(wanted, *is_action, names, to),
             Self::NoValue { stream, at_ms, count: 0, before_ms } => {
-                write!(to, "Nothing came on “{stream}” at {}.", Time(*at_ms))?;
+                write!(to, "Nothing came on “{stream}” at {}.", SinceStart(*at_ms))?;
                 match before_ms {
-                    Some(before_ms) => write!(to, " The last value before it came at {} ({before_ms}).", Time(*before_ms)),
+                    Some(before_ms) => write!(to, " The last value before it came at {} ({before_ms}).", SinceStart(*before_ms)),
                     None => to.write_str(" No value came there before. Say --not to hear why."),
                 }
             }
             Self::NoValue { stream, at_ms, count: 1, .. } => {
-                write!(to, "“{stream}” has one value at {}; leave out --nth.", Time(*at_ms))
+                write!(to, "“{stream}” has one value at {}; leave out --nth.", SinceStart(*at_ms))
             }
             Self::NoValue { stream, at_ms, count, .. } => write!(
                 to,
                 "“{stream}” has {count} values at {}; --nth counts them from 0 and goes up to {}.",
-                Time(*at_ms),
+                SinceStart(*at_ms),
                 count - 1
             ),
             Self::Came { stream, at_ms } => {
-                write!(to, "“{stream}” did come at {}. Leave out --not to hear why.", Time(*at_ms))
+                write!(to, "“{stream}” did come at {}. Leave out --not to hear why.", SinceStart(*at_ms))
             }
             Self::Backwards => to.write_str("--until is before --from. Say first from when, then until when."),
             Self::NotThen { began, until_ms } => write!(
                 to,
                 "The recording was not running at that time: it began at {began} and went on for {}. The times of this \
                  command may also be those since Start, such as 0:04.2.",
-                Time(*until_ms)
+                SinceStart(*until_ms)
             ),
             Self::NoClock => to.write_str(
                 "A trace has no time of day. Write milliseconds since Start, such as 4200, or minutes and seconds, such as \
@@ -71,9 +71,9 @@ fn unknown(wanted: &str, is_action: bool, names: &[String], to: &mut fmt::Format
 }
 
 /// A time since Start: `0:04.200`.
-pub(super) struct Time(pub(super) u64);
+pub(super) struct SinceStart(pub(super) u64);
 
-impl fmt::Display for Time {
+impl fmt::Display for SinceStart {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let Self(ms) = self;
         write!(to, "{}:{:02}.{:03}", ms / 60_000, ms / 1_000 % 60, ms % 1_000)

@@ -7,12 +7,12 @@ use robot::Millis;
 /// The parts that are held, each by one holder.
 #[derive(Clone, Debug)]
 pub(crate) struct Holds<B> {
-    held: Lookup<String, Hold<B>>,
+    held: Lookup<String, PartHold<B>>,
 }
 
 /// A part that is held.
 #[derive(Clone, Debug)]
-pub(crate) struct Hold<B> {
+pub(crate) struct PartHold<B> {
     pub(crate) by: B,
     pub(crate) priority: i64,
     pub(crate) until: Millis,
@@ -35,8 +35,8 @@ impl<B: Clone + PartialEq> Holds<B> {
         at: Millis,
         by: &B,
         claim: &Claim,
-        wins: impl Fn(&Hold<B>) -> bool,
-    ) -> Result<(), (String, Hold<B>)> {
+        wins: impl Fn(&PartHold<B>) -> bool,
+    ) -> Result<(), (String, PartHold<B>)> {
         self.held.retain(|_, hold| hold.until > at);
         let wanted = || claim.resources.iter().filter_map(|part| Some((part, self.held.get(part)?)));
         if let Some((part, hold)) = wanted().find(|(_, hold)| wins(hold)) {
@@ -44,7 +44,8 @@ impl<B: Clone + PartialEq> Holds<B> {
         }
         let losing: Vec<B> = wanted().map(|(_, hold)| hold.by.clone()).collect();
         self.held.retain(|_, hold| !losing.contains(&hold.by));
-        let hold = Hold { by: by.clone(), priority: claim.priority, until: Millis(at.0.saturating_add(claim.hold_ms)) };
+        let hold =
+            PartHold { by: by.clone(), priority: claim.priority, until: Millis(at.0.saturating_add(claim.hold_ms)) };
         self.held.extend(claim.resources.iter().map(|part| (part.clone(), hold.clone())));
         Ok(())
     }

@@ -2,7 +2,7 @@
 //! function of the commands and of the order that people gave the behaviours.
 
 use crate::arbitration::Claim;
-use crate::arbitration::holds::{Hold, Holds};
+use crate::arbitration::holds::{Holds, PartHold};
 use robot::{Millis, Use};
 
 /// The streams that hold the parts of the robot.
@@ -37,11 +37,11 @@ impl Precedence {
         claim: &Claim,
         is_above: impl Fn(u64, u64) -> bool,
     ) -> Result<(), HeldBy> {
-        let wins = |hold: &Hold<Use>| match hold.by.run == by.run {
+        let wins = |hold: &PartHold<Use>| match hold.by.run == by.run {
             true => hold.by.stream != by.stream && hold.priority > claim.priority,
             false => is_above(hold.by.run, by.run),
         };
-        let held = |(part, hold): (String, Hold<Use>)| HeldBy { part, by: hold.by, until: hold.until };
+        let held = |(part, hold): (String, PartHold<Use>)| HeldBy { part, by: hold.by, until: hold.until };
         self.holds.command(at, by, claim, wins).map_err(held)
     }
 

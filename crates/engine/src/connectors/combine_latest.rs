@@ -1,17 +1,17 @@
 //! combineLatest: passes on what its procedure makes of the newest values of all inputs, once all are known.
 
-use super::context::{Context, Outcome};
-use super::memory::Memory;
-use super::op::{Op, Turn};
-use super::{Choice, Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::memory::ConnectorMemory;
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorChoice, ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::Carried;
+use crate::values::CarriedValue;
 use crate::values::in_place::copy_some;
 use behaviour::Value;
 use robot::Millis;
 
-pub(super) const KIND: Kind =
-    Kind { word: "combineLatest", op: Op::Take, make: |choice| Box::new(CombineLatest::of(choice)) };
+pub(super) const KIND: ConnectorKind =
+    ConnectorKind { word: "combineLatest", op: NextSteps::Take, make: |choice| Box::new(CombineLatest::of(choice)) };
 
 /// The most inputs that are handed over without a list of their own.
 const FEW: usize = 8;
@@ -22,32 +22,32 @@ struct CombineLatest {
 }
 
 impl CombineLatest {
-    fn of(choice: &Choice) -> Self {
+    fn of(choice: &ConnectorChoice) -> Self {
         Self { known: vec![None; choice.inputs] }
     }
 }
 
-impl Connector for CombineLatest {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for CombineLatest {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         copy_some(&mut self.known[turn.slot as usize], cx.stats.value(turn.input));
         with_known(&self.known, |inputs| cx.give_made_of(at, turn, inputs)).unwrap_or(Outcome::Kept)
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
+    fn frame(&mut self, cx: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
         for (known, &input) in self.known.iter_mut().zip(frame.inputs) {
             if let Some(carried) = &frame.now[input] {
                 *known = Some(carried.value.clone());
             }
         }
         let made = with_known(&self.known, |inputs| cx.call(frame.at, frame.connector, inputs)).transpose()?;
-        Ok(made.map(|value| Carried { value, origin: frame.newest.origin }))
+        Ok(made.map(|value| CarriedValue { value, origin: frame.newest.origin }))
     }
 
-    fn memory(&self) -> Memory {
-        Memory { known: self.known.clone(), ..Memory::default() }
+    fn memory(&self) -> ConnectorMemory {
+        ConnectorMemory { known: self.known.clone(), ..ConnectorMemory::default() }
     }
 
-    fn resume(&mut self, memory: Memory) {
+    fn resume(&mut self, memory: ConnectorMemory) {
         self.known = memory.known;
     }
 }

@@ -1,9 +1,9 @@
 //! The context in which connectors work: the procedures, the last value of every stream, and the counts.
 
-use super::op::Turn;
+use super::op::ConnectorTurn;
 use crate::faults::CallFault;
-use crate::procedure::Procedure;
-use crate::values::in_place::{Number, Output};
+use crate::procedure::ConnectorProcedure;
+use crate::values::in_place::{ComputedNumber, ProcedureOutput};
 use crate::values::{ConnectorIx, IndexVec, Stats};
 use behaviour::Value;
 use robot::Millis;
@@ -21,9 +21,9 @@ pub(crate) enum Outcome {
 }
 
 /// Procedures, values and counts of a run.
-pub(crate) struct Context {
+pub(crate) struct RunContext {
     engine: rhai::Engine,
-    procedures: IndexVec<ConnectorIx, Option<Procedure>>,
+    procedures: IndexVec<ConnectorIx, Option<ConnectorProcedure>>,
     /// For every connector the value before the last, if it gives objects: once nobody has it any more, the next one
     /// is made in its place.
     spares: IndexVec<ConnectorIx, Value>,
@@ -31,10 +31,10 @@ pub(crate) struct Context {
     pub(crate) stats: Stats,
 }
 
-impl Context {
+impl RunContext {
     pub(crate) fn of(
         engine: rhai::Engine,
-        procedures: IndexVec<ConnectorIx, Option<Procedure>>,
+        procedures: IndexVec<ConnectorIx, Option<ConnectorProcedure>>,
         streams: usize,
     ) -> Self {
         let connectors = procedures.len();
@@ -43,27 +43,32 @@ impl Context {
     }
 
     /// The procedure of a connector, if it has one.
-    pub(crate) fn procedure(&self, connector: ConnectorIx) -> Option<&Procedure> {
+    pub(crate) fn procedure(&self, connector: ConnectorIx) -> Option<&ConnectorProcedure> {
         self.procedures[connector].as_ref()
     }
 
     /// Puts the last value of the input on the output.
     #[inline(always)]
-    pub(super) fn pass(&mut self, at: Millis, turn: &Turn) -> Outcome {
+    pub(super) fn pass(&mut self, at: Millis, turn: &ConnectorTurn) -> Outcome {
         self.stats.pass(at, turn.connector, turn.input, turn.output);
         Outcome::Gave
     }
 
     /// Puts a number on the output.
     #[inline(always)]
-    pub(super) fn give_number(&mut self, at: Millis, turn: &Turn, made: Number) -> Outcome {
+    pub(super) fn give_number(&mut self, at: Millis, turn: &ConnectorTurn, made: ComputedNumber) -> Outcome {
         self.stats.give_number(at, turn.connector, turn.output, made);
         Outcome::Gave
     }
 
     /// Puts a value on the output that is made of the last one of the input; `make` may make it in the place of the
     /// value before the last.
-    pub(super) fn give(&mut self, at: Millis, turn: &Turn, make: impl FnOnce(&Value, &mut Value) -> Output) -> Outcome {
+    pub(super) fn give(
+        &mut self,
+        at: Millis,
+        turn: &ConnectorTurn,
+        make: impl FnOnce(&Value, &mut Value) -> ProcedureOutput,
+    ) -> Outcome {
         let spare = &mut self.spares[turn.connector];
         let made = make(self.stats.value(turn.input), spare);
         self.stats.give(at, turn.connector, turn.output, made, spare);
@@ -72,7 +77,7 @@ impl Context {
 
     /// Puts on the output what the procedure makes of the last value of the input.
     #[inline(never)]
-    pub(super) fn give_made(&mut self, at: Millis, turn: &Turn) -> Outcome {
+    pub(super) fn give_made(&mut self, at: Millis, turn: &ConnectorTurn) -> Outcome {
         let spare = &mut self.spares[turn.connector];
         let procedure = &mut self.procedures[turn.connector];
         match make(&self.engine, procedure, &[self.stats.value(turn.input)], spare) {
@@ -87,7 +92,7 @@ impl Context {
 
     /// Puts on the output what the procedure makes of these values.
     #[inline(never)]
-    pub(super) fn give_made_of(&mut self, at: Millis, turn: &Turn, inputs: &[&Value]) -> Outcome {
+    pub(super) fn give_made_of(&mut self, at: Millis, turn: &ConnectorTurn, inputs: &[&Value]) -> Outcome {
         let spare = &mut self.spares[turn.connector];
         match make(&self.engine, &mut self.procedures[turn.connector], inputs, spare) {
             Ok(made) => self.stats.give(at, turn.connector, turn.output, made, spare),
@@ -152,16 +157,16 @@ impl Context {
 /// Runs a procedure in the fastest way that gives a result.
 fn make(
     engine: &rhai::Engine,
-    of: &mut Option<Procedure>,
+    of: &mut Option<ConnectorProcedure>,
     inputs: &[&Value],
     spare: &mut Value,
-) -> Result<Output, Box<CallFault>> {
-    let Some(procedure) = of else { return Ok(Output::Value(Value::Null)) };
+) -> Result<ProcedureOutput, Box<CallFault>> {
+    let Some(procedure) = of else { return Ok(ProcedureOutput::Value(Value::Null)) };
     if let Some(number) = procedure.number(inputs) {
-        return Ok(Output::Value(number.value()));
+        return Ok(ProcedureOutput::Value(number.value()));
     }
     if procedure.object(inputs, spare) {
-        return Ok(Output::Spare);
+        return Ok(ProcedureOutput::Spare);
     }
-    procedure.call(engine, inputs).map(Output::Value)
+    procedure.call(engine, inputs).map(ProcedureOutput::Value)
 }

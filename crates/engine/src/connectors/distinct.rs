@@ -1,15 +1,16 @@
 //! distinct: passes on a value that differs from the one before, or of which the procedure makes something else.
 
-use super::context::{Context, Outcome};
-use super::memory::Memory;
-use super::op::{Op, Turn};
-use super::{Choice, Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::memory::ConnectorMemory;
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorChoice, ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::{Carried, ConnectorIx};
+use crate::values::{CarriedValue, ConnectorIx};
 use behaviour::Value;
 use robot::Millis;
 
-pub(super) const KIND: Kind = Kind { word: "distinct", op: Op::Take, make: |choice| Box::new(Distinct::of(choice)) };
+pub(super) const KIND: ConnectorKind =
+    ConnectorKind { word: "distinct", op: NextSteps::Take, make: |choice| Box::new(Distinct::of(choice)) };
 
 /// Below it every number without a fraction is a whole one: 2 to the power of 63.
 const WHOLE_END: f64 = 9_223_372_036_854_775_808.0;
@@ -21,14 +22,14 @@ struct Distinct {
 }
 
 impl Distinct {
-    fn of(choice: &Choice) -> Self {
+    fn of(choice: &ConnectorChoice) -> Self {
         Self { has_procedure: choice.has_procedure, last: None }
     }
 
     /// Tells if a value passes; if so, it is the last one from now on.
     fn passes(
         &mut self,
-        cx: &mut Context,
+        cx: &mut RunContext,
         at: Millis,
         connector: ConnectorIx,
         value: &Value,
@@ -42,8 +43,8 @@ impl Distinct {
     }
 }
 
-impl Connector for Distinct {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for Distinct {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         let value = cx.stats.value(turn.input).clone();
         match self.passes(cx, at, turn.connector, &value) {
             Ok(true) => cx.pass(at, turn),
@@ -52,16 +53,16 @@ impl Connector for Distinct {
         }
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
+    fn frame(&mut self, cx: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
         let passes = self.passes(cx, frame.at, frame.connector, &frame.newest.value)?;
         Ok(passes.then(|| frame.newest.clone()))
     }
 
-    fn memory(&self) -> Memory {
-        Memory { known: vec![self.last.clone()], ..Memory::default() }
+    fn memory(&self) -> ConnectorMemory {
+        ConnectorMemory { known: vec![self.last.clone()], ..ConnectorMemory::default() }
     }
 
-    fn resume(&mut self, memory: Memory) {
+    fn resume(&mut self, memory: ConnectorMemory) {
         self.last = memory.known.into_iter().next().flatten();
     }
 }

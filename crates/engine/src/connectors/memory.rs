@@ -1,6 +1,6 @@
 //! The memory of a connector from one instant to the next, in a form that both modes give and take.
 
-use crate::values::Carried;
+use crate::values::CarriedValue;
 use behaviour::Value;
 use robot::Millis;
 use serde::{Deserialize, Serialize};
@@ -8,19 +8,19 @@ use serde::{Deserialize, Serialize};
 /// The memory of a connector. Each kind of connector chooses the fields that it uses, and for what.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub(crate) struct Memory {
+pub(crate) struct ConnectorMemory {
     /// Values that it knows, each in its place.
     #[serde(with = "known", skip_serializing_if = "Vec::is_empty")]
     pub(crate) known: Vec<Option<Value>>,
     /// Values that it will give by itself, the first one first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(crate) waiting: Vec<Waiting>,
+    pub(crate) waiting: Vec<WaitingValue>,
 }
 
 /// A value that will be given by itself.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Waiting {
-    pub(crate) carried: Carried,
+pub(crate) struct WaitingValue {
+    pub(crate) carried: CarriedValue,
     pub(crate) due: Millis,
 }
 

@@ -1,23 +1,23 @@
 //! merge: passes on every value of all inputs.
 
-use super::context::{Context, Outcome};
-use super::op::{Op, Turn};
-use super::{Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::Carried;
+use crate::values::CarriedValue;
 use robot::Millis;
 
-pub(super) const KIND: Kind = Kind { word: "merge", op: Op::Pass, make: |_| Box::new(Merge) };
+pub(super) const KIND: ConnectorKind = ConnectorKind { word: "merge", op: NextSteps::Pass, make: |_| Box::new(Merge) };
 
 /// Remembers nothing.
 struct Merge;
 
-impl Connector for Merge {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for Merge {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         cx.pass(at, turn)
     }
 
-    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
+    fn frame(&mut self, _: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
         Ok(Some(frame.newest.clone()))
     }
 }

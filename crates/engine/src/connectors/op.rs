@@ -1,16 +1,16 @@
 //! The steps of event mode: most connectors take the value themselves, the way of numbers is inlined.
 
-use super::context::{Context, Outcome};
-use super::{Connector, filter, map};
-use crate::procedure::Procedure;
-use crate::procedure::compiled::{Comparison, Operator, Short};
-use crate::values::in_place::Number;
+use super::context::{Outcome, RunContext};
+use super::{RunConnector, filter, map};
+use crate::procedure::ConnectorProcedure;
+use crate::procedure::compiled::{CompiledComparison, Operator, Short};
+use crate::values::in_place::ComputedNumber;
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use robot::Millis;
 
 /// The steps that can follow the last value of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Op {
+pub(crate) enum NextSteps {
     /// Lets the connector take it.
     Take,
     /// Passes it on.
@@ -22,26 +22,26 @@ pub(crate) enum Op {
     /// Hands it to a filter.
     Filter,
     /// Hands it to a filter that is one comparison with the number of the turn.
-    Compare(Comparison),
+    Compare(CompiledComparison),
     /// Nothing: no connector is left in this row.
     End,
 }
 
 /// One connector's turn to take a value.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Turn {
+pub(crate) struct ConnectorTurn {
     pub(crate) connector: ConnectorIx,
     /// The place of its input among the inputs of the connector.
     pub(crate) slot: u32,
     pub(crate) input: StreamIx,
     pub(crate) output: StreamIx,
     /// The number that a procedure of one operation has.
-    pub(crate) number: Number,
+    pub(crate) number: ComputedNumber,
 }
 
-impl Op {
+impl NextSteps {
     /// The shorter way, if the procedure is one operation with a number.
-    pub(crate) fn shortened(self, procedure: &Procedure) -> Option<(Self, Number)> {
+    pub(crate) fn shortened(self, procedure: &ConnectorProcedure) -> Option<(Self, ComputedNumber)> {
         match (self, procedure.short()?) {
             (Self::Map, Short::Compute(operator, number)) => Some((Self::Compute(operator), number)),
             (Self::Filter, Short::Compare(comparison, number)) => Some((Self::Compare(comparison), number)),
@@ -53,10 +53,10 @@ impl Op {
     #[inline(always)]
     pub(crate) fn perform(
         self,
-        connectors: &mut IndexVec<ConnectorIx, Box<dyn Connector>>,
-        cx: &mut Context,
+        connectors: &mut IndexVec<ConnectorIx, Box<dyn RunConnector>>,
+        cx: &mut RunContext,
         at: Millis,
-        turn: &Turn,
+        turn: &ConnectorTurn,
     ) -> Outcome {
         match self {
             Self::Compute(operator) => map::compute(cx, at, turn, operator),

@@ -1,43 +1,44 @@
 //! sample: passes on the newest value at each beat, if one came since the last.
 
-use super::context::{Context, Outcome};
-use super::memory::{Memory, Waiting};
-use super::op::{Op, Turn};
-use super::{Choice, Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::memory::{ConnectorMemory, WaitingValue};
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorChoice, ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::Carried;
+use crate::values::CarriedValue;
 use robot::Millis;
 
-pub(super) const KIND: Kind = Kind { word: "sample", op: Op::Take, make: |choice| Box::new(Sample::of(choice)) };
+pub(super) const KIND: ConnectorKind =
+    ConnectorKind { word: "sample", op: NextSteps::Take, make: |choice| Box::new(Sample::of(choice)) };
 
 /// Remembers the newest value until its beat.
 struct Sample {
     period: u64,
-    held: Option<Waiting>,
+    held: Option<WaitingValue>,
 }
 
 impl Sample {
-    fn of(choice: &Choice) -> Self {
+    fn of(choice: &ConnectorChoice) -> Self {
         Self { period: choice.period_ms.max(1), held: None }
     }
 
     /// Holds a value, for the first beat after an instant if it held none.
-    fn hold(&mut self, carried: Carried, after: u64) {
+    fn hold(&mut self, carried: CarriedValue, after: u64) {
         let beat = Millis((after / self.period + 1).saturating_mul(self.period));
         let due = self.held.take().map_or(beat, |held| held.due);
-        self.held = Some(Waiting { carried, due });
+        self.held = Some(WaitingValue { carried, due });
     }
 }
 
-impl Connector for Sample {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for Sample {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         let value = cx.stats.value(turn.input).clone();
-        self.hold(Carried { value, origin: (at.0, 0) }, at.0.saturating_sub(1));
+        self.hold(CarriedValue { value, origin: (at.0, 0) }, at.0.saturating_sub(1));
         Outcome::Waits
     }
 
     /// A beat in the frame comes after the value.
-    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
+    fn frame(&mut self, _: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
         self.hold(frame.newest.clone(), frame.at.0 - frame.length);
         Ok(None)
     }
@@ -46,15 +47,15 @@ impl Connector for Sample {
         self.held.as_ref().map(|held| held.due)
     }
 
-    fn tick(&mut self) -> Option<Carried> {
+    fn tick(&mut self) -> Option<CarriedValue> {
         self.held.take().map(|held| held.carried)
     }
 
-    fn memory(&self) -> Memory {
-        Memory { waiting: self.held.iter().cloned().collect(), ..Memory::default() }
+    fn memory(&self) -> ConnectorMemory {
+        ConnectorMemory { waiting: self.held.iter().cloned().collect(), ..ConnectorMemory::default() }
     }
 
-    fn resume(&mut self, memory: Memory) {
+    fn resume(&mut self, memory: ConnectorMemory) {
         self.held = memory.waiting.into_iter().next();
     }
 }

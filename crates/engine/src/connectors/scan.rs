@@ -1,15 +1,16 @@
 //! scan: passes on what its procedure makes of what it made before and the new value.
 
-use super::context::{Context, Outcome};
-use super::memory::Memory;
-use super::op::{Op, Turn};
-use super::{Choice, Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::memory::ConnectorMemory;
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorChoice, ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::Carried;
+use crate::values::CarriedValue;
 use behaviour::Value;
 use robot::Millis;
 
-pub(super) const KIND: Kind = Kind { word: "scan", op: Op::Take, make: |choice| Box::new(Scan::of(choice)) };
+pub(super) const KIND: ConnectorKind =
+    ConnectorKind { word: "scan", op: NextSteps::Take, make: |choice| Box::new(Scan::of(choice)) };
 
 /// Remembers what its procedure made last; at first the value to start from.
 struct Scan {
@@ -17,13 +18,13 @@ struct Scan {
 }
 
 impl Scan {
-    fn of(choice: &Choice) -> Self {
+    fn of(choice: &ConnectorChoice) -> Self {
         Self { so_far: choice.start.clone() }
     }
 }
 
-impl Connector for Scan {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for Scan {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         let value = cx.stats.value(turn.input).clone();
         let outcome = cx.give_made_of(at, turn, &[&self.so_far, &value]);
         if let Outcome::Gave = outcome {
@@ -32,17 +33,17 @@ impl Connector for Scan {
         outcome
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
-        let Carried { value, origin } = frame.newest;
+    fn frame(&mut self, cx: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
+        let CarriedValue { value, origin } = frame.newest;
         self.so_far = cx.call(frame.at, frame.connector, &[&self.so_far, value])?;
-        Ok(Some(Carried { value: self.so_far.clone(), origin: *origin }))
+        Ok(Some(CarriedValue { value: self.so_far.clone(), origin: *origin }))
     }
 
-    fn memory(&self) -> Memory {
-        Memory { known: vec![Some(self.so_far.clone())], ..Memory::default() }
+    fn memory(&self) -> ConnectorMemory {
+        ConnectorMemory { known: vec![Some(self.so_far.clone())], ..ConnectorMemory::default() }
     }
 
-    fn resume(&mut self, memory: Memory) {
+    fn resume(&mut self, memory: ConnectorMemory) {
         self.so_far = memory.known.into_iter().next().flatten().unwrap_or_default();
     }
 }

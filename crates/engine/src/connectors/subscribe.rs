@@ -1,23 +1,24 @@
 //! subscribe: hands every value to an actuator.
 
-use super::context::{Context, Outcome};
-use super::op::{Op, Turn};
-use super::{Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::Carried;
+use crate::values::CarriedValue;
 use robot::Millis;
 
-pub(super) const KIND: Kind = Kind { word: "subscribe", op: Op::Pass, make: |_| Box::new(Subscribe) };
+pub(super) const KIND: ConnectorKind =
+    ConnectorKind { word: "subscribe", op: NextSteps::Pass, make: |_| Box::new(Subscribe) };
 
 /// Remembers nothing.
 struct Subscribe;
 
-impl Connector for Subscribe {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for Subscribe {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         cx.pass(at, turn)
     }
 
-    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
+    fn frame(&mut self, _: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
         Ok(Some(frame.newest.clone()))
     }
 }

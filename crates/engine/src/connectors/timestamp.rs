@@ -1,24 +1,25 @@
 //! timestamp: passes on each value together with when it was sensed.
 
-use super::context::{Context, Outcome};
-use super::op::{Op, Turn};
-use super::{Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::Carried;
-use crate::values::in_place::{Number, Output, copy, own_values, put_number};
-use behaviour::{Fields, Names, Value};
+use crate::values::CarriedValue;
+use crate::values::in_place::{ComputedNumber, ProcedureOutput, copy, own_values, put_number};
+use behaviour::{FieldNames, Fields, Value};
 use robot::Millis;
 
-pub(super) const KIND: Kind = Kind { word: "timestamp", op: Op::Take, make: |_| Box::new(Timestamp::new()) };
+pub(super) const KIND: ConnectorKind =
+    ConnectorKind { word: "timestamp", op: NextSteps::Take, make: |_| Box::new(Timestamp::new()) };
 
 /// Remembers nothing but the names of the fields that it makes.
 struct Timestamp {
-    names: Names,
+    names: FieldNames,
 }
 
 impl Timestamp {
     fn new() -> Self {
-        Self { names: Names::of(&["t", "v"]) }
+        Self { names: FieldNames::of(&["t", "v"]) }
     }
 
     fn stamped(&self, at: Millis, value: &Value) -> Value {
@@ -26,26 +27,26 @@ impl Timestamp {
     }
 
     /// Makes it in the place of an older one, where possible.
-    fn stamp(&self, at: Millis, value: &Value, spare: &mut Value) -> Output {
+    fn stamp(&self, at: Millis, value: &Value, spare: &mut Value) -> ProcedureOutput {
         match own_values(spare, &self.names) {
             Some([t, v]) => {
-                put_number(t, Number::Int(time(at)));
+                put_number(t, ComputedNumber::Int(time(at)));
                 copy(v, value);
-                Output::Spare
+                ProcedureOutput::Spare
             }
-            _ => Output::Value(self.stamped(at, value)),
+            _ => ProcedureOutput::Value(self.stamped(at, value)),
         }
     }
 }
 
-impl Connector for Timestamp {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for Timestamp {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         cx.give(at, turn, |value, spare| self.stamp(at, value, spare))
     }
 
-    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
-        let Carried { value, origin } = frame.newest;
-        Ok(Some(Carried { value: self.stamped(frame.at, value), origin: *origin }))
+    fn frame(&mut self, _: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
+        let CarriedValue { value, origin } = frame.newest;
+        Ok(Some(CarriedValue { value: self.stamped(frame.at, value), origin: *origin }))
     }
 }
 

@@ -1,18 +1,18 @@
 //! withLatest: passes on what its procedure makes of a value of the first input and the newest values of the others.
 
 use super::combine_latest::with_known;
-use super::context::{Context, Outcome};
-use super::memory::Memory;
-use super::op::{Op, Turn};
-use super::{Choice, Connector, Frame, Kind};
+use super::context::{Outcome, RunContext};
+use super::memory::ConnectorMemory;
+use super::op::{ConnectorTurn, NextSteps};
+use super::{ConnectorChoice, ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
-use crate::values::Carried;
+use crate::values::CarriedValue;
 use crate::values::in_place::copy_some;
 use behaviour::Value;
 use robot::Millis;
 
-pub(super) const KIND: Kind =
-    Kind { word: "withLatest", op: Op::Take, make: |choice| Box::new(WithLatest::of(choice)) };
+pub(super) const KIND: ConnectorKind =
+    ConnectorKind { word: "withLatest", op: NextSteps::Take, make: |choice| Box::new(WithLatest::of(choice)) };
 
 /// Remembers the newest value of each input; the first one counts only while it comes.
 struct WithLatest {
@@ -20,13 +20,13 @@ struct WithLatest {
 }
 
 impl WithLatest {
-    fn of(choice: &Choice) -> Self {
+    fn of(choice: &ConnectorChoice) -> Self {
         Self { known: vec![None; choice.inputs] }
     }
 }
 
-impl Connector for WithLatest {
-    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+impl RunConnector for WithLatest {
+    fn take(&mut self, cx: &mut RunContext, at: Millis, turn: &ConnectorTurn) -> Outcome {
         copy_some(&mut self.known[turn.slot as usize], cx.stats.value(turn.input));
         if turn.slot > 0 {
             return Outcome::Kept;
@@ -34,7 +34,7 @@ impl Connector for WithLatest {
         with_known(&self.known, |inputs| cx.give_made_of(at, turn, inputs)).unwrap_or(Outcome::Kept)
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
+    fn frame(&mut self, cx: &mut RunContext, frame: &FrameTurn) -> Result<Option<CarriedValue>, Box<CallFault>> {
         for (known, &input) in self.known.iter_mut().zip(frame.inputs) {
             if let Some(carried) = &frame.now[input] {
                 *known = Some(carried.value.clone());
@@ -43,18 +43,18 @@ impl Connector for WithLatest {
         let first = frame.inputs.first().and_then(|&first| frame.now[first].as_ref());
         let Some(origin) = first.map(|first| first.origin) else { return Ok(None) };
         let made = with_known(&self.known, |inputs| cx.call(frame.at, frame.connector, inputs)).transpose()?;
-        Ok(made.map(|value| Carried { value, origin }))
+        Ok(made.map(|value| CarriedValue { value, origin }))
     }
 
     fn trigger(&self, _: u32) -> u32 {
         0
     }
 
-    fn memory(&self) -> Memory {
-        Memory { known: self.known.clone(), ..Memory::default() }
+    fn memory(&self) -> ConnectorMemory {
+        ConnectorMemory { known: self.known.clone(), ..ConnectorMemory::default() }
     }
 
-    fn resume(&mut self, memory: Memory) {
+    fn resume(&mut self, memory: ConnectorMemory) {
         self.known = memory.known;
     }
 }

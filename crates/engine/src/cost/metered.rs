@@ -34,7 +34,7 @@ const COMPARING: [&str; 5] = ["contains", "index_of", "dedup", "==", "!="];
 const SORTING: [&str; 4] = ["sort", "sort_desc", "order", "order_desc"];
 
 /// A function of the library.
-pub(crate) type Known = (String, Vec<TypeId>);
+pub(crate) type LibraryFunction = (String, Vec<TypeId>);
 
 /// Registers a counting function in front of each that works on texts, lists and objects.
 pub(crate) fn register(module: &mut Module, library: &[Shared<Module>]) {
@@ -59,7 +59,7 @@ fn bare_engine(library: &[Shared<Module>]) -> Engine {
     engine
 }
 
-pub(crate) fn known(function: FuncInfo) -> Option<Known> {
+pub(crate) fn known(function: FuncInfo) -> Option<LibraryFunction> {
     Some((function.metadata.name.to_string(), function.metadata.param_types.to_vec()))
 }
 

@@ -13,7 +13,7 @@ use std::rc::Rc;
 
 /// The uses of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Use {
+enum VariableUse {
     /// An item or field is read.
     Part,
     /// It is copied, or gone through, once in a call.
@@ -40,7 +40,7 @@ pub(crate) struct VariableCost {
     /// True if a text may be gone through that a variable gave: its letters are taken one by one.
     texts_go_through: bool,
     /// By variable, in the order of their names; each use once.
-    uses: Vec<(ImmutableString, Vec<Use>)>,
+    uses: Vec<(ImmutableString, Vec<VariableUse>)>,
 }
 
 /// Quarters of a step that a step counts.
@@ -103,28 +103,28 @@ fn count(name: &str, scope: &Scope) {
 }
 
 /// Returns the cost of a use of a value, without what every step has time for.
-fn cost(value: &Dynamic, kind: Use) -> usize {
+fn cost(value: &Dynamic, kind: VariableUse) -> usize {
     whole_cost(value, kind).saturating_sub(FREE_NANOS)
 }
 
-fn whole_cost(value: &Dynamic, kind: Use) -> usize {
+fn whole_cost(value: &Dynamic, kind: VariableUse) -> usize {
     let bytes = meter::text_bytes(value);
     if bytes > 0 {
         return match kind {
-            Use::Part => bytes * 7 / 2,
-            Use::Copy | Use::Grow => bytes / 16,
-            Use::Once => 0,
-            Use::Touch => bytes / 2,
-            Use::Put | Use::Letter | Use::Through => bytes * EDITED_BYTE_NANOS,
+            VariableUse::Part => bytes * 7 / 2,
+            VariableUse::Copy | VariableUse::Grow => bytes / 16,
+            VariableUse::Once => 0,
+            VariableUse::Touch => bytes / 2,
+            VariableUse::Put | VariableUse::Letter | VariableUse::Through => bytes * EDITED_BYTE_NANOS,
         };
     }
     match kind {
-        Use::Part => meter::largest_part(value),
-        Use::Once => meter::list_length(value) + meter::copying(value).saturating_sub(ONCE_NANOS),
-        Use::Touch | Use::Grow | Use::Put => meter::looking(value),
-        Use::Copy => meter::copying(value),
-        Use::Letter => meter::looking(value) + meter::longest_text(value) * EDITED_BYTE_NANOS,
-        Use::Through => meter::copying(value) * 2 + meter::longest_text(value) * EDITED_BYTE_NANOS,
+        VariableUse::Part => meter::largest_part(value),
+        VariableUse::Once => meter::list_length(value) + meter::copying(value).saturating_sub(ONCE_NANOS),
+        VariableUse::Touch | VariableUse::Grow | VariableUse::Put => meter::looking(value),
+        VariableUse::Copy => meter::copying(value),
+        VariableUse::Letter => meter::looking(value) + meter::longest_text(value) * EDITED_BYTE_NANOS,
+        VariableUse::Through => meter::copying(value) * 2 + meter::longest_text(value) * EDITED_BYTE_NANOS,
     }
 }
 
@@ -148,11 +148,11 @@ impl VariableCost {
         self.uses.binary_search_by(|(known, _)| known.as_str().cmp(name))
     }
 
-    fn uses_of(&self, name: &str) -> &[Use] {
+    fn uses_of(&self, name: &str) -> &[VariableUse] {
         self.place(name).map_or(&[], |at| &self.uses[at].1)
     }
 
-    fn used(&mut self, name: &ImmutableString, kind: Use) {
+    fn used(&mut self, name: &ImmutableString, kind: VariableUse) {
         let at = self.place(name).unwrap_or_else(|at| {
             self.uses.insert(at, (name.clone(), Vec::new()));
             at

@@ -25,7 +25,7 @@ pub enum BodyFault {
     /// It cannot be read, as signs in it only look right; with what it means, in one way or two.
     LooksRight(Vec<AsMeant>),
     /// It does at this place what no procedure may do.
-    Misuse(Place, Misuse),
+    Misuse(TextPlace, Misuse),
 }
 
 /// The things that no procedure may do. [`std::fmt::Display`] says each in a few English words.
@@ -45,7 +45,7 @@ pub enum Misuse {
 
 /// A place in a text, counted from 1. [`std::fmt::Display`] says it with a colon behind it, if it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct TextPlace {
     /// The line, if it is known.
     pub line: Option<usize>,
     /// The column, if it is known.
@@ -61,7 +61,7 @@ impl BodyFault {
     }
 }
 
-impl From<Position> for Place {
+impl From<Position> for TextPlace {
     fn from(at: Position) -> Self {
         Self { line: at.line(), column: at.position() }
     }

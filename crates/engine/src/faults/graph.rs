@@ -6,7 +6,7 @@ use behaviour::connectors::Inputs;
 
 /// One reason why a behaviour is refused. [`std::fmt::Display`] says it in one line: `id: reason`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
+pub struct GraphFault {
     /// The stream, connector or helper.
     pub id: String,
     /// The reason why it is refused.
@@ -78,7 +78,7 @@ pub enum RunFault {
     Multiplied(String),
 }
 
-impl std::error::Error for Fault {}
+impl std::error::Error for GraphFault {}
 impl std::error::Error for RunFault {}
 
 impl From<FlawKind> for Reason {

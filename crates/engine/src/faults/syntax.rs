@@ -1,6 +1,6 @@
 //! The reasons why Rhai cannot read a text, in plain words.
 
-use super::{Place, ValueKind, words::plain};
+use super::{TextPlace, ValueKind, words::plain};
 use rhai::{LexError, ParseError, ParseErrorType};
 use std::fmt;
 
@@ -53,7 +53,7 @@ impl fmt::Display for Syntax {
         match self.unknown_value() {
             // The name tells where it is.
             Some(_) => to.write_str(&self.why()),
-            None => write!(to, "{}{}", Place::from(self.error.position()), self.why()),
+            None => write!(to, "{}{}", TextPlace::from(self.error.position()), self.why()),
         }
     }
 }

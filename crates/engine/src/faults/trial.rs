@@ -1,6 +1,6 @@
 //! The reasons why a body that is tried makes no value.
 
-use super::{BodyFault, CallFault, Fault};
+use super::{BodyFault, CallFault, GraphFault};
 
 /// The reasons why a body that is tried makes no value. [`std::fmt::Display`] says each in a few English words.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub enum TrialFault {
         gets: usize,
     },
     /// These helpers cannot run.
-    Helpers(Vec<Fault>),
+    Helpers(Vec<GraphFault>),
     /// It is no procedure.
     Body(BodyFault),
     /// It faults on these inputs.

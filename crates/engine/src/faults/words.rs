@@ -1,6 +1,6 @@
 //! Every fault in plain words, and what to do about it.
 
-use super::{BodyFault, CallFault, Fault, Misuse, Place, Reason, RunFault, TrialFault, ValueFault, ValueKind};
+use super::{BodyFault, CallFault, GraphFault, Misuse, Reason, RunFault, TextPlace, TrialFault, ValueFault, ValueKind};
 use behaviour::connectors::Inputs;
 use behaviour::{AsMeant, BODY_MAX_CHARS, Value, has_unseen};
 use std::fmt::{Display, Formatter, Result};
@@ -8,7 +8,7 @@ use std::fmt::{Display, Formatter, Result};
 /// The longest value that a sentence shows, in characters.
 const SHOWN_MAX_CHARS: usize = 40;
 
-impl Display for Fault {
+impl Display for GraphFault {
     fn fmt(&self, to: &mut Formatter) -> Result {
         write!(to, "{}: {}", self.id, self.reason)
     }
@@ -112,7 +112,7 @@ impl Display for Misuse {
     }
 }
 
-impl Display for Place {
+impl Display for TextPlace {
     fn fmt(&self, to: &mut Formatter) -> Result {
         match (self.line, self.column) {
             (Some(1), Some(column)) => write!(to, "at character {column}: "),

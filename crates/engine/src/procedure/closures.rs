@@ -11,7 +11,7 @@ use rhai::{AST, ASTNode, BinaryExpr, Expr, FnCallExpr, Position, Stmt, StmtBlock
 
 /// Refuses closures that could outlive the place where they are written, also by a helper with the name of a caller.
 pub(crate) fn check_closures(ast: &AST, helpers: &LookupSet<String>) -> Result<(), BodyFault> {
-    let mut found = Found { helpers, kept: LookupSet::new(), refused: None };
+    let mut found = FoundClosures { helpers, kept: LookupSet::new(), refused: None };
     each_node(ast, &mut |path: &[ASTNode]| {
         found.look(path);
         true
@@ -24,7 +24,7 @@ pub(crate) fn check_closures(ast: &AST, helpers: &LookupSet<String>) -> Result<(
     found.refused.map_or(Ok(()), Err)
 }
 
-struct Found<'h> {
+struct FoundClosures<'h> {
     /// Helpers with the name of a caller.
     helpers: &'h LookupSet<String>,
     /// Variables that begin as such a closure.
@@ -33,7 +33,7 @@ struct Found<'h> {
     refused: Option<BodyFault>,
 }
 
-impl Found<'_> {
+impl FoundClosures<'_> {
     fn refuse(&mut self, at: Position, what: Misuse) {
         self.refused.get_or_insert_with(|| BodyFault::misuse(at, what));
     }

@@ -18,14 +18,14 @@ mod numbers;
 #[cfg(test)]
 mod tests;
 
-use crate::values::in_place::Number;
+use crate::values::in_place::ComputedNumber;
 use behaviour::Value;
-use bounds::Bounds;
-use node::{Env, Node};
+use bounds::ProcedureBounds;
+use node::{Env, ProcedureNode};
 use rhai::AST;
 use std::rc::Rc;
 
-pub(crate) use compare::Comparison;
+pub(crate) use compare::CompiledComparison;
 pub(crate) use helpers::CompiledHelpers;
 pub(crate) use numbers::Operator;
 
@@ -35,21 +35,21 @@ pub(crate) struct Unsure;
 
 /// A compiled procedure.
 pub(crate) struct Compiled {
-    root: Node,
-    bounds: Rc<Bounds>,
-    says: Says,
+    root: ProcedureNode,
+    bounds: Rc<ProcedureBounds>,
+    says: MadeKind,
 }
 
 /// A procedure that is one operation of its first input and a number: `x + 1`, `distance > 2.0`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Short {
-    Compute(Operator, Number),
-    Compare(Comparison, Number),
+    Compute(Operator, ComputedNumber),
+    Compare(CompiledComparison, ComputedNumber),
 }
 
 /// The kind of value that it makes, as far as its form tells.
 #[derive(PartialEq)]
-enum Says {
+enum MadeKind {
     Number,
     Truth,
     Object,
@@ -61,44 +61,46 @@ impl Compiled {
     pub(crate) fn of(ast: &AST, names: &[String], helpers: &CompiledHelpers) -> Option<Self> {
         let root = build::body(ast, names, helpers)?;
         let says = match &root {
-            root if root.is_numeric() => Says::Number,
-            Node::Compare(..) | Node::Not(_) | Node::All(_) | Node::Any(_) => Says::Truth,
-            Node::Object(object) if object.1.iter().all(Node::is_numeric) => Says::Object,
-            _ => Says::Anything,
+            root if root.is_numeric() => MadeKind::Number,
+            ProcedureNode::Compare(..) | ProcedureNode::Not(_) | ProcedureNode::All(_) | ProcedureNode::Any(_) => {
+                MadeKind::Truth
+            }
+            ProcedureNode::Object(object) if object.1.iter().all(ProcedureNode::is_numeric) => MadeKind::Object,
+            _ => MadeKind::Anything,
         };
         Some(Self { root, bounds: helpers.bounds(), says })
     }
 
     /// Returns the one operation of the procedure, if it is no more than that.
     pub(crate) fn short(&self) -> Option<Short> {
-        let number = |pair: &(Node, Node)| match pair {
-            (Node::Input(0), Node::Constant(value)) => Number::of(value).ok(),
+        let number = |pair: &(ProcedureNode, ProcedureNode)| match pair {
+            (ProcedureNode::Input(0), ProcedureNode::Constant(value)) => ComputedNumber::of(value).ok(),
             _ => None,
         };
         match &self.root {
-            Node::Arithmetic(operator, pair) => Some(Short::Compute(*operator, number(pair)?)),
-            Node::Compare(comparison, pair) => Some(Short::Compare(*comparison, number(pair)?)),
+            ProcedureNode::Arithmetic(operator, pair) => Some(Short::Compute(*operator, number(pair)?)),
+            ProcedureNode::Compare(comparison, pair) => Some(Short::Compare(*comparison, number(pair)?)),
             _ => None,
         }
     }
 
     /// The number it makes of the inputs; nothing if it makes another value or Rhai must decide.
     #[inline]
-    pub(crate) fn number(&self, inputs: &[&Value]) -> Option<Number> {
-        let made = if self.says == Says::Number { self.root.short_number(&self.env(inputs)).ok() } else { None };
+    pub(crate) fn number(&self, inputs: &[&Value]) -> Option<ComputedNumber> {
+        let made = if self.says == MadeKind::Number { self.root.short_number(&self.env(inputs)).ok() } else { None };
         made.filter(|number| number.is_finite())
     }
 
     /// Tells if it finds the inputs true; none if it makes another value or Rhai must decide.
     #[inline]
     pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {
-        if self.says == Says::Truth { self.root.short_truth(&self.env(inputs)).ok() } else { None }
+        if self.says == MadeKind::Truth { self.root.short_truth(&self.env(inputs)).ok() } else { None }
     }
 
     /// Makes an object of numbers over an older one that it made. False leaves `spare` with no meaning.
     #[inline]
     pub(crate) fn object(&self, inputs: &[&Value], spare: &mut Value) -> bool {
-        self.says == Says::Object && self.root.over(&self.env(inputs), spare).is_some()
+        self.says == MadeKind::Object && self.root.over(&self.env(inputs), spare).is_some()
     }
 
     #[inline]

@@ -5,7 +5,7 @@ mod reach;
 use crate::cost::Limits;
 use crate::cost::callers::is_caller;
 use crate::cost::variable_cost::VariableCost;
-use crate::faults::{BodyFault, Fault, Reason, Syntax};
+use crate::faults::{BodyFault, GraphFault, Reason, Syntax};
 use crate::procedure::calls::{called_first, circular};
 use crate::procedure::closures::check_closures;
 use crate::procedure::compiled::CompiledHelpers;
@@ -13,7 +13,7 @@ use crate::procedure::parse::compile;
 use crate::procedure::walk;
 use behaviour::LookupSet;
 use behaviour::{FileHelper, is_identifier};
-use reach::Reach;
+use reach::HelperReach;
 use rhai::{AST, Engine};
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -23,12 +23,12 @@ const STEPS_PER_PART: u64 = 2;
 
 /// Compiled helpers.
 #[derive(Default)]
-pub(crate) struct Helpers {
+pub(crate) struct HelperPrograms {
     functions: Rc<Functions>,
     compiled: Option<CompiledHelpers>,
     /// Those with the name of a function that is handed closures.
     callers: LookupSet<String>,
-    reach: Reach,
+    reach: HelperReach,
     /// The limit of steps.
     operations: u64,
 }
@@ -41,7 +41,7 @@ pub(crate) struct Functions {
 }
 
 /// A helper that Rhai accepts.
-struct Read<'f> {
+struct ReadHelper<'f> {
     /// The parameters of the helper.
     params: &'f [String],
     /// The body by itself.
@@ -52,9 +52,9 @@ struct Read<'f> {
     calls: Vec<String>,
 }
 
-impl Helpers {
+impl HelperPrograms {
     /// Checks and compiles all helpers.
-    pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<Fault>> {
+    pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<GraphFault>> {
         let mut faults = Vec::new();
         let mut texts = Vec::new();
         let (mut all, mut names) = (Vec::new(), LookupSet::new());
@@ -65,7 +65,7 @@ impl Helpers {
                     texts.push(read.function.clone());
                     all.push((helper.name.as_str(), read));
                 }
-                Err(reason) => faults.push(Fault { id: helper.name.clone(), reason }),
+                Err(reason) => faults.push(GraphFault { id: helper.name.clone(), reason }),
             }
         }
         all.sort_unstable_by_key(|(name, _)| *name);
@@ -76,7 +76,7 @@ impl Helpers {
         let mut made = Self { callers, reach: reach(&all), ..Self::default() };
         faults.extend(all.iter().filter_map(|(name, read)| {
             let fault = made.check(&read.body).err()?;
-            Some(Fault { id: (*name).to_owned(), reason: fault.into() })
+            Some(GraphFault { id: (*name).to_owned(), reason: fault.into() })
         }));
         if !faults.is_empty() {
             return Err(faults);
@@ -159,7 +159,7 @@ fn read_function(engine: &Engine, text: &str, params: &[String]) -> Result<AST, 
     engine.compile(text).map_err(|error| BodyFault::Syntax(Syntax::of(error, params)))
 }
 
-fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, BodyFault> {
+fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<ReadHelper<'f>, BodyFault> {
     if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !is_identifier(name)) {
         return Err(BodyFault::Name(bad.clone()));
     }
@@ -169,23 +169,23 @@ fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, 
     let function = format!("fn {}({}) {{\n{}\n}}", helper.name, helper.params.join(", "), helper.body);
     read_function(engine, &function, &helper.params)?;
     let calls = walk::called(&body);
-    Ok(Read { params: &helper.params, body, function, calls })
+    Ok(ReadHelper { params: &helper.params, body, function, calls })
 }
 
 /// Returns the helpers that each helper calls, by their place in `all`, which has them in the order of their names.
-fn calls(all: &[(&str, Read)]) -> Vec<Vec<usize>> {
+fn calls(all: &[(&str, ReadHelper)]) -> Vec<Vec<usize>> {
     let place = |name: &String| all.binary_search_by_key(&name.as_str(), |(known, _)| known).ok();
     all.iter().map(|(_, read)| read.calls.iter().filter_map(place).collect()).collect()
 }
 
 /// Those that are called before those that call them.
-fn in_order<'f>(all: Vec<(&'f str, Read<'f>)>, order: &[usize]) -> Vec<(&'f str, Read<'f>)> {
+fn in_order<'f>(all: Vec<(&'f str, ReadHelper<'f>)>, order: &[usize]) -> Vec<(&'f str, ReadHelper<'f>)> {
     let mut all: Vec<_> = all.into_iter().map(Some).collect();
     order.iter().filter_map(|at| all[*at].take()).collect()
 }
 
 /// Compiles the helpers for the first tier.
-fn compiled(all: &[(&str, Read)], limits: &Limits) -> CompiledHelpers {
+fn compiled(all: &[(&str, ReadHelper)], limits: &Limits) -> CompiledHelpers {
     let mut compiled = CompiledHelpers::of(limits);
     for (name, read) in all {
         compiled.add(name, read.params, &read.body);
@@ -194,8 +194,8 @@ fn compiled(all: &[(&str, Read)], limits: &Limits) -> CompiledHelpers {
 }
 
 /// Returns the bounds of one call of each helper.
-fn reach(all: &[(&str, Read)]) -> Reach {
-    let mut reach = Reach::default();
+fn reach(all: &[(&str, ReadHelper)]) -> HelperReach {
+    let mut reach = HelperReach::default();
     for (name, read) in all {
         reach.add(name, read.params.len(), &read.body, &read.calls, walk::search(&read.body));
     }
@@ -209,9 +209,11 @@ pub(crate) fn check_distinct(names: &[String]) -> Result<(), BodyFault> {
 }
 
 /// Helpers that call themselves, also through others, in the order of the file.
-fn recursion(helpers: &[FileHelper], all: &[(&str, Read)], calls: &[Vec<usize>]) -> Vec<Fault> {
+fn recursion(helpers: &[FileHelper], all: &[(&str, ReadHelper)], calls: &[Vec<usize>]) -> Vec<GraphFault> {
     let looping: LookupSet<&str> =
         all.iter().zip(circular(calls)).filter(|(_, is)| *is).map(|((name, _), _)| *name).collect();
     let faulty = helpers.iter().filter(|helper| looping.contains(helper.name.as_str()));
-    faulty.map(|helper| Fault { id: helper.name.clone(), reason: Reason::CallsItself(helper.name.clone()) }).collect()
+    faulty
+        .map(|helper| GraphFault { id: helper.name.clone(), reason: Reason::CallsItself(helper.name.clone()) })
+        .collect()
 }

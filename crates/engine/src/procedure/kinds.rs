@@ -7,7 +7,7 @@ mod operators;
 use crate::cost::nodes::each_node;
 use crate::faults::BodyFault;
 use crate::procedure::walk;
-use behaviour::{Call, TYPE_MAX_FIELDS, ValueType, is_identifier};
+use behaviour::{HelperCall, TYPE_MAX_FIELDS, ValueType, is_identifier};
 use known::{function_names, parsed};
 pub use misuse::misused;
 use rhai::{AST, ASTFlags, ASTNode, BinaryExpr, Expr, FnCallExpr, Stmt};
@@ -20,13 +20,13 @@ const PARTS_MAX: usize = 1_024;
 /// The kind of value that a body makes of arguments of these kinds: [`ValueType::Any`] at every doubt. `helper` says what
 /// a helper makes, if there is one of that name with so many parameters.
 #[must_use]
-pub fn result_type(arguments: &[(String, ValueType)], body: &str, helper: Call) -> ValueType {
+pub fn result_type(arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> ValueType {
     let names: Vec<String> = arguments.iter().map(|(name, _)| name.clone()).collect();
     let Ok(ast) = parsed(&names, body) else { return ValueType::Any };
     if ast.has_functions() {
         return ValueType::Any;
     }
-    let mut reader = Reader { names: arguments.to_vec(), helper, depth: 0, parts: 0 };
+    let mut reader = KindReader { names: arguments.to_vec(), helper, depth: 0, parts: 0 };
     reader.sequence(ast.statements()).unwrap_or_default()
 }
 
@@ -84,15 +84,15 @@ fn argument_and_field(pair: &BinaryExpr) -> Option<(&str, &str)> {
 }
 
 /// Follows a procedure. Nothing stands for what it does not know: then nobody knows what the whole makes.
-struct Reader<'c> {
+struct KindReader<'c> {
     /// The names in sight with their kinds, newest last.
     names: Vec<(String, ValueType)>,
-    helper: Call<'c>,
+    helper: HelperCall<'c>,
     depth: usize,
     parts: usize,
 }
 
-impl Reader<'_> {
+impl KindReader<'_> {
     fn block(&mut self, statements: &[Stmt]) -> Option<ValueType> {
         let seen = self.names.len();
         let made = self.sequence(statements);

@@ -2,8 +2,8 @@
 
 use crate::cost::Limits;
 use crate::faults::{BodyFault, TrialFault};
-use crate::procedure::Procedure;
-use crate::procedure::helpers::{Helpers, check_distinct};
+use crate::procedure::ConnectorProcedure;
+use crate::procedure::helpers::{HelperPrograms, check_distinct};
 use crate::procedure::parse::compile;
 use crate::rhai::maths::has_power;
 use crate::rhai::sandbox::hardened_engine;
@@ -41,7 +41,7 @@ pub fn try_body(
     let mut engine = hardened_engine(limits);
     let powers = has_power(body) || helpers.iter().any(|helper| has_power(&helper.body));
     engine.set_fast_operators(!powers);
-    let helpers = Helpers::compile(&engine, helpers, limits).map_err(TrialFault::Helpers)?;
-    let mut procedure = Procedure::compile(&engine, &helpers, arguments, body)?;
+    let helpers = HelperPrograms::compile(&engine, helpers, limits).map_err(TrialFault::Helpers)?;
+    let mut procedure = ConnectorProcedure::compile(&engine, &helpers, arguments, body)?;
     procedure.call(&engine, &inputs.iter().collect::<Vec<_>>()).map_err(TrialFault::Call)
 }

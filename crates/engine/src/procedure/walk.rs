@@ -5,7 +5,7 @@ use crate::cost::nodes::each_node;
 use crate::faults::{BodyFault, Misuse};
 use crate::procedure::closures::check_closures;
 use crate::rhai::library::is_refused;
-use behaviour::{Filled, LookupSet};
+use behaviour::{FillFrom, LookupSet};
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
 
 /// The most values that a function of the library takes, and some more.
@@ -65,7 +65,7 @@ pub(crate) fn search(ast: &AST) -> Search {
 /// around them.
 pub(crate) fn check_widths(ast: &AST, takes: &dyn Fn(&str, usize) -> bool) -> Result<(), BodyFault> {
     let mut refused = None;
-    each_call(ast, &mut |Call { name, values, at, .. }| {
+    each_call(ast, &mut |ProcedureCall { name, values, at, .. }| {
         if refused.is_none() && values > VALUES_MAX && !takes(name, values) {
             let why = match name {
                 "call" => Misuse::ClosureValues(VALUES_MAX),
@@ -125,7 +125,7 @@ pub(crate) fn check_calls(ast: &AST) -> Result<(), BodyFault> {
         return Err(BodyFault::Functions);
     }
     let mut refused = None;
-    each_call(ast, &mut |Call { name, at, .. }| {
+    each_call(ast, &mut |ProcedureCall { name, at, .. }| {
         if refused.is_none() && is_refused(name) {
             refused = Some(BodyFault::misuse(at, Misuse::Refused(name.to_owned())));
         }
@@ -135,7 +135,7 @@ pub(crate) fn check_calls(ast: &AST) -> Result<(), BodyFault> {
 }
 
 /// A call.
-struct Call<'a> {
+struct ProcedureCall<'a> {
     name: &'a str,
     /// The number of values that it hands over, without the one before the dot of a method.
     values: usize,
@@ -143,14 +143,14 @@ struct Call<'a> {
     at: Position,
 }
 
-fn each_call(ast: &AST, seen: &mut dyn FnMut(Call)) {
+fn each_call(ast: &AST, seen: &mut dyn FnMut(ProcedureCall)) {
     each_node(ast, &mut |path: &[ASTNode]| {
         let (call, at, is_method) = match path.last() {
             Some(ASTNode::Stmt(Stmt::FnCall(call, at)) | ASTNode::Expr(Expr::FnCall(call, at))) => (call, at, false),
             Some(ASTNode::Expr(Expr::MethodCall(call, at))) => (call, at, true),
             _ => return true,
         };
-        seen(Call { name: &call.name, values: call.args.len(), is_method, at: *at });
+        seen(ProcedureCall { name: &call.name, values: call.args.len(), is_method, at: *at });
         true
     });
 }

@@ -1,6 +1,6 @@
 //! A valid behaviour as numbers: streams and connectors by index, who hands values to whom, and in which order.
 
-use crate::connectors::Op;
+use crate::connectors::NextSteps;
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::flow::Gives;
 use behaviour::walk::{self, Ends};
@@ -47,7 +47,7 @@ pub struct ConnectorInfo {
     /// The number of values that it gives for those that it takes.
     pub(crate) gives: Gives,
     /// The step of event mode when one of its inputs has a value.
-    pub(crate) op: Op,
+    pub(crate) op: NextSteps,
 }
 
 impl ConnectorInfo {
@@ -58,7 +58,7 @@ impl ConnectorInfo {
 }
 
 /// The wiring of a run.
-pub(crate) struct Graph {
+pub(crate) struct RunGraph {
     pub(crate) streams: IndexVec<StreamIx, StreamInfo>,
     /// For every stream whether it is a sensor's.
     pub(crate) sensed: IndexVec<StreamIx, bool>,
@@ -71,7 +71,7 @@ pub(crate) struct Graph {
     pub(crate) ranks: IndexVec<ConnectorIx, usize>,
 }
 
-impl Graph {
+impl RunGraph {
     /// Wires valid parts together.
     ///
     /// # Errors

@@ -1,16 +1,16 @@
 //! The operation of a connector of a file: the one place where the engine asks about `behaviour::Operation`.
 
-use crate::connectors::{Choice, Kind, kind};
+use crate::connectors::{ConnectorChoice, ConnectorKind, kind};
 use behaviour::connectors::{Inputs, Spec};
 use behaviour::{FileConnector, FlawKind, Operation, Procedure};
 
 /// A connector of a file, read once.
-pub(super) struct Declared {
+pub(super) struct DeclaredConnector {
     operation: Operation,
-    pub(super) kind: &'static Kind,
+    pub(super) kind: &'static ConnectorKind,
 }
 
-impl Declared {
+impl DeclaredConnector {
     /// Reads a connector.
     ///
     /// # Errors
@@ -47,8 +47,8 @@ impl Declared {
     }
 
     /// Returns the choices for it, besides its procedure.
-    pub(super) fn choice(&self, inputs: usize) -> Choice {
-        Choice {
+    pub(super) fn choice(&self, inputs: usize) -> ConnectorChoice {
+        ConnectorChoice {
             inputs,
             period_ms: self.operation.period_ms().unwrap_or_default(),
             start: self.operation.start().cloned().unwrap_or_default(),

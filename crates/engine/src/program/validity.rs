@@ -1,13 +1,13 @@
 //! The check that a behaviour can run: every fault with the id of the stream, connector or helper, and a reason.
 
 use super::Program;
-use super::model::{ConnectorInfo, Graph, StreamInfo};
-use super::operation::Declared;
+use super::model::{ConnectorInfo, RunGraph, StreamInfo};
+use super::operation::DeclaredConnector;
 use super::reserved::without_reserved;
 use crate::cost::Limits;
-use crate::faults::{BodyFault, Fault, Reason};
-use crate::procedure::Procedure;
-use crate::procedure::helpers::{Helpers, check_distinct};
+use crate::faults::{BodyFault, GraphFault, Reason};
+use crate::procedure::ConnectorProcedure;
+use crate::procedure::helpers::{HelperPrograms, check_distinct};
 use crate::rhai::maths::has_power;
 use crate::rhai::sandbox::hardened_engine;
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
@@ -18,7 +18,7 @@ use behaviour::{Lookup, LookupSet};
 
 /// Everything that keeps a behaviour from running, in the order of the file; empty if it can run.
 #[must_use]
-pub fn validate(file: &BehaviourFile) -> Vec<Fault> {
+pub fn validate(file: &BehaviourFile) -> Vec<GraphFault> {
     Program::of(file, Limits::default()).err().unwrap_or_default()
 }
 
@@ -27,7 +27,7 @@ impl Program {
     ///
     /// # Errors
     /// Every reason why it cannot run, in the order of the file.
-    pub fn of(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
+    pub fn of(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<GraphFault>> {
         let file = &*without_reserved(file);
         let mut engine = hardened_engine(&limits);
         engine.set_fast_operators(!has_powers(file));
@@ -35,13 +35,14 @@ impl Program {
         check.file();
         check.ids();
         let (declared, infos) = check.connectors();
-        let helpers = Helpers::compile(&engine, &file.helpers, &limits).unwrap_or_else(|faults| check.give_up(faults));
+        let helpers =
+            HelperPrograms::compile(&engine, &file.helpers, &limits).unwrap_or_else(|faults| check.give_up(faults));
         let procedures = declared.iter().zip(&file.connectors);
         let procedures =
             procedures.map(|(declared, of)| check.procedure(&engine, &helpers, declared.as_ref()?, of)).collect();
         let Some(infos) = infos else { return Err(check.faults) };
         let graph = check.wired(infos);
-        let made = |(declared, of): (&Option<Declared>, &FileConnector)| {
+        let made = |(declared, of): (&Option<DeclaredConnector>, &FileConnector)| {
             declared.as_ref().map(|declared| (declared.kind.make)(&declared.choice(of.inputs.len())))
         };
         // Not out of the list itself, whose memory a run would keep.
@@ -70,17 +71,17 @@ fn index(file: &BehaviourFile) -> Lookup<&str, usize> {
 struct Check<'f> {
     file: &'f BehaviourFile,
     streams: Lookup<&'f str, usize>,
-    faults: Vec<Fault>,
+    faults: Vec<GraphFault>,
 }
 
 impl Check<'_> {
     fn fault(&mut self, id: &str, reason: impl Into<Reason>) {
-        self.faults.push(Fault { id: id.to_owned(), reason: reason.into() });
+        self.faults.push(GraphFault { id: id.to_owned(), reason: reason.into() });
     }
 
-    fn give_up(&mut self, faults: Vec<Fault>) -> Helpers {
+    fn give_up(&mut self, faults: Vec<GraphFault>) -> HelperPrograms {
         self.faults.extend(faults);
-        Helpers::default()
+        HelperPrograms::default()
     }
 
     fn file(&mut self) {
@@ -105,12 +106,12 @@ impl Check<'_> {
 
     /// Returns the operation of every connector of the file, if it has one; and all of them with their ends, unless one
     /// is missing.
-    fn connectors(&mut self) -> (Vec<Option<Declared>>, Option<Vec<ConnectorInfo>>) {
+    fn connectors(&mut self) -> (Vec<Option<DeclaredConnector>>, Option<Vec<ConnectorInfo>>) {
         let mut fed = IndexVec::filled(&false, self.file.streams.len());
         let many = self.file.connectors.len();
         let (mut all, mut infos) = (Vec::with_capacity(many), Vec::with_capacity(many));
         for connector in &self.file.connectors {
-            let declared = Declared::of(connector).map_err(|reason| self.fault(&connector.id, reason)).ok();
+            let declared = DeclaredConnector::of(connector).map_err(|reason| self.fault(&connector.id, reason)).ok();
             match declared.as_ref().map(|declared| self.connector(declared, connector, &mut fed)) {
                 Some(Ok(info)) => infos.push(info),
                 Some(Err(reason)) => self.fault(&connector.id, reason),
@@ -124,7 +125,7 @@ impl Check<'_> {
 
     fn connector(
         &self,
-        declared: &Declared,
+        declared: &DeclaredConnector,
         connector: &FileConnector,
         fed: &mut IndexVec<StreamIx, bool>,
     ) -> Result<ConnectorInfo, Reason> {
@@ -144,7 +145,12 @@ impl Check<'_> {
         self.streams.get(id).map(|at| StreamIx::of(*at)).ok_or_else(|| FlawKind::NoStream(id.to_owned()))
     }
 
-    fn check_inputs(&self, of: &Declared, connector: &FileConnector, inputs: &[StreamIx]) -> Result<(), Reason> {
+    fn check_inputs(
+        &self,
+        of: &DeclaredConnector,
+        connector: &FileConnector,
+        inputs: &[StreamIx],
+    ) -> Result<(), Reason> {
         if let Some(takes) = of.wants_inputs(inputs.len()) {
             return Err(Reason::Inputs { word: of.spec().word, takes, gets: inputs.len() });
         }
@@ -160,7 +166,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    fn check_output(&self, of: &Declared, output: StreamIx) -> Result<(), Reason> {
+    fn check_output(&self, of: &DeclaredConnector, output: StreamIx) -> Result<(), Reason> {
         let stream = &self.file.streams[output.index()];
         match (stream.kind, of.spec().ends) {
             (StreamKind::Sensor, _) => Err(Reason::IntoSensor(stream.id.clone())),
@@ -172,28 +178,33 @@ impl Check<'_> {
     }
 
     /// The wiring, unless there is a circle.
-    fn wired(&mut self, connectors: Vec<ConnectorInfo>) -> Option<Graph> {
+    fn wired(&mut self, connectors: Vec<ConnectorInfo>) -> Option<RunGraph> {
         let streams = self.file.streams.iter().map(StreamInfo::of).collect();
         let circle = |at: ConnectorIx| {
             self.fault(&self.file.connectors[at.index()].id, Reason::Circle);
         };
-        Graph::of(streams, connectors).map_err(circle).ok()
+        RunGraph::of(streams, connectors).map_err(circle).ok()
     }
 
     fn procedure(
         &mut self,
         engine: &rhai::Engine,
-        helpers: &Helpers,
-        declared: &Declared,
+        helpers: &HelperPrograms,
+        declared: &DeclaredConnector,
         of: &FileConnector,
-    ) -> Option<Procedure> {
+    ) -> Option<ConnectorProcedure> {
         let text = self.text(declared, declared.procedure()?, of);
-        let compiled = text.and_then(|(names, body)| Ok(Procedure::compile(engine, helpers, &names, &body)?));
+        let compiled = text.and_then(|(names, body)| Ok(ConnectorProcedure::compile(engine, helpers, &names, &body)?));
         compiled.map_err(|reason| self.fault(&of.id, reason)).ok()
     }
 
     /// The arguments and body of a connector; a helper counts as a body of its own.
-    fn text(&self, of: &Declared, procedure: &Written, at: &FileConnector) -> Result<(Vec<String>, String), Reason> {
+    fn text(
+        &self,
+        of: &DeclaredConnector,
+        procedure: &Written,
+        at: &FileConnector,
+    ) -> Result<(Vec<String>, String), Reason> {
         let arguments = || of.arguments(at.inputs.iter().map(|id| self.name(id)));
         match procedure {
             Written::Helper(name) => {

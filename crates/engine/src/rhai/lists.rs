@@ -4,7 +4,7 @@ use crate::cost::limits::{TEXT_BYTES, VALUE_DEPTH};
 use rhai::{Array, Dynamic, EvalAltResult, FuncRegistration, Map, Module, NativeCallContext, Position};
 use std::fmt::Write;
 
-type Answer = Result<bool, Box<EvalAltResult>>;
+type ListResult = Result<bool, Box<EvalAltResult>>;
 
 /// Puts them over Rhai's own.
 pub(crate) fn register(module: &mut Module) {
@@ -57,21 +57,21 @@ fn sizes(value: &Dynamic) -> (usize, usize, usize) {
     (0, 0, value.as_immutable_string_ref().map_or(0, |text| text.len()))
 }
 
-fn lists(ctx: &NativeCallContext, a: &mut Array, mut b: Array, depth: usize) -> Answer {
+fn lists(ctx: &NativeCallContext, a: &mut Array, mut b: Array, depth: usize) -> ListResult {
     if a.len() != b.len() {
         return Ok(false);
     }
     all(a.iter_mut().zip(&mut b), |(a, b)| equal(ctx, a, b, depth))
 }
 
-fn objects(ctx: &NativeCallContext, a: &mut Map, mut b: Map, depth: usize) -> Answer {
+fn objects(ctx: &NativeCallContext, a: &mut Map, mut b: Map, depth: usize) -> ListResult {
     if a.len() != b.len() {
         return Ok(false);
     }
     all(a, |(name, a)| b.get_mut(name).map_or(Ok(false), |b| equal(ctx, a, b, depth)))
 }
 
-fn all<T>(pairs: impl IntoIterator<Item = T>, mut equal: impl FnMut(T) -> Answer) -> Answer {
+fn all<T>(pairs: impl IntoIterator<Item = T>, mut equal: impl FnMut(T) -> ListResult) -> ListResult {
     for pair in pairs {
         if !equal(pair)? {
             return Ok(false);
@@ -80,7 +80,7 @@ fn all<T>(pairs: impl IntoIterator<Item = T>, mut equal: impl FnMut(T) -> Answer
     Ok(true)
 }
 
-fn equal(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic, depth: usize) -> Answer {
+fn equal(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic, depth: usize) -> ListResult {
     if let (Ok(a), Ok(b)) = (a.as_int(), b.as_int()) {
         return Ok(a == b);
     }
@@ -96,7 +96,7 @@ fn equal(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic, depth: usize
 }
 
 /// Compares two values that hold no others as the language does. Different kinds differ.
-fn by_rhai(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic) -> Answer {
+fn by_rhai(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic) -> ListResult {
     let kinds_differ = a.type_id() != b.type_id();
     match ctx.call_native_fn_raw("==", true, &mut [a, b]) {
         Ok(answer) => Ok(answer.as_bool().unwrap_or(false)),
@@ -111,20 +111,20 @@ fn deeper(depth: usize) -> Result<usize, Box<EvalAltResult>> {
     depth.checked_sub(1).filter(|left| *left > 0).ok_or_else(too_deep)
 }
 
-fn text(ctx: &NativeCallContext, write: impl FnOnce(&mut Writer)) -> String {
-    let mut to = Writer { ctx, made: String::new(), depth: VALUE_DEPTH };
+fn text(ctx: &NativeCallContext, write: impl FnOnce(&mut TextWriter)) -> String {
+    let mut to = TextWriter { ctx, made: String::new(), depth: VALUE_DEPTH };
     write(&mut to);
     to.made
 }
 
 /// Writes as Rhai does. What is nested too deep becomes `…`, and it ends once the text is too large to be kept.
-struct Writer<'c, 'e> {
+struct TextWriter<'c, 'e> {
     ctx: &'c NativeCallContext<'e>,
     made: String,
     depth: usize,
 }
 
-impl Writer<'_, '_> {
+impl TextWriter<'_, '_> {
     fn list(&mut self, list: &mut Array) {
         self.made.push('[');
         for (at, item) in list.iter_mut().enumerate() {

@@ -1,6 +1,6 @@
 //! One run follows another: an edited behaviour goes on where the one before it was.
 
-use super::{Matching, Mode, Run};
+use super::{Matching, Run, RunMode};
 use crate::timeline::RunMemory;
 use crate::values::Stats;
 use serde::{Deserialize, Serialize};
@@ -21,8 +21,8 @@ impl Run {
     #[must_use]
     pub fn is_between(&self) -> bool {
         match &self.mode {
-            Mode::Event(_) => true,
-            Mode::Frame(frame) => !frame.is_fed(),
+            RunMode::Event(_) => true,
+            RunMode::Frame(frame) => !frame.is_fed(),
         }
     }
 
@@ -31,8 +31,8 @@ impl Run {
     #[must_use]
     pub fn handover(&self) -> Handover {
         let memory = match &self.mode {
-            Mode::Event(event) => event.memory(&self.core),
-            Mode::Frame(frame) => frame.memory(&self.core),
+            RunMode::Event(event) => event.memory(&self.core),
+            RunMode::Frame(frame) => frame.memory(&self.core),
         };
         Handover { memory, stats: self.core.context.stats.clone() }
     }
@@ -43,8 +43,8 @@ impl Run {
         let Handover { memory, stats } = handover;
         let memory = memory.moved(&matching.streams, &matching.connectors);
         match &mut self.mode {
-            Mode::Event(event) => event.resume(&mut self.core, memory),
-            Mode::Frame(frame) => frame.resume(&mut self.core, memory),
+            RunMode::Event(event) => event.resume(&mut self.core, memory),
+            RunMode::Frame(frame) => frame.resume(&mut self.core, memory),
         }
         let counts = &mut self.core.context.stats;
         for (&from, &to) in &matching.streams {

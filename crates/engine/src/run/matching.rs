@@ -30,7 +30,7 @@ impl Matching {
         let same_stream =
             |&(from, to): &(StreamIx, StreamIx)| device(&old.streams[from.index()]) == device(&new.streams[to.index()]);
         let mut connectors = pairs(&old.connectors, &new.connectors, |connector| &connector.id);
-        let (before, after) = (Reader::of(old), Reader::of(new));
+        let (before, after) = (MeaningReader::of(old), MeaningReader::of(new));
         let helpers = before.same_helpers(&after);
         let same = |&(from, to): &(ConnectorIx, ConnectorIx)| {
             let one = before.meaning(&old.connectors[from.index()]);
@@ -57,7 +57,7 @@ fn places<'f>(names: impl Iterator<Item = &'f str>) -> Lookup<&'f str, usize> {
 
 /// The meaning of a connector, whatever it and its arguments are called.
 #[derive(Debug, PartialEq)]
-struct Meaning<'f> {
+struct RunMeaning<'f> {
     /// With the body of its procedure, also if that is a helper, in which arguments are numbered.
     operation: Operation,
     inputs: &'f [String],
@@ -66,13 +66,13 @@ struct Meaning<'f> {
 }
 
 /// Reads meanings out of a file.
-struct Reader<'f> {
+struct MeaningReader<'f> {
     file: &'f BehaviourFile,
     streams: Lookup<&'f str, usize>,
     helpers: Lookup<&'f str, usize>,
 }
 
-impl<'f> Reader<'f> {
+impl<'f> MeaningReader<'f> {
     fn of(file: &'f BehaviourFile) -> Self {
         let streams = places(file.streams.iter().map(|stream| stream.id.as_str()));
         let helpers = places(file.helpers.iter().map(|helper| helper.name.as_str()));
@@ -113,7 +113,7 @@ impl<'f> Reader<'f> {
     }
 
     /// Returns the meaning of a connector; none if it cannot run.
-    fn meaning(&self, of: &'f FileConnector) -> Option<Meaning<'f>> {
+    fn meaning(&self, of: &'f FileConnector) -> Option<RunMeaning<'f>> {
         let mut operation = of.operation().ok()?;
         let arguments = operation.arguments(of.inputs.iter().map(|id| self.name(id)));
         let mut helpers = Vec::new();
@@ -125,7 +125,7 @@ impl<'f> Reader<'f> {
             helpers = self.called(body).into_iter().map(str::to_owned).collect();
             *procedure = Procedure::Body { body: without_names(names, body), args: None };
         }
-        Some(Meaning { operation, inputs: &of.inputs, helpers })
+        Some(RunMeaning { operation, inputs: &of.inputs, helpers })
     }
 
     fn name(&self, stream: &str) -> &'f str {

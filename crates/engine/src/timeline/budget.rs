@@ -8,7 +8,7 @@ use std::rc::Rc;
 const TURNS_PER_QUESTION: i64 = 1_000;
 
 /// The turns that are left for one value.
-pub(crate) struct Budget {
+pub(crate) struct TurnBudget {
     turns_max: i64,
     left: i64,
     /// With so many left or fewer it is asked again; never below 0.
@@ -25,7 +25,7 @@ pub(crate) enum Spent {
     Turns,
 }
 
-impl Budget {
+impl TurnBudget {
     /// For a graph with so many turns if every connector takes one value of each input.
     pub(crate) fn of(limits: &Limits, turns_once: usize) -> Self {
         let turns_max = i64::try_from(limits.handed.max(turns_once as u64)).unwrap_or(i64::MAX);

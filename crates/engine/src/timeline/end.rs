@@ -1,8 +1,8 @@
 //! The reasons why a run goes no further, and at which stream.
 
-use crate::program::{ConnectorInfo, Graph};
+use crate::program::{ConnectorInfo, RunGraph};
 use crate::values::StreamIx;
-use behaviour::flow::{Flow, Link};
+use behaviour::flow::{Flow, FlowConnector};
 use robot::Millis;
 
 /// The reasons why a run ended by itself: from then on it takes nothing and gives nothing.
@@ -20,11 +20,11 @@ pub enum End {
 }
 
 /// The stream at which values that began on `start` become too many.
-pub(crate) fn multiplying(graph: &Graph, start: StreamIx, handed_max: u64) -> StreamIx {
+pub(crate) fn multiplying(graph: &RunGraph, start: StreamIx, handed_max: u64) -> StreamIx {
     let inputs: Vec<Vec<usize>> = graph.connectors.iter().map(ConnectorInfo::input_places).collect();
     let ends = inputs.iter().zip(&graph.connectors);
-    let links: Vec<Link> =
-        ends.map(|(inputs, info)| Link { inputs, output: info.output.index(), gives: info.gives }).collect();
+    let links: Vec<FlowConnector> =
+        ends.map(|(inputs, info)| FlowConnector { inputs, output: info.output.index(), gives: info.gives }).collect();
     let at = Flow::of(graph.streams.len(), &links).multiplies_at(start.index(), false, handed_max);
     at.map_or(start, StreamIx::of)
 }

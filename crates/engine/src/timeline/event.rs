@@ -8,18 +8,18 @@ use super::budget::Spent;
 use super::core::Core;
 use super::end::{End, multiplying};
 use super::memory::RunMemory;
-use super::plan::{NOBODY, Next, Plan, Step};
+use super::plan::{NOBODY, Next, Plan, PlanStep};
 use super::schedule::Schedule;
 use super::trigger::Trigger;
-use crate::connectors::{Op, Outcome, Turn};
-use crate::values::in_place::Output;
+use crate::connectors::{ConnectorTurn, NextSteps, Outcome};
+use crate::values::in_place::ProcedureOutput;
 use crate::values::{ConnectorIx, StreamIx};
 use behaviour::Value;
 use robot::Millis;
 use std::rc::Rc;
 
 /// The time of event mode.
-pub(crate) struct Event {
+pub(crate) struct EventTime {
     plan: Rc<Plan>,
     /// The first instant that still takes readings.
     open: u64,
@@ -30,7 +30,7 @@ pub(crate) struct Event {
     start: StreamIx,
 }
 
-impl Event {
+impl EventTime {
     pub(crate) fn of(core: &Core) -> Self {
         let procedure = |connector| core.context.procedure(connector);
         Self {
@@ -80,8 +80,8 @@ impl Event {
             self.reschedule(core, connector);
             if let Some(given) = given {
                 let (output, stats) = (core.graph.connectors[connector].output, &mut core.context.stats);
-                stats.give(at, connector, output, Output::Value(given.value), &mut Value::Null);
-                let turn = Turn { connector, output, ..NOBODY };
+                stats.give(at, connector, output, ProcedureOutput::Value(given.value), &mut Value::Null);
+                let turn = ConnectorTurn { connector, output, ..NOBODY };
                 out(Emission::Value { at, stream: output, value: stats.value(output), by: Some(Trigger(&turn)) });
                 self.carry(core, at, output, out);
             }
@@ -110,7 +110,7 @@ impl Event {
                     out(Emission::Value { at, stream, value: core.context.stats.value(stream), by });
                     self.after(core, &plan, at, step, next)
                 }
-                Outcome::Kept if step.op == Op::End => match self.back.pop() {
+                Outcome::Kept if step.op == NextSteps::End => match self.back.pop() {
                     Some(back) => back,
                     None => return,
                 },
@@ -120,7 +120,7 @@ impl Event {
                     step.past as usize
                 }
                 Outcome::Failed(failed) => {
-                    let (Turn { connector, slot, .. }, deadline) = (step.turn, failed.is_deadline());
+                    let (ConnectorTurn { connector, slot, .. }, deadline) = (step.turn, failed.is_deadline());
                     out(Emission::Fault { at, connector, slot, error: &failed, deadline });
                     step.past as usize
                 }
@@ -130,7 +130,7 @@ impl Event {
 
     /// The step after one that gave a value.
     #[inline(always)]
-    fn after(&mut self, core: &mut Core, plan: &Plan, at: Millis, step: &Step, place: usize) -> usize {
+    fn after(&mut self, core: &mut Core, plan: &Plan, at: Millis, step: &PlanStep, place: usize) -> usize {
         match step.next {
             Next::On => place + 1,
             Next::Away => {

@@ -7,16 +7,16 @@ use super::memory::RunMemory;
 use super::plan::NOBODY;
 use super::schedule::Schedule;
 use super::trigger::Trigger;
-use crate::connectors::{self, Turn};
+use crate::connectors::{self, ConnectorTurn};
 use crate::faults::CallFault;
-use crate::program::Graph;
-use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
+use crate::program::RunGraph;
+use crate::values::{CarriedValue, ConnectorIx, IndexVec, StreamIx};
 use behaviour::flow::Gives;
 use behaviour::{StreamKind, Value};
 use robot::Millis;
 
 /// The time of frame mode.
-pub(crate) struct Frame {
+pub(crate) struct FrameTime {
     length: u64,
     /// The end of the first frame that still takes readings.
     open: u64,
@@ -24,22 +24,22 @@ pub(crate) struct Frame {
     fed: bool,
     readings: u64,
     /// For every stream its value in this frame.
-    now: IndexVec<StreamIx, Option<Carried>>,
+    now: IndexVec<StreamIx, Option<CarriedValue>>,
     /// The connectors that are due, by the end of the frame that has the instant.
     schedule: Schedule,
     /// The connectors by rank and place.
     order: Vec<ConnectorIx>,
     /// The emissions of the frame, in order.
-    said: Vec<Said>,
+    said: Vec<FrameOutcome>,
 }
 
-enum Said {
+enum FrameOutcome {
     Value(StreamIx, Value, Option<(ConnectorIx, u32)>),
     Fault(ConnectorIx, u32, Box<CallFault>),
 }
 
-impl Frame {
-    pub(crate) fn of(graph: &Graph, length: u64) -> Self {
+impl FrameTime {
+    pub(crate) fn of(graph: &RunGraph, length: u64) -> Self {
         let mut order: Vec<ConnectorIx> = graph.connectors.indices().collect();
         order.sort_unstable_by_key(|&at| (graph.ranks[at], at));
         Self {
@@ -82,7 +82,7 @@ impl Frame {
         self.open = frame;
         self.fed = true;
         self.readings += 1;
-        self.now[stream] = Some(Carried { value, origin: (at.0, self.readings) });
+        self.now[stream] = Some(CarriedValue { value, origin: (at.0, self.readings) });
     }
 
     pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
@@ -122,11 +122,11 @@ impl Frame {
         self.now.fill(&None);
         for said in self.said.drain(..) {
             match said {
-                Said::Value(stream, value, by) => {
-                    let turn = by.map(|(connector, slot)| Turn { connector, slot, output: stream, ..NOBODY });
+                FrameOutcome::Value(stream, value, by) => {
+                    let turn = by.map(|(connector, slot)| ConnectorTurn { connector, slot, output: stream, ..NOBODY });
                     core.emit(at, stream, &value, turn.as_ref().map(Trigger), out);
                 }
-                Said::Fault(connector, slot, failed) => {
+                FrameOutcome::Fault(connector, slot, failed) => {
                     let deadline = failed.is_deadline();
                     out(Emission::Fault { at, connector, slot, error: &failed, deadline });
                 }
@@ -139,7 +139,7 @@ impl Frame {
         let mut sensed: Vec<_> = self.now.indices().filter(sensed).collect();
         sensed.sort_unstable_by_key(|&at| self.now[at].as_ref().map(|carried| carried.origin));
         for at in sensed {
-            self.said.extend(self.now[at].as_ref().map(|carried| Said::Value(at, carried.value.clone(), None)));
+            self.said.extend(self.now[at].as_ref().map(|carried| FrameOutcome::Value(at, carried.value.clone(), None)));
         }
     }
 
@@ -149,11 +149,11 @@ impl Frame {
         if let Some((slot, newest)) = newest(&info.inputs, &self.now) {
             let slot = core.connectors[connector].trigger(slot);
             let (length, inputs, now) = (self.length, &info.inputs[..], &self.now);
-            let frame = connectors::Frame { at, length, connector, inputs, now, newest };
+            let frame = connectors::FrameTurn { at, length, connector, inputs, now, newest };
             match core.connectors[connector].frame(&mut core.context, &frame) {
                 Ok(None) => {}
                 Ok(Some(made)) => self.give(core, connector, slot, made),
-                Err(failed) => self.said.push(Said::Fault(connector, slot, failed)),
+                Err(failed) => self.said.push(FrameOutcome::Fault(connector, slot, failed)),
             }
         }
         if core.graph.connectors[connector].gives == Gives::Later {
@@ -181,13 +181,13 @@ impl Frame {
     }
 
     /// Puts a value on a connector's output. Of several subscribes into one actuator the last in order wins.
-    fn give(&mut self, core: &mut Core, connector: ConnectorIx, slot: u32, made: Carried) {
+    fn give(&mut self, core: &mut Core, connector: ConnectorIx, slot: u32, made: CarriedValue) {
         let stream = core.graph.connectors[connector].output;
         core.context.stats.connectors[connector].fired += 1;
         if self.now[stream].is_some() {
-            self.said.retain(|said| !matches!(said, Said::Value(other, ..) if *other == stream));
+            self.said.retain(|said| !matches!(said, FrameOutcome::Value(other, ..) if *other == stream));
         }
-        self.said.push(Said::Value(stream, made.value.clone(), Some((connector, slot))));
+        self.said.push(FrameOutcome::Value(stream, made.value.clone(), Some((connector, slot))));
         self.now[stream] = Some(made);
     }
 
@@ -215,7 +215,10 @@ impl Frame {
 }
 
 /// The newest value among some streams, with the place of its stream; of two equally new ones that of the earlier stream.
-fn newest<'f>(inputs: &[StreamIx], now: &'f IndexVec<StreamIx, Option<Carried>>) -> Option<(u32, &'f Carried)> {
+fn newest<'f>(
+    inputs: &[StreamIx],
+    now: &'f IndexVec<StreamIx, Option<CarriedValue>>,
+) -> Option<(u32, &'f CarriedValue)> {
     let present = (0..).zip(inputs).filter_map(|(slot, &at)| Some((slot, now[at].as_ref()?)));
     present.reduce(|best, other| if other.1.origin > best.1.origin { other } else { best })
 }

@@ -1,7 +1,7 @@
 //! The memory of a run from one instant to the next, in a form that both modes give and take.
 
-use crate::connectors::Memory;
-use crate::values::{Carried, ConnectorIx, Ix, Pairs, StreamIx};
+use crate::connectors::ConnectorMemory;
+use crate::values::{CarriedValue, ConnectorIx, Ix, Pairs, StreamIx};
 use serde::{Deserialize, Serialize};
 
 /// The memory of a run.
@@ -12,9 +12,9 @@ pub(crate) struct RunMemory {
     /// The number of readings so far.
     pub(crate) readings: u64,
     /// The memory of each connector.
-    pub(crate) connectors: Vec<(ConnectorIx, Memory)>,
+    pub(crate) connectors: Vec<(ConnectorIx, ConnectorMemory)>,
     /// Readings of a frame that did not run yet, by stream.
-    pub(crate) waiting: Vec<(StreamIx, Carried)>,
+    pub(crate) waiting: Vec<(StreamIx, CarriedValue)>,
 }
 
 impl RunMemory {

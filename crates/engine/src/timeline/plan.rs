@@ -1,10 +1,10 @@
 //! The way of a value through the graph, laid out as one row of steps: depth first, in array order, so that running it
 //! is going from one step to the next.
 
-use crate::connectors::{Op, Turn};
-use crate::procedure::Procedure;
-use crate::program::{ConnectorInfo, Graph};
-use crate::values::in_place::Number;
+use crate::connectors::{ConnectorTurn, NextSteps};
+use crate::procedure::ConnectorProcedure;
+use crate::program::{ConnectorInfo, RunGraph};
+use crate::values::in_place::ComputedNumber;
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::flow::Gives;
 
@@ -21,41 +21,41 @@ pub(crate) enum Next {
 
 /// One step of a row.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Step {
-    pub(crate) op: Op,
+pub(crate) struct PlanStep {
+    pub(crate) op: NextSteps,
     pub(crate) next: Next,
-    pub(crate) turn: Turn,
+    pub(crate) turn: ConnectorTurn,
     /// The step to go on at if it gives nothing.
     pub(crate) past: u32,
 }
 
 /// All steps, and for every stream that values start from, where its row begins.
 pub(crate) struct Plan {
-    pub(crate) steps: Vec<Step>,
-    rows: IndexVec<StreamIx, Row>,
+    pub(crate) steps: Vec<PlanStep>,
+    rows: IndexVec<StreamIx, PlanRow>,
 }
 
 /// The steps of what one stream carries.
 #[derive(Clone, Copy)]
-struct Row {
+struct PlanRow {
     first: u32,
     /// The number of steps, without the end.
     turns: u32,
 }
 
-const NO_ROW: Row = Row { first: u32::MAX, turns: 0 };
+const NO_ROW: PlanRow = PlanRow { first: u32::MAX, turns: 0 };
 /// The turn of no connector.
-pub(super) const NOBODY: Turn = Turn {
+pub(super) const NOBODY: ConnectorTurn = ConnectorTurn {
     connector: ConnectorIx::FIRST,
     slot: 0,
     input: StreamIx::FIRST,
     output: StreamIx::FIRST,
-    number: Number::Int(0),
+    number: ComputedNumber::Int(0),
 };
 
 impl Plan {
     /// Lays out a graph. Every stream is in one row only, so that this takes no more room than the graph.
-    pub(crate) fn of<'p>(graph: &Graph, procedure: impl Fn(ConnectorIx) -> Option<&'p Procedure>) -> Self {
+    pub(crate) fn of<'p>(graph: &RunGraph, procedure: impl Fn(ConnectorIx) -> Option<&'p ConnectorProcedure>) -> Self {
         let mut plan = Self { steps: Vec::new(), rows: IndexVec::filled(&NO_ROW, graph.streams.len()) };
         let mut starts = IndexVec::filled(&true, graph.streams.len());
         for connector in graph.connectors.iter().filter(|connector| is_in_row(connector)) {
@@ -85,7 +85,7 @@ impl Plan {
         self.steps.len() - 1
     }
 
-    fn lay_out(&mut self, graph: &Graph, start: StreamIx) {
+    fn lay_out(&mut self, graph: &RunGraph, start: StreamIx) {
         let first = self.steps.len();
         // Streams on the way down, how many of their connectors have had their turn, and the step that led there.
         let mut path: Vec<(StreamIx, usize, Option<usize>)> = vec![(start, 0, None)];
@@ -108,26 +108,26 @@ impl Plan {
         if let Some(last) = self.steps.last_mut().filter(|last| last.next == Next::Away) {
             last.next = Next::AwayForGood;
         }
-        self.rows[start] = Row { first: place(first), turns: place(self.steps.len() - first) };
-        self.steps.push(Step { op: Op::End, next: Next::On, turn: NOBODY, past: 0 });
+        self.rows[start] = PlanRow { first: place(first), turns: place(self.steps.len() - first) };
+        self.steps.push(PlanStep { op: NextSteps::End, next: Next::On, turn: NOBODY, past: 0 });
     }
 
     /// Steps that are one operation need not ask the procedure.
-    fn shorten<'p>(&mut self, procedure: impl Fn(ConnectorIx) -> Option<&'p Procedure>) {
-        for step in self.steps.iter_mut().filter(|step| step.op != Op::End) {
+    fn shorten<'p>(&mut self, procedure: impl Fn(ConnectorIx) -> Option<&'p ConnectorProcedure>) {
+        for step in self.steps.iter_mut().filter(|step| step.op != NextSteps::End) {
             if let Some(short) = procedure(step.turn.connector).and_then(|procedure| step.op.shortened(procedure)) {
                 (step.op, step.turn.number) = short;
             }
         }
     }
 
-    fn step(&mut self, graph: &Graph, connector: ConnectorIx, slot: u32, input: StreamIx) {
+    fn step(&mut self, graph: &RunGraph, connector: ConnectorIx, slot: u32, input: StreamIx) {
         let info = &graph.connectors[connector];
         let leads_away = !is_in_row(info) && !graph.outgoing[info.output].is_empty();
-        self.steps.push(Step {
+        self.steps.push(PlanStep {
             op: info.op,
             next: if leads_away { Next::Away } else { Next::On },
-            turn: Turn { connector, slot, input, output: info.output, number: Number::Int(0) },
+            turn: ConnectorTurn { connector, slot, input, output: info.output, number: ComputedNumber::Int(0) },
             past: place(self.steps.len() + 1),
         });
     }
@@ -146,8 +146,8 @@ fn place(at: usize) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::{Next, Plan};
-    use crate::connectors::Op;
-    use crate::program::{ConnectorInfo, Graph, StreamInfo};
+    use crate::connectors::NextSteps;
+    use crate::program::{ConnectorInfo, RunGraph, StreamInfo};
     use crate::values::StreamIx;
     use behaviour::StreamKind;
     use behaviour::flow::Gives;
@@ -160,7 +160,7 @@ mod tests {
         Sample,
     }
 
-    fn graph(streams: usize, connectors: &[(Work, &[usize], usize)]) -> Graph {
+    fn graph(streams: usize, connectors: &[(Work, &[usize], usize)]) -> RunGraph {
         let stream = |at| StreamInfo {
             id: format!("s{at}"),
             kind: StreamKind::Ordinary,
@@ -170,21 +170,21 @@ mod tests {
         };
         let connector = |&(work, inputs, output): &(Work, &[usize], usize)| {
             let (op, gives) = match work {
-                Work::Map => (Op::Map, Gives::Each),
-                Work::Merge => (Op::Pass, Gives::Each),
-                Work::Sample => (Op::Take, Gives::Later),
+                Work::Map => (NextSteps::Map, Gives::Each),
+                Work::Merge => (NextSteps::Pass, Gives::Each),
+                Work::Sample => (NextSteps::Take, Gives::Later),
             };
             let inputs = inputs.iter().map(|&input| StreamIx::of(input)).collect();
             ConnectorInfo { id: String::new(), word: "", inputs, output: StreamIx::of(output), gives, op }
         };
-        Graph::of((0..streams).map(stream).collect(), connectors.iter().map(connector).collect()).ok().unwrap()
+        RunGraph::of((0..streams).map(stream).collect(), connectors.iter().map(connector).collect()).ok().unwrap()
     }
 
     /// The steps of a row as `connector>past`.
     fn row(plan: &Plan, stream: usize) -> String {
         let (first, mut said) = (plan.row(StreamIx::of(stream)), Vec::new());
         for step in &plan.steps[first..] {
-            if step.op == Op::End {
+            if step.op == NextSteps::End {
                 break;
             }
             let away = match step.next {

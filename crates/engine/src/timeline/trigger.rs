@@ -1,11 +1,11 @@
 //! The trigger of an emission: which connector gave a value, and for which of its inputs.
 
-use crate::connectors::Turn;
+use crate::connectors::ConnectorTurn;
 use crate::values::ConnectorIx;
 
 /// The turn of a connector that gave a value. It is one address, which is at hand where the value is told.
 #[derive(Clone, Copy, Debug)]
-pub struct Trigger<'a>(pub(super) &'a Turn);
+pub struct Trigger<'a>(pub(super) &'a ConnectorTurn);
 
 impl Trigger<'_> {
     /// Returns the connector.

@@ -4,11 +4,11 @@ use behaviour::Value;
 use serde::{Deserialize, Serialize};
 
 /// The time when something was sensed, and the number of its reading in the run.
-pub(crate) type Origin = (u64, u64);
+pub(crate) type ValueOrigin = (u64, u64);
 
 /// A value with its origin.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Carried {
+pub(crate) struct CarriedValue {
     pub(crate) value: Value,
-    pub(crate) origin: Origin,
+    pub(crate) origin: ValueOrigin,
 }

@@ -1,24 +1,24 @@
 //! Putting a value where another one was. A number goes over a number in place: most of what flows is numbers, and
 //! building a whole value in one place and moving it to another costs more than computing it.
 
-use behaviour::{Names, Value};
+use behaviour::{FieldNames, Value};
 
 /// A number, as procedures compute it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Number {
+pub(crate) enum ComputedNumber {
     Int(i64),
     Float(f64),
 }
 
 /// The value that a procedure made, and where it is.
-pub(crate) enum Output {
+pub(crate) enum ProcedureOutput {
     /// In the spare that was handed in.
     Spare,
     /// In here.
     Value(Value),
 }
 
-impl Number {
+impl ComputedNumber {
     #[inline]
     pub(crate) fn value(self) -> Value {
         match self {
@@ -38,10 +38,10 @@ impl Number {
 
 /// Puts a number over what was there.
 #[inline(always)]
-pub(crate) fn put_number(to: &mut Value, number: Number) {
+pub(crate) fn put_number(to: &mut Value, number: ComputedNumber) {
     match (to, number) {
-        (Value::Int(to), Number::Int(whole)) => *to = whole,
-        (Value::Float(to), Number::Float(number)) => *to = number,
+        (Value::Int(to), ComputedNumber::Int(whole)) => *to = whole,
+        (Value::Float(to), ComputedNumber::Float(number)) => *to = number,
         (to, number) => replace(to, number.value()),
     }
 }
@@ -80,7 +80,7 @@ pub(crate) fn copy_some(to: &mut Option<Value>, from: &Value) {
 
 /// The values of an object that has these names and that nobody else has.
 #[inline]
-pub(crate) fn own_values<'v>(object: &'v mut Value, names: &Names) -> Option<&'v mut [Value]> {
+pub(crate) fn own_values<'v>(object: &'v mut Value, names: &FieldNames) -> Option<&'v mut [Value]> {
     match object {
         Value::Map(fields) if fields.shape() == names.shape() => fields.own_values(),
         _ => None,

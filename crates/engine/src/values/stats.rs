@@ -1,6 +1,6 @@
 //! The counts of a run, for the live view: plain arrays by index, read at any moment.
 
-use super::in_place::{Number, Output, copy, put_number};
+use super::in_place::{ComputedNumber, ProcedureOutput, copy, put_number};
 use super::index::{ConnectorIx, IndexVec, StreamIx};
 use crate::faults::CallFault;
 use behaviour::Value;
@@ -67,7 +67,7 @@ impl Stats {
 
     /// Counts a number that a connector puts on its output.
     #[inline(always)]
-    pub(crate) fn give_number(&mut self, at: Millis, connector: ConnectorIx, output: StreamIx, number: Number) {
+    pub(crate) fn give_number(&mut self, at: Millis, connector: ConnectorIx, output: StreamIx, number: ComputedNumber) {
         self.connectors[connector].gave();
         put_number(self.streams[output].open(at), number);
     }
@@ -78,14 +78,14 @@ impl Stats {
         at: Millis,
         connector: ConnectorIx,
         output: StreamIx,
-        made: Output,
+        made: ProcedureOutput,
         spare: &mut Value,
     ) {
         self.connectors[connector].gave();
         let place = self.streams[output].open(at);
         match made {
-            Output::Spare => swap(place, spare),
-            Output::Value(value) => *spare = replace(place, value),
+            ProcedureOutput::Spare => swap(place, spare),
+            ProcedureOutput::Value(value) => *spare = replace(place, value),
         }
     }
 

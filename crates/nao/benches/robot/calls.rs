@@ -6,7 +6,7 @@ use crate::figures::{Times, Verdict, computed_us, micros, monotonic_us, title};
 use crate::peer::Peer;
 use crate::reactions::Watched;
 use behaviour::Value;
-use qi::{Options, Session, Value as Said};
+use qi::{Session, SessionOptions, Value as Said};
 use robot::{Millis, Robot};
 use serde_json::json;
 use std::time::{Duration, Instant};
@@ -78,7 +78,8 @@ async fn told(peer: &Peer) -> Times {
 fn turns(address: &str) -> ([Times; KINDS.len()], [Times; KINDS.len()], f64) {
     // As `nao` has it: everything of a link on one thread.
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-    let session = runtime.block_on(Session::connect(&format!("tcp://{address}").parse().unwrap(), Options::default()));
+    let session =
+        runtime.block_on(Session::connect(&format!("tcp://{address}").parse().unwrap(), SessionOptions::default()));
     let (session, mut client) = (session.unwrap(), Client::at(address));
     let (mut ours, mut python): ([Times; KINDS.len()], [Times; KINDS.len()]) = Default::default();
     for (_, what) in KINDS {

@@ -6,8 +6,8 @@ use crate::figures::{Times, Verdict, micros, title};
 use crate::peer::{PATIENCE, Peer};
 use behaviour::{Params, Value};
 use engine::{Emission, Limits, Run};
-use nao::{Nao, Settings};
-use qi::{Keep, Options, Session};
+use nao::{Nao, RobotSettings};
+use qi::{EventChoice, Session, SessionOptions};
 use robot::{Health, Millis, Robot, Use};
 use serde_json::{Value as Json, json};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -97,7 +97,7 @@ pub(crate) struct Watched(Session);
 
 impl Watched {
     pub(crate) async fn at(address: &str) -> Self {
-        Self(Session::connect(&format!("tcp://{address}").parse().unwrap(), Options::default()).await.unwrap())
+        Self(Session::connect(&format!("tcp://{address}").parse().unwrap(), SessionOptions::default()).await.unwrap())
     }
 
     pub(crate) async fn told(&self, what: &str) -> Json {
@@ -202,12 +202,13 @@ impl Drop for Reacting {
 fn by_qi(address: &str, action: &str, ended: &AtomicBool) {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     runtime.block_on(async {
-        let session = Session::connect(&format!("tcp://{address}").parse().unwrap(), Options::default()).await.unwrap();
+        let session =
+            Session::connect(&format!("tcp://{address}").parse().unwrap(), SessionOptions::default()).await.unwrap();
         let memory = session.service("ALMemory").await.unwrap();
         let service = if action == "say" { "ALTextToSpeech" } else { "ALMotion" };
         let does = session.service(service).await.unwrap();
         let subscriber = memory.call_object("subscriber", &[KEY.into()]).await.unwrap();
-        let mut signal = subscriber.subscribe("signal", Keep::All(16)).await.unwrap();
+        let mut signal = subscriber.subscribe("signal", EventChoice::All(16)).await.unwrap();
         let mut number = 0;
         while !ended.load(Ordering::SeqCst) {
             let Ok(event) = tokio::time::timeout(STEP * 10, signal.next()).await else { continue };
@@ -224,7 +225,7 @@ fn by_qi(address: &str, action: &str, ended: &AtomicBool) {
 
 /// Reacts as the server does it, on one thread instead of two: readings into the behaviour, its commands to the robot.
 fn by_nao(address: String, action: &str, ended: &AtomicBool) {
-    let settings = Settings {
+    let settings = RobotSettings {
         address,
         login: None,
         own_name: "rrp-bench".to_owned(),

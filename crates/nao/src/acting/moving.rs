@@ -2,12 +2,12 @@
 
 use super::Acting;
 use crate::body::top_speed;
-use crate::deed::{Arm, Call, Speeds, Track};
+use crate::deed::{FollowedTrack, ServiceCall, Speeds, WhichArm};
 use crate::devices::tracker::seen_by;
-use crate::following::{Follow, HOLD, LOST, Looking, Newest, SPEED};
+use crate::following::{FollowingUse, HOLD, LOST, Looking, Newest, SPEED};
 use crate::legs::{Legs, SILENT, Stride, WITHIN};
 use crate::link::call;
-use crate::senses::{self, Turns};
+use crate::senses::{self, SenseTurns};
 use robot::{TrackMode, TrackTarget, Use};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -31,7 +31,7 @@ const HEAD: [&str; 2] = ["HeadYaw", "HeadPitch"];
 
 /// Where a joint is to end up.
 #[derive(Clone, Copy)]
-struct Goal {
+struct JointGoal {
     /// In radians, a hand from 0 closed to 1 open.
     angle: f64,
     /// The speed as a fraction of the top speed.
@@ -45,14 +45,14 @@ struct Goal {
 pub(super) struct Moving {
     walk: Option<(Use, Speeds, Instant)>,
     legs: Legs,
-    follows: Vec<Follow>,
+    follows: Vec<FollowingUse>,
     /// Where the legs go after what is followed, and when that was seen.
     chase: Option<(Speeds, Instant)>,
     looking: BTreeMap<TrackTarget, (Newest, DropGuard)>,
     /// The number of times that it began to look.
     looks: u64,
     /// Joints that one piece does not bring to where they are to be.
-    goals: BTreeMap<&'static str, Goal>,
+    goals: BTreeMap<&'static str, JointGoal>,
     renewed: Option<Instant>,
     /// Where the head goes: how far it may nod depends on it.
     yaw: f64,
@@ -101,7 +101,7 @@ impl Acting {
         if self.moving.renewed.is_none_or(|at| now.duration_since(at) >= RENEW) {
             self.moving.renewed = Some(now);
             self.moving.goals.retain(|_, goal| now < goal.until);
-            let goals: Vec<(&'static str, Goal)> =
+            let goals: Vec<(&'static str, JointGoal)> =
                 self.moving.goals.iter().map(|(joint, goal)| (*joint, *goal)).collect();
             goals.into_iter().for_each(|(joint, goal)| self.send_on(joint, goal));
         }
@@ -151,7 +151,7 @@ impl Acting {
             self.moving.movers.insert(joint, user.clone());
             let far = self.angle(joint).map_or(0.0, |at| (angle - at).abs());
             let takes = Duration::from_secs_f64((far / (top_speed(joint) * speed.max(0.01))).min(600.0));
-            self.send_on(joint, Goal { angle, speed, until: now + takes + LATE });
+            self.send_on(joint, JointGoal { angle, speed, until: now + takes + LATE });
         }
     }
 
@@ -160,7 +160,7 @@ impl Acting {
     }
 
     /// Sends a joint as far as it gets in a piece.
-    fn send_on(&mut self, joint: &'static str, goal: Goal) {
+    fn send_on(&mut self, joint: &'static str, goal: JointGoal) {
         let reach = top_speed(joint) * goal.speed * PIECE_S;
         let piece = self.angle(joint).map_or(goal.angle, |at| goal.angle.clamp(at - reach, at + reach));
         if piece.total_cmp(&goal.angle).is_eq() {
@@ -181,7 +181,7 @@ impl Acting {
     fn stand(&mut self) {
         (self.moving.walk, self.moving.chase) = (None, None);
         if self.moving.legs.stop() {
-            self.post(Call::new("ALMotion", "stopMove", []));
+            self.post(ServiceCall::new("ALMotion", "stopMove", []));
         }
     }
 
@@ -203,7 +203,7 @@ impl Acting {
         let wanted = if is_silent || self.shared.wants_stop() { [0.0; 3] } else { wanted };
         match self.moving.legs.due(wanted, now, is_pepper) {
             Stride::Nothing => {}
-            Stride::Stand => self.post(Call::new("ALMotion", "stopMove", [])),
+            Stride::Stand => self.post(ServiceCall::new("ALMotion", "stopMove", [])),
             Stride::Piece(piece) => {
                 let (session, shared, stop_generation) =
                     (self.session.clone(), Arc::clone(&self.shared), self.stop_generation);
@@ -221,31 +221,31 @@ impl Acting {
     }
 
     /// The newest has the head and the arms that it names, and no use follows twice.
-    pub(super) fn follow(&mut self, user: Use, track: &Track) {
+    pub(super) fn follow(&mut self, user: Use, track: &FollowedTrack) {
         let now = Instant::now();
-        let same = |follow: &&mut Follow| follow.user == user && follow.track == *track;
+        let same = |follow: &&mut FollowingUse| follow.user == user && follow.track == *track;
         if let Some(same) = self.moving.follows.iter_mut().find(same) {
             same.told = now;
             return;
         }
-        let has_head = |track: &Track| track.mode != TrackMode::Arm;
-        let newer = |other: &Follow| {
+        let has_head = |track: &FollowedTrack| track.mode != TrackMode::Arm;
+        let newer = |other: &FollowingUse| {
             other.user == user
                 || has_head(track) && has_head(&other.track)
-                || track.arm != Arm::None && other.track.arm == track.arm
+                || track.arm != WhichArm::None && other.track.arm == track.arm
         };
         self.unfollow(newer);
         if track.mode.walks() {
             self.moving.walk = None;
         }
         self.look_for(track.target, &user);
-        self.moving.follows.push(Follow::new(user, track.clone(), now));
+        self.moving.follows.push(FollowingUse::new(user, track.clone(), now));
         self.show();
     }
 
     /// These follow no more: the legs stand, and joints stay where they are.
-    fn unfollow(&mut self, ends: impl Fn(&Follow) -> bool) {
-        let (ended, kept): (Vec<Follow>, Vec<Follow>) =
+    fn unfollow(&mut self, ends: impl Fn(&FollowingUse) -> bool) {
+        let (ended, kept): (Vec<FollowingUse>, Vec<FollowingUse>) =
             std::mem::take(&mut self.moving.follows).into_iter().partition(ends);
         self.moving.follows = kept;
         if ended.iter().any(|follow| follow.track.mode.walks()) {
@@ -272,7 +272,8 @@ impl Acting {
         self.moving.looks += 1;
         let name = format!("{}/follow/{}-{}", self.own_name, seen_by(target).0, self.moving.looks);
         let (session, shared) = (self.session.clone(), Arc::clone(&self.shared));
-        let task = senses::run(session, shared, Turns::default(), name, user.clone(), Box::new(sense), cancel.clone());
+        let task =
+            senses::run(session, shared, SenseTurns::default(), name, user.clone(), Box::new(sense), cancel.clone());
         tokio::spawn(task);
         self.moving.looking.insert(target, (newest, cancel.drop_guard()));
     }

@@ -1,25 +1,25 @@
 //! Gestures of the standard packages. Their names differ by package and posture: these are those of a standing NAO6. What
 //! those packages do not have, the arms do by themselves.
 
-use super::{Act, Driver, Opened};
-use crate::deed::{Call, Deed};
+use super::{NaoDriver, OpenActuator, OpenDevice};
+use crate::deed::{Action, ServiceCall};
 use behaviour::Value;
 use qi::Value as Sent;
 use robot::RobotFault;
 use std::time::Duration;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Animation",
     services: &["ALAnimationPlayer"],
     joints: &[],
     open: |chosen| {
         let (name, own) = (chosen.text("animation")?, chosen.text("gesture")?.trim());
         if let Some((name, rows)) = OWN.iter().find(|known| known.0 == name) {
-            return Opened::act(Arm(name, rows));
+            return OpenDevice::act(OwnGesture(name, rows));
         }
         let known = PATHS.iter().find(|path| path.0 == name).map(|path| path.1);
         let path = if name == "robot" { Some(own).filter(|own| !own.is_empty()) } else { known };
-        Opened::act(Animation(path?.to_owned()))
+        OpenDevice::act(Animation(path?.to_owned()))
     },
 };
 
@@ -37,9 +37,9 @@ const PATHS: [(&str, &str); 10] = [
     ("Surprised", "animations/Stand/Emotions/Negative/Surprise_1"),
 ];
 /// A joint, where it goes, in radians, and when, in seconds.
-type Row = (&'static str, &'static [(f64, f64)]);
+type GestureKey = (&'static str, &'static [(f64, f64)]);
 /// Gestures of our own: they begin with an arm that may be anywhere and end with it beside the body.
-const OWN: [(&str, &[Row]); 2] = [
+const OWN: [(&str, &[GestureKey]); 2] = [
     (
         "HighFive",
         &[
@@ -65,12 +65,12 @@ const WITHIN: Duration = Duration::from_secs(30);
 
 struct Animation(String);
 
-impl Act for Animation {
-    fn deed(&self, _: &Value) -> Result<Deed, RobotFault> {
-        Ok(Deed::Lasting {
+impl OpenActuator for Animation {
+    fn deed(&self, _: &Value) -> Result<Action, RobotFault> {
+        Ok(Action::Lasting {
             what: self.0.clone(),
-            calls: vec![Call::new("ALAnimationPlayer", "run", [self.0.as_str().into()])],
-            end: vec![Call::new("ALBehaviorManager", "stopBehavior", [self.0.as_str().into()])],
+            calls: vec![ServiceCall::new("ALAnimationPlayer", "run", [self.0.as_str().into()])],
+            end: vec![ServiceCall::new("ALBehaviorManager", "stopBehavior", [self.0.as_str().into()])],
             within: WITHIN,
             moves: true,
         })
@@ -78,13 +78,13 @@ impl Act for Animation {
 }
 
 /// A gesture of our own: its name and its rows.
-struct Arm(&'static str, &'static [Row]);
+struct OwnGesture(&'static str, &'static [GestureKey]);
 
-impl Act for Arm {
-    fn deed(&self, _: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for OwnGesture {
+    fn deed(&self, _: &Value) -> Result<Action, RobotFault> {
         let names = || Sent::List(self.1.iter().map(|row| row.0.into()).collect());
         let keys = |of: fn(&(f64, f64)) -> f64| {
-            let row = |row: &Row| Sent::List(row.1.iter().map(|key| Sent::F64(of(key))).collect());
+            let row = |row: &GestureKey| Sent::List(row.1.iter().map(|key| Sent::F64(of(key))).collect());
             Sent::List(self.1.iter().map(row).collect())
         };
         let goes = [names(), keys(|key| key.0), keys(|key| key.1)]
@@ -92,10 +92,10 @@ impl Act for Arm {
             .into_iter()
             .chain([Sent::Bool(true)])
             .collect::<Vec<_>>();
-        Ok(Deed::Lasting {
+        Ok(Action::Lasting {
             what: self.0.to_owned(),
-            calls: vec![Call::new("ALMotion", "angleInterpolation", goes)],
-            end: vec![Call::new("ALMotion", "killTasksUsingResources", [names()])],
+            calls: vec![ServiceCall::new("ALMotion", "angleInterpolation", goes)],
+            end: vec![ServiceCall::new("ALMotion", "killTasksUsingResources", [names()])],
             within: WITHIN,
             moves: true,
         })

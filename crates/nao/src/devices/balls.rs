@@ -1,27 +1,27 @@
 //! Balls: the red one by its own detector, others as blobs of a colour. The robot looks for one colour at a time; uses with
 //! different ones take turns.
 
-use super::{Driver, Opened, Sense, Turn, at, float, time};
-use crate::deed::Call;
+use super::{NaoDriver, OpenDevice, Sense, SenseTurn, at, float, time};
+use crate::deed::ServiceCall;
 use behaviour::Value;
 
-pub(super) const RED: Driver = Driver {
+pub(super) const RED: NaoDriver = NaoDriver {
     name: "RedBall",
     services: &["ALMemory", "ALRedBallDetection"],
     joints: &[],
-    open: |_| Opened::sense(Red),
+    open: |_| OpenDevice::sense(Red),
 };
-pub(super) const COLOR: Driver = Driver {
+pub(super) const COLOR: NaoDriver = NaoDriver {
     name: "ColorBall",
     services: &["ALMemory", "ALColorBlobDetection"],
     joints: &[],
-    open: |chosen| Opened::sense(Blob::of(chosen.text("color")?, true, 0.0)),
+    open: |chosen| OpenDevice::sense(Blob::of(chosen.text("color")?, true, 0.0)),
 };
-pub(super) const BLOB: Driver = Driver {
+pub(super) const BLOB: NaoDriver = NaoDriver {
     name: "Blob",
     services: &["ALMemory", "ALColorBlobDetection"],
     joints: &[],
-    open: |chosen| Opened::sense(Blob::of(chosen.text("color")?, false, chosen.number("size")?)),
+    open: |chosen| OpenDevice::sense(Blob::of(chosen.text("color")?, false, chosen.number("size")?)),
 };
 
 /// The most that a colour may be off, of 255. With the colours below it is a guess: cameras and lamps differ.
@@ -93,7 +93,7 @@ impl Sense for Blob {
         Some("ALColorBlobDetection")
     }
 
-    fn turn(&self) -> Option<Turn> {
+    fn turn(&self) -> Option<SenseTurn> {
         let [red, green, blue]: [i32; 3] = match self.color.as_str() {
             "green" => [40, 200, 60],
             "blue" => [40, 80, 230],
@@ -103,15 +103,15 @@ impl Sense for Blob {
         let shape = if self.round { "Circle" } else { "Unknown" };
         let properties = [PIXELS_MIN.into(), SPAN_M.into(), shape.into()];
         let calls = vec![
-            Call::new("ALColorBlobDetection", "setColor", color),
-            Call::new("ALColorBlobDetection", "setObjectProperties", properties),
+            ServiceCall::new("ALColorBlobDetection", "setColor", color),
+            ServiceCall::new("ALColorBlobDetection", "setObjectProperties", properties),
         ];
-        Some(Turn { calls, wait_ms: PICTURES_MS })
+        Some(SenseTurn { calls, wait_ms: PICTURES_MS })
     }
 
     /// Where it is in the picture is not in the event, so it is asked for, as often as pictures come.
-    fn poll(&self) -> Option<(Call, u64)> {
-        Some((Call::new("ALColorBlobDetection", "getCircle", []), 66))
+    fn poll(&self) -> Option<(ServiceCall, u64)> {
+        Some((ServiceCall::new("ALColorBlobDetection", "getCircle", []), 66))
     }
 
     /// `[x, y, radius]` from the upper left corner of the picture: x and radius in parts of its rows, y in parts of its

@@ -1,14 +1,14 @@
 //! The charge of the battery.
 
-use super::{Driver, Opened, Sense};
-use crate::deed::Call;
+use super::{NaoDriver, OpenDevice, Sense};
+use crate::deed::ServiceCall;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Battery",
     services: &["ALMemory", "ALBattery"],
     joints: &[],
-    open: |_| Opened::sense(Battery { told: None }),
+    open: |_| OpenDevice::sense(Battery { told: None }),
 };
 
 struct Battery {
@@ -20,8 +20,8 @@ impl Sense for Battery {
         vec!["BatteryChargeChanged"]
     }
 
-    fn first(&self) -> Option<Call> {
-        Some(Call::new("ALBattery", "getBatteryCharge", []))
+    fn first(&self) -> Option<ServiceCall> {
+        Some(ServiceCall::new("ALBattery", "getBatteryCharge", []))
     }
 
     fn read(&mut self, _: &str, value: &qi::Value, _: u64) -> Option<Value> {

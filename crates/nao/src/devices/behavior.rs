@@ -1,16 +1,16 @@
 //! Behaviours that somebody has put on the robot, by the name that they have there.
 
-use super::{Act, Driver, Opened};
-use crate::deed::Deed;
-use crate::shared::State;
+use super::{NaoDriver, OpenActuator, OpenDevice};
+use crate::deed::Action;
+use crate::shared::NaoState;
 use behaviour::Value;
 use robot::{Offers, RobotFault};
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Behavior",
     services: &["ALBehaviorManager"],
     joints: &[],
-    open: |chosen| Opened::act(Behavior(chosen.text("name")?.trim().to_owned())),
+    open: |chosen| OpenDevice::act(Behavior(chosen.text("name")?.trim().to_owned())),
 };
 
 /// Longest name in characters.
@@ -25,13 +25,13 @@ impl Behavior {
     }
 }
 
-impl Act for Behavior {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Behavior {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let name = self.named(value).filter(|name| !name.is_empty() && name.chars().count() <= NAME_MAX_CHARS);
-        Ok(Deed::Behavior(name.ok_or(RobotFault::NoBehavior)?.to_owned()))
+        Ok(Action::Behavior(name.ok_or(RobotFault::NoBehavior)?.to_owned()))
     }
 
-    fn ready(&self, value: &Value, state: &State) -> Result<(), RobotFault> {
+    fn ready(&self, value: &Value, state: &NaoState) -> Result<(), RobotFault> {
         state.installed.check(Offers::Behaviors, self.named(value).unwrap_or_default())
     }
 }

@@ -1,16 +1,16 @@
 //! Senses that need no robot: a beat of robot time, and a button that is pressed on the page.
 
-use super::{Driver, Opened, Sense};
+use super::{NaoDriver, OpenDevice, Sense};
 use behaviour::Value;
 
-pub(super) const TICK: Driver = Driver {
+pub(super) const TICK: NaoDriver = NaoDriver {
     name: "Tick",
     services: &[],
     joints: &[],
-    open: |chosen| Opened::sense(Tick((chosen.number("period_ms")? * 1_000.0).max(10_000.0) as u64)),
+    open: |chosen| OpenDevice::sense(Tick((chosen.number("period_ms")? * 1_000.0).max(10_000.0) as u64)),
 };
-pub(super) const BUTTON: Driver =
-    Driver { name: "Button", services: &[], joints: &[], open: |_| Opened::sense(Button) };
+pub(super) const BUTTON: NaoDriver =
+    NaoDriver { name: "Button", services: &[], joints: &[], open: |_| OpenDevice::sense(Button) };
 
 struct Tick(u64);
 

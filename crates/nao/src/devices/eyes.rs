@@ -1,18 +1,18 @@
 //! The eye lights: a colour and a brightness.
 
-use super::{Act, Driver, Opened, number};
-use crate::deed::{Call, Deed};
+use super::{NaoDriver, OpenActuator, OpenDevice, number};
+use crate::deed::{Action, ServiceCall};
 use behaviour::Value;
 use robot::RobotFault;
 
-pub(super) const COLOR: Driver = Driver {
+pub(super) const COLOR: NaoDriver = NaoDriver {
     name: "EyeLedColor",
     services: &["ALLeds"],
     joints: &[],
-    open: |chosen| Opened::act(Color(chosen.text("color")?.to_owned())),
+    open: |chosen| OpenDevice::act(Color(chosen.text("color")?.to_owned())),
 };
-pub(super) const BRIGHTNESS: Driver =
-    Driver { name: "EyeBrightness", services: &["ALLeds"], joints: &[], open: |_| Opened::act(Brightness) };
+pub(super) const BRIGHTNESS: NaoDriver =
+    NaoDriver { name: "EyeBrightness", services: &["ALLeds"], joints: &[], open: |_| OpenDevice::act(Brightness) };
 
 /// The time that a colour takes to come, in seconds.
 const FADE_S: f32 = 0.1;
@@ -20,27 +20,27 @@ const FADE_S: f32 = 0.1;
 /// A colour by its name, or `Value`.
 struct Color(String);
 
-impl Act for Color {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Color {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let color = rgb(&self.0, value)?;
         let part = |shift: i32| (color >> shift & 0xFF) as f32 / 255.0;
-        Ok(Deed::Eyes([part(16), part(8), part(0)]))
+        Ok(Action::Eyes([part(16), part(8), part(0)]))
     }
 }
 
 struct Brightness;
 
-impl Act for Brightness {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
-        Ok(Deed::Glow(number(value)?.clamp(0.0, 1.0) as f32))
+impl OpenActuator for Brightness {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
+        Ok(Action::Glow(number(value)?.clamp(0.0, 1.0) as f32))
     }
 }
 
 /// Returns the call that lets the eyes shine in a colour. A brightness is said as a darker colour: the intensity of a
 /// group that has lamps of several colours is that of each of them, so setting it turns every colour into grey.
-pub(crate) fn shine(parts: [f32; 3]) -> Call {
+pub(crate) fn shine(parts: [f32; 3]) -> ServiceCall {
     let [red, green, blue] = parts.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as i32);
-    Call::new("ALLeds", "fadeRGB", ["FaceLeds".into(), (red << 16 | green << 8 | blue).into(), FADE_S.into()])
+    ServiceCall::new("ALLeds", "fadeRGB", ["FaceLeds".into(), (red << 16 | green << 8 | blue).into(), FADE_S.into()])
 }
 
 /// The colour that a choice and a value mean, as `0x00RRGGBB`.

@@ -1,20 +1,24 @@
 //! Faces: seeing them, and remembering one.
 
-use super::{Act, Driver, Opened, Sense, at, float, time, within};
-use crate::deed::{Call, Deed};
+use super::{NaoDriver, OpenActuator, OpenDevice, Sense, at, float, time, within};
+use crate::deed::{Action, ServiceCall};
 use behaviour::Value;
 use robot::RobotFault;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-pub(super) const DETECTION: Driver = Driver {
+pub(super) const DETECTION: NaoDriver = NaoDriver {
     name: "FaceDetection",
     services: &["ALMemory", "ALFaceDetection"],
     joints: &[],
-    open: |_| Opened::sense(Detection::default()),
+    open: |_| OpenDevice::sense(Detection::default()),
 };
-pub(super) const REMEMBER: Driver =
-    Driver { name: "RememberFace", services: &["ALFaceDetection"], joints: &[], open: |_| Opened::act(Remember) };
+pub(super) const REMEMBER: NaoDriver = NaoDriver {
+    name: "RememberFace",
+    services: &["ALFaceDetection"],
+    joints: &[],
+    open: |_| OpenDevice::act(Remember),
+};
 
 /// Names that are kept of faces in view: a name is told again only after a pause.
 const LABELS_MAX: usize = 32;
@@ -96,15 +100,15 @@ fn number_of(face: &Value) -> Option<i64> {
 /// Under the text of the value, else under the number of the face that it is, else under 1.
 struct Remember;
 
-impl Act for Remember {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Remember {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let name = match value.as_text().map(str::trim).filter(|text| !text.is_empty()) {
             Some(text) => text.chars().take(60).collect(),
             None => format!("face {}", number_of(value).unwrap_or(1)),
         };
-        Ok(Deed::Lasting {
+        Ok(Action::Lasting {
             what: "RememberFace".to_owned(),
-            calls: vec![Call::new("ALFaceDetection", "learnFace", [name.into()])],
+            calls: vec![ServiceCall::new("ALFaceDetection", "learnFace", [name.into()])],
             end: Vec::new(),
             within: LEARN,
             moves: false,

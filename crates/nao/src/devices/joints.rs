@@ -1,18 +1,18 @@
 //! Joints: their angles, and moving one of them or a group.
 
-use super::{Act, Driver, Opened, Sense, float, number};
+use super::{NaoDriver, OpenActuator, OpenDevice, Sense, float, number};
 use crate::body::joints_of;
-use crate::deed::Deed;
+use crate::deed::Action;
 use behaviour::Value;
 use robot::RobotFault;
 
-pub(super) const POSITION: Driver = Driver {
+pub(super) const POSITION: NaoDriver = NaoDriver {
     name: "JointPosition",
     services: &["ALMotion"],
     joints: &[],
-    open: |chosen| Opened::sense(Position(joints_of(chosen.text("joint")?)?.first().copied()?)),
+    open: |chosen| OpenDevice::sense(Position(joints_of(chosen.text("joint")?)?.first().copied()?)),
 };
-pub(super) const SET_POSITION: Driver = Driver {
+pub(super) const SET_POSITION: NaoDriver = NaoDriver {
     name: "SetJointPosition",
     services: &["ALMotion"],
     joints: &[],
@@ -20,7 +20,7 @@ pub(super) const SET_POSITION: Driver = Driver {
         let name = chosen.text("joint")?;
         let joints = joints_of(name)?;
         let group = joints.first() != Some(&name);
-        Opened::act(SetPosition { joints, group, speed: chosen.number("speed")? })
+        OpenDevice::act(SetPosition { joints, group, speed: chosen.number("speed")? })
     },
 };
 
@@ -42,8 +42,8 @@ struct SetPosition {
     speed: f64,
 }
 
-impl Act for SetPosition {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for SetPosition {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let wrong = || RobotFault::NoGroup(self.joints.len());
         let angles = match value {
             Value::List(items) if self.group => items.iter().map(number).collect::<Result<Vec<_>, _>>()?,
@@ -53,6 +53,6 @@ impl Act for SetPosition {
         if angles.len() != self.joints.len() {
             return Err(wrong());
         }
-        Ok(Deed::Joints { joints: self.joints.clone(), angles, speed: self.speed.clamp(0.01, 1.0) })
+        Ok(Action::Joints { joints: self.joints.clone(), angles, speed: self.speed.clamp(0.01, 1.0) })
     }
 }

@@ -1,13 +1,13 @@
 //! Printed marks with a number.
 
-use super::{Driver, Opened, Sense, at, float, time, within};
+use super::{NaoDriver, OpenDevice, Sense, at, float, time, within};
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Landmark",
     services: &["ALMemory", "ALLandMarkDetection"],
     joints: &[],
-    open: |chosen| Opened::sense(Landmark(chosen.number("number")? as i64)),
+    open: |chosen| OpenDevice::sense(Landmark(chosen.number("number")? as i64)),
 };
 
 /// Which, 0 for any.

@@ -2,20 +2,20 @@
 //! the robot is.
 
 use super::eyes::rgb;
-use super::{Act, Driver, Opened};
-use crate::deed::{Call, Deed};
-use crate::shared::State;
+use super::{NaoDriver, OpenActuator, OpenDevice};
+use crate::deed::{Action, ServiceCall};
+use crate::shared::NaoState;
 use behaviour::Value;
 use robot::{Life, RobotFault};
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Lights",
     services: &["ALLeds"],
     joints: &[],
     open: |chosen| {
         let part = chosen.text("part")?;
         let part = PARTS.iter().find(|known| known.name == part)?;
-        Opened::act(Light { part, color: chosen.text("color")?.to_owned() })
+        OpenDevice::act(Light { part, color: chosen.text("color")?.to_owned() })
     },
 };
 
@@ -25,7 +25,7 @@ const FADE_S: f32 = 0.1;
 const LOW_PERCENT: u8 = 15;
 
 /// A part that shines.
-struct Part {
+struct LightPart {
     /// In the catalogue.
     name: &'static str,
     /// The name of its group in ALLeds.
@@ -36,21 +36,21 @@ struct Part {
     lacks: &'static str,
 }
 
-const PARTS: [Part; 4] = [
-    Part { name: "ears", group: "EarLeds", is_colored: false, lacks: "it has no lights in its ears" },
-    Part {
+const PARTS: [LightPart; 4] = [
+    LightPart { name: "ears", group: "EarLeds", is_colored: false, lacks: "it has no lights in its ears" },
+    LightPart {
         name: "chest",
         group: "ChestLeds",
         is_colored: true,
         lacks: "it has no light on its chest; choose another part",
     },
-    Part {
+    LightPart {
         name: "head",
         group: "BrainLeds",
         is_colored: false,
         lacks: "a Pepper has no lights on its head; choose its shoulders",
     },
-    Part {
+    LightPart {
         name: "shoulders",
         group: "ShoulderLeds",
         is_colored: true,
@@ -60,27 +60,27 @@ const PARTS: [Part; 4] = [
 
 /// A part, and a colour by its name or `Value`.
 struct Light {
-    part: &'static Part,
+    part: &'static LightPart,
     color: String,
 }
 
-impl Act for Light {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Light {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let color = rgb(&self.color, value)?;
-        let Part { group, is_colored, .. } = *self.part;
+        let LightPart { group, is_colored, .. } = *self.part;
         let call = if is_colored {
-            Call::new("ALLeds", "fadeRGB", [group.into(), color.into(), FADE_S.into()])
+            ServiceCall::new("ALLeds", "fadeRGB", [group.into(), color.into(), FADE_S.into()])
         } else {
             let part = |shift: i32| (color >> shift & 0xFF) as f32 / 255.0;
             let bright = part(16).max(part(8)).max(part(0));
-            Call::new("ALLeds", "fade", [group.into(), bright.into(), FADE_S.into()])
+            ServiceCall::new("ALLeds", "fade", [group.into(), bright.into(), FADE_S.into()])
         };
-        Ok(Deed::Light { group, call })
+        Ok(Action::Light { group, call })
     }
 
     /// By what the robot says of its lights; before that by what kind of robot it is.
-    fn fits(&self, state: &State) -> Result<(), RobotFault> {
-        let Part { name, group, lacks, .. } = *self.part;
+    fn fits(&self, state: &NaoState) -> Result<(), RobotFault> {
+        let LightPart { name, group, lacks, .. } = *self.part;
         let is_there = match name {
             _ if !state.lights.is_empty() => state.lights.contains(group),
             "head" => !state.is_pepper,
@@ -90,7 +90,7 @@ impl Act for Light {
         if is_there { Ok(()) } else { Err(RobotFault::NotNow(lacks.to_owned())) }
     }
 
-    fn ready(&self, _: &Value, state: &State) -> Result<(), RobotFault> {
+    fn ready(&self, _: &Value, state: &NaoState) -> Result<(), RobotFault> {
         self.fits(state)?;
         let body = &state.condition;
         let is_low = body.battery.is_some_and(|percent| percent < LOW_PERCENT) && body.plugged != Some(true);

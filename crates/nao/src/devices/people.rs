@@ -1,13 +1,13 @@
 //! The people who are near.
 
-use super::{Driver, Opened, Sense, at, float, time, within};
+use super::{NaoDriver, OpenDevice, Sense, at, float, time, within};
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "People",
     services: &["ALMemory", "ALPeoplePerception"],
     joints: &[],
-    open: |_| Opened::sense(People),
+    open: |_| OpenDevice::sense(People),
 };
 
 struct People;

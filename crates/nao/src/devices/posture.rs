@@ -1,29 +1,29 @@
 //! Postures: which one it is, taking one, and falling.
 
-use super::{Act, Driver, Opened, Sense};
-use crate::deed::{Call, Deed};
+use super::{NaoDriver, OpenActuator, OpenDevice, Sense};
+use crate::deed::{Action, ServiceCall};
 use behaviour::Value;
 use robot::RobotFault;
 use std::time::Duration;
 
-pub(super) const CHANGED: Driver = Driver {
+pub(super) const CHANGED: NaoDriver = NaoDriver {
     name: "PostureChanged",
     services: &["ALMemory", "ALRobotPosture"],
     joints: &[],
-    open: |_| Opened::sense(Changed { told: None }),
+    open: |_| OpenDevice::sense(Changed { told: None }),
 };
-pub(super) const FALL: Driver = Driver {
+pub(super) const FALL: NaoDriver = NaoDriver {
     name: "Fall",
     services: &["ALMemory", "ALMotion"],
     joints: &[],
-    open: |chosen| Opened::sense(Fall { release: chosen.is("release", "yes"), fallen: false }),
+    open: |chosen| OpenDevice::sense(Fall { release: chosen.is("release", "yes"), fallen: false }),
 };
-pub(super) const TAKE: Driver = Driver {
+pub(super) const TAKE: NaoDriver = NaoDriver {
     name: "Posture",
     services: &["ALRobotPosture"],
     joints: &[],
     open: |chosen| {
-        Opened::act(Posture { name: chosen.text("posture")?.to_owned(), speed: chosen.number("speed")? as f32 })
+        OpenDevice::act(Posture { name: chosen.text("posture")?.to_owned(), speed: chosen.number("speed")? as f32 })
     },
 };
 
@@ -39,8 +39,8 @@ impl Sense for Changed {
         vec!["PostureFamilyChanged"]
     }
 
-    fn first(&self) -> Option<Call> {
-        Some(Call::new("ALRobotPosture", "getPostureFamily", []))
+    fn first(&self) -> Option<ServiceCall> {
+        Some(ServiceCall::new("ALRobotPosture", "getPostureFamily", []))
     }
 
     fn read(&mut self, _: &str, value: &qi::Value, _: u64) -> Option<Value> {
@@ -76,12 +76,16 @@ struct Posture {
     speed: f32,
 }
 
-impl Act for Posture {
-    fn deed(&self, _: &Value) -> Result<Deed, RobotFault> {
-        Ok(Deed::Lasting {
+impl OpenActuator for Posture {
+    fn deed(&self, _: &Value) -> Result<Action, RobotFault> {
+        Ok(Action::Lasting {
             what: format!("posture {}", self.name),
-            calls: vec![Call::new("ALRobotPosture", "goToPosture", [self.name.as_str().into(), self.speed.into()])],
-            end: vec![Call::new("ALRobotPosture", "stopMove", [])],
+            calls: vec![ServiceCall::new(
+                "ALRobotPosture",
+                "goToPosture",
+                [self.name.as_str().into(), self.speed.into()],
+            )],
+            end: vec![ServiceCall::new("ALRobotPosture", "stopMove", [])],
             within: WITHIN,
             moves: true,
         })

@@ -1,17 +1,17 @@
 //! Speaking the value, or a fixed text.
 
-use super::{Act, Driver, Opened};
-use crate::deed::Deed;
+use super::{NaoDriver, OpenActuator, OpenDevice};
+use crate::deed::Action;
 use behaviour::Value;
 use robot::RobotFault;
 
-pub(super) const INPUT: Driver =
-    Driver { name: "SayInput", services: &["ALTextToSpeech"], joints: &[], open: |_| Opened::act(Say(None)) };
-pub(super) const PARAMETER: Driver = Driver {
+pub(super) const INPUT: NaoDriver =
+    NaoDriver { name: "SayInput", services: &["ALTextToSpeech"], joints: &[], open: |_| OpenDevice::act(Say(None)) };
+pub(super) const PARAMETER: NaoDriver = NaoDriver {
     name: "SayParameter",
     services: &["ALTextToSpeech"],
     joints: &[],
-    open: |chosen| Opened::act(Say(Some(chosen.text("text")?.to_owned()))),
+    open: |chosen| OpenDevice::act(Say(Some(chosen.text("text")?.to_owned()))),
 };
 
 /// Longest text in characters.
@@ -20,8 +20,8 @@ const TEXT_MAX_CHARS: usize = 1_000;
 /// This text, or else the value.
 struct Say(Option<String>);
 
-impl Act for Say {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Say {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let text = match (&self.0, value) {
             (Some(text), _) => text.trim().to_owned(),
             (None, Value::Text(text)) => text.trim().to_owned(),
@@ -30,7 +30,7 @@ impl Act for Say {
         };
         match text.chars().count() {
             0 => Err(RobotFault::NothingToSay),
-            1..=TEXT_MAX_CHARS => Ok(Deed::Say(text)),
+            1..=TEXT_MAX_CHARS => Ok(Action::Say(text)),
             _ => Err(RobotFault::TextTooLong(TEXT_MAX_CHARS)),
         }
     }

@@ -1,10 +1,10 @@
 //! The distance of the nearest thing. The sonars only measure while somebody subscribes to ALSonar.
 
-use super::{Driver, Opened, Sense, at, float};
-use crate::deed::Call;
+use super::{NaoDriver, OpenDevice, Sense, at, float};
+use crate::deed::ServiceCall;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Sonar",
     services: &["ALMemory", "ALSonar"],
     joints: &[],
@@ -15,7 +15,7 @@ pub(super) const DRIVER: Driver = Driver {
             "back" => &[BEHIND],
             _ => &[LEFT, RIGHT, AHEAD],
         };
-        Opened::sense(Sonar(sides))
+        OpenDevice::sense(Sonar(sides))
     },
 };
 
@@ -43,9 +43,9 @@ impl Sense for Sonar {
         Some("ALSonar")
     }
 
-    fn poll(&self) -> Option<(Call, u64)> {
+    fn poll(&self) -> Option<(ServiceCall, u64)> {
         let keys = qi::Value::List(KEYS.iter().map(|key| qi::Value::dynamic(*key)).collect());
-        Some((Call::new("ALMemory", "getListData", [keys]), PERIOD_MS))
+        Some((ServiceCall::new("ALMemory", "getListData", [keys]), PERIOD_MS))
     }
 
     fn read(&mut self, _: &str, value: &qi::Value, _: u64) -> Option<Value> {

@@ -1,17 +1,17 @@
 //! Sounds: playing one, and hearing where one comes from.
 
-use super::{Act, Chosen, Driver, Opened, Sense, at, float, time};
-use crate::deed::{Call, Deed};
+use super::{ChosenParams, NaoDriver, OpenActuator, OpenDevice, Sense, at, float, time};
+use crate::deed::{Action, ServiceCall};
 use behaviour::Value;
 use robot::RobotFault;
 use std::time::Duration;
 
-pub(super) const DRIVER: Driver = Driver { name: "Sound", services: &["ALAudioPlayer"], joints: &[], open };
-pub(super) const LOCATED: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver { name: "Sound", services: &["ALAudioPlayer"], joints: &[], open };
+pub(super) const LOCATED: NaoDriver = NaoDriver {
     name: "SoundLocated",
     services: &["ALMemory", "ALSoundLocalization"],
     joints: &[],
-    open: |chosen| Opened::sense(Located(chosen.number("sensitivity")? as f32)),
+    open: |chosen| OpenDevice::sense(Located(chosen.number("sensitivity")? as f32)),
 };
 
 /// The length of a beep, in seconds.
@@ -26,7 +26,7 @@ struct Sound {
     volume: f32,
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
+fn open(chosen: &ChosenParams) -> Option<OpenDevice> {
     let tone = match chosen.text("sound")? {
         "low" => Some(300),
         "high" => Some(1_200),
@@ -37,13 +37,13 @@ fn open(chosen: &Chosen) -> Option<Opened> {
     if tone.is_none() && file.is_empty() {
         return None;
     }
-    Opened::act(Sound { tone, file, volume: chosen.number("volume")? as f32 / 100.0 })
+    OpenDevice::act(Sound { tone, file, volume: chosen.number("volume")? as f32 / 100.0 })
 }
 
 impl Sound {
     /// A sound by its name in a set, as `Aldebaran/sfx_validation_1`.
-    fn of_a_set(&self) -> Call {
-        let play = |arguments: Vec<qi::Value>| Call::new("ALAudioPlayer", "playSoundSetFile", arguments);
+    fn of_a_set(&self) -> ServiceCall {
+        let play = |arguments: Vec<qi::Value>| ServiceCall::new("ALAudioPlayer", "playSoundSetFile", arguments);
         match self.file.split_once('/') {
             Some((set, name)) => {
                 let [at, pan] = [0.0_f32; 2];
@@ -54,21 +54,27 @@ impl Sound {
     }
 }
 
-impl Act for Sound {
-    fn deed(&self, _: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Sound {
+    fn deed(&self, _: &Value) -> Result<Action, RobotFault> {
         let call = match self.tone {
             Some(hertz) => {
                 let gain = (self.volume * 100.0) as i32;
-                Call::new("ALAudioPlayer", "playSine", [hertz.into(), gain.into(), 0.0_f32.into(), BEEP_S.into()])
+                ServiceCall::new(
+                    "ALAudioPlayer",
+                    "playSine",
+                    [hertz.into(), gain.into(), 0.0_f32.into(), BEEP_S.into()],
+                )
             }
             None if !robot::is_file(&self.file) => self.of_a_set(),
-            None => {
-                Call::new("ALAudioPlayer", "playFile", [self.file.as_str().into(), self.volume.into(), 0.0_f32.into()])
-            }
+            None => ServiceCall::new(
+                "ALAudioPlayer",
+                "playFile",
+                [self.file.as_str().into(), self.volume.into(), 0.0_f32.into()],
+            ),
         };
         let what = self.tone.map_or_else(|| format!("sound {}", self.file), |hertz| format!("sound {hertz}"));
-        let end = vec![Call::new("ALAudioPlayer", "stopAll", [])];
-        Ok(Deed::Lasting { what, calls: vec![call], end, within: WITHIN, moves: false })
+        let end = vec![ServiceCall::new("ALAudioPlayer", "stopAll", [])];
+        Ok(Action::Lasting { what, calls: vec![call], end, within: WITHIN, moves: false })
     }
 }
 
@@ -83,9 +89,9 @@ impl Sense for Located {
         Some("ALSoundLocalization")
     }
 
-    fn begin(&self) -> Vec<Call> {
+    fn begin(&self) -> Vec<ServiceCall> {
         let sensitivity = ["Sensitivity".into(), qi::Value::dynamic(self.0)];
-        vec![Call::new("ALSoundLocalization", "setParameter", sensitivity)]
+        vec![ServiceCall::new("ALSoundLocalization", "setParameter", sensitivity)]
     }
 
     /// `[[s, us], [azimuth, elevation, confidence, energy], ...]`.

@@ -4,18 +4,18 @@
 //! The robot's own address on the tablet, and that it shows a page that is written into its address, are as people have them
 //! in public programs; neither was tried on a robot here.
 
-use super::{Act, Driver, Opened};
-use crate::deed::{Call, Deed};
+use super::{NaoDriver, OpenActuator, OpenDevice};
+use crate::deed::{Action, ServiceCall};
 use behaviour::Value;
 use robot::RobotFault;
 use std::fmt::Write;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Tablet",
     services: &["ALTabletService"],
     joints: &[],
     open: |chosen| {
-        Opened::act(match chosen.text("shows")? {
+        OpenDevice::act(match chosen.text("shows")? {
             "picture" => Tablet::Picture(picture(chosen.text("picture")?)?),
             "value" => Tablet::Value,
             _ => Tablet::Text(chosen.text("text")?.to_owned()),
@@ -68,17 +68,17 @@ fn page(text: &str) -> String {
     format!("data:text/html;charset=utf-8,{}", encoded(&format!("<body style=\"{style}\">{text}")))
 }
 
-impl Act for Tablet {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Tablet {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let text = match self {
             Self::Picture(address) => {
-                return Ok(Deed::Tablet(Call::new("ALTabletService", "showImage", [address.as_str().into()])));
+                return Ok(Action::Tablet(ServiceCall::new("ALTabletService", "showImage", [address.as_str().into()])));
             }
             Self::Text(text) => text.clone(),
             Self::Value => value.as_text().map_or_else(|| value.to_string(), str::to_owned),
         };
         let text: String = text.chars().take(TEXT_MAX_CHARS).collect();
-        Ok(Deed::Tablet(Call::new("ALTabletService", "showWebview", [page(&text).as_str().into()])))
+        Ok(Action::Tablet(ServiceCall::new("ALTabletService", "showWebview", [page(&text).as_str().into()])))
     }
 }
 

@@ -1,13 +1,13 @@
 //! Touch fields and bumpers: 1.0 when touched, 0.0 when let go.
 
-use super::{Chosen, Driver, Opened, Sense};
+use super::{ChosenParams, NaoDriver, OpenDevice, Sense};
 use behaviour::Value;
 use std::collections::BTreeSet;
 
-pub(super) const HEAD: Driver = Driver { name: "HeadTouch", services: &["ALMemory"], joints: &[], open: head };
-pub(super) const HAND: Driver =
-    Driver { name: "HandTouch", services: &["ALMemory"], joints: &["LHand", "RHand"], open: hand };
-pub(super) const BUMPER: Driver = Driver { name: "Bumper", services: &["ALMemory"], joints: &[], open: bumper };
+pub(super) const HEAD: NaoDriver = NaoDriver { name: "HeadTouch", services: &["ALMemory"], joints: &[], open: head };
+pub(super) const HAND: NaoDriver =
+    NaoDriver { name: "HandTouch", services: &["ALMemory"], joints: &["LHand", "RHand"], open: hand };
+pub(super) const BUMPER: NaoDriver = NaoDriver { name: "Bumper", services: &["ALMemory"], joints: &[], open: bumper };
 
 struct Touch {
     keys: Vec<&'static str>,
@@ -17,19 +17,19 @@ struct Touch {
 }
 
 /// Those of all fields whose names have what was chosen.
-fn touch(all: &[(&'static str, &[&str])], wanted: &[&str], chosen: &Chosen) -> Option<Opened> {
+fn touch(all: &[(&'static str, &[&str])], wanted: &[&str], chosen: &ChosenParams) -> Option<OpenDevice> {
     let fits = |words: &[&str]| wanted.iter().all(|want| *want == "any" || words.contains(want));
     let keys = all.iter().filter(|(_, words)| fits(words)).map(|(key, _)| *key).collect();
-    Opened::sense(Touch { keys, release: chosen.is("release", "yes"), down: BTreeSet::new() })
+    OpenDevice::sense(Touch { keys, release: chosen.is("release", "yes"), down: BTreeSet::new() })
 }
 
-fn head(chosen: &Chosen) -> Option<Opened> {
+fn head(chosen: &ChosenParams) -> Option<OpenDevice> {
     let all: [(&str, &[&str]); 3] =
         [("FrontTactilTouched", &["front"]), ("MiddleTactilTouched", &["middle"]), ("RearTactilTouched", &["rear"])];
     touch(&all, &[chosen.text("part")?], chosen)
 }
 
-fn hand(chosen: &Chosen) -> Option<Opened> {
+fn hand(chosen: &ChosenParams) -> Option<OpenDevice> {
     let all: [(&str, &[&str]); 6] = [
         ("HandLeftBackTouched", &["of left", "back"]),
         ("HandLeftLeftTouched", &["of left", "left"]),
@@ -46,7 +46,7 @@ fn hand(chosen: &Chosen) -> Option<Opened> {
     touch(&all, &[hand, chosen.text("part")?], chosen)
 }
 
-fn bumper(chosen: &Chosen) -> Option<Opened> {
+fn bumper(chosen: &ChosenParams) -> Option<OpenDevice> {
     let all: [(&str, &[&str]); 3] =
         [("LeftBumperPressed", &["left"]), ("RightBumperPressed", &["right"]), ("BackBumperPressed", &["back"])];
     touch(&all, &[chosen.text("foot")?], chosen)

@@ -1,12 +1,12 @@
 //! Following a ball or a face.
 
-use super::{Act, Driver, Opened};
-use crate::deed::Deed;
-use crate::deed::{Arm, Track};
+use super::{NaoDriver, OpenActuator, OpenDevice};
+use crate::deed::Action;
+use crate::deed::{FollowedTrack, WhichArm};
 use behaviour::Value;
 use robot::{RobotFault, TrackMode, TrackTarget};
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "Tracker",
     services: &["ALMemory", "ALMotion"],
     joints: &[],
@@ -14,14 +14,14 @@ pub(super) const DRIVER: Driver = Driver {
         let target = TrackTarget::of(chosen.text("target")?)?;
         let mode = TrackMode::of(chosen.text("mode")?)?;
         let arm = match chosen.text("effector")? {
-            "LArm" => Some(Arm::Left),
-            "RArm" => Some(Arm::Right),
-            "Nearest" => Some(Arm::Nearest),
+            "LArm" => Some(WhichArm::Left),
+            "RArm" => Some(WhichArm::Right),
+            "Nearest" => Some(WhichArm::Nearest),
             "Value" => None,
             _ if mode == TrackMode::Arm => None,
-            _ => Some(Arm::None),
+            _ => Some(WhichArm::None),
         };
-        Opened::act(Tracker { target, mode, arm })
+        OpenDevice::act(Tracker { target, mode, arm })
     },
 };
 
@@ -29,17 +29,17 @@ struct Tracker {
     target: TrackTarget,
     mode: TrackMode,
     /// None if the value names the arm.
-    arm: Option<Arm>,
+    arm: Option<WhichArm>,
 }
 
-impl Act for Tracker {
-    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+impl OpenActuator for Tracker {
+    fn deed(&self, value: &Value) -> Result<Action, RobotFault> {
         let arm = self.arm.unwrap_or(match value.as_text().map(str::trim) {
-            Some("LArm" | "left") => Arm::Left,
-            Some("RArm" | "right") => Arm::Right,
-            _ => Arm::Nearest,
+            Some("LArm" | "left") => WhichArm::Left,
+            Some("RArm" | "right") => WhichArm::Right,
+            _ => WhichArm::Nearest,
         });
-        Ok(Deed::Track(Track { target: self.target, mode: self.mode, arm }))
+        Ok(Action::Track(FollowedTrack { target: self.target, mode: self.mode, arm }))
     }
 
     fn needs(&self) -> Option<&'static str> {

@@ -1,10 +1,10 @@
 //! Words that somebody says. The robot listens for one list of words, which cannot be changed while it listens: it has the
 //! words of all that listen, and each takes its own.
 
-use super::{Driver, Opened, Sense, at, float, time, within};
+use super::{NaoDriver, OpenDevice, Sense, at, float, time, within};
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: NaoDriver = NaoDriver {
     name: "WordRecognized",
     services: &["ALMemory", "ALSpeechRecognition"],
     joints: &[],
@@ -12,7 +12,7 @@ pub(super) const DRIVER: Driver = Driver {
         let words = chosen.text("words")?.split(',').map(|word| word.trim().to_owned());
         let words: Vec<String> = words.filter(|word| !word.is_empty()).take(WORDS_MAX).collect();
         let (language, least) = (chosen.text("language")?.to_owned(), chosen.number("confidence")?);
-        if words.is_empty() { None } else { Opened::sense(Words { words, language, least }) }
+        if words.is_empty() { None } else { OpenDevice::sense(HeardWords { words, language, least }) }
     },
 };
 
@@ -21,14 +21,14 @@ const WORDS_MAX: usize = 50;
 /// The most values of one event that are looked at: a word and its sureness each.
 const CANDIDATES_MAX: usize = 40;
 
-struct Words {
+struct HeardWords {
     words: Vec<String>,
     language: String,
     /// The least sureness.
     least: f64,
 }
 
-impl Sense for Words {
+impl Sense for HeardWords {
     fn keys(&self) -> Vec<&'static str> {
         vec!["WordRecognized"]
     }
@@ -60,12 +60,12 @@ impl Sense for Words {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sense, Words};
+    use super::{HeardWords, Sense};
     use behaviour::Value;
 
     #[test]
     fn what_it_may_have_been_is_heard_if_it_is_sure_enough() {
-        let mut words = Words { words: vec!["Yes".into(), "no".into()], language: "English".into(), least: 0.3 };
+        let mut words = HeardWords { words: vec!["Yes".into(), "no".into()], language: "English".into(), least: 0.3 };
         let told = |pairs: &[(&str, f32)]| {
             let pair = |(word, sure): &(&str, f32)| [qi::Value::dynamic(*word), qi::Value::dynamic(*sure)];
             qi::Value::List(pairs.iter().flat_map(pair).collect())

@@ -28,7 +28,7 @@ async fn pictures_come_while_somebody_looks_and_end_with_that() {
 async fn what_an_ended_server_left_behind_is_ended() {
     let Some(peer) = Peer::start("nao: camera left", &[]).await else { return };
     let address = format!("tcp://{}", peer.address).parse().unwrap();
-    let session = qi::Session::connect(&address, qi::Options::default()).await.unwrap();
+    let session = qi::Session::connect(&address, qi::SessionOptions::default()).await.unwrap();
     let video = session.service("ALVideoDevice").await.unwrap();
     for name in ["rrp-test/camera", "somebody else"] {
         let choice = [0, 1, 11, 10].map(qi::Value::from);

@@ -2,7 +2,7 @@
 
 use crate::peer::{PATIENCE, Peer};
 use behaviour::{Id, Params, Value};
-use nao::{Nao, Settings};
+use nao::{Nao, RobotSettings};
 use robot::{Health, Millis, Reading, Robot, Use};
 use serde_json::Value as Json;
 use std::time::{Duration, Instant};
@@ -21,7 +21,7 @@ impl Driver {
     }
 
     /// One that is reached so, once it is there.
-    pub(crate) async fn with(settings: Settings) -> Self {
+    pub(crate) async fn with(settings: RobotSettings) -> Self {
         let mut this = Self::new(Nao::start(settings));
         this.until("it is there", |driver| driver.nao.health() == Health::Ready).await;
         this
@@ -97,9 +97,16 @@ impl Driver {
 }
 
 /// The plainest way to a robot.
-pub(crate) fn settings(address: &str) -> Settings {
+pub(crate) fn settings(address: &str) -> RobotSettings {
     let own_name = "rrp-test".to_owned();
-    Settings { address: address.to_owned(), login: None, own_name, trusted: None, expected: None, former: Vec::new() }
+    RobotSettings {
+        address: address.to_owned(),
+        login: None,
+        own_name,
+        trusted: None,
+        expected: None,
+        former: Vec::new(),
+    }
 }
 
 pub(crate) fn user(stream: &str) -> Use {

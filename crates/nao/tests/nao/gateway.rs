@@ -1,7 +1,7 @@
 //! The gateway that NAOqi has from 2.9 on: it speaks TLS, lets in by user and password, and leads to the robot behind
 //! it.
 
-use qi::{Frame, Framer, Header, Kind, Layout, Signature, Value, decode, encode};
+use qi::{Framer, Layout, MessageFrame, MessageHeader, MessageKind, Value, ValueSignature, decode, encode};
 use rustls::pki_types::PrivateKeyDer;
 use std::sync::Arc;
 use tokio::io::{AsyncReadExt, AsyncWriteExt, copy_bidirectional};
@@ -72,8 +72,9 @@ async fn lead(acceptor: TlsAcceptor, client: TcpStream, peer: &str) {
     let asked = decode(&hello.payload, &"{sm}".parse().unwrap(), Layout::default()).unwrap();
     let said = |name: &str| asked.get(name).and_then(|value| value.as_text().map(|text| text.into_owned()));
     if (said("auth_user").as_deref(), said("auth_token").as_deref()) != (Some("nao"), Some(PASSWORD)) {
-        let no = encode(&"User is not authorized".into(), &Signature::Dynamic, Layout::default()).unwrap();
-        let frame = Frame { header: Header { kind: Kind::Error, flags: 0, ..hello.header }, payload: no };
+        let no = encode(&"User is not authorized".into(), &ValueSignature::Dynamic, Layout::default()).unwrap();
+        let frame =
+            MessageFrame { header: MessageHeader { kind: MessageKind::Error, flags: 0, ..hello.header }, payload: no };
         let _gone = client.write_all(&frame.to_bytes().unwrap()).await;
         let _gone = client.shutdown().await;
         return;
@@ -87,7 +88,7 @@ async fn lead(acceptor: TlsAcceptor, client: TcpStream, peer: &str) {
         .filter(|(name, _)| !name.as_text().is_some_and(|name| name.starts_with("auth_")));
     let plain = Value::Map(plain.cloned().collect());
     let payload = encode(&plain, &"{sm}".parse().unwrap(), Layout::default()).unwrap();
-    robot.write_all(&Frame { header: hello.header, payload }.to_bytes().unwrap()).await.unwrap();
+    robot.write_all(&MessageFrame { header: hello.header, payload }.to_bytes().unwrap()).await.unwrap();
     let _over = copy_bidirectional(&mut client, &mut robot).await;
 }
 
@@ -107,33 +108,33 @@ pub(crate) async fn old(peer: &str) -> String {
 async fn lead_old(mut client: TcpStream, peer: &str) -> std::io::Result<()> {
     let can = Value::map([("MetaObjectCache", Value::dynamic(false))]);
     let said = encode(&can, &"{sm}".parse().unwrap(), Layout::default()).unwrap();
-    let header = Header { kind: Kind::Capability, flags: 0, id: 1, service: 0, object: 0, action: 0 };
-    client.write_all(&Frame { header, payload: said }.to_bytes().unwrap()).await?;
+    let header = MessageHeader { kind: MessageKind::Capability, flags: 0, id: 1, service: 0, object: 0, action: 0 };
+    client.write_all(&MessageFrame { header, payload: said }.to_bytes().unwrap()).await?;
     let (mut framer, mut bytes) = (Framer::default(), vec![0; 65_536]);
     let mut robot = TcpStream::connect(peer).await?;
     robot.set_nodelay(true)?;
     // What libqi wants is said for the client, and its answer is not passed on.
-    let hello = Header { kind: Kind::Call, flags: 0, id: 7, service: 0, object: 0, action: 8 };
+    let hello = MessageHeader { kind: MessageKind::Call, flags: 0, id: 7, service: 0, object: 0, action: 8 };
     let nothing = encode(
         &Value::map([("ClientServerSocket", Value::dynamic(true))]),
         &"{sm}".parse().unwrap(),
         Layout::default(),
     );
-    robot.write_all(&Frame { header: hello, payload: nothing.unwrap() }.to_bytes().unwrap()).await?;
+    robot.write_all(&MessageFrame { header: hello, payload: nothing.unwrap() }.to_bytes().unwrap()).await?;
     let mut answers = Framer::default();
-    while answers.next_frame().unwrap().is_none_or(|frame| frame.header.kind != Kind::Reply) {
+    while answers.next_frame().unwrap().is_none_or(|frame| frame.header.kind != MessageKind::Reply) {
         let read = robot.read(&mut bytes).await?;
         answers.feed(&bytes[..read]);
     }
     loop {
         while let Some(frame) = framer.next_frame().unwrap() {
-            let Frame { header, .. } = frame;
-            if (header.kind, header.service, header.action) == (Kind::Call, 0, 8) {
-                let no =
-                    encode(&"can't find service, address: 0".into(), &Signature::Dynamic, Layout::default()).unwrap();
-                let frame = Frame { header: Header { kind: Kind::Error, ..header }, payload: no };
+            let MessageFrame { header, .. } = frame;
+            if (header.kind, header.service, header.action) == (MessageKind::Call, 0, 8) {
+                let no = encode(&"can't find service, address: 0".into(), &ValueSignature::Dynamic, Layout::default())
+                    .unwrap();
+                let frame = MessageFrame { header: MessageHeader { kind: MessageKind::Error, ..header }, payload: no };
                 client.write_all(&frame.to_bytes().unwrap()).await?;
-            } else if header.kind != Kind::Capability {
+            } else if header.kind != MessageKind::Capability {
                 robot.write_all(&frame.to_bytes().unwrap()).await?;
             }
         }

@@ -3,7 +3,7 @@
 
 use crate::driver::{Driver, settings};
 use crate::peer::Peer;
-use nao::{Nao, Settings};
+use nao::{Nao, RobotSettings};
 use robot::{Control, Health, Identity, Millis, Robot, RobotFault, Stranger};
 
 fn stranger(driver: &Driver) -> Option<Stranger> {
@@ -73,7 +73,7 @@ async fn the_first_body_is_kept_and_another_one_at_its_address_is_a_stranger() {
 async fn two_with_one_name_are_told_apart_and_an_accepted_one_is_taken() {
     let Some(peer) = Peer::start("nao: names", &["--name", "nao", "--serial", "B2"]).await else { return };
     let kept = Identity { name: "nao".into(), body: "NAO".into(), serial: "B1".into(), head: String::new() };
-    let with = |expected: &Identity| Settings { expected: Some(expected.clone()), ..settings(&peer.address) };
+    let with = |expected: &Identity| RobotSettings { expected: Some(expected.clone()), ..settings(&peer.address) };
     let mut driver = Driver::new(Nao::start(with(&kept)));
     driver.until("it is a stranger", |driver| stranger(driver).is_some()).await;
     let found = stranger(&driver).unwrap().found;

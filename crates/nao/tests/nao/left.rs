@@ -4,7 +4,7 @@ use crate::driver::{Driver, settings};
 use crate::peer::Peer;
 use crate::proxy::{Cut, Proxy};
 use behaviour::Value;
-use nao::Settings;
+use nao::RobotSettings;
 use serde_json::{Value as Json, json};
 
 /// A voice as nobody has by itself.
@@ -62,7 +62,7 @@ async fn nothing_stays_under_a_name_that_no_robot_has_any_more() {
     peer.remember("rrp-older/hearing", "French").await;
     peer.remember("rrp-other/hearing", "German").await;
     let former = vec!["rrp-old".to_owned(), "rrp-older".to_owned()];
-    let mut driver = Driver::with(Settings { former, ..settings(&peer.address) }).await;
+    let mut driver = Driver::with(RobotSettings { former, ..settings(&peer.address) }).await;
     let is_measured = |state: &Json, name: &str| state["subscribers"].to_string().contains(&format!("{name}/"));
     driver
         .sees(&peer, "what is ours ends", |state| !is_measured(state, "rrp-old") && !is_measured(state, "rrp-older"))

@@ -1,6 +1,6 @@
 //! The stand-in as a process, and what tests ask of it.
 
-use qi::{Object, Options, Session};
+use qi::{Object, Session, SessionOptions};
 use serde_json::{Value as Json, json};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -38,7 +38,7 @@ impl Peer {
         let mut child = command.spawn().unwrap();
         let line = BufReader::new(child.stdout.take().unwrap()).lines().next().unwrap().unwrap();
         let address = line.strip_prefix("listening tcp://").unwrap().to_owned();
-        let options = Options { stage_within: PATIENCE, call_within: PATIENCE, ..Options::default() };
+        let options = SessionOptions { stage_within: PATIENCE, call_within: PATIENCE, ..SessionOptions::default() };
         let session = Session::connect(&format!("tcp://{address}").parse().unwrap(), options).await.unwrap();
         let standin = session.service("StandIn").await.unwrap();
         Some(Self { child, address, session, standin })

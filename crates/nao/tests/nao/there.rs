@@ -3,7 +3,7 @@
 use crate::driver::{Driver, user};
 use crate::peer::Peer;
 use behaviour::Params;
-use nao::{Settings, Step, check};
+use nao::{ReachStep, RobotSettings, check};
 use robot::{Control, Lacking, Life, Millis, Robot, actuators, sensors};
 use serde_json::json;
 
@@ -55,7 +55,7 @@ async fn what_a_body_lacks_is_said_with_the_reason() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_look_goes_through_all_steps() {
     let Some(peer) = Peer::start("nao: look", &[]).await else { return };
-    let settings = Settings {
+    let settings = RobotSettings {
         address: peer.address.clone(),
         login: None,
         own_name: "rrp".into(),
@@ -64,8 +64,12 @@ async fn a_look_goes_through_all_steps() {
         former: Vec::new(),
     };
     let found = check(&settings).await;
-    let steps: Vec<Step> = found.steps.iter().map(|step| step.0).collect();
-    assert_eq!(steps, [Step::Name, Step::Tcp, Step::Login, Step::Directory, Step::Services], "{found:?}");
+    let steps: Vec<ReachStep> = found.steps.iter().map(|step| step.0).collect();
+    assert_eq!(
+        steps,
+        [ReachStep::Name, ReachStep::Tcp, ReachStep::Login, ReachStep::Directory, ReachStep::Services],
+        "{found:?}"
+    );
     assert!(found.steps.iter().all(|step| step.1.is_none()), "{found:?}");
     assert!(found.model.starts_with("NAO, NAOqi"), "{found:?}");
 }

@@ -5,13 +5,13 @@ use crate::driver::Driver;
 use crate::gateway::{self, Gateway, PASSWORD};
 use crate::peer::Peer;
 use crate::stops::{busy, is_calm};
-use nao::{Login, Settings, Step, check};
+use nao::{Login, ReachStep, RobotSettings, check};
 use robot::{Health, Millis, Robot};
 use serde_json::json;
 
-fn settings(gateway: &Gateway, password: &str, trusted: Option<String>) -> Settings {
+fn settings(gateway: &Gateway, password: &str, trusted: Option<String>) -> RobotSettings {
     let login = Some(Login { user: "nao".into(), password: password.into() });
-    Settings {
+    RobotSettings {
         address: format!("tcps://{}", gateway.address),
         login,
         own_name: "rrp-test".into(),
@@ -28,12 +28,12 @@ async fn a_robot_behind_tls_and_a_password_works_until_its_certificate_changes()
 
     let refused = check(&settings(&gateway, "wrong", None)).await;
     let (step, why) = refused.steps.last().cloned().unwrap();
-    assert_eq!(step, Step::Login, "{refused:?}");
+    assert_eq!(step, ReachStep::Login, "{refused:?}");
     assert!(why.as_deref().is_some_and(|why| why.contains("user and password")), "{refused:?}");
 
     let found = check(&settings(&gateway, PASSWORD, None)).await;
     assert!(found.steps.iter().all(|step| step.1.is_none()), "{found:?}");
-    assert!(found.steps.iter().any(|step| step.0 == Step::Tls), "{found:?}");
+    assert!(found.steps.iter().any(|step| step.0 == ReachStep::Tls), "{found:?}");
     let trusted = found.fingerprint.clone().unwrap();
 
     // Both links go by it.
@@ -60,7 +60,7 @@ async fn a_robot_behind_tls_and_a_password_works_until_its_certificate_changes()
     assert!(why.contains("choose “Change the address” here"), "{why}");
     assert!(driver.nao.take_halt().is_some(), "what ran is interrupted");
     let looked = check(&settings(&gateway, PASSWORD, Some(trusted))).await;
-    assert_eq!(looked.steps.last().map(|step| step.0), Some(Step::Tls), "{looked:?}");
+    assert_eq!(looked.steps.last().map(|step| step.0), Some(ReachStep::Tls), "{looked:?}");
     peer.was_safe().await;
 }
 

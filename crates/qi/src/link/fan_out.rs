@@ -5,19 +5,19 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::{Arc, Mutex};
 
-use super::Target;
-use super::mailbox::{Letter, Mailbox};
+use super::MemberTarget;
+use super::mailbox::{EventMailbox, Letter};
 use crate::locked::locked;
 
 /// The most listeners of one signal on one link.
 pub const SUBSCRIBERS_MAX: usize = 256;
 
 #[derive(Debug, Default)]
-pub(super) struct FanOut(Mutex<Table>);
+pub(super) struct FanOut(Mutex<FanOutTable>);
 
 #[derive(Debug, Default)]
-struct Table {
-    signals: BTreeMap<Target, Listeners>,
+struct FanOutTable {
+    signals: BTreeMap<MemberTarget, Listeners>,
     last_registration: u64,
     closed: bool,
 }
@@ -25,7 +25,7 @@ struct Table {
 #[derive(Debug)]
 struct Listeners {
     registration: u64,
-    mailboxes: Vec<Arc<Mailbox>>,
+    mailboxes: Vec<Arc<EventMailbox>>,
 }
 
 /// The result of joining a mailbox to the listeners.
@@ -41,7 +41,7 @@ pub(super) enum Joined {
 
 impl FanOut {
     /// Before the peer is told, as an event may come before the answer.
-    pub(super) fn join(&self, signal: Target, mailbox: Arc<Mailbox>) -> Joined {
+    pub(super) fn join(&self, signal: MemberTarget, mailbox: Arc<EventMailbox>) -> Joined {
         let mut table = locked(&self.0);
         if table.closed {
             mailbox.close();
@@ -63,7 +63,7 @@ impl FanOut {
 
     /// If it was the last, `tell` is called with the number of the registration. Under the lock, so that what is told comes
     /// before the next registration.
-    pub(super) fn leave(&self, signal: Target, mailbox: &Arc<Mailbox>, tell: impl FnOnce(u64)) {
+    pub(super) fn leave(&self, signal: MemberTarget, mailbox: &Arc<EventMailbox>, tell: impl FnOnce(u64)) {
         let mut table = locked(&self.0);
         let Some(listeners) = table.signals.get_mut(&signal) else { return };
         listeners.mailboxes.retain(|listening| !Arc::ptr_eq(listening, mailbox));
@@ -74,7 +74,7 @@ impl FanOut {
         }
     }
 
-    pub(super) fn tell(&self, signal: Target, letter: &Letter) {
+    pub(super) fn tell(&self, signal: MemberTarget, letter: &Letter) {
         if let Some(listeners) = locked(&self.0).signals.get(&signal) {
             listeners.mailboxes.iter().for_each(|mailbox| mailbox.put(letter.clone()));
         }

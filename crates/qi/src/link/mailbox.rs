@@ -14,7 +14,7 @@ pub const WAITING_MAX_BYTES: usize = 32 << 20;
 
 /// The choice of events that a subscriber sees when they come faster than it takes them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Keep {
+pub enum EventChoice {
     /// The newest one only.
     Newest,
     /// All, up to so many that wait (at least 1) and [`WAITING_MAX_BYTES`]; beyond them the oldest is lost and counted.
@@ -23,7 +23,7 @@ pub enum Keep {
 
 /// A signal that was raised.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Event {
+pub struct SignalEvent {
     /// The values of the event.
     pub arguments: Vec<Value>,
     /// The time when it arrived here. Peers do not keep the order of events strictly; where a value has a time of its
@@ -40,21 +40,21 @@ pub(super) struct Letter {
 }
 
 #[derive(Debug)]
-pub(super) struct Mailbox {
-    waiting: Mutex<Waiting>,
+pub(super) struct EventMailbox {
+    waiting: Mutex<WaitingEvents>,
     arrived: Notify,
     capacity: usize,
 }
 
 #[derive(Debug, Default)]
-struct Waiting {
+struct WaitingEvents {
     letters: VecDeque<Letter>,
     bytes: usize,
     lost: u64,
     closed: bool,
 }
 
-impl Waiting {
+impl WaitingEvents {
     fn next(&mut self) -> Option<Letter> {
         let letter = self.letters.pop_front()?;
         self.bytes -= letter.payload.len();
@@ -62,11 +62,11 @@ impl Waiting {
     }
 }
 
-impl Mailbox {
-    pub(super) fn new(keep: Keep) -> Self {
+impl EventMailbox {
+    pub(super) fn new(keep: EventChoice) -> Self {
         let capacity = match keep {
-            Keep::Newest => 1,
-            Keep::All(events) => events.max(1),
+            EventChoice::Newest => 1,
+            EventChoice::All(events) => events.max(1),
         };
         Self { waiting: Mutex::default(), arrived: Notify::new(), capacity }
     }
@@ -116,12 +116,12 @@ impl Mailbox {
 
 #[cfg(test)]
 mod tests {
-    use super::{Keep, Letter, Mailbox, WAITING_MAX_BYTES};
+    use super::{EventChoice, EventMailbox, Letter, WAITING_MAX_BYTES};
     use std::time::Instant;
 
     #[tokio::test]
     async fn large_events_make_way_for_newer_ones() {
-        let mailbox = Mailbox::new(Keep::All(1_000));
+        let mailbox = EventMailbox::new(EventChoice::All(1_000));
         let large = |byte: u8, bytes: usize| Letter { flags: 0, payload: vec![byte; bytes].into(), at: Instant::now() };
         for byte in 0..20 {
             mailbox.put(large(byte, WAITING_MAX_BYTES / 4));

@@ -7,34 +7,34 @@ use tokio::sync::oneshot;
 
 use crate::error::QiError;
 use crate::locked::locked;
-use crate::signature::Signature;
+use crate::signature::ValueSignature;
 use crate::value::{Layout, Value, decode};
-use crate::wire::{FLAG_DYNAMIC, Kind};
+use crate::wire::{FLAG_DYNAMIC, MessageKind};
 
 /// The most calls that may be under way on one link.
 pub const IN_FLIGHT_MAX: usize = 64;
 
 /// The answer to a call, as it came.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Answer {
+pub struct CallAnswer {
     /// A reply, an error or the end of a cancelled call.
-    pub(crate) kind: Kind,
+    pub(crate) kind: MessageKind,
     /// [`FLAG_DYNAMIC`] if the value brings its signature.
     pub(crate) flags: u8,
     pub(crate) payload: Vec<u8>,
 }
 
-impl Answer {
+impl CallAnswer {
     /// The value, which the method says is of this type.
     ///
     /// # Errors
     /// Fails if the bytes are malformed.
-    pub fn value(&self, signature: &Signature, layout: Layout) -> Result<Value, QiError> {
+    pub fn value(&self, signature: &ValueSignature, layout: Layout) -> Result<Value, QiError> {
         if self.flags & FLAG_DYNAMIC == 0 {
             return Ok(decode(&self.payload, signature, layout)?);
         }
-        match decode(&self.payload, &Signature::Dynamic, layout)? {
-            Value::Dynamic(inner) if *signature != Signature::Dynamic => Ok(*inner),
+        match decode(&self.payload, &ValueSignature::Dynamic, layout)? {
+            Value::Dynamic(inner) if *signature != ValueSignature::Dynamic => Ok(*inner),
             value => Ok(value),
         }
     }
@@ -47,15 +47,15 @@ impl Answer {
     /// A failure of the peer's is an error here.
     pub(super) fn settled(self, what: &str) -> Result<Self, QiError> {
         match self.kind {
-            Kind::Error => Err(self.failure()),
-            Kind::Canceled => Err(QiError::Canceled { what: what.to_owned() }),
+            MessageKind::Error => Err(self.failure()),
+            MessageKind::Canceled => Err(QiError::Canceled { what: what.to_owned() }),
             _ => Ok(self),
         }
     }
 
     /// Texts of NAOqi's modules are `Module::method` and, on the next lines, what went wrong.
     fn failure(&self) -> QiError {
-        let said = decode(&self.payload, &Signature::Dynamic, Layout::default());
+        let said = decode(&self.payload, &ValueSignature::Dynamic, Layout::default());
         let text = said.ok().and_then(|value| value.as_text().map(std::borrow::Cow::into_owned));
         let text = text.unwrap_or_else(|| "it failed without saying why".to_owned());
         let parts = text.split_once('\n').map(|(module, rest)| (module.trim(), rest.trim()));
@@ -71,11 +71,11 @@ fn is_method(line: &str) -> bool {
 }
 
 #[derive(Debug, Default)]
-pub(super) struct Pending(Mutex<Calls>);
+pub(super) struct PendingCalls(Mutex<Calls>);
 
 #[derive(Debug, Default)]
 struct Calls {
-    waiting: BTreeMap<u32, oneshot::Sender<Answer>>,
+    waiting: BTreeMap<u32, oneshot::Sender<CallAnswer>>,
     last_id: u32,
     closed: bool,
 }
@@ -91,9 +91,9 @@ impl Calls {
     }
 }
 
-impl Pending {
+impl PendingCalls {
     /// A place for one more call, or none. Once closed, the answer of every place is that there is none.
-    pub(super) fn begin(&self) -> Option<Waiting<'_>> {
+    pub(super) fn begin(&self) -> Option<PendingCall<'_>> {
         let mut calls = locked(&self.0);
         if calls.waiting.len() >= IN_FLIGHT_MAX {
             return None;
@@ -103,7 +103,7 @@ impl Pending {
         if !calls.closed {
             calls.waiting.insert(id, sender);
         }
-        Some(Waiting { pending: self, id, answer })
+        Some(PendingCall { pending: self, id, answer })
     }
 
     pub(super) fn next_id(&self) -> u32 {
@@ -115,7 +115,7 @@ impl Pending {
     }
 
     /// Hands the answer to whom it waits for. Returns true if somebody did.
-    pub(super) fn settle(&self, id: u32, answer: Answer) -> bool {
+    pub(super) fn settle(&self, id: u32, answer: CallAnswer) -> bool {
         let waiting = locked(&self.0).waiting.remove(&id);
         waiting.is_some_and(|waiting| waiting.send(answer).is_ok())
     }
@@ -128,24 +128,24 @@ impl Pending {
 }
 
 /// A call's place; whoever gives up waiting frees it.
-pub(super) struct Waiting<'a> {
-    pending: &'a Pending,
+pub(super) struct PendingCall<'a> {
+    pending: &'a PendingCalls,
     id: u32,
-    answer: oneshot::Receiver<Answer>,
+    answer: oneshot::Receiver<CallAnswer>,
 }
 
-impl Waiting<'_> {
+impl PendingCall<'_> {
     pub(super) fn id(&self) -> u32 {
         self.id
     }
 
     /// Nothing, if the link ends first.
-    pub(super) async fn answer(&mut self) -> Option<Answer> {
+    pub(super) async fn answer(&mut self) -> Option<CallAnswer> {
         (&mut self.answer).await.ok()
     }
 }
 
-impl Drop for Waiting<'_> {
+impl Drop for PendingCall<'_> {
     fn drop(&mut self) {
         locked(&self.pending.0).waiting.remove(&self.id);
     }

@@ -4,10 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::fan_out::{Joined, SUBSCRIBERS_MAX};
-use super::mailbox::{Event, Keep, Letter, Mailbox};
-use super::{Link, Target};
+use super::mailbox::{EventChoice, EventMailbox, Letter, SignalEvent};
+use super::{Link, MemberTarget};
 use crate::error::QiError;
-use crate::signature::Signature;
+use crate::signature::ValueSignature;
 use crate::value::decode_arguments;
 use crate::wire::FLAG_DYNAMIC;
 
@@ -19,9 +19,9 @@ const UNREGISTER: u32 = 1;
 #[derive(Debug)]
 pub struct Subscription {
     link: Link,
-    signal: Target,
-    signature: Signature,
-    mailbox: Arc<Mailbox>,
+    signal: MemberTarget,
+    signature: ValueSignature,
+    mailbox: Arc<EventMailbox>,
 }
 
 impl Link {
@@ -32,16 +32,16 @@ impl Link {
     /// Fails as any call can, or if the peer refuses; with [`QiError::Busy`] beyond [`SUBSCRIBERS_MAX`].
     pub async fn subscribe(
         &self,
-        signal: Target,
-        signature: Signature,
-        keep: Keep,
+        signal: MemberTarget,
+        signature: ValueSignature,
+        keep: EventChoice,
         within: Duration,
     ) -> Result<Subscription, QiError> {
         // One after another: whoever comes second must know whether the first succeeded.
         let turn = tokio::time::timeout(within, self.shared().registering.lock());
         let timeout = |_| QiError::Timeout { what: "subscribing".to_owned(), within };
         let _turn = turn.await.map_err(timeout)?;
-        let mailbox = Arc::new(Mailbox::new(keep));
+        let mailbox = Arc::new(EventMailbox::new(keep));
         let joined = self.shared().fan_out.join(signal, Arc::clone(&mailbox));
         // From here on, giving up leaves again.
         let subscription = Subscription { link: self.clone(), signal, signature, mailbox };
@@ -49,7 +49,7 @@ impl Link {
             Joined::Others => {}
             Joined::Full => return Err(QiError::Busy { what: "listeners to a signal", limit: SUBSCRIBERS_MAX }),
             Joined::First(registration) => {
-                let target = Target { action: REGISTER, ..signal };
+                let target = MemberTarget { action: REGISTER, ..signal };
                 self.call(target, 0, registering(signal, registration), within, "registerEvent").await?;
             }
         }
@@ -58,7 +58,7 @@ impl Link {
 }
 
 /// Both methods take the service, the signal and a number that we choose; what registering answers is another one.
-fn registering(signal: Target, registration: u64) -> Vec<u8> {
+fn registering(signal: MemberTarget, registration: u64) -> Vec<u8> {
     let mut payload = Vec::with_capacity(16);
     payload.extend_from_slice(&signal.service.to_le_bytes());
     payload.extend_from_slice(&signal.action.to_le_bytes());
@@ -72,7 +72,7 @@ impl Subscription {
     /// # Errors
     /// [`QiError::Disconnected`] once the link is over and everything that came was taken; [`QiError::Malformed`] for an
     /// event that cannot be read, after which others come.
-    pub async fn next(&mut self) -> Result<Event, QiError> {
+    pub async fn next(&mut self) -> Result<SignalEvent, QiError> {
         let letter = self.mailbox.take().await.ok_or_else(|| self.link.disconnected())?;
         self.read(&letter)
     }
@@ -82,11 +82,11 @@ impl Subscription {
         self.mailbox.lost()
     }
 
-    fn read(&self, letter: &Letter) -> Result<Event, QiError> {
+    fn read(&self, letter: &Letter) -> Result<SignalEvent, QiError> {
         let is_dynamic = letter.flags & FLAG_DYNAMIC != 0;
-        let signature = if is_dynamic { &Signature::Dynamic } else { &self.signature };
+        let signature = if is_dynamic { &ValueSignature::Dynamic } else { &self.signature };
         let arguments = decode_arguments(&letter.payload, signature, self.link.layout())?;
-        Ok(Event { arguments, at: letter.at })
+        Ok(SignalEvent { arguments, at: letter.at })
     }
 }
 
@@ -95,7 +95,7 @@ impl Drop for Subscription {
         let (link, signal) = (&self.link, self.signal);
         self.link.shared().fan_out.leave(signal, &self.mailbox, |registration| {
             // A queue that is full forgets this: the peer goes on telling what nobody listens to.
-            let target = Target { action: UNREGISTER, ..signal };
+            let target = MemberTarget { action: UNREGISTER, ..signal };
             let _too_late = link.tell(target, registering(signal, registration));
         });
     }

@@ -8,12 +8,12 @@ use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::sync::mpsc;
 
 use super::mailbox::Letter;
-use super::pending::Answer;
-use super::{Shared, Target};
-use crate::error::Ending;
-use crate::signature::Signature;
+use super::pending::CallAnswer;
+use super::{LinkShared, MemberTarget};
+use crate::error::LinkEnding;
+use crate::signature::ValueSignature;
 use crate::value::{Layout, Value, encode};
-use crate::wire::{Frame, Framer, Header, Kind};
+use crate::wire::{Framer, MessageFrame, MessageHeader, MessageKind};
 
 /// The most bytes that are read at once.
 const CHUNK_BYTES: usize = 64 << 10;
@@ -24,7 +24,7 @@ const TOGETHER_MAX_BYTES: usize = 64 << 10;
 /// The refusal to a peer that calls something here: this crate is a client only.
 const HOSTS_NOTHING: &str = "this client has no services";
 
-pub(super) async fn read(shared: Arc<Shared>, from: impl AsyncRead + Unpin) {
+pub(super) async fn read(shared: Arc<LinkShared>, from: impl AsyncRead + Unpin) {
     let ending = tokio::select! {
         ending = read_all(&shared, from) => ending,
         ending = shared.ended() => ending,
@@ -32,14 +32,14 @@ pub(super) async fn read(shared: Arc<Shared>, from: impl AsyncRead + Unpin) {
     shared.end(ending);
 }
 
-async fn read_all(shared: &Shared, mut from: impl AsyncRead + Unpin) -> Ending {
+async fn read_all(shared: &LinkShared, mut from: impl AsyncRead + Unpin) -> LinkEnding {
     let mut framer = Framer::default();
     let mut chunk = vec![0; CHUNK_BYTES];
     loop {
         let read = match from.read(&mut chunk).await {
-            Ok(0) => return Ending::Peer,
+            Ok(0) => return LinkEnding::Peer,
             Ok(read) => read,
-            Err(error) => return Ending::Io(error.kind()),
+            Err(error) => return LinkEnding::Io(error.kind()),
         };
         shared.heard();
         framer.feed(chunk.get(..read).unwrap_or_default());
@@ -47,45 +47,47 @@ async fn read_all(shared: &Shared, mut from: impl AsyncRead + Unpin) -> Ending {
             match framer.next_frame() {
                 Ok(Some(frame)) => shared.take_in(frame),
                 Ok(None) => break,
-                Err(malformed) => return Ending::Malformed(malformed),
+                Err(malformed) => return LinkEnding::Malformed(malformed),
             }
         }
     }
 }
 
-impl Shared {
-    fn take_in(&self, frame: Frame) {
-        let Frame { header, payload } = frame;
+impl LinkShared {
+    fn take_in(&self, frame: MessageFrame) {
+        let MessageFrame { header, payload } = frame;
         match header.kind {
-            Kind::Reply | Kind::Error | Kind::Canceled => {
-                let answer = Answer { kind: header.kind, flags: header.flags, payload };
+            MessageKind::Reply | MessageKind::Error | MessageKind::Canceled => {
+                let answer = CallAnswer { kind: header.kind, flags: header.flags, payload };
                 if !self.pending.settle(header.id, answer) {
                     self.late.fetch_add(1, Ordering::Relaxed);
                 }
             }
-            Kind::Event => {
-                let signal = Target { service: header.service, object: header.object, action: header.action };
+            MessageKind::Event => {
+                let signal = MemberTarget { service: header.service, object: header.object, action: header.action };
                 let letter = Letter { flags: header.flags, payload: payload.into(), at: Instant::now() };
                 self.fan_out.tell(signal, &letter);
             }
-            Kind::Capability => {
+            MessageKind::Capability => {
                 let _first_counts = self.greeting.set(payload);
             }
-            Kind::Call => self.refuse(header),
-            Kind::Post | Kind::Cancel => {}
+            MessageKind::Call => self.refuse(header),
+            MessageKind::Post | MessageKind::Cancel => {}
         }
     }
 
     /// With a full queue nobody hears of it.
-    fn refuse(&self, asked: Header) {
-        let said = encode(&Value::dynamic(HOSTS_NOTHING), &Signature::Dynamic, Layout::default());
-        let frame =
-            Frame { header: Header { kind: Kind::Error, flags: 0, ..asked }, payload: said.unwrap_or_default() };
+    fn refuse(&self, asked: MessageHeader) {
+        let said = encode(&Value::dynamic(HOSTS_NOTHING), &ValueSignature::Dynamic, Layout::default());
+        let frame = MessageFrame {
+            header: MessageHeader { kind: MessageKind::Error, flags: 0, ..asked },
+            payload: said.unwrap_or_default(),
+        };
         let _too_many = self.send(&frame);
     }
 }
 
-pub(super) async fn write(shared: Arc<Shared>, to: impl AsyncWrite + Unpin, waiting: mpsc::Receiver<Vec<u8>>) {
+pub(super) async fn write(shared: Arc<LinkShared>, to: impl AsyncWrite + Unpin, waiting: mpsc::Receiver<Vec<u8>>) {
     let ending = tokio::select! {
         ending = write_all(&shared, to, waiting) => ending,
         ending = shared.ended() => ending,
@@ -93,17 +95,21 @@ pub(super) async fn write(shared: Arc<Shared>, to: impl AsyncWrite + Unpin, wait
     shared.end(ending);
 }
 
-async fn write_all(shared: &Shared, mut to: impl AsyncWrite + Unpin, mut waiting: mpsc::Receiver<Vec<u8>>) -> Ending {
+async fn write_all(
+    shared: &LinkShared,
+    mut to: impl AsyncWrite + Unpin,
+    mut waiting: mpsc::Receiver<Vec<u8>>,
+) -> LinkEnding {
     let mut frames = Vec::with_capacity(TOGETHER_MAX_FRAMES);
     while waiting.recv_many(&mut frames, TOGETHER_MAX_FRAMES).await > 0 {
         let bytes = frames.iter().map(Vec::len).sum();
         let result = write_some(&mut to, &mut frames).await;
         shared.written(bytes);
         if let Err(error) = result {
-            return Ending::Io(error.kind());
+            return LinkEnding::Io(error.kind());
         }
     }
-    Ending::Here
+    LinkEnding::Here
 }
 
 /// Small messages go out together: one call of the system, one record of TLS.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
 use crate::error::QiError;
-use crate::link::{Event, Subscription};
+use crate::link::{SignalEvent, Subscription};
 use crate::locked::locked;
 use crate::object::Object;
 
@@ -12,10 +12,10 @@ use crate::object::Object;
 const SERVICES_MAX: usize = 1024;
 
 #[derive(Debug, Default)]
-pub(super) struct Cache(Mutex<Known>);
+pub(super) struct Cache(Mutex<CachedService>);
 
 #[derive(Debug, Default)]
-struct Known {
+struct CachedService {
     objects: BTreeMap<String, Object>,
     /// The number of changes so far: an answer that was asked for before a change is not kept after it.
     changes: u64,
@@ -52,7 +52,7 @@ impl Cache {
         known.changes += 1;
     }
 
-    fn follow(&self, change: Result<Event, QiError>, lost: bool) {
+    fn follow(&self, change: Result<SignalEvent, QiError>, lost: bool) {
         let name = change.ok().and_then(|event| Some(event.arguments.get(1)?.as_text()?.into_owned()));
         match name {
             Some(name) if !lost => self.forget(&name),

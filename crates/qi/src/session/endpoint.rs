@@ -2,7 +2,7 @@
 
 use std::net::IpAddr;
 
-use crate::address::{Address, Scheme};
+use crate::address::{PeerAddress, Scheme};
 use crate::value::Value;
 
 const SAME_AS_DIRECTORY: &str = "qi:ServiceDirectory";
@@ -39,11 +39,11 @@ impl ServiceInfo {
 
 /// The way to a service.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Choice {
+pub enum EndpointChoice {
     /// The link by which the directory is reached.
     SameLink,
     /// A link of its own to this address.
-    Dial(Address),
+    Dial(PeerAddress),
     /// None that is allowed.
     Nowhere,
 }
@@ -56,28 +56,28 @@ pub enum Choice {
 pub fn choose(
     service: &ServiceInfo,
     directory: Option<&ServiceInfo>,
-    dialled: &Address,
+    dialled: &PeerAddress,
     peer: IpAddr,
     relative_endpoints: bool,
-) -> Choice {
+) -> EndpointChoice {
     let shares = |directory: &ServiceInfo| {
         let is_there = |endpoint: &String| directory.endpoints.contains(endpoint);
         directory.machine_id == service.machine_id && service.endpoints.iter().any(is_there)
     };
     let is_relative = relative_endpoints && service.endpoints.iter().any(|endpoint| endpoint == SAME_AS_DIRECTORY);
-    let here: Vec<Address> = service
+    let here: Vec<PeerAddress> = service
         .endpoints
         .iter()
-        .filter_map(|endpoint| endpoint.parse::<Address>().ok())
+        .filter_map(|endpoint| endpoint.parse::<PeerAddress>().ok())
         .filter(|address| address.host == dialled.host || address.host.parse() == Ok(peer))
         .collect();
     if is_relative || here.iter().any(|address| address.port == dialled.port) || directory.is_some_and(shares) {
-        return Choice::SameLink;
+        return EndpointChoice::SameLink;
     }
-    let wanted = |address: &&Address| address.scheme == dialled.scheme || address.scheme == Scheme::Tcps;
+    let wanted = |address: &&PeerAddress| address.scheme == dialled.scheme || address.scheme == Scheme::Tcps;
     let best = here.iter().filter(wanted).max_by_key(|address| address.scheme == dialled.scheme);
-    best.cloned().map_or(Choice::Nowhere, |mut address| {
+    best.cloned().map_or(EndpointChoice::Nowhere, |mut address| {
         address.host.clone_from(&dialled.host);
-        Choice::Dial(address)
+        EndpointChoice::Dial(address)
     })
 }

@@ -1,13 +1,13 @@
 //! Reading signatures.
 
-use super::{Names, Signature};
+use super::{TupleNames, ValueSignature};
 use crate::malformed::Malformed;
 use crate::malformed::{DEPTH_MAX, VALUES_MAX};
 
 /// The most of a wrong signature that is repeated in an error, in bytes.
 const SHOWN_MAX_BYTES: usize = 80;
 
-impl Signature {
+impl ValueSignature {
     /// Reads one whole signature.
     ///
     /// # Errors
@@ -18,20 +18,20 @@ impl Signature {
 
     /// Reads one whole signature of at most so many types within each other; each type is taken off `left`.
     pub(crate) fn parse_within(text: &[u8], depth: u32, left: &mut u32) -> Result<Self, Malformed> {
-        let mut parser = Parser { text, at: 0, left };
+        let mut parser = SignatureParser { text, at: 0, left };
         let signature = parser.one(depth)?;
         if parser.at == text.len() { Ok(signature) } else { Err(parser.wrong()) }
     }
 }
 
-struct Parser<'a> {
+struct SignatureParser<'a> {
     text: &'a [u8],
     at: usize,
     left: &'a mut u32,
 }
 
-impl Parser<'_> {
-    fn one(&mut self, depth: u32) -> Result<Signature, Malformed> {
+impl SignatureParser<'_> {
+    fn one(&mut self, depth: u32) -> Result<ValueSignature, Malformed> {
         let deeper = depth.checked_sub(1).ok_or(Malformed::TooDeep)?;
         *self.left = self.left.checked_sub(1).ok_or(Malformed::TooMany)?;
         let letter = self.peek().ok_or_else(|| self.wrong())?;
@@ -40,18 +40,18 @@ impl Parser<'_> {
             b'[' => {
                 let of = self.one(deeper)?;
                 self.expect(b']')?;
-                Signature::list(of)
+                ValueSignature::list(of)
             }
             b'{' => {
                 let (key, value) = (self.one(deeper)?, self.one(deeper)?);
                 self.expect(b'}')?;
-                Signature::Map(Box::new(key), Box::new(value))
+                ValueSignature::Map(Box::new(key), Box::new(value))
             }
             b'(' => self.tuple(deeper)?,
-            b'+' => Signature::Optional(Box::new(self.one(deeper)?)),
-            b'#' => Signature::VarArgs(Box::new(self.one(deeper)?)),
+            b'+' => ValueSignature::Optional(Box::new(self.one(deeper)?)),
+            b'#' => ValueSignature::VarArgs(Box::new(self.one(deeper)?)),
             letter => {
-                let plain = Signature::from_letter(letter).ok_or_else(|| self.wrong())?;
+                let plain = ValueSignature::from_letter(letter).ok_or_else(|| self.wrong())?;
                 // libqi notes the name of a type behind any of its letters.
                 self.names()?;
                 plain
@@ -59,17 +59,17 @@ impl Parser<'_> {
         })
     }
 
-    fn tuple(&mut self, depth: u32) -> Result<Signature, Malformed> {
+    fn tuple(&mut self, depth: u32) -> Result<ValueSignature, Malformed> {
         let mut fields = Vec::new();
         while self.peek().ok_or_else(|| self.wrong())? != b')' {
             fields.push(self.one(depth)?);
         }
         self.at += 1;
-        Ok(Signature::Tuple(fields, self.names()?))
+        Ok(ValueSignature::Tuple(fields, self.names()?))
     }
 
     /// `<Name,field,..>`, if it stands here. Names may hold such brackets themselves: `<std::pair<int,int>,first,second>`.
-    fn names(&mut self) -> Result<Option<Names>, Malformed> {
+    fn names(&mut self) -> Result<Option<TupleNames>, Malformed> {
         if self.peek() != Some(b'<') {
             return Ok(None);
         }
@@ -94,7 +94,7 @@ impl Parser<'_> {
         parts.push(part);
         let mut parts = parts.into_iter().map(|part| String::from_utf8_lossy(&part).into_owned());
         let name = parts.next().unwrap_or_default();
-        Ok(Some(Names { name, fields: parts.collect() }))
+        Ok(Some(TupleNames { name, fields: parts.collect() }))
     }
 
     fn peek(&self) -> Option<u8> {

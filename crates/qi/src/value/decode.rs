@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{DEPTH_MAX, Layout, ObjectRef, VALUES_MAX, Value};
 use crate::malformed::Malformed;
 use crate::meta::MetaObject;
-use crate::signature::Signature;
+use crate::signature::ValueSignature;
 
 /// Room that is made ahead for a list, in entries: what it announces is believed only as it comes.
 const AHEAD_MAX: usize = 64;
@@ -14,15 +14,15 @@ const AHEAD_MAX: usize = 64;
 ///
 /// # Errors
 /// Fails if the bytes are malformed.
-pub fn decode(bytes: &[u8], signature: &Signature, layout: Layout) -> Result<Value, Malformed> {
-    Reader::new(bytes, layout).value(signature)
+pub fn decode(bytes: &[u8], signature: &ValueSignature, layout: Layout) -> Result<Value, Malformed> {
+    Decoder::new(bytes, layout).value(signature)
 }
 
 /// Reads what a signal or a call carries: the fields of a tuple, or one value of another type.
 ///
 /// # Errors
 /// Fails if the bytes are malformed.
-pub fn decode_arguments(bytes: &[u8], signature: &Signature, layout: Layout) -> Result<Vec<Value>, Malformed> {
+pub fn decode_arguments(bytes: &[u8], signature: &ValueSignature, layout: Layout) -> Result<Vec<Value>, Malformed> {
     Ok(match decode(bytes, signature, layout)? {
         Value::Tuple(items) => items,
         Value::Dynamic(inner) => match *inner {
@@ -34,19 +34,19 @@ pub fn decode_arguments(bytes: &[u8], signature: &Signature, layout: Layout) -> 
 }
 
 /// Takes values off the front of bytes, with what may still be taken.
-pub(crate) struct Reader<'a> {
+pub(crate) struct Decoder<'a> {
     bytes: &'a [u8],
     layout: Layout,
     depth_left: u32,
     values_left: u32,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> Decoder<'a> {
     pub(crate) fn new(bytes: &'a [u8], layout: Layout) -> Self {
         Self { bytes, layout, depth_left: DEPTH_MAX, values_left: VALUES_MAX }
     }
 
-    pub(crate) fn value(&mut self, signature: &Signature) -> Result<Value, Malformed> {
+    pub(crate) fn value(&mut self, signature: &ValueSignature) -> Result<Value, Malformed> {
         self.depth_left = self.depth_left.checked_sub(1).ok_or(Malformed::TooDeep)?;
         self.spend(1)?;
         let value = self.one(signature)?;
@@ -54,31 +54,33 @@ impl<'a> Reader<'a> {
         Ok(value)
     }
 
-    fn one(&mut self, signature: &Signature) -> Result<Value, Malformed> {
+    fn one(&mut self, signature: &ValueSignature) -> Result<Value, Malformed> {
         Ok(match signature {
-            Signature::Void => Value::Unit,
-            Signature::Bool => Value::Bool(u8::from_le_bytes(self.take()?) != 0),
-            Signature::I8 => Value::I8(i8::from_le_bytes(self.take()?)),
-            Signature::U8 => Value::U8(u8::from_le_bytes(self.take()?)),
-            Signature::I16 => Value::I16(i16::from_le_bytes(self.take()?)),
-            Signature::U16 => Value::U16(u16::from_le_bytes(self.take()?)),
-            Signature::I32 => Value::I32(i32::from_le_bytes(self.take()?)),
-            Signature::U32 => Value::U32(self.u32()?),
-            Signature::I64 => Value::I64(i64::from_le_bytes(self.take()?)),
-            Signature::U64 => Value::U64(u64::from_le_bytes(self.take()?)),
-            Signature::F32 => Value::F32(f32::from_le_bytes(self.take()?)),
-            Signature::F64 => Value::F64(f64::from_le_bytes(self.take()?)),
-            Signature::Str => Value::Str(self.text()?.to_vec()),
-            Signature::Raw => Value::Raw(self.text()?.to_vec()),
-            Signature::Dynamic => Value::Dynamic(Box::new(self.dynamic()?)),
-            Signature::Object => Value::Object(Arc::new(self.object()?)),
-            Signature::Unknown => return Err(Malformed::Unreadable),
-            Signature::List(of) | Signature::VarArgs(of) => Value::List(self.several(|from| from.value(of))?),
-            Signature::Map(key, value) => Value::Map(self.several(|from| Ok((from.value(key)?, from.value(value)?)))?),
-            Signature::Tuple(fields, _) => {
+            ValueSignature::Void => Value::Unit,
+            ValueSignature::Bool => Value::Bool(u8::from_le_bytes(self.take()?) != 0),
+            ValueSignature::I8 => Value::I8(i8::from_le_bytes(self.take()?)),
+            ValueSignature::U8 => Value::U8(u8::from_le_bytes(self.take()?)),
+            ValueSignature::I16 => Value::I16(i16::from_le_bytes(self.take()?)),
+            ValueSignature::U16 => Value::U16(u16::from_le_bytes(self.take()?)),
+            ValueSignature::I32 => Value::I32(i32::from_le_bytes(self.take()?)),
+            ValueSignature::U32 => Value::U32(self.u32()?),
+            ValueSignature::I64 => Value::I64(i64::from_le_bytes(self.take()?)),
+            ValueSignature::U64 => Value::U64(u64::from_le_bytes(self.take()?)),
+            ValueSignature::F32 => Value::F32(f32::from_le_bytes(self.take()?)),
+            ValueSignature::F64 => Value::F64(f64::from_le_bytes(self.take()?)),
+            ValueSignature::Str => Value::Str(self.text()?.to_vec()),
+            ValueSignature::Raw => Value::Raw(self.text()?.to_vec()),
+            ValueSignature::Dynamic => Value::Dynamic(Box::new(self.dynamic()?)),
+            ValueSignature::Object => Value::Object(Arc::new(self.object()?)),
+            ValueSignature::Unknown => return Err(Malformed::Unreadable),
+            ValueSignature::List(of) | ValueSignature::VarArgs(of) => Value::List(self.several(|from| from.value(of))?),
+            ValueSignature::Map(key, value) => {
+                Value::Map(self.several(|from| Ok((from.value(key)?, from.value(value)?)))?)
+            }
+            ValueSignature::Tuple(fields, _) => {
                 Value::Tuple(fields.iter().map(|field| self.value(field)).collect::<Result<_, _>>()?)
             }
-            Signature::Optional(of) => match self.take::<1>()? {
+            ValueSignature::Optional(of) => match self.take::<1>()? {
                 [0] => Value::Optional(None),
                 _ => Value::Optional(Some(Box::new(self.value(of)?))),
             },
@@ -90,7 +92,7 @@ impl<'a> Reader<'a> {
         if text.is_empty() {
             return Ok(Value::Unit);
         }
-        let signature = Signature::parse_within(text, self.depth_left, &mut self.values_left)?;
+        let signature = ValueSignature::parse_within(text, self.depth_left, &mut self.values_left)?;
         self.value(&signature)
     }
 
@@ -119,9 +121,9 @@ impl<'a> Reader<'a> {
     }
 
     /// A type that is written as a text within a message.
-    pub(crate) fn signature(&mut self) -> Result<Signature, Malformed> {
+    pub(crate) fn signature(&mut self) -> Result<ValueSignature, Malformed> {
         let text = self.text()?;
-        Signature::parse_within(text, DEPTH_MAX, &mut self.values_left)
+        ValueSignature::parse_within(text, DEPTH_MAX, &mut self.values_left)
     }
 
     pub(crate) fn lossy(&mut self) -> Result<String, Malformed> {

@@ -1,7 +1,7 @@
 //! Reading and writing what an object can do.
 
-use super::{Layout, Reader, bytes, count};
-use crate::malformed::{Malformed, Unfit};
+use super::{Decoder, Layout, bytes, count};
+use crate::malformed::{Malformed, TypeMismatch};
 use crate::meta::{MetaMethod, MetaObject, MetaSignal};
 
 impl MetaObject {
@@ -10,20 +10,20 @@ impl MetaObject {
     /// # Errors
     /// Fails if the bytes are malformed.
     pub fn decode(bytes: &[u8]) -> Result<Self, Malformed> {
-        Self::read(&mut Reader::new(bytes, Layout::default()))
+        Self::read(&mut Decoder::new(bytes, Layout::default()))
     }
 
     /// The bytes that the method `metaObject` answers with.
     ///
     /// # Errors
     /// [`Unfit::TooLarge`].
-    pub fn encode(&self) -> Result<Vec<u8>, Unfit> {
+    pub fn encode(&self) -> Result<Vec<u8>, TypeMismatch> {
         let mut out = Vec::new();
         self.write(&mut out)?;
         Ok(out)
     }
 
-    pub(crate) fn read(from: &mut Reader) -> Result<Self, Malformed> {
+    pub(crate) fn read(from: &mut Decoder) -> Result<Self, Malformed> {
         Ok(Self {
             methods: from.several(method)?,
             signals: from.several(signal)?,
@@ -32,7 +32,7 @@ impl MetaObject {
         })
     }
 
-    pub(crate) fn write(&self, out: &mut Vec<u8>) -> Result<(), Unfit> {
+    pub(crate) fn write(&self, out: &mut Vec<u8>) -> Result<(), TypeMismatch> {
         count(self.methods.len(), out)?;
         for method in &self.methods {
             numbers(method.uid, out);
@@ -62,7 +62,7 @@ fn numbers(uid: u32, out: &mut Vec<u8>) {
     out.extend_from_slice(&uid.to_le_bytes());
 }
 
-fn method(from: &mut Reader) -> Result<MetaMethod, Malformed> {
+fn method(from: &mut Decoder) -> Result<MetaMethod, Malformed> {
     let _key = from.u32()?;
     let uid = from.u32()?;
     let returns = from.signature()?;
@@ -74,7 +74,7 @@ fn method(from: &mut Reader) -> Result<MetaMethod, Malformed> {
     Ok(MetaMethod { uid, name, returns, parameters, description })
 }
 
-fn signal(from: &mut Reader) -> Result<MetaSignal, Malformed> {
+fn signal(from: &mut Decoder) -> Result<MetaSignal, Malformed> {
     let _key = from.u32()?;
     let uid = from.u32()?;
     let name = from.lossy()?;

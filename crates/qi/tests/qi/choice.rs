@@ -1,12 +1,14 @@
 //! The choice of the method that is called, and how far the directory is believed.
 
-use qi::{Choice, Layout, MetaMethod, MetaObject, ServiceInfo, Signature, Value, choose_endpoint, encode, fit};
+use qi::{
+    EndpointChoice, Layout, MetaMethod, MetaObject, ServiceInfo, Value, ValueSignature, choose_endpoint, encode, fit,
+};
 
 fn object(parameters: &[&str]) -> MetaObject {
     let methods = parameters.iter().zip(100..).map(|(parameters, uid)| MetaMethod {
         uid,
         name: "set".to_owned(),
-        returns: Signature::Void,
+        returns: ValueSignature::Void,
         parameters: parameters.parse().unwrap(),
         description: String::new(),
     });
@@ -59,7 +61,7 @@ fn numbers_go_only_where_they_fit() {
     for value in &values {
         for text in ["i", "C", "f", "s", "b", "m", "[C]", "[i]", "[m]", "(is)", "(mm)", "{si}", "{sm}", "+i", "v", "r"]
         {
-            let signature: Signature = text.parse().unwrap();
+            let signature: ValueSignature = text.parse().unwrap();
             let is_written = encode(value, &signature, Layout::default()).is_ok();
             assert_eq!(fit(value, &signature).is_some(), is_written, "{value:?} as {text}");
         }
@@ -78,17 +80,25 @@ fn a_directory_is_believed_for_the_dialled_host_only() {
         let dialled = dialled.parse().unwrap();
         choose_endpoint(&info(machine, endpoints), Some(&directory), &dialled, "10.0.0.5".parse().unwrap(), true)
     };
-    let dial = |text: &str| Choice::Dial(text.parse().unwrap());
+    let dial = |text: &str| EndpointChoice::Dial(text.parse().unwrap());
     let robot = "tcp://robot.local:9559";
-    assert_eq!(way(&["tcp://10.0.0.5:9559"], "m", robot), Choice::SameLink);
-    assert_eq!(way(&["qi:ServiceDirectory"], "x", robot), Choice::SameLink);
-    assert_eq!(way(&["tcp://127.0.0.1:9559"], "m", robot), Choice::SameLink, "what the directory says of itself");
-    assert_eq!(way(&["tcp://127.0.0.1:9559"], "x", robot), Choice::Nowhere, "another computer's own");
-    assert_eq!(way(&["tcp://127.0.0.1:22"], "m", robot), Choice::Nowhere, "never our own computer");
-    assert_eq!(way(&["tcp://[::1]:22"], "m", robot), Choice::Nowhere);
-    assert_eq!(way(&["tcp://10.0.0.9:4000", "tcp://evil.example:1"], "m", robot), Choice::Nowhere);
+    assert_eq!(way(&["tcp://10.0.0.5:9559"], "m", robot), EndpointChoice::SameLink);
+    assert_eq!(way(&["qi:ServiceDirectory"], "x", robot), EndpointChoice::SameLink);
+    assert_eq!(
+        way(&["tcp://127.0.0.1:9559"], "m", robot),
+        EndpointChoice::SameLink,
+        "what the directory says of itself"
+    );
+    assert_eq!(way(&["tcp://127.0.0.1:9559"], "x", robot), EndpointChoice::Nowhere, "another computer's own");
+    assert_eq!(way(&["tcp://127.0.0.1:22"], "m", robot), EndpointChoice::Nowhere, "never our own computer");
+    assert_eq!(way(&["tcp://[::1]:22"], "m", robot), EndpointChoice::Nowhere);
+    assert_eq!(way(&["tcp://10.0.0.9:4000", "tcp://evil.example:1"], "m", robot), EndpointChoice::Nowhere);
     assert_eq!(way(&["tcp://127.0.0.1:4000", "tcp://10.0.0.5:4000"], "m", robot), dial("tcp://robot.local:4000"));
-    assert_eq!(way(&["tcp://10.0.0.5:4000"], "m", "tcps://10.0.0.5:9503"), Choice::Nowhere, "no password without TLS");
+    assert_eq!(
+        way(&["tcp://10.0.0.5:4000"], "m", "tcps://10.0.0.5:9503"),
+        EndpointChoice::Nowhere,
+        "no password without TLS"
+    );
     assert_eq!(way(&["tcps://10.0.0.5:4000"], "m", "tcps://10.0.0.5:9503"), dial("tcps://10.0.0.5:4000"));
-    assert_eq!(way(&["nonsense", "qi:Other", ""], "m", robot), Choice::Nowhere);
+    assert_eq!(way(&["nonsense", "qi:Other", ""], "m", robot), EndpointChoice::Nowhere);
 }

@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use qi::{FRAME_MAX_BYTES, Frame, Framer, Header, Kind, Layout, MetaMethod, MetaObject, MetaSignal, Signature, Value};
+use qi::{
+    FRAME_MAX_BYTES, Framer, Layout, MessageFrame, MessageHeader, MessageKind, MetaMethod, MetaObject, MetaSignal,
+    Value, ValueSignature,
+};
 use qi::{decode, encode};
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
@@ -64,8 +67,8 @@ async fn serve(mut stream: impl AsyncRead + AsyncWrite + Unpin, manner: Manner, 
     if peer.manner.is_old {
         let said =
             encode(&Value::map([("MetaObjectCache", Value::dynamic(true))]), &signature("{sm}"), Layout::default());
-        let header = Header { kind: Kind::Capability, flags: 0, id: 1, service: 0, object: 0, action: 0 };
-        stream.write_all(&Frame { header, payload: said.unwrap() }.to_bytes().unwrap()).await.unwrap();
+        let header = MessageHeader { kind: MessageKind::Capability, flags: 0, id: 1, service: 0, object: 0, action: 0 };
+        stream.write_all(&MessageFrame { header, payload: said.unwrap() }.to_bytes().unwrap()).await.unwrap();
     }
     let (mut framer, mut chunk) = (Framer::default(), vec![0; 4096]);
     loop {
@@ -87,7 +90,7 @@ async fn serve(mut stream: impl AsyncRead + AsyncWrite + Unpin, manner: Manner, 
     }
 }
 
-pub(crate) fn signature(text: &str) -> Signature {
+pub(crate) fn signature(text: &str) -> ValueSignature {
     text.parse().unwrap()
 }
 
@@ -98,15 +101,15 @@ struct Peer {
     registered: Vec<(u32, u64)>,
     ever: u32,
     /// Calls whose answers are late.
-    kept: Vec<Header>,
+    kept: Vec<MessageHeader>,
     is_in: bool,
     is_mute: bool,
 }
 
 impl Peer {
-    fn answer(&mut self, frame: Frame, out: &mut Vec<u8>) {
-        let Frame { header, payload } = frame;
-        if self.manner.is_silent || self.is_mute || !matches!(header.kind, Kind::Call | Kind::Post) {
+    fn answer(&mut self, frame: MessageFrame, out: &mut Vec<u8>) {
+        let MessageFrame { header, payload } = frame;
+        if self.manner.is_silent || self.is_mute || !matches!(header.kind, MessageKind::Call | MessageKind::Post) {
             return;
         }
         let mut answers = Vec::new();
@@ -119,14 +122,16 @@ impl Peer {
             Err("could not be handled".to_owned())
         };
         let (kind, payload) = match result {
-            Ok(Some(payload)) => (Kind::Reply, payload),
-            Ok(None) => (Kind::Call, Vec::new()),
-            Err(text) => (Kind::Error, written("m", &text.as_str().into())),
+            Ok(Some(payload)) => (MessageKind::Reply, payload),
+            Ok(None) => (MessageKind::Call, Vec::new()),
+            Err(text) => (MessageKind::Error, written("m", &text.as_str().into())),
         };
         // Events come before the answer to what raised them, as from the real one.
         answers.iter().for_each(|bytes: &Vec<u8>| out.extend_from_slice(bytes));
-        if header.kind == Kind::Call && kind != Kind::Call {
-            out.extend(Frame { header: Header { kind, flags: 0, ..header }, payload }.to_bytes().unwrap());
+        if header.kind == MessageKind::Call && kind != MessageKind::Call {
+            out.extend(
+                MessageFrame { header: MessageHeader { kind, flags: 0, ..header }, payload }.to_bytes().unwrap(),
+            );
         }
     }
 
@@ -144,7 +149,12 @@ impl Peer {
         Ok(Some(written("{sm}", &Value::map(can))))
     }
 
-    fn call(&mut self, header: Header, payload: &[u8], answers: &mut Vec<Vec<u8>>) -> Result<Option<Vec<u8>>, String> {
+    fn call(
+        &mut self,
+        header: MessageHeader,
+        payload: &[u8],
+        answers: &mut Vec<Vec<u8>>,
+    ) -> Result<Option<Vec<u8>>, String> {
         let number = |at: usize| u32::from_le_bytes(payload[at..at + 4].try_into().unwrap());
         match (header.service, header.action) {
             (_, 0) => {
@@ -159,7 +169,7 @@ impl Peer {
             (1, 2) => Ok(Some(self.directory().encode().unwrap())),
             (5, 2) => Ok(Some(thing().encode().unwrap())),
             (1, 100) => {
-                let name = decode(payload, &Signature::Str, Layout::default()).unwrap();
+                let name = decode(payload, &ValueSignature::Str, Layout::default()).unwrap();
                 let id = match name.as_text().unwrap().as_ref() {
                     "ServiceDirectory" => 1,
                     "Thing" => 5,
@@ -180,7 +190,7 @@ impl Peer {
     fn thing(
         &mut self,
         action: u32,
-        header: Header,
+        header: MessageHeader,
         payload: &[u8],
         answers: &mut Vec<Vec<u8>>,
     ) -> Result<Option<Vec<u8>>, String> {
@@ -188,8 +198,10 @@ impl Peer {
             100 => {
                 // Answers that are late come with the next one.
                 for header in self.kept.drain(..) {
-                    let late =
-                        Frame { header: Header { kind: Kind::Reply, ..header }, payload: written("m", &"late".into()) };
+                    let late = MessageFrame {
+                        header: MessageHeader { kind: MessageKind::Reply, ..header },
+                        payload: written("m", &"late".into()),
+                    };
                     answers.push(late.to_bytes().unwrap());
                 }
                 Ok(Some(payload.to_vec()))
@@ -203,8 +215,8 @@ impl Peer {
                 for number in 0..count {
                     for _ in self.registered.iter().filter(|(signal, _)| *signal == 110) {
                         // The number of the event is the one of the call: they collide freely.
-                        let event = Header { kind: Kind::Event, action: 110, id: header.id, ..header };
-                        let frame = Frame { header: event, payload: number.to_le_bytes().to_vec() };
+                        let event = MessageHeader { kind: MessageKind::Event, action: 110, id: header.id, ..header };
+                        let frame = MessageFrame { header: event, payload: number.to_le_bytes().to_vec() };
                         answers.push(frame.to_bytes().unwrap());
                     }
                 }

@@ -6,7 +6,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use qi::{
-    Address, Framer, Header, Kind, Layout, Malformed, MetaMethod, MetaObject, MetaSignal, ObjectRef, Signature, Value,
+    Framer, Layout, Malformed, MessageHeader, MessageKind, MetaMethod, MetaObject, MetaSignal, ObjectRef, PeerAddress,
+    Value, ValueSignature,
 };
 use qi::{decode, decode_arguments, encode};
 
@@ -57,7 +58,7 @@ fn damaged_bytes_never_panic() {
 /// All ways that bytes come in by.
 fn read(signature: &[u8], bytes: &[u8], run: u64) {
     let layout = Layout { object_uid: run.is_multiple_of(2) };
-    if let Ok(signature) = Signature::parse(signature) {
+    if let Ok(signature) = ValueSignature::parse(signature) {
         if let Ok(value) = decode(bytes, &signature, layout) {
             let _ = value.signature();
             // What was read can be written, and read once more.
@@ -72,12 +73,12 @@ fn read(signature: &[u8], bytes: &[u8], run: u64) {
         let _ = decode_arguments(bytes, &signature, layout);
     }
     let _ = MetaObject::decode(bytes);
-    let _ = String::from_utf8_lossy(signature).parse::<Address>();
+    let _ = String::from_utf8_lossy(signature).parse::<PeerAddress>();
     let mut framer = Framer::default();
     for chunk in bytes.chunks(1 + bytes.len() / 3) {
         framer.feed(chunk);
         while let Ok(Some(frame)) = framer.next_frame() {
-            let _ = decode(&frame.payload, &Signature::Dynamic, layout);
+            let _ = decode(&frame.payload, &ValueSignature::Dynamic, layout);
         }
     }
 }
@@ -108,22 +109,22 @@ fn corpus() -> Vec<(Vec<u8>, Vec<u8>)> {
     for line in golden::VECTORS.lines() {
         let vector: serde_json::Value = serde_json::from_str(line).unwrap();
         let bytes = golden::bytes(vector["hex"].as_str().unwrap());
-        let header = Header { kind: Kind::Event, flags: 0, id: 1, service: 1, object: 1, action: 106 };
+        let header = MessageHeader { kind: MessageKind::Event, flags: 0, id: 1, service: 1, object: 1, action: 106 };
         let frame = [&header.to_bytes(u32::try_from(bytes.len()).unwrap())[..], &bytes].concat();
         corpus.push((vector["signature"].as_str().unwrap().as_bytes().to_vec(), bytes));
         corpus.push((b"m".to_vec(), frame));
     }
     let meta = meta();
     let object = Value::Object(Arc::new(ObjectRef { meta: meta.clone(), service: 3, object: 2, uid: Some([9; 20]) }));
-    corpus.push((b"m".to_vec(), encode(&object, &Signature::Dynamic, Layout { object_uid: true }).unwrap()));
+    corpus.push((b"m".to_vec(), encode(&object, &ValueSignature::Dynamic, Layout { object_uid: true }).unwrap()));
     corpus.push((b"({I(Issss[(ss)]s)}{I(Iss)}{I(Iss)}s)".to_vec(), meta.encode().unwrap()));
     let shallow = (0..6).fold(Value::from(1), |inner, _| Value::dynamic(Value::List(vec![inner.clone(), inner])));
-    corpus.push((b"m".to_vec(), encode(&shallow, &Signature::Dynamic, Layout::default()).unwrap()));
+    corpus.push((b"m".to_vec(), encode(&shallow, &ValueSignature::Dynamic, Layout::default()).unwrap()));
     corpus
 }
 
 fn meta() -> MetaObject {
-    let signature = |text: &str| text.parse::<Signature>().unwrap();
+    let signature = |text: &str| text.parse::<ValueSignature>().unwrap();
     let method = |uid, name: &str, parameters| MetaMethod {
         uid,
         name: name.to_owned(),
@@ -159,53 +160,53 @@ fn any_value_of_any_type_is_read_as_it_was_written() {
     }
 }
 
-fn some_type(chance: &mut Chance, depth: u32) -> Signature {
+fn some_type(chance: &mut Chance, depth: u32) -> ValueSignature {
     const PLAIN: [&str; 14] = ["b", "c", "C", "w", "W", "i", "I", "l", "L", "f", "d", "s", "r", "m"];
     if depth == 0 || chance.below(2) == 0 {
         return PLAIN[chance.below(PLAIN.len())].parse().unwrap();
     }
     match chance.below(4) {
-        0 => Signature::list(some_type(chance, depth - 1)),
-        1 => Signature::Map(Box::new(some_type(chance, depth - 1)), Box::new(some_type(chance, depth - 1))),
-        2 => Signature::Optional(Box::new(some_type(chance, depth - 1))),
+        0 => ValueSignature::list(some_type(chance, depth - 1)),
+        1 => ValueSignature::Map(Box::new(some_type(chance, depth - 1)), Box::new(some_type(chance, depth - 1))),
+        2 => ValueSignature::Optional(Box::new(some_type(chance, depth - 1))),
         // At least one field: a list of nothing at all is refused by its count.
-        _ => Signature::tuple((0..1 + chance.below(3)).map(|_| some_type(chance, depth - 1)).collect()),
+        _ => ValueSignature::tuple((0..1 + chance.below(3)).map(|_| some_type(chance, depth - 1)).collect()),
     }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "any bits will do")]
-fn some_value(signature: &Signature, chance: &mut Chance, depth: u32) -> Value {
+fn some_value(signature: &ValueSignature, chance: &mut Chance, depth: u32) -> Value {
     let word = chance.next();
     match signature {
-        Signature::Void | Signature::Object | Signature::Unknown => Value::Unit,
-        Signature::Bool => (word.is_multiple_of(2)).into(),
-        Signature::I8 => (word as i8).into(),
-        Signature::U8 => (word as u8).into(),
-        Signature::I16 => (word as i16).into(),
-        Signature::U16 => (word as u16).into(),
-        Signature::I32 => (word as i32).into(),
-        Signature::U32 => (word as u32).into(),
-        Signature::I64 => (word as i64).into(),
-        Signature::U64 => word.into(),
-        Signature::F32 => (word as f32 / 3.0).into(),
-        Signature::F64 => (word as f64 / 3.0).into(),
-        Signature::Str => Value::Str(word.to_le_bytes()[..chance.below(9)].to_vec()),
-        Signature::Raw => Value::Raw(word.to_le_bytes()[..chance.below(9)].to_vec()),
-        Signature::Dynamic => {
+        ValueSignature::Void | ValueSignature::Object | ValueSignature::Unknown => Value::Unit,
+        ValueSignature::Bool => (word.is_multiple_of(2)).into(),
+        ValueSignature::I8 => (word as i8).into(),
+        ValueSignature::U8 => (word as u8).into(),
+        ValueSignature::I16 => (word as i16).into(),
+        ValueSignature::U16 => (word as u16).into(),
+        ValueSignature::I32 => (word as i32).into(),
+        ValueSignature::U32 => (word as u32).into(),
+        ValueSignature::I64 => (word as i64).into(),
+        ValueSignature::U64 => word.into(),
+        ValueSignature::F32 => (word as f32 / 3.0).into(),
+        ValueSignature::F64 => (word as f64 / 3.0).into(),
+        ValueSignature::Str => Value::Str(word.to_le_bytes()[..chance.below(9)].to_vec()),
+        ValueSignature::Raw => Value::Raw(word.to_le_bytes()[..chance.below(9)].to_vec()),
+        ValueSignature::Dynamic => {
             let inner = some_type(chance, depth.min(2));
             if depth == 0 { Value::dynamic(1) } else { Value::dynamic(some_value(&inner, chance, depth - 1)) }
         }
-        Signature::List(of) | Signature::VarArgs(of) => {
+        ValueSignature::List(of) | ValueSignature::VarArgs(of) => {
             Value::List((0..chance.below(4)).map(|_| some_value(of, chance, depth)).collect())
         }
-        Signature::Map(key, of) => {
+        ValueSignature::Map(key, of) => {
             let entries = (0..chance.below(4)).map(|_| (some_value(key, chance, depth), some_value(of, chance, depth)));
             Value::Map(entries.collect())
         }
-        Signature::Tuple(fields, _) => {
+        ValueSignature::Tuple(fields, _) => {
             Value::Tuple(fields.iter().map(|field| some_value(field, chance, depth)).collect())
         }
-        Signature::Optional(of) => {
+        ValueSignature::Optional(of) => {
             Value::Optional((word.is_multiple_of(2)).then(|| Box::new(some_value(of, chance, depth))))
         }
     }

@@ -1,6 +1,6 @@
 //! Values that were recorded from the real libqi, both ways.
 
-use qi::{Layout, Signature, Value, decode, encode};
+use qi::{Layout, Value, ValueSignature, decode, encode};
 
 /// One recorded value a line: its signature, its bytes, and what libqi's Python says it is.
 pub(crate) const VECTORS: &str = include_str!("data/vectors.jsonl");
@@ -14,7 +14,7 @@ fn what_libqi_wrote_is_read_and_written_alike() {
     let mut seen = 0;
     for line in VECTORS.lines() {
         let vector: serde_json::Value = serde_json::from_str(line).unwrap();
-        let signature: Signature = vector["signature"].as_str().unwrap().parse().unwrap();
+        let signature: ValueSignature = vector["signature"].as_str().unwrap().parse().unwrap();
         assert_eq!(signature.to_string(), vector["signature"].as_str().unwrap());
         let given = bytes(vector["hex"].as_str().unwrap());
         let value = decode(&given, &signature, Layout::default()).unwrap();
@@ -29,9 +29,9 @@ fn what_libqi_wrote_is_read_and_written_alike() {
 fn what_python_says_is_written_as_libqi_wrote_it() {
     for line in VECTORS.lines() {
         let vector: serde_json::Value = serde_json::from_str(line).unwrap();
-        let signature: Signature = vector["signature"].as_str().unwrap().parse().unwrap();
+        let signature: ValueSignature = vector["signature"].as_str().unwrap().parse().unwrap();
         // Python makes every number in a dynamic 8 bytes long and signed; what comes from JSON here may be another.
-        let is_plain = !matches!(signature, Signature::Dynamic | Signature::Map(..) | Signature::Raw)
+        let is_plain = !matches!(signature, ValueSignature::Dynamic | ValueSignature::Map(..) | ValueSignature::Raw)
             && !matches!(vector["name"].as_str(), Some("f_nan" | "s_bytes" | "struct" | "list_m"));
         if is_plain {
             let value = given(&vector["value"]);

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use qi::{Ending, IN_FLIGHT_MAX, Keep, Malformed, Object, Options, QiError, Session, Value};
+use qi::{EventChoice, IN_FLIGHT_MAX, LinkEnding, Malformed, Object, QiError, Session, SessionOptions, Value};
 
 use crate::fake::{self, Manner};
 
@@ -12,7 +12,7 @@ const SHORT: Duration = Duration::from_millis(50);
 async fn thing(manner: Manner) -> (Session, Object) {
     let at = fake::start(manner).await;
     let patient = Duration::from_secs(60);
-    let options = Options { stage_within: patient, call_within: patient, ..Options::default() };
+    let options = SessionOptions { stage_within: patient, call_within: patient, ..SessionOptions::default() };
     let session = Session::connect(&format!("tcp://{at}").parse().unwrap(), options).await.unwrap();
     let thing = session.service("Thing").await.unwrap();
     (session, thing)
@@ -52,9 +52,9 @@ async fn one_call_more_than_64_is_refused_at_once() {
     assert_eq!(refused, Err(QiError::Busy { what: "calls", limit: IN_FLIGHT_MAX }));
     session.link().close();
     for call in calls {
-        assert_eq!(call.await.unwrap(), Err(QiError::Disconnected(Ending::Here)));
+        assert_eq!(call.await.unwrap(), Err(QiError::Disconnected(LinkEnding::Here)));
     }
-    assert_eq!(thing.post("late", &[]), Err(QiError::Disconnected(Ending::Here)));
+    assert_eq!(thing.post("late", &[]), Err(QiError::Disconnected(LinkEnding::Here)));
 }
 
 #[tokio::test]
@@ -80,12 +80,15 @@ async fn what_is_no_protocol_ends_the_link_and_says_so() {
     let (_, huge) = thing(Manner::default()).await;
     let too_large = huge.call("huge", &[]).await;
     assert!(
-        matches!(too_large, Err(QiError::Disconnected(Ending::Malformed(Malformed::TooLarge { .. })))),
+        matches!(too_large, Err(QiError::Disconnected(LinkEnding::Malformed(Malformed::TooLarge { .. })))),
         "{too_large:?}"
     );
     let (session, garbage) = thing(Manner::default()).await;
     let no_magic = garbage.call("garbage", &[]).await;
-    assert!(matches!(no_magic, Err(QiError::Disconnected(Ending::Malformed(Malformed::Magic { .. })))), "{no_magic:?}");
+    assert!(
+        matches!(no_magic, Err(QiError::Disconnected(LinkEnding::Malformed(Malformed::Magic { .. })))),
+        "{no_magic:?}"
+    );
     assert_eq!(Err(QiError::Disconnected(session.link().ended().await)), no_magic.map(|_| ()));
 }
 
@@ -108,9 +111,9 @@ async fn one_registration_serves_all_listeners_here() {
     let (_session, thing) = thing(Manner::default()).await;
     let before = registrations(&thing).await;
     assert_eq!(before, [2, 2], "the session listens to the directory");
-    let mut first = thing.subscribe("tick", Keep::All(10)).await.unwrap();
-    let mut second = thing.subscribe("tick", Keep::All(10)).await.unwrap();
-    let mut newest = thing.subscribe("tick", Keep::Newest).await.unwrap();
+    let mut first = thing.subscribe("tick", EventChoice::All(10)).await.unwrap();
+    let mut second = thing.subscribe("tick", EventChoice::All(10)).await.unwrap();
+    let mut newest = thing.subscribe("tick", EventChoice::Newest).await.unwrap();
     assert_eq!(registrations(&thing).await, [3, 3]);
     thing.call("raise", &[3.into()]).await.unwrap();
     for subscription in [&mut first, &mut second] {
@@ -125,14 +128,14 @@ async fn one_registration_serves_all_listeners_here() {
     assert_eq!(registrations(&thing).await, [3, 3]);
     drop(second);
     assert_eq!(registrations(&thing).await, [3, 2], "the last one tells the peer");
-    let _again = thing.subscribe("tick", Keep::Newest).await.unwrap();
+    let _again = thing.subscribe("tick", EventChoice::Newest).await.unwrap();
     assert_eq!(registrations(&thing).await, [4, 3]);
 }
 
 #[tokio::test]
 async fn a_slow_listener_loses_the_oldest_and_knows_how_many() {
     let (_session, thing) = thing(Manner::default()).await;
-    let mut slow = thing.subscribe("tick", Keep::All(100)).await.unwrap();
+    let mut slow = thing.subscribe("tick", EventChoice::All(100)).await.unwrap();
     thing.call("raise", &[10_000.into()]).await.unwrap();
     assert_eq!(slow.lost(), 9_900);
     assert_eq!(slow.next().await.unwrap().arguments, [Value::from(9_900_u32)]);
@@ -142,12 +145,12 @@ async fn a_slow_listener_loses_the_oldest_and_knows_how_many() {
 #[tokio::test]
 async fn listeners_are_told_of_the_end_after_what_came() {
     let (session, thing) = thing(Manner::default()).await;
-    let mut listener = thing.subscribe("tick", Keep::All(10)).await.unwrap();
+    let mut listener = thing.subscribe("tick", EventChoice::All(10)).await.unwrap();
     thing.call("raise", &[1.into()]).await.unwrap();
     session.link().close();
     assert!(listener.next().await.is_ok());
-    assert_eq!(listener.next().await, Err(QiError::Disconnected(Ending::Here)));
-    let nothing = thing.subscribe("nothing", Keep::Newest).await.unwrap_err();
+    assert_eq!(listener.next().await, Err(QiError::Disconnected(LinkEnding::Here)));
+    let nothing = thing.subscribe("nothing", EventChoice::Newest).await.unwrap_err();
     assert_eq!(nothing.to_string(), "Thing has no signal nothing");
 }
 
@@ -155,7 +158,7 @@ async fn listeners_are_told_of_the_end_after_what_came() {
 async fn what_a_stuck_peer_does_not_read_is_bounded_in_bytes() {
     let (here, _stuck) = tokio::io::duplex(1_024);
     let link = qi::Link::over(here);
-    let target = qi::Target { service: 1, object: 1, action: 100 };
+    let target = qi::MemberTarget { service: 1, object: 1, action: 100 };
     let post = || link.post(target, 0, vec![0; 2 << 20]);
     let fit = (0..64).take_while(|_| post().is_ok()).count();
     assert_eq!(fit, qi::QUEUE_MAX_BYTES / (2 << 20) - 1, "with their headers");

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use qi::{Ending, Generation, Keep, Object, QiError, Value};
+use qi::{EventChoice, Generation, LinkEnding, Object, QiError, Value};
 
 use crate::real_peer::{Peer, everything, python};
 
@@ -87,10 +87,10 @@ async fn a_slow_call_is_given_up_and_holds_nothing_back() {
 #[tokio::test]
 async fn signals_carry_what_they_say() {
     let Some((_peer, _session, object)) = everything("signals of libqi").await else { return };
-    let mut told = object.subscribe("told", Keep::All(8)).await.unwrap();
-    let mut twice = object.subscribe("told", Keep::All(8)).await.unwrap();
-    let mut measured = object.subscribe("measured", Keep::Newest).await.unwrap();
-    let mut anything = object.subscribe("anything", Keep::Newest).await.unwrap();
+    let mut told = object.subscribe("told", EventChoice::All(8)).await.unwrap();
+    let mut twice = object.subscribe("told", EventChoice::All(8)).await.unwrap();
+    let mut measured = object.subscribe("measured", EventChoice::Newest).await.unwrap();
+    let mut anything = object.subscribe("anything", EventChoice::Newest).await.unwrap();
     for method in ["measure", "any"] {
         object.call(method, &[]).await.unwrap();
     }
@@ -111,8 +111,10 @@ async fn the_peer_knows_when_nobody_listens_any_more() {
     let Some((_peer, _session, object)) = everything("subscribers of libqi").await else { return };
     let is_listened = async || object.call("is_listened", &[]).await.unwrap().as_bool().unwrap();
     assert!(!is_listened().await);
-    let (first, second) =
-        (object.subscribe("listened", Keep::Newest).await, object.subscribe("listened", Keep::Newest).await);
+    let (first, second) = (
+        object.subscribe("listened", EventChoice::Newest).await,
+        object.subscribe("listened", EventChoice::Newest).await,
+    );
     assert!(is_listened().await);
     drop(first);
     assert!(is_listened().await);
@@ -123,7 +125,7 @@ async fn the_peer_knows_when_nobody_listens_any_more() {
 #[tokio::test]
 async fn a_thousand_events_a_second_all_arrive() {
     let Some((_peer, _session, object)) = everything("many events of libqi").await else { return };
-    let mut told = object.subscribe("told", Keep::All(4096)).await.unwrap();
+    let mut told = object.subscribe("told", EventChoice::All(4096)).await.unwrap();
     object.call("burst", &[1000.into()]).await.unwrap();
     let mut seen = Vec::new();
     while seen.len() < 1000 {
@@ -139,7 +141,7 @@ async fn a_thousand_events_a_second_all_arrive() {
 async fn properties_are_read_set_and_listened_to() {
     let Some((_peer, _session, object)) = everything("properties of libqi").await else { return };
     assert_eq!(object.property("level").await.unwrap().as_i64(), Some(3));
-    let mut changes = object.subscribe("level", Keep::All(4)).await.unwrap();
+    let mut changes = object.subscribe("level", EventChoice::All(4)).await.unwrap();
     object.set_property("level", 8.into()).await.unwrap();
     assert_eq!(object.property("level").await.unwrap().as_i64(), Some(8));
     assert_eq!(changes.next().await.unwrap().arguments[0].as_i64(), Some(8));
@@ -152,7 +154,7 @@ async fn an_object_that_a_method_gives_out_can_be_listened_to_and_ends() {
     let Some((_peer, session, object)) = everything("objects of libqi").await else { return };
     let key = object.call_object("subscriber", &["Touch".into()]).await.unwrap();
     assert_eq!(key.call("name", &[]).await.unwrap().as_text().unwrap(), "Touch");
-    let mut signal = key.subscribe("signal", Keep::All(4)).await.unwrap();
+    let mut signal = key.subscribe("signal", EventChoice::All(4)).await.unwrap();
     key.call("raise_it", &[1.5.into()]).await.unwrap();
     assert_eq!(signal.next().await.unwrap().arguments[0].as_f64(), Some(1.5));
     let not_one = object.call_object("nested", &[]).await.unwrap_err();
@@ -204,7 +206,7 @@ async fn a_service_of_another_process_has_its_own_link() {
 #[tokio::test]
 async fn the_end_of_the_peer_ends_everything_that_waits() {
     let Some((peer, session, object)) = everything("the end of libqi").await else { return };
-    let mut told = object.subscribe("told", Keep::Newest).await.unwrap();
+    let mut told = object.subscribe("told", EventChoice::Newest).await.unwrap();
     let slow = tokio::spawn(async move { object.call("slow", &[60.0.into()]).await });
     while session.link().in_flight() == 0 {
         tokio::task::yield_now().await;
@@ -212,5 +214,5 @@ async fn the_end_of_the_peer_ends_everything_that_waits() {
     drop(peer);
     assert!(matches!(slow.await.unwrap(), Err(QiError::Disconnected(_))));
     assert!(matches!(told.next().await, Err(QiError::Disconnected(_))));
-    assert_ne!(session.link().ended().await, Ending::Here);
+    assert_ne!(session.link().ended().await, LinkEnding::Here);
 }

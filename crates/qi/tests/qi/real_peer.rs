@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-use qi::{Object, Options, Session};
+use qi::{Object, Session, SessionOptions};
 
 const PYTHON: &str = "RRP_QI_PYTHON";
 /// The longest time of anything before a test gives up.
@@ -52,7 +52,7 @@ impl Peer {
     }
 
     pub(crate) async fn connect(&self) -> Session {
-        let options = Options { stage_within: PATIENCE, call_within: PATIENCE, ..Options::default() };
+        let options = SessionOptions { stage_within: PATIENCE, call_within: PATIENCE, ..SessionOptions::default() };
         Session::connect(&self.address.parse().unwrap(), options).await.unwrap()
     }
 }

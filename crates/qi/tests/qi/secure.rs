@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use qi::{Cause, Credentials, Fingerprint, Options, QiError, Session, Stage, Trust, Value};
+use qi::{ConnectError, ConnectionStage, Credentials, Fingerprint, QiError, Session, SessionOptions, Trust, Value};
 use rustls::pki_types::CertificateDer;
 
 use crate::fake::{self, Manner};
@@ -15,7 +15,7 @@ fn certificate() -> (CertificateDer<'static>, Arc<Vec<u8>>) {
 
 async fn connect(at: &str, trust: Trust) -> Result<Session, QiError> {
     let credentials = Credentials { user: "nao".to_owned(), password: "secret".to_owned() };
-    let options = Options { credentials: Some(credentials), trust, ..Options::default() };
+    let options = SessionOptions { credentials: Some(credentials), trust, ..SessionOptions::default() };
     Session::connect(&format!("tcps://{at}").parse().unwrap(), options).await
 }
 
@@ -34,7 +34,10 @@ async fn a_certificate_is_trusted_at_first_and_must_stay() {
 
     let other = fake::start(robot()).await;
     let changed = connect(&other, Trust::Only(expected)).await.unwrap_err();
-    let QiError::Connect { stage: Stage::Tls, cause: Cause::CertificateChanged { expected: before, found } } = &changed
+    let QiError::Connect {
+        stage: ConnectionStage::Tls,
+        cause: ConnectError::CertificateChanged { expected: before, found },
+    } = &changed
     else {
         unreachable!("{changed:?}")
     };
@@ -47,7 +50,10 @@ async fn a_certificate_is_trusted_at_first_and_must_stay() {
 async fn a_peer_without_tls_fails_at_that_stage() {
     let plain = fake::start(Manner { garbage: Some(b"not TLS at all".to_vec()), ..Manner::default() }).await;
     let error = connect(&plain, Trust::First).await.unwrap_err();
-    assert!(matches!(error, QiError::Connect { stage: Stage::Tls, cause: Cause::Tls(_) }), "{error:?}");
+    assert!(
+        matches!(error, QiError::Connect { stage: ConnectionStage::Tls, cause: ConnectError::Tls(_) }),
+        "{error:?}"
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
-use recording::{Span, Timeline, Track, tracks};
+use recording::{Span, SpanTrack, Timeline, tracks};
 use std::io;
 
 /// The address at which ELAN finds the schema.
@@ -42,7 +42,7 @@ pub(super) fn written(timeline: &Timeline) -> io::Result<Vec<u8>> {
 }
 
 /// Two times for each annotation, in its order.
-fn times(to: &mut To, tracks: &[Track]) -> io::Result<()> {
+fn times(to: &mut To, tracks: &[SpanTrack]) -> io::Result<()> {
     to.create_element("TIME_ORDER").write_inner_content(|to| {
         let spans = tracks.iter().flat_map(|track| &track.spans);
         let times = spans.flat_map(|span| [span.from_ms, span.until_ms]);
@@ -55,7 +55,7 @@ fn times(to: &mut To, tracks: &[Track]) -> io::Result<()> {
     Ok(())
 }
 
-fn tier(to: &mut To, track: &Track, number: &mut usize) -> io::Result<()> {
+fn tier(to: &mut To, track: &SpanTrack, number: &mut usize) -> io::Result<()> {
     let name = plain(&track.name);
     let of = [("LINGUISTIC_TYPE_REF", TYPE), ("TIER_ID", name.as_str())];
     to.create_element("TIER").with_attributes(of).write_inner_content(|to| {

@@ -3,7 +3,7 @@
 use super::{boris, csv, eaf, vtt};
 use quick_xml::Reader;
 use quick_xml::events::Event;
-use recording::{Keep, Timeline, timeline};
+use recording::{PrivateParts, Timeline, timeline};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Names that stand in the recording: of who pressed, of a face, and a word that was recognised.
@@ -12,7 +12,7 @@ const NAMES: [&str; 6] = ["Aiko", "Ben", "Cleo", "Emma", "banana", "hello Emma"]
 const RECORDING: &str = include_str!("../../tests/data/greet.jsonl");
 const MARKS: &str = include_str!("../../tests/data/greet.marks.jsonl");
 
-fn told(keep: Keep) -> Timeline {
+fn told(keep: PrivateParts) -> Timeline {
     timeline(RECORDING, MARKS, keep).unwrap()
 }
 
@@ -30,18 +30,18 @@ fn all_forms(of: &Timeline) -> Vec<(&'static str, String)> {
 
 #[test]
 fn no_name_is_in_any_of_them_unless_it_is_wanted() {
-    for (form, text) in all_forms(&told(Keep::default())) {
+    for (form, text) in all_forms(&told(PrivateParts::default())) {
         for name in NAMES {
             assert!(!text.contains(name), "{name} is in {form}:\n{text}");
         }
         assert!(text.contains("P1") && text.contains("(left out)"), "{form}:\n{text}");
     }
-    let all = told(Keep { names: true, personal: true });
+    let all = told(PrivateParts { names: true, personal: true });
     let csv = csv::written(&all, ',');
     assert!(NAMES.iter().all(|name| csv.contains(name)), "{csv}");
     let old = RECORDING.replacen("rrp-recording/2", "rrp-recording/1", 1);
     let old: String = old.lines().filter(|line| !line.contains("\"file\"")).map(|line| format!("{line}\n")).collect();
-    let csv = csv::written(&timeline(&old, "", Keep::default()).unwrap(), ',');
+    let csv = csv::written(&timeline(&old, "", PrivateParts::default()).unwrap(), ',');
     assert!(
         NAMES.iter().all(|name| !csv.contains(name)),
         "an old recording does not say which texts are personal: {csv}"
@@ -69,7 +69,7 @@ fn rows(text: &str, separator: char) -> Vec<Vec<String>> {
 
 #[test]
 fn a_table_is_the_same_with_commas_and_with_semicolons() {
-    let of = told(Keep::default());
+    let of = told(PrivateParts::default());
     let table = rows(&csv::written(&of, ','), ',');
     assert_eq!(table, rows(&csv::written(&of, ';'), ';'));
     assert_eq!(table[0], ["t_ms", "clock", "what", "subject", "value", "by", "until_ms"]);
@@ -92,7 +92,7 @@ fn code<'t>(of: &'t Timeline, subject: &str) -> &'t str {
 /// The rules of the schema of EAF 3.0 for what is written of it.
 #[test]
 fn a_document_of_elan_keeps_to_its_schema() {
-    let bytes = eaf::written(&told(Keep::default())).unwrap();
+    let bytes = eaf::written(&told(PrivateParts::default())).unwrap();
     let mut reader = Reader::from_reader(&bytes[..]);
     let (mut path, mut order, mut ids) = (Vec::<String>::new(), Vec::new(), BTreeSet::new());
     let (mut times, mut annotations, mut tier) =
@@ -178,7 +178,7 @@ fn a_document_of_elan_keeps_to_its_schema() {
 
 #[test]
 fn a_table_for_boris_has_its_columns_and_pairs_states() {
-    let text = boris::written(&told(Keep::default()));
+    let text = boris::written(&told(PrivateParts::default()));
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split('\t').collect()).collect();
     assert!(rows.iter().all(|row| row.len() == 5), "{text}");
     assert!(rows.iter().all(|row| row[0].split('.').all(|part| part.parse::<u64>().is_ok())), "{text}");
@@ -193,7 +193,7 @@ fn a_table_for_boris_has_its_columns_and_pairs_states() {
 
 #[test]
 fn subtitles_can_be_parsed() {
-    let text = vtt::written(&told(Keep::default()));
+    let text = vtt::written(&told(PrivateParts::default()));
     let mut blocks = text.split("\n\n");
     assert_eq!(blocks.next(), Some("WEBVTT"));
     let ms = |clock: &str| {

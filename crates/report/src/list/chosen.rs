@@ -1,6 +1,6 @@
 //! Beside the list, the recording that is looked at: what is known of it, its marks, and what can be done with it.
 
-use super::{List, Marked, size, state};
+use super::{ChosenRecording, List, size, state};
 use crate::clock::{Clock, length};
 use crate::page::{clean, own};
 use crate::sessions::words as words_of;
@@ -10,7 +10,7 @@ use protocol::{MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, RECORDING_TITLE_MAX_CHARS, R
 /// The most marks that are shown one by one.
 const MARKS_MAX: usize = 200;
 
-pub(super) fn aside(list: &List, chosen: &Marked) -> Markup {
+pub(super) fn aside(list: &List, chosen: &ChosenRecording) -> Markup {
     let (words, recording) = (list.words(), &chosen.listed.recording);
     let clock = Clock::of(&recording.began, list.zone);
     let (file, code) = ((list.encoded)(&recording.file), recording.session.participant.as_deref());
@@ -56,7 +56,7 @@ fn form(list: &List, file: &str, what: &str, inside: &Markup) -> Markup {
     }
 }
 
-fn change(list: &List, chosen: &Marked, file: &str) -> Markup {
+fn change(list: &List, chosen: &ChosenRecording, file: &str) -> Markup {
     let (words, recording) = (list.words(), &chosen.listed.recording);
     let title = recording.title.as_deref().map(clean).unwrap_or_default();
     let name = html! {
@@ -86,7 +86,7 @@ fn of_bin(list: &List, file: &str) -> Markup {
     }
 }
 
-fn marks(list: &List, chosen: &Marked, file: &str, clock: Clock) -> Markup {
+fn marks(list: &List, chosen: &ChosenRecording, file: &str, clock: Clock) -> Markup {
     let words = list.words();
     let mut by_word: Vec<_> = words_of(&chosen.marks).into_iter().collect();
     by_word.sort_by_key(|(_, (count, _))| std::cmp::Reverse(*count));

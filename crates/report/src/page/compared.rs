@@ -2,7 +2,7 @@
 
 use super::{Sheet, clean};
 use crate::clock::{Clock, Zone, length};
-use crate::sessions::Session;
+use crate::sessions::SessionNumbers;
 use maud::{Markup, html};
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ const WIDTH: f64 = 327.0;
 const HEIGHT: f64 = 88.0;
 const TALL: f64 = 48.0;
 
-pub(super) fn section(sheet: &Sheet, sessions: &[Session], zone: Zone) -> Markup {
+pub(super) fn section(sheet: &Sheet, sessions: &[SessionNumbers], zone: Zone) -> Markup {
     let Some(code) = sheet.of.header.participant.as_deref().filter(|_| sessions.len() > 1) else { return html! {} };
     let words = sheet.words;
     let most = most_marked(sessions);
@@ -57,7 +57,7 @@ pub(super) fn section(sheet: &Sheet, sessions: &[Session], zone: Zone) -> Markup
 }
 
 /// The words that were marked most in all sessions, and if the time of each is what counts.
-fn most_marked(sessions: &[Session]) -> Vec<(String, bool)> {
+fn most_marked(sessions: &[SessionNumbers]) -> Vec<(String, bool)> {
     let mut all: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
     for (word, (count, ms)) in sessions.iter().flat_map(|session| &session.words) {
         let of = all.entry(word).or_default();
@@ -68,7 +68,7 @@ fn most_marked(sessions: &[Session]) -> Vec<(String, bool)> {
     all.into_iter().take(WORDS_MAX).map(|(word, (_, ms))| (word.to_owned(), ms > 0)).collect()
 }
 
-fn value(session: &Session, word: &str, lasts: bool) -> u64 {
+fn value(session: &SessionNumbers, word: &str, lasts: bool) -> u64 {
     let (count, ms) = session.words.get(word).copied().unwrap_or_default();
     if lasts { ms / 1_000 } else { count }
 }

@@ -3,7 +3,7 @@
 use super::tables::WHO_MAX;
 use super::{Sheet, clean, own};
 use crate::clock::length;
-use crate::gather::{Ended, Program};
+use crate::gather::{Ended, RanProgram};
 use maud::{Markup, html};
 use recording::Lack;
 
@@ -80,7 +80,7 @@ pub(super) fn program(sheet: &Sheet) -> Markup {
     }
 }
 
-fn told(sheet: &Sheet, program: &Program) -> Markup {
+fn told(sheet: &Sheet, program: &RanProgram) -> Markup {
     let words = sheet.words;
     html! {
         @match &program.sentences {
@@ -95,7 +95,7 @@ fn told(sheet: &Sheet, program: &Program) -> Markup {
 }
 
 /// The sentences that went and came, with a sign and a word each.
-fn changes(sheet: &Sheet, before: &Program, after: &Program) -> Markup {
+fn changes(sheet: &Sheet, before: &RanProgram, after: &RanProgram) -> Markup {
     let words = sheet.words;
     let (Some(was), Some(is)) = (&before.sentences, &after.sentences) else { return told(sheet, after) };
     let gone = was.iter().filter(|sentence| !is.contains(sentence));

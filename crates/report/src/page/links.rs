@@ -1,7 +1,7 @@
 //! The links beside a report, which are not printed: other language, names, and the recording in other forms.
 
 use super::words::Words;
-use super::{Asked, SCRIPT_ID};
+use super::{ReportWishes, SCRIPT_ID};
 use crate::gather::Gathered;
 use maud::{Markup, html};
 use sentences::Language;
@@ -9,7 +9,7 @@ use sentences::Language;
 /// The other forms, by what the server calls them.
 const FORMS: [(&str, &str); 4] = [("csv", "CSV"), ("eaf", "ELAN"), ("boris", "BORIS"), ("vtt", "WebVTT")];
 
-pub(super) fn all(of: &Gathered, words: Words, asked: &Asked) -> Markup {
+pub(super) fn all(of: &Gathered, words: Words, asked: &ReportWishes) -> Markup {
     let other = match of.language {
         Language::English => Language::Japanese,
         Language::Japanese => Language::English,
@@ -33,7 +33,7 @@ pub(super) fn all(of: &Gathered, words: Words, asked: &Asked) -> Markup {
 }
 
 /// The same report in a language, with or without names.
-fn address(asked: &Asked, language: Language, names: bool) -> String {
+fn address(asked: &ReportWishes, language: Language, names: bool) -> String {
     let names = if names { "&names=1" } else { "" };
     let offset = asked.zone.minutes().map(|minutes| format!("&offset={minutes}")).unwrap_or_default();
     format!("?language={}{names}{offset}", language.code())

@@ -2,7 +2,7 @@
 
 use super::{Sheet, own};
 use crate::clock::length;
-use crate::gather::Row;
+use crate::gather::StreamRow;
 use crate::sessions::words as words_of;
 use crate::troubles::Trouble;
 use behaviour::StreamKind;
@@ -40,7 +40,7 @@ fn by_program(sheet: &Sheet) -> Markup {
     }
 }
 
-fn counts<'a>(sheet: &Sheet, what: &str, rows: impl Iterator<Item = &'a Row> + Clone) -> Markup {
+fn counts<'a>(sheet: &Sheet, what: &str, rows: impl Iterator<Item = &'a StreamRow> + Clone) -> Markup {
     let words = sheet.words;
     html! {
         @if rows.clone().next().is_some() {

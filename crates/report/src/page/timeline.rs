@@ -3,7 +3,7 @@
 
 use super::compared::px;
 use super::{Sheet, clean};
-use crate::gather::Row;
+use crate::gather::StreamRow;
 use crate::troubles::Trouble;
 use behaviour::StreamKind;
 use maud::{Markup, html};
@@ -26,7 +26,7 @@ const STEPS: [u64; 13] = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1_800, 3_600, 10_8
 const TICKS_MAX: u64 = 7;
 
 /// One row: its word, and what is drawn at this height.
-struct Drawn {
+struct DrawnRow {
     word: String,
     shapes: Markup,
 }
@@ -51,7 +51,7 @@ pub(super) fn section(sheet: &Sheet) -> Markup {
     }
 }
 
-fn rows(sheet: &Sheet) -> Vec<Drawn> {
+fn rows(sheet: &Sheet) -> Vec<DrawnRow> {
     let (of, words) = (sheet.of, sheet.words);
     let mut rows = Vec::new();
     for (kind, class, high) in
@@ -61,11 +61,11 @@ fn rows(sheet: &Sheet) -> Vec<Drawn> {
         rows.extend(
             all()
                 .take(ROWS_MAX)
-                .map(|row| Drawn { word: label(&name(sheet, row)), shapes: bars(sheet, row, class, high) }),
+                .map(|row| DrawnRow { word: label(&name(sheet, row)), shapes: bars(sheet, row, class, high) }),
         );
         let more = all().count().saturating_sub(ROWS_MAX);
         if more > 0 {
-            rows.push(Drawn { word: label(&words.more(more as u64)), shapes: html! {} });
+            rows.push(DrawnRow { word: label(&words.more(more as u64)), shapes: html! {} });
         }
     }
     let pretended = || of.rows.iter().flat_map(|row| row.pretended.values()).flat_map(|bars| &bars.drawn);
@@ -75,24 +75,24 @@ fn rows(sheet: &Sheet) -> Vec<Drawn> {
             @for x in pressed { circle class="hand" cx=(px(x)) cy="10" r="4" {} }
             @for x in as_if { circle class="as-if" cx=(px(x)) cy="10" r="4" {} }
         };
-        rows.push(Drawn { word: words.by_hand().to_owned(), shapes });
+        rows.push(DrawnRow { word: words.by_hand().to_owned(), shapes });
     }
     if !of.marks.is_empty() {
-        rows.push(Drawn { word: words.marks().to_owned(), shapes: marks(sheet) });
+        rows.push(DrawnRow { word: words.marks().to_owned(), shapes: marks(sheet) });
     }
     if !of.troubles.told.is_empty() {
-        rows.push(Drawn { word: words.troubles().to_owned(), shapes: troubles(sheet) });
+        rows.push(DrawnRow { word: words.troubles().to_owned(), shapes: troubles(sheet) });
     }
-    rows.push(Drawn { word: words.version_row().to_owned(), shapes: versions(sheet) });
+    rows.push(DrawnRow { word: words.version_row().to_owned(), shapes: versions(sheet) });
     rows
 }
 
-fn name(sheet: &Sheet, row: &Row) -> String {
+fn name(sheet: &Sheet, row: &StreamRow) -> String {
     clean(&sheet.of.private.text(&row.name))
 }
 
 /// Bars as one path: those that touch on paper are one.
-fn bars(sheet: &Sheet, row: &Row, class: &str, high: f64) -> Markup {
+fn bars(sheet: &Sheet, row: &StreamRow, class: &str, high: f64) -> Markup {
     let mut path = String::new();
     let mut last: Option<(f64, f64)> = None;
     let y = 10.0 - high / 2.0;

@@ -1,8 +1,8 @@
 //! The way of values to an action, as a chain: where it starts, and one connector after another.
 
-use crate::carried::{Carried, is_known_helper};
-use crate::does::{Calc, Does};
-use crate::test::Places;
+use crate::carried::{CarriedKind, is_known_helper};
+use crate::does::{Calc, SpokenConnector};
+use crate::test::TestPlaces;
 use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind};
 use robot::Device;
 use std::collections::BTreeSet;
@@ -14,20 +14,20 @@ const ANY_MAX: usize = 10;
 
 /// A connector of a chain.
 #[derive(Clone, Debug)]
-pub(super) struct Link<'a> {
+pub(super) struct ChainConnector<'a> {
     pub(super) id: &'a Id,
     pub(super) connector: &'a Connector,
-    pub(super) does: Does,
-    pub(super) places: Places,
+    pub(super) does: SpokenConnector,
+    pub(super) places: TestPlaces,
     /// What it takes first.
     pub(super) from: &'a Id,
     /// What its first input carries.
-    pub(super) carried: Carried,
+    pub(super) carried: CarriedKind,
 }
 
 /// Where a chain starts.
 #[derive(Clone, Debug)]
-pub(super) enum Start<'a> {
+pub(super) enum ChainStart<'a> {
     /// A sense of the catalogue, with parameters that it has.
     Sense(&'a Id, &'a Stream, &'static Device),
     /// Several streams that come together at this connector.
@@ -39,40 +39,43 @@ pub(super) enum Start<'a> {
 /// A chain.
 #[derive(Clone, Debug)]
 pub(super) struct Chain<'a> {
-    pub(super) start: Start<'a>,
-    pub(super) links: Vec<Link<'a>>,
+    pub(super) start: ChainStart<'a>,
+    pub(super) links: Vec<ChainConnector<'a>>,
 }
 
 /// The graph with what is known about it.
-pub(super) struct Known<'a> {
+pub(super) struct KnownGraph<'a> {
     pub(super) behaviour: &'a Behaviour,
     pub(super) graph: Graph<'a>,
     pub(super) helpers: &'a [&'a Helper],
 }
 
-impl<'a> Known<'a> {
+impl<'a> KnownGraph<'a> {
     /// The chain that ends in a stream.
     pub(super) fn chain(&self, stream: &'a Id) -> Chain<'a> {
-        let mut links: Vec<Link<'a>> = Vec::new();
+        let mut links: Vec<ChainConnector<'a>> = Vec::new();
         let mut seen = BTreeSet::from([stream]);
         let mut at = stream;
         let start = loop {
             let Some(&(id, connector)) = self.graph.into_stream(at).first() else { break self.start(at) };
-            let (does, places) = Does::of(&connector.operation, &self.behaviour.arguments(connector));
-            if does == Does::Any && connector.inputs.len() > 1 {
+            let (does, places) = SpokenConnector::of(&connector.operation, &self.behaviour.arguments(connector));
+            if does == SpokenConnector::Any && connector.inputs.len() > 1 {
                 let few = connector.inputs.len() <= ANY_MAX;
-                break if few { Start::Any(id, connector) } else { self.named(at) };
+                break if few { ChainStart::Any(id, connector) } else { self.named(at) };
             }
             let Some(from) = connector.inputs.first() else { break self.named(at) };
             if links.len() == CHAIN_MAX || connector.inputs.len() > ANY_MAX || !seen.insert(from) {
                 break self.named(at);
             }
-            links.push(Link { id, connector, does, places, from, carried: Carried::Other });
+            links.push(ChainConnector { id, connector, does, places, from, carried: CarriedKind::Other });
             at = from;
         };
         links.reverse();
-        let mut carried =
-            if let Start::Sense(_, _, device) = &start { Carried::Sense(device.name) } else { Carried::Other };
+        let mut carried = if let ChainStart::Sense(_, _, device) = &start {
+            CarriedKind::Sense(device.name)
+        } else {
+            CarriedKind::Other
+        };
         for link in &mut links {
             let after = self.after(&carried, &link.does);
             link.carried = std::mem::replace(&mut carried, after);
@@ -80,26 +83,26 @@ impl<'a> Known<'a> {
         Chain { start, links }
     }
 
-    fn after(&self, carried: &Carried, does: &Does) -> Carried {
+    fn after(&self, carried: &CarriedKind, does: &SpokenConnector) -> CarriedKind {
         match does {
-            Does::Make(Calc::Helper(name)) if !is_known_helper(name, self.helpers) => Carried::Other,
+            SpokenConnector::Make(Calc::Helper(name)) if !is_known_helper(name, self.helpers) => CarriedKind::Other,
             _ => carried.after(does),
         }
     }
 
-    fn start(&self, at: &'a Id) -> Start<'a> {
+    fn start(&self, at: &'a Id) -> ChainStart<'a> {
         let sense = self.behaviour.stream(at).filter(|stream| stream.kind == StreamKind::Sensor);
         let device = sense.and_then(|stream| {
             let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;
             device.check(&stream.params).is_ok().then_some((stream, device))
         });
-        device.map_or_else(|| self.named(at), |(stream, device)| Start::Sense(at, stream, device))
+        device.map_or_else(|| self.named(at), |(stream, device)| ChainStart::Sense(at, stream, device))
     }
 
     /// A stream that is told by its name.
-    pub(super) fn named(&self, at: &'a Id) -> Start<'a> {
+    pub(super) fn named(&self, at: &'a Id) -> ChainStart<'a> {
         let name = self.behaviour.stream(at).map_or(at.as_str(), |stream| stream.name.as_str());
-        Start::Named(at, name)
+        ChainStart::Named(at, name)
     }
 
     /// Whether a helper means what the words for its name say.
@@ -112,13 +115,13 @@ impl<'a> Chain<'a> {
     /// Its stream at the start.
     pub(super) fn first(&self) -> &'a Id {
         match self.start {
-            Start::Sense(id, ..) | Start::Named(id, _) => id,
-            Start::Any(_, connector) => &connector.output,
+            ChainStart::Sense(id, ..) | ChainStart::Named(id, _) => id,
+            ChainStart::Any(_, connector) => &connector.output,
         }
     }
 
     /// The name of its sense, if it starts at one.
     pub(super) fn sense(&self) -> Option<&'static str> {
-        if let Start::Sense(_, _, device) = &self.start { Some(device.name) } else { None }
+        if let ChainStart::Sense(_, _, device) = &self.start { Some(device.name) } else { None }
     }
 }

@@ -1,14 +1,14 @@
 //! Holes of words filled with what a graph has there.
 
-use super::Teller;
-use super::chain::Link;
+use super::SentenceTeller;
+use super::chain::ChainConnector;
 use crate::clauses::usual;
-use crate::does::{Calc, Does};
+use crate::does::{Calc, SpokenConnector};
 use crate::fits::same;
 use crate::numbers;
-use crate::pattern::{Element, Filling, filled};
-use crate::sentence::{Choice, Choosable, Literal, Piece};
-use crate::test::{Asks, Test};
+use crate::pattern::{HoleFiller, PatternElement, filled};
+use crate::sentence::{Choosable, LiteralPlace, Piece, SentenceChoice};
+use crate::test::{Asks, ValueTest};
 use crate::token::quoted;
 use behaviour::{Id, Stream, Value};
 use robot::{Device, Param, ParamKind};
@@ -20,12 +20,12 @@ pub(super) struct Fills<'f, 'a> {
     /// What a tracker would follow that the sentence has named already.
     pub(super) seen: Option<&'static str>,
     /// The links that the clause tells.
-    pub(super) links: &'f [Link<'a>],
+    pub(super) links: &'f [ChainConnector<'a>],
 }
 
-impl Teller<'_> {
+impl SentenceTeller<'_> {
     /// A clause with its holes filled; `unit` is that of its number.
-    pub(super) fn filled(&self, rule: &[Element], fills: &Fills, unit: &str) -> Option<Vec<Piece>> {
+    pub(super) fn filled(&self, rule: &[PatternElement], fills: &Fills, unit: &str) -> Option<Vec<Piece>> {
         let mut fill = |hole: &str| match fills.device {
             Some((device, id, stream)) if device.params.iter().any(|param| param.name == hole) => {
                 let param = device.params.iter().find(|param| param.name == hole)?;
@@ -34,7 +34,7 @@ impl Teller<'_> {
                 let is_default = same(&chosen, &usual(device, param, self.language));
                 // Nothing is told of a choice without a word.
                 let pieces = if piece.text().is_empty() { Vec::new() } else { vec![piece] };
-                Some(Filling { pieces, is_default })
+                Some(HoleFiller { pieces, is_default })
             }
             _ => fills.links.iter().find_map(|link| self.of_link(hole, link, unit)),
         };
@@ -43,17 +43,17 @@ impl Teller<'_> {
     }
 
     /// Words without holes but one, which has one text.
-    pub(super) fn pieces(&self, rule: &[Element], text: Option<&str>) -> Vec<Piece> {
+    pub(super) fn pieces(&self, rule: &[PatternElement], text: Option<&str>) -> Vec<Piece> {
         let mut fill = |_: &str| {
             let pieces = text.map(|text| Piece::Text(text.to_owned())).into_iter().collect();
-            Some(Filling { pieces, is_default: false })
+            Some(HoleFiller { pieces, is_default: false })
         };
         let mut mark = |shown: &str| Piece::Text(shown.to_owned());
         filled(rule, &mut fill, &mut mark).map_or_else(Vec::new, |filling| filling.pieces)
     }
 
     fn param(&self, device: &Device, param: &Param, value: &Value, stream: &Id, seen: Option<&str>) -> Option<Piece> {
-        let at = Literal::Param { stream: stream.clone(), param: param.name.to_owned() };
+        let at = LiteralPlace::Param { stream: stream.clone(), param: param.name.to_owned() };
         match param.kind {
             ParamKind::Choice(_) => {
                 let chosen = value.as_text()?;
@@ -67,7 +67,7 @@ impl Teller<'_> {
                 let is_seen = param.name == "target" && seen == Some(chosen);
                 let it = || self.words.rule("target.it").first().map_or("", |it| *it).to_owned();
                 let text = if is_seen { it() } else { words.clone() };
-                Some(Piece::Choice(Choice { text, options, chosen: chosen.to_owned(), at }))
+                Some(Piece::Choice(SentenceChoice { text, options, chosen: chosen.to_owned(), at }))
             }
             ParamKind::Number { unit: "ms", .. } => {
                 let alone = numbers::duration(value.as_number()? as u64, at, self.language, true);
@@ -81,20 +81,19 @@ impl Teller<'_> {
     }
 
     /// What a link has for a hole of a clause.
-    fn of_link(&self, hole: &str, link: &Link, unit: &str) -> Option<Filling> {
+    fn of_link(&self, hole: &str, link: &ChainConnector, unit: &str) -> Option<HoleFiller> {
         let piece = match (hole, &link.does) {
-            ("d" | "every", Does::Every(ms) | Does::Later(ms) | Does::Quiet(ms)) => {
-                let at = Literal::Period { connector: link.id.clone() };
+            ("d" | "every", SpokenConnector::Every(ms) | SpokenConnector::Later(ms) | SpokenConnector::Quiet(ms)) => {
+                let at = LiteralPlace::Period { connector: link.id.clone() };
                 Piece::Number(numbers::duration(*ms, at, self.language, hole == "every"))
             }
-            ("n", Does::Make(Calc::Number(number))) => {
+            ("n", SpokenConnector::Make(Calc::Number(number))) => {
                 Piece::Number(numbers::number(*number, unit, super::steps::whole_body(link), None))
             }
-            ("text", Does::Keep(Test { asks: Asks::Text(_, text), .. })) | ("quoted", Does::Make(Calc::Text(text))) => {
-                Piece::Text(quoted(text, self.language))
-            }
+            ("text", SpokenConnector::Keep(ValueTest { asks: Asks::Text(_, text), .. }))
+            | ("quoted", SpokenConnector::Make(Calc::Text(text))) => Piece::Text(quoted(text, self.language)),
             _ => return None,
         };
-        Some(Filling { pieces: vec![piece], is_default: false })
+        Some(HoleFiller { pieces: vec![piece], is_default: false })
     }
 }

@@ -1,13 +1,13 @@
 //! Where sentences start: senses with what is asked of them, several that come together, streams by name.
 
-use super::chain::{Chain, Link, Start};
-use super::{Teller, fill};
+use super::chain::{Chain, ChainConnector, ChainStart};
+use super::{SentenceTeller, fill};
 use crate::clauses::{Clause, SENSES, SUBJECTS, goes_by_distance};
-use crate::does::{Calc, Does};
+use crate::does::{Calc, SpokenConnector};
 use crate::fits::{is_part, params_fit};
 use crate::pattern::grammar;
 use crate::sentence::{Phrase, Piece};
-use crate::test::{Asks, Test};
+use crate::test::{Asks, ValueTest};
 use behaviour::{Connector, Id, Stream};
 use robot::Device;
 
@@ -16,20 +16,20 @@ const PHRASES_MAX: usize = 48;
 /// How deep brackets stand in brackets.
 const DEPTH_MAX: usize = 4;
 
-impl<'a> Teller<'a> {
+impl<'a> SentenceTeller<'a> {
     /// Where a chain starts, with the first links that are told with it: how many.
-    pub(super) fn start(&mut self, start: &Start<'a>, links: &[Link<'a>]) -> usize {
+    pub(super) fn start(&mut self, start: &ChainStart<'a>, links: &[ChainConnector<'a>]) -> usize {
         match start {
-            Start::Sense(id, stream, device) => self.sense(id, stream, device, links),
-            Start::Any(id, connector) => {
+            ChainStart::Sense(id, stream, device) => self.sense(id, stream, device, links),
+            ChainStart::Any(id, connector) => {
                 self.any(id, connector);
                 0
             }
-            Start::Named(id, name) => self.named(id, name, links),
+            ChainStart::Named(id, name) => self.named(id, name, links),
         }
     }
 
-    fn sense(&mut self, id: &'a Id, stream: &Stream, device: &'static Device, links: &[Link<'a>]) -> usize {
+    fn sense(&mut self, id: &'a Id, stream: &Stream, device: &'static Device, links: &[ChainConnector<'a>]) -> usize {
         let grammar = grammar(self.language);
         let fits = |clause: &&Clause| {
             let parts = clause.parts.iter().zip(links).filter(|(part, link)| is_part(&link.does, **part)).count();
@@ -52,14 +52,20 @@ impl<'a> Teller<'a> {
     }
 
     /// A sense and what is asked of it, as its subject and a test; none if that cannot be said so.
-    fn subject(&mut self, id: &'a Id, stream: &Stream, device: &'static Device, links: &[Link<'a>]) -> Option<usize> {
+    fn subject(
+        &mut self,
+        id: &'a Id,
+        stream: &Stream,
+        device: &'static Device,
+        links: &[ChainConnector<'a>],
+    ) -> Option<usize> {
         let by_distance = goes_by_distance(device.name, "");
         let before = usize::from(by_distance);
         if by_distance {
-            let Does::Make(Calc::Helper(name)) = &links.first()?.does else { return None };
+            let SpokenConnector::Make(Calc::Helper(name)) = &links.first()?.does else { return None };
             (self.known.knows(name) && ["distance", "ball_to_distance"].contains(&name.as_str())).then_some(())?;
         }
-        let Does::Keep(Test { field, asks }) = &links.get(before)?.does else { return None };
+        let SpokenConnector::Keep(ValueTest { field, asks }) = &links.get(before)?.does else { return None };
         let asked = field.as_deref().unwrap_or("");
         let (rule, ..) = SUBJECTS.iter().find(|(_, sense, field)| *sense == device.name && *field == asked)?;
         let is_asked = match asks {
@@ -80,9 +86,10 @@ impl<'a> Teller<'a> {
     }
 
     /// A stream that is told by its name, with a test of it.
-    fn named(&mut self, id: &'a Id, name: &str, links: &[Link<'a>]) -> usize {
+    fn named(&mut self, id: &'a Id, name: &str, links: &[ChainConnector<'a>]) -> usize {
         if let Some(link) = links.first()
-            && let Does::Keep(Test { field: None, asks: Asks::Numbers(_) | Asks::Text(..) }) = &link.does
+            && let SpokenConnector::Keep(ValueTest { field: None, asks: Asks::Numbers(_) | Asks::Text(..) }) =
+                &link.does
         {
             let pieces = self.named_pieces("subject.named", name);
             self.push(pieces, &[], &[id]);
@@ -99,7 +106,7 @@ impl<'a> Teller<'a> {
     /// Several streams of which one comes.
     fn any(&mut self, id: &'a Id, connector: &'a Connector) {
         if self.is_full() {
-            let Start::Named(id, name) = self.known.named(&connector.output) else { return };
+            let ChainStart::Named(id, name) = self.known.named(&connector.output) else { return };
             self.named(id, name, &[]);
             return;
         }
@@ -131,7 +138,7 @@ impl<'a> Teller<'a> {
 
     /// Whether a chain is one clause without steps.
     fn is_simple(&self, chain: &Chain<'a>) -> bool {
-        if matches!(chain.start, Start::Any(..)) {
+        if matches!(chain.start, ChainStart::Any(..)) {
             return false;
         }
         let mut trial = Self::new(self.known, self.unit, self.language);
@@ -164,10 +171,10 @@ impl<'a> Teller<'a> {
 }
 
 /// The rule of a step that stands in brackets right after its sense.
-pub(super) fn tight(does: &Does) -> Option<&'static str> {
+pub(super) fn tight(does: &SpokenConnector) -> Option<&'static str> {
     match does {
-        Does::Make(Calc::Text(_)) => Some("tight.text"),
-        Does::Make(Calc::Number(_)) => Some("tight.number"),
+        SpokenConnector::Make(Calc::Text(_)) => Some("tight.text"),
+        SpokenConnector::Make(Calc::Number(_)) => Some("tight.number"),
         _ => None,
     }
 }

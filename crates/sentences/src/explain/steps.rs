@@ -1,19 +1,19 @@
 //! Connectors told one by one.
 
-use super::Teller;
-use super::chain::Link;
-use crate::carried::{Carried, Measure};
-use crate::does::{Calc, Does, Memory};
+use super::SentenceTeller;
+use super::chain::ChainConnector;
+use crate::carried::{CarriedKind, ValueMeasure};
+use crate::does::{Calc, RememberedKind, SpokenConnector};
 use crate::numbers;
-use crate::pattern::{Element, Filling, filled, grammar, marked};
-use crate::sentence::{Choice, Choosable, Literal, Piece};
-use crate::test::{Asks, COMPARISONS, Comparison, Test};
+use crate::pattern::{HoleFiller, PatternElement, filled, grammar, marked};
+use crate::sentence::{Choosable, LiteralPlace, Piece, SentenceChoice};
+use crate::test::{Asks, COMPARISONS, Comparison, ValueTest};
 use crate::token::{code, quoted};
 use behaviour::Procedure;
 
-impl<'a> Teller<'a> {
+impl<'a> SentenceTeller<'a> {
     /// Links after a start, each after a comma.
-    pub(super) fn steps(&mut self, links: &[Link<'a>]) {
+    pub(super) fn steps(&mut self, links: &[ChainConnector<'a>]) {
         for (at, link) in links.iter().enumerate() {
             self.text(self.words.comma);
             if link.connector.inputs.len() > 1 {
@@ -26,24 +26,24 @@ impl<'a> Teller<'a> {
     }
 
     /// The rule by which a link with one input is told.
-    fn step_rule(&self, link: &Link) -> &'static str {
+    fn step_rule(&self, link: &ChainConnector) -> &'static str {
         match &link.does {
-            Does::Make(calc) => self.make_rule(calc),
-            Does::Keep(test) if !self.names_field(test, &link.carried) => "step.test",
-            Does::Keep(_) => "step.testField",
-            Does::KeepBy(Calc::Helper(_)) => "step.keepHelper",
-            Does::KeepBy(_) => "step.keepCode",
-            Does::Every(_) => "step.every",
-            Does::Later(_) => "step.later",
-            Does::Quiet(_) => "step.quiet",
-            Does::Stamp => "step.stamp",
-            Does::Changed(None) => "step.changed",
-            Does::Changed(Some(Calc::Field(_))) => "step.changedField",
-            Does::Changed(Some(Calc::Helper(_))) => "step.changedHelper",
-            Does::Changed(Some(_)) => "step.changedCode",
-            Does::Remember(memory) => memory_rule(memory),
-            Does::Any => "step.any",
-            Does::Together(calc) | Does::Latest(calc) => {
+            SpokenConnector::Make(calc) => self.make_rule(calc),
+            SpokenConnector::Keep(test) if !self.names_field(test, &link.carried) => "step.test",
+            SpokenConnector::Keep(_) => "step.testField",
+            SpokenConnector::KeepBy(Calc::Helper(_)) => "step.keepHelper",
+            SpokenConnector::KeepBy(_) => "step.keepCode",
+            SpokenConnector::Every(_) => "step.every",
+            SpokenConnector::Later(_) => "step.later",
+            SpokenConnector::Quiet(_) => "step.quiet",
+            SpokenConnector::Stamp => "step.stamp",
+            SpokenConnector::Changed(None) => "step.changed",
+            SpokenConnector::Changed(Some(Calc::Field(_))) => "step.changedField",
+            SpokenConnector::Changed(Some(Calc::Helper(_))) => "step.changedHelper",
+            SpokenConnector::Changed(Some(_)) => "step.changedCode",
+            SpokenConnector::Remember(memory) => memory_rule(memory),
+            SpokenConnector::Any => "step.any",
+            SpokenConnector::Together(calc) | SpokenConnector::Latest(calc) => {
                 if matches!(calc, Calc::Helper(_)) {
                     "alone.helper"
                 } else {
@@ -71,20 +71,20 @@ impl<'a> Teller<'a> {
     }
 
     /// Whether a test is told with the name of its field.
-    fn names_field(&self, test: &Test, carried: &Carried) -> bool {
+    fn names_field(&self, test: &ValueTest, carried: &CarriedKind) -> bool {
         let Some(field) = &test.field else { return false };
         match &test.asks {
             Asks::Truth(truth) => grammar(self.language).rule(&truth_rule(*truth, Some(field))).is_empty(),
-            Asks::Numbers(_) => !(*carried == Carried::Sides && field == "d"),
+            Asks::Numbers(_) => !(*carried == CarriedKind::Sides && field == "d"),
             Asks::Text(..) => true,
         }
     }
 
     /// A link with several inputs: with the others in brackets.
-    fn join(&mut self, link: &Link<'a>) {
+    fn join(&mut self, link: &ChainConnector<'a>) {
         let (kind, calc) = match &link.does {
-            Does::Latest(calc) => ("latest", calc),
-            Does::Together(calc) => ("together", calc),
+            SpokenConnector::Latest(calc) => ("latest", calc),
+            SpokenConnector::Together(calc) => ("together", calc),
             _ => ("together", &Calc::Last),
         };
         let way = match calc {
@@ -96,7 +96,7 @@ impl<'a> Teller<'a> {
         let language = self.language;
         for element in grammar(language).told(&format!("{kind}.{way}")) {
             match element {
-                Element::Hole("others") => {
+                PatternElement::Hole("others") => {
                     for (at, other) in link.connector.inputs.iter().enumerate().skip(1) {
                         if at > 1 {
                             self.text(self.words.and);
@@ -114,42 +114,43 @@ impl<'a> Teller<'a> {
     }
 
     /// The words of a rule for a link.
-    pub(super) fn step_pieces(&self, rule: &str, link: &Link) -> Vec<Piece> {
+    pub(super) fn step_pieces(&self, rule: &str, link: &ChainConnector) -> Vec<Piece> {
         self.rule_pieces(grammar(self.language).told(rule), link)
     }
 
-    fn rule_pieces(&self, rule: &[Element], link: &Link) -> Vec<Piece> {
+    fn rule_pieces(&self, rule: &[PatternElement], link: &ChainConnector) -> Vec<Piece> {
         let mut fill = |hole: &str| {
             let pieces = self.step_hole(hole, link)?;
-            Some(Filling { pieces, is_default: false })
+            Some(HoleFiller { pieces, is_default: false })
         };
         let mut mark = |shown: &str| Piece::Text(shown.to_owned());
         filled(rule, &mut fill, &mut mark).map_or_else(Vec::new, |filling| filling.pieces)
     }
 
-    fn step_hole(&self, hole: &str, link: &Link) -> Option<Vec<Piece>> {
+    fn step_hole(&self, hole: &str, link: &ChainConnector) -> Option<Vec<Piece>> {
         let one = |text: String| Some(vec![Piece::Text(text)]);
         match (hole, &link.does) {
-            ("d" | "every", Does::Every(ms) | Does::Later(ms) | Does::Quiet(ms)) => {
-                let at = Literal::Period { connector: link.id.clone() };
+            ("d" | "every", SpokenConnector::Every(ms) | SpokenConnector::Later(ms) | SpokenConnector::Quiet(ms)) => {
+                let at = LiteralPlace::Period { connector: link.id.clone() };
                 Some(vec![Piece::Number(numbers::duration(*ms, at, self.language, hole == "every"))])
             }
-            ("test", Does::Keep(_)) => Some(self.test_pieces(link)),
-            ("field", Does::Keep(Test { field: Some(field), .. })) => one(self.field(field)),
-            ("field", Does::Make(Calc::Field(field)) | Does::Changed(Some(Calc::Field(field)))) => {
-                one(self.field(field))
-            }
-            ("quoted", Does::Make(Calc::Text(text))) => one(quoted(text, self.language)),
-            ("n", Does::Make(Calc::Number(number))) => {
+            ("test", SpokenConnector::Keep(_)) => Some(self.test_pieces(link)),
+            ("field", SpokenConnector::Keep(ValueTest { field: Some(field), .. })) => one(self.field(field)),
+            (
+                "field",
+                SpokenConnector::Make(Calc::Field(field)) | SpokenConnector::Changed(Some(Calc::Field(field))),
+            ) => one(self.field(field)),
+            ("quoted", SpokenConnector::Make(Calc::Text(text))) => one(quoted(text, self.language)),
+            ("n", SpokenConnector::Make(Calc::Number(number))) => {
                 Some(vec![Piece::Number(numbers::number(*number, "", whole_body(link), None))])
             }
-            ("n", Does::Remember(Memory::Rounds(most))) => one(most.to_string()),
-            ("d", Does::Remember(Memory::Rests(ms))) => {
+            ("n", SpokenConnector::Remember(RememberedKind::Rounds(most))) => one(most.to_string()),
+            ("d", SpokenConnector::Remember(RememberedKind::Rests(ms))) => {
                 // It stands in the code and at the start: it is not changed in the sentence.
-                let nowhere = Literal::Period { connector: link.id.clone() };
+                let nowhere = LiteralPlace::Period { connector: link.id.clone() };
                 one(numbers::duration(*ms, nowhere, self.language, false).text)
             }
-            ("start", Does::Remember(Memory::By(_, start))) => one(code(&start.to_string())),
+            ("start", SpokenConnector::Remember(RememberedKind::By(_, start))) => one(code(&start.to_string())),
             ("helper", does) => match does.calc()? {
                 Calc::Helper(name) => one(quoted(name, self.language)),
                 _ => None,
@@ -168,8 +169,8 @@ impl<'a> Teller<'a> {
     }
 
     /// What a link asks of its values.
-    pub(super) fn test_pieces(&self, link: &Link) -> Vec<Piece> {
-        let Does::Keep(test) = &link.does else { return Vec::new() };
+    pub(super) fn test_pieces(&self, link: &ChainConnector) -> Vec<Piece> {
+        let SpokenConnector::Keep(test) = &link.does else { return Vec::new() };
         let grammar = grammar(self.language);
         match &test.asks {
             Asks::Truth(truth) => {
@@ -197,17 +198,24 @@ impl<'a> Teller<'a> {
         }
     }
 
-    fn comparison(&self, link: &Link, test: &Test, at: usize, number: (Comparison, f64), more: bool) -> Vec<Piece> {
+    fn comparison(
+        &self,
+        link: &ChainConnector,
+        test: &ValueTest,
+        at: usize,
+        number: (Comparison, f64),
+        more: bool,
+    ) -> Vec<Piece> {
         let (comparison, value) = number;
         let (class, unit) = match link.carried.measure(test.field.as_deref()) {
-            Measure::Distance(unit) => ("near", unit.to_owned()),
-            Measure::Number(unit) if unit.is_empty() && test.field.is_none() => {
+            ValueMeasure::Distance(unit) => ("near", unit.to_owned()),
+            ValueMeasure::Number(unit) if unit.is_empty() && test.field.is_none() => {
                 ("plain", (self.unit)(link.from).unwrap_or_default())
             }
-            Measure::Number(unit) => ("plain", unit),
+            ValueMeasure::Number(unit) => ("plain", unit),
         };
         let (sign, literal) = link.places.get(at).cloned().unwrap_or_default();
-        let place = |range: std::ops::Range<usize>| Literal::Body {
+        let place = |range: std::ops::Range<usize>| LiteralPlace::Body {
             connector: link.id.clone(),
             start: range.start,
             end: range.end,
@@ -220,7 +228,7 @@ impl<'a> Teller<'a> {
         };
         let mut fill = |_: &str| {
             let piece = Piece::Number(numbers::number(value, &unit, place(literal.clone()), None));
-            Some(Filling { pieces: vec![piece], is_default: false })
+            Some(HoleFiller { pieces: vec![piece], is_default: false })
         };
         let mut mark = |shown: &str| {
             let like = COMPARISONS.iter().filter(|(other, ..)| other.bounds() == comparison.bounds());
@@ -230,20 +238,20 @@ impl<'a> Teller<'a> {
             };
             let options = like.map(option).collect();
             let (text, chosen) = (shown.to_owned(), comparison.sign().to_owned());
-            Piece::Choice(Choice { text, options, chosen, at: place(sign.clone()) })
+            Piece::Choice(SentenceChoice { text, options, chosen, at: place(sign.clone()) })
         };
         filled(rule(comparison), &mut fill, &mut mark).map_or_else(Vec::new, |filling| filling.pieces)
     }
 }
 
 /// The whole body of a link.
-pub(super) fn whole_body(link: &Link) -> Literal {
+pub(super) fn whole_body(link: &ChainConnector) -> LiteralPlace {
     let body = match link.connector.operation.procedure() {
         Some(Procedure::Body { body, .. }) => body.as_str(),
         Some(Procedure::Helper(_)) | None => "",
     };
     let start = body.len() - body.trim_start().len();
-    Literal::Body { connector: link.id.clone(), start, end: start + body.trim().len() }
+    LiteralPlace::Body { connector: link.id.clone(), start, end: start + body.trim().len() }
 }
 
 /// The rule for something that is true, or is not.
@@ -252,23 +260,23 @@ fn truth_rule(truth: bool, field: Option<&str>) -> String {
     field.map_or_else(|| is.to_owned(), |field| format!("{is}.{field}"))
 }
 
-fn memory_rule(memory: &Memory) -> &'static str {
+fn memory_rule(memory: &RememberedKind) -> &'static str {
     match memory {
-        Memory::TrueOnes => "step.trueOnes",
-        Memory::Ones => "step.ones",
-        Memory::Largest => "step.largest",
-        Memory::Sum => "step.sum",
-        Memory::Turns => "step.turns",
-        Memory::Rounds(_) => "step.rounds",
-        Memory::Rests(_) => "step.rests",
-        Memory::Held => "step.held",
-        Memory::Draws => "step.draws",
-        Memory::By(Calc::Helper(_), _) => "step.rememberHelper",
-        Memory::By(..) => "step.rememberCode",
+        RememberedKind::TrueOnes => "step.trueOnes",
+        RememberedKind::Ones => "step.ones",
+        RememberedKind::Largest => "step.largest",
+        RememberedKind::Sum => "step.sum",
+        RememberedKind::Turns => "step.turns",
+        RememberedKind::Rounds(_) => "step.rounds",
+        RememberedKind::Rests(_) => "step.rests",
+        RememberedKind::Held => "step.held",
+        RememberedKind::Draws => "step.draws",
+        RememberedKind::By(Calc::Helper(_), _) => "step.rememberHelper",
+        RememberedKind::By(..) => "step.rememberCode",
     }
 }
 
 /// The arguments that a procedure always has.
-fn before(does: &Does) -> &'static [&'static str] {
-    if matches!(does, Does::Remember(_)) { &["soFar"] } else { &[] }
+fn before(does: &SpokenConnector) -> &'static [&'static str] {
+    if matches!(does, SpokenConnector::Remember(_)) { &["soFar"] } else { &[] }
 }

@@ -1,19 +1,19 @@
 //! Why a value came, and why another one did not, as sentences.
 
-use super::Teller;
-use super::chain::{Known, Link, Start};
+use super::SentenceTeller;
+use super::chain::{ChainConnector, ChainStart, KnownGraph};
 use super::fill::Fills;
-use crate::does::{Calc, Does};
+use crate::does::{Calc, SpokenConnector};
 use crate::fits::number_unit;
 use crate::pattern::grammar;
 use crate::sentence::Piece;
-use crate::test::{Asks, Test};
+use crate::test::{Asks, ValueTest};
 use crate::token::quoted;
 use crate::words::answers::answers;
 use crate::words::words;
 use crate::{Language, numbers};
 use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind, Value};
-use protocol::{Because, Blocked, Why, WhyNot, WhyStep, WhyWith};
+use protocol::{Because, BlockedConnector, Why, WhyNot, WhyStep, WhyWith};
 
 /// The most letters of a value that are told.
 const VALUE_MAX_CHARS: usize = 60;
@@ -22,7 +22,7 @@ const PARTS_MAX: usize = 12;
 
 /// One sentence of an answer, with the moment that it is about.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Moment {
+pub struct AnswerSentence {
     /// The sentence.
     pub text: String,
     /// The id of the stream that it is about.
@@ -33,7 +33,7 @@ pub struct Moment {
 
 /// The teller of answers about one behaviour: what its streams are called and measured in, and how times are written.
 pub struct Answers<'a> {
-    known: Known<'a>,
+    known: KnownGraph<'a>,
     unit: &'a dyn Fn(&Id) -> Option<String>,
     clock: &'a dyn Fn(u64) -> String,
     language: Language,
@@ -50,14 +50,14 @@ impl<'a> Answers<'a> {
         clock: &'a dyn Fn(u64) -> String,
         language: Language,
     ) -> Self {
-        Self { known: Known { behaviour, graph: Graph::of(behaviour), helpers }, unit, clock, language }
+        Self { known: KnownGraph { behaviour, graph: Graph::of(behaviour), helpers }, unit, clock, language }
     }
 
     /// Tells why a value came: a sentence for each step from it back to the reading.
     #[must_use]
-    pub fn why(&self, why: &Why) -> Vec<Moment> {
+    pub fn why(&self, why: &Why) -> Vec<AnswerSentence> {
         let before = why.steps.iter().skip(1).map(Some).chain([None]);
-        let told = why.steps.iter().zip(before).map(|(step, before)| Moment {
+        let told = why.steps.iter().zip(before).map(|(step, before)| AnswerSentence {
             text: self.step(step, before),
             stream: step.stream.clone(),
             t: Some(step.t),
@@ -67,13 +67,16 @@ impl<'a> Answers<'a> {
 
     /// Tells why nothing came on a stream: a sentence for each connector that kept something back.
     #[must_use]
-    pub fn why_not(&self, not: &WhyNot) -> Vec<Moment> {
+    pub fn why_not(&self, not: &WhyNot) -> Vec<AnswerSentence> {
         if not.blocked.is_empty() {
             let text = self.say("whyNot.none", &[("name", self.name(&not.stream))]);
-            return vec![Moment { text, stream: not.stream.clone(), t: None }];
+            return vec![AnswerSentence { text, stream: not.stream.clone(), t: None }];
         }
-        let told =
-            |blocked: &Blocked| Moment { text: self.blocked(blocked), stream: blocked.stream.clone(), t: blocked.t };
+        let told = |blocked: &BlockedConnector| AnswerSentence {
+            text: self.blocked(blocked),
+            stream: blocked.stream.clone(),
+            t: blocked.t,
+        };
         not.blocked.iter().map(told).collect()
     }
 
@@ -105,15 +108,15 @@ impl<'a> Answers<'a> {
         let asked = self.asked(&link, &before.value);
         let mut holes = holes.to_vec();
         match (&link.does, asked) {
-            (Does::Keep(_), Some((value, test))) => {
+            (SpokenConnector::Keep(_), Some((value, test))) => {
                 holes.extend([("asked", value), ("test", test)]);
                 self.say("why.passed", &holes)
             }
-            (Does::Every(_) | Does::Later(_) | Does::Quiet(_), _) => {
+            (SpokenConnector::Every(_) | SpokenConnector::Later(_) | SpokenConnector::Quiet(_), _) => {
                 holes.push(("since", (self.clock)(before.t)));
                 self.say("why.later", &holes)
             }
-            (Does::Changed(by), _) => {
+            (SpokenConnector::Changed(by), _) => {
                 holes.retain(|(hole, _)| *hole != "value");
                 holes.push(("value", self.compared(by.as_ref(), &before.value)));
                 self.say("why.changed", &holes)
@@ -128,8 +131,8 @@ impl<'a> Answers<'a> {
         let value = ("value", self.value(&step.value, ""));
         let clause = self.stream(&step.stream).and_then(|(id, _)| {
             let chain = self.known.chain(id);
-            matches!(chain.start, Start::Sense(..)).then(|| {
-                let mut teller = Teller::new(&self.known, self.unit, self.language);
+            matches!(chain.start, ChainStart::Sense(..)).then(|| {
+                let mut teller = SentenceTeller::new(&self.known, self.unit, self.language);
                 teller.start(&chain.start, &[]);
                 teller.phrases.iter().flat_map(|phrase| &phrase.pieces).map(Piece::text).collect::<String>()
             })
@@ -151,7 +154,7 @@ impl<'a> Answers<'a> {
         }
     }
 
-    fn blocked(&self, blocked: &Blocked) -> String {
+    fn blocked(&self, blocked: &BlockedConnector) -> String {
         let link = self.link(&blocked.connector);
         let output = self.connector(&blocked.connector).map(|(_, connector)| connector.output.as_str());
         let time = ("time", blocked.t.map(|t| (self.clock)(t)).unwrap_or_default());
@@ -160,27 +163,29 @@ impl<'a> Answers<'a> {
         let value = ("value", self.value(&blocked.value, ""));
         let asked = link.as_ref().and_then(|link| self.asked(link, &blocked.value));
         match (blocked.because, link.as_ref().map(|link| &link.does), asked) {
-            (Because::Kept, Some(Does::Keep(_)), Some((value, test))) => {
+            (Because::Kept, Some(SpokenConnector::Keep(_)), Some((value, test))) => {
                 self.say("whyNot.test", &[time, name, ("asked", value), ("test", test)])
             }
-            (Because::Kept, Some(Does::Changed(by)), _) => {
+            (Because::Kept, Some(SpokenConnector::Changed(by)), _) => {
                 let value = ("value", self.compared(by.as_ref(), &blocked.value));
                 self.say("whyNot.same", &[time, name, value])
             }
             (Because::Kept, ..) => self.say("whyNot.kept", &[time, name, value]),
             (Because::Fault, ..) => self.say("whyNot.fault", &[time, name, value]),
-            (Because::Waits, Some(Does::Every(_) | Does::Later(_) | Does::Quiet(_)), _) => {
-                self.say("whyNot.holds", &[time, name, value])
-            }
+            (
+                Because::Waits,
+                Some(SpokenConnector::Every(_) | SpokenConnector::Later(_) | SpokenConnector::Quiet(_)),
+                _,
+            ) => self.say("whyNot.holds", &[time, name, value]),
             (Because::Waits, ..) => self.say("whyNot.waits", &[time, name, from, value]),
             (Because::Nothing, ..) => self.say("whyNot.nothing", &[from]),
         }
     }
 
     /// The value that a test was asked about, with its unit, and the words of the test.
-    fn asked(&self, link: &Link, value: &Value) -> Option<(String, String)> {
-        let Does::Keep(Test { field, asks }) = &link.does else { return None };
-        let teller = Teller::new(&self.known, self.unit, self.language);
+    fn asked(&self, link: &ChainConnector, value: &Value) -> Option<(String, String)> {
+        let SpokenConnector::Keep(ValueTest { field, asks }) = &link.does else { return None };
+        let teller = SentenceTeller::new(&self.known, self.unit, self.language);
         let pieces = teller.test_pieces(link);
         let unit = pieces.iter().find_map(|piece| match piece {
             Piece::Number(number) => Some(number.unit.as_str()),
@@ -208,7 +213,7 @@ impl<'a> Answers<'a> {
     fn does(&self, id: &'a Id, stream: &'a Stream) -> Option<(String, bool)> {
         let device = robot::device(StreamKind::Actuator, stream.device.as_deref()?).ok()?;
         device.check(&stream.params).ok()?;
-        let teller = Teller::new(&self.known, self.unit, self.language);
+        let teller = SentenceTeller::new(&self.known, self.unit, self.language);
         let clause = teller.action_clause(device, stream, &[])?;
         let fills = Fills { device: Some((device, id, stream)), seen: None, links: &[] };
         let pieces = teller.filled(grammar(self.language).told(clause.id), &fills, number_unit(clause))?;
@@ -262,7 +267,7 @@ impl<'a> Answers<'a> {
     }
 
     /// The link that a connector is in the chain to its output.
-    fn link(&self, id: &str) -> Option<Link<'a>> {
+    fn link(&self, id: &str) -> Option<ChainConnector<'a>> {
         let (id, connector) = self.connector(id)?;
         self.known.chain(&connector.output).links.into_iter().next_back().filter(|link| link.id == id)
     }

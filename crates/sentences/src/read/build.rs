@@ -2,52 +2,52 @@
 
 use super::clauses::comparison;
 use super::meaning::{does_of, params, part_of, test, wanted_unit};
-use super::tree::{Action, Bound, Said, Span, Start, Told, Way};
+use super::tree::{HoleFilling, SaidAction, SaidWords, TokenSpan, ToldSentence, ValueWay, WayStart};
 use crate::Language;
-use crate::carried::{Carried, Measure};
-use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance, usual};
-use crate::does::{Calc, Does};
+use crate::carried::{CarriedKind, ValueMeasure};
+use crate::clauses::{Clause, ClausePart, TARGETS, distance_helper, goes_by_distance, usual};
+use crate::does::{Calc, SpokenConnector};
 use behaviour::{Behaviour, Id, Params, StreamKind, Value, look_same};
 use robot::Device;
 
 /// Where the values of a stream come from.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Source {
+pub(super) enum StreamSource {
     Sense(&'static Device, Params),
     /// A stream of the behaviour.
     Existing(Id),
     /// A stream that is not there.
     Missing(String),
     /// A connector that takes from these; the last says whether its numbers are measured.
-    Made(Does, Vec<usize>, bool),
+    Made(SpokenConnector, Vec<usize>, bool),
 }
 
 /// A stream that carries what it comes from.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
-    pub(super) source: Source,
-    pub(super) carried: Carried,
-    pub(super) span: Span,
+pub(super) struct BuiltStream {
+    pub(super) source: StreamSource,
+    pub(super) carried: CarriedKind,
+    pub(super) span: TokenSpan,
 }
 
 /// An action, and the node that feeds it.
 #[derive(Clone, Debug)]
-pub(super) struct Act {
+pub(super) struct FedAction {
     /// None for a stream by name.
     pub(super) device: Option<(&'static Device, Params, &'static Clause)>,
     pub(super) name: Option<String>,
     /// The act before that has the same stream.
     pub(super) same_as: Option<usize>,
     pub(super) input: usize,
-    pub(super) span: Span,
+    pub(super) span: TokenSpan,
 }
 
 /// The parts of a graph that sentences mean.
-pub(super) struct Builder<'a> {
-    pub(super) nodes: Vec<Node>,
-    pub(super) acts: Vec<Act>,
+pub(super) struct GraphBuilder<'a> {
+    pub(super) nodes: Vec<BuiltStream>,
+    pub(super) acts: Vec<FedAction>,
     /// Words that mean nothing: an “otherwise” after no test.
-    pub(super) unmeant: Vec<Span>,
+    pub(super) unmeant: Vec<TokenSpan>,
     /// The nodes that “otherwise” made: each follows its test, as one made by a button does.
     pub(super) otherwise: Vec<usize>,
     language: Language,
@@ -58,7 +58,7 @@ pub(super) struct Builder<'a> {
     sense: Option<&'static str>,
 }
 
-impl<'a> Builder<'a> {
+impl<'a> GraphBuilder<'a> {
     pub(super) fn new(behaviour: Option<&'a Behaviour>, language: Language) -> Self {
         Self {
             language,
@@ -72,7 +72,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    pub(super) fn sentence(&mut self, told: &Told) {
+    pub(super) fn sentence(&mut self, told: &ToldSentence) {
         let mut chain = Vec::new();
         let end = self.way(&told.way, &mut chain, true);
         for action in told.action.iter().chain(&told.more) {
@@ -82,8 +82,9 @@ impl<'a> Builder<'a> {
     }
 
     /// The last node of a way; `chain` is given the nodes of its connectors.
-    fn way(&mut self, way: &Way, chain: &mut Vec<usize>, is_first: bool) -> usize {
-        let every = way.every.as_ref().and_then(|said| Some((Does::Every(said.duration()?), said.span.clone())));
+    fn way(&mut self, way: &ValueWay, chain: &mut Vec<usize>, is_first: bool) -> usize {
+        let every =
+            way.every.as_ref().and_then(|said| Some((SpokenConnector::Every(said.duration()?), said.span.clone())));
         let mut at = self.start(&way.start, every, chain, is_first);
         for step in &way.steps {
             at = self.step(step, at, chain);
@@ -91,10 +92,16 @@ impl<'a> Builder<'a> {
         at
     }
 
-    fn start(&mut self, start: &Start, every: Option<(Does, Span)>, chain: &mut Vec<usize>, is_first: bool) -> usize {
+    fn start(
+        &mut self,
+        start: &WayStart,
+        every: Option<(SpokenConnector, TokenSpan)>,
+        chain: &mut Vec<usize>,
+        is_first: bool,
+    ) -> usize {
         let mut sense = None;
         let at = match start {
-            Start::Sense(clause, said) => {
+            WayStart::Sense(clause, said) => {
                 let mut at = self.sense(clause.device, clause.fixed, said);
                 sense = Some(clause.device);
                 at = self.made_by(every, at, chain);
@@ -103,54 +110,59 @@ impl<'a> Builder<'a> {
                 }
                 at
             }
-            Start::Asked(Some((device, field)), said, test) => {
+            WayStart::Asked(Some((device, field)), said, test) => {
                 let mut at = self.sense(device, &[], said);
                 sense = Some(*device);
                 at = self.made_by(every, at, chain);
                 let field = (!field.is_empty()).then(|| (*field).to_owned());
                 self.ask(at, test, field, chain)
             }
-            Start::Asked(None, said, test) => {
+            WayStart::Asked(None, said, test) => {
                 let at = self.named(said);
                 let at = self.made_by(every, at, chain);
                 self.ask(at, test, None, chain)
             }
-            Start::Named(said) => {
+            WayStart::Named(said) => {
                 let at = self.named(said);
                 self.made_by(every, at, chain)
             }
-            Start::Any(ways) => {
+            WayStart::Any(ways) => {
                 let inputs: Vec<usize> = ways.iter().map(|way| self.way(way, &mut Vec::new(), false)).collect();
                 let span = self.nodes[inputs[0]].span.start..inputs.last().map_or(0, |last| self.nodes[*last].span.end);
-                let at = self.made(Does::Any, distinct(inputs), &span, chain);
+                let at = self.made(SpokenConnector::Any, distinct(inputs), &span, chain);
                 self.made_by(every, at, chain)
             }
-            Start::Otherwise(span) => self.otherwise(span, chain),
+            WayStart::Otherwise(span) => self.otherwise(span, chain),
         };
-        if is_first && !matches!(start, Start::Otherwise(_)) {
+        if is_first && !matches!(start, WayStart::Otherwise(_)) {
             self.sense = sense;
         }
         at
     }
 
-    fn made_by(&mut self, every: Option<(Does, Span)>, at: usize, chain: &mut Vec<usize>) -> usize {
+    fn made_by(&mut self, every: Option<(SpokenConnector, TokenSpan)>, at: usize, chain: &mut Vec<usize>) -> usize {
         every.map_or(at, |(does, span)| self.made(does, vec![at], &span, chain))
     }
 
     /// What the last test of the sentence before keeps out.
-    pub(super) fn otherwise(&mut self, span: &Span, chain: &mut Vec<usize>) -> usize {
-        let tests = |at: &usize| matches!(self.nodes[*at].source, Source::Made(Does::Keep(_) | Does::KeepBy(_), ..));
+    pub(super) fn otherwise(&mut self, span: &TokenSpan, chain: &mut Vec<usize>) -> usize {
+        let tests = |at: &usize| {
+            matches!(
+                self.nodes[*at].source,
+                StreamSource::Made(SpokenConnector::Keep(_) | SpokenConnector::KeepBy(_), ..)
+            )
+        };
         let Some(place) = self.before.iter().rposition(tests) else {
             self.unmeant.push(span.clone());
             return self.before.last().copied().unwrap_or_else(|| self.missing("…", span));
         };
         let test = self.before[place];
-        let Source::Made(does, inputs, measured) = self.nodes[test].source.clone() else { return test };
+        let StreamSource::Made(does, inputs, measured) = self.nodes[test].source.clone() else { return test };
         chain.extend_from_slice(&self.before[..place]);
         let opposite = does.opposite().unwrap_or_else(|| match &does {
-            Does::Keep(test) => {
+            SpokenConnector::Keep(test) => {
                 let body = format!("!({})", test.body("value", measured));
-                Does::KeepBy(Calc::Written(vec!["value".to_owned()], body))
+                SpokenConnector::KeepBy(Calc::Written(vec!["value".to_owned()], body))
             }
             _ => does.clone(),
         });
@@ -162,7 +174,7 @@ impl<'a> Builder<'a> {
         at
     }
 
-    fn sense(&mut self, name: &'static str, fixed: &[(&str, &str)], said: &Said) -> usize {
+    fn sense(&mut self, name: &'static str, fixed: &[(&str, &str)], said: &SaidWords) -> usize {
         let Ok(device) = robot::device(StreamKind::Sensor, name) else { return self.missing(name, &said.span) };
         let mut params = params(device, fixed, said);
         for param in device.params {
@@ -172,38 +184,44 @@ impl<'a> Builder<'a> {
                 params.insert(param.name.to_owned(), usual);
             }
         }
-        let source = Source::Sense(device, params);
-        self.node(source, Carried::Sense(device.name), &said.span)
+        let source = StreamSource::Sense(device, params);
+        self.node(source, CarriedKind::Sense(device.name), &said.span)
     }
 
-    fn named(&mut self, said: &Said) -> usize {
+    fn named(&mut self, said: &SaidWords) -> usize {
         let name = said.text("name").unwrap_or_default();
         let existing =
             self.behaviour.and_then(|behaviour| behaviour.streams().find(|(_, stream)| look_same(&stream.name, name)));
         match existing {
-            Some((id, _)) => self.node(Source::Existing(id.clone()), Carried::Other, &said.span),
+            Some((id, _)) => self.node(StreamSource::Existing(id.clone()), CarriedKind::Other, &said.span),
             None => self.missing(name, &said.span),
         }
     }
 
-    fn missing(&mut self, name: &str, span: &Span) -> usize {
-        self.node(Source::Missing(name.to_owned()), Carried::Other, span)
+    fn missing(&mut self, name: &str, span: &TokenSpan) -> usize {
+        self.node(StreamSource::Missing(name.to_owned()), CarriedKind::Other, span)
     }
 
     /// The node of a source, which may be there already.
-    pub(super) fn node(&mut self, source: Source, carried: Carried, span: &Span) -> usize {
+    pub(super) fn node(&mut self, source: StreamSource, carried: CarriedKind, span: &TokenSpan) -> usize {
         let known = self.nodes.iter().position(|node| node.source == source);
         known.unwrap_or_else(|| {
-            self.nodes.push(Node { source, carried, span: span.clone() });
+            self.nodes.push(BuiltStream { source, carried, span: span.clone() });
             self.nodes.len() - 1
         })
     }
 
-    pub(super) fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
-        let field = if let Does::Keep(test) = &does { test.field.as_deref() } else { None };
+    pub(super) fn made(
+        &mut self,
+        does: SpokenConnector,
+        inputs: Vec<usize>,
+        span: &TokenSpan,
+        chain: &mut Vec<usize>,
+    ) -> usize {
+        let field = if let SpokenConnector::Keep(test) = &does { test.field.as_deref() } else { None };
         let measured = self.is_measured(inputs[0], field);
         let carried = self.nodes[inputs[0]].carried.after(&does);
-        let at = self.node(Source::Made(does, inputs, measured), carried, span);
+        let at = self.node(StreamSource::Made(does, inputs, measured), carried, span);
         chain.push(at);
         at
     }
@@ -211,27 +229,30 @@ impl<'a> Builder<'a> {
     /// True if what a node carries is measured, and so written with a decimal point.
     pub(super) fn is_measured(&self, at: usize, field: Option<&str>) -> bool {
         match self.nodes[at].carried.measure(field) {
-            Measure::Distance(unit) => unit == "m",
-            Measure::Number(unit) => unit == "rad",
+            ValueMeasure::Distance(unit) => unit == "m",
+            ValueMeasure::Number(unit) => unit == "rad",
         }
     }
 
     /// A test of a node, after what makes a distance of it where the test asks for one.
-    fn ask(&mut self, at: usize, said: &[Said], field: Option<String>, chain: &mut Vec<usize>) -> usize {
+    fn ask(&mut self, at: usize, said: &[SaidWords], field: Option<String>, chain: &mut Vec<usize>) -> usize {
         let span = spanned(said);
         let asks_near = said.iter().any(|one| comparison(one.rule).is_some_and(|(near, _)| near));
-        let is_length = |one: &Said| matches!(one.hole("n"), Some(Bound::Number(_, Some("cm" | "m" | "mm"))));
+        let is_length =
+            |one: &SaidWords| matches!(one.hole("n"), Some(HoleFilling::Number(_, Some("cm" | "m" | "mm"))));
         let mut at = at;
         let mut field = field;
         if asks_near || said.iter().any(is_length) {
             let carried = self.nodes[at].carried.clone();
             match &carried {
-                Carried::Sides => field = field.or_else(|| Some("d".to_owned())),
-                Carried::Sense(sense) if field.is_none() && goes_by_distance(sense, "") => {
+                CarriedKind::Sides => field = field.or_else(|| Some("d".to_owned())),
+                CarriedKind::Sense(sense) if field.is_none() && goes_by_distance(sense, "") => {
                     let helper = Calc::Helper(distance_helper(wanted_unit(said)).to_owned());
-                    at = self.made(Does::Make(helper), vec![at], &span, chain);
+                    at = self.made(SpokenConnector::Make(helper), vec![at], &span, chain);
                 }
-                Carried::Sense(sense) if field.is_none() && !matches!(carried.measure(None), Measure::Distance(_)) => {
+                CarriedKind::Sense(sense)
+                    if field.is_none() && !matches!(carried.measure(None), ValueMeasure::Distance(_)) =>
+                {
                     let known =
                         robot::device(StreamKind::Sensor, sense).map_or(&[][..], |device| device.shape.fields());
                     let has = known.iter().any(|known| known.name == "distance");
@@ -242,25 +263,25 @@ impl<'a> Builder<'a> {
         }
         let measure = self.nodes[at].carried.measure(field.as_deref());
         // A distance is not in per cent, and charge not in centimetres.
-        let is_odd = |one: &&Said| match (one.hole("n"), &measure) {
-            (Some(Bound::Number(_, Some(unit))), Measure::Distance(_)) => !["cm", "m", "mm"].contains(unit),
-            (Some(Bound::Number(_, Some(unit))), Measure::Number(own)) => {
+        let is_odd = |one: &&SaidWords| match (one.hole("n"), &measure) {
+            (Some(HoleFilling::Number(_, Some(unit))), ValueMeasure::Distance(_)) => !["cm", "m", "mm"].contains(unit),
+            (Some(HoleFilling::Number(_, Some(unit))), ValueMeasure::Number(own)) => {
                 ["cm", "m", "mm"].contains(unit) || (*unit == "%" && own != "%")
             }
             _ => false,
         };
         self.unmeant.extend(said.iter().filter(is_odd).map(|one| one.span.clone()));
         let test = test(said, field, &measure);
-        self.made(Does::Keep(test), vec![at], &span, chain)
+        self.made(SpokenConnector::Keep(test), vec![at], &span, chain)
     }
 
-    fn step(&mut self, said: &Said, at: usize, chain: &mut Vec<usize>) -> usize {
-        if let Some(Bound::Test(test)) = said.hole("test") {
+    fn step(&mut self, said: &SaidWords, at: usize, chain: &mut Vec<usize>) -> usize {
+        if let Some(HoleFilling::Test(test)) = said.hole("test") {
             let field = said.text("field").map(str::to_owned);
             return self.ask(at, test, field, chain);
         }
         let mut inputs = vec![at];
-        if let Some(Bound::Ways(ways)) = said.hole("others") {
+        if let Some(HoleFilling::Ways(ways)) = said.hole("others") {
             inputs.extend(ways.iter().map(|way| self.way(way, &mut Vec::new(), false)).collect::<Vec<_>>());
         }
         let inputs = distinct(inputs);
@@ -268,36 +289,36 @@ impl<'a> Builder<'a> {
         self.made(does, inputs, &said.span, chain)
     }
 
-    fn action(&mut self, action: &Action, input: usize) {
+    fn action(&mut self, action: &SaidAction, input: usize) {
         let said = &action.said;
         let Some(clause) = action.clause else {
             let name = said.text("name").map(str::to_owned);
             let same_as = self.acts.iter().position(|act| act.device.is_none() && act.name == name);
-            self.acts.push(Act { device: None, name, same_as, input, span: said.span.clone() });
+            self.acts.push(FedAction { device: None, name, same_as, input, span: said.span.clone() });
             return;
         };
         let Ok(device) = robot::device(StreamKind::Actuator, clause.device) else { return };
         let mut input = input;
         for part in clause.parts {
             let does = part_of(*part, said);
-            let makes_brightness = matches!(part, Part::Helper(_));
+            let makes_brightness = matches!(part, ClausePart::Helper(_));
             if makes_brightness && self.nodes[input].carried.is_ball() {
-                let distance = Does::Make(Calc::Helper(distance_helper("m").to_owned()));
+                let distance = SpokenConnector::Make(Calc::Helper(distance_helper("m").to_owned()));
                 input = self.made(distance, vec![input], &said.span, &mut Vec::new());
             }
             input = self.made(does, vec![input], &said.span, &mut Vec::new());
         }
         let mut params = params(device, clause.fixed, said);
-        if said.hole("target") == Some(&Bound::It) {
+        if said.hole("target") == Some(&HoleFilling::It) {
             let seen = TARGETS.iter().find(|(_, by)| Some(*by) == self.sense);
             params.insert("target".to_owned(), Value::text(seen.unwrap_or(&TARGETS[0]).0));
         }
-        let is_same = |act: &Act| {
+        let is_same = |act: &FedAction| {
             matches!(&act.device, Some((other, chosen, _)) if *other == device && *chosen == params)
                 && act.same_as.is_none()
         };
         let same_as = if action.again { self.acts.iter().rposition(is_same) } else { None };
-        self.acts.push(Act {
+        self.acts.push(FedAction {
             device: Some((device, params, clause)),
             name: None,
             same_as,
@@ -319,7 +340,7 @@ fn distinct(mut inputs: Vec<usize>) -> Vec<usize> {
 }
 
 /// All tokens of these words.
-fn spanned(said: &[Said]) -> Span {
+fn spanned(said: &[SaidWords]) -> TokenSpan {
     let start = said.first().map_or(0, |first| first.span.start);
     start..said.last().map_or(start, |last| last.span.end)
 }

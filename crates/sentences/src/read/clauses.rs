@@ -1,8 +1,8 @@
 //! The parts of sentences that are told in one go: senses with what is asked of them, tests, actions.
 
 use super::matcher::{Fits, no_parts};
-use super::parse::{Parser, shortened};
-use super::tree::{Action, Said, Start};
+use super::parse::{SentenceParser, shortened};
+use super::tree::{SaidAction, SaidWords, WayStart};
 use crate::clauses::{ACTIONS, SENSES, SUBJECTS};
 use crate::test::COMPARISONS;
 use behaviour::StreamKind;
@@ -21,9 +21,9 @@ const TRUTHS: &[&str] = &[
 ];
 
 /// Rules of comparisons: by themselves, as the first of two, as the second of two.
-type Compared = [&'static str; 3];
+type ComparisonRules = [&'static str; 3];
 
-const COMPARED: [Compared; 8] = [
+const COMPARED: [ComparisonRules; 8] = [
     ["near.less", "near.less.and", "near.less.then"],
     ["near.atMost", "near.atMost.and", "near.atMost.then"],
     ["near.more", "near.more.and", "near.more.then"],
@@ -35,8 +35,8 @@ const COMPARED: [Compared; 8] = [
 ];
 const EQUALS: [&str; 4] = ["near.is", "near.isNot", "plain.is", "plain.isNot"];
 
-impl Parser<'_, '_> {
-    pub(super) fn start(&self, at: usize) -> Rc<Fits<Start>> {
+impl SentenceParser<'_, '_> {
+    pub(super) fn start(&self, at: usize) -> Rc<Fits<WayStart>> {
         let known = self.starts.borrow().get(&at).cloned();
         known.unwrap_or_else(|| {
             let found = Rc::new(shortened(self.new_start(at)));
@@ -45,40 +45,42 @@ impl Parser<'_, '_> {
         })
     }
 
-    fn new_start(&self, at: usize) -> Fits<Start> {
+    fn new_start(&self, at: usize) -> Fits<WayStart> {
         let mut fits = Vec::new();
         for clause in SENSES {
             let device = robot::device(StreamKind::Sensor, clause.device).ok();
             let said = self.matcher.rule(clause.id, at, device, &no_parts);
-            fits.extend(said.into_iter().map(|(said, end)| (Start::Sense(clause, said), end)));
+            fits.extend(said.into_iter().map(|(said, end)| (WayStart::Sense(clause, said), end)));
         }
         for (rule, sense, field) in SUBJECTS {
             let device = robot::device(StreamKind::Sensor, sense).ok();
             for (said, end) in self.matcher.rule(rule, at, device, &no_parts) {
                 let tests = self.asked(end).into_iter();
-                fits.extend(tests.map(|(test, end)| (Start::Asked(Some((*sense, *field)), said.clone(), test), end)));
+                fits.extend(
+                    tests.map(|(test, end)| (WayStart::Asked(Some((*sense, *field)), said.clone(), test), end)),
+                );
             }
         }
         for (said, end) in self.matcher.rule("subject.named", at, None, &no_parts) {
             let tests = self.asked(end).into_iter();
-            fits.extend(tests.map(|(test, end)| (Start::Asked(None, said.clone(), test), end)));
+            fits.extend(tests.map(|(test, end)| (WayStart::Asked(None, said.clone(), test), end)));
         }
         let named = self.matcher.rule("named", at, None, &no_parts);
-        fits.extend(named.into_iter().map(|(said, end)| (Start::Named(said), end)));
+        fits.extend(named.into_iter().map(|(said, end)| (WayStart::Named(said), end)));
         // What could be anything is meant only where nothing else is.
-        fits.sort_by_key(|(start, _)| matches!(start, Start::Sense(_, said) if said.is_guess()));
+        fits.sort_by_key(|(start, _)| matches!(start, WayStart::Sense(_, said) if said.is_guess()));
         fits
     }
 
     /// A test after its subject.
-    fn asked(&self, at: usize) -> Fits<Vec<Said>> {
+    fn asked(&self, at: usize) -> Fits<Vec<SaidWords>> {
         let at = self.matcher.words_at(self.matcher.words.asked, at);
         at.map_or_else(Vec::new, |at| self.test(at))
     }
 
-    pub(super) fn test(&self, at: usize) -> Fits<Vec<Said>> {
+    pub(super) fn test(&self, at: usize) -> Fits<Vec<SaidWords>> {
         let one = |rule: &'static str, at: usize| self.matcher.rule(rule, at, None, &no_parts);
-        let mut fits: Fits<Vec<Said>> = Vec::new();
+        let mut fits: Fits<Vec<SaidWords>> = Vec::new();
         for [_, and, _] in COMPARED {
             for (first, end) in one(and, at) {
                 for [plain, _, then] in COMPARED {
@@ -92,7 +94,7 @@ impl Parser<'_, '_> {
         fits
     }
 
-    pub(super) fn action(&self, at: usize) -> Rc<Fits<Action>> {
+    pub(super) fn action(&self, at: usize) -> Rc<Fits<SaidAction>> {
         let known = self.actions.borrow().get(&at).cloned();
         known.unwrap_or_else(|| {
             let found = Rc::new(self.new_action(at));
@@ -101,7 +103,7 @@ impl Parser<'_, '_> {
         })
     }
 
-    fn new_action(&self, at: usize) -> Fits<Action> {
+    fn new_action(&self, at: usize) -> Fits<SaidAction> {
         let mut fits = Vec::new();
         let again = self.matcher.rule("likewise", at, None, &no_parts);
         let froms = again.into_iter().map(|(_, end)| (self.matcher.after_comma(end), true)).chain([(at, false)]);
@@ -109,10 +111,12 @@ impl Parser<'_, '_> {
             for clause in ACTIONS {
                 let device = robot::device(StreamKind::Actuator, clause.device).ok();
                 let said = self.matcher.rule(clause.id, from, device, &no_parts);
-                fits.extend(said.into_iter().map(|(said, end)| (Action { clause: Some(clause), said, again }, end)));
+                fits.extend(
+                    said.into_iter().map(|(said, end)| (SaidAction { clause: Some(clause), said, again }, end)),
+                );
             }
             let named = self.matcher.rule("action.named", from, None, &no_parts);
-            fits.extend(named.into_iter().map(|(said, end)| (Action { clause: None, said, again }, end)));
+            fits.extend(named.into_iter().map(|(said, end)| (SaidAction { clause: None, said, again }, end)));
         }
         fits.sort_by_key(|(action, _)| action.said.is_guess());
         fits

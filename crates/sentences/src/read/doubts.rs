@@ -2,10 +2,10 @@
 
 use super::draft::Doubt;
 use super::matcher::Matcher;
-use super::parse::Parser;
-use super::tree::Told;
+use super::parse::SentenceParser;
+use super::tree::ToldSentence;
 use crate::Language;
-use crate::token::{Placed, Token, tokens};
+use crate::token::{Placed, SentenceToken, tokens};
 use crate::words::words;
 
 /// The most doubts of a text.
@@ -17,39 +17,39 @@ const TRIED_MAX: usize = 12;
 
 /// A text as it is understood, with something else in place of what is not.
 pub(super) struct Repaired {
-    pub(super) told: Vec<Told>,
+    pub(super) told: Vec<ToldSentence>,
     pub(super) tokens: Vec<Placed>,
     pub(super) doubts: Vec<Doubt>,
 }
 
 /// How a text was read.
-struct Read {
-    told: Vec<Told>,
+struct ReadText {
+    told: Vec<ToldSentence>,
     is_whole: bool,
     furthest: usize,
 }
 
 /// Something that was tried in place of so many tokens.
-struct Trial {
+struct TokenTrial {
     words: String,
     tokens: Vec<Placed>,
-    read: Read,
+    read: ReadText,
 }
 
-fn read(text: &str, tokens: &[Placed], language: Language) -> Read {
+fn read(text: &str, tokens: &[Placed], language: Language) -> ReadText {
     let matcher = Matcher::new(text, tokens, language, None);
-    let (told, is_whole) = Parser::new(&matcher).sentences();
-    Read { told, is_whole, furthest: matcher.furthest.get() }
+    let (told, is_whole) = SentenceParser::new(&matcher).sentences();
+    ReadText { told, is_whole, furthest: matcher.furthest.get() }
 }
 
 /// What could stand at a token: the next word, and all that follows it, in the order of the grammar.
 fn expected(text: &str, tokens: &[Placed], at: usize, language: Language) -> Vec<(String, String)> {
     let matcher = Matcher::new(text, tokens, language, Some(at));
-    drop(Parser::new(&matcher).sentences());
+    drop(SentenceParser::new(&matcher).sentences());
     matcher.expected()
 }
 
-impl Read {
+impl ReadText {
     /// How many tokens were not understood.
     fn left(&self, tokens: &[Placed]) -> usize {
         if self.is_whole { 0 } else { 1 + tokens.len().saturating_sub(self.furthest) }
@@ -58,7 +58,7 @@ impl Read {
 
 /// Reads a text that is understood as it is, to its end.
 pub(super) fn exact(text: &str, tokens: Vec<Placed>, language: Language) -> Option<Repaired> {
-    if tokens.iter().any(|placed| matches!(placed.token, Token::Either(..))) {
+    if tokens.iter().any(|placed| matches!(placed.token, SentenceToken::Either(..))) {
         return None;
     }
     let read = read(text, &tokens, language);
@@ -91,10 +91,10 @@ pub(super) fn repaired(text: &str, tokens: Vec<Placed>, language: Language) -> R
 fn in_two_ways(tokens: &mut [Placed]) -> Vec<Doubt> {
     let mut doubts = Vec::new();
     for placed in tokens {
-        if let Token::Either(one, other) = placed.token {
+        if let SentenceToken::Either(one, other) = placed.token {
             let suggestions = [one, other].map(crate::numbers::written).into();
             doubts.push(Doubt { range: placed.range.clone(), suggestions, why: None });
-            *placed = Placed { token: Token::Number(one), range: placed.range.clone(), is_doubtful: true };
+            *placed = Placed { token: SentenceToken::Number(one), range: placed.range.clone(), is_doubtful: true };
         }
     }
     doubts
@@ -124,20 +124,27 @@ fn spaced(words: &str, text: &str, range: &std::ops::Range<usize>, language: Lan
 }
 
 /// For how many tokens something else makes the text understood, and what, the best first.
-fn best_trials(text: &str, tokens: &[Placed], before: &Read, language: Language) -> (Option<usize>, Vec<Trial>) {
+fn best_trials(
+    text: &str,
+    tokens: &[Placed],
+    before: &ReadText,
+    language: Language,
+) -> (Option<usize>, Vec<TokenTrial>) {
     let at = before.furthest.min(tokens.len());
-    let is_word = |placed: &&Placed| matches!(placed.token, Token::Word(_) | Token::Number(_) | Token::Quoted(_));
+    let is_word = |placed: &&Placed| {
+        matches!(placed.token, SentenceToken::Word(_) | SentenceToken::Number(_) | SentenceToken::Quoted(_))
+    };
     let following = tokens[at..].iter().take(8).take_while(is_word).count();
     let lengths = (1..=following.min(if language == Language::English { 3 } else { 8 })).chain([0]);
     let candidates = candidates(tokens, at, &expected(text, tokens, at, language), language);
-    let mut best: (usize, Option<usize>, Vec<Trial>) = (before.left(tokens), None, Vec::new());
+    let mut best: (usize, Option<usize>, Vec<TokenTrial>) = (before.left(tokens), None, Vec::new());
     for length in lengths {
         let is_at_end = at == tokens.len();
-        let helps = |trial: &Trial| {
+        let helps = |trial: &TokenTrial| {
             let goes_on = is_at_end && trial.read.furthest >= trial.tokens.len();
             trial.read.left(&trial.tokens) < best.0 || goes_on
         };
-        let mut trials: Vec<Trial> = Vec::new();
+        let mut trials: Vec<TokenTrial> = Vec::new();
         for words in &candidates {
             trials.extend(Some(trial(text, tokens, at, length, words, language)).filter(helps));
             if trials.iter().filter(|trial| trial.read.is_whole).count() == SUGGESTIONS_MAX {
@@ -157,21 +164,21 @@ fn best_trials(text: &str, tokens: &[Placed], before: &Read, language: Language)
     (best.1, best.2)
 }
 
-fn trial(text: &str, before: &[Placed], at: usize, length: usize, replaced: &str, language: Language) -> Trial {
+fn trial(text: &str, before: &[Placed], at: usize, length: usize, replaced: &str, language: Language) -> TokenTrial {
     let range = place(text, before, at, length);
     let instead = tokens(replaced, language).into_iter();
     let instead = instead.map(|placed| Placed { range: range.clone(), is_doubtful: true, ..placed });
     let mut tokens = before.to_vec();
     tokens.splice(at..(at + length).min(before.len()), instead);
     let read = read(text, &tokens, language);
-    Trial { words: replaced.to_owned(), tokens, read }
+    TokenTrial { words: replaced.to_owned(), tokens, read }
 }
 
 /// What could stand at a token, the likeliest first: what is written nearly so, what is meant by it, what the grammar
 /// expects.
 fn candidates(tokens: &[Placed], at: usize, expected: &[(String, String)], language: Language) -> Vec<String> {
     let here = match tokens.get(at).map(|placed| &placed.token) {
-        Some(Token::Word(word)) => word.as_str(),
+        Some(SentenceToken::Word(word)) => word.as_str(),
         _ => "",
     };
     let mut near: Vec<(usize, &str)> = Vec::new();

@@ -8,7 +8,7 @@ use std::ops::Range;
 /// What a text was read as.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Reading {
+pub struct TextReading {
     /// The graph; with doubts, the best guess.
     pub draft: Draft,
     /// Which words mean which part of it, in the order of the text.
@@ -18,13 +18,13 @@ pub struct Reading {
     /// Words that were taken as a text though nobody quoted them, by their bytes.
     pub texts: Vec<Range<usize>>,
     /// Words that got a number because nobody said one: *near*.
-    pub vague: Vec<Vague>,
+    pub vague: Vec<VagueNumber>,
 }
 
 /// A word that got a number because nobody said one, and what says that number.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Vague {
+pub struct VagueNumber {
     /// The range of the word in the text, in bytes.
     pub range: Range<usize>,
     /// The number that it got.
@@ -37,7 +37,7 @@ pub struct Vague {
     after: String,
 }
 
-impl Vague {
+impl VagueNumber {
     /// A word that got a number, in the words of a text; `near` says that it is less, `moves` that it comes to be so.
     pub(super) fn of(
         text: &str,
@@ -75,7 +75,7 @@ impl Vague {
     }
 }
 
-impl Reading {
+impl TextReading {
     /// Whether it can be added: nothing is in doubt, and something happens.
     #[must_use]
     pub fn is_whole(&self) -> bool {

@@ -1,10 +1,10 @@
 //! Words of rules found in a text, in every way in which they fit there.
 
-use super::tree::{Bound, Said};
+use super::tree::{HoleFilling, SaidWords};
 use crate::Language;
-use crate::pattern::{Element, Grammar, grammar};
-use crate::token::{Placed, Token};
-use crate::words::{Chosen, Words, words};
+use crate::pattern::{Grammar, PatternElement, grammar};
+use crate::token::{Placed, SentenceToken};
+use crate::words::{ChosenWords, LanguageWords, words};
 use behaviour::RATE_MS;
 use robot::{Device, ParamKind};
 use std::cell::{Cell, RefCell};
@@ -20,14 +20,14 @@ const EXPECTED_MAX: usize = 200;
 
 /// Something that fits, and the token after it.
 pub(super) type Fits<T> = Vec<(T, usize)>;
-type Holes = Vec<(&'static str, Bound)>;
+type Holes = Vec<(&'static str, HoleFilling)>;
 
 /// A text with its tokens, and how far it was understood.
 pub(super) struct Matcher<'t> {
     pub(super) text: &'t str,
     pub(super) tokens: &'t [Placed],
     pub(super) grammar: &'static Grammar,
-    pub(super) words: &'static Words,
+    pub(super) words: &'static LanguageWords,
     fuel: Cell<u32>,
     /// The first token that fitted nothing.
     pub(super) furthest: Cell<usize>,
@@ -59,12 +59,12 @@ impl<'t> Matcher<'t> {
         }
     }
 
-    pub(super) fn token(&self, at: usize) -> Option<&Token> {
+    pub(super) fn token(&self, at: usize) -> Option<&SentenceToken> {
         self.tokens.get(at).map(|placed| &placed.token)
     }
 
     pub(super) fn is_sign(&self, at: usize, sign: char) -> bool {
-        self.token(at) == Some(&Token::Sign(sign))
+        self.token(at) == Some(&SentenceToken::Sign(sign))
     }
 
     /// The token after a comma, if there is one.
@@ -84,19 +84,25 @@ impl<'t> Matcher<'t> {
         rule: &'static str,
         at: usize,
         device: Option<&'static Device>,
-        part: Parts,
-    ) -> Fits<Said> {
+        part: MatchedParts,
+    ) -> Fits<SaidWords> {
         let mut fits = Vec::new();
         for (number, pattern) in self.grammar.rule(rule).iter().enumerate() {
             self.is_other.set(number > 0);
             for (holes, end) in self.elements(pattern, at, device, part) {
-                fits.push((Said { rule, holes, span: at..end }, end));
+                fits.push((SaidWords { rule, holes, span: at..end }, end));
             }
         }
         fits
     }
 
-    fn elements(&self, elements: &[Element], at: usize, device: Option<&'static Device>, part: Parts) -> Fits<Holes> {
+    fn elements(
+        &self,
+        elements: &[PatternElement],
+        at: usize,
+        device: Option<&'static Device>,
+        part: MatchedParts,
+    ) -> Fits<Holes> {
         if !self.goes_on() {
             return Vec::new();
         }
@@ -104,23 +110,23 @@ impl<'t> Matcher<'t> {
         let with = |holes: &Holes, end: usize| {
             let joined = |(more, end): (Holes, usize)| (holes.iter().cloned().chain(more).collect(), end);
             let guessed = self.guesses.get();
-            self.guesses.set(guessed || holes.iter().any(|(_, bound)| matches!(bound, Bound::Plain(_))));
+            self.guesses.set(guessed || holes.iter().any(|(_, bound)| matches!(bound, HoleFilling::Plain(_))));
             let fits = self.elements(rest, end, device, part).into_iter().map(joined).collect::<Vec<_>>();
             self.guesses.set(guessed);
             fits
         };
         match first {
-            Element::Literal(words) | Element::Marked(words) => {
+            PatternElement::Literal(words) | PatternElement::Marked(words) => {
                 let Some(end) = self.literal(&words.tokens, at, rest) else { return Vec::new() };
                 self.elements(rest, end, device, part)
             }
-            Element::Optional(inside) => {
+            PatternElement::Optional(inside) => {
                 let within = self.elements(inside, at, device, part);
                 let mut fits: Fits<Holes> = within.iter().flat_map(|(holes, end)| with(holes, *end)).collect();
                 fits.extend(self.elements(rest, at, device, part));
                 fits
             }
-            Element::Hole(name) => {
+            PatternElement::Hole(name) => {
                 let found = self.hole(name, at, device, part, rest);
                 found.into_iter().flat_map(|(bound, end)| with(&vec![(*name, bound)], end)).collect()
             }
@@ -128,11 +134,11 @@ impl<'t> Matcher<'t> {
     }
 
     /// The token after these words, if they stand there.
-    fn literal(&self, words: &[Token], at: usize, rest: &[Element]) -> Option<usize> {
+    fn literal(&self, words: &[SentenceToken], at: usize, rest: &[PatternElement]) -> Option<usize> {
         for (number, word) in words.iter().enumerate() {
             if self.token(at + number) != Some(word) {
                 // A comma that is missing is no mistake.
-                if *word == Token::Sign(',') && number + 1 == words.len() {
+                if *word == SentenceToken::Sign(',') && number + 1 == words.len() {
                     return Some(at + number);
                 }
                 self.expect(at + number, || (shown(word), join(&words[number..], rest, self)));
@@ -168,9 +174,9 @@ impl<'t> Matcher<'t> {
         name: &str,
         at: usize,
         device: Option<&'static Device>,
-        part: Parts,
-        rest: &[Element],
-    ) -> Fits<Bound> {
+        part: MatchedParts,
+        rest: &[PatternElement],
+    ) -> Fits<HoleFilling> {
         let param = device.and_then(|device| device.params.iter().find(|param| param.name == name));
         match (name, param.map(|param| param.kind)) {
             (_, Some(ParamKind::Choice(_))) => self.choice(name, at, device, rest),
@@ -178,11 +184,11 @@ impl<'t> Matcher<'t> {
             (_, Some(ParamKind::Number { .. })) | ("n", None) => self.number(at),
             (_, Some(ParamKind::Text { .. })) | ("text", None) => self.plain_text(at),
             ("quoted" | "name" | "helper", None) => match self.token(at) {
-                Some(Token::Quoted(text)) => vec![(Bound::Text(text.clone()), at + 1)],
+                Some(SentenceToken::Quoted(text)) => vec![(HoleFilling::Text(text.clone()), at + 1)],
                 _ => Vec::new(),
             },
             ("code" | "start", None) => match self.token(at) {
-                Some(Token::Code(text)) => vec![(Bound::Text(text.clone()), at + 1)],
+                Some(SentenceToken::Code(text)) => vec![(HoleFilling::Text(text.clone()), at + 1)],
                 _ => Vec::new(),
             },
             ("field", None) => self.field(at),
@@ -190,25 +196,31 @@ impl<'t> Matcher<'t> {
         }
     }
 
-    fn choice(&self, name: &str, at: usize, device: Option<&'static Device>, rest: &[Element]) -> Fits<Bound> {
+    fn choice(
+        &self,
+        name: &str,
+        at: usize,
+        device: Option<&'static Device>,
+        rest: &[PatternElement],
+    ) -> Fits<HoleFilling> {
         let device = device.map_or("", |device| device.name);
         let mut fits = self.chosen(self.words.choices(device, name), at, rest);
         if name == "target" {
             let it = self.words.rule("target.it").first().map_or("", |it| it);
             if let Some(end) = self.words_at(it, at) {
-                fits.push((Bound::It, end));
+                fits.push((HoleFilling::It, end));
             }
         }
         fits
     }
 
     /// Those of several whose words stand there, the longest words first.
-    fn chosen(&self, known: &'static [Chosen], at: usize, rest: &[Element]) -> Fits<Bound> {
-        let mut fits: Fits<Bound> = Vec::new();
+    fn chosen(&self, known: &'static [ChosenWords], at: usize, rest: &[PatternElement]) -> Fits<HoleFilling> {
+        let mut fits: Fits<HoleFilling> = Vec::new();
         for (value, says) in known {
             let ends = says.iter().filter_map(|words| self.words_at(words, at));
             match ends.max() {
-                Some(end) => fits.push((Bound::Chosen(value), end)),
+                Some(end) => fits.push((HoleFilling::Chosen(value), end)),
                 None => {
                     if let Some(words) = says.first() {
                         self.expect(at, || ((*words).to_owned(), format!("{words}{}", join(&[], rest, self))));
@@ -227,32 +239,32 @@ impl<'t> Matcher<'t> {
         fits.then_some(at + wanted.len())
     }
 
-    fn field(&self, at: usize) -> Fits<Bound> {
-        if let Some(Token::Quoted(name)) = self.token(at) {
-            return vec![(Bound::Text(name.clone()), at + 1)];
+    fn field(&self, at: usize) -> Fits<HoleFilling> {
+        if let Some(SentenceToken::Quoted(name)) = self.token(at) {
+            return vec![(HoleFilling::Text(name.clone()), at + 1)];
         }
         let known = self.chosen(self.words.fields, at, &[]);
         known.into_iter().collect()
     }
 
-    fn number(&self, at: usize) -> Fits<Bound> {
-        let Some(Token::Number(number)) = self.token(at) else {
+    fn number(&self, at: usize) -> Fits<HoleFilling> {
+        let Some(SentenceToken::Number(number)) = self.token(at) else {
             self.expect(at, || ("1".to_owned(), "1".to_owned()));
             return Vec::new();
         };
-        let mut fits: Fits<Bound> = Vec::new();
+        let mut fits: Fits<HoleFilling> = Vec::new();
         for (unit, says) in self.words.units {
             let end = says.iter().filter_map(|words| self.words_at(words, at + 1)).max();
-            fits.extend(end.map(|end| (Bound::Number(*number, Some(unit)), end)));
+            fits.extend(end.map(|end| (HoleFilling::Number(*number, Some(unit)), end)));
         }
         fits.sort_by_key(|(_, end)| std::cmp::Reverse(*end));
-        fits.push((Bound::Number(*number, None), at + 1));
+        fits.push((HoleFilling::Number(*number, None), at + 1));
         fits
     }
 
-    fn duration(&self, at: usize) -> Fits<Bound> {
+    fn duration(&self, at: usize) -> Fits<HoleFilling> {
         let (count, from) = match self.token(at) {
-            Some(Token::Number(count)) => (*count, at + 1),
+            Some(SentenceToken::Number(count)) => (*count, at + 1),
             _ => (1.0, at),
         };
         let mut best: Option<(u64, usize)> = None;
@@ -269,7 +281,7 @@ impl<'t> Matcher<'t> {
         }
         let kept = |(size, end): (u64, usize)| {
             let period = (count * size as f64).round();
-            RATE_MS.contains(&(period as u64)).then_some((Bound::Duration(period as u64), end))
+            RATE_MS.contains(&(period as u64)).then_some((HoleFilling::Duration(period as u64), end))
         };
         best.and_then(kept).into_iter().collect()
     }
@@ -281,58 +293,62 @@ impl<'t> Matcher<'t> {
     }
 
     /// A text, with or without quotes; without, in every length, the shortest first.
-    fn plain_text(&self, at: usize) -> Fits<Bound> {
-        if let Some(Token::Quoted(text)) = self.token(at) {
-            return vec![(Bound::Text(text.clone()), at + 1)];
+    fn plain_text(&self, at: usize) -> Fits<HoleFilling> {
+        if let Some(SentenceToken::Quoted(text)) = self.token(at) {
+            return vec![(HoleFilling::Text(text.clone()), at + 1)];
         }
-        let is_word = |token: &Token| match token {
-            Token::Word(word) => word != PLAIN_TEXT_END,
-            Token::Number(_) => true,
-            Token::Quoted(_) | Token::Code(_) | Token::Sign(_) | Token::Either(..) => false,
+        let is_word = |token: &SentenceToken| match token {
+            SentenceToken::Word(word) => word != PLAIN_TEXT_END,
+            SentenceToken::Number(_) => true,
+            SentenceToken::Quoted(_) | SentenceToken::Code(_) | SentenceToken::Sign(_) | SentenceToken::Either(..) => {
+                false
+            }
         };
         let rest = self.tokens.get(at..).unwrap_or_default();
         let count = rest.iter().take(PLAIN_TEXT_MAX).take_while(|placed| is_word(&placed.token)).count();
         let text = |count: usize| {
             let (first, last) = (rest.first()?, rest.get(count - 1)?);
-            Some((Bound::Plain(self.text.get(first.range.start..last.range.end)?.to_owned()), at + count))
+            Some((HoleFilling::Plain(self.text.get(first.range.start..last.range.end)?.to_owned()), at + count))
         };
         (1..=count).filter_map(text).collect()
     }
 }
 
 /// What parts of sentences stand at a token, by the name of their hole.
-pub(super) type Parts<'p> = &'p dyn Fn(&str, usize) -> Fits<Bound>;
+pub(super) type MatchedParts<'p> = &'p dyn Fn(&str, usize) -> Fits<HoleFilling>;
 
 /// No parts of sentences.
-pub(super) fn no_parts(_: &str, _: usize) -> Fits<Bound> {
+pub(super) fn no_parts(_: &str, _: usize) -> Fits<HoleFilling> {
     Vec::new()
 }
 
-fn shown(token: &Token) -> String {
+fn shown(token: &SentenceToken) -> String {
     match token {
-        Token::Word(word) => word.clone(),
-        Token::Number(number) => number.to_string(),
-        Token::Sign(_) | Token::Quoted(_) | Token::Code(_) | Token::Either(..) => String::new(),
+        SentenceToken::Word(word) => word.clone(),
+        SentenceToken::Number(number) => number.to_string(),
+        SentenceToken::Sign(_) | SentenceToken::Quoted(_) | SentenceToken::Code(_) | SentenceToken::Either(..) => {
+            String::new()
+        }
     }
 }
 
 /// The rest of a pattern as words that could stand there.
-fn join(words: &[Token], rest: &[Element], matcher: &Matcher) -> String {
+fn join(words: &[SentenceToken], rest: &[PatternElement], matcher: &Matcher) -> String {
     let is_english = matcher.grammar.language == Language::English;
     let between = if is_english { " " } else { "" };
     let mut all = words.iter().map(shown).collect::<Vec<_>>().join(between);
     for element in rest {
         match element {
-            Element::Literal(words) | Element::Marked(words) => all.push_str(words.shown),
-            Element::Hole("d" | "every") => {
+            PatternElement::Literal(words) | PatternElement::Marked(words) => all.push_str(words.shown),
+            PatternElement::Hole("d" | "every") => {
                 if is_english && !all.ends_with(' ') {
                     all.push(' ');
                 }
                 all.push_str(&matcher.usual_duration());
             }
-            Element::Hole("n") => all.push_str(if is_english { " 1" } else { "1 " }),
-            Element::Hole(_) => break,
-            Element::Optional(_) => {}
+            PatternElement::Hole("n") => all.push_str(if is_english { " 1" } else { "1 " }),
+            PatternElement::Hole(_) => break,
+            PatternElement::Optional(_) => {}
         }
     }
     all.trim().to_owned()

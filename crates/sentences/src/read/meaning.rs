@@ -1,11 +1,11 @@
 //! What words mean: parameters, tests, and what connectors do.
 
 use super::clauses::comparison;
-use super::tree::{Bound, Said};
-use crate::carried::Measure;
-use crate::clauses::Part;
-use crate::does::{Calc, Does, Memory};
-use crate::test::{Asks, Test};
+use super::tree::{HoleFilling, SaidWords};
+use crate::carried::ValueMeasure;
+use crate::clauses::ClausePart;
+use crate::does::{Calc, RememberedKind, SpokenConnector};
+use crate::test::{Asks, ValueTest};
 use behaviour::{Params, Value};
 use robot::{Device, ParamKind, with_defaults};
 
@@ -13,7 +13,7 @@ use robot::{Device, ParamKind, with_defaults};
 const NEAR_CM: f64 = 50.0;
 
 /// All parameters of a device: those that are fixed, those that were said, within their ranges.
-pub(super) fn params(device: &'static Device, fixed: &[(&str, &str)], said: &Said) -> Params {
+pub(super) fn params(device: &'static Device, fixed: &[(&str, &str)], said: &SaidWords) -> Params {
     let mut chosen = said.params(device);
     for param in device.params {
         if let Some((_, value)) = fixed.iter().find(|(name, _)| *name == param.name) {
@@ -33,39 +33,45 @@ pub(super) fn params(device: &'static Device, fixed: &[(&str, &str)], said: &Sai
 }
 
 /// What a part of a clause does.
-pub(super) fn part_of(part: Part, said: &Said) -> Does {
+pub(super) fn part_of(part: ClausePart, said: &SaidWords) -> SpokenConnector {
     let field = |name: &str| (!name.is_empty()).then(|| name.to_owned());
     match part {
-        Part::Truth(name, truth) => Does::Keep(Test { field: field(name), asks: Asks::Truth(truth) }),
-        Part::Text(name) => {
+        ClausePart::Truth(name, truth) => {
+            SpokenConnector::Keep(ValueTest { field: field(name), asks: Asks::Truth(truth) })
+        }
+        ClausePart::Text(name) => {
             let text = said.text("text").unwrap_or_default().to_owned();
-            Does::Keep(Test { field: field(name), asks: Asks::Text(true, text) })
+            SpokenConnector::Keep(ValueTest { field: field(name), asks: Asks::Text(true, text) })
         }
-        Part::Quiet => Does::Quiet(said.duration().unwrap_or(1_000)),
-        Part::Changed(name) => Does::Changed(Some(Calc::Field(name.to_owned()))),
-        Part::Number => {
-            Does::Make(Calc::Number(number(said).unwrap_or(if said.rule == "walk.number" { 0.05 } else { 0.5 })))
+        ClausePart::Quiet => SpokenConnector::Quiet(said.duration().unwrap_or(1_000)),
+        ClausePart::Changed(name) => SpokenConnector::Changed(Some(Calc::Field(name.to_owned()))),
+        ClausePart::Number => {
+            SpokenConnector::Make(Calc::Number(number(said).unwrap_or(if said.rule == "walk.number" {
+                0.05
+            } else {
+                0.5
+            })))
         }
-        Part::Helper(name) => Does::Make(Calc::Helper(name.to_owned())),
+        ClausePart::Helper(name) => SpokenConnector::Make(Calc::Helper(name.to_owned())),
     }
 }
 
-fn number(said: &Said) -> Option<f64> {
-    if let Some(Bound::Number(number, _)) = said.hole("n") { Some(*number) } else { None }
+fn number(said: &SaidWords) -> Option<f64> {
+    if let Some(HoleFilling::Number(number, _)) = said.hole("n") { Some(*number) } else { None }
 }
 
 /// The unit in which a distance was said; a large number without one is of centimetres.
-pub(super) fn wanted_unit(said: &[Said]) -> &'static str {
+pub(super) fn wanted_unit(said: &[SaidWords]) -> &'static str {
     let unit = said.iter().find_map(|one| match one.hole("n") {
-        Some(Bound::Number(_, Some(unit))) => Some(if *unit == "m" { "m" } else { "cm" }),
-        Some(Bound::Number(number, None)) => Some(if *number < 5.0 { "m" } else { "cm" }),
+        Some(HoleFilling::Number(_, Some(unit))) => Some(if *unit == "m" { "m" } else { "cm" }),
+        Some(HoleFilling::Number(number, None)) => Some(if *number < 5.0 { "m" } else { "cm" }),
         _ => None,
     });
     unit.unwrap_or("cm")
 }
 
 /// The test that words mean for a value that is measured so.
-pub(super) fn test(said: &[Said], field: Option<String>, measure: &Measure) -> Test {
+pub(super) fn test(said: &[SaidWords], field: Option<String>, measure: &ValueMeasure) -> ValueTest {
     let mut numbers = Vec::new();
     for one in said {
         if let Some((_, comparison)) = comparison(one.rule) {
@@ -73,25 +79,25 @@ pub(super) fn test(said: &[Said], field: Option<String>, measure: &Measure) -> T
         }
     }
     if !numbers.is_empty() {
-        return Test { field, asks: Asks::Numbers(numbers) };
+        return ValueTest { field, asks: Asks::Numbers(numbers) };
     }
-    let Some(one) = said.first() else { return Test { field, asks: Asks::Truth(true) } };
+    let Some(one) = said.first() else { return ValueTest { field, asks: Asks::Truth(true) } };
     let (is, rest) = one.rule.split_once('.').unwrap_or((one.rule, ""));
     if is == "text" {
         let text = one.text("quoted").unwrap_or_default().to_owned();
-        return Test { field, asks: Asks::Text(rest == "is", text) };
+        return ValueTest { field, asks: Asks::Text(rest == "is", text) };
     }
     let field = if rest.is_empty() { field } else { Some(rest.to_owned()) };
-    Test { field, asks: Asks::Truth(is == "is") }
+    ValueTest { field, asks: Asks::Truth(is == "is") }
 }
 
 /// The number of a comparison in the unit of what is compared.
-fn measured(said: &Said, measure: &Measure) -> f64 {
+fn measured(said: &SaidWords, measure: &ValueMeasure) -> f64 {
     let (value, unit) = match said.hole("n") {
-        Some(Bound::Number(value, unit)) => (*value, *unit),
+        Some(HoleFilling::Number(value, unit)) => (*value, *unit),
         _ => (NEAR_CM, Some("cm")),
     };
-    let Measure::Distance(wanted) = measure else { return value };
+    let ValueMeasure::Distance(wanted) = measure else { return value };
     let per_metre = |unit: &str| match unit {
         "cm" => 100.0,
         "mm" => 1_000.0,
@@ -102,51 +108,51 @@ fn measured(said: &Said, measure: &Measure) -> f64 {
 }
 
 /// What a step does with so many inputs.
-pub(super) fn does_of(said: &Said, inputs: usize) -> Does {
+pub(super) fn does_of(said: &SaidWords, inputs: usize) -> SpokenConnector {
     let text = |hole: &str| said.text(hole).unwrap_or_default().to_owned();
     let helper = || Calc::Helper(text("helper"));
     let code = || Calc::unquoted(said.text("code").unwrap_or_default(), &[], inputs);
     let period = said.duration().unwrap_or(1_000);
     let start = || value_of(said.text("start").unwrap_or_default());
     match said.rule {
-        "step.every" => Does::Every(period),
-        "step.later" => Does::Later(period),
-        "step.quiet" => Does::Quiet(period),
-        "step.stamp" => Does::Stamp,
-        "step.changed" => Does::Changed(None),
-        "step.changedField" => Does::Changed(Some(Calc::Field(text("field")))),
-        "step.changedHelper" => Does::Changed(Some(helper())),
-        "step.changedCode" => Does::Changed(Some(code())),
-        "step.trueOnes" => Does::Remember(Memory::TrueOnes),
-        "step.ones" => Does::Remember(Memory::Ones),
-        "step.largest" => Does::Remember(Memory::Largest),
-        "step.sum" => Does::Remember(Memory::Sum),
-        "step.turns" => Does::Remember(Memory::Turns),
+        "step.every" => SpokenConnector::Every(period),
+        "step.later" => SpokenConnector::Later(period),
+        "step.quiet" => SpokenConnector::Quiet(period),
+        "step.stamp" => SpokenConnector::Stamp,
+        "step.changed" => SpokenConnector::Changed(None),
+        "step.changedField" => SpokenConnector::Changed(Some(Calc::Field(text("field")))),
+        "step.changedHelper" => SpokenConnector::Changed(Some(helper())),
+        "step.changedCode" => SpokenConnector::Changed(Some(code())),
+        "step.trueOnes" => SpokenConnector::Remember(RememberedKind::TrueOnes),
+        "step.ones" => SpokenConnector::Remember(RememberedKind::Ones),
+        "step.largest" => SpokenConnector::Remember(RememberedKind::Largest),
+        "step.sum" => SpokenConnector::Remember(RememberedKind::Sum),
+        "step.turns" => SpokenConnector::Remember(RememberedKind::Turns),
         "step.rounds" => {
             let most = number(said).filter(|most| (1.0..=1e6).contains(most)).unwrap_or(1.0);
-            Does::Remember(Memory::Rounds(most as u32))
+            SpokenConnector::Remember(RememberedKind::Rounds(most as u32))
         }
-        "step.rests" => Does::Remember(Memory::Rests(period)),
-        "step.held" => Does::Remember(Memory::Held),
-        "step.draws" => Does::Remember(Memory::Draws),
-        "step.rememberHelper" => Does::Remember(Memory::By(helper(), start())),
+        "step.rests" => SpokenConnector::Remember(RememberedKind::Rests(period)),
+        "step.held" => SpokenConnector::Remember(RememberedKind::Held),
+        "step.draws" => SpokenConnector::Remember(RememberedKind::Draws),
+        "step.rememberHelper" => SpokenConnector::Remember(RememberedKind::By(helper(), start())),
         "step.rememberCode" => {
             let calc = Calc::unquoted(said.text("code").unwrap_or_default(), &["soFar"], 1);
-            Does::Remember(Memory::By(calc, start()))
+            SpokenConnector::Remember(RememberedKind::By(calc, start()))
         }
-        "step.keepHelper" => Does::KeepBy(helper()),
-        "step.keepCode" => Does::KeepBy(code()),
-        "step.distance" => Does::Make(Calc::Helper("distance".to_owned())),
-        "step.ball_to_distance" => Does::Make(Calc::Helper("ball_to_distance".to_owned())),
-        "step.ball_x_and_distance" => Does::Make(Calc::Helper("ball_x_and_distance".to_owned())),
-        "step.distance_to_brightness" => Does::Make(Calc::Helper("distance_to_brightness".to_owned())),
-        "step.select_arm" => Does::Make(Calc::Helper("select_arm".to_owned())),
-        "step.helper" => Does::Make(helper()),
-        "step.field" => Does::Make(Calc::Field(text("field"))),
-        "step.text" | "tight.text" => Does::Make(Calc::Text(text("quoted"))),
-        "step.number" | "tight.number" => Does::Make(Calc::Number(number(said).unwrap_or_default())),
-        "step.code" => Does::Make(code()),
-        "step.any" => Does::Any,
+        "step.keepHelper" => SpokenConnector::KeepBy(helper()),
+        "step.keepCode" => SpokenConnector::KeepBy(code()),
+        "step.distance" => SpokenConnector::Make(Calc::Helper("distance".to_owned())),
+        "step.ball_to_distance" => SpokenConnector::Make(Calc::Helper("ball_to_distance".to_owned())),
+        "step.ball_x_and_distance" => SpokenConnector::Make(Calc::Helper("ball_x_and_distance".to_owned())),
+        "step.distance_to_brightness" => SpokenConnector::Make(Calc::Helper("distance_to_brightness".to_owned())),
+        "step.select_arm" => SpokenConnector::Make(Calc::Helper("select_arm".to_owned())),
+        "step.helper" => SpokenConnector::Make(helper()),
+        "step.field" => SpokenConnector::Make(Calc::Field(text("field"))),
+        "step.text" | "tight.text" => SpokenConnector::Make(Calc::Text(text("quoted"))),
+        "step.number" | "tight.number" => SpokenConnector::Make(Calc::Number(number(said).unwrap_or_default())),
+        "step.code" => SpokenConnector::Make(code()),
+        "step.any" => SpokenConnector::Any,
         joined => {
             let calc = match joined.split_once('.').map_or("", |(_, calc)| calc) {
                 "sum" => Calc::Sum,
@@ -154,7 +160,7 @@ pub(super) fn does_of(said: &Said, inputs: usize) -> Does {
                 "helper" => helper(),
                 _ => code(),
             };
-            if joined.starts_with("latest") { Does::Latest(calc) } else { Does::Together(calc) }
+            if joined.starts_with("latest") { SpokenConnector::Latest(calc) } else { SpokenConnector::Together(calc) }
         }
     }
 }
@@ -173,7 +179,7 @@ fn value_of(text: &str) -> Value {
         "true" => Value::Bool(true),
         "false" => Value::Bool(false),
         _ => match crate::body::parts(text, &[]).unwrap_or_default().as_slice() {
-            [(crate::body::Part::Text(text), _)] => Value::text(text),
+            [(crate::body::SpokenBodyPart::Text(text), _)] => Value::text(text),
             _ => Value::Null,
         },
     }

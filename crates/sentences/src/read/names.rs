@@ -1,13 +1,13 @@
 //! Names of what was read: what a procedure calls it, else what it means, each once.
 
-use super::build::{Act, Builder, Node, Source};
+use super::build::{BuiltStream, FedAction, GraphBuilder, StreamSource};
 use crate::Language;
-use crate::carried::Carried;
-use crate::does::{Calc, Does, Memory};
+use crate::carried::CarriedKind;
+use crate::does::{Calc, RememberedKind, SpokenConnector};
 use crate::numbers;
-use crate::pattern::{Filling, filled, grammar};
-use crate::sentence::{Literal, Piece};
-use crate::test::{Asks, Comparison, Test};
+use crate::pattern::{HoleFiller, filled, grammar};
+use crate::sentence::{LiteralPlace, Piece};
+use crate::test::{Asks, Comparison, ValueTest};
 use crate::words::{device_label, words};
 use behaviour::{Behaviour, Id, OTHERWISE, argument_names, as_looks, numbered};
 use std::collections::BTreeSet;
@@ -16,13 +16,13 @@ use std::collections::BTreeSet;
 const PART_MAX_CHARS: usize = 40;
 
 /// Gives names, none twice.
-pub(super) struct Names<'a> {
+pub(super) struct NameGiver<'a> {
     language: Language,
     used: BTreeSet<String>,
     behaviour: Option<&'a Behaviour>,
 }
 
-impl<'a> Names<'a> {
+impl<'a> NameGiver<'a> {
     pub(super) fn new(language: Language, behaviour: Option<&'a Behaviour>) -> Self {
         let used =
             behaviour.into_iter().flat_map(Behaviour::streams).map(|(_, stream)| as_looks(&stream.name).into_owned());
@@ -31,7 +31,7 @@ impl<'a> Names<'a> {
     }
 
     /// The names of all nodes.
-    pub(super) fn of_nodes(&mut self, builder: &Builder) -> Vec<String> {
+    pub(super) fn of_nodes(&mut self, builder: &GraphBuilder) -> Vec<String> {
         let mut wanted: Vec<Option<String>> = vec![None; builder.nodes.len()];
         for node in &builder.nodes {
             for (input, arg) in written(node) {
@@ -44,14 +44,14 @@ impl<'a> Names<'a> {
         for (at, (node, wanted)) in builder.nodes.iter().zip(wanted).enumerate() {
             let name = match &node.source {
                 // By its name it is known as the other side of its test.
-                Source::Made(..) if builder.otherwise.contains(&at) => self.otherwise().to_owned(),
-                Source::Existing(id) => {
+                StreamSource::Made(..) if builder.otherwise.contains(&at) => self.otherwise().to_owned(),
+                StreamSource::Existing(id) => {
                     names.push(self.existing(id));
                     continue;
                 }
-                Source::Missing(name) => name.clone(),
-                Source::Sense(device, _) => wanted.unwrap_or_else(|| self.label(device.name)),
-                Source::Made(does, inputs, _) => {
+                StreamSource::Missing(name) => name.clone(),
+                StreamSource::Sense(device, _) => wanted.unwrap_or_else(|| self.label(device.name)),
+                StreamSource::Made(does, inputs, _) => {
                     let from = inputs.first().map_or("", |input| names[*input].as_str());
                     let name = || self.made(does, from, builder, inputs.first().copied());
                     wanted.unwrap_or_else(name)
@@ -85,33 +85,37 @@ impl<'a> Names<'a> {
         name
     }
 
-    fn made(&self, does: &Does, from: &str, builder: &Builder, input: Option<usize>) -> String {
+    fn made(&self, does: &SpokenConnector, from: &str, builder: &GraphBuilder, input: Option<usize>) -> String {
         let carried = input.map(|input| &builder.nodes[input].carried);
         match does {
-            Does::Make(Calc::Helper(name)) => {
+            SpokenConnector::Make(Calc::Helper(name)) => {
                 let own = self.said(&format!("name.{name}"), from, 0);
                 if own.is_empty() { name.clone() } else { own }
             }
-            Does::Make(Calc::Text(text)) if !text.trim().is_empty() => first_upper(&short(text)),
-            Does::Make(Calc::Field(field)) => first_upper(words(self.language).field(field).unwrap_or(field)),
-            Does::Make(_) => self.said("name.result", from, 0),
-            Does::Keep(test) => self.kept(test, from, carried),
-            Does::KeepBy(_) => self.said("name.some", from, 0),
-            Does::Every(ms) => self.said("name.every", from, *ms),
-            Does::Later(ms) => self.said("name.later", from, *ms),
-            Does::Quiet(ms) => self.said("name.quiet", from, *ms),
-            Does::Stamp => self.said("name.stamp", from, 0),
-            Does::Changed(_) => self.said("name.changed", from, 0),
-            Does::Remember(Memory::Ones | Memory::TrueOnes) => self.said("name.count", from, 0),
-            Does::Remember(_) => self.said("name.remember", from, 0),
-            Does::Any => self.said("name.any", from, 0),
-            Does::Together(_) => self.said("name.together", from, 0),
-            Does::Latest(_) => self.said("name.latest", from, 0),
+            SpokenConnector::Make(Calc::Text(text)) if !text.trim().is_empty() => first_upper(&short(text)),
+            SpokenConnector::Make(Calc::Field(field)) => {
+                first_upper(words(self.language).field(field).unwrap_or(field))
+            }
+            SpokenConnector::Make(_) => self.said("name.result", from, 0),
+            SpokenConnector::Keep(test) => self.kept(test, from, carried),
+            SpokenConnector::KeepBy(_) => self.said("name.some", from, 0),
+            SpokenConnector::Every(ms) => self.said("name.every", from, *ms),
+            SpokenConnector::Later(ms) => self.said("name.later", from, *ms),
+            SpokenConnector::Quiet(ms) => self.said("name.quiet", from, *ms),
+            SpokenConnector::Stamp => self.said("name.stamp", from, 0),
+            SpokenConnector::Changed(_) => self.said("name.changed", from, 0),
+            SpokenConnector::Remember(RememberedKind::Ones | RememberedKind::TrueOnes) => {
+                self.said("name.count", from, 0)
+            }
+            SpokenConnector::Remember(_) => self.said("name.remember", from, 0),
+            SpokenConnector::Any => self.said("name.any", from, 0),
+            SpokenConnector::Together(_) => self.said("name.together", from, 0),
+            SpokenConnector::Latest(_) => self.said("name.latest", from, 0),
         }
     }
 
-    fn kept(&self, test: &Test, from: &str, carried: Option<&Carried>) -> String {
-        let is_distance = matches!(carried, Some(Carried::Distance(_) | Carried::Sides));
+    fn kept(&self, test: &ValueTest, from: &str, carried: Option<&CarriedKind>) -> String {
+        let is_distance = matches!(carried, Some(CarriedKind::Distance(_) | CarriedKind::Sides));
         let thing = if is_distance { self.said("name.ball", "", 0) } else { from.to_owned() };
         let rule = match &test.asks {
             Asks::Truth(truth) if test.field.is_none() => {
@@ -133,7 +137,7 @@ impl<'a> Names<'a> {
     }
 
     /// The name of an action's stream.
-    pub(super) fn of_act(&mut self, act: &Act) -> String {
+    pub(super) fn of_act(&mut self, act: &FedAction) -> String {
         let Some((device, params, clause)) = &act.device else {
             return act.name.clone().unwrap_or_default();
         };
@@ -160,7 +164,7 @@ impl<'a> Names<'a> {
         let from = short(from);
         let is_english = self.language == Language::English;
         let starts = grammar(self.language).told(rule).first();
-        let begins = matches!(starts, Some(crate::pattern::Element::Hole("x")));
+        let begins = matches!(starts, Some(crate::pattern::PatternElement::Hole("x")));
         let from = if is_english && !begins { first_lower(&from) } else { from };
         self.filled(rule, &from, period_ms)
     }
@@ -172,7 +176,7 @@ impl<'a> Names<'a> {
     fn filled(&self, rule: &str, x: &str, period_ms: u64) -> String {
         let mut fill = |hole: &str| {
             let text = if hole == "x" { x.to_owned() } else { self.duration(period_ms) };
-            Some(Filling { pieces: vec![Piece::Text(text)], is_default: false })
+            Some(HoleFiller { pieces: vec![Piece::Text(text)], is_default: false })
         };
         let mut mark = |shown: &str| Piece::Text(shown.to_owned());
         let filling = filled(grammar(self.language).told(rule), &mut fill, &mut mark);
@@ -180,21 +184,21 @@ impl<'a> Names<'a> {
     }
 
     fn duration(&self, period_ms: u64) -> String {
-        let nowhere = Literal::Body { connector: behaviour::RecordId::settings().id, start: 0, end: 0 };
+        let nowhere = LiteralPlace::Body { connector: behaviour::RecordId::settings().id, start: 0, end: 0 };
         numbers::duration(period_ms, nowhere, self.language, false).text
     }
 }
 
 /// The inputs of a node that its procedure calls by names, with these.
-fn written(node: &Node) -> Vec<(usize, &str)> {
-    let Source::Made(does, inputs, _) = &node.source else { return Vec::new() };
+fn written(node: &BuiltStream) -> Vec<(usize, &str)> {
+    let StreamSource::Made(does, inputs, _) = &node.source else { return Vec::new() };
     let (args, before) = match does {
-        Does::Make(Calc::Written(args, _))
-        | Does::KeepBy(Calc::Written(args, _))
-        | Does::Changed(Some(Calc::Written(args, _)))
-        | Does::Together(Calc::Written(args, _))
-        | Does::Latest(Calc::Written(args, _)) => (args, 0),
-        Does::Remember(Memory::By(Calc::Written(args, _), _)) => (args, 1),
+        SpokenConnector::Make(Calc::Written(args, _))
+        | SpokenConnector::KeepBy(Calc::Written(args, _))
+        | SpokenConnector::Changed(Some(Calc::Written(args, _)))
+        | SpokenConnector::Together(Calc::Written(args, _))
+        | SpokenConnector::Latest(Calc::Written(args, _)) => (args, 0),
+        SpokenConnector::Remember(RememberedKind::By(Calc::Written(args, _), _)) => (args, 1),
         _ => return Vec::new(),
     };
     inputs.iter().copied().zip(args.iter().skip(before).map(String::as_str)).collect()

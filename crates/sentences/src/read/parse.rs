@@ -1,7 +1,7 @@
 //! The grammar of sentences: a lead, a start, steps, an action.
 
 use super::matcher::{Fits, Matcher, no_parts};
-use super::tree::{Action, Bound, Said, Start, Told, Way};
+use super::tree::{HoleFilling, SaidAction, SaidWords, ToldSentence, ValueWay, WayStart};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -58,26 +58,26 @@ const STEPS: &[&str] = &[
 ];
 
 /// Reads sentences; what was read at a token is kept.
-pub(super) struct Parser<'m, 't> {
+pub(super) struct SentenceParser<'m, 't> {
     pub(super) matcher: &'m Matcher<'t>,
-    pub(super) starts: Kept<Start>,
-    steps: Kept<Said>,
-    pub(super) actions: Kept<Action>,
-    ways: Kept<Way, (usize, bool)>,
+    pub(super) starts: ParseCache<WayStart>,
+    steps: ParseCache<SaidWords>,
+    pub(super) actions: ParseCache<SaidAction>,
+    ways: ParseCache<ValueWay, (usize, bool)>,
     depth: RefCell<usize>,
 }
 
-type Kept<T, At = usize> = RefCell<BTreeMap<At, Rc<Fits<T>>>>;
+type ParseCache<T, At = usize> = RefCell<BTreeMap<At, Rc<Fits<T>>>>;
 
-impl<'m, 't> Parser<'m, 't> {
+impl<'m, 't> SentenceParser<'m, 't> {
     pub(super) fn new(matcher: &'m Matcher<'t>) -> Self {
         let depth = RefCell::default();
-        let (starts, steps, actions) = (Kept::default(), Kept::default(), Kept::default());
+        let (starts, steps, actions) = (ParseCache::default(), ParseCache::default(), ParseCache::default());
         Self { matcher, starts, steps, actions, ways: RefCell::default(), depth }
     }
 
     /// All sentences of the text, if it is understood to its end; else those at its beginning, and the best of the next.
-    pub(super) fn sentences(&self) -> (Vec<Told>, bool) {
+    pub(super) fn sentences(&self) -> (Vec<ToldSentence>, bool) {
         let mut told = Vec::new();
         let mut at = 0;
         while at < self.matcher.tokens.len() {
@@ -105,18 +105,22 @@ impl<'m, 't> Parser<'m, 't> {
     }
 
     /// What is understood of a sentence without an action.
-    fn unfinished(&self, at: usize) -> Option<Told> {
+    fn unfinished(&self, at: usize) -> Option<ToldSentence> {
         let ways = self.led(at, true);
-        ways.into_iter().max_by_key(|(_, end)| *end).map(|(way, _)| Told { way, action: None, more: Vec::new() })
+        ways.into_iter().max_by_key(|(_, end)| *end).map(|(way, _)| ToldSentence {
+            way,
+            action: None,
+            more: Vec::new(),
+        })
     }
 
-    fn sentence(&self, at: usize, may_follow: bool) -> Fits<Told> {
+    fn sentence(&self, at: usize, may_follow: bool) -> Fits<ToldSentence> {
         let mut fits = Vec::new();
         let mut ways = self.led(at, true);
         let at = self.skipped("then", at);
         if may_follow {
             for (said, end) in self.matcher.rule("otherwise", at, None, &no_parts) {
-                let start = Start::Otherwise(said.span);
+                let start = WayStart::Otherwise(said.span);
                 ways.extend(self.with_steps(None, &start, self.matcher.after_comma(end)));
             }
         }
@@ -124,22 +128,22 @@ impl<'m, 't> Parser<'m, 't> {
             let from = self.skipped("then", self.matcher.after_comma(end));
             for (actions, end) in self.actions(from) {
                 let (action, more) = (actions.first().cloned(), actions.get(1..).unwrap_or_default().to_vec());
-                fits.push((Told { way: way.clone(), action, more }, end));
+                fits.push((ToldSentence { way: way.clone(), action, more }, end));
             }
         }
         // The action may also come first.
         for (action, end) in self.action(at).iter() {
             for (way, end) in self.led(*end, true) {
-                fits.push((Told { way, action: Some(action.clone()), more: Vec::new() }, end));
+                fits.push((ToldSentence { way, action: Some(action.clone()), more: Vec::new() }, end));
             }
         }
         fits
     }
 
     /// One action, or several with “and” between them.
-    fn actions(&self, at: usize) -> Fits<Vec<Action>> {
-        let one = |(action, end): &(Action, usize)| (vec![action.clone()], *end);
-        let mut all: Fits<Vec<Action>> = self.action(at).iter().map(one).collect();
+    fn actions(&self, at: usize) -> Fits<Vec<SaidAction>> {
+        let one = |(action, end): &(SaidAction, usize)| (vec![action.clone()], *end);
+        let mut all: Fits<Vec<SaidAction>> = self.action(at).iter().map(one).collect();
         let mut done = 0;
         while done < all.len() && self.matcher.goes_on() {
             let (actions, end) = all[done].clone();
@@ -155,7 +159,7 @@ impl<'m, 't> Parser<'m, 't> {
     }
 
     /// A way after its lead; `closed` if the word that ends a start has to stand there.
-    fn led(&self, at: usize, closed: bool) -> Fits<Way> {
+    fn led(&self, at: usize, closed: bool) -> Fits<ValueWay> {
         let at = self.skipped("then", at);
         let mut ways = Vec::new();
         for (every, end) in self.matcher.rule("every", at, None, &no_parts) {
@@ -176,7 +180,7 @@ impl<'m, 't> Parser<'m, 't> {
     }
 
     /// Ways without a lead; `closed` if the word that ends a start has to stand there.
-    fn ways(&self, at: usize, closed: bool) -> Rc<Fits<Way>> {
+    fn ways(&self, at: usize, closed: bool) -> Rc<Fits<ValueWay>> {
         let known = self.ways.borrow().get(&(at, closed)).cloned();
         known.unwrap_or_else(|| {
             let found = Rc::new(self.bare(None, at, closed));
@@ -185,7 +189,7 @@ impl<'m, 't> Parser<'m, 't> {
         })
     }
 
-    fn bare(&self, every: Option<&Said>, at: usize, closed: bool) -> Fits<Way> {
+    fn bare(&self, every: Option<&SaidWords>, at: usize, closed: bool) -> Fits<ValueWay> {
         let mut ways = Vec::new();
         for (start, tight, end) in self.start_or_any(at) {
             for end in self.closed(end, closed) {
@@ -210,8 +214,8 @@ impl<'m, 't> Parser<'m, 't> {
     }
 
     /// A start with so many steps after it as there are, and with fewer.
-    fn with_steps(&self, every: Option<&Said>, start: &Start, at: usize) -> Fits<Way> {
-        let way = Way { every: every.cloned(), start: start.clone(), steps: Vec::new() };
+    fn with_steps(&self, every: Option<&SaidWords>, start: &WayStart, at: usize) -> Fits<ValueWay> {
+        let way = ValueWay { every: every.cloned(), start: start.clone(), steps: Vec::new() };
         let mut all = vec![(way, at)];
         let mut done = 0;
         while done < all.len() && self.matcher.goes_on() {
@@ -228,7 +232,7 @@ impl<'m, 't> Parser<'m, 't> {
         all
     }
 
-    fn step(&self, at: usize) -> Rc<Fits<Said>> {
+    fn step(&self, at: usize) -> Rc<Fits<SaidWords>> {
         let known = self.steps.borrow().get(&at).cloned();
         known.unwrap_or_else(|| {
             let part = |name: &str, at: usize| self.part(name, at);
@@ -239,17 +243,17 @@ impl<'m, 't> Parser<'m, 't> {
         })
     }
 
-    fn part(&self, name: &str, at: usize) -> Fits<Bound> {
+    fn part(&self, name: &str, at: usize) -> Fits<HoleFilling> {
         match name {
-            "test" => self.test(at).into_iter().map(|(test, end)| (Bound::Test(test), end)).collect(),
-            "others" => self.others(at).into_iter().map(|(ways, end)| (Bound::Ways(ways), end)).collect(),
+            "test" => self.test(at).into_iter().map(|(test, end)| (HoleFilling::Test(test), end)).collect(),
+            "others" => self.others(at).into_iter().map(|(ways, end)| (HoleFilling::Ways(ways), end)).collect(),
             _ => Vec::new(),
         }
     }
 
     /// Groups with “and” between them.
-    fn others(&self, at: usize) -> Fits<Vec<Way>> {
-        let mut all: Fits<Vec<Way>> = self.group(at).into_iter().map(|(way, end)| (vec![way], end)).collect();
+    fn others(&self, at: usize) -> Fits<Vec<ValueWay>> {
+        let mut all: Fits<Vec<ValueWay>> = self.group(at).into_iter().map(|(way, end)| (vec![way], end)).collect();
         let mut done = 0;
         while done < all.len() && self.matcher.goes_on() {
             let (ways, end) = all[done].clone();
@@ -265,7 +269,7 @@ impl<'m, 't> Parser<'m, 't> {
     }
 
     /// A way in brackets.
-    fn group(&self, at: usize) -> Fits<Way> {
+    fn group(&self, at: usize) -> Fits<ValueWay> {
         if !self.matcher.is_sign(at, '(') || *self.depth.borrow() >= DEPTH_MAX {
             return Vec::new();
         }
@@ -273,25 +277,25 @@ impl<'m, 't> Parser<'m, 't> {
         let mut ways = self.led(at + 1, false);
         ways.extend(self.ways(at + 1, false).iter().cloned());
         *self.depth.borrow_mut() -= 1;
-        let ends = |(way, end): (Way, usize)| self.matcher.is_sign(end, ')').then_some((way, end + 1));
+        let ends = |(way, end): (ValueWay, usize)| self.matcher.is_sign(end, ')').then_some((way, end + 1));
         shortened(ways.into_iter().filter_map(ends).collect())
     }
 
     /// One start, or several of which one comes, with what stands in brackets right after it.
-    fn start_or_any(&self, at: usize) -> Vec<(Start, Vec<Said>, usize)> {
+    fn start_or_any(&self, at: usize) -> Vec<(WayStart, Vec<SaidWords>, usize)> {
         let ones = self.one(at);
-        let mut all: Vec<(Start, Vec<Said>, usize)> = Vec::new();
+        let mut all: Vec<(WayStart, Vec<SaidWords>, usize)> = Vec::new();
         for (way, end) in &ones {
-            if !matches!(way.start, Start::Any(_)) && way.every.is_none() && !self.matcher.is_sign(at, '(') {
+            if !matches!(way.start, WayStart::Any(_)) && way.every.is_none() && !self.matcher.is_sign(at, '(') {
                 all.push((way.start.clone(), way.steps.clone(), *end));
             }
         }
-        let mut open: Vec<(Vec<Way>, usize)> = ones.into_iter().map(|(way, end)| (vec![way], end)).collect();
+        let mut open: Vec<(Vec<ValueWay>, usize)> = ones.into_iter().map(|(way, end)| (vec![way], end)).collect();
         let mut ends = Vec::new();
         while let Some((ways, end)) = open.pop() {
             if ways.len() > 1 && !ends.contains(&end) {
                 ends.push(end);
-                all.push((Start::Any(ways.clone()), Vec::new(), end));
+                all.push((WayStart::Any(ways.clone()), Vec::new(), end));
             }
             if let Some(end) = self.matcher.words_at(self.matcher.words.or, end)
                 && self.matcher.goes_on()
@@ -305,13 +309,13 @@ impl<'m, 't> Parser<'m, 't> {
     }
 
     /// One of several that may come: a start without steps, or a group.
-    fn one(&self, at: usize) -> Fits<Way> {
+    fn one(&self, at: usize) -> Fits<ValueWay> {
         let mut fits = self.group(at);
         for (start, end) in self.start(at).iter() {
-            let way = Way { every: None, start: start.clone(), steps: Vec::new() };
+            let way = ValueWay { every: None, start: start.clone(), steps: Vec::new() };
             for rule in ["tight.text", "tight.number"] {
                 for (said, end) in self.matcher.rule(rule, *end, None, &no_parts) {
-                    fits.push((Way { steps: vec![said], ..way.clone() }, end));
+                    fits.push((ValueWay { steps: vec![said], ..way.clone() }, end));
                 }
             }
             fits.push((way, *end));

@@ -1,15 +1,18 @@
 //! From what was said to the parts of a graph.
 
-use super::build::{Act as Built, Builder, Source};
-use super::tree::Span;
+use super::build::{FedAction as Built, GraphBuilder, StreamSource};
+use super::tree::TokenSpan;
 use crate::Language;
 use crate::body::text_literal;
-use crate::carried::Carried;
+use crate::carried::CarriedKind;
 use crate::clauses::{ACTIONS, distance_helper};
-use crate::does::{Calc, Does, Memory};
-use crate::speech::meaning::{Act, Body, Bound, Cond, Event, Of, Phase, Rule, Target, Times, Value, Who};
+use crate::does::{Calc, RememberedKind, SpokenConnector};
+use crate::speech::meaning::{
+    Act, Cond, FollowedTarget, MeantRule, MeantValue, MeasuredBound, Of, Repetition, SensedEvent, TouchPhase,
+    TouchedPart, WhichFace,
+};
 use crate::speech::{ended, own_event};
-use crate::test::{Asks, Comparison, Test};
+use crate::test::{Asks, Comparison, ValueTest};
 use behaviour::{Params, StreamKind, Value as Constant};
 use robot::with_defaults;
 
@@ -20,56 +23,56 @@ const UNSEEN_MS: u64 = 1_000;
 const STEP_MS: u64 = 250;
 
 /// A sense and what is made of it.
-struct Feed {
+struct SenseFeed {
     device: &'static str,
     params: Vec<(&'static str, String)>,
-    steps: Vec<Does>,
+    steps: Vec<SpokenConnector>,
 }
 
 /// Makes graphs of what was said. What cannot be one is in doubt.
-pub(super) struct Making<'b, 'a> {
-    pub(super) builder: &'b mut Builder<'a>,
+pub(super) struct GraphMaking<'b, 'a> {
+    pub(super) builder: &'b mut GraphBuilder<'a>,
     pub(super) language: Language,
-    pub(super) doubts: Vec<Span>,
+    pub(super) doubts: Vec<TokenSpan>,
     /// Of each rule: its event's node, and the nodes of its connectors.
     rules: Vec<(usize, Vec<usize>)>,
 }
 
 /// The sense that feels touches there.
-fn touch(body: Body) -> &'static str {
+fn touch(body: TouchedPart) -> &'static str {
     match body {
-        Body::Head => "HeadTouch",
-        Body::Hand => "HandTouch",
-        Body::Foot => "Bumper",
+        TouchedPart::Head => "HeadTouch",
+        TouchedPart::Hand => "HandTouch",
+        TouchedPart::Foot => "Bumper",
     }
 }
 
-fn feed(device: &'static str) -> Feed {
-    Feed { device, params: Vec::new(), steps: Vec::new() }
+fn feed(device: &'static str) -> SenseFeed {
+    SenseFeed { device, params: Vec::new(), steps: Vec::new() }
 }
 
-fn keep(field: &str, asks: Asks) -> Does {
-    Does::Keep(Test { field: (!field.is_empty()).then(|| field.to_owned()), asks })
+fn keep(field: &str, asks: Asks) -> SpokenConnector {
+    SpokenConnector::Keep(ValueTest { field: (!field.is_empty()).then(|| field.to_owned()), asks })
 }
 
-fn truth(field: &str, is: bool) -> Does {
+fn truth(field: &str, is: bool) -> SpokenConnector {
     keep(field, Asks::Truth(is))
 }
 
-fn numbers(field: &str, bounds: Vec<(Comparison, f64)>) -> Does {
+fn numbers(field: &str, bounds: Vec<(Comparison, f64)>) -> SpokenConnector {
     keep(field, Asks::Numbers(bounds))
 }
 
-fn number(value: f64) -> Does {
-    Does::Make(Calc::Number(value))
+fn number(value: f64) -> SpokenConnector {
+    SpokenConnector::Make(Calc::Number(value))
 }
 
-impl<'b, 'a> Making<'b, 'a> {
-    pub(super) fn new(builder: &'b mut Builder<'a>, language: Language) -> Self {
+impl<'b, 'a> GraphMaking<'b, 'a> {
+    pub(super) fn new(builder: &'b mut GraphBuilder<'a>, language: Language) -> Self {
         Self { builder, language, doubts: Vec::new(), rules: Vec::new() }
     }
 
-    pub(super) fn rules(&mut self, rules: &[Rule]) {
+    pub(super) fn rules(&mut self, rules: &[MeantRule]) {
         for (at, rule) in rules.iter().enumerate() {
             let doubts = self.doubts.len();
             if self.rule(rule, at, rules.iter().any(|other| ends(other, rule))).is_none() {
@@ -81,7 +84,7 @@ impl<'b, 'a> Making<'b, 'a> {
         }
     }
 
-    fn rule(&mut self, rule: &Rule, place: usize, is_undone: bool) -> Option<()> {
+    fn rule(&mut self, rule: &MeantRule, place: usize, is_undone: bool) -> Option<()> {
         let mut chain = Vec::new();
         let mut seen = None;
         let mut start = if rule.otherwise {
@@ -133,7 +136,7 @@ impl<'b, 'a> Making<'b, 'a> {
                 return None;
             }
             let at =
-                self.sense(&Feed { params: vec![("period_ms", period.to_string())], ..feed("Tick") }, &rule.span)?;
+                self.sense(&SenseFeed { params: vec![("period_ms", period.to_string())], ..feed("Tick") }, &rule.span)?;
             let mut at = at;
             for state in &rule.states {
                 at = self.state(at, state, &mut chain)?;
@@ -142,13 +145,13 @@ impl<'b, 'a> Making<'b, 'a> {
         };
         let event = start;
         if let Some(period) = rule.at_most {
-            start = self.made(Does::Every(period), vec![start], &rule.span, &mut chain);
+            start = self.made(SpokenConnector::Every(period), vec![start], &rule.span, &mut chain);
         }
         if let Some(period) = rule.pause {
             start = self.paused(start, period, &rule.span, &mut chain);
         }
         if rule.once {
-            start = self.made(Does::Remember(Memory::Ones), vec![start], &rule.span, &mut chain);
+            start = self.made(SpokenConnector::Remember(RememberedKind::Ones), vec![start], &rule.span, &mut chain);
             start = self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![start], &rule.span, &mut chain);
         }
         if let Some(until) = &rule.until {
@@ -163,21 +166,23 @@ impl<'b, 'a> Making<'b, 'a> {
     }
 
     /// Returns the node of what comes, and then nothing more for a time: by the time of the last one that passed.
-    fn paused(&mut self, at: usize, period: u64, span: &Span, chain: &mut Vec<usize>) -> usize {
-        let at = self.made(Does::Stamp, vec![at], span, chain);
-        let at = self.made(Does::Remember(Memory::Rests(period)), vec![at], span, chain);
-        self.made(Does::Changed(None), vec![at], span, chain)
+    fn paused(&mut self, at: usize, period: u64, span: &TokenSpan, chain: &mut Vec<usize>) -> usize {
+        let at = self.made(SpokenConnector::Stamp, vec![at], span, chain);
+        let at = self.made(SpokenConnector::Remember(RememberedKind::Rests(period)), vec![at], span, chain);
+        self.made(SpokenConnector::Changed(None), vec![at], span, chain)
     }
 
     /// What was lit while something lasted goes out at its end.
-    fn undo(&mut self, rule: &Rule) -> Option<()> {
+    fn undo(&mut self, rule: &MeantRule) -> Option<()> {
         let lit = rule.acts.iter().any(|(_, act, _)| matches!(act, Act::Eyes(color) if *color != "off"));
         let Some(event) = rule.event.as_ref().filter(|_| lit) else { return Some(()) };
         let end = match &event.what {
             // What is seen is over when it was not seen for a moment.
-            Event::Ball(_) | Event::Thing(_) => Cond { not: true, during: Some(UNSEEN_MS), ..event.clone() },
-            Event::Face(Who::Anybody) => Cond { not: true, ..event.clone() },
-            Event::Pose(_) | Event::Far(..) | Event::People(_) | Event::Charge(_) => {
+            SensedEvent::Ball(_) | SensedEvent::Thing(_) => {
+                Cond { not: true, during: Some(UNSEEN_MS), ..event.clone() }
+            }
+            SensedEvent::Face(WhichFace::Anybody) => Cond { not: true, ..event.clone() },
+            SensedEvent::Pose(_) | SensedEvent::Far(..) | SensedEvent::People(_) | SensedEvent::Charge(_) => {
                 Cond { not: !event.not, ..event.clone() }
             }
             what => Cond { what: ended(what)?, ..event.clone() },
@@ -188,7 +193,7 @@ impl<'b, 'a> Making<'b, 'a> {
     }
 
     /// Actions that go by senses of their own.
-    fn own(&mut self, rule: &Rule, place: usize) -> Option<()> {
+    fn own(&mut self, rule: &MeantRule, place: usize) -> Option<()> {
         let mut first = None;
         for (later, act, span) in &rule.acts {
             let what = own_event(act)?;
@@ -199,13 +204,13 @@ impl<'b, 'a> Making<'b, 'a> {
                 return None;
             }
             if let Some(period) = rule.every {
-                at = self.made(Does::Every(period), vec![at], span, &mut chain);
+                at = self.made(SpokenConnector::Every(period), vec![at], span, &mut chain);
             }
             for state in &rule.states {
                 at = self.state(at, state, &mut chain)?;
             }
             if let Some(period) = rule.at_most {
-                at = self.made(Does::Every(period), vec![at], span, &mut chain);
+                at = self.made(SpokenConnector::Every(period), vec![at], span, &mut chain);
             }
             if rule.once || rule.pause.is_some() {
                 return None;
@@ -225,13 +230,13 @@ impl<'b, 'a> Making<'b, 'a> {
         let goes = self.made(number(0.0), vec![at], &until.span, chain);
         let end = self.event(until, &mut Vec::new(), None)?;
         let ends = self.made(number(1.0), vec![end], &until.span, chain);
-        let any = self.made(Does::Any, vec![goes, ends], &until.span, chain);
-        let so_far = self.made(Does::Remember(Memory::Largest), vec![any], &until.span, chain);
+        let any = self.made(SpokenConnector::Any, vec![goes, ends], &until.span, chain);
+        let so_far = self.made(SpokenConnector::Remember(RememberedKind::Largest), vec![any], &until.span, chain);
         Some(self.made(numbers("", vec![(Comparison::Less, 1.0)]), vec![so_far], &until.span, chain))
     }
 
     /// The event of a rule, with how often it is looked at and counted.
-    fn event_of_rule(&mut self, event: &Cond, rule: &Rule, chain: &mut Vec<usize>) -> Option<usize> {
+    fn event_of_rule(&mut self, event: &Cond, rule: &MeantRule, chain: &mut Vec<usize>) -> Option<usize> {
         if event.within.is_some() {
             let (asked, _) = *self.rules.get(rule.unanswered?)?;
             if asked == usize::MAX {
@@ -244,13 +249,13 @@ impl<'b, 'a> Making<'b, 'a> {
             }
             let asks = self.made(number(1.0), vec![asked], &event.span, chain);
             let answers = self.made(number(0.0), vec![answered], &event.span, chain);
-            let any = self.made(Does::Any, vec![asks, answers], &event.span, chain);
-            let quiet = self.made(Does::Quiet(event.within?), vec![any], &event.span, chain);
+            let any = self.made(SpokenConnector::Any, vec![asks, answers], &event.span, chain);
+            let quiet = self.made(SpokenConnector::Quiet(event.within?), vec![any], &event.span, chain);
             return Some(self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![quiet], &event.span, chain));
         }
         let mut at = self.event(event, chain, rule.every)?;
         if rule.counts {
-            at = self.made(Does::Remember(Memory::Ones), vec![at], &event.span, chain);
+            at = self.made(SpokenConnector::Remember(RememberedKind::Ones), vec![at], &event.span, chain);
         }
         Some(at)
     }
@@ -258,10 +263,10 @@ impl<'b, 'a> Making<'b, 'a> {
     /// Returns the node of what comes within a time after something else.
     fn in_time(&mut self, asked: usize, answered: usize, event: &Cond, chain: &mut Vec<usize>) -> usize {
         let asks = self.made(number(1.0), vec![asked], &event.span, chain);
-        let over = self.made(Does::Quiet(event.within.unwrap_or_default()), vec![asks], &event.span, chain);
+        let over = self.made(SpokenConnector::Quiet(event.within.unwrap_or_default()), vec![asks], &event.span, chain);
         let over = self.made(number(0.0), vec![over], &event.span, chain);
-        let is_open = self.made(Does::Any, vec![asks, over], &event.span, chain);
-        let at = self.made(Does::Latest(Calc::Last), vec![answered, is_open], &event.span, chain);
+        let is_open = self.made(SpokenConnector::Any, vec![asks, over], &event.span, chain);
+        let at = self.made(SpokenConnector::Latest(Calc::Last), vec![answered, is_open], &event.span, chain);
         self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![at], &event.span, chain)
     }
 
@@ -269,20 +274,22 @@ impl<'b, 'a> Making<'b, 'a> {
     fn lasting(&mut self, cond: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
         let period = cond.during?;
         let what = match &cond.what {
-            Event::Face(Who::Anybody) if !cond.not => Event::People(vec![(Comparison::AtLeast, 1.0, "")]),
+            SensedEvent::Face(WhichFace::Anybody) if !cond.not => {
+                SensedEvent::People(vec![(Comparison::AtLeast, 1.0, "")])
+            }
             what => what.clone(),
         };
         let (feed, test) = tested(&Cond { what, during: None, ..cond.clone() })?;
-        let Does::Keep(test) = test? else { return None };
+        let SpokenConnector::Keep(test) = test? else { return None };
         let mut at = self.sense(&feed, &cond.span)?;
         for does in feed.steps {
             at = self.made(does, vec![at], &cond.span, chain);
         }
         let body = test.body("value", self.builder.is_measured(at, test.field.as_deref()));
-        let changed = Does::Changed(Some(Calc::Written(vec!["value".to_owned()], body)));
+        let changed = SpokenConnector::Changed(Some(Calc::Written(vec!["value".to_owned()], body)));
         at = self.made(changed, vec![at], &cond.span, chain);
-        at = self.made(Does::Quiet(period), vec![at], &cond.span, chain);
-        Some(self.made(Does::Keep(test), vec![at], &cond.span, chain))
+        at = self.made(SpokenConnector::Quiet(period), vec![at], &cond.span, chain);
+        Some(self.made(SpokenConnector::Keep(test), vec![at], &cond.span, chain))
     }
 
     /// The node of something that happens.
@@ -291,7 +298,7 @@ impl<'b, 'a> Making<'b, 'a> {
             return None;
         }
         let at = match &cond.what {
-            Event::Any(all) if !cond.not && cond.during.is_none() => {
+            SensedEvent::Any(all) if !cond.not && cond.during.is_none() => {
                 let mut inputs = Vec::new();
                 for what in all {
                     let one = Cond { what: what.clone(), times: None, ..cond.clone() };
@@ -300,20 +307,22 @@ impl<'b, 'a> Making<'b, 'a> {
                         inputs.push(at);
                     }
                 }
-                self.made(Does::Any, inputs, &cond.span, chain)
+                self.made(SpokenConnector::Any, inputs, &cond.span, chain)
             }
-            Event::Any(_) => return None,
-            Event::Far(..) | Event::People(_) | Event::Charge(_) if cond.during.is_some() && every.is_none() => {
+            SensedEvent::Any(_) => return None,
+            SensedEvent::Far(..) | SensedEvent::People(_) | SensedEvent::Charge(_)
+                if cond.during.is_some() && every.is_none() =>
+            {
                 self.lasting(cond, chain)?
             }
-            Event::Face(Who::Anybody) if cond.during.is_some() && !cond.not && every.is_none() => {
+            SensedEvent::Face(WhichFace::Anybody) if cond.during.is_some() && !cond.not && every.is_none() => {
                 self.lasting(cond, chain)?
             }
             _ => {
                 let feed = self.feed(cond)?;
                 let mut at = self.sense(&feed, &cond.span)?;
                 if let Some(period) = every {
-                    at = self.made(Does::Every(period), vec![at], &cond.span, chain);
+                    at = self.made(SpokenConnector::Every(period), vec![at], &cond.span, chain);
                 }
                 for does in feed.steps {
                     at = self.made(does, vec![at], &cond.span, chain);
@@ -321,103 +330,111 @@ impl<'b, 'a> Making<'b, 'a> {
                 return Some(self.times(at, cond, chain));
             }
         };
-        let at = every.map_or(at, |period| self.made(Does::Every(period), vec![at], &cond.span, chain));
+        let at = every.map_or(at, |period| self.made(SpokenConnector::Every(period), vec![at], &cond.span, chain));
         Some(self.times(at, cond, chain))
     }
 
     fn times(&mut self, at: usize, cond: &Cond, chain: &mut Vec<usize>) -> usize {
         match cond.times {
             None => at,
-            Some(Times::After(times)) => {
-                let count = self.made(Does::Remember(Memory::Ones), vec![at], &cond.span, chain);
+            Some(Repetition::After(times)) => {
+                let count = self.made(SpokenConnector::Remember(RememberedKind::Ones), vec![at], &cond.span, chain);
                 self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
             }
-            Some(Times::Beyond(times)) => {
-                let count = self.made(Does::Remember(Memory::Ones), vec![at], &cond.span, chain);
+            Some(Repetition::Beyond(times)) => {
+                let count = self.made(SpokenConnector::Remember(RememberedKind::Ones), vec![at], &cond.span, chain);
                 self.made(numbers("", vec![(Comparison::More, f64::from(times))]), vec![count], &cond.span, chain)
             }
-            Some(Times::EachTime(times)) => {
-                let count = self.made(Does::Remember(Memory::Rounds(times)), vec![at], &cond.span, chain);
+            Some(Repetition::EachTime(times)) => {
+                let count =
+                    self.made(SpokenConnector::Remember(RememberedKind::Rounds(times)), vec![at], &cond.span, chain);
                 self.made(numbers("", vec![(Comparison::Is, f64::from(times))]), vec![count], &cond.span, chain)
             }
         }
     }
 
     /// The sense of a condition and the steps after it.
-    fn feed(&self, cond: &Cond) -> Option<Feed> {
-        let quiet = |feed: Feed| {
+    fn feed(&self, cond: &Cond) -> Option<SenseFeed> {
+        let quiet = |feed: SenseFeed| {
             let period = cond.during?;
-            Some(Feed { steps: vec![Does::Quiet(period)], ..feed })
+            Some(SenseFeed { steps: vec![SpokenConnector::Quiet(period)], ..feed })
         };
         let moment = cond.during.is_none();
         match (&cond.what, cond.not) {
-            (Event::Touch(body, params, phase), not) => felt(*body, params, *phase, not, cond.during),
-            (Event::Button(label), false) if moment => {
+            (SensedEvent::Touch(body, params, phase), not) => felt(*body, params, *phase, not, cond.during),
+            (SensedEvent::Button(label), false) if moment => {
                 let params = label.iter().map(|label| ("label", label.clone())).collect();
-                Some(Feed { params, ..feed("Button") })
+                Some(SenseFeed { params, ..feed("Button") })
             }
-            (Event::Button(label), true) => {
+            (SensedEvent::Button(label), true) => {
                 let params = label.iter().map(|label| ("label", label.clone())).collect();
-                quiet(Feed { params, ..feed("Button") })
+                quiet(SenseFeed { params, ..feed("Button") })
             }
-            (Event::Ball(color), not) => {
+            (SensedEvent::Ball(color), not) => {
                 let sense = if *color == "red" {
                     feed("RedBall")
                 } else {
-                    Feed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
+                    SenseFeed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
                 };
                 if not { Some(unseen(sense, cond)) } else { moment.then_some(sense) }
             }
-            (Event::Thing(color), not) => {
-                let sense = Feed { params: vec![("color", (*color).to_owned())], ..feed("Blob") };
+            (SensedEvent::Thing(color), not) => {
+                let sense = SenseFeed { params: vec![("color", (*color).to_owned())], ..feed("Blob") };
                 if not { Some(unseen(sense, cond)) } else { moment.then_some(sense) }
             }
-            (Event::Mark(mark), true) => {
+            (SensedEvent::Mark(mark), true) => {
                 let params = mark.iter().map(|mark| ("number", mark.to_string())).collect();
-                Some(unseen(Feed { params, ..feed("Landmark") }, cond))
+                Some(unseen(SenseFeed { params, ..feed("Landmark") }, cond))
             }
-            (Event::Face(Who::Anybody), true) => {
+            (SensedEvent::Face(WhichFace::Anybody), true) => {
                 if moment {
                     let steps = vec![numbers("count", vec![(Comparison::Less, 1.0)])];
-                    return Some(Feed { steps, ..feed("People") });
+                    return Some(SenseFeed { steps, ..feed("People") });
                 }
                 quiet(feed("FaceDetection"))
             }
-            (Event::Face(who), false) if moment => {
+            (SensedEvent::Face(who), false) if moment => {
                 let steps = match who {
-                    Who::Anybody => Vec::new(),
-                    Who::New => vec![truth("new", true)],
-                    Who::Known => vec![truth("new", false)],
-                    Who::Another => vec![Does::Changed(Some(Calc::Field("id".to_owned())))],
+                    WhichFace::Anybody => Vec::new(),
+                    WhichFace::New => vec![truth("new", true)],
+                    WhichFace::Known => vec![truth("new", false)],
+                    WhichFace::Another => vec![SpokenConnector::Changed(Some(Calc::Field("id".to_owned())))],
                 };
-                Some(Feed { steps, ..feed("FaceDetection") })
+                Some(SenseFeed { steps, ..feed("FaceDetection") })
             }
-            (Event::Mark(mark), false) if moment => {
+            (SensedEvent::Mark(mark), false) if moment => {
                 let params = mark.iter().map(|mark| ("number", mark.to_string())).collect();
-                Some(Feed { params, ..feed("Landmark") })
+                Some(SenseFeed { params, ..feed("Landmark") })
             }
-            (Event::Words(words), false) if moment => {
+            (SensedEvent::Words(words), false) if moment => {
                 let language = match self.language {
                     Language::English => "English",
                     Language::Japanese => "Japanese",
                 };
                 let params = vec![("words", words.join(", ")), ("language", language.to_owned())];
-                Some(Feed { params, ..feed("WordRecognized") })
+                Some(SenseFeed { params, ..feed("WordRecognized") })
             }
-            (Event::Noise, false) if moment => Some(feed("SoundLocated")),
-            (Event::Noise, true) => quiet(feed("SoundLocated")),
-            (Event::Start, false) if moment => Some(Feed {
+            (SensedEvent::Noise, false) if moment => Some(feed("SoundLocated")),
+            (SensedEvent::Noise, true) => quiet(feed("SoundLocated")),
+            (SensedEvent::Start, false) if moment => Some(SenseFeed {
                 params: vec![("period_ms", STEP_MS.to_string())],
                 steps: vec![numbers("", vec![(Comparison::Is, 1.0)])],
                 ..feed("Tick")
             }),
-            (Event::Falls, false) if moment => Some(feed("Fall")),
-            (Event::Up, false) if moment => Some(Feed {
+            (SensedEvent::Falls, false) if moment => Some(feed("Fall")),
+            (SensedEvent::Up, false) if moment => Some(SenseFeed {
                 params: vec![("release", "yes".to_owned())],
                 steps: vec![truth("", false)],
                 ..feed("Fall")
             }),
-            (Event::Pose(_) | Event::Far(..) | Event::People(_) | Event::Charge(_) | Event::Joint(..), _) if moment => {
+            (
+                SensedEvent::Pose(_)
+                | SensedEvent::Far(..)
+                | SensedEvent::People(_)
+                | SensedEvent::Charge(_)
+                | SensedEvent::Joint(..),
+                _,
+            ) if moment => {
                 let (mut sense, test) = tested(cond)?;
                 sense.steps.extend(test);
                 Some(sense)
@@ -432,18 +449,19 @@ impl<'b, 'a> Making<'b, 'a> {
             return None;
         }
         let (sense, test) = match (&cond.what, cond.not) {
-            (Event::Ball(_) | Event::Thing(_), false) => return self.in_view(at, cond, chain),
-            (Event::Face(Who::Anybody), not) => {
+            (SensedEvent::Ball(_) | SensedEvent::Thing(_), false) => return self.in_view(at, cond, chain),
+            (SensedEvent::Face(WhichFace::Anybody), not) => {
                 let comparison = if not { Comparison::Less } else { Comparison::AtLeast };
                 (feed("People"), Some(numbers("count", vec![(comparison, 1.0)])))
             }
-            (Event::Touch(device, params, Phase::Begins), false) if cond.lasts => {
+            (SensedEvent::Touch(device, params, TouchPhase::Begins), false) if cond.lasts => {
                 let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
                 params.push(("release", "yes".to_owned()));
-                (Feed { device: touch(*device), params, steps: Vec::new() }, Some(truth("", true)))
+                (SenseFeed { device: touch(*device), params, steps: Vec::new() }, Some(truth("", true)))
             }
-            (Event::Touch(device, params, Phase::Begins), true) if cond.lasts => {
-                let held = Cond { what: Event::Touch(*device, params.clone(), Phase::Begins), ..cond.clone() };
+            (SensedEvent::Touch(device, params, TouchPhase::Begins), true) if cond.lasts => {
+                let held =
+                    Cond { what: SensedEvent::Touch(*device, params.clone(), TouchPhase::Begins), ..cond.clone() };
                 return self.unless_held(at, &held, chain);
             }
             _ => tested(cond)?,
@@ -455,7 +473,7 @@ impl<'b, 'a> Making<'b, 'a> {
         if state == at {
             return Some(self.made(test?, vec![at], &cond.span, chain));
         }
-        let latest = self.made(Does::Latest(Calc::Last), vec![at, state], &cond.span, chain);
+        let latest = self.made(SpokenConnector::Latest(Calc::Last), vec![at, state], &cond.span, chain);
         // The test is of what the state carries.
         let carried = self.builder.nodes[state].carried.clone();
         self.builder.nodes[latest].carried = carried;
@@ -466,18 +484,18 @@ impl<'b, 'a> Making<'b, 'a> {
     /// Returns the node of what comes while something is not touched: untouched until the first touch.
     fn unless_held(&mut self, at: usize, touch: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
         let over = Cond { what: ended(&touch.what)?, not: false, ..touch.clone() };
-        let Event::Touch(body, params, _) = &touch.what else { return None };
+        let SensedEvent::Touch(body, params, _) = &touch.what else { return None };
         let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
         params.push(("release", "yes".to_owned()));
-        let begins = Feed { params, ..feed(self::touch(*body)) };
+        let begins = SenseFeed { params, ..feed(self::touch(*body)) };
         let begins = self.sense(&begins, &touch.span)?;
         let begins = self.made(truth("", true), vec![begins], &touch.span, &mut Vec::new());
         let begins = self.made(number(1.0), vec![begins], &touch.span, &mut Vec::new());
         let ends = self.event(&over, &mut Vec::new(), None)?;
         let ends = self.made(number(0.0), vec![ends], &touch.span, &mut Vec::new());
         let comes = self.made(number(2.0), vec![at], &touch.span, chain);
-        let any = self.made(Does::Any, vec![comes, begins, ends], &touch.span, chain);
-        let any = self.made(Does::Remember(Memory::Held), vec![any], &touch.span, chain);
+        let any = self.made(SpokenConnector::Any, vec![comes, begins, ends], &touch.span, chain);
+        let any = self.made(SpokenConnector::Remember(RememberedKind::Held), vec![any], &touch.span, chain);
         Some(self.made(numbers("", vec![(Comparison::Is, 2.0)]), vec![any], &touch.span, chain))
     }
 
@@ -488,29 +506,33 @@ impl<'b, 'a> Making<'b, 'a> {
             return None;
         }
         let is = self.made(number(1.0), vec![seen], &cond.span, &mut Vec::new());
-        let gone = self.made(Does::Quiet(UNSEEN_MS), vec![is], &cond.span, &mut Vec::new());
+        let gone = self.made(SpokenConnector::Quiet(UNSEEN_MS), vec![is], &cond.span, &mut Vec::new());
         let gone = self.made(number(0.0), vec![gone], &cond.span, &mut Vec::new());
-        let state = self.made(Does::Any, vec![is, gone], &cond.span, &mut Vec::new());
-        let latest = self.made(Does::Latest(Calc::Last), vec![at, state], &cond.span, chain);
+        let state = self.made(SpokenConnector::Any, vec![is, gone], &cond.span, &mut Vec::new());
+        let latest = self.made(SpokenConnector::Latest(Calc::Last), vec![at, state], &cond.span, chain);
         Some(self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![latest], &cond.span, chain))
     }
 
-    fn sense(&mut self, feed: &Feed, span: &Span) -> Option<usize> {
+    fn sense(&mut self, feed: &SenseFeed, span: &TokenSpan) -> Option<usize> {
         let device = robot::device(StreamKind::Sensor, feed.device).ok()?;
         let params = chosen(device, &feed.params)?;
-        Some(self.builder.node(Source::Sense(device, params), Carried::Sense(device.name), span))
+        Some(self.builder.node(StreamSource::Sense(device, params), CarriedKind::Sense(device.name), span))
     }
 
-    fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
+    fn made(&mut self, does: SpokenConnector, inputs: Vec<usize>, span: &TokenSpan, chain: &mut Vec<usize>) -> usize {
         self.builder.made(does, inputs, span, chain)
     }
 
-    fn acts(&mut self, rule: &Rule, at: usize, seen: Option<&'static str>) -> Option<()> {
+    fn acts(&mut self, rule: &MeantRule, at: usize, seen: Option<&'static str>) -> Option<()> {
         for (later, act, span) in &rule.acts {
-            let input = if *later > 0 { self.made(Does::Later(*later), vec![at], span, &mut Vec::new()) } else { at };
+            let input = if *later > 0 {
+                self.made(SpokenConnector::Later(*later), vec![at], span, &mut Vec::new())
+            } else {
+                at
+            };
             let changed = rule.counts || rule.once || rule.pause.is_some() || rule.until.is_some();
             let seen = if changed || !rule.states.is_empty() { None } else { seen };
-            if rule.counts && matches!(act, Act::SayValue(Value::It) | Act::Show(Value::It)) {
+            if rule.counts && matches!(act, Act::SayValue(MeantValue::It) | Act::Show(MeantValue::It)) {
                 let device = if matches!(act, Act::SayValue(_)) { "SayInput" } else { "Print" };
                 self.put(device, &[], input, span)?;
                 continue;
@@ -525,21 +547,21 @@ impl<'b, 'a> Making<'b, 'a> {
     }
 
     /// Walking ends by itself: while something lasts that is told only once, it is said again and again.
-    fn again_while(&mut self, rule: &Rule, input: usize, span: &Span) -> Option<usize> {
+    fn again_while(&mut self, rule: &MeantRule, input: usize, span: &TokenSpan) -> Option<usize> {
         let event = rule.event.as_ref()?;
-        if !matches!(event.what, Event::Touch(..) | Event::Pose(_) | Event::Charge(_)) {
+        if !matches!(event.what, SensedEvent::Touch(..) | SensedEvent::Pose(_) | SensedEvent::Charge(_)) {
             return Some(input);
         }
         if event.not || !rule.states.is_empty() || rule.at_most.is_some() || rule.once || rule.until.is_some() {
             return None;
         }
-        let clock = Feed { params: vec![("period_ms", STEP_MS.to_string())], ..feed("Tick") };
+        let clock = SenseFeed { params: vec![("period_ms", STEP_MS.to_string())], ..feed("Tick") };
         let tick = self.sense(&clock, span)?;
         self.state(tick, event, &mut Vec::new())
     }
 
     /// Does something whenever a value comes. `seen` is the sense that the value is still of.
-    fn act(&mut self, act: &Act, at: usize, seen: Option<&'static str>, span: &Span) -> Option<()> {
+    fn act(&mut self, act: &Act, at: usize, seen: Option<&'static str>, span: &TokenSpan) -> Option<()> {
         match act {
             Act::Say(text) => self.put("SayParameter", &[("text", text)], at, span),
             Act::SayAny(texts) => {
@@ -571,8 +593,8 @@ impl<'b, 'a> Making<'b, 'a> {
                     return None;
                 }
                 let near = match of {
-                    Of::Ball(_) => Some(Does::Make(Calc::Helper(distance_helper("m").to_owned()))),
-                    Of::Person => Some(Does::Make(Calc::Field("distance".to_owned()))),
+                    Of::Ball(_) => Some(SpokenConnector::Make(Calc::Helper(distance_helper("m").to_owned()))),
+                    Of::Person => Some(SpokenConnector::Make(Calc::Field("distance".to_owned()))),
                     _ => None,
                 };
                 let mut at = at;
@@ -583,15 +605,15 @@ impl<'b, 'a> Making<'b, 'a> {
                 if let Some(near) = near {
                     at = self.made(near, vec![at], span, &mut Vec::new());
                 }
-                let bright = Does::Make(Calc::Helper("distance_to_brightness".to_owned()));
+                let bright = SpokenConnector::Make(Calc::Helper("distance_to_brightness".to_owned()));
                 let at = self.made(bright, vec![at], span, &mut Vec::new());
                 self.put("EyeBrightness", &[], at, span)
             }
             Act::Follow(target, mode, effector) => {
                 let target = match target {
-                    Target::Ball => "RedBall",
-                    Target::Face => "Face",
-                    Target::It => return None,
+                    FollowedTarget::Ball => "RedBall",
+                    FollowedTarget::Face => "Face",
+                    FollowedTarget::It => return None,
                 };
                 self.put("Tracker", &[("target", target), ("mode", mode), ("effector", effector)], at, span)
             }
@@ -622,38 +644,40 @@ impl<'b, 'a> Making<'b, 'a> {
     }
 
     /// One of several texts whenever something comes: by a number that goes on from the time at which it came.
-    fn by_chance(&mut self, at: usize, texts: &[String], span: &Span) -> usize {
-        let at = self.made(Does::Stamp, vec![at], span, &mut Vec::new());
-        let at = self.made(Does::Remember(Memory::Draws), vec![at], span, &mut Vec::new());
+    fn by_chance(&mut self, at: usize, texts: &[String], span: &TokenSpan) -> usize {
+        let at = self.made(SpokenConnector::Stamp, vec![at], span, &mut Vec::new());
+        let at = self.made(SpokenConnector::Remember(RememberedKind::Draws), vec![at], span, &mut Vec::new());
         let mut body = text_literal(texts.last().map_or("", String::as_str));
         for (place, text) in texts.iter().enumerate().rev().skip(1) {
             let count = texts.len();
             body = format!("if value / 256 % {count} == {place} {{ {} }} else {{ {body} }}", text_literal(text));
         }
-        self.made(Does::Make(Calc::Written(vec!["value".to_owned()], body)), vec![at], span, &mut Vec::new())
+        self.made(SpokenConnector::Make(Calc::Written(vec!["value".to_owned()], body)), vec![at], span, &mut Vec::new())
     }
 
     /// The node of a value that is said whenever something comes.
-    fn value(&mut self, value: Value, at: usize, seen: Option<&'static str>, span: &Span) -> Option<usize> {
-        let (device, does): (&'static str, Option<Does>) = match value {
-            Value::It => {
+    fn value(&mut self, value: MeantValue, at: usize, seen: Option<&'static str>, span: &TokenSpan) -> Option<usize> {
+        let (device, does): (&'static str, Option<SpokenConnector>) = match value {
+            MeantValue::It => {
                 // Only what is a number or a text by itself can be said.
                 return matches!(seen, Some("Battery" | "Sonar" | "PostureChanged" | "Tick" | "JointPosition"))
                     .then_some(at);
             }
-            Value::People => ("People", Some(Does::Make(Calc::Field("count".to_owned())))),
-            Value::Charge => ("Battery", None),
-            Value::Name => ("FaceDetection", Some(Does::Make(Calc::Field("label".to_owned())))),
-            Value::Distance(Of::Ball(color)) => {
-                let helper = Does::Make(Calc::Helper(distance_helper("cm").to_owned()));
+            MeantValue::People => ("People", Some(SpokenConnector::Make(Calc::Field("count".to_owned())))),
+            MeantValue::Charge => ("Battery", None),
+            MeantValue::Name => ("FaceDetection", Some(SpokenConnector::Make(Calc::Field("label".to_owned())))),
+            MeantValue::Distance(Of::Ball(color)) => {
+                let helper = SpokenConnector::Make(Calc::Helper(distance_helper("cm").to_owned()));
                 (if color == "red" { "RedBall" } else { "ColorBall" }, Some(helper))
             }
-            Value::Distance(Of::Person) => ("People", Some(Does::Make(Calc::Field("distance".to_owned())))),
-            Value::Distance(Of::Ahead(_)) => ("Sonar", None),
-            Value::Distance(Of::It) | Value::Count => return None,
-            Value::Pose => ("PostureChanged", None),
-            Value::Word => ("WordRecognized", Some(Does::Make(Calc::Field("word".to_owned())))),
-            Value::Mark => ("Landmark", Some(Does::Make(Calc::Field("number".to_owned())))),
+            MeantValue::Distance(Of::Person) => {
+                ("People", Some(SpokenConnector::Make(Calc::Field("distance".to_owned()))))
+            }
+            MeantValue::Distance(Of::Ahead(_)) => ("Sonar", None),
+            MeantValue::Distance(Of::It) | MeantValue::Count => return None,
+            MeantValue::Pose => ("PostureChanged", None),
+            MeantValue::Word => ("WordRecognized", Some(SpokenConnector::Make(Calc::Field("word".to_owned())))),
+            MeantValue::Mark => ("Landmark", Some(SpokenConnector::Make(Calc::Field("number".to_owned())))),
         };
         if seen == Some(device) {
             return Some(does.map_or(at, |does| self.made(does, vec![at], span, &mut Vec::new())));
@@ -663,10 +687,10 @@ impl<'b, 'a> Making<'b, 'a> {
         }
         let other = self.sense(&feed(device), span)?;
         let other = does.map_or(other, |does| self.made(does, vec![other], span, &mut Vec::new()));
-        Some(self.made(Does::Latest(Calc::Last), vec![at, other], span, &mut Vec::new()))
+        Some(self.made(SpokenConnector::Latest(Calc::Last), vec![at, other], span, &mut Vec::new()))
     }
 
-    fn put(&mut self, name: &str, params: &[(&'static str, &str)], input: usize, span: &Span) -> Option<()> {
+    fn put(&mut self, name: &str, params: &[(&'static str, &str)], input: usize, span: &TokenSpan) -> Option<()> {
         let device = robot::device(StreamKind::Actuator, name).ok()?;
         let given: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
         let params = chosen(device, &given)?;
@@ -675,7 +699,10 @@ impl<'b, 'a> Making<'b, 'a> {
         };
         let clause = ACTIONS.iter().find(|clause| clause.device == name && fits(clause.fixed))?;
         // Of actions with a number the clause with that.
-        let made = matches!(&self.builder.nodes.get(input)?.source, Source::Made(Does::Make(Calc::Number(_)), ..));
+        let made = matches!(
+            &self.builder.nodes.get(input)?.source,
+            StreamSource::Made(SpokenConnector::Make(Calc::Number(_)), ..)
+        );
         let clause = ACTIONS
             .iter()
             .find(|other| made && other.device == name && other.id.ends_with(".number"))
@@ -697,22 +724,27 @@ impl<'b, 'a> Making<'b, 'a> {
 }
 
 /// True if the robot knows when something is over, so that what is done can end with it.
-fn lasts(event: &Cond, rule: &Rule) -> bool {
+fn lasts(event: &Cond, rule: &MeantRule) -> bool {
     let is_moment = matches!(
         event.what,
-        Event::Button(_) | Event::Words(_) | Event::Start | Event::Falls | Event::Up | Event::Mark(_)
-    ) || (event.what == Event::Noise && !event.not);
+        SensedEvent::Button(_)
+            | SensedEvent::Words(_)
+            | SensedEvent::Start
+            | SensedEvent::Falls
+            | SensedEvent::Up
+            | SensedEvent::Mark(_)
+    ) || (event.what == SensedEvent::Noise && !event.not);
     let lit = rule.acts.iter().any(|(_, act, _)| matches!(act, Act::Eyes(color) if *color != "off"));
     !is_moment && (rule.states.is_empty() || !lit)
 }
 
 /// Something that was not seen for so long, or for a moment.
-fn unseen(sense: Feed, cond: &Cond) -> Feed {
-    Feed { steps: vec![Does::Quiet(cond.during.unwrap_or(UNSEEN_MS))], ..sense }
+fn unseen(sense: SenseFeed, cond: &Cond) -> SenseFeed {
+    SenseFeed { steps: vec![SpokenConnector::Quiet(cond.during.unwrap_or(UNSEEN_MS))], ..sense }
 }
 
 /// True if a rule says what the eyes do when what another one lasts for is over.
-fn ends(rule: &Rule, lasting: &Rule) -> bool {
+fn ends(rule: &MeantRule, lasting: &MeantRule) -> bool {
     let (Some(event), Some(over)) = (&rule.event, &lasting.event) else { return false };
     let is_end = (event.not && event.what == over.what) || ended(&over.what).as_ref() == Some(&event.what);
     is_end
@@ -722,28 +754,28 @@ fn ends(rule: &Rule, lasting: &Rule) -> bool {
 
 /// The sense of a touch and what is asked of it.
 fn felt(
-    body: Body,
+    body: TouchedPart,
     params: &[(&'static str, &'static str)],
-    phase: Phase,
+    phase: TouchPhase,
     not: bool,
     during: Option<u64>,
-) -> Option<Feed> {
+) -> Option<SenseFeed> {
     let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
     let both = ("release", "yes".to_owned());
     let steps = match (phase, not, during) {
-        (Phase::Begins, false, None) => vec![truth("", true)],
-        (Phase::Begins, false, Some(period)) => {
+        (TouchPhase::Begins, false, None) => vec![truth("", true)],
+        (TouchPhase::Begins, false, Some(period)) => {
             params.push(both);
-            vec![Does::Quiet(period), truth("", true)]
+            vec![SpokenConnector::Quiet(period), truth("", true)]
         }
-        (Phase::Begins, true, Some(period)) => vec![Does::Quiet(period)],
-        (Phase::Ends, false, None) => {
+        (TouchPhase::Begins, true, Some(period)) => vec![SpokenConnector::Quiet(period)],
+        (TouchPhase::Ends, false, None) => {
             params.push(both);
             vec![truth("", false)]
         }
         _ => return None,
     };
-    Some(Feed { device: touch(body), params, steps })
+    Some(SenseFeed { device: touch(body), params, steps })
 }
 
 /// All parameters of a device, of which some are chosen; none if it has no such choice.
@@ -777,13 +809,14 @@ fn chosen(device: &'static robot::Device, given: &[(&'static str, String)]) -> O
 
 /// What happens in a moment before what is so for a while.
 fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c Cond>) {
-    let in_view =
-        |cond: &Cond| matches!(cond.what, Event::Ball(_) | Event::Thing(_)) && !cond.not && cond.times.is_none();
+    let in_view = |cond: &Cond| {
+        matches!(cond.what, SensedEvent::Ball(_) | SensedEvent::Thing(_)) && !cond.not && cond.times.is_none()
+    };
     let lasts = |cond: &Cond| (tested(cond).is_some() || in_view(cond)) && cond.during.is_none();
     if lasts(event)
-        && let Some(at) = states
-            .iter()
-            .position(|state| !lasts(state) && !matches!(state.what, Event::Face(Who::Anybody)) && !state.not)
+        && let Some(at) = states.iter().position(|state| {
+            !lasts(state) && !matches!(state.what, SensedEvent::Face(WhichFace::Anybody)) && !state.not
+        })
     {
         let mut rest = vec![event];
         rest.extend(states.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, state)| state));
@@ -793,32 +826,33 @@ fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c C
 }
 
 /// The sense of something that is measured, and the test of it.
-fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
-    let plain =
-        |bounds: &[Bound]| bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect::<Vec<_>>();
+fn tested(cond: &Cond) -> Option<(SenseFeed, Option<SpokenConnector>)> {
+    let plain = |bounds: &[MeasuredBound]| {
+        bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect::<Vec<_>>()
+    };
     let is = !cond.not;
     Some(match &cond.what {
-        Event::Pose(posture) => (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned())))),
-        Event::Far(of, bounds) if cond.not => {
-            let what = Event::Far(*of, opposite(bounds)?);
+        SensedEvent::Pose(posture) => (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned())))),
+        SensedEvent::Far(of, bounds) if cond.not => {
+            let what = SensedEvent::Far(*of, opposite(bounds)?);
             return tested(&Cond { what, not: false, ..cond.clone() });
         }
-        Event::People(bounds) if cond.not => {
-            return tested(&Cond { what: Event::People(opposite(bounds)?), not: false, ..cond.clone() });
+        SensedEvent::People(bounds) if cond.not => {
+            return tested(&Cond { what: SensedEvent::People(opposite(bounds)?), not: false, ..cond.clone() });
         }
-        Event::Charge(bounds) if cond.not => {
-            return tested(&Cond { what: Event::Charge(opposite(bounds)?), not: false, ..cond.clone() });
+        SensedEvent::Charge(bounds) if cond.not => {
+            return tested(&Cond { what: SensedEvent::Charge(opposite(bounds)?), not: false, ..cond.clone() });
         }
         _ if cond.not => return None,
-        Event::Far(of, bounds) => match of {
+        SensedEvent::Far(of, bounds) => match of {
             Of::Ball(color) => {
                 let mut sense = if *color == "red" {
                     feed("RedBall")
                 } else {
-                    Feed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
+                    SenseFeed { params: vec![("color", (*color).to_owned())], ..feed("ColorBall") }
                 };
                 let (unit, bounds) = in_unit(bounds)?;
-                sense.steps.push(Does::Make(Calc::Helper(distance_helper(unit).to_owned())));
+                sense.steps.push(SpokenConnector::Make(Calc::Helper(distance_helper(unit).to_owned())));
                 (sense, (!bounds.is_empty()).then(|| numbers("", bounds)))
             }
             Of::Person => {
@@ -826,16 +860,16 @@ fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
                 (feed("People"), (!bounds.is_empty()).then(|| numbers("distance", bounds)))
             }
             Of::Ahead(side) => {
-                let sense = Feed { params: vec![("side", (*side).to_owned())], ..feed("Sonar") };
+                let sense = SenseFeed { params: vec![("side", (*side).to_owned())], ..feed("Sonar") };
                 let bounds = in_metres(bounds);
                 (sense, (!bounds.is_empty()).then(|| numbers("", bounds)))
             }
             Of::It => return None,
         },
-        Event::People(bounds) => (feed("People"), (!bounds.is_empty()).then(|| numbers("count", plain(bounds)))),
-        Event::Charge(bounds) => (feed("Battery"), (!bounds.is_empty()).then(|| numbers("", plain(bounds)))),
-        Event::Joint(joint, bounds) => {
-            let sense = Feed { params: vec![("joint", (*joint).to_owned())], ..feed("JointPosition") };
+        SensedEvent::People(bounds) => (feed("People"), (!bounds.is_empty()).then(|| numbers("count", plain(bounds)))),
+        SensedEvent::Charge(bounds) => (feed("Battery"), (!bounds.is_empty()).then(|| numbers("", plain(bounds)))),
+        SensedEvent::Joint(joint, bounds) => {
+            let sense = SenseFeed { params: vec![("joint", (*joint).to_owned())], ..feed("JointPosition") };
             (sense, Some(numbers("", plain(bounds))))
         }
         _ => return None,
@@ -843,19 +877,20 @@ fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
 }
 
 /// The bound that is so when this one is not.
-fn opposite(bounds: &[Bound]) -> Option<Vec<Bound>> {
+fn opposite(bounds: &[MeasuredBound]) -> Option<Vec<MeasuredBound>> {
     let [(comparison, value, unit)] = bounds else { return None };
     Some(vec![(comparison.opposite(), *value, unit)])
 }
 
 /// Bounds in metres.
-fn in_metres(bounds: &[Bound]) -> Vec<(Comparison, f64)> {
-    let metres = |(comparison, value, unit): &Bound| (*comparison, if *unit == "m" { *value } else { value / 100.0 });
+fn in_metres(bounds: &[MeasuredBound]) -> Vec<(Comparison, f64)> {
+    let metres =
+        |(comparison, value, unit): &MeasuredBound| (*comparison, if *unit == "m" { *value } else { value / 100.0 });
     bounds.iter().map(metres).collect()
 }
 
 /// Bounds in the unit that all of them have; metres if they differ.
-fn in_unit(bounds: &[Bound]) -> Option<(&'static str, Vec<(Comparison, f64)>)> {
+fn in_unit(bounds: &[MeasuredBound]) -> Option<(&'static str, Vec<(Comparison, f64)>)> {
     let unit = bounds.first().map_or("m", |(.., unit)| *unit);
     if bounds.iter().all(|(.., other)| *other == unit) {
         return Some((unit, bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect()));
@@ -864,17 +899,17 @@ fn in_unit(bounds: &[Bound]) -> Option<(&'static str, Vec<(Comparison, f64)>)> {
 }
 
 /// The sense of an event whose values are as they came.
-fn device_of(event: &Event) -> Option<&'static str> {
+fn device_of(event: &SensedEvent) -> Option<&'static str> {
     Some(match event {
-        Event::Ball("red") => "RedBall",
-        Event::Ball(_) => "ColorBall",
-        Event::Face(_) => "FaceDetection",
-        Event::People(_) | Event::Far(Of::Person, _) => "People",
-        Event::Far(Of::Ahead(_), _) => "Sonar",
-        Event::Charge(_) => "Battery",
-        Event::Words(_) => "WordRecognized",
-        Event::Mark(_) => "Landmark",
-        Event::Pose(_) => "PostureChanged",
+        SensedEvent::Ball("red") => "RedBall",
+        SensedEvent::Ball(_) => "ColorBall",
+        SensedEvent::Face(_) => "FaceDetection",
+        SensedEvent::People(_) | SensedEvent::Far(Of::Person, _) => "People",
+        SensedEvent::Far(Of::Ahead(_), _) => "Sonar",
+        SensedEvent::Charge(_) => "Battery",
+        SensedEvent::Words(_) => "WordRecognized",
+        SensedEvent::Mark(_) => "Landmark",
+        SensedEvent::Pose(_) => "PostureChanged",
         _ => return None,
     })
 }

@@ -5,11 +5,11 @@ use behaviour::Params;
 use std::ops::Range;
 
 /// Tokens of the text, by their numbers.
-pub(super) type Span = Range<usize>;
+pub(super) type TokenSpan = Range<usize>;
 
 /// What a hole of words was filled with.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Bound {
+pub(super) enum HoleFilling {
     /// A number and its unit, if one was written.
     Number(f64, Option<&'static str>),
     /// Milliseconds.
@@ -23,84 +23,84 @@ pub(super) enum Bound {
     /// What the sentence has named already.
     It,
     /// Several ways.
-    Ways(Vec<Way>),
+    Ways(Vec<ValueWay>),
     /// A test.
-    Test(Vec<Said>),
+    Test(Vec<SaidWords>),
 }
 
 /// Words of a rule, with what their holes were filled with.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Said {
+pub(super) struct SaidWords {
     pub(super) rule: &'static str,
-    pub(super) holes: Vec<(&'static str, Bound)>,
-    pub(super) span: Span,
+    pub(super) holes: Vec<(&'static str, HoleFilling)>,
+    pub(super) span: TokenSpan,
 }
 
 /// A way of values.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Way {
+pub(super) struct ValueWay {
     /// How often its start is looked at.
-    pub(super) every: Option<Said>,
-    pub(super) start: Start,
-    pub(super) steps: Vec<Said>,
+    pub(super) every: Option<SaidWords>,
+    pub(super) start: WayStart,
+    pub(super) steps: Vec<SaidWords>,
 }
 
 /// Where a way starts.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Start {
+pub(super) enum WayStart {
     /// A sense, with what is asked of it.
-    Sense(&'static Clause, Said),
+    Sense(&'static Clause, SaidWords),
     /// What is asked of a sense (its name and field) or of a stream by name, and the test.
-    Asked(Option<(&'static str, &'static str)>, Said, Vec<Said>),
+    Asked(Option<(&'static str, &'static str)>, SaidWords, Vec<SaidWords>),
     /// A stream by name.
-    Named(Said),
+    Named(SaidWords),
     /// One of several.
-    Any(Vec<Way>),
+    Any(Vec<ValueWay>),
     /// What the test of the sentence before keeps out.
-    Otherwise(Span),
+    Otherwise(TokenSpan),
 }
 
 /// An action: its clause, or a stream by name.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Action {
+pub(super) struct SaidAction {
     pub(super) clause: Option<&'static Clause>,
-    pub(super) said: Said,
+    pub(super) said: SaidWords,
     /// Whether it is the same as one before.
     pub(super) again: bool,
 }
 
 /// A sentence; without an action it is not finished.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Told {
-    pub(super) way: Way,
-    pub(super) action: Option<Action>,
+pub(super) struct ToldSentence {
+    pub(super) way: ValueWay,
+    pub(super) action: Option<SaidAction>,
     /// What is done besides.
-    pub(super) more: Vec<Action>,
+    pub(super) more: Vec<SaidAction>,
 }
 
-impl Said {
+impl SaidWords {
     /// Whether some of it could be anything.
     pub(super) fn is_guess(&self) -> bool {
-        self.holes.iter().any(|(_, bound)| matches!(bound, Bound::Plain(_)))
+        self.holes.iter().any(|(_, bound)| matches!(bound, HoleFilling::Plain(_)))
     }
 
     /// What a hole was filled with.
-    pub(super) fn hole(&self, name: &str) -> Option<&Bound> {
+    pub(super) fn hole(&self, name: &str) -> Option<&HoleFilling> {
         self.holes.iter().find(|(known, _)| *known == name).map(|(_, bound)| bound)
     }
 
     /// The text of a hole.
     pub(super) fn text(&self, name: &str) -> Option<&str> {
         match self.hole(name) {
-            Some(Bound::Text(text) | Bound::Plain(text)) => Some(text),
-            Some(Bound::Chosen(chosen)) => Some(chosen),
+            Some(HoleFilling::Text(text) | HoleFilling::Plain(text)) => Some(text),
+            Some(HoleFilling::Chosen(chosen)) => Some(chosen),
             _ => None,
         }
     }
 
     /// The milliseconds of its duration.
     pub(super) fn duration(&self) -> Option<u64> {
-        self.holes.iter().find_map(|(_, bound)| if let Bound::Duration(ms) = bound { Some(*ms) } else { None })
+        self.holes.iter().find_map(|(_, bound)| if let HoleFilling::Duration(ms) = bound { Some(*ms) } else { None })
     }
 
     /// The parameters of a device that its holes say.
@@ -108,10 +108,10 @@ impl Said {
         let mut params = Params::new();
         for param in device.params {
             let value = match self.hole(param.name) {
-                Some(Bound::Number(number, _)) => behaviour::Value::Float(*number),
-                Some(Bound::Duration(ms)) => behaviour::Value::Float(*ms as f64),
-                Some(Bound::Text(text) | Bound::Plain(text)) => behaviour::Value::text(text),
-                Some(Bound::Chosen(chosen)) => behaviour::Value::text(chosen),
+                Some(HoleFilling::Number(number, _)) => behaviour::Value::Float(*number),
+                Some(HoleFilling::Duration(ms)) => behaviour::Value::Float(*ms as f64),
+                Some(HoleFilling::Text(text) | HoleFilling::Plain(text)) => behaviour::Value::text(text),
+                Some(HoleFilling::Chosen(chosen)) => behaviour::Value::text(chosen),
                 _ => continue,
             };
             params.insert(param.name.to_owned(), value);
@@ -120,25 +120,25 @@ impl Said {
     }
 }
 
-impl Told {
+impl ToldSentence {
     /// Whether some of it could be anything.
     pub(super) fn is_guess(&self) -> bool {
         self.way.is_guess() || self.action.iter().chain(&self.more).any(|action| action.said.is_guess())
     }
 }
 
-impl Way {
+impl ValueWay {
     fn is_guess(&self) -> bool {
         let start = match &self.start {
-            Start::Sense(_, said) | Start::Named(said) => said.is_guess(),
-            Start::Asked(_, said, test) => said.is_guess() || test.iter().any(Said::is_guess),
-            Start::Any(ways) => ways.iter().any(Self::is_guess),
-            Start::Otherwise(_) => false,
+            WayStart::Sense(_, said) | WayStart::Named(said) => said.is_guess(),
+            WayStart::Asked(_, said, test) => said.is_guess() || test.iter().any(SaidWords::is_guess),
+            WayStart::Any(ways) => ways.iter().any(Self::is_guess),
+            WayStart::Otherwise(_) => false,
         };
-        let within = |said: &Said| {
+        let within = |said: &SaidWords| {
             said.holes.iter().any(|(_, bound)| match bound {
-                Bound::Ways(ways) => ways.iter().any(Self::is_guess),
-                Bound::Test(test) => test.iter().any(Said::is_guess),
+                HoleFilling::Ways(ways) => ways.iter().any(Self::is_guess),
+                HoleFilling::Test(test) => test.iter().any(SaidWords::is_guess),
                 _ => false,
             })
         };

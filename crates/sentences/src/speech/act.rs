@@ -1,9 +1,9 @@
 //! What a clause means that tells what to do.
 
-use super::atoms::{Atom, Measure, Value as Said, form};
+use super::atoms::{Atom, AtomValue as Said, CountedNumber, form};
 use super::clause::{Bag, Meant, cond, gaps};
-use super::lexicon::End;
-use super::meaning::{Act, Of, Target, Value};
+use super::lexicon::FormEnd;
+use super::meaning::{Act, FollowedTarget, MeantValue, Of};
 
 /// How far a raised and a lowered arm stands, in radians, and an open and a closed hand.
 const RAISED: f64 = -1.0;
@@ -41,7 +41,7 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
         let words = bag.atoms[verb].is("v", "say");
         bag.take_all("it", "");
         bag.take_all("part", "hand");
-        let period = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None });
+        let period = bag.measure(|measure| if let CountedNumber::Time(ms) = measure { Some(ms) } else { None });
         if period.is_some() {
             bag.take("cmp", "atleast");
         }
@@ -50,7 +50,8 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     }
     // *Keep saying …*
     let keeps = bag.find("v", "keep").filter(|_| {
-        let goes_on = |sense: &super::lexicon::Sense| matches!(sense.kind, "v" | "do") && sense.form.end == End::Ing;
+        let goes_on =
+            |sense: &super::lexicon::WritingSense| matches!(sense.kind, "v" | "do") && sense.form.end == FormEnd::Ing;
         atoms.iter().any(|atom| atom.senses.iter().any(goes_on) && !atom.is("v", "keep"))
     });
     keeps.into_iter().for_each(|at| bag.use_up(at));
@@ -63,7 +64,8 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     if let [Act::Eyes(color)] = acts[..]
         && color != "off"
         && !bag.has("cmp", "")
-        && let Some((ms, _)) = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None })
+        && let Some((ms, _)) =
+            bag.measure(|measure| if let CountedNumber::Time(ms) = measure { Some(ms) } else { None })
     {
         bag.take("adj", "during");
         acts.push(Act::GoesOut(ms));
@@ -88,8 +90,8 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
         let mut any = false;
         for sense in verbs {
             any = true;
-            let keeps = sense.form.end == End::Ing;
-            if sense.form.end == End::Plain || (robot && sense.form.end == End::Third) || keeps {
+            let keeps = sense.form.end == FormEnd::Ing;
+            if sense.form.end == FormEnd::Plain || (robot && sense.form.end == FormEnd::Third) || keeps {
                 return true;
             }
         }
@@ -154,8 +156,8 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     }
     if let Some(at) = bag.find("v", "display") {
         bag.use_up(at);
-        if form(&bag.atoms[at], "v").end != End::Plain && bag.left().is_empty() {
-            return Some(vec![Act::Show(Value::It)]);
+        if form(&bag.atoms[at], "v").end != FormEnd::Plain && bag.left().is_empty() {
+            return Some(vec![Act::Show(MeantValue::It)]);
         }
         return value(bag).map(|value| vec![Act::Show(value)]);
     }
@@ -220,11 +222,11 @@ fn unfollow(bag: &mut Bag) -> Option<Act> {
     bag.take_all("poss", "own");
     if bag.take("noun", "ball").is_some() {
         bag.take("color", "red");
-        return Some(Act::Unfollow(Some(Target::Ball)));
+        return Some(Act::Unfollow(Some(FollowedTarget::Ball)));
     }
     if bag.take_all("noun", "face") | bag.take_all("who", "") {
         bag.take_all("who", "");
-        return Some(Act::Unfollow(Some(Target::Face)));
+        return Some(Act::Unfollow(Some(FollowedTarget::Face)));
     }
     Some(Act::Unfollow(None))
 }
@@ -346,20 +348,20 @@ fn say(bag: &mut Bag) -> Option<Act> {
     let is_left_out = bag
         .atoms
         .iter()
-        .any(|atom| atom.of("v").is_some_and(|sense| sense.arg == "say" && sense.form.end != End::Plain));
+        .any(|atom| atom.of("v").is_some_and(|sense| sense.arg == "say" && sense.form.end != FormEnd::Plain));
     if is_left_out && bag.left().is_empty() {
-        return Some(Act::SayValue(Value::It));
+        return Some(Act::SayValue(MeantValue::It));
     }
     value(bag).map(Act::SayValue)
 }
 
 /// A value that a sense tells.
-fn value(bag: &mut Bag) -> Option<Value> {
+fn value(bag: &mut Bag) -> Option<MeantValue> {
     if bag.take("noun", "battery").is_some() {
         bag.take_all("noun", "level");
         bag.take_all("v", "exist");
         bag.take_all("adj", "full");
-        return Some(Value::Charge);
+        return Some(MeantValue::Charge);
     }
     // *My name is Nao* is what is said, and no name that is known.
     let name = bag.find("noun", "name");
@@ -370,7 +372,7 @@ fn value(bag: &mut Bag) -> Option<Value> {
         bag.take_all("it", "");
         bag.take_all("who", "");
         bag.take_all("poss", "");
-        return Some(Value::Name);
+        return Some(MeantValue::Name);
     }
     let far = bag.take_all("noun", "distance");
     if far {
@@ -387,31 +389,31 @@ fn value(bag: &mut Bag) -> Option<Value> {
         bag.take_all("lead", "until");
         if bag.take("noun", "ball").is_some() {
             let color = bag.arg("color").map_or("red", |(color, _)| color);
-            return ["red", "green", "blue"].contains(&color).then_some(Value::Distance(Of::Ball(color)));
+            return ["red", "green", "blue"].contains(&color).then_some(MeantValue::Distance(Of::Ball(color)));
         }
         if bag.take_all("who", "") | bag.take_all("noun", "face") {
-            return Some(Value::Distance(Of::Person));
+            return Some(MeantValue::Distance(Of::Person));
         }
         if bag.take_all("noun", "thing") | bag.take_all("noun", "ahead") {
             bag.take_all("noun", "ahead");
-            return Some(Value::Distance(Of::Ahead("nearest")));
+            return Some(MeantValue::Distance(Of::Ahead("nearest")));
         }
         bag.take_all("it", "");
-        return Some(Value::Distance(Of::It));
+        return Some(MeantValue::Distance(Of::It));
     }
     if bag.take_all("noun", "posture") {
-        return Some(Value::Pose);
+        return Some(MeantValue::Pose);
     }
     if bag.take_all("noun", "people") {
         bag.take_all("noun", "view");
         bag.take_all("who", "");
         bag.take_all("v", "exist");
-        return Some(Value::People);
+        return Some(MeantValue::People);
     }
     let counts = bag.take_all("noun", "count");
     if counts && bag.take_all("noun", "mark") {
         bag.take_all("v", "exist");
-        return Some(Value::Mark);
+        return Some(MeantValue::Mark);
     }
     if counts && bag.take_all("who", "") | bag.take_all("noun", "face") {
         bag.take_all("who", "");
@@ -420,11 +422,11 @@ fn value(bag: &mut Bag) -> Option<Value> {
         }
         bag.take_all("robot", "");
         bag.take_all("noun", "view");
-        return Some(Value::People);
+        return Some(MeantValue::People);
     }
     if counts {
         bag.take_all("it", "");
-        return Some(Value::Count);
+        return Some(MeantValue::Count);
     }
     if bag.take_all("noun", "word") {
         for verb in ["hear", "say"] {
@@ -432,9 +434,9 @@ fn value(bag: &mut Bag) -> Option<Value> {
         }
         bag.take_all("who", "");
         bag.take_all("robot", "");
-        return Some(Value::Word);
+        return Some(MeantValue::Word);
     }
-    bag.take("it", "that").map(|_| Value::It)
+    bag.take("it", "that").map(|_| MeantValue::It)
 }
 
 fn eyes(bag: &mut Bag) -> Option<Vec<Act>> {
@@ -458,8 +460,8 @@ fn eyes(bag: &mut Bag) -> Option<Vec<Act>> {
 
 fn bright(bag: &mut Bag) -> Option<Act> {
     let part = bag.measure(|measure| match measure {
-        Measure::Share(value) if (0.0..=100.0).contains(&value) => Some(value / 100.0),
-        Measure::Number(value) if (0.0..=1.0).contains(&value) => Some(value),
+        CountedNumber::Share(value) if (0.0..=100.0).contains(&value) => Some(value / 100.0),
+        CountedNumber::Number(value) if (0.0..=1.0).contains(&value) => Some(value),
         _ => None,
     });
     if let Some((part, _)) = part {
@@ -499,14 +501,14 @@ fn follow(bag: &mut Bag) -> Option<Act> {
     let target = if bag.take("noun", "ball").is_some() {
         bag.take("color", "red");
         bag.take("noun", "colored");
-        Target::Ball
+        FollowedTarget::Ball
     } else if bag.take_all("noun", "face") | bag.take_all("who", "") {
         bag.take_all("who", "");
         bag.take_all("poss", "");
-        Target::Face
+        FollowedTarget::Face
     } else {
         bag.take_all("it", "");
-        Target::It
+        FollowedTarget::It
     };
     // *Anyone you see*
     if bag.has("v", "see") && bag.atoms.iter().any(|atom| atom.is("robot", "")) {
@@ -594,7 +596,7 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
     if part != "head" {
         return sides.into_iter().map(one).collect();
     }
-    let angle = bag.measure(|measure| if let Measure::Angle(value) = measure { Some(value.abs()) } else { None });
+    let angle = bag.measure(|measure| if let CountedNumber::Angle(value) = measure { Some(value.abs()) } else { None });
     let up = bag.take("dir", "up").is_some();
     let down = !up && bag.take("dir", "down").is_some();
     let ahead = bag.take_all("noun", "ahead");
@@ -668,7 +670,7 @@ impl Bag<'_> {
 }
 
 /// The form in which a Japanese clause ends that tells what to do.
-pub(super) fn ends(atoms: &[Atom]) -> Option<End> {
+pub(super) fn ends(atoms: &[Atom]) -> Option<FormEnd> {
     let last = atoms.iter().rev().find(|atom| !atom.is("void", ""))?;
     let kinds = ["v", "do", "pose", "gap"];
     kinds.iter().find(|kind| last.is(kind, "")).map(|kind| form(last, kind).end)

@@ -1,25 +1,28 @@
 //! Clauses as rules: which condition is whose, what is done later, what “it” is.
 
 use super::act::moved_by;
-use super::meaning::{Act, Body, Cond, Event, Of, Phase, Rule, Span, Target, Times, Vague, Value, Who};
-use super::segments::{Lead, Segment, Then};
+use super::meaning::{
+    Act, Cond, FollowedTarget, MeantRule, MeantValue, Of, Repetition, SensedEvent, SpeechSpan, TouchPhase, TouchedPart,
+    VagueWord, WhichFace,
+};
+use super::segments::{LaterAction, Lead, Segment};
 use crate::test::Comparison;
 use std::rc::Rc;
 
 /// What was said so far, as far as later words mean it.
 #[derive(Default)]
-pub(super) struct Said {
-    pub(super) rules: Vec<Rule>,
-    pub(super) doubts: Vec<Span>,
+pub(super) struct SaidSoFar {
+    pub(super) rules: Vec<MeantRule>,
+    pub(super) doubts: Vec<SpeechSpan>,
     /// Whether what to do, or when, is missing.
     pub(super) is_missing: bool,
-    seen: Option<Event>,
-    touched: Option<Event>,
-    last: Option<Event>,
+    seen: Option<SensedEvent>,
+    touched: Option<SensedEvent>,
+    last: Option<SensedEvent>,
     counted: Option<Cond>,
     did: Option<Act>,
     /// The part of the body that was moved, if it can be touched.
-    moved: Option<Event>,
+    moved: Option<SensedEvent>,
     /// The joints that were moved last.
     joints: Vec<&'static str>,
     /// True if the battery was spoken of.
@@ -27,13 +30,13 @@ pub(super) struct Said {
     /// True if the last sentence says what is not followed any more.
     is_unfollowed: bool,
     /// Parts that texts speak of.
-    pub(super) spoken_of: Vec<Event>,
+    pub(super) spoken_of: Vec<SensedEvent>,
 }
 
-impl Said {
+impl SaidSoFar {
     /// Adds a sentence.
-    pub(super) fn sentence(&mut self, segments: &[Segment], span: &Span) {
-        let mut rule = Rule { span: span.clone(), ..Rule::default() };
+    pub(super) fn sentence(&mut self, segments: &[Segment], span: &SpeechSpan) {
+        let mut rule = MeantRule { span: span.clone(), ..MeantRule::default() };
         let mut later = 0;
         let mut before: Option<&Segment> = None;
         let mut goes_on = false;
@@ -121,7 +124,7 @@ impl Said {
     }
 
     /// Notes texts without a verb: it is that of the one before; in Japanese it comes later.
-    fn texts_alone(&self, rule: &Rule, acts: &[Act], span: &Span, alone: &mut Vec<Span>) {
+    fn texts_alone(&self, rule: &MeantRule, acts: &[Act], span: &SpeechSpan, alone: &mut Vec<SpeechSpan>) {
         match acts {
             [Act::Text(_)] if !matches!(self.did, Some(Act::Say(_))) || rule.acts.is_empty() => {
                 alone.push(span.clone());
@@ -132,7 +135,7 @@ impl Said {
     }
 
     /// Puts a time between all that a rule does.
-    fn spread(&mut self, rule: &mut Rule, ms: u64, span: &Span) {
+    fn spread(&mut self, rule: &mut MeantRule, ms: u64, span: &SpeechSpan) {
         let at_once = rule.acts.iter().all(|(later, ..)| *later == 0);
         if !at_once || rule.acts.len() < 2 {
             self.doubts.push(span.clone());
@@ -143,10 +146,11 @@ impl Said {
     }
 
     /// Keeps what was said from being done again for `ms` milliseconds; with `words`, words from being said.
-    fn pause(&mut self, rule: &mut Rule, ms: u64, words: bool, span: &Span) {
+    fn pause(&mut self, rule: &mut MeantRule, ms: u64, words: bool, span: &SpeechSpan) {
         let alone = rule.acts.is_empty() && rule.event.is_none() && rule.every.is_none();
         let said = if alone { self.rules.last_mut() } else { Some(rule).filter(|rule| !rule.acts.is_empty()) };
-        let fits = |said: &&mut Rule| said.pause.is_none() && (!words || said.acts.iter().all(|(_, act, _)| says(act)));
+        let fits =
+            |said: &&mut MeantRule| said.pause.is_none() && (!words || said.acts.iter().all(|(_, act, _)| says(act)));
         match said.filter(fits) {
             Some(said) => said.pause = Some(ms),
             None => self.doubts.push(span.clone()),
@@ -154,14 +158,14 @@ impl Said {
     }
 
     /// Begins the next rule of a sentence.
-    fn next(&mut self, rule: &mut Rule, span: &Span, goes_on: bool) {
-        self.finish(std::mem::replace(rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
+    fn next(&mut self, rule: &mut MeantRule, span: &SpeechSpan, goes_on: bool) {
+        self.finish(std::mem::replace(rule, MeantRule { span: span.clone(), ..MeantRule::default() }), goes_on);
     }
 
     /// *The first time …; after that …*: what is done at all times after the first one. Whether that is what is meant.
-    fn goes_onwards(&mut self, rule: &mut Rule, span: &Span, goes_on: bool) -> bool {
-        let is_first = |rule: &Rule| {
-            let first = |event: &Cond| event.times == Some(Times::After(1)) && event.during.is_none();
+    fn goes_onwards(&mut self, rule: &mut MeantRule, span: &SpeechSpan, goes_on: bool) -> bool {
+        let is_first = |rule: &MeantRule| {
+            let first = |event: &Cond| event.times == Some(Repetition::After(1)) && event.during.is_none();
             rule.event.as_ref().is_some_and(|event| first(event) || rule.once && event.times.is_none())
                 && rule.states.is_empty()
                 && !rule.acts.is_empty()
@@ -176,17 +180,17 @@ impl Said {
             None
         };
         let Some(event) = event else { return false };
-        rule.event = Some(Cond { times: Some(Times::Beyond(1)), ..event });
+        rule.event = Some(Cond { times: Some(Repetition::Beyond(1)), ..event });
         true
     }
 
-    fn condition(&mut self, rule: &mut Rule, lead: Lead, cond: &Rc<Cond>, or: bool) {
+    fn condition(&mut self, rule: &mut MeantRule, lead: Lead, cond: &Rc<Cond>, or: bool) {
         let mut cond = (**cond).clone();
         if !self.resolve(&mut cond) {
             self.doubts.push(cond.span.clone());
             return;
         }
-        if cond.what == Event::Stays {
+        if cond.what == SensedEvent::Stays {
             let last = rule.states.last_mut().or(rule.event.as_mut());
             match last.filter(|last| last.during.is_none() && last.times.is_none() && !last.not) {
                 Some(last) => last.during = cond.during,
@@ -228,18 +232,18 @@ impl Said {
                     self.doubts.push(cond.span.clone());
                     return;
                 }
-                event.what = match std::mem::replace(&mut event.what, Event::Noise) {
-                    Event::Any(mut all) => {
+                event.what = match std::mem::replace(&mut event.what, SensedEvent::Noise) {
+                    SensedEvent::Any(mut all) => {
                         all.push(cond.what);
-                        Event::Any(all)
+                        SensedEvent::Any(all)
                     }
-                    Event::Words(mut all) if matches!(cond.what, Event::Words(_)) => {
-                        if let Event::Words(more) = cond.what {
+                    SensedEvent::Words(mut all) if matches!(cond.what, SensedEvent::Words(_)) => {
+                        if let SensedEvent::Words(more) = cond.what {
                             all.extend(more);
                         }
-                        Event::Words(all)
+                        SensedEvent::Words(all)
                     }
-                    one => Event::Any(vec![one, cond.what]),
+                    one => SensedEvent::Any(vec![one, cond.what]),
                 };
             }
             _ if rule.event.is_none() => {
@@ -263,8 +267,8 @@ impl Said {
     }
 
     /// The rule that an answer is waited for after: that before other answers, and before the same answer.
-    fn asked(&self, answer: &Event) -> Option<usize> {
-        let is_same = |rule: &Rule| rule.event.as_ref().is_some_and(|event| event.what == *answer);
+    fn asked(&self, answer: &SensedEvent) -> Option<usize> {
+        let is_same = |rule: &MeantRule| rule.event.as_ref().is_some_and(|event| event.what == *answer);
         let at = self.rules.iter().rposition(|rule| !is_same(rule) || rule.unanswered.is_some())?;
         self.rules[at].unanswered.or(Some(at))
     }
@@ -272,55 +276,55 @@ impl Said {
     /// Puts what was said in the place of “it” and of what was left out; whether that is known.
     fn resolve(&self, cond: &mut Cond) -> bool {
         match &mut cond.what {
-            Event::ItSeen => match &self.seen {
+            SensedEvent::ItSeen => match &self.seen {
                 Some(seen) => cond.what = seen.clone(),
                 None => return false,
             },
-            Event::ItTouched => match (&self.touched, &self.moved, &self.spoken_of[..]) {
-                (Some(Event::Touch(body, params, _)), _, _) => {
-                    cond.what = Event::Touch(*body, params.clone(), Phase::Begins);
+            SensedEvent::ItTouched => match (&self.touched, &self.moved, &self.spoken_of[..]) {
+                (Some(SensedEvent::Touch(body, params, _)), _, _) => {
+                    cond.what = SensedEvent::Touch(*body, params.clone(), TouchPhase::Begins);
                 }
                 (Some(_), _, _) => return false,
                 (None, Some(moved), []) => cond.what = moved.clone(),
                 (None, None, [part]) => cond.what = part.clone(),
                 _ => return false,
             },
-            Event::ItGoes if self.touched.is_none() => {
+            SensedEvent::ItGoes if self.touched.is_none() => {
                 let (of, bound) = match &self.seen {
-                    Some(Event::Ball(color)) => (Of::Ball(color), (Comparison::More, 100.0, "cm")),
-                    Some(Event::Face(_)) => (Of::Person, (Comparison::More, 2.0, "m")),
+                    Some(SensedEvent::Ball(color)) => (Of::Ball(color), (Comparison::More, 100.0, "cm")),
+                    Some(SensedEvent::Face(_)) => (Of::Person, (Comparison::More, 2.0, "m")),
                     _ => return false,
                 };
-                cond.vague = Some(Vague { span: cond.span.clone(), bound, moves: true });
-                cond.what = Event::Far(of, vec![bound]);
+                cond.vague = Some(VagueWord { span: cond.span.clone(), bound, moves: true });
+                cond.what = SensedEvent::Far(of, vec![bound]);
             }
-            Event::ItLetGo | Event::ItGoes => match self.touched.as_ref().and_then(ended) {
+            SensedEvent::ItLetGo | SensedEvent::ItGoes => match self.touched.as_ref().and_then(ended) {
                 Some(over) => cond.what = over,
                 None => return false,
             },
-            Event::ItCharge(bounds) => {
+            SensedEvent::ItCharge(bounds) => {
                 if !self.is_charge {
                     return false;
                 }
-                cond.what = Event::Charge(std::mem::take(bounds));
+                cond.what = SensedEvent::Charge(std::mem::take(bounds));
             }
-            Event::Far(of, _) if *of == Of::It => match &self.seen {
-                Some(Event::Ball(color)) => *of = Of::Ball(color),
-                Some(Event::Face(_) | Event::People(_)) => *of = Of::Person,
-                Some(Event::Far(other, _)) => *of = *other,
+            SensedEvent::Far(of, _) if *of == Of::It => match &self.seen {
+                Some(SensedEvent::Ball(color)) => *of = Of::Ball(color),
+                Some(SensedEvent::Face(_) | SensedEvent::People(_)) => *of = Of::Person,
+                Some(SensedEvent::Far(other, _)) => *of = *other,
                 _ => return false,
             },
-            Event::Counted(number) => {
+            SensedEvent::Counted(number) => {
                 let Some(counted) = &self.counted else { return false };
-                let (times, span) = (Some(Times::After(*number)), cond.span.clone());
+                let (times, span) = (Some(Repetition::After(*number)), cond.span.clone());
                 *cond = Cond { times, span, ..counted.clone() };
             }
-            Event::Same(params, part) => {
-                let Some(Event::Touch(device, before, phase)) = &self.touched else { return false };
+            SensedEvent::Same(params, part) => {
+                let Some(SensedEvent::Touch(device, before, phase)) = &self.touched else { return false };
                 let device = match part.map(|part| part.split_once('.').map_or(part, |(part, _)| part)) {
-                    Some("head") => Body::Head,
-                    Some("hand") => Body::Hand,
-                    Some("foot") => Body::Foot,
+                    Some("head") => TouchedPart::Head,
+                    Some("hand") => TouchedPart::Hand,
+                    Some("foot") => TouchedPart::Foot,
                     Some(_) => return false,
                     None => *device,
                 };
@@ -328,9 +332,9 @@ impl Said {
                 let mut chosen: Vec<(&'static str, &'static str)> = Vec::new();
                 let side = params.iter().find(|(name, _)| *name == "side").map(|(_, side)| *side).or(own);
                 let name = match device {
-                    Body::Hand => Some("hand"),
-                    Body::Foot => Some("foot"),
-                    Body::Head => None,
+                    TouchedPart::Hand => Some("hand"),
+                    TouchedPart::Foot => Some("foot"),
+                    TouchedPart::Head => None,
                 };
                 if let Some(side) = side {
                     let Some(name) = name else { return false };
@@ -340,28 +344,32 @@ impl Said {
                     chosen.push(("part", place));
                 }
                 let _ = before;
-                cond.what = Event::Touch(device, chosen, *phase);
+                cond.what = SensedEvent::Touch(device, chosen, *phase);
             }
             _ => {}
         }
         true
     }
 
-    fn note(&mut self, event: &Event) {
+    fn note(&mut self, event: &SensedEvent) {
         self.last = Some(event.clone());
-        self.is_charge |= matches!(event, Event::Charge(_));
+        self.is_charge |= matches!(event, SensedEvent::Charge(_));
         match event {
-            Event::Ball(_) | Event::Thing(_) | Event::Face(_) | Event::Mark(_) => self.seen = Some(event.clone()),
-            Event::Far(Of::Ball(color), _) => self.seen = Some(Event::Ball(color)),
-            Event::Far(Of::Person, _) | Event::People(_) => self.seen = Some(Event::Face(Who::Anybody)),
-            Event::Touch(..) => self.touched = Some(event.clone()),
-            Event::Words(_) => self.seen = self.seen.clone().or(Some(Event::Face(Who::Anybody))),
+            SensedEvent::Ball(_) | SensedEvent::Thing(_) | SensedEvent::Face(_) | SensedEvent::Mark(_) => {
+                self.seen = Some(event.clone())
+            }
+            SensedEvent::Far(Of::Ball(color), _) => self.seen = Some(SensedEvent::Ball(color)),
+            SensedEvent::Far(Of::Person, _) | SensedEvent::People(_) => {
+                self.seen = Some(SensedEvent::Face(WhichFace::Anybody))
+            }
+            SensedEvent::Touch(..) => self.touched = Some(event.clone()),
+            SensedEvent::Words(_) => self.seen = self.seen.clone().or(Some(SensedEvent::Face(WhichFace::Anybody))),
             _ => {}
         }
     }
 
     /// Notes words that say of a rule how it is meant, and do nothing by themselves.
-    fn restrict(&mut self, rule: &mut Rule, act: &Act, span: &Span) {
+    fn restrict(&mut self, rule: &mut MeantRule, act: &Act, span: &SpeechSpan) {
         match act {
             Act::NotFor(ms, words) => self.pause(rule, *ms, *words, span),
             Act::Unfollow(target) => rule.unfollows = Some((span.clone(), *target)),
@@ -372,7 +380,7 @@ impl Said {
     }
 
     /// Returns what is done, with the joints that were moved last in the place of “them”.
-    fn moved_again(&mut self, acts: &Rc<Vec<Act>>, span: &Span) -> Vec<Act> {
+    fn moved_again(&mut self, acts: &Rc<Vec<Act>>, span: &SpeechSpan) -> Vec<Act> {
         let joint = |act: &Act| if let Act::Move(joint, _) = act { Some(*joint) } else { None };
         let meant: Vec<Act> = match acts[..] {
             [Act::MoveThem(verb)] => self.joints.iter().filter_map(|joint| moved_by(joint, verb)).collect(),
@@ -387,7 +395,7 @@ impl Said {
         meant
     }
 
-    fn acts(&mut self, rule: &mut Rule, acts: &Rc<Vec<Act>>, span: &Span, later: u64) {
+    fn acts(&mut self, rule: &mut MeantRule, acts: &Rc<Vec<Act>>, span: &SpeechSpan, later: u64) {
         let meant = self.moved_again(acts, span);
         for act in &meant {
             let act = match act {
@@ -435,19 +443,22 @@ impl Said {
                 },
             };
             match &act {
-                Act::Follow(Target::Ball, ..) => self.seen = Some(Event::Ball("red")),
-                Act::Follow(Target::Face, ..) => self.seen = Some(Event::Face(Who::Anybody)),
-                Act::Nearer(Of::Ball(color)) => self.seen = Some(Event::Ball(color)),
+                Act::Follow(FollowedTarget::Ball, ..) => self.seen = Some(SensedEvent::Ball("red")),
+                Act::Follow(FollowedTarget::Face, ..) => self.seen = Some(SensedEvent::Face(WhichFace::Anybody)),
+                Act::Nearer(Of::Ball(color)) => self.seen = Some(SensedEvent::Ball(color)),
                 Act::Move(joint, _) => self.moved = moved(joint, self.moved.take()),
                 _ => {}
             }
             let act = match act {
-                Act::SayValue(Value::Count) | Act::Show(Value::Count) => {
+                Act::SayValue(MeantValue::Count) | Act::Show(MeantValue::Count) => {
                     let moment = rule.event.as_ref().is_some_and(|event| {
                         !event.not
                             && matches!(
                                 event.what,
-                                Event::Touch(..) | Event::Button(_) | Event::Noise | Event::Words(_)
+                                SensedEvent::Touch(..)
+                                    | SensedEvent::Button(_)
+                                    | SensedEvent::Noise
+                                    | SensedEvent::Words(_)
                             )
                     });
                     if !rule.counts && !moment {
@@ -457,7 +468,7 @@ impl Said {
                     if !rule.counts {
                         (rule.counts, self.counted) = (true, rule.event.clone());
                     }
-                    if matches!(act, Act::Show(_)) { Act::Show(Value::It) } else { Act::SayValue(Value::It) }
+                    if matches!(act, Act::Show(_)) { Act::Show(MeantValue::It) } else { Act::SayValue(MeantValue::It) }
                 }
                 other => other,
             };
@@ -478,28 +489,28 @@ impl Said {
     fn named(&self, act: &Act) -> Option<Act> {
         let seen = self.seen.as_ref();
         let of = || match seen {
-            Some(Event::Ball(color)) => Some(Of::Ball(color)),
-            Some(Event::Face(_)) => Some(Of::Person),
+            Some(SensedEvent::Ball(color)) => Some(Of::Ball(color)),
+            Some(SensedEvent::Face(_)) => Some(Of::Person),
             _ => None,
         };
         Some(match act {
-            Act::Follow(Target::It, mode, effector) => {
+            Act::Follow(FollowedTarget::It, mode, effector) => {
                 let target = match seen {
-                    Some(Event::Ball("red")) => Target::Ball,
-                    Some(Event::Face(_)) => Target::Face,
+                    Some(SensedEvent::Ball("red")) => FollowedTarget::Ball,
+                    Some(SensedEvent::Face(_)) => FollowedTarget::Face,
                     _ => return None,
                 };
                 Act::Follow(target, mode, effector)
             }
             Act::Nearer(Of::It) => Act::Nearer(of()?),
-            Act::SayValue(Value::Distance(Of::It)) => Act::SayValue(Value::Distance(of()?)),
-            Act::Show(Value::Distance(Of::It)) => Act::Show(Value::Distance(of()?)),
+            Act::SayValue(MeantValue::Distance(Of::It)) => Act::SayValue(MeantValue::Distance(of()?)),
+            Act::Show(MeantValue::Distance(Of::It)) => Act::Show(MeantValue::Distance(of()?)),
             other => other.clone(),
         })
     }
 
     /// Ends what the rule before follows: it is followed only until this.
-    fn unfollow(&mut self, rule: Rule, span: &Span, target: Option<Target>) {
+    fn unfollow(&mut self, rule: MeantRule, span: &SpeechSpan, target: Option<FollowedTarget>) {
         let alone = rule.acts.is_empty() && rule.states.is_empty() && rule.until.is_none() && rule.every.is_none();
         let alone = alone && !rule.otherwise && !rule.once && !rule.lasts;
         let plain = |cond: &Cond| cond.within.is_none();
@@ -507,9 +518,12 @@ impl Said {
             Act::Follow(followed, ..) => target.is_none_or(|target| target == *followed),
             _ => false,
         };
-        let fits = |last: &&mut Rule| {
+        let fits = |last: &&mut MeantRule| {
             // A second press would begin again what a press begins.
-            let own = last.event.as_ref().is_none_or(|event| matches!(event.what, Event::Ball(_) | Event::Face(_)));
+            let own = last
+                .event
+                .as_ref()
+                .is_none_or(|event| matches!(event.what, SensedEvent::Ball(_) | SensedEvent::Face(_)));
             let bare = own && last.until.is_none() && !last.once && !last.otherwise && !last.lasts;
             bare && last.acts.iter().all(|(later, act, _)| *later == 0 && follows(act))
         };
@@ -520,13 +534,13 @@ impl Said {
     }
 
     /// True if a time after the start is said: *after 5 minutes, …*
-    fn is_after_start(&self, rule: &Rule) -> bool {
+    fn is_after_start(&self, rule: &MeantRule) -> bool {
         let says_when = rule.event.is_some() || rule.every.is_some() || rule.until.is_some() || !rule.states.is_empty();
         !says_when && !rule.otherwise && self.rules.is_empty() && rule.acts.iter().all(|(later, ..)| *later > 0)
     }
 
     /// A rule is over.
-    fn finish(&mut self, mut rule: Rule, goes_on: bool) {
+    fn finish(&mut self, mut rule: MeantRule, goes_on: bool) {
         let is_empty = rule.acts.is_empty() && rule.event.is_none() && rule.states.is_empty() && rule.every.is_none();
         if is_empty && !rule.otherwise && rule.unfollows.is_none() {
             if rule.at_most.is_some() || rule.once {
@@ -569,7 +583,7 @@ impl Said {
             self.doubts.push(span);
         }
         // The start is a moment of its own.
-        let starts = |cond: &Cond| cond.what == Event::Start;
+        let starts = |cond: &Cond| cond.what == SensedEvent::Start;
         let alone = rule.states.is_empty() && rule.until.is_none() && rule.every.is_none() && !rule.lasts;
         let odd = rule.event.as_ref().filter(|event| starts(event) && (!alone || event.times.is_some()));
         if let Some(odd) = odd.or(rule.states.iter().find(|state| starts(state))).map(|odd| odd.span.clone()) {
@@ -579,13 +593,13 @@ impl Said {
         if let Some(span) = rule.keeps.take().filter(|_| rule.every.is_none()) {
             self.doubts.push(span);
         }
-        let waits = |last: &Rule| last.event.as_ref().is_some_and(|answer| answer.within.is_some() && !answer.not);
+        let waits = |last: &MeantRule| last.event.as_ref().is_some_and(|answer| answer.within.is_some() && !answer.not);
         if let Some(span) = rule.unheard.take().filter(|_| !self.rules.last().is_some_and(waits)) {
             self.doubts.push(span);
         }
         // *If not*, after *if … within 10 seconds*
         if rule.otherwise
-            && let Some(Rule { event: Some(answer), unanswered: asked @ Some(_), .. }) = self.rules.last()
+            && let Some(MeantRule { event: Some(answer), unanswered: asked @ Some(_), .. }) = self.rules.last()
             && answer.within.is_some()
         {
             // The rule waits until nobody answered: it can wait for nothing else.
@@ -593,10 +607,10 @@ impl Said {
                 self.doubts.push(other.span.clone());
             }
             let event = Cond { not: !answer.not, ..answer.clone() };
-            rule = Rule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
+            rule = MeantRule { event: Some(event), unanswered: *asked, otherwise: false, ..rule };
         }
         if self.is_after_start(&rule) {
-            rule.event = Some(Cond::of(Event::Start, rule.span.clone()));
+            rule.event = Some(Cond::of(SensedEvent::Start, rule.span.clone()));
         }
         let needs_event = rule.event.is_none() && rule.every.is_none() && !rule.otherwise;
         if needs_event && goes_on && rule.until.is_none() && rule.states.is_empty() {
@@ -619,17 +633,19 @@ impl Said {
 }
 
 /// True if what one rule waits for and what another one waits for cannot come at once.
-fn excludes(one: Option<&Rule>, other: &Rule) -> bool {
-    let plain = |rule: &Rule| rule.states.is_empty() && rule.every.is_none() && !rule.lasts;
-    let event = |rule: &Rule| rule.event.clone().filter(|event| plain(rule) && !event.not && event.during.is_none());
+fn excludes(one: Option<&MeantRule>, other: &MeantRule) -> bool {
+    let plain = |rule: &MeantRule| rule.states.is_empty() && rule.every.is_none() && !rule.lasts;
+    let event =
+        |rule: &MeantRule| rule.event.clone().filter(|event| plain(rule) && !event.not && event.during.is_none());
     match (one.and_then(event), event(other)) {
         (Some(one), Some(other)) => match (&one.what, &other.what) {
-            (Event::Face(Who::New), Event::Face(Who::Known)) | (Event::Face(Who::Known), Event::Face(Who::New)) => true,
-            (Event::Touch(body, one, phase), Event::Touch(other_body, other, other_phase)) => {
+            (SensedEvent::Face(WhichFace::New), SensedEvent::Face(WhichFace::Known))
+            | (SensedEvent::Face(WhichFace::Known), SensedEvent::Face(WhichFace::New)) => true,
+            (SensedEvent::Touch(body, one, phase), SensedEvent::Touch(other_body, other, other_phase)) => {
                 body == other_body && phase == other_phase && one != other && !one.is_empty() && !other.is_empty()
             }
-            (Event::Words(one), Event::Words(other)) => one.iter().all(|word| !other.contains(word)),
-            (Event::Mark(Some(one)), Event::Mark(Some(other))) => one != other,
+            (SensedEvent::Words(one), SensedEvent::Words(other)) => one.iter().all(|word| !other.contains(word)),
+            (SensedEvent::Mark(Some(one)), SensedEvent::Mark(Some(other))) => one != other,
             _ => false,
         },
         _ => false,
@@ -637,8 +653,8 @@ fn excludes(one: Option<&Rule>, other: &Rule) -> bool {
 }
 
 /// True if something happens and is over at once.
-fn is_moment(event: &Event) -> bool {
-    matches!(event, Event::Button(_) | Event::Words(_) | Event::Falls)
+fn is_moment(event: &SensedEvent) -> bool {
+    matches!(event, SensedEvent::Button(_) | SensedEvent::Words(_) | SensedEvent::Falls)
 }
 
 /// True if words are said.
@@ -647,8 +663,8 @@ fn says(act: &Act) -> bool {
 }
 
 /// Returns the touch of a joint that is moved; `before` for a joint of no hand.
-fn moved(joint: &str, before: Option<Event>) -> Option<Event> {
-    let hand = |side| Event::Touch(Body::Hand, vec![("hand", side)], Phase::Begins);
+fn moved(joint: &str, before: Option<SensedEvent>) -> Option<SensedEvent> {
+    let hand = |side| SensedEvent::Touch(TouchedPart::Hand, vec![("hand", side)], TouchPhase::Begins);
     match joint {
         "LHand" => Some(hand("left")),
         "RHand" => Some(hand("right")),
@@ -663,38 +679,38 @@ fn carries_on(before: Option<&Segment>, rest: &[Segment]) -> bool {
 }
 
 /// Whether nothing else is said in a sentence.
-fn is_alone(rule: &Rule, rest: &[Segment]) -> bool {
+fn is_alone(rule: &MeantRule, rest: &[Segment]) -> bool {
     let says = |segment: &Segment| matches!(segment, Segment::Acts(..) | Segment::Cond(..));
     rule.acts.is_empty() && rule.event.is_none() && !rest.iter().any(says)
 }
 
 /// Whether a time is how much later the next action is.
-fn comes_next(then: Then, before: Option<&Segment>, rest: &[Segment]) -> bool {
+fn comes_next(then: LaterAction, before: Option<&Segment>, rest: &[Segment]) -> bool {
     let after_join = matches!(before, Some(Segment::And | Segment::Then | Segment::But) | None);
     let follows = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
     let parted = matches!(rest.first(), Some(Segment::Sign | Segment::And | Segment::Then | Segment::Cond(..)));
-    after_join || then == Then::Next || (then == Then::NextIfThere && follows && !parted)
+    after_join || then == LaterAction::Next || (then == LaterAction::NextIfThere && follows && !parted)
 }
 
 /// What an action that needs no word for when goes by.
-pub(crate) fn own_event(act: &Act) -> Option<Event> {
+pub(crate) fn own_event(act: &Act) -> Option<SensedEvent> {
     match act {
-        Act::Follow(Target::Ball, ..) => Some(Event::Ball("red")),
-        Act::Follow(Target::Face, ..) => Some(Event::Face(Who::Anybody)),
-        Act::Nearer(Of::Ball(color)) => Some(Event::Ball(color)),
-        Act::Nearer(Of::Person) | Act::Show(Value::People) => Some(Event::People(Vec::new())),
-        Act::Show(Value::Distance(Of::Ball(color))) => Some(Event::Ball(color)),
-        Act::Show(Value::Distance(Of::Person)) => Some(Event::People(Vec::new())),
-        Act::Nearer(Of::Ahead(side)) => Some(Event::Far(Of::Ahead(side), Vec::new())),
-        Act::Show(Value::Charge) => Some(Event::Charge(Vec::new())),
-        Act::Show(Value::Distance(of)) => Some(Event::Far(*of, Vec::new())),
-        Act::Show(Value::Name) => Some(Event::Face(Who::Anybody)),
+        Act::Follow(FollowedTarget::Ball, ..) => Some(SensedEvent::Ball("red")),
+        Act::Follow(FollowedTarget::Face, ..) => Some(SensedEvent::Face(WhichFace::Anybody)),
+        Act::Nearer(Of::Ball(color)) => Some(SensedEvent::Ball(color)),
+        Act::Nearer(Of::Person) | Act::Show(MeantValue::People) => Some(SensedEvent::People(Vec::new())),
+        Act::Show(MeantValue::Distance(Of::Ball(color))) => Some(SensedEvent::Ball(color)),
+        Act::Show(MeantValue::Distance(Of::Person)) => Some(SensedEvent::People(Vec::new())),
+        Act::Nearer(Of::Ahead(side)) => Some(SensedEvent::Far(Of::Ahead(side), Vec::new())),
+        Act::Show(MeantValue::Charge) => Some(SensedEvent::Charge(Vec::new())),
+        Act::Show(MeantValue::Distance(of)) => Some(SensedEvent::Far(*of, Vec::new())),
+        Act::Show(MeantValue::Name) => Some(SensedEvent::Face(WhichFace::Anybody)),
         _ => None,
     }
 }
 
 /// A touch that ends, of one that begins.
-pub(crate) fn ended(event: &Event) -> Option<Event> {
-    let Event::Touch(device, params, Phase::Begins) = event else { return None };
-    Some(Event::Touch(*device, params.clone(), Phase::Ends))
+pub(crate) fn ended(event: &SensedEvent) -> Option<SensedEvent> {
+    let SensedEvent::Touch(device, params, TouchPhase::Begins) = event else { return None };
+    Some(SensedEvent::Touch(*device, params.clone(), TouchPhase::Ends))
 }

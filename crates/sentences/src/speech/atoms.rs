@@ -1,7 +1,7 @@
 //! Tokens as atoms: words with all that they may mean, measures, quotes and signs.
 
-use super::lexicon::{Form, Lexicon, Sense};
-use super::tokens::{Token, What};
+use super::lexicon::{Lexicon, WordForm, WritingSense};
+use super::tokens::{SpeechToken, SpeechTokenKind};
 use crate::Language;
 use std::ops::Range;
 
@@ -11,23 +11,23 @@ pub(super) struct Atom {
     /// Its tokens.
     pub(super) span: Range<usize>,
     /// What it may mean; of words that are not known, nothing.
-    pub(super) senses: Vec<Sense>,
-    pub(super) value: Value,
+    pub(super) senses: Vec<WritingSense>,
+    pub(super) value: AtomValue,
 }
 
 /// What an atom says besides its words.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) enum Value {
+pub(super) enum AtomValue {
     #[default]
     Nothing,
-    Measure(Measure),
+    Measure(CountedNumber),
     Quote(String),
     Sign(char),
 }
 
 /// A number with what it counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Measure {
+pub(super) enum CountedNumber {
     Number(f64),
     /// A length in centimetres or metres.
     Length(f64, &'static str),
@@ -51,7 +51,7 @@ const LONGEST_MS: f64 = 86_400_000.0;
 
 impl Atom {
     /// What it means of this kind: its argument and form.
-    pub(super) fn of(&self, kind: &str) -> Option<&Sense> {
+    pub(super) fn of(&self, kind: &str) -> Option<&WritingSense> {
         self.senses.iter().find(|sense| sense.kind == kind)
     }
 
@@ -61,49 +61,58 @@ impl Atom {
     }
 
     /// What it means of this kind and argument.
-    pub(super) fn sense(&self, kind: &str, arg: &str) -> Option<&Sense> {
+    pub(super) fn sense(&self, kind: &str, arg: &str) -> Option<&WritingSense> {
         self.senses.iter().find(|sense| sense.kind == kind && (arg.is_empty() || sense.arg == arg))
     }
 
     /// Whether nobody knows it.
     pub(super) fn is_unknown(&self) -> bool {
-        self.senses.is_empty() && self.value == Value::Nothing
+        self.senses.is_empty() && self.value == AtomValue::Nothing
     }
 
     /// Whether it is a sign.
     pub(super) fn is_sign(&self, sign: char) -> bool {
-        self.value == Value::Sign(sign)
+        self.value == AtomValue::Sign(sign)
     }
 }
 
 /// The atoms of a sentence: the fewest that cover it, the longer ones first.
-pub(super) fn atoms(tokens: &[Token], from: usize, to: usize, lexicon: &Lexicon, language: Language) -> Vec<Atom> {
+pub(super) fn atoms(
+    tokens: &[SpeechToken],
+    from: usize,
+    to: usize,
+    lexicon: &Lexicon,
+    language: Language,
+) -> Vec<Atom> {
     let words: Vec<&str> = tokens[from..to].iter().map(word).collect();
     let count = words.len();
     let mut best: Vec<(usize, Option<Atom>)> = vec![(0, None); count + 1];
     for at in (0..count).rev() {
         let token = &tokens[from + at];
         let mut options: Vec<(usize, usize, Atom)> = Vec::new();
-        let mut add = |end: usize, cost: usize, senses: Vec<Sense>, value: Value| {
+        let mut add = |end: usize, cost: usize, senses: Vec<WritingSense>, value: AtomValue| {
             options.push((end, cost, Atom { span: from + at..from + end, senses, value }));
         };
         match &token.what {
-            What::Quote(text) => add(at + 1, WORD, Vec::new(), Value::Quote(text.clone())),
-            What::Sign(sign) if lexicon.at(&words, at).is_empty() => add(at + 1, WORD, Vec::new(), Value::Sign(*sign)),
-            What::Unsure => add(at + 1, UNKNOWN, Vec::new(), Value::Nothing),
-            _ => add(at + 1, UNKNOWN, Vec::new(), Value::Nothing),
+            SpeechTokenKind::Quote(text) => add(at + 1, WORD, Vec::new(), AtomValue::Quote(text.clone())),
+            SpeechTokenKind::Sign(sign) if lexicon.at(&words, at).is_empty() => {
+                add(at + 1, WORD, Vec::new(), AtomValue::Sign(*sign))
+            }
+            SpeechTokenKind::Unsure => add(at + 1, UNKNOWN, Vec::new(), AtomValue::Nothing),
+            _ => add(at + 1, UNKNOWN, Vec::new(), AtomValue::Nothing),
         }
         let found = lexicon.at(&words, at);
         if let Some((end, measure)) = measure(tokens, from, &words, at, lexicon, language) {
             let senses = found.iter().filter(|(other, _)| *other == end).map(|(_, sense)| *sense).collect();
-            add(end, WORD, senses, Value::Measure(measure));
+            add(end, WORD, senses, AtomValue::Measure(measure));
         }
         let mut ends: Vec<usize> = found.iter().map(|(end, _)| *end).collect();
         ends.sort_unstable();
         ends.dedup();
         for end in ends {
-            let senses: Vec<Sense> = found.iter().filter(|(other, _)| *other == end).map(|(_, sense)| *sense).collect();
-            add(end, WORD, senses, Value::Nothing);
+            let senses: Vec<WritingSense> =
+                found.iter().filter(|(other, _)| *other == end).map(|(_, sense)| *sense).collect();
+            add(end, WORD, senses, AtomValue::Nothing);
         }
         let chosen = options.into_iter().min_by_key(|(end, cost, _)| (best[*end].0 + cost, usize::MAX - end));
         if let Some((end, cost, atom)) = chosen {
@@ -127,17 +136,17 @@ pub(super) fn atoms(tokens: &[Token], from: usize, to: usize, lexicon: &Lexicon,
 }
 
 /// The word of a token; what is none looks like no word.
-fn word(token: &Token) -> &str {
+fn word(token: &SpeechToken) -> &str {
     match &token.what {
-        What::Word(word) => word,
-        What::Sign('%') => "%",
+        SpeechTokenKind::Word(word) => word,
+        SpeechTokenKind::Sign('%') => "%",
         _ => "\0",
     }
 }
 
 /// The number that begins here and where it ends.
-fn number(tokens: &[Token], from: usize, words: &[&str], at: usize, lexicon: &Lexicon) -> Option<(usize, f64)> {
-    if let What::Number(number) = tokens.get(from + at)?.what {
+fn number(tokens: &[SpeechToken], from: usize, words: &[&str], at: usize, lexicon: &Lexicon) -> Option<(usize, f64)> {
+    if let SpeechTokenKind::Number(number) = tokens.get(from + at)?.what {
         return Some((at + 1, number));
     }
     let numeral = |at: usize| -> Option<(usize, f64)> {
@@ -163,13 +172,13 @@ fn number(tokens: &[Token], from: usize, words: &[&str], at: usize, lexicon: &Le
 }
 
 fn measure(
-    tokens: &[Token],
+    tokens: &[SpeechToken],
     from: usize,
     words: &[&str],
     at: usize,
     lexicon: &Lexicon,
     language: Language,
-) -> Option<(usize, Measure)> {
+) -> Option<(usize, CountedNumber)> {
     let unit = |at: usize| -> Option<(usize, &'static str)> {
         let found = lexicon.at(words, at);
         let (end, sense) = found.iter().filter(|(_, sense)| sense.kind == "unit").max_by_key(|(end, _)| *end)?;
@@ -178,10 +187,10 @@ fn measure(
     // *A quarter*, of the battery
     let share = lexicon.at(words, at).into_iter().filter(|(_, sense)| sense.kind == "share");
     if let Some((end, sense)) = share.max_by_key(|(end, _)| *end) {
-        return Some((end, Measure::Share(sense.arg.parse().ok()?)));
+        return Some((end, CountedNumber::Share(sense.arg.parse().ok()?)));
     }
     // *Every second press* counts presses.
-    let counts = |(_, sense): &(usize, Sense)| {
+    let counts = |(_, sense): &(usize, WritingSense)| {
         sense.kind == "time" || sense.kind == "v" && ["touch", "press", "hold", "clap", "bump"].contains(&sense.arg)
     };
     if words.get(at) == Some(&"second") && at > 0 && lexicon.at(words, at + 1).iter().any(counts) {
@@ -201,7 +210,7 @@ fn measure(
             return Some((end, measured(1.0, unit)?));
         }
         let (after, mut value) = number(tokens, from, words, at, lexicon)?;
-        let Some((mut end, unit_of)) = unit(after) else { return Some((after, Measure::Number(value))) };
+        let Some((mut end, unit_of)) = unit(after) else { return Some((after, CountedNumber::Number(value))) };
         if is(end, &["半"]) && !is(end, &["半", "分"]) {
             (value, end) = (value + 0.5, end + 1);
             if words.get(end) == Some(&"間") {
@@ -225,7 +234,7 @@ fn measure(
         let after = if is(at, &["a"]) { at + 2 } else { at + 1 };
         let (end, time) = measure(tokens, from, words, after, lexicon, language)
             .or_else(|| Some((unit(after)?.0, measured(1.0, unit(after)?.1)?)))?;
-        return matches!(time, Measure::Time(_)).then_some((end, time));
+        return matches!(time, CountedNumber::Time(_)).then_some((end, time));
     }
     let article = is(at, &["a"]) || is(at, &["an"]) || is(at, &["one"]);
     if article
@@ -243,7 +252,7 @@ fn measure(
     if is(after, &["and", "a", "half"]) {
         (value, after) = (value + 0.5, after + 3);
     }
-    let Some((end, unit_of)) = unit(after) else { return Some((after, Measure::Number(value))) };
+    let Some((end, unit_of)) = unit(after) else { return Some((after, CountedNumber::Number(value))) };
     let first = measured(value, unit_of)?;
     Some(more_time(first, end, &|at| {
         let at = if is(at, &["and"]) { at + 1 } else { at };
@@ -254,50 +263,54 @@ fn measure(
 }
 
 /// *1 minute 30 seconds* is one time.
-fn more_time(first: Measure, end: usize, next: &dyn Fn(usize) -> Option<(usize, Measure)>) -> (usize, Measure) {
+fn more_time(
+    first: CountedNumber,
+    end: usize,
+    next: &dyn Fn(usize) -> Option<(usize, CountedNumber)>,
+) -> (usize, CountedNumber) {
     match (first, next(end)) {
-        (Measure::Time(long), Some((end, Measure::Time(short)))) if short < long && long >= 60_000 => {
-            (end, Measure::Time(long + short))
+        (CountedNumber::Time(long), Some((end, CountedNumber::Time(short)))) if short < long && long >= 60_000 => {
+            (end, CountedNumber::Time(long + short))
         }
         _ => (end, first),
     }
 }
 
 /// So many of a unit.
-fn measured(value: f64, unit: &'static str) -> Option<Measure> {
+fn measured(value: f64, unit: &'static str) -> Option<CountedNumber> {
     if !value.is_finite() || value.abs() > 1e9 {
         return None;
     }
     let time = |ms: f64| {
         let all = (value * ms).round();
-        (1.0..=LONGEST_MS).contains(&all).then_some(Measure::Time(all as u64))
+        (1.0..=LONGEST_MS).contains(&all).then_some(CountedNumber::Time(all as u64))
     };
     let rounded = |value: f64| (value * 1e6).round() / 1e6;
     match unit {
-        "cm" => Some(Measure::Length(value, "cm")),
-        "mm" => Some(Measure::Length(rounded(value / 10.0), "cm")),
-        "m" => Some(Measure::Length(value, "m")),
-        "foot" => Some(Measure::Length((value * 30.48).round(), "cm")),
-        "inch" => Some(Measure::Length((value * 2.54).round(), "cm")),
+        "cm" => Some(CountedNumber::Length(value, "cm")),
+        "mm" => Some(CountedNumber::Length(rounded(value / 10.0), "cm")),
+        "m" => Some(CountedNumber::Length(value, "m")),
+        "foot" => Some(CountedNumber::Length((value * 30.48).round(), "cm")),
+        "inch" => Some(CountedNumber::Length((value * 2.54).round(), "cm")),
         "ms" => time(1.0),
         "s" => time(1_000.0),
         "min" => time(60_000.0),
         "h" => time(3_600_000.0),
-        "pct" => Some(Measure::Share(value)),
-        "tenth" => Some(Measure::Share(rounded(value * 10.0))),
-        "deg" => Some(Measure::Angle((value.to_radians() * 1e4).round() / 1e4)),
+        "pct" => Some(CountedNumber::Share(value)),
+        "tenth" => Some(CountedNumber::Share(rounded(value * 10.0))),
+        "deg" => Some(CountedNumber::Angle((value.to_radians() * 1e4).round() / 1e4)),
         // 三度 is three times, 30度 an angle.
-        "degtimes" if value <= 5.0 => Some(Measure::Times(value)),
-        "degtimes" => Some(Measure::Angle((value.to_radians() * 1e4).round() / 1e4)),
-        "rad" => Some(Measure::Angle(value)),
-        "times" => Some(Measure::Times(value)),
-        "people" => Some(Measure::People(value)),
-        "mark" => Some(Measure::Mark(value)),
+        "degtimes" if value <= 5.0 => Some(CountedNumber::Times(value)),
+        "degtimes" => Some(CountedNumber::Angle((value.to_radians() * 1e4).round() / 1e4)),
+        "rad" => Some(CountedNumber::Angle(value)),
+        "times" => Some(CountedNumber::Times(value)),
+        "people" => Some(CountedNumber::People(value)),
+        "mark" => Some(CountedNumber::Mark(value)),
         _ => None,
     }
 }
 
 /// The form of an atom's sense of this kind.
-pub(super) fn form(atom: &Atom, kind: &str) -> Form {
-    atom.of(kind).map_or_else(Form::default, |sense| sense.form)
+pub(super) fn form(atom: &Atom, kind: &str) -> WordForm {
+    atom.of(kind).map_or_else(WordForm::default, |sense| sense.form)
 }

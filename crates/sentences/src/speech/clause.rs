@@ -4,15 +4,15 @@ mod measured;
 mod seen;
 mod touches;
 
-use super::atoms::{Atom, Measure, Value};
-use super::meaning::{Bound, Cond, Event, Span, Times, Vague};
+use super::atoms::{Atom, AtomValue, CountedNumber};
+use super::meaning::{Cond, MeasuredBound, Repetition, SensedEvent, SpeechSpan, VagueWord};
 
 /// Atoms of which each is used once.
 pub(super) struct Bag<'a> {
     pub(super) atoms: &'a [Atom],
     used: u64,
     /// A word that got a number because nobody said one.
-    pub(super) vague: Option<Vague>,
+    pub(super) vague: Option<VagueWord>,
 }
 
 /// What words mean alone: they may stand anywhere.
@@ -42,9 +42,9 @@ impl<'a> Bag<'a> {
     }
 
     /// Remembers which number this word got.
-    pub(super) fn took(&mut self, at: Option<usize>, bound: Bound, moves: bool) {
+    pub(super) fn took(&mut self, at: Option<usize>, bound: MeasuredBound, moves: bool) {
         let span = at.map(|at| self.atoms[at].span.clone());
-        self.vague = span.map(|span| Vague { span, bound, moves });
+        self.vague = span.map(|span| VagueWord { span, bound, moves });
     }
 
     /// Uses all signs of this kind.
@@ -95,9 +95,9 @@ impl<'a> Bag<'a> {
     }
 
     /// Uses the first measure of which something can be made.
-    pub(super) fn measure<T>(&mut self, made: impl Fn(Measure) -> Option<T>) -> Option<(T, usize)> {
+    pub(super) fn measure<T>(&mut self, made: impl Fn(CountedNumber) -> Option<T>) -> Option<(T, usize)> {
         let found = (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match self.atoms[at].value {
-            Value::Measure(measure) => Some((made(measure)?, at)),
+            AtomValue::Measure(measure) => Some((made(measure)?, at)),
             _ => None,
         })?;
         self.use_up(found.1);
@@ -108,7 +108,7 @@ impl<'a> Bag<'a> {
     pub(super) fn quote(&mut self) -> Option<String> {
         let found =
             (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match &self.atoms[at].value {
-                Value::Quote(text) => Some((at, text.clone())),
+                AtomValue::Quote(text) => Some((at, text.clone())),
                 _ => None,
             })?;
         self.use_up(found.0);
@@ -116,7 +116,7 @@ impl<'a> Bag<'a> {
     }
 
     /// The tokens of the atoms that nobody used and that mean something.
-    pub(super) fn left(&self) -> Vec<Span> {
+    pub(super) fn left(&self) -> Vec<SpeechSpan> {
         let means = |at: &usize| {
             let atom = &self.atoms[*at];
             self.is_free(*at) && !FILLERS.iter().any(|(kind, arg)| atom.is(kind, arg))
@@ -124,7 +124,7 @@ impl<'a> Bag<'a> {
         (0..self.atoms.len()).filter(means).map(|at| self.atoms[at].span.clone()).collect()
     }
 
-    pub(super) fn span(&self) -> Span {
+    pub(super) fn span(&self) -> SpeechSpan {
         // Their order may not be that in which they stand.
         let start = self.atoms.iter().map(|atom| atom.span.start).min().unwrap_or(0);
         start..self.atoms.iter().map(|atom| atom.span.end).max().unwrap_or(start)
@@ -135,7 +135,7 @@ impl<'a> Bag<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct Meant<T> {
     pub(super) what: T,
-    pub(super) left: Vec<Span>,
+    pub(super) left: Vec<SpeechSpan>,
 }
 
 /// What a clause tells of; none if it tells of nothing that could happen.
@@ -148,21 +148,21 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     // Senses of what is not there: the rest of the clause is not to blame.
     let gaps = told_gaps(atoms);
     if !gaps.is_empty() {
-        let cond = Cond::of(Event::Noise, bag.span());
+        let cond = Cond::of(SensedEvent::Noise, bag.span());
         return Some(Meant { what: cond, left: gaps });
     }
     bag.take_all("adv", "again");
     bag.take_all("adv", "eachtime");
     let within_at = bag.find("cmp", "atmost").filter(|_| {
-        atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))))
-            && !atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))))
+        atoms.iter().any(|atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Time(_))))
+            && !atoms.iter().any(|atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Length(..))))
     });
     let denied = atoms.iter().any(|atom| atom.is("not", "") || atom.is("none", ""));
     let is_in = |at: usize| at > 0 && atoms[at - 1].is("within", "in") && !denied;
-    let time_at = atoms.iter().position(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))));
+    let time_at = atoms.iter().position(|atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Time(_))));
     // *Three times in five seconds*: how long something is counted cannot be said.
     let time = match time_at.filter(|at| !is_in(*at)) {
-        Some(_) => bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None }),
+        Some(_) => bag.measure(|measure| if let CountedNumber::Time(ms) = measure { Some(ms) } else { None }),
         None => None,
     };
     if time.is_some()
@@ -183,7 +183,7 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
             for kind in ["noun", "it", "who", "robot"] {
                 bag.take(kind, "");
             }
-            let cond = Cond { during: Some(ms), ..Cond::of(Event::Stays, bag.span()) };
+            let cond = Cond { during: Some(ms), ..Cond::of(SensedEvent::Stays, bag.span()) };
             return Some(Meant { what: cond, left: bag.left() });
         }
     }
@@ -216,14 +216,14 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
 }
 
 /// Words for what can neither be sensed nor done.
-pub(super) fn gaps(atoms: &[Atom]) -> Vec<Span> {
+pub(super) fn gaps(atoms: &[Atom]) -> Vec<SpeechSpan> {
     let is_gap =
         |atom: &&Atom| !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
     atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
 }
 
 /// Words for what cannot be sensed, though the robot itself may do it: *the child dances*.
-fn told_gaps(atoms: &[Atom]) -> Vec<Span> {
+fn told_gaps(atoms: &[Atom]) -> Vec<SpeechSpan> {
     let is_gap = |atom: &&Atom| {
         atom.is("gap", "") && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague" | "do"))
             || !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"))
@@ -231,47 +231,47 @@ fn told_gaps(atoms: &[Atom]) -> Vec<Span> {
     atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
 }
 
-fn times(bag: &mut Bag) -> Option<Times> {
+fn times(bag: &mut Bag) -> Option<Repetition> {
     let counts = |measure| match measure {
-        Measure::Times(times) if (1.0..=1_000.0).contains(&times) && times.fract() == 0.0 => Some(times as u32),
+        CountedNumber::Times(times) if (1.0..=1_000.0).contains(&times) && times.fract() == 0.0 => Some(times as u32),
         _ => None,
     };
     if let Some((nth, _)) = bag.arg("ord") {
         let number = nth.parse().ok();
         if bag.take("every", "").is_some() {
             bag.take("time", "");
-            return number.map(Times::EachTime);
+            return number.map(Repetition::EachTime);
         }
         bag.take("time", "");
-        return number.map(Times::After);
+        return number.map(Repetition::After);
     }
     // *Three touches*
     let counted = (1..bag.atoms.len()).find_map(|at| match bag.atoms[at - 1].value {
-        Value::Measure(Measure::Number(number)) if bag.atoms[at].is("v", "") && bag.is_free(at - 1) => {
-            Some((at - 1, counts(Measure::Times(number))?))
+        AtomValue::Measure(CountedNumber::Number(number)) if bag.atoms[at].is("v", "") && bag.is_free(at - 1) => {
+            Some((at - 1, counts(CountedNumber::Times(number))?))
         }
         _ => None,
     });
     if let Some((at, number)) = counted {
         bag.use_up(at);
         let each = bag.take("every", "").is_some();
-        return Some(if each { Times::EachTime(number) } else { Times::After(number) });
+        return Some(if each { Repetition::EachTime(number) } else { Repetition::After(number) });
     }
     if let Some((times, _)) = bag.measure(counts) {
         let each = bag.take("every", "").is_some();
-        return Some(if each { Times::EachTime(times) } else { Times::After(times) });
+        return Some(if each { Repetition::EachTime(times) } else { Repetition::After(times) });
     }
     if let Some(("1" | "2", at)) = bag.arg("times") {
         let twice = bag.atoms[at].is("times", "2");
-        return Some(Times::After(if twice { 2 } else { 1 }));
+        return Some(Repetition::After(if twice { 2 } else { 1 }));
     }
     None
 }
 
 /// Something that can be sensed, of the words for it.
-fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<Event> {
+fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<SensedEvent> {
     if bag.take("noun", "start").is_some() {
-        return (!*not && !over).then_some(Event::Start);
+        return (!*not && !over).then_some(SensedEvent::Start);
     }
     // Nobody does it, or the verb says that it is not done.
     let nobody = bag.take("none", "who").is_some();
@@ -300,7 +300,7 @@ fn is_anothers_body(atoms: &[Atom]) -> bool {
 }
 
 /// What the robot's own body does.
-fn body(bag: &mut Bag) -> Option<Event> {
+fn body(bag: &mut Bag) -> Option<SensedEvent> {
     if bag.has("v", "fall") && !bag.has("noun", "battery") {
         bag.take("v", "fall");
         let up = bag.take("pose", "Stand").is_some() || bag.take("v", "rise").is_some();
@@ -308,11 +308,11 @@ fn body(bag: &mut Bag) -> Option<Event> {
         if !bag.has("who", "") {
             bag.take("it", "");
         }
-        return Some(if up { Event::Up } else { Event::Falls });
+        return Some(if up { SensedEvent::Up } else { SensedEvent::Falls });
     }
     if bag.has("v", "rise") && bag.left().len() == 1 {
         bag.take("v", "rise");
-        return Some(Event::Up);
+        return Some(SensedEvent::Up);
     }
     // 座っているとき: the robot, if nobody is named.
     let sits = bag.atoms.iter().any(|atom| atom.of("pose").is_some_and(|sense| sense.form.lasts));
@@ -327,17 +327,17 @@ fn body(bag: &mut Bag) -> Option<Event> {
     }
     bag.take_all("robot", "");
     if bag.take("v", "rise").is_some() {
-        return Some(Event::Up);
+        return Some(SensedEvent::Up);
     }
     let (pose, _) = bag.arg("pose")?;
     if bag.atoms.iter().any(|atom| atom.is("adv", "again")) && pose == "Stand" {
-        return Some(Event::Up);
+        return Some(SensedEvent::Up);
     }
     bag.take("v", "exist");
     match pose {
-        "Stand" | "StandInit" => Some(Event::Pose("Standing")),
-        "Sit" => Some(Event::Pose("Sitting")),
-        "Crouch" => Some(Event::Pose("Crouching")),
+        "Stand" | "StandInit" => Some(SensedEvent::Pose("Standing")),
+        "Sit" => Some(SensedEvent::Pose("Sitting")),
+        "Crouch" => Some(SensedEvent::Pose("Crouching")),
         _ => None,
     }
 }
@@ -362,23 +362,25 @@ pub(super) fn elliptic(atoms: &[Atom]) -> Option<Meant<Cond>> {
     let cond = |what| Cond::of(what, span.clone());
     let part = bag.arg("part").map(|(part, _)| part);
     if let Some(what) = touches::same(&mut bag) {
-        let Event::Same(params, _) = what else { return None };
-        return Some(Meant { what: cond(Event::Same(params, part)), left: bag.left() });
+        let SensedEvent::Same(params, _) = what else { return None };
+        return Some(Meant { what: cond(SensedEvent::Same(params, part)), left: bag.left() });
     }
     if part.is_some() {
         let part = part.filter(|_| true);
-        return Some(Meant { what: cond(Event::Same(Vec::new(), part)), left: bag.left() });
+        return Some(Meant { what: cond(SensedEvent::Same(Vec::new(), part)), left: bag.left() });
     }
     if let Some(quote) = bag.quote() {
-        return Some(Meant { what: cond(Event::Words(vec![quote])), left: bag.left() });
+        return Some(Meant { what: cond(SensedEvent::Words(vec![quote])), left: bag.left() });
     }
     let number = bag.measure(|measure| match measure {
-        Measure::Number(value) | Measure::Times(value) if value >= 1.0 && value.fract() == 0.0 && value <= 1_000.0 => {
+        CountedNumber::Number(value) | CountedNumber::Times(value)
+            if value >= 1.0 && value.fract() == 0.0 && value <= 1_000.0 =>
+        {
             Some(value as u32)
         }
         _ => None,
     });
     let (number, _) = number?;
     bag.take_all("v", "touch");
-    Some(Meant { what: cond(Event::Counted(number)), left: bag.left() })
+    Some(Meant { what: cond(SensedEvent::Counted(number)), left: bag.left() })
 }

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 
 /// The form of a word that has several.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Form {
+pub(super) struct WordForm {
     /// How it ends a clause or leads on.
-    pub(super) end: End,
+    pub(super) end: FormEnd,
     /// Whether somebody else does it.
     pub(super) passive: bool,
     /// Whether it is not so.
@@ -22,7 +22,7 @@ pub(super) struct Form {
 
 /// How a form ends a clause or leads on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum FormEnd {
     /// No form: as it is.
     #[default]
     Plain,
@@ -48,27 +48,27 @@ pub(super) enum End {
 
 /// What a writing means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Sense {
+pub(super) struct WritingSense {
     pub(super) kind: &'static str,
     pub(super) arg: &'static str,
-    pub(super) form: Form,
+    pub(super) form: WordForm,
 }
 
 /// A writing: its parts after the first one, and what it means.
 #[derive(Debug)]
-struct Entry {
+struct LexiconEntry {
     rest: Vec<&'static str>,
     /// English: forms of the first word are entries of their own. Japanese: the name of the table of its endings.
     class: Option<&'static str>,
-    sense: Sense,
+    sense: WritingSense,
 }
 
 /// The words of a language.
 #[derive(Debug, Default)]
 pub struct Lexicon {
-    entries: BTreeMap<String, Vec<Entry>>,
+    entries: BTreeMap<String, Vec<LexiconEntry>>,
     /// By the table's name: endings with their forms.
-    endings: BTreeMap<&'static str, Vec<(String, Form)>>,
+    endings: BTreeMap<&'static str, Vec<(String, WordForm)>>,
     /// By what is meant: why it cannot be done.
     gaps: BTreeMap<&'static str, &'static str>,
     /// Whether words have spaces between them.
@@ -76,7 +76,7 @@ pub struct Lexicon {
 }
 
 /// A word that was found: where it ends, and what it means.
-pub(super) type Found = (usize, Sense);
+pub(super) type FoundWord = (usize, WritingSense);
 
 impl Lexicon {
     /// Reads the words of a language.
@@ -105,7 +105,7 @@ impl Lexicon {
         }
         for (class, stems) in tables {
             let mut endings = Vec::new();
-            inflect(&stems, &chains, "", Form::default(), 0, &mut endings);
+            inflect(&stems, &chains, "", WordForm::default(), 0, &mut endings);
             lexicon.endings.insert(class, endings);
         }
         lexicon
@@ -128,17 +128,22 @@ impl Lexicon {
 
     fn word(&mut self, left: &'static str, right: &'static str) {
         let (kind, arg) = right.split_once(' ').unwrap_or((right, ""));
-        let plain = Sense { kind, arg: arg.trim(), form: Form::default() };
+        let plain = WritingSense { kind, arg: arg.trim(), form: WordForm::default() };
         for writing in left.split(',').map(str::trim).filter(|writing| !writing.is_empty()) {
             if let Some((word, rest)) = writing.split_once('~') {
                 for (form, end) in regular(word.trim()) {
-                    self.put(&form, rest.trim(), None, Sense { form: Form { end, ..Form::default() }, ..plain });
+                    self.put(
+                        &form,
+                        rest.trim(),
+                        None,
+                        WritingSense { form: WordForm { end, ..WordForm::default() }, ..plain },
+                    );
                 }
             } else if writing.contains('|') {
                 let (forms, rest) = writing.split_once(' ').unwrap_or((writing, ""));
-                let ends = [End::Plain, End::Third, End::Past, End::Ing, End::Past];
+                let ends = [FormEnd::Plain, FormEnd::Third, FormEnd::Past, FormEnd::Ing, FormEnd::Past];
                 for (form, end) in forms.split('|').zip(ends) {
-                    self.put(form, rest, None, Sense { form: Form { end, ..Form::default() }, ..plain });
+                    self.put(form, rest, None, WritingSense { form: WordForm { end, ..WordForm::default() }, ..plain });
                 }
             } else {
                 let (writing, class) = match writing.split_once('/') {
@@ -161,17 +166,17 @@ impl Lexicon {
         writing.split_at(first)
     }
 
-    fn put(&mut self, first: &str, rest: &'static str, class: Option<&'static str>, sense: Sense) {
+    fn put(&mut self, first: &str, rest: &'static str, class: Option<&'static str>, sense: WritingSense) {
         let rest = if self.is_spaced {
             rest.split_whitespace().collect()
         } else {
             rest.char_indices().map(|(at, c)| &rest[at..at + c.len_utf8()]).collect()
         };
-        self.entries.entry(first.to_owned()).or_default().push(Entry { rest, class, sense });
+        self.entries.entry(first.to_owned()).or_default().push(LexiconEntry { rest, class, sense });
     }
 
     /// All words that begin with this token.
-    pub(super) fn at(&self, tokens: &[&str], at: usize) -> Vec<Found> {
+    pub(super) fn at(&self, tokens: &[&str], at: usize) -> Vec<FoundWord> {
         let mut found = Vec::new();
         let Some(entries) = tokens.get(at).and_then(|first| self.entries.get(*first)) else { return found };
         for entry in entries {
@@ -190,7 +195,7 @@ impl Lexicon {
                             is
                         });
                         if fits {
-                            found.push((to, Sense { form: *form, ..entry.sense }));
+                            found.push((to, WritingSense { form: *form, ..entry.sense }));
                         }
                     }
                 }
@@ -301,7 +306,7 @@ fn apart(one: &[char], other: &[char], most: usize) -> Option<usize> {
 }
 
 /// The regular forms of an English verb; one that ends with `*` doubles its last letter.
-fn regular(word: &str) -> [(String, End); 4] {
+fn regular(word: &str) -> [(String, FormEnd); 4] {
     let doubled = word.strip_suffix('*');
     let word = doubled.unwrap_or(word);
     let last = word.chars().last().unwrap_or(' ');
@@ -317,7 +322,12 @@ fn regular(word: &str) -> [(String, End); 4] {
         _ => word.to_owned(),
     };
     let past = before_y.map_or_else(|| format!("{stem}ed"), |stem| format!("{stem}ied"));
-    [(word.to_owned(), End::Plain), (third, End::Third), (past, End::Past), (format!("{stem}ing"), End::Ing)]
+    [
+        (word.to_owned(), FormEnd::Plain),
+        (third, FormEnd::Third),
+        (past, FormEnd::Past),
+        (format!("{stem}ing"), FormEnd::Ing),
+    ]
 }
 
 /// て, た and ちゃ as they are after 死ん, 飛ん or 読ん.
@@ -337,9 +347,9 @@ fn inflect(
     stems: &[&str],
     chains: &[(&'static str, &'static str, &'static str)],
     before: &str,
-    form: Form,
+    form: WordForm,
     depth: usize,
-    to: &mut Vec<(String, Form)>,
+    to: &mut Vec<(String, WordForm)>,
 ) {
     const ROWS: [&str; 6] = ["a", "i", "u", "e", "t", "p"];
     // 一段 verbs have one stem and た, て as they are.
@@ -357,12 +367,12 @@ fn inflect(
         let mut goes_on = false;
         for word in means.split_whitespace() {
             match word {
-                "dict" => now.end = End::Dict,
-                "did" => now.end = End::Did,
-                "te" => now.end = End::Te,
-                "tara" => now.end = End::Tara,
-                "ba" => now.end = End::Ba,
-                "stem" => now.end = End::Stem,
+                "dict" => now.end = FormEnd::Dict,
+                "did" => now.end = FormEnd::Did,
+                "te" => now.end = FormEnd::Te,
+                "tara" => now.end = FormEnd::Tara,
+                "ba" => now.end = FormEnd::Ba,
+                "stem" => now.end = FormEnd::Stem,
                 "not" => now.not = true,
                 "passive" => (now.passive, goes_on) = (true, true),
                 "lasts" => (now.lasts, goes_on) = (true, true),

@@ -4,15 +4,15 @@ use crate::test::Comparison;
 use std::ops::Range;
 
 /// Tokens of the text.
-pub(crate) type Span = Range<usize>;
+pub(crate) type SpeechSpan = Range<usize>;
 
 /// A comparison with a length, a share, an angle or a number, in the unit of it.
-pub(crate) type Bound = (Comparison, f64, &'static str);
+pub(crate) type MeasuredBound = (Comparison, f64, &'static str);
 
 /// What happens, or is the case.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Cond {
-    pub(crate) what: Event,
+    pub(crate) what: SensedEvent,
     /// Whether it does not.
     pub(crate) not: bool,
     /// For how long, in milliseconds.
@@ -20,33 +20,33 @@ pub(crate) struct Cond {
     /// Within which time after what was said before, in milliseconds.
     pub(crate) within: Option<u64>,
     /// How often it has to happen.
-    pub(crate) times: Option<Times>,
+    pub(crate) times: Option<Repetition>,
     /// Whether it is said to last: *is touched*, 触っている.
     pub(crate) lasts: bool,
     /// A word that got a number because nobody said one: *near*.
-    pub(crate) vague: Option<Vague>,
-    pub(crate) span: Span,
+    pub(crate) vague: Option<VagueWord>,
+    pub(crate) span: SpeechSpan,
 }
 
 /// A word that got a number because nobody said one, with what it was taken as.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Vague {
-    pub(crate) span: Span,
-    pub(crate) bound: Bound,
+pub(crate) struct VagueWord {
+    pub(crate) span: SpeechSpan,
+    pub(crate) bound: MeasuredBound,
     /// True if it is a movement: *approaches*.
     pub(crate) moves: bool,
 }
 
 impl Cond {
     /// Something that happens, as plain as can be.
-    pub(crate) fn of(what: Event, span: Span) -> Self {
+    pub(crate) fn of(what: SensedEvent, span: SpeechSpan) -> Self {
         Self { what, not: false, during: None, within: None, times: None, lasts: false, vague: None, span }
     }
 }
 
 /// How often something has to happen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Times {
+pub(crate) enum Repetition {
     /// So often.
     After(u32),
     /// Each time it happened so often again.
@@ -57,35 +57,35 @@ pub(crate) enum Times {
 
 /// Something that can be sensed.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Event {
+pub(crate) enum SensedEvent {
     /// What is touched, the choices of its sense, and whether it ends.
-    Touch(Body, Vec<(&'static str, &'static str)>, Phase),
+    Touch(TouchedPart, Vec<(&'static str, &'static str)>, TouchPhase),
     Button(Option<String>),
     /// A ball of a colour.
     Ball(&'static str),
     /// Something of a colour.
     Thing(&'static str),
-    Face(Who),
+    Face(WhichFace),
     Mark(Option<u32>),
     /// How far something is.
-    Far(Of, Vec<Bound>),
-    People(Vec<Bound>),
+    Far(Of, Vec<MeasuredBound>),
+    People(Vec<MeasuredBound>),
     Words(Vec<String>),
     Noise,
     Falls,
     Up,
     /// The program starts.
     Start,
-    Charge(Vec<Bound>),
+    Charge(Vec<MeasuredBound>),
     /// The posture, by its name among values.
     Pose(&'static str),
-    Joint(&'static str, Vec<Bound>),
+    Joint(&'static str, Vec<MeasuredBound>),
     /// What was counted before is this.
     Counted(u32),
     /// One of several.
-    Any(Vec<Event>),
+    Any(Vec<SensedEvent>),
     /// The battery, if it was spoken of before, is so full.
-    ItCharge(Vec<Bound>),
+    ItCharge(Vec<MeasuredBound>),
     /// The event that was said last goes on being so.
     Stays,
     /// What was seen last.
@@ -102,7 +102,7 @@ pub(crate) enum Event {
 
 /// What feels touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Body {
+pub(crate) enum TouchedPart {
     Head,
     Hand,
     Foot,
@@ -110,14 +110,14 @@ pub(crate) enum Body {
 
 /// A part of a touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Phase {
+pub(crate) enum TouchPhase {
     Begins,
     Ends,
 }
 
 /// Which face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Who {
+pub(crate) enum WhichFace {
     Anybody,
     New,
     Known,
@@ -139,15 +139,15 @@ pub(crate) enum Act {
     Say(String),
     /// One of several texts, by chance.
     SayAny(Vec<String>),
-    SayValue(Value),
-    Show(Value),
+    SayValue(MeantValue),
+    Show(MeantValue),
     Eyes(&'static str),
     /// A colour without the word for eyes, after other eyes.
     Color(&'static str),
     Shine(f64),
     /// Brighter the nearer something is.
     Nearer(Of),
-    Follow(Target, &'static str, &'static str),
+    Follow(FollowedTarget, &'static str, &'static str),
     Gesture(&'static str),
     Pose(&'static str),
     Walk,
@@ -175,12 +175,12 @@ pub(crate) enum Act {
     /// The eyes go out so many milliseconds after they were lit.
     GoesOut(u64),
     /// The robot stops following: the target, if one is named.
-    Unfollow(Option<Target>),
+    Unfollow(Option<FollowedTarget>),
 }
 
 /// A value that is said or shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Value {
+pub(crate) enum MeantValue {
     /// What comes.
     It,
     /// How often something came.
@@ -196,7 +196,7 @@ pub(crate) enum Value {
 
 /// What is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Target {
+pub(crate) enum FollowedTarget {
     Ball,
     Face,
     It,
@@ -204,7 +204,7 @@ pub(crate) enum Target {
 
 /// What is done when something happens.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Rule {
+pub(crate) struct MeantRule {
     /// How often its event is looked at, in milliseconds.
     pub(crate) every: Option<u64>,
     /// What happens; none of what follows something by itself.
@@ -223,22 +223,22 @@ pub(crate) struct Rule {
     /// Whether it is so only as long as its event lasts.
     pub(crate) lasts: bool,
     /// The words that say that it is not done then.
-    pub(crate) denied: Option<Span>,
+    pub(crate) denied: Option<SpeechSpan>,
     /// The words that say that what it does goes on, if it does.
-    pub(crate) keeps: Option<Span>,
+    pub(crate) keeps: Option<SpeechSpan>,
     /// The words that say that it is done in the place of what the rule before does.
-    pub(crate) instead: Option<Span>,
+    pub(crate) instead: Option<SpeechSpan>,
     /// The words that say that what the rule before follows is not followed any more, and what that is.
-    pub(crate) unfollows: Option<(Span, Option<Target>)>,
+    pub(crate) unfollows: Option<(SpeechSpan, Option<FollowedTarget>)>,
     /// The words that say that nobody answers what the rule before waits for.
-    pub(crate) unheard: Option<Span>,
+    pub(crate) unheard: Option<SpeechSpan>,
     /// Whether its actions go by senses of their own.
     pub(crate) is_own: bool,
     /// What is done so many milliseconds later.
-    pub(crate) acts: Vec<(u64, Act, Span)>,
+    pub(crate) acts: Vec<(u64, Act, SpeechSpan)>,
     /// Whether it is for what the rule before keeps out.
     pub(crate) otherwise: bool,
     /// The rule before, which it waits for in vain: its event and the time.
     pub(crate) unanswered: Option<usize>,
-    pub(crate) span: Span,
+    pub(crate) span: SpeechSpan,
 }

@@ -1,7 +1,7 @@
 //! Clauses that have no word of their own that leads them in: *everyone you know*, *press the button to make it wave*, a
 //! text without its verb.
 
-use super::atoms::{Atom, Measure, Value};
+use super::atoms::{Atom, AtomValue, CountedNumber};
 use super::clause::cond;
 use super::meaning::Act;
 use super::segments::{Chart, Edge, Lead, Segment, prices};
@@ -65,7 +65,8 @@ impl Chart<'_> {
 
     /// True if what people do begins here: *press the button*, *three claps*.
     fn begins_as_asked(&self, at: usize) -> bool {
-        let counts = matches!(self.atoms[at].value, Value::Measure(Measure::Number(_) | Measure::Times(_)));
+        let counts =
+            matches!(self.atoms[at].value, AtomValue::Measure(CountedNumber::Number(_) | CountedNumber::Times(_)));
         self.atoms[at].is("v", "") || counts && self.atoms.get(at + 1).is_some_and(|next| next.is("v", ""))
     }
 
@@ -77,16 +78,17 @@ impl Chart<'_> {
 
     /// *… and then “two”*, 右手なら「みぎ」、: a text of which the verb is said elsewhere.
     pub(super) fn text_alone(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
-        let Value::Quote(text) = &self.atoms[at].value else { return };
+        let AtomValue::Quote(text) = &self.atoms[at].value else { return };
         let joins = |atom: &Atom| {
-            matches!(atom.value, Value::Sign(',')) || ["and", "then", "lead"].iter().any(|kind| atom.is(kind, ""))
+            matches!(atom.value, AtomValue::Sign(',')) || ["and", "then", "lead"].iter().any(|kind| atom.is(kind, ""))
         };
         let before = at.checked_sub(1).and_then(|before| self.atoms.get(before));
-        let is_time = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Time(_))) || atom.is("later", "");
+        let is_time =
+            |atom: &Atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Time(_))) || atom.is("later", "");
         let follows = before.is_some_and(|before| {
             joins(before)
                 || is_time(before)
-                || before.senses.iter().any(|sense| sense.form != super::lexicon::Form::default())
+                || before.senses.iter().any(|sense| sense.form != super::lexicon::WordForm::default())
         });
         if text.is_empty() || !follows || self.atoms.get(at + 1).is_some_and(|next| !joins(next)) {
             return;

@@ -2,10 +2,10 @@
 //! most, and is in doubt.
 
 use super::act::{act, ends, is_order};
-use super::atoms::{Atom, Measure, Value};
+use super::atoms::{Atom, AtomValue, CountedNumber};
 use super::clause::{Meant, cond, elliptic, gaps};
-use super::lexicon::End;
-use super::meaning::{Act, Cond, Event, Span, Times};
+use super::lexicon::FormEnd;
+use super::meaning::{Act, Cond, Repetition, SensedEvent, SpeechSpan};
 use crate::Language;
 use std::rc::Rc;
 
@@ -14,13 +14,13 @@ use std::rc::Rc;
 pub(super) enum Segment {
     Cond(Lead, Rc<Cond>),
     /// What is done, and its tokens.
-    Acts(Rc<Vec<Act>>, Span),
+    Acts(Rc<Vec<Act>>, SpeechSpan),
     /// How often, in milliseconds.
     Every(u64),
     AtMost(u64),
     Once,
     /// So many milliseconds later: what is done then, next or before.
-    Later(u64, Then),
+    Later(u64, LaterAction),
     /// The time between things that are done, in milliseconds.
     Apart(u64),
     /// Between clauses.
@@ -28,11 +28,11 @@ pub(super) enum Segment {
     Or,
     Then,
     /// *After that*: then, or at all times after the first one; with words, only the latter.
-    Onwards(Option<Span>),
+    Onwards(Option<SpeechSpan>),
     But,
     Otherwise,
     /// Nobody answers what was waited for.
-    Unheard(Span),
+    Unheard(SpeechSpan),
     Sign,
     /// Means nothing here.
     Nothing,
@@ -42,7 +42,7 @@ pub(super) enum Segment {
 
 /// What is done so much later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Then {
+pub(super) enum LaterAction {
     /// What comes next: *wait 3 seconds, then …*
     Next,
     /// What comes right after, if something does; else what was said before.
@@ -66,9 +66,9 @@ pub(super) enum Lead {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cover {
     pub(super) segments: Vec<Segment>,
-    pub(super) doubts: Vec<Span>,
+    pub(super) doubts: Vec<SpeechSpan>,
     /// Tokens that were taken as a text though nobody quoted them.
-    pub(super) texts: Vec<Span>,
+    pub(super) texts: Vec<SpeechSpan>,
 }
 
 /// The costs of clauses, for those of other files.
@@ -88,29 +88,29 @@ const CLAUSE_MAX: usize = 40;
 
 /// What came before, as far as it decides about what comes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Before {
+enum SegmentBefore {
     Else,
     Cond,
     /// A condition and an *and* or *or*.
     Joined,
 }
 
-const BEFORES: [Before; 3] = [Before::Else, Before::Cond, Before::Joined];
+const BEFORES: [SegmentBefore; 3] = [SegmentBefore::Else, SegmentBefore::Cond, SegmentBefore::Joined];
 
 /// An edge of the chart: where it leads, what it is, what it costs and leaves in doubt.
 pub(super) struct Edge {
     to: usize,
     segment: Segment,
     cost: usize,
-    doubts: Vec<Span>,
-    texts: Vec<Span>,
-    after: Before,
+    doubts: Vec<SpeechSpan>,
+    texts: Vec<SpeechSpan>,
+    after: SegmentBefore,
 }
 
 /// The cost from a place on, and the edge that begins there.
-type Step = (usize, Option<Rc<Edge>>);
+type SegmentStep = (usize, Option<Rc<Edge>>);
 /// Atoms with a quote in them, the tokens of it, those of them in doubt, and what it costs.
-type Quoting = (Vec<Atom>, Vec<Span>, Vec<Span>, usize);
+type Quoting = (Vec<Atom>, Vec<SpeechSpan>, Vec<SpeechSpan>, usize);
 
 pub(super) struct Chart<'a> {
     pub(super) atoms: &'a [Atom],
@@ -118,27 +118,27 @@ pub(super) struct Chart<'a> {
     /// True if the sentence ends with a question mark and asks the robot for nothing: what is said may be a question.
     asks: bool,
     /// The source of a span of tokens.
-    source: &'a dyn Fn(&Span) -> String,
+    source: &'a dyn Fn(&SpeechSpan) -> String,
     tries: usize,
 }
 
 /// The cheapest cover of the atoms of a sentence.
-pub(super) fn cover(atoms: &[Atom], language: Language, asks: bool, source: &dyn Fn(&Span) -> String) -> Cover {
+pub(super) fn cover(atoms: &[Atom], language: Language, asks: bool, source: &dyn Fn(&SpeechSpan) -> String) -> Cover {
     let asks = asks && !atoms.iter().any(|atom| atom.is("polite", ""));
     let mut chart = Chart { atoms, language, asks, source, tries: 0 };
     let count = atoms.len();
-    let mut best: Vec<[Option<Step>; 3]> = vec![[None, None, None]; count + 1];
+    let mut best: Vec<[Option<SegmentStep>; 3]> = vec![[None, None, None]; count + 1];
     best[count] = [Some((0, None)), Some((0, None)), Some((WORD, None))];
     for at in (0..count).rev() {
         let edges = chart.edges(at);
         let edges: Vec<(bool, Rc<Edge>)> = edges.into_iter().map(|(needs, edge)| (needs, Rc::new(edge))).collect();
         for (slot, before) in BEFORES.iter().enumerate() {
             for (needs_joined, edge) in &edges {
-                if *needs_joined && *before != Before::Joined {
+                if *needs_joined && *before != SegmentBefore::Joined {
                     continue;
                 }
                 let after = match (&edge.segment, before) {
-                    (Segment::And | Segment::Or, Before::Cond) => Before::Joined,
+                    (Segment::And | Segment::Or, SegmentBefore::Cond) => SegmentBefore::Joined,
                     (Segment::Sign | Segment::Nothing, before) => *before,
                     _ => edge.after,
                 };
@@ -152,12 +152,12 @@ pub(super) fn cover(atoms: &[Atom], language: Language, asks: bool, source: &dyn
         }
     }
     let mut cover = Cover::default();
-    let (mut at, mut before) = (0, Before::Else);
+    let (mut at, mut before) = (0, SegmentBefore::Else);
     while at < count {
         let slot = BEFORES.iter().position(|known| *known == before).unwrap_or(0);
         let Some((_, Some(edge))) = &best[at][slot] else { break };
         before = match (&edge.segment, before) {
-            (Segment::And | Segment::Or, Before::Cond) => Before::Joined,
+            (Segment::And | Segment::Or, SegmentBefore::Cond) => SegmentBefore::Joined,
             (Segment::Sign | Segment::Nothing, before) => before,
             _ => edge.after,
         };
@@ -174,8 +174,9 @@ impl Chart<'_> {
         let mut all: Vec<(bool, Edge)> = Vec::new();
         let atom = &self.atoms[at];
         let plain = |to: usize, segment: Segment, cost: usize| self.plain(to, segment, cost);
-        let doubtful = |to: usize, cost: usize, doubts: Vec<Span>| Edge { doubts, ..plain(to, Segment::Unclear, cost) };
-        if matches!(atom.value, Value::Sign(',' | ':' | ';' | '-' | '.')) {
+        let doubtful =
+            |to: usize, cost: usize, doubts: Vec<SpeechSpan>| Edge { doubts, ..plain(to, Segment::Unclear, cost) };
+        if matches!(atom.value, AtomValue::Sign(',' | ':' | ';' | '-' | '.')) {
             all.push((false, plain(at + 1, Segment::Sign, 1)));
             return all;
         }
@@ -229,7 +230,7 @@ impl Chart<'_> {
 
     /// An edge that leaves nothing in doubt.
     pub(super) fn plain(&self, to: usize, segment: Segment, cost: usize) -> Edge {
-        Edge { to, segment, cost, doubts: Vec::new(), texts: Vec::new(), after: Before::Else }
+        Edge { to, segment, cost, doubts: Vec::new(), texts: Vec::new(), after: SegmentBefore::Else }
     }
 
     /// True if enough was tried.
@@ -247,7 +248,7 @@ impl Chart<'_> {
 
     fn time(&self, at: usize) -> Option<u64> {
         match self.atoms.get(at)?.value {
-            Value::Measure(Measure::Time(ms)) => Some(ms),
+            AtomValue::Measure(CountedNumber::Time(ms)) => Some(ms),
             _ => None,
         }
     }
@@ -280,7 +281,7 @@ impl Chart<'_> {
             && is(at + 1, "lead", "after")
             && self.language == Language::English
         {
-            found.push((at + 1, Segment::Later(ms, Then::NextIfThere)));
+            found.push((at + 1, Segment::Later(ms, LaterAction::NextIfThere)));
         }
         if let Some(ms) = time(at) {
             let next = fillers(at + 1);
@@ -297,7 +298,7 @@ impl Chart<'_> {
             // 1分に1回まで
             let one = |at: usize| {
                 is(at, "times", "1")
-                    || matches!(atoms.get(at).map(|atom| &atom.value), Some(Value::Measure(Measure::Times(times))) if *times == 1.0)
+                    || matches!(atoms.get(at).map(|atom| &atom.value), Some(AtomValue::Measure(CountedNumber::Times(times))) if *times == 1.0)
             };
             if is(next, "once", "") {
                 found.push((next + 1, Segment::AtMost(ms)));
@@ -320,27 +321,27 @@ impl Chart<'_> {
         // 5秒してから
         let goes_by = |at: usize| {
             let turn = self.atoms.get(at).and_then(|atom| atom.sense("v", "turn"));
-            turn.is_some_and(|sense| sense.form.end == End::Te) && is(at + 1, "lead", "after")
+            turn.is_some_and(|sense| sense.form.end == FormEnd::Te) && is(at + 1, "lead", "after")
         };
         if let Some(ms) = time(at)
             && goes_by(at + 1)
         {
-            found.push((at + 3, Segment::Later(ms, Then::Next)));
+            found.push((at + 3, Segment::Later(ms, LaterAction::Next)));
         }
         // 目を赤くしてから…
-        let te = |at: usize| self.atoms[at].senses.iter().any(|sense| sense.form.end == End::Te);
+        let te = |at: usize| self.atoms[at].senses.iter().any(|sense| sense.form.end == FormEnd::Te);
         if self.language == Language::Japanese && at > 0 && is(at, "lead", "after") && te(at - 1) {
             found.push((at + 1, Segment::Then));
         }
         // *Three times in five seconds* is no time after.
-        let counted =
-            at > 0 && (is(at - 1, "times", "") || matches!(atoms[at - 1].value, Value::Measure(Measure::Times(_))));
+        let counted = at > 0
+            && (is(at - 1, "times", "") || matches!(atoms[at - 1].value, AtomValue::Measure(CountedNumber::Times(_))));
         if (is(at, "lead", "after") || is(at, "v", "wait") || (is(at, "within", "in") && !counted))
             && let Some(ms) = time(fillers(at + 1))
         {
             let end = fillers(at + 1) + 1;
             let end = if is(end, "later", "") || is(at, "v", "wait") && is(end, "before", "") { end + 1 } else { end };
-            found.push((end, Segment::Later(ms, if is(at, "v", "wait") { Then::Next } else { self.then(end) })));
+            found.push((end, Segment::Later(ms, if is(at, "v", "wait") { LaterAction::Next } else { self.then(end) })));
         }
         self.limits(at, &mut found);
         found
@@ -380,7 +381,8 @@ impl Chart<'_> {
         let goes_onwards = is(at, "start", "first") && {
             let rest = &self.atoms[at + 1..];
             let onwards = rest.iter().position(|atom| atom.is("then", "onwards"));
-            let leads = |atom: &&Atom| atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba));
+            let leads =
+                |atom: &&Atom| atom.senses.iter().any(|sense| matches!(sense.form.end, FormEnd::Tara | FormEnd::Ba));
             onwards.is_some_and(|onwards| rest[..onwards].iter().filter(leads).count() == 1)
         };
         let first_once = goes_onwards
@@ -388,7 +390,8 @@ impl Chart<'_> {
                 let rest = &self.atoms[at + 1..];
                 let once = rest.iter().position(|atom| atom.is("once", ""));
                 let leads = |atom: &Atom| {
-                    atom.is("lead", "") || atom.senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba))
+                    atom.is("lead", "")
+                        || atom.senses.iter().any(|sense| matches!(sense.form.end, FormEnd::Tara | FormEnd::Ba))
                 };
                 // The thing that is done once is the thing that is done at the first time: nothing else stands between.
                 let between = |atom: &&Atom| !atom.is("void", "") && !atom.is_sign(',');
@@ -400,7 +403,7 @@ impl Chart<'_> {
         if first_once {
             found.push((at + 1, Segment::Once));
         } else if is(at, "start", "") {
-            let starts = Cond::of(Event::Start, self.atoms[at].span.clone());
+            let starts = Cond::of(SensedEvent::Start, self.atoms[at].span.clone());
             found.push((at + 1, Segment::Cond(Lead::When, Rc::new(starts))));
         }
         // but not again for 20 seconds
@@ -414,11 +417,11 @@ impl Chart<'_> {
     }
 
     /// What is done later than a time that ends here.
-    fn then(&self, at: usize) -> Then {
+    fn then(&self, at: usize) -> LaterAction {
         match self.atoms.get(at) {
-            _ if self.language == Language::Japanese => Then::Next,
-            Some(next) if !matches!(next.value, Value::Sign(_)) || next.is_sign(',') => Then::NextIfThere,
-            _ => Then::Before,
+            _ if self.language == Language::Japanese => LaterAction::Next,
+            Some(next) if !matches!(next.value, AtomValue::Sign(_)) || next.is_sign(',') => LaterAction::NextIfThere,
+            _ => LaterAction::Before,
         }
     }
 
@@ -445,7 +448,7 @@ impl Chart<'_> {
             "robot",
             "void",
         ];
-        matches!(atom.value, Value::Sign(_) | Value::Measure(_))
+        matches!(atom.value, AtomValue::Sign(_) | AtomValue::Measure(_))
             || kinds.iter().any(|kind| atom.is(kind, ""))
             || is_order(&self.atoms[at..(at + 1).min(self.atoms.len())])
             || atom.is("part", "eyes")
@@ -463,13 +466,14 @@ impl Chart<'_> {
         self.asked_of_people(at, most, all);
         self.text_alone(at, all);
         // *With every fifth pat …*: at every so many, and not at the fifth.
-        let counts = |next: &Atom| next.is("ord", "") || matches!(next.value, Value::Measure(_));
+        let counts = |next: &Atom| next.is("ord", "") || matches!(next.value, AtomValue::Measure(_));
         let is_each = atom.is("every", "") && self.atoms.get(at + 1).is_some_and(counts);
         let mut starts: Vec<(Lead, usize)> = leads.iter().map(|lead| (*lead, at + 1)).filter(|_| !is_each).collect();
         // *Every third time …*
         if atom.is("every", "")
             && self.atoms.get(at + 1).is_some_and(|next| {
-                next.is("ord", "") || matches!(next.value, Value::Measure(Measure::Times(_) | Measure::Number(_)))
+                next.is("ord", "")
+                    || matches!(next.value, AtomValue::Measure(CountedNumber::Times(_) | CountedNumber::Number(_)))
             })
         {
             starts.push((Lead::When, at));
@@ -492,7 +496,7 @@ impl Chart<'_> {
                     if atom.is("lead", "first")
                         && let Segment::Cond(lead, cond) = &edge.segment
                     {
-                        let cond = Cond { times: Some(Times::After(1)), ..(**cond).clone() };
+                        let cond = Cond { times: Some(Repetition::After(1)), ..(**cond).clone() };
                         edge.segment = Segment::Cond(*lead, Rc::new(cond));
                     }
                     all.push((false, edge));
@@ -545,7 +549,7 @@ impl Chart<'_> {
             cost: cost + LEFT * left,
             doubts: meant.left,
             texts: Vec::new(),
-            after: Before::Cond,
+            after: SegmentBefore::Cond,
         }
     }
 
@@ -568,20 +572,21 @@ impl Chart<'_> {
             // Nothing that happens: its unknown words, else all of it.
             let (doubts, cost) = self.doubted(start, end);
             let segment = Segment::Unclear;
-            Some(Edge { to: end, segment, cost, doubts, texts: Vec::new(), after: Before::Cond })
+            Some(Edge { to: end, segment, cost, doubts, texts: Vec::new(), after: SegmentBefore::Cond })
         })
     }
 
     /// What is in doubt of atoms that mean nothing together, and its cost: the unknown ones, else all of them.
-    fn doubted(&self, start: usize, end: usize) -> (Vec<Span>, usize) {
+    fn doubted(&self, start: usize, end: usize) -> (Vec<SpeechSpan>, usize) {
         let atoms = &self.atoms[start..end];
-        let unknown: Vec<Span> = atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
+        let unknown: Vec<SpeechSpan> =
+            atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
         let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
         let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
         (doubts, cost)
     }
 
-    fn span(&self, start: usize, end: usize) -> Span {
+    fn span(&self, start: usize, end: usize) -> SpeechSpan {
         // Their order may not be that in which they stand.
         let atoms = &self.atoms[start..end];
         let first = atoms.iter().map(|atom| atom.span.start).min().unwrap_or_default();
@@ -589,7 +594,7 @@ impl Chart<'_> {
     }
 
     /// The words that somebody says, without quotes, as a quote.
-    fn heard(&self, atoms: &[Atom]) -> Option<(Vec<Atom>, Vec<Span>, usize)> {
+    fn heard(&self, atoms: &[Atom]) -> Option<(Vec<Atom>, Vec<SpeechSpan>, usize)> {
         // *The word dance*: what comes then is heard, whatever it means.
         let names = atoms.len() > 2 && atoms[atoms.len() - 2].is("noun", "word");
         if atoms.iter().any(super::act::is_quote) || !names && !gaps(atoms).is_empty() {
@@ -616,8 +621,10 @@ impl Chart<'_> {
                     to -= 1;
                 }
                 while to > from
-                    && (matches!(atoms[to - 1].value, Value::Measure(Measure::Time(_) | Measure::Times(_)))
-                        || ["cmp", "times", "adv", "within", "prep"].iter().any(|kind| atoms[to - 1].is(kind, "")))
+                    && (matches!(
+                        atoms[to - 1].value,
+                        AtomValue::Measure(CountedNumber::Time(_) | CountedNumber::Times(_))
+                    ) || ["cmp", "times", "adv", "within", "prep"].iter().any(|kind| atoms[to - 1].is(kind, "")))
                 {
                     // *Says try again*: is it said again, or are these the words?
                     if atoms[to - 1].is("adv", "again") {
@@ -662,7 +669,7 @@ impl Chart<'_> {
             }
             let span = atoms[start].span.start..atoms[at - 1].span.end;
             texts.push(span.clone());
-            all.push(Atom { span: span.clone(), senses: Vec::new(), value: Value::Quote((self.source)(&span)) });
+            all.push(Atom { span: span.clone(), senses: Vec::new(), value: AtomValue::Quote((self.source)(&span)) });
             if at < to {
                 all.push(atoms[at].clone());
             }
@@ -675,7 +682,7 @@ impl Chart<'_> {
 
     fn act_edge(&self, start: usize, end: usize) -> Option<Edge> {
         let atoms = &self.atoms[start..end];
-        let made = |meant: Meant<Vec<Act>>, cost: usize, texts: Vec<Span>| Edge {
+        let made = |meant: Meant<Vec<Act>>, cost: usize, texts: Vec<SpeechSpan>| Edge {
             to: end,
             cost: CLAUSE + cost + LEFT * meant.left.len(),
             segment: if meant.what.is_empty() {
@@ -685,7 +692,7 @@ impl Chart<'_> {
             },
             doubts: meant.left,
             texts,
-            after: Before::Else,
+            after: SegmentBefore::Else,
         };
         if self.language == Language::Japanese && holds_another(atoms) {
             return None;
@@ -703,7 +710,7 @@ impl Chart<'_> {
         best.or_else(|| {
             let (doubts, cost) = self.doubted(start, end);
             let acts = Segment::Acts(Rc::new(vec![Act::Nothing]), self.span(start, end));
-            Some(Edge { to: end, segment: acts, cost, doubts, texts: Vec::new(), after: Before::Else })
+            Some(Edge { to: end, segment: acts, cost, doubts, texts: Vec::new(), after: SegmentBefore::Else })
         })
     }
 
@@ -748,12 +755,12 @@ impl Chart<'_> {
             return None;
         }
         let text = &atoms[from..to];
-        let mut doubts: Vec<Span> = text
+        let mut doubts: Vec<SpeechSpan> = text
             .iter()
             .filter(|atom| {
                 ["manner", "chance", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
                     || atom.is("adv", "again")
-                    || matches!(atom.value, Value::Measure(Measure::Times(_) | Measure::Time(_)))
+                    || matches!(atom.value, AtomValue::Measure(CountedNumber::Times(_) | CountedNumber::Time(_)))
             })
             .map(|atom| atom.span.clone())
             .collect();
@@ -769,14 +776,14 @@ impl Chart<'_> {
         }
         let leads = |atom: &Atom| {
             atom.is("lead", "")
-                || matches!(atom.value, Value::Sign(_))
+                || matches!(atom.value, AtomValue::Sign(_))
                 || ["otherwise", "every", "then", "but"].iter().any(|kind| atom.is(kind, ""))
         };
         if self.language == Language::English && text.iter().any(leads) {
             return None;
         }
         let span = atoms[from].span.start..atoms[to - 1].span.end;
-        let quote = Atom { span: span.clone(), senses: Vec::new(), value: Value::Quote((self.source)(&span)) };
+        let quote = Atom { span: span.clone(), senses: Vec::new(), value: AtomValue::Quote((self.source)(&span)) };
         let mut all = atoms[..from].to_vec();
         all.push(quote);
         all.extend_from_slice(&atoms[to + usize::from(back)..]);
@@ -788,7 +795,7 @@ impl Chart<'_> {
         for end in at + 1..=most {
             // What comes after a condition is no part of it.
             let is_over = end - 1 > at
-                && self.atoms[end - 2].senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba));
+                && self.atoms[end - 2].senses.iter().any(|sense| matches!(sense.form.end, FormEnd::Tara | FormEnd::Ba));
             if self.tries >= TRIES_MAX || is_over {
                 return;
             }
@@ -800,9 +807,9 @@ impl Chart<'_> {
                 if let Some(mut edge) = self.cond_edge(lead, at, cut, cost) {
                     if each
                         && let Segment::Cond(lead, cond) = &edge.segment
-                        && let Some(Times::After(times)) = cond.times
+                        && let Some(Repetition::After(times)) = cond.times
                     {
-                        let cond = Cond { times: Some(Times::EachTime(times)), ..(**cond).clone() };
+                        let cond = Cond { times: Some(Repetition::EachTime(times)), ..(**cond).clone() };
                         edge.segment = Segment::Cond(*lead, Rc::new(cond));
                     }
                     all.push((false, Edge { to: end, ..edge }));
@@ -821,7 +828,7 @@ impl Chart<'_> {
                 self.text_alone(at, all);
             }
             let ends_act = ends(&self.atoms[at..end])
-                .is_some_and(|end| matches!(end, End::Dict | End::Te | End::Stem | End::Plain))
+                .is_some_and(|end| matches!(end, FormEnd::Dict | FormEnd::Te | FormEnd::Stem | FormEnd::Plain))
                 && !last.is("p", "")
                 || self.leaves_verb_out(at, end);
             let goes_on = self.atoms.get(end).is_some_and(|next| next.is("void", "req"));
@@ -841,15 +848,18 @@ impl Chart<'_> {
         for sense in &last.senses {
             if sense.kind == "lead" && sense.arg != "whom" && end - 1 > at {
                 let before = &self.atoms[end - 2];
-                let verb = before.senses.iter().any(|sense| !matches!(sense.form.end, End::Te | End::Tara | End::Ba));
+                let verb = before
+                    .senses
+                    .iter()
+                    .any(|sense| !matches!(sense.form.end, FormEnd::Te | FormEnd::Tara | FormEnd::Ba));
                 if verb || !before.senses.is_empty() || super::act::is_quote(before) {
                     found.push((lead(sense.arg), end - 1, CLAUSE));
                 }
             }
             match sense.form.end {
-                End::Tara | End::Ba => found.push((Lead::When, end, CLAUSE)),
+                FormEnd::Tara | FormEnd::Ba => found.push((Lead::When, end, CLAUSE)),
                 // It goes on: 押されて、…
-                End::Te | End::Stem if !matches!(sense.kind, "do" | "pose") => {
+                FormEnd::Te | FormEnd::Stem if !matches!(sense.kind, "do" | "pose") => {
                     found.push((Lead::When, end, CLAUSE + 8))
                 }
                 _ => {}
@@ -865,7 +875,7 @@ impl Chart<'_> {
             }
         }
         // 押した3秒後に
-        let did = last.senses.iter().any(|sense| sense.form.end == End::Did && !sense.form.not);
+        let did = last.senses.iter().any(|sense| sense.form.end == FormEnd::Did && !sense.form.not);
         if did && is_time(end) && self.is(end + 1, "later", "") {
             found.push((Lead::When, end, CLAUSE));
         }
@@ -887,8 +897,8 @@ fn lead(arg: &str) -> Lead {
 /// True if something else is done first: 立って目を白くする.
 fn holds_another(atoms: &[Atom]) -> bool {
     let leads_on = |atom: &Atom| {
-        let ends = |sense: &super::lexicon::Sense| {
-            matches!(sense.kind, "do" | "pose") && matches!(sense.form.end, End::Te | End::Stem)
+        let ends = |sense: &super::lexicon::WritingSense| {
+            matches!(sense.kind, "do" | "pose") && matches!(sense.form.end, FormEnd::Te | FormEnd::Stem)
         };
         atom.senses.iter().any(ends)
     };
@@ -906,7 +916,7 @@ fn is_question(text: &[Atom]) -> bool {
         ["battery", "level", "distance", "posture", "count", "name", "people"].iter().any(|noun| atom.is("noun", noun))
             || atom.is("gap", "")
             || atom.is("lead", "")
-            || matches!(atom.value, Value::Sign(_))
+            || matches!(atom.value, AtomValue::Sign(_))
     };
     asks && !text.iter().any(has_answer)
 }
@@ -922,7 +932,7 @@ fn is_suspicious(text: &[Atom]) -> bool {
     // *Hello and wave*: the second is done.
     let does = text.windows(2).any(|pair| {
         let order = |atom: &Atom| {
-            atom.senses.iter().any(|sense| matches!(sense.kind, "do" | "pose") && sense.form.end == End::Plain)
+            atom.senses.iter().any(|sense| matches!(sense.kind, "do" | "pose") && sense.form.end == FormEnd::Plain)
         };
         pair[0].is("and", "") && order(&pair[1]) && !pair[1].is("hi", "")
     });

@@ -6,14 +6,14 @@ use std::ops::Range;
 
 /// A token and its bytes in the text.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Token {
-    pub(super) what: What,
+pub(super) struct SpeechToken {
+    pub(super) what: SpeechTokenKind,
     pub(super) range: Range<usize>,
 }
 
 /// What a token is.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum What {
+pub(super) enum SpeechTokenKind {
     /// A word in lower case; of Japanese, one letter.
     Word(String),
     Number(f64),
@@ -70,7 +70,7 @@ fn full_width(c: char, mark: Option<char>) -> Option<(char, usize)> {
 }
 
 /// The tokens of a text.
-pub(super) fn tokens(text: &str, language: Language) -> Vec<Token> {
+pub(super) fn tokens(text: &str, language: Language) -> Vec<SpeechToken> {
     let chars: Vec<(usize, char)> = text.char_indices().collect();
     let mut all = Vec::new();
     let mut at = 0;
@@ -78,7 +78,7 @@ pub(super) fn tokens(text: &str, language: Language) -> Vec<Token> {
         let (next, what) = one(&chars, at, text, language);
         let byte = |at: usize| chars.get(at).map_or(text.len(), |(byte, _)| *byte);
         if let Some(what) = what {
-            all.push(Token { what, range: byte(at)..byte(next) });
+            all.push(SpeechToken { what, range: byte(at)..byte(next) });
         }
         at = next;
     }
@@ -89,16 +89,16 @@ pub(super) fn tokens(text: &str, language: Language) -> Vec<Token> {
     }
 }
 
-fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (usize, Option<What>) {
+fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (usize, Option<SpeechTokenKind>) {
     let raw = chars[at].1;
     let c = plain(raw);
     if let Some((kana, length)) = full_width(raw, chars.get(at + 1).map(|(_, c)| *c)) {
-        return (at + length, Some(What::Word(kana.to_string())));
+        return (at + length, Some(SpeechTokenKind::Word(kana.to_string())));
     }
     let is_word_before = at > 0 && chars[at - 1].1.is_alphanumeric();
     if let Some(end) = quote_end(chars, at, is_word_before) {
         let inside = &text[chars[at + 1].0..chars[end].0];
-        return (end + 1, Some(What::Quote(inside.replace('↵', "\n").trim().to_owned())));
+        return (end + 1, Some(SpeechTokenKind::Quote(inside.replace('↵', "\n").trim().to_owned())));
     }
     let is_digit = |at: usize| chars.get(at).is_some_and(|(_, c)| plain(*c).is_ascii_digit());
     if c.is_ascii_digit() || (c == '-' && is_digit(at + 1) && !is_word_before) {
@@ -107,14 +107,14 @@ fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (u
             Some((number, length)) => {
                 let next = at + rest[..length].chars().count();
                 let what = match number {
-                    TypedNumber::Is(number) => What::Number(number),
-                    TypedNumber::Either(..) => What::Unsure,
+                    TypedNumber::Is(number) => SpeechTokenKind::Number(number),
+                    TypedNumber::Either(..) => SpeechTokenKind::Unsure,
                 };
                 (next, Some(what))
             }
             None => {
                 let length = rest.chars().skip(1).take_while(|c| c.is_ascii_digit()).count() + 1;
-                (at + length, Some(What::Unsure))
+                (at + length, Some(SpeechTokenKind::Unsure))
             }
         };
     }
@@ -132,14 +132,14 @@ fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (u
             word.extend(c.to_lowercase());
             next += 1;
         }
-        return (next, Some(What::Word(word)));
+        return (next, Some(SpeechTokenKind::Word(word)));
     }
     let what = if c.is_whitespace() || matches!(c, '-' | '\'' | '・') {
         None
     } else if c.is_alphanumeric() || c == 'ー' || c == '々' {
-        Some(What::Word(c.to_string()))
+        Some(SpeechTokenKind::Word(c.to_string()))
     } else {
-        Some(What::Sign(c))
+        Some(SpeechTokenKind::Sign(c))
     };
     (at + 1, what)
 }
@@ -160,14 +160,14 @@ fn quote_end(chars: &[(usize, char)], at: usize, is_word_before: bool) -> Option
 }
 
 /// *isn't* as *is* and *not*, *it's* as *it* and *'s*.
-fn contracted(token: Token, text: &str) -> Vec<Token> {
-    let What::Word(word) = &token.what else { return vec![token] };
+fn contracted(token: SpeechToken, text: &str) -> Vec<SpeechToken> {
+    let SpeechTokenKind::Word(word) = &token.what else { return vec![token] };
     let cut = |ending: &str, second: &str| {
         let first = word.strip_suffix(ending).filter(|first| !first.is_empty())?;
         let kept = text[token.range.clone()].char_indices().nth(first.chars().count())?.0;
         let middle = token.range.start + kept;
-        let one = Token { what: What::Word(first.to_owned()), range: token.range.start..middle };
-        let two = Token { what: What::Word(second.to_owned()), range: middle..token.range.end };
+        let one = SpeechToken { what: SpeechTokenKind::Word(first.to_owned()), range: token.range.start..middle };
+        let two = SpeechToken { what: SpeechTokenKind::Word(second.to_owned()), range: middle..token.range.end };
         Some(vec![one, two])
     };
     let endings =

@@ -2,8 +2,8 @@
 //! stranger*, *tell me every minute: “sit up”* as *tell me “sit up” every minute*.
 
 use super::act::is_quote;
-use super::atoms::{Atom, Measure, Value};
-use super::lexicon::{End, Form, Sense};
+use super::atoms::{Atom, AtomValue, CountedNumber};
+use super::lexicon::{FormEnd, WordForm, WritingSense};
 use crate::Language;
 
 /// The most words for whom is greeted.
@@ -19,10 +19,11 @@ pub(super) fn turned(atoms: Vec<Atom>, language: Language) -> Vec<Atom> {
 
 /// 人数を10秒ごとに言う as 10秒ごとに人数を言う.
 fn clocked(mut atoms: Vec<Atom>) -> Vec<Atom> {
-    let is_time = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Time(_)));
+    let is_time = |atom: &Atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Time(_)));
     let Some(at) = (1..atoms.len().saturating_sub(1)).find(|at| is_time(&atoms[*at])) else { return atoms };
     let leads_on = |atom: &Atom| {
-        let ends = |sense: &Sense| matches!(sense.form.end, End::Tara | End::Ba | End::Te | End::Stem);
+        let ends =
+            |sense: &WritingSense| matches!(sense.form.end, FormEnd::Tara | FormEnd::Ba | FormEnd::Te | FormEnd::Stem);
         atom.is_sign(',') || is_quote(atom) || atom.is("lead", "") || atom.senses.iter().any(ends)
     };
     let start = atoms[..at].iter().rposition(leads_on).map_or(0, |before| before + 1);
@@ -38,7 +39,10 @@ fn denied(mut atoms: Vec<Atom>) -> Vec<Atom> {
     let orders = |atom: &Atom| {
         atom.is_sign(',')
             || atom.is("then", "")
-            || atom.senses.iter().any(|sense| matches!(sense.kind, "v" | "do" | "pose") && sense.form.end == End::Plain)
+            || atom
+                .senses
+                .iter()
+                .any(|sense| matches!(sense.kind, "v" | "do" | "pose") && sense.form.end == FormEnd::Plain)
     };
     for at in 1..atoms.len() {
         let Some(not) = (at + 1..atoms.len()).find(|end| !atoms[*end].is("aux", "") && !atoms[*end].is("void", ""))
@@ -55,8 +59,8 @@ fn denied(mut atoms: Vec<Atom>) -> Vec<Atom> {
         let Some(lead) = lead.filter(|lead| denies && atoms[*lead].is("lead", "when")) else { continue };
         if atoms.get(not + 1).is_some_and(orders) {
             let span = atoms[lead].span.start..atoms[not].span.end;
-            let otherwise = Sense { kind: "otherwise", arg: "", form: Form::default() };
-            atoms.splice(lead..=not, [Atom { span, senses: vec![otherwise], value: Value::Nothing }]);
+            let otherwise = WritingSense { kind: "otherwise", arg: "", form: WordForm::default() };
+            atoms.splice(lead..=not, [Atom { span, senses: vec![otherwise], value: AtomValue::Nothing }]);
             break;
         }
     }
@@ -84,7 +88,7 @@ fn answered(atoms: Vec<Atom>) -> Vec<Atom> {
 
 fn answering(atoms: &[Atom]) -> Option<Vec<Atom>> {
     let verb = atoms.iter().position(|atom| !atom.is("void", "") && !atom.is("polite", ""))?;
-    atoms[verb].sense("v", "say").filter(|sense| sense.form.end == End::Plain)?;
+    atoms[verb].sense("v", "say").filter(|sense| sense.form.end == FormEnd::Plain)?;
     let heard = if atoms.get(verb + 1)?.is("prep", "to") { verb + 2 } else { verb + 1 };
     let with = heard + 1;
     // *By saying* has its verb.
@@ -99,11 +103,11 @@ fn answering(atoms: &[Atom]) -> Option<Vec<Atom>> {
         return None;
     }
     let word = |at: usize, kind: &'static str, arg: &'static str| Atom {
-        senses: vec![Sense { kind, arg, form: Form::default() }],
+        senses: vec![WritingSense { kind, arg, form: WordForm::default() }],
         ..atoms[at].clone()
     };
     let mut all = vec![word(verb, "lead", "when"), word(verb, "v", "hear"), atoms[heard].clone()];
-    all.push(Atom { senses: Vec::new(), value: Value::Sign(','), ..atoms[with].clone() });
+    all.push(Atom { senses: Vec::new(), value: AtomValue::Sign(','), ..atoms[with].clone() });
     all.extend(says.then(|| word(with, "v", "say")));
     all.extend_from_slice(&atoms[what..]);
     Some(all)
@@ -111,7 +115,7 @@ fn answering(atoms: &[Atom]) -> Option<Vec<Atom>> {
 
 /// *Touch the head and the robot waves*, *three claps and you wave* as *touch the head to make it wave*.
 fn caused(mut atoms: Vec<Atom>) -> Vec<Atom> {
-    let is_measure = |atom: &Atom| matches!(atom.value, Value::Measure(_));
+    let is_measure = |atom: &Atom| matches!(atom.value, AtomValue::Measure(_));
     let is_filler = |atom: &Atom| atom.is("void", "") || atom.is("polite", "");
     let first = atoms.iter().position(|atom| !is_filler(atom) && !is_measure(atom));
     let felt = ["touch", "hold", "press", "clap", "bump"];
@@ -125,14 +129,14 @@ fn caused(mut atoms: Vec<Atom>) -> Vec<Atom> {
     };
     // *Touching the head turns the eyes red*
     let turns = |at: &usize| {
-        let third = |sense: &Sense| sense.kind == "v" && sense.arg == "turn" && sense.form.end == End::Third;
+        let third = |sense: &WritingSense| sense.kind == "v" && sense.arg == "turn" && sense.form.end == FormEnd::Third;
         let eyes = atoms[at + 1..].iter().find(|atom| !atom.is("void", "") && !atom.is("poss", ""));
         atoms[*at].senses.iter().any(third) && eyes.is_some_and(|eyes| eyes.is("part", "eyes"))
     };
     let no_lead = |at: &usize| !atoms[..*at].iter().any(|atom| atom.is("lead", "") || is_quote(atom));
     let turned = (first + 1..atoms.len()).find(turns).filter(no_lead);
     if let Some(and) = and.filter(leads).or(turned) {
-        atoms[and].senses = vec![Sense { kind: "result", arg: "", form: Form::default() }];
+        atoms[and].senses = vec![WritingSense { kind: "result", arg: "", form: WordForm::default() }];
     }
     atoms
 }
@@ -153,7 +157,7 @@ fn greeted(mut atoms: Vec<Atom>) -> Vec<Atom> {
 /// The text or gesture of a greeting before whom it is for.
 fn with(atoms: &[Atom], verb: usize) -> Option<Vec<Atom>> {
     let ends = |atom: &Atom| {
-        matches!(atom.value, Value::Sign(_) | Value::Quote(_))
+        matches!(atom.value, AtomValue::Sign(_) | AtomValue::Quote(_))
             || ["lead", "and", "or", "then", "but", "every"].iter().any(|kind| atom.is(kind, ""))
     };
     let rest = &atoms[verb + 1..];
@@ -167,18 +171,18 @@ fn with(atoms: &[Atom], verb: usize) -> Option<Vec<Atom>> {
     }
     let mut all = atoms[..verb].to_vec();
     if !gesture {
-        all.push(Atom { senses: vec![Sense { kind: "v", arg: "say", form }], ..atoms[verb].clone() });
+        all.push(Atom { senses: vec![WritingSense { kind: "v", arg: "say", form }], ..atoms[verb].clone() });
     }
     all.push(rest[what].clone());
-    let to = Sense { kind: "prep", arg: "to", form: Form::default() };
+    let to = WritingSense { kind: "prep", arg: "to", form: WordForm::default() };
     all.push(Atom { senses: vec![to], ..rest[with].clone() });
     // *Greet the child with “hello”*, at no other time: when it is seen.
     let tells_when = |atom: &Atom| ["lead", "every", "start", "later"].iter().any(|kind| atom.is(kind, ""));
-    let alone = !atoms.iter().any(tells_when) && form.end == End::Plain;
+    let alone = !atoms.iter().any(tells_when) && form.end == FormEnd::Plain;
     for atom in &rest[..with] {
         let mut atom = atom.clone();
         if alone && atom.is("who", "") && !atom.is("it", "") {
-            atom.senses = vec![Sense { kind: "whom", arg: "", form: Form::default() }];
+            atom.senses = vec![WritingSense { kind: "whom", arg: "", form: WordForm::default() }];
         }
         all.push(atom);
     }
@@ -188,7 +192,7 @@ fn with(atoms: &[Atom], verb: usize) -> Option<Vec<Atom>> {
 
 /// *Tell me every minute:* and then the text.
 fn told(mut atoms: Vec<Atom>) -> Vec<Atom> {
-    let is_order = |atom: &Atom| atom.sense("v", "say").is_some_and(|sense| sense.form.end == End::Plain);
+    let is_order = |atom: &Atom| atom.sense("v", "say").is_some_and(|sense| sense.form.end == FormEnd::Plain);
     let Some(verb) = atoms.iter().position(is_order) else { return atoms };
     let breaks = |atom: &Atom| is_quote(atom) || ["v", "do", "pose"].iter().any(|kind| atom.is(kind, ""));
     let Some(colon) = atoms.iter().position(|atom| atom.is_sign(':')).filter(|colon| *colon > verb + 1) else {

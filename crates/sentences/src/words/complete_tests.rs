@@ -77,7 +77,7 @@ fn every_field_of_a_sense_has_a_word_of_its_own() {
 #[test]
 fn every_connector_is_told_and_made() {
     for spec in connectors::ALL.iter().filter(|spec| !spec.acts()) {
-        let (does, _) = crate::does::Does::of(&spec.with(()), &["soFar".to_owned(), "x".to_owned()]);
+        let (does, _) = crate::does::SpokenConnector::of(&spec.with(()), &["soFar".to_owned(), "x".to_owned()]);
         assert_eq!(does.meaning(), spec.meaning);
         let again = does.operation(&["x".to_owned()], false);
         assert_eq!(again.map(|operation| operation.spec()), Some(*spec));

@@ -1,8 +1,8 @@
 //! English.
 
-use super::{Chosen, Rule, Words};
+use super::{ChosenWords, LanguageWords, Rule};
 
-pub(super) const WORDS: Words = Words {
+pub(super) const WORDS: LanguageWords = LanguageWords {
     rules: &[SHAPE, SENSES, TOUCHES, SUBJECTS, TESTS, STEPS, JOINS, ACTIONS, NAMES],
     choices: CHOICES,
     fields: FIELDS,
@@ -601,8 +601,8 @@ const NAMES: &[Rule] = &[
     ("name.say", &["Say {x}"]),
 ];
 
-const COLORS: &[Chosen] = &[("red", &["red"]), ("green", &["green"]), ("blue", &["blue"])];
-const LIT: &[Chosen] = &[
+const COLORS: &[ChosenWords] = &[("red", &["red"]), ("green", &["green"]), ("blue", &["blue"])];
+const LIT: &[ChosenWords] = &[
     ("red", &["red"]),
     ("green", &["green"]),
     ("blue", &["blue"]),
@@ -613,10 +613,10 @@ const LIT: &[Chosen] = &[
     ("off", &["off"]),
     ("Value", &["as the value says"]),
 ];
-const RELEASE: &[Chosen] = &[("no", &["none"]), ("yes", &["letting go"])];
+const RELEASE: &[ChosenWords] = &[("no", &["none"]), ("yes", &["letting go"])];
 /// Groups of joints, at the end of the joints: they are moved, not read.
 const GROUPS: usize = 3;
-const JOINTS: &[Chosen] = &[
+const JOINTS: &[ChosenWords] = &[
     ("HeadYaw", &["head yaw"]),
     ("HeadPitch", &["head pitch"]),
     ("LShoulderPitch", &["left shoulder pitch"]),
@@ -636,7 +636,7 @@ const JOINTS: &[Chosen] = &[
     ("RArm", &["whole right arm", "right arm"]),
 ];
 
-const CHOICES: &[(&str, &[Chosen])] = &[
+const CHOICES: &[(&str, &[ChosenWords])] = &[
     (
         "HeadTouch.part",
         &[
@@ -756,7 +756,7 @@ const CHOICES: &[(&str, &[Chosen])] = &[
     ),
 ];
 
-const FIELDS: &[Chosen] = &[
+const FIELDS: &[ChosenWords] = &[
     ("x", &["angle to the side"]),
     ("y", &["angle up and down"]),
     ("d", &["distance"]),

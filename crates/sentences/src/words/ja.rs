@@ -1,8 +1,8 @@
 //! 日本語: Japanese.
 
-use super::{Chosen, Rule, Words};
+use super::{ChosenWords, LanguageWords, Rule};
 
-pub(super) const WORDS: Words = Words {
+pub(super) const WORDS: LanguageWords = LanguageWords {
     rules: &[SHAPE, SENSES, TOUCHES, SUBJECTS, TESTS, STEPS, JOINS, ACTIONS, NAMES],
     choices: CHOICES,
     fields: FIELDS,
@@ -368,11 +368,11 @@ const NAMES: &[Rule] = &[
     ("name.say", &["{x}と言う"]),
 ];
 
-const COLORS: &[Chosen] = &[("red", &["赤"]), ("green", &["緑"]), ("blue", &["青"])];
-const RELEASE: &[Chosen] = &[("no", &["なし"]), ("yes", &["離れたこと"])];
+const COLORS: &[ChosenWords] = &[("red", &["赤"]), ("green", &["緑"]), ("blue", &["青"])];
+const RELEASE: &[ChosenWords] = &[("no", &["なし"]), ("yes", &["離れたこと"])];
 /// Groups of joints, at the end of the joints: they are moved, not read.
 const GROUPS: usize = 3;
-const JOINTS: &[Chosen] = &[
+const JOINTS: &[ChosenWords] = &[
     ("HeadYaw", &["首の左右"]),
     ("HeadPitch", &["首の上下"]),
     ("LShoulderPitch", &["左肩の上下"]),
@@ -392,7 +392,7 @@ const JOINTS: &[Chosen] = &[
     ("RArm", &["右腕全体"]),
 ];
 
-const LIT: &[Chosen] = &[
+const LIT: &[ChosenWords] = &[
     ("red", &["赤く"]),
     ("green", &["緑に", "緑色に"]),
     ("blue", &["青く"]),
@@ -403,7 +403,7 @@ const LIT: &[Chosen] = &[
     ("off", &["消えて"]),
     ("Value", &["値の色に"]),
 ];
-const CHOICES: &[(&str, &[Chosen])] = &[
+const CHOICES: &[(&str, &[ChosenWords])] = &[
     (
         "HeadTouch.part",
         &[("any", &["頭"]), ("front", &["頭の前"]), ("middle", &["頭の真ん中", "頭の上"]), ("rear", &["頭の後ろ"])],
@@ -496,7 +496,7 @@ const CHOICES: &[(&str, &[Chosen])] = &[
     ),
 ];
 
-const FIELDS: &[Chosen] = &[
+const FIELDS: &[ChosenWords] = &[
     ("x", &["左右の角度"]),
     ("y", &["上下の角度"]),
     ("d", &["距離"]),

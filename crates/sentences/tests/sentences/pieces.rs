@@ -2,7 +2,7 @@
 
 use crate::support::templates;
 use behaviour::{Behaviour, Id, Procedure};
-use sentences::{Language, Literal, Piece, Sentence, explain};
+use sentences::{Language, LiteralPlace, Piece, Sentence, explain};
 
 fn told(name: &str, language: Language) -> (Behaviour, Vec<Sentence>) {
     let template = templates().into_iter().find(|template| template.behaviour.name() == name).unwrap();
@@ -11,8 +11,8 @@ fn told(name: &str, language: Language) -> (Behaviour, Vec<Sentence>) {
     (template.behaviour, sentences)
 }
 
-fn literal(at: &Literal, behaviour: &Behaviour) -> String {
-    let Literal::Body { connector, start, end } = at else { panic!("{at:?}") };
+fn literal(at: &LiteralPlace, behaviour: &Behaviour) -> String {
+    let LiteralPlace::Body { connector, start, end } = at else { panic!("{at:?}") };
     let Some(Procedure::Body { body, .. }) = behaviour.connector(connector).unwrap().operation.procedure() else {
         panic!()
     };

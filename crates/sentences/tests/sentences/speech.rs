@@ -4,18 +4,18 @@ use crate::dice::Dice;
 use crate::said::{random, strange};
 use crate::support::{draft_behaviour, same_acting, sentences_of};
 use behaviour::Helper;
-use sentences::{Language, Lexicon, Reading, explain, read_speech};
+use sentences::{Language, Lexicon, TextReading, explain, read_speech};
 
 /// Sentences with what the program does that they make, or with the words that are asked about.
 const SAID: [(Language, &str); 2] =
     [(Language::English, include_str!("../speech-en.txt")), (Language::Japanese, include_str!("../speech-ja.txt"))];
 
-fn heard(text: &str, language: Language) -> Reading {
+fn heard(text: &str, language: Language) -> TextReading {
     let helpers = robot::shipped_helpers();
     read_speech(text, language, Lexicon::of(language), &helpers.iter().collect::<Vec<&Helper>>(), None)
 }
 
-fn told(reading: &Reading, language: Language) -> String {
+fn told(reading: &TextReading, language: Language) -> String {
     let helpers = robot::shipped_helpers();
     sentences_of(&reading.draft.behaviour(), &helpers, language).join(" ")
 }

@@ -5,7 +5,7 @@ use behaviour::{
     Stream, StreamKind, Value,
 };
 use robot::with_defaults;
-use sentences::{Draft, Language, Reading, explain, read};
+use sentences::{Draft, Language, TextReading, explain, read};
 use std::path::Path;
 
 /// A template of the page.
@@ -33,7 +33,7 @@ pub(crate) fn sentences_of(behaviour: &Behaviour, helpers: &[Helper], language: 
 }
 
 /// What a text is read as, without a behaviour around it.
-pub(crate) fn reading(text: &str, language: Language, helpers: &[Helper]) -> Reading {
+pub(crate) fn reading(text: &str, language: Language, helpers: &[Helper]) -> TextReading {
     read(text, language, &helpers.iter().collect::<Vec<_>>(), None)
 }
 

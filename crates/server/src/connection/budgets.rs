@@ -1,8 +1,8 @@
 //! What a person may ask at once and in time, by all their links together; and all who came by one invitation, as one link
 //! can give somebody many cookies.
 
-use super::rate_limit::{Pace, RateLimit};
-use crate::support::identity::{Group, Identity};
+use super::rate_limit::{Rate, RateLimit};
+use crate::support::identity::{PersonIdentity, ShareGroup};
 use crate::support::lock;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
@@ -10,14 +10,14 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 /// How often a guest asks by all their links, and the host by each: programs that the host runs speak for many at once, such
 /// as `rrp load` with its hundred links of ten edits a second.
-const ASKING: Pace = Pace { per_second: 50.0, at_once: 200.0 };
+const ASKING: Rate = Rate { per_second: 50.0, at_once: 200.0 };
 /// How often all who came by one invitation ask: eight people who do nothing else. At once they ask for less than a room
 /// keeps waiting, so that they cannot fill its mailbox.
-const ASKING_OF_ALL: Pace = Pace { per_second: 400.0, at_once: 800.0 };
+const ASKING_OF_ALL: Rate = Rate { per_second: 400.0, at_once: 800.0 };
 /// How often a guest opens a socket: eight pages that are loaded twice, then one now and then.
-const OPENING: Pace = Pace { per_second: 2.0, at_once: 16.0 };
+const OPENING: Rate = Rate { per_second: 2.0, at_once: 16.0 };
 /// How often all who came by one invitation open one: a class whose server starts anew.
-const OPENING_OF_ALL: Pace = Pace { per_second: 16.0, at_once: 128.0 };
+const OPENING_OF_ALL: Rate = Rate { per_second: 16.0, at_once: 128.0 };
 /// Requests that may be under way, of a guest or of a link of the host.
 const UNDER_WAY_MAX: usize = 8;
 /// What large messages may take until they are answered, in KiB: of a guest or of a link of the host.
@@ -33,14 +33,14 @@ const PEOPLE_KEPT: usize = 1_024;
 
 /// All budgets.
 pub(super) struct Budgets {
-    people: Mutex<HashMap<Identity, Arc<Budget>>>,
-    groups: Mutex<HashMap<Group, Arc<GroupBudget>>>,
+    people: Mutex<HashMap<PersonIdentity, Arc<PersonBudget>>>,
+    groups: Mutex<HashMap<ShareGroup, Arc<GroupBudget>>>,
     guests: Arc<Semaphore>,
     all: Arc<Semaphore>,
 }
 
 /// What one person has.
-pub(super) struct Budget {
+pub(super) struct PersonBudget {
     asking: Mutex<RateLimit>,
     opening: Mutex<RateLimit>,
     under_way: Arc<Semaphore>,
@@ -70,9 +70,9 @@ impl Default for Budgets {
 
 impl Budgets {
     /// That of a person: a guest's is one for all their links, and is remembered until it is whole again.
-    pub(super) fn of(&self, person: &Identity) -> Arc<Budget> {
-        if *person == Identity::Host {
-            return Arc::new(Budget::new(vec![Arc::clone(&self.all)], None));
+    pub(super) fn of(&self, person: &PersonIdentity) -> Arc<PersonBudget> {
+        if *person == PersonIdentity::Host {
+            return Arc::new(PersonBudget::new(vec![Arc::clone(&self.all)], None));
         }
         let mut people = lock(&self.people);
         if people.len() >= PEOPLE_KEPT {
@@ -88,7 +88,7 @@ impl Budgets {
         let new = || {
             let group = group();
             let shared = vec![Arc::clone(&group.large), Arc::clone(&self.guests), Arc::clone(&self.all)];
-            Arc::new(Budget::new(shared, Some(group)))
+            Arc::new(PersonBudget::new(shared, Some(group)))
         };
         Arc::clone(people.entry(person.clone()).or_insert_with(new))
     }
@@ -102,7 +102,7 @@ impl Default for GroupBudget {
     }
 }
 
-impl Budget {
+impl PersonBudget {
     fn new(shared: Vec<Arc<Semaphore>>, group: Option<Arc<GroupBudget>>) -> Self {
         let of = |pace| Mutex::new(RateLimit::full(pace));
         let (under_way, large) = (Arc::new(Semaphore::new(UNDER_WAY_MAX)), Arc::new(Semaphore::new(OWN_MAX_KIB)));
@@ -141,26 +141,27 @@ impl Budget {
 #[cfg(test)]
 mod tests {
     use super::{ASKING, ASKING_OF_ALL, Budgets, GROUP_MAX_KIB, OPENING, OWN_MAX_KIB, PEOPLE_KEPT, UNDER_WAY_MAX};
-    use crate::support::identity::Identity;
+    use crate::support::identity::PersonIdentity;
     use crate::support::identity::tests::guest;
     use std::sync::Arc;
 
     /// How often something may be, when a hundred links try it.
-    fn taken(budgets: &Budgets, person: &Identity, what: impl Fn(&super::Budget) -> bool) -> usize {
+    fn taken(budgets: &Budgets, person: &PersonIdentity, what: impl Fn(&super::PersonBudget) -> bool) -> usize {
         (0..1_000).filter(|_| what(&budgets.of(person))).count()
     }
 
     #[test]
     fn the_links_of_a_guest_share_one_budget_also_after_all_of_them_went() {
         let (budgets, ben) = (Budgets::default(), guest("a", "ben"));
-        let asked = taken(&budgets, &ben, super::Budget::may_ask);
+        let asked = taken(&budgets, &ben, super::PersonBudget::may_ask);
         assert!((ASKING.at_once as usize..2 * ASKING.at_once as usize).contains(&asked), "{asked}");
-        assert!(taken(&budgets, &ben, super::Budget::may_open) < 2 * OPENING.at_once as usize);
+        assert!(taken(&budgets, &ben, super::PersonBudget::may_open) < 2 * OPENING.at_once as usize);
         assert!(budgets.of(&guest("b", "aiko")).may_ask(), "somebody else has their own");
-        let many = (0..100).map(|cookie| taken(&budgets, &guest("c", &cookie.to_string()), super::Budget::may_ask));
+        let many =
+            (0..100).map(|cookie| taken(&budgets, &guest("c", &cookie.to_string()), super::PersonBudget::may_ask));
         assert!(many.sum::<usize>() < 2 * ASKING_OF_ALL.at_once as usize, "cookies of one link share what it has");
         assert_eq!(
-            taken(&budgets, &Identity::Host, super::Budget::may_ask),
+            taken(&budgets, &PersonIdentity::Host, super::PersonBudget::may_ask),
             1_000,
             "each link of the host has its own"
         );
@@ -171,14 +172,15 @@ mod tests {
         let (budgets, ben) = (Budgets::default(), guest("a", "ben"));
         let begun: Vec<_> = (0..100).filter_map(|_| budgets.of(&ben).begin(1)).collect();
         assert_eq!(begun.len(), UNDER_WAY_MAX);
-        let large = |person: &Identity| (0..100).map_while(|_| budgets.of(person).weigh(200 << 10)).collect::<Vec<_>>();
+        let large =
+            |person: &PersonIdentity| (0..100).map_while(|_| budgets.of(person).weigh(200 << 10)).collect::<Vec<_>>();
         let held: Vec<_> = (0..100).map(|cookie| large(&guest("a", &cookie.to_string()))).collect();
         assert_eq!(held[0].len(), OWN_MAX_KIB / 201);
         assert!(held.iter().map(Vec::len).sum::<usize>() * 201 <= GROUP_MAX_KIB);
         let more: Vec<_> = (0..100).map(|invitation| large(&guest(&format!("i{invitation}"), "x"))).collect();
         assert!(!more[0].is_empty() && more[99].is_empty());
         assert!(
-            large(&Identity::Host).len() > OWN_MAX_KIB / 201,
+            large(&PersonIdentity::Host).len() > OWN_MAX_KIB / 201,
             "what guests cannot have is left for the links of the host"
         );
         drop((held, more));

@@ -19,12 +19,12 @@ const NAME_MAX_CHARS: usize = 40;
 #[derive(Debug, Default)]
 pub(crate) struct Clients {
     links: AtomicU64,
-    here: Mutex<HashMap<Id, Link>>,
+    here: Mutex<HashMap<Id, ClientLink>>,
     secrets: Secrets,
 }
 
 #[derive(Debug)]
-struct Link {
+struct ClientLink {
     session: u64,
     color: u8,
     close: CloseSignal,
@@ -61,7 +61,7 @@ impl Clients {
         if let Some(before) = before {
             before.close.with(CloseReason::Replaced);
         }
-        here.insert(client.clone(), Link { session, color, close });
+        here.insert(client.clone(), ClientLink { session, color, close });
         let name = tidy_name(name);
         Entered { person: Person { client, name, color, pointer: None, selected: None, view: None }, secret }
     }
@@ -76,7 +76,7 @@ impl Clients {
 }
 
 /// The first colour nobody has, else the one that fewest have.
-fn free_color(here: &HashMap<Id, Link>) -> u8 {
+fn free_color(here: &HashMap<Id, ClientLink>) -> u8 {
     let uses = |color: &u8| here.values().filter(|link| link.color == *color).count();
     (0..COLORS).min_by_key(uses).unwrap_or(0)
 }

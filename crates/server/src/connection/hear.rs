@@ -12,7 +12,7 @@ const REASON_MAX_CHARS: usize = 200;
 const SMALL_MAX_BYTES: usize = 4 << 10;
 
 /// What one message is.
-pub(super) enum Heard {
+pub(super) enum HeardMessage {
     /// A request.
     Ask(Box<Ask>),
     /// Too large to be read here.
@@ -26,24 +26,26 @@ pub(super) enum Heard {
 }
 
 /// Reads one message.
-pub(super) fn hear(message: Option<Result<Message, axum::Error>>) -> Heard {
+pub(super) fn hear(message: Option<Result<Message, axum::Error>>) -> HeardMessage {
     match message {
-        Some(Ok(Message::Text(text))) if text.len() > SMALL_MAX_BYTES => Heard::Large(text),
+        Some(Ok(Message::Text(text))) if text.len() > SMALL_MAX_BYTES => HeardMessage::Large(text),
         Some(Ok(Message::Text(text))) => read(&text),
-        Some(Ok(Message::Binary(_))) => Heard::Nonsense(None, "it is not text".to_owned()),
-        Some(Ok(Message::Ping(_) | Message::Pong(_))) => Heard::Nothing,
-        Some(Ok(Message::Close(_))) | None => Heard::End(CloseReason::Left),
-        Some(Err(error)) => Heard::End(if is_too_large(&error) { CloseReason::TooLarge } else { CloseReason::Left }),
+        Some(Ok(Message::Binary(_))) => HeardMessage::Nonsense(None, "it is not text".to_owned()),
+        Some(Ok(Message::Ping(_) | Message::Pong(_))) => HeardMessage::Nothing,
+        Some(Ok(Message::Close(_))) | None => HeardMessage::End(CloseReason::Left),
+        Some(Err(error)) => {
+            HeardMessage::End(if is_too_large(&error) { CloseReason::TooLarge } else { CloseReason::Left })
+        }
     }
 }
 
 /// Reads a text.
-pub(super) fn read(text: &str) -> Heard {
+pub(super) fn read(text: &str) -> HeardMessage {
     match serde_json::from_str(text) {
-        Ok(ask) => Heard::Ask(Box::new(ask)),
+        Ok(ask) => HeardMessage::Ask(Box::new(ask)),
         Err(error) => {
             let reason = error.to_string().chars().take(REASON_MAX_CHARS).collect();
-            Heard::Nonsense(number(text), reason)
+            HeardMessage::Nonsense(number(text), reason)
         }
     }
 }

@@ -4,7 +4,7 @@
 use crate::library::exercises::{exercise, rehearse};
 use crate::state::ServerState;
 use crate::support::identity::Sender;
-use behaviour::{Behaviour, BehaviourFile, Helper, Id, Knowledge, Problem, Seen};
+use behaviour::{Behaviour, BehaviourFile, Helper, Id, Knowledge, Problem, SeenKinds};
 use protocol::{Refused, Reply};
 use std::sync::Arc;
 use uuid::Uuid;
@@ -14,7 +14,7 @@ pub(super) async fn fixes(
     state: &ServerState,
     sender: Sender,
     behaviour: &Id,
-    (problem, seen): (Problem, Seen),
+    (problem, seen): (Problem, SeenKinds),
 ) -> Result<Reply, Refused> {
     let look = state.rooms.look(behaviour).await?;
     let (snapshot, knowing) = (state.rooms.snapshot(), Arc::clone(&state.knowing));
@@ -27,7 +27,12 @@ pub(super) async fn fixes(
 }
 
 /// What every stream carries, and the hints that only what was seen gives.
-pub(super) async fn types(state: &ServerState, sender: Sender, behaviour: &Id, seen: Seen) -> Result<Reply, Refused> {
+pub(super) async fn types(
+    state: &ServerState,
+    sender: Sender,
+    behaviour: &Id,
+    seen: SeenKinds,
+) -> Result<Reply, Refused> {
     let look = state.rooms.look(behaviour).await?;
     let (snapshot, knowing) = (state.rooms.snapshot(), Arc::clone(&state.knowing));
     let infer = move || {
@@ -41,7 +46,7 @@ pub(super) async fn types(state: &ServerState, sender: Sender, behaviour: &Id, s
     Ok(reply)
 }
 
-fn by_what_was_seen(of: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge, seen: &Seen) -> Vec<Problem> {
+fn by_what_was_seen(of: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge, seen: &SeenKinds) -> Vec<Problem> {
     let known = ::behaviour::problems(of, helpers, knowledge);
     let all = ::behaviour::problems_seeing(of, helpers, knowledge, seen);
     all.into_iter().filter(|problem| !known.contains(problem)).collect()

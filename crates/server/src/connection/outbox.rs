@@ -1,8 +1,8 @@
 //! The reliable queue to one client: in order, bounded; who cannot keep up is cut off and fetches everything anew.
 
 use crate::connection::close_signal::{CloseReason, CloseSignal};
-use crate::rooms::member::{Feed, Recipient, Whole};
-use crate::support::identity::{Group, Identity, Sender};
+use crate::rooms::member::{Recipient, RoomFeed, WholeBehaviour};
+use crate::support::identity::{PersonIdentity, Sender, ShareGroup};
 use crate::support::lock;
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
@@ -35,11 +35,11 @@ pub(crate) enum Out {
     /// Send this.
     Text(Utf8Bytes),
     /// Send this in parts.
-    Whole(u32, Box<Whole>),
+    Whole(u32, Box<WholeBehaviour>),
     /// From now on only this room is told of, or none, once its feed comes.
     Want(Option<behaviour::Id>),
     /// From now on tell what goes on in this room, if it is the wanted one.
-    Follow(Box<Feed>),
+    Follow(Box<RoomFeed>),
     /// No longer: it is gone.
     Unfollow(behaviour::Id),
     /// Which pictures are wanted.
@@ -59,16 +59,16 @@ pub(crate) struct Outbox {
     /// The number of the link, never used twice.
     pub(crate) session: u64,
     /// Whose link it is.
-    pub(crate) person: Arc<Identity>,
+    pub(crate) person: Arc<PersonIdentity>,
     /// Ends the link.
     pub(crate) close: CloseSignal,
     queue: mpsc::Sender<Out>,
-    waiting: Waiting,
+    waiting: WaitingBytes,
 }
 
 /// What waits for one client, and how many bytes for all together.
 #[derive(Clone, Debug)]
-pub(crate) struct Waiting(Arc<Counts>);
+pub(crate) struct WaitingBytes(Arc<OutboxCounts>);
 
 /// How many bytes wait for all clients together. A clone counts the same.
 #[derive(Clone, Debug, Default)]
@@ -77,7 +77,7 @@ pub(crate) struct AllWaiting(Arc<AllCounts>);
 #[derive(Debug, Default)]
 struct AllCounts {
     bytes: AtomicUsize,
-    groups: Mutex<HashMap<Group, Weak<AtomicUsize>>>,
+    groups: Mutex<HashMap<ShareGroup, Weak<AtomicUsize>>>,
 }
 
 /// How many bytes wait for a group, and for all.
@@ -89,7 +89,7 @@ struct Together {
 }
 
 #[derive(Debug)]
-struct Counts {
+struct OutboxCounts {
     bytes: AtomicUsize,
     wholes: AtomicUsize,
     together: Together,
@@ -97,10 +97,10 @@ struct Counts {
 
 impl AllWaiting {
     /// The counts that a person has together with others.
-    fn together(&self, person: &Identity) -> Together {
+    fn together(&self, person: &PersonIdentity) -> Together {
         let (mut groups, group) = (lock(&self.0.groups), person.group());
         groups.retain(|_, count| count.strong_count() > 0);
-        let is_host = group == Group::Host;
+        let is_host = group == ShareGroup::Host;
         let known = groups.get(&group).and_then(Weak::upgrade);
         let count = known.unwrap_or_else(|| {
             let count = Arc::new(AtomicUsize::new(0));
@@ -128,14 +128,14 @@ impl Together {
 
 /// Bytes that are being written: they wait no more for their client, but still take memory.
 #[derive(Debug)]
-pub(crate) struct Writing {
+pub(crate) struct BytesInWriting {
     bytes: usize,
     together: Together,
 }
 
-impl Waiting {
+impl WaitingBytes {
     fn of(together: Together) -> Self {
-        Self(Arc::new(Counts { bytes: AtomicUsize::new(0), wholes: AtomicUsize::new(0), together }))
+        Self(Arc::new(OutboxCounts { bytes: AtomicUsize::new(0), wholes: AtomicUsize::new(0), together }))
     }
 
     /// Something is put into the queue; false if what waited before was too much.
@@ -151,24 +151,24 @@ impl Waiting {
     }
 
     /// Something was taken out of the queue; its bytes count for all until what is returned is dropped.
-    pub(crate) fn taken(&self, out: &Out) -> Writing {
+    pub(crate) fn taken(&self, out: &Out) -> BytesInWriting {
         let bytes = if let Out::Text(text) = out { text.len() } else { 0 };
         self.0.bytes.fetch_sub(bytes, Ordering::Relaxed);
         if let Out::Whole(..) = out {
             self.0.wholes.fetch_sub(1, Ordering::Relaxed);
         }
-        Writing { bytes, together: self.0.together.clone() }
+        BytesInWriting { bytes, together: self.0.together.clone() }
     }
 }
 
-impl Drop for Counts {
+impl Drop for OutboxCounts {
     /// What was never taken waits no more.
     fn drop(&mut self) {
         self.together.sub(*self.bytes.get_mut());
     }
 }
 
-impl Drop for Writing {
+impl Drop for BytesInWriting {
     fn drop(&mut self) {
         self.together.sub(self.bytes);
     }
@@ -176,9 +176,13 @@ impl Drop for Writing {
 
 impl Outbox {
     /// A way, its other end, and what waits between them.
-    pub(crate) fn new(session: u64, person: Arc<Identity>, all: &AllWaiting) -> (Self, mpsc::Receiver<Out>, Waiting) {
+    pub(crate) fn new(
+        session: u64,
+        person: Arc<PersonIdentity>,
+        all: &AllWaiting,
+    ) -> (Self, mpsc::Receiver<Out>, WaitingBytes) {
         let (queue, inbox) = mpsc::channel(QUEUE_MAX_MESSAGES);
-        let waiting = Waiting::of(all.together(&person));
+        let waiting = WaitingBytes::of(all.together(&person));
         (Self { session, person, close: CloseSignal::new(), queue, waiting: waiting.clone() }, inbox, waiting)
     }
 
@@ -218,7 +222,7 @@ impl Recipient for Outbox {
         self.session
     }
 
-    fn person(&self) -> &Identity {
+    fn person(&self) -> &PersonIdentity {
         &self.person
     }
 
@@ -230,11 +234,11 @@ impl Recipient for Outbox {
         self.put(Out::Text(text));
     }
 
-    fn send_whole(&self, ask: u32, whole: Whole) {
+    fn send_whole(&self, ask: u32, whole: WholeBehaviour) {
         self.put(Out::Whole(ask, Box::new(whole)));
     }
 
-    fn follow(&self, feed: Box<Feed>) {
+    fn follow(&self, feed: Box<RoomFeed>) {
         self.put(Out::Follow(feed));
     }
 
@@ -250,17 +254,17 @@ mod tests {
         WHOLES_MAX,
     };
     use crate::connection::close_signal::CloseReason;
-    use crate::rooms::member::Whole;
+    use crate::rooms::member::WholeBehaviour;
     use crate::rooms::shown::AllShown;
     use crate::support::identity::tests::guest;
-    use crate::support::identity::{Group, Identity};
+    use crate::support::identity::{PersonIdentity, ShareGroup};
     use behaviour::{Behaviour, Room};
     use protocol::{Refused, Reply};
     use std::sync::atomic::Ordering;
     use std::sync::{Arc, Weak};
 
     /// How many large replies are queued for a client that reads nothing before its link is cut.
-    async fn queued(all: &AllWaiting, person: Identity) -> (usize, Outbox) {
+    async fn queued(all: &AllWaiting, person: PersonIdentity) -> (usize, Outbox) {
         let (outbox, _inbox, _) = Outbox::new(1, Arc::new(person), all);
         let no = Reply::No { no: Refused::Unreadable("x".repeat(32 << 10)) };
         for count in 0.. {
@@ -276,7 +280,7 @@ mod tests {
     #[tokio::test]
     async fn who_reads_nothing_is_cut_off_and_gives_everything_back() {
         let all = AllWaiting::default();
-        let (count, outbox) = queued(&all, Identity::Host).await;
+        let (count, outbox) = queued(&all, PersonIdentity::Host).await;
         assert!((QUEUE_MAX_BYTES >> 15..=(QUEUE_MAX_BYTES >> 15) + 2).contains(&count), "{count}");
         drop(outbox);
         assert_eq!(all.0.bytes.load(Ordering::Relaxed), 0);
@@ -285,13 +289,13 @@ mod tests {
     /// An opened behaviour without records.
     fn opened() -> Out {
         let shown =
-            AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new(), &Group::Host);
-        Out::Whole(1, Box::new(Whole { reply: Reply::Done, shown }))
+            AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new(), &ShareGroup::Host);
+        Out::Whole(1, Box::new(WholeBehaviour { reply: Reply::Done, shown }))
     }
 
     #[tokio::test]
     async fn who_opens_again_and_again_without_reading_is_cut_off() {
-        let (outbox, mut inbox, waiting) = Outbox::new(1, Arc::new(Identity::Host), &AllWaiting::default());
+        let (outbox, mut inbox, waiting) = Outbox::new(1, Arc::new(PersonIdentity::Host), &AllWaiting::default());
         for _ in 0..3 * WHOLES_MAX {
             outbox.put(opened());
             waiting.taken(&inbox.recv().await.unwrap());
@@ -308,7 +312,7 @@ mod tests {
     #[tokio::test]
     async fn what_is_being_written_still_counts_for_all() {
         let all = AllWaiting::default();
-        let (outbox, mut inbox, waiting) = Outbox::new(1, Arc::new(Identity::Host), &all);
+        let (outbox, mut inbox, waiting) = Outbox::new(1, Arc::new(PersonIdentity::Host), &all);
         outbox.say(None, Reply::Done);
         let before = all.0.bytes.load(Ordering::Relaxed);
         let writing = waiting.taken(&inbox.recv().await.unwrap());
@@ -334,7 +338,7 @@ mod tests {
         }
         assert!(held[0].0 >= QUEUE_MAX_BYTES >> 15 && held[99].0 <= (SHARE_BYTES >> 15) + 2);
         assert!(all.0.bytes.load(Ordering::Relaxed) <= GROUP_MAX_BYTES + 100 * (SHARE_BYTES + (64 << 10)));
-        for person in [Identity::Host, guest("other", "one")] {
+        for person in [PersonIdentity::Host, guest("other", "one")] {
             assert!(queued(&all, person).await.0 >= QUEUE_MAX_BYTES >> 15);
         }
     }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 /// How often.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pace {
+pub(super) struct Rate {
     /// How many a second.
     pub(super) per_second: f64,
     /// How many at once.
@@ -14,14 +14,14 @@ pub(super) struct Pace {
 /// Permissions to ask, which come back by themselves.
 #[derive(Debug)]
 pub(super) struct RateLimit {
-    pace: Pace,
+    pace: Rate,
     left: f64,
     at: Instant,
 }
 
 impl RateLimit {
     /// None is taken yet.
-    pub(super) fn full(pace: Pace) -> Self {
+    pub(super) fn full(pace: Rate) -> Self {
         Self { pace, left: pace.at_once, at: Instant::now() }
     }
 
@@ -50,12 +50,12 @@ impl RateLimit {
 
 #[cfg(test)]
 mod tests {
-    use super::{Pace, RateLimit};
+    use super::{Rate, RateLimit};
     use std::time::Duration;
 
     #[test]
     fn so_many_at_once_then_so_many_a_second() {
-        let mut rate = RateLimit::full(Pace { per_second: 50.0, at_once: 200.0 });
+        let mut rate = RateLimit::full(Rate { per_second: 50.0, at_once: 200.0 });
         let start = rate.at;
         let takes = |rate: &mut RateLimit, ms: u64| {
             let now = start + Duration::from_millis(ms);

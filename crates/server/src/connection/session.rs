@@ -6,16 +6,16 @@ mod operating;
 mod past;
 mod requests;
 
-use super::budgets::{Budget, Weight};
-use super::hear::{Heard, hear, read};
-use super::inbox::{Asked, Inbox, inbox};
+use super::budgets::{PersonBudget, Weight};
+use super::hear::{HeardMessage, hear, read};
+use super::inbox::{Inbox, WaitingRequest, inbox};
 use crate::connection::clients::{Entered, tidy_name};
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
 use crate::connection::{Connections, Seat};
-use crate::invitations::{Entry, Here};
+use crate::invitations::{GuestPresence, Identified};
 use crate::rooms::member::Member;
-use crate::rooms::{Entering, Note, Parting};
+use crate::rooms::{Entering, LeaveReason, RoomCommand};
 use crate::support::identity::Sender;
 use crate::support::tasks::boxed;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
@@ -35,7 +35,7 @@ const SILENT_MS: u64 = 2 * ALIVE_MS;
 const LINGER_MS: u64 = super::writer::CLOSE_MS + 500;
 
 /// Serves one socket of somebody who is in.
-pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Entry, seat: Seat) {
+pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Identified, seat: Seat) {
     let (sink, mut stream) = socket.split();
     let (outbox, told, waiting) = Outbox::new(connections.number(), Arc::clone(&seat.person), &connections.waiting);
     let writes = super::writer::write(Arc::clone(&connections), outbox.clone(), sink, told, (waiting, entry.role()));
@@ -72,15 +72,15 @@ async fn greet(
 ) -> Result<(Entered, u32), CloseReason> {
     let Ask { ask, request } = loop {
         match hear(stream.next().await) {
-            Heard::Ask(ask) => break *ask,
-            Heard::Nonsense(ask, reason) => {
+            HeardMessage::Ask(ask) => break *ask,
+            HeardMessage::Nonsense(ask, reason) => {
                 outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) });
                 return Err(CloseReason::Unwelcome);
             }
             // Such as the answer to a ping, which may come before.
-            Heard::Nothing => {}
-            Heard::Large(_) => return Err(CloseReason::Unwelcome),
-            Heard::End(why) => return Err(why),
+            HeardMessage::Nothing => {}
+            HeardMessage::Large(_) => return Err(CloseReason::Unwelcome),
+            HeardMessage::End(why) => return Err(why),
         }
     };
     match request {
@@ -103,7 +103,7 @@ async fn serve(
     connections: Arc<Connections>,
     outbox: Outbox,
     entered: Entered,
-    (ask, entry, seat): (u32, Entry, Seat),
+    (ask, entry, seat): (u32, Identified, Seat),
     stream: &mut SplitStream<WebSocket>,
 ) {
     let Entered { person: me, secret } = entered;
@@ -112,14 +112,22 @@ async fn serve(
     tracing::info!(name = me.name, session = outbox.session, "somebody comes");
     connections.state.rooms.tell(
         connections.state.rooms.library(),
-        Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(Entering { secret, role })),
+        RoomCommand::Join(
+            Member { person: me.clone(), link: Arc::new(outbox.clone()) },
+            ask,
+            Some(Entering { secret, role }),
+        ),
     );
     let (asking, asked) = inbox();
-    let session =
-        Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), (entry.clone(), Arc::clone(&seat.budget)));
+    let session = ClientSession::new(
+        Arc::clone(&connections),
+        outbox.clone(),
+        me.clone(),
+        (entry.clone(), Arc::clone(&seat.budget)),
+    );
     let working = connections.state.tasks.spawn(session.work(asked));
     let (by, budget) = (me.name.clone(), &*seat.budget);
-    let mut reader = Reader { connections: &connections, outbox: &outbox, by, budget, asking };
+    let mut reader = ClientReader { connections: &connections, outbox: &outbox, by, budget, asking };
     let why = tokio::select! {
         why = reader.read(stream) => why,
         () = entry.until_over() => CloseReason::Revoked,
@@ -130,7 +138,7 @@ async fn serve(
     let leaves = async {
         let _ = working.await;
         let rooms = &connections.state.rooms;
-        rooms.tell_open(rooms.library(), Note::Leave(outbox.session, Parting::LinkEnded));
+        rooms.tell_open(rooms.library(), RoomCommand::Leave(outbox.session, LeaveReason::LinkEnded));
         connections.clients.leave(&me.client, outbox.session);
         tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
     };
@@ -148,33 +156,33 @@ async fn serve(
 async fn linger(connections: &Connections, stream: &mut SplitStream<WebSocket>, by: &str) {
     loop {
         match hear(stream.next().await) {
-            Heard::Ask(ask) => {
+            HeardMessage::Ask(ask) => {
                 if let Request::Stop { behaviour, robot } = ask.request {
                     connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), by);
                 }
             }
-            Heard::Large(_) | Heard::Nonsense(..) | Heard::Nothing => {}
-            Heard::End(_) => return,
+            HeardMessage::Large(_) | HeardMessage::Nonsense(..) | HeardMessage::Nothing => {}
+            HeardMessage::End(_) => return,
         }
     }
 }
 
 /// Shows who invited that a guest is here.
-fn here(connections: &Connections, entry: &Entry, name: &str) -> Option<Here> {
-    let Entry::Guest(guest) = entry else { return None };
+fn here(connections: &Connections, entry: &Identified, name: &str) -> Option<GuestPresence> {
+    let Identified::Guest(guest) = entry else { return None };
     Some(connections.state.invitations.arrive(guest, name))
 }
 
 /// Hears one client.
-struct Reader<'a> {
+struct ClientReader<'a> {
     connections: &'a Connections,
     outbox: &'a Outbox,
     by: String,
-    budget: &'a Budget,
+    budget: &'a PersonBudget,
     asking: Inbox,
 }
 
-impl Reader<'_> {
+impl ClientReader<'_> {
     async fn read(&mut self, stream: &mut SplitStream<WebSocket>) -> CloseReason {
         let (stopping, close) = (self.connections.state.tasks.stopping.clone(), self.outbox.close.clone());
         loop {
@@ -186,12 +194,14 @@ impl Reader<'_> {
             };
             let Ok(message) = message else { return CloseReason::Left };
             match hear(message) {
-                Heard::Ask(ask) => self.hear(*ask),
-                Heard::Large(text) if self.budget.may_ask() => self.large(text),
-                Heard::Large(_) => self.too_fast(None),
-                Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) }),
-                Heard::Nothing => {}
-                Heard::End(why) => return why,
+                HeardMessage::Ask(ask) => self.hear(*ask),
+                HeardMessage::Large(text) if self.budget.may_ask() => self.large(text),
+                HeardMessage::Large(_) => self.too_fast(None),
+                HeardMessage::Nonsense(ask, reason) => {
+                    self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) })
+                }
+                HeardMessage::Nothing => {}
+                HeardMessage::End(why) => return why,
             }
         }
     }
@@ -224,21 +234,26 @@ impl Reader<'_> {
 }
 
 /// Does what one client asks.
-struct Session {
+struct ClientSession {
     connections: Arc<Connections>,
     outbox: Outbox,
     me: Person,
     /// As whom they are in.
-    entry: Entry,
+    entry: Identified,
     /// The behaviour that is open.
     open: Option<behaviour::Id>,
-    budget: Arc<Budget>,
+    budget: Arc<PersonBudget>,
     /// The room that the request at hand takes, if it is a large one.
     weight: Option<Weight>,
 }
 
-impl Session {
-    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person, (entry, budget): (Entry, Arc<Budget>)) -> Self {
+impl ClientSession {
+    fn new(
+        connections: Arc<Connections>,
+        outbox: Outbox,
+        me: Person,
+        (entry, budget): (Identified, Arc<PersonBudget>),
+    ) -> Self {
         Self { connections, outbox, me, entry, open: None, budget, weight: None }
     }
 
@@ -252,34 +267,36 @@ impl Session {
     }
 
     /// One request after the other, until the link ended and all are done.
-    async fn work(mut self, mut asked: mpsc::Receiver<Asked>) {
+    async fn work(mut self, mut asked: mpsc::Receiver<WaitingRequest>) {
         while let Some(asked) = asked.recv().await {
             match asked {
-                Asked::Small(ask) => self.request(ask.ask, ask.request),
-                Asked::Large(text, weight) => self.large(text, weight).await,
+                WaitingRequest::Small(ask) => self.request(ask.ask, ask.request),
+                WaitingRequest::Large(text, weight) => self.large(text, weight).await,
             }
         }
-        self.leave_open(Parting::LinkEnded);
+        self.leave_open(LeaveReason::LinkEnded);
     }
 
     /// Reads a large message among the other work, then does what it asks.
     async fn large(&mut self, text: Utf8Bytes, weight: Weight) {
         let sender = self.sender();
         match self.connections.state.workers.run(sender, move |_| read(&text)).await {
-            Ok(Heard::Ask(ask)) => {
+            Ok(HeardMessage::Ask(ask)) => {
                 self.weight = Some(weight);
                 self.request(ask.ask, ask.request);
                 self.weight = None;
             }
-            Ok(Heard::Nonsense(ask, reason)) => self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) }),
-            Ok(Heard::Large(_) | Heard::Nothing | Heard::End(_)) => {}
+            Ok(HeardMessage::Nonsense(ask, reason)) => {
+                self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) })
+            }
+            Ok(HeardMessage::Large(_) | HeardMessage::Nothing | HeardMessage::End(_)) => {}
             Err(why) => self.outbox.say(None, Reply::No { no: why.into() }),
         }
     }
 
-    fn leave_open(&mut self, parting: Parting) {
+    fn leave_open(&mut self, parting: LeaveReason) {
         if let Some(open) = self.open.take() {
-            self.connections.state.rooms.tell_open(&open, Note::Leave(self.outbox.session, parting));
+            self.connections.state.rooms.tell_open(&open, RoomCommand::Leave(self.outbox.session, parting));
         }
     }
 }

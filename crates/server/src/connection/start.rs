@@ -1,12 +1,12 @@
 //! Starting a behaviour: its problems first, then the robot gets the file of the revision that is saved.
 
-use crate::invitations::Entry;
-use crate::robots::{NoRun, Start};
-use crate::rooms::Look;
+use crate::invitations::Identified;
+use crate::robots::{StartError, StartOrder};
+use crate::rooms::SavedLook;
 use crate::state::ServerState;
 use crate::support::identity::Sender;
 use behaviour::{BehaviourFile, Id, Problem};
-use protocol::{Refused, Reply, Session};
+use protocol::{RecordedSession, Refused, Reply};
 use std::sync::Arc;
 
 /// Who starts something.
@@ -16,7 +16,7 @@ pub(crate) struct Starter {
     /// Whose turn it is meanwhile.
     pub(crate) sender: Sender,
     /// As whom they are in.
-    pub(crate) entry: Entry,
+    pub(crate) entry: Identified,
 }
 
 /// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
@@ -24,25 +24,25 @@ pub(crate) async fn start(
     state: &ServerState,
     behaviour: Id,
     robot: Option<Id>,
-    (record, session): (bool, Session),
+    (record, session): (bool, RecordedSession),
     Starter { name: by, sender, entry }: Starter,
 ) -> Result<Reply, Refused> {
     let host = state.robots.meant(robot.as_ref())?;
     // Before anything is looked at, so that neither a Stop nor a removal can come between.
-    let announced = host.announce(&behaviour).map_err(NoRun::cannot_start)?;
+    let announced = host.announce(&behaviour).map_err(StartError::cannot_start)?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
     let file = ready(state, sender, look).await?;
     if announced.is_cancelled() || state.tasks.ends() {
-        return Err(NoRun::StopPressed(announced.stopped_by()).cannot_start());
+        return Err(StartError::StopPressed(announced.stopped_by()).cannot_start());
     }
     let (id, file, invitation) = (behaviour.clone(), file.into(), entry.invitation().cloned());
-    let start = Start { behaviour: id, revision, file, record, session, by: by.clone(), invitation };
+    let start = StartOrder { behaviour: id, revision, file, record, session, by: by.clone(), invitation };
     let begun = host.start_announced(&announced, start).await;
     if announced.is_cancelled() {
-        return Err(begun.err().unwrap_or(NoRun::StopPressed(announced.stopped_by())).cannot_start());
+        return Err(begun.err().unwrap_or(StartError::StopPressed(announced.stopped_by())).cannot_start());
     }
-    begun.map_err(NoRun::cannot_start)?;
+    begun.map_err(StartError::cannot_start)?;
     // Revoked while it began, when it was not there to be told.
     if let (true, Some(invitation)) = (entry.is_over(), entry.invitation()) {
         state.robots.revoked(invitation);
@@ -71,17 +71,17 @@ pub(crate) async fn apply(
     let file = Arc::new(file);
     for host in hosts {
         let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
-        let session = Session::default();
-        host.apply(Start { behaviour, revision, file, record: false, session, by, invitation: None })
+        let session = RecordedSession::default();
+        host.apply(StartOrder { behaviour, revision, file, record: false, session, by, invitation: None })
             .await
-            .map_err(NoRun::not_applied)?;
+            .map_err(StartError::not_applied)?;
     }
     tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
     Ok(Reply::Done)
 }
 
 /// The file to run, if no problem stops it.
-async fn ready(state: &ServerState, sender: Sender, look: Look) -> Result<BehaviourFile, Refused> {
+async fn ready(state: &ServerState, sender: Sender, look: SavedLook) -> Result<BehaviourFile, Refused> {
     let (snapshot, knowing) = (state.rooms.snapshot(), Arc::clone(&state.knowing));
     let judge = move || {
         let helpers = snapshot.helpers();

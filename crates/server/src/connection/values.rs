@@ -1,7 +1,7 @@
 //! The live values and the marks of the behaviour that a client has open, at the client's own pace.
 
 use crate::connection::Connections;
-use crate::robots::{LiveValues, RunMarks, Seen};
+use crate::robots::{LiveValues, RunMarks, SeenLive};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
@@ -16,7 +16,7 @@ pub(super) struct Watching {
 
 struct Watched {
     run: u64,
-    live: Option<(LiveValues, Seen)>,
+    live: Option<(LiveValues, SeenLive)>,
     /// The marks, and up to which of their changes they were told.
     marks: Option<(Arc<RunMarks>, u64)>,
 }
@@ -35,7 +35,7 @@ impl Watching {
         let Some(run) = newest else { return Vec::new() };
         if self.run.as_ref().is_none_or(|watched| watched.run != run) {
             let robots = &connections.state.robots;
-            let live = robots.values(run).map(|live| (live, Seen::default()));
+            let live = robots.values(run).map(|live| (live, SeenLive::default()));
             self.run = Some(Watched { run, live, marks: robots.marks(run).map(|marks| (marks, 0)) });
         }
         let Some(watched) = &mut self.run else { return Vec::new() };

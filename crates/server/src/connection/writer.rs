@@ -4,13 +4,13 @@
 use super::values::Watching;
 use crate::connection::Connections;
 use crate::connection::close_signal::CloseReason;
-use crate::connection::outbox::{Out, Outbox, Waiting};
+use crate::connection::outbox::{Out, Outbox, WaitingBytes};
 use crate::connection::topics::BEAT_MS;
-use crate::rooms::member::Feed;
+use crate::rooms::member::RoomFeed;
 use crate::rooms::shown::GaveWay;
 use crate::support::identity::Sender;
 use crate::support::message::encode;
-use crate::support::tasks::Made;
+use crate::support::tasks::TaskResult;
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
 use behaviour::Id;
@@ -30,13 +30,13 @@ const WRITE_MS: u64 = 5_000;
 /// How long the closing frame may take.
 pub(super) const CLOSE_MS: u64 = 1_000;
 
-struct Writer {
+struct ClientWriter {
     connections: Arc<Connections>,
     /// For whom what is told here is made.
     sender: Sender,
     sink: SplitSink<WebSocket, Message>,
     /// What is in the queue.
-    waiting: Waiting,
+    waiting: WaitingBytes,
     /// Told to everyone: runs, robots, the store's health, that the list of behaviours changed.
     topics: [watch::Receiver<Utf8Bytes>; 4],
     /// Told to who may invite.
@@ -51,7 +51,7 @@ struct Writer {
     watching: Watching,
     /// The room that the client opened last.
     wanted: Option<Id>,
-    feed: Option<Box<Feed>>,
+    feed: Option<Box<RoomFeed>>,
     /// Nothing is told before the welcome.
     welcomed: bool,
 }
@@ -62,7 +62,7 @@ pub(super) async fn write(
     link: Outbox,
     sink: SplitSink<WebSocket, Message>,
     inbox: mpsc::Receiver<Out>,
-    (waiting, role): (Waiting, Option<Role>),
+    (waiting, role): (WaitingBytes, Option<Role>),
 ) {
     let (sender, close) = (link.person.told(link.session), link.close.clone());
     // The queue ends when all who put something into it went.
@@ -77,7 +77,7 @@ pub(super) async fn write(
     let scene = pictures(&connections, None);
     let invitations = (role == Some(Role::Host)).then(|| connections.topics.invitations.subscribe());
     let presses = connections.topics.presses.subscribe();
-    let mut writer = Writer {
+    let mut writer = ClientWriter {
         connections,
         sender,
         sink,
@@ -104,7 +104,7 @@ pub(super) async fn write(
     writer.close(why, &mut inbox).await;
 }
 
-impl Writer {
+impl ClientWriter {
     async fn run(&mut self, inbox: &mut mpsc::Receiver<Out>) -> CloseReason {
         let mut beat = tokio::time::interval(Duration::from_millis(BEAT_MS));
         let mut ping = tokio::time::interval(Duration::from_millis(PING_MS));
@@ -272,7 +272,7 @@ async fn values(
 ) -> Vec<Utf8Bytes> {
     let (known, all, behaviour, robot) =
         (std::mem::take(watching), Arc::clone(connections), behaviour.clone(), robot.cloned());
-    let (work, made) = Made::by(async move {
+    let (work, made) = TaskResult::by(async move {
         let mut known = known;
         (known.news(&all, &behaviour, (robot.as_ref(), wanted)), known)
     });

@@ -2,9 +2,9 @@
 //! thread and in places that nothing else takes; everything else goes on to the threads that carry messages. So nothing
 //! that those threads, the robots' or the store's do can keep Stop from being heard.
 
-use super::line::Line;
+use super::line::ServedConnection;
 use super::stop;
-use crate::http::door::{Came, Door};
+use crate::http::door::{EntryDoor, RequestArrival};
 use crate::robots::Robots;
 use crate::support::places::Places;
 use crate::support::tasks::boxed;
@@ -43,15 +43,15 @@ pub(crate) fn listen(address: SocketAddr) -> io::Result<std::net::TcpListener> {
 }
 
 /// Where connections that want something else than Stop arrive.
-pub(crate) type Handed = mpsc::Receiver<(Line, Came)>;
+pub(crate) type Handed = mpsc::Receiver<(ServedConnection, RequestArrival)>;
 
 /// What the accepting thread needs.
 struct Acceptor {
-    door: Door,
+    door: EntryDoor,
     robots: Robots,
     silent: Arc<Places>,
     stops: Arc<Places>,
-    others: mpsc::Sender<(Line, Came)>,
+    others: mpsc::Sender<(ServedConnection, RequestArrival)>,
 }
 
 /// Starts the thread, which works until `ending`.
@@ -60,7 +60,7 @@ struct Acceptor {
 /// If the thread cannot be made.
 pub(crate) fn start(
     listener: std::net::TcpListener,
-    door: Door,
+    door: EntryDoor,
     robots: Robots,
     ending: CancellationToken,
 ) -> io::Result<(JoinHandle<()>, Handed)> {
@@ -103,7 +103,10 @@ impl Acceptor {
             place.hold(stop::answer(stream, &self.door, &self.robots)).await;
         } else if let Ok(stream) = stream.into_std() {
             // Who finds no room is closed; whoever needs it comes again.
-            drop(self.others.try_send((Line::plain(stream), Came { door: self.door.clone(), peer })));
+            drop(
+                self.others
+                    .try_send((ServedConnection::plain(stream), RequestArrival { door: self.door.clone(), peer })),
+            );
         }
     }
 }

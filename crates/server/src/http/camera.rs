@@ -2,14 +2,14 @@
 //! may not look any more gets no other one. Nothing is kept, here or in the browser.
 
 use crate::state::ServerState;
-use crate::support::shares::Limits;
+use crate::support::shares::ShareLimits;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use behaviour::Id;
 use protocol::Refused;
 
 /// Pictures that may be waited for at once.
-pub(super) const LOOKS: Limits = Limits { all: 24, guest: 2, host: 12, reserved: 4, still_ms: 0 };
+pub(super) const LOOKS: ShareLimits = ShareLimits { all: 24, guest: 2, host: 12, reserved: 4, still_ms: 0 };
 
 /// The next picture, as JPEG: no content if none comes within two seconds.
 pub(super) async fn next(state: &ServerState, robot: &str) -> Response {

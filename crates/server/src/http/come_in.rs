@@ -4,11 +4,11 @@
 
 mod words;
 
-pub(super) use words::Language;
+pub(super) use words::BrowserLanguage;
 
-use super::door::{Came, LetsIn};
-use crate::invitations::{Entry, HostAccess, Invitations, NotIn, Source};
-use crate::support::identity::Identity;
+use super::door::{LetsIn, RequestArrival};
+use crate::invitations::{GuessSource, HostAccess, Identified, Invitations, NotIn};
+use crate::support::identity::PersonIdentity;
 use crate::support::workers::Workers;
 use axum::extract::{Form, FromRequest, Request};
 use axum::http::{HeaderValue, StatusCode, header};
@@ -28,32 +28,38 @@ struct Sent {
 }
 
 /// For who follows a link.
-pub(super) fn page(came: &Came, language: Language) -> Response {
+pub(super) fn page(came: &RequestArrival, language: BrowserLanguage) -> Response {
     match came.door.lets_in() {
-        LetsIn::Host(_) => {
-            show(StatusCode::OK, language, language.opening(), Shows { come_in: Some(At::Once), stop: true })
-        }
-        LetsIn::Guests(_) => {
-            show(StatusCode::OK, language, language.invited(), Shows { come_in: Some(At::Press), stop: false })
-        }
+        LetsIn::Host(_) => show(
+            StatusCode::OK,
+            language,
+            language.opening(),
+            PageButtons { come_in: Some(EntryMoment::Once), stop: true },
+        ),
+        LetsIn::Guests(_) => show(
+            StatusCode::OK,
+            language,
+            language.invited(),
+            PageButtons { come_in: Some(EntryMoment::Press), stop: false },
+        ),
     }
 }
 
 /// For who was not invited.
-pub(super) fn ask_for_one(language: Language) -> Response {
-    show(StatusCode::UNAUTHORIZED, language, language.by_invitation(), Shows::default())
+pub(super) fn ask_for_one(language: BrowserLanguage) -> Response {
+    show(StatusCode::UNAUTHORIZED, language, language.by_invitation(), PageButtons::default())
 }
 
 /// For who is at this computer, or comes through a tunnel with this port, and shows no secret of it.
-pub(super) fn ask_for_link(language: Language, tunnel: Option<u16>) -> Response {
+pub(super) fn ask_for_link(language: BrowserLanguage, tunnel: Option<u16>) -> Response {
     let [title, text] = language.by_link();
     let text = tunnel.map_or_else(|| text.to_owned(), |port| language.by_link_through(port));
-    show(StatusCode::UNAUTHORIZED, language, [title, &text], Shows { come_in: None, stop: true })
+    show(StatusCode::UNAUTHORIZED, language, [title, &text], PageButtons { come_in: None, stop: true })
 }
 
 /// Says who invites by the link of this token and what for, before it is used; or why it lets nobody in.
-pub(super) async fn invitation(came: Came, request: Request) -> Response {
-    let (source, language) = (came.source(request.headers()), Language::of(request.headers()));
+pub(super) async fn invitation(came: RequestArrival, request: Request) -> Response {
+    let (source, language) = (came.source(request.headers()), BrowserLanguage::of(request.headers()));
     let token = token(request).await;
     let (status, says) = match came.door.lets_in() {
         LetsIn::Host(_) => (StatusCode::OK, language.opening()[1].to_owned()),
@@ -82,8 +88,8 @@ pub(super) fn script() -> Response {
 }
 
 /// Exchanges the token that was sent for a cookie: always a new one, whatever cookie came along.
-pub(super) async fn come_in(came: Came, entry: &Entry, files: &Workers, request: Request) -> Response {
-    let (source, language) = (came.source(request.headers()), Language::of(request.headers()));
+pub(super) async fn come_in(came: RequestArrival, entry: &Identified, files: &Workers, request: Request) -> Response {
+    let (source, language) = (came.source(request.headers()), BrowserLanguage::of(request.headers()));
     let token = token(request).await;
     let exchanged = match came.door.lets_in() {
         LetsIn::Host(host) => as_host(host, &token),
@@ -97,9 +103,9 @@ pub(super) async fn come_in(came: Came, entry: &Entry, files: &Workers, request:
             response
         }
         // Who is the host already and presses an old link again.
-        Err(_) if matches!(entry, Entry::Host) => Redirect::to("/").into_response(),
-        Err(NotIn::Unknown) if matches!(entry, Entry::Unproven) => {
-            show(StatusCode::FORBIDDEN, language, language.old_link(), Shows { come_in: None, stop: true })
+        Err(_) if matches!(entry, Identified::Host) => Redirect::to("/").into_response(),
+        Err(NotIn::Unknown) if matches!(entry, Identified::Unproven) => {
+            show(StatusCode::FORBIDDEN, language, language.old_link(), PageButtons { come_in: None, stop: true })
         }
         Err(why) => no(&why, language),
     }
@@ -113,9 +119,9 @@ async fn as_guest(
     invitations: Arc<Invitations>,
     files: &Workers,
     token: String,
-    source: Source,
+    source: GuessSource,
 ) -> Result<String, NotIn> {
-    let sender = Identity::Stranger.asks(source.number());
+    let sender = PersonIdentity::Stranger.asks(source.number());
     let exchanged = files.run(sender, move |_| invitations.come_in(&token, source)).await;
     exchanged.unwrap_or_else(|why| Err(NotIn::NotKept(Refused::from(why).to_string())))
 }
@@ -128,8 +134,8 @@ fn status_of(why: &NotIn) -> StatusCode {
     }
 }
 
-fn no(why: &NotIn, language: Language) -> Response {
-    let mut response = show(status_of(why), language, [language.not_in(), &language.why(why)], Shows::default());
+fn no(why: &NotIn, language: BrowserLanguage) -> Response {
+    let mut response = show(status_of(why), language, [language.not_in(), &language.why(why)], PageButtons::default());
     if let NotIn::TooMany(seconds) = why {
         response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from(*seconds));
     }
@@ -138,7 +144,7 @@ fn no(why: &NotIn, language: Language) -> Response {
 
 /// When a link lets somebody in.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum At {
+enum EntryMoment {
     /// As the page is there: nobody but its reader looks at the link of a terminal.
     Once,
     /// As its button is pressed.
@@ -147,20 +153,20 @@ enum At {
 
 /// Which buttons a page has.
 #[derive(Clone, Copy, Default)]
-struct Shows {
-    come_in: Option<At>,
+struct PageButtons {
+    come_in: Option<EntryMoment>,
     stop: bool,
 }
 
 /// The page with this title, text and buttons.
-fn show(status: StatusCode, language: Language, [title, text]: [&str; 2], shows: Shows) -> Response {
+fn show(status: StatusCode, language: BrowserLanguage, [title, text]: [&str; 2], shows: PageButtons) -> Response {
     let text = escaped(text);
     let hidden_unless = |shown: bool| if shown { "" } else { "hidden" };
     let holes = [
         ("{language}", language.code()),
         ("{title}", title),
         ("{hidden}", hidden_unless(shows.come_in.is_some())),
-        ("{at once}", if shows.come_in == Some(At::Once) { "data-at-once" } else { "" }),
+        ("{at once}", if shows.come_in == Some(EntryMoment::Once) { "data-at-once" } else { "" }),
         ("{come in}", language.come_in()),
         ("{broken}", language.broken()),
         ("{needs script}", language.needs_script()),

@@ -1,6 +1,6 @@
 //! Answers that end when their reader may not be here any more.
 
-use crate::invitations::Entry;
+use crate::invitations::Identified;
 use axum::body::{Body, Bytes, HttpBody};
 use hyper::body::{Frame, SizeHint};
 use std::io;
@@ -8,13 +8,13 @@ use std::pin::Pin;
 use std::task::{Context, Poll};
 
 /// The rest of a body, for who is in like this: for the host as it is, for a guest until their invitation ends.
-pub(super) fn until_over(body: Body, entry: Entry) -> Body {
+pub(super) fn until_over(body: Body, entry: Identified) -> Body {
     match entry {
-        Entry::Guest(_) if !body.is_end_stream() => {
+        Identified::Guest(_) if !body.is_end_stream() => {
             let over = Box::pin(async move { entry.until_over().await });
             Body::new(Cut { body, over })
         }
-        Entry::Host | Entry::Guest(_) | Entry::Unproven | Entry::Stranger => body,
+        Identified::Host | Identified::Guest(_) | Identified::Unproven | Identified::Stranger => body,
     }
 }
 

@@ -2,7 +2,7 @@
 //! invitation.
 
 use super::origin::{NotAllowed, OriginGuard};
-use crate::invitations::{Asked, Entry, Guest, HostAccess, Invitations, Route, Source};
+use crate::invitations::{AskedOperation, GuessSource, Guest, HostAccess, Identified, Invitations, Route};
 use crate::support::digest::Digest;
 use axum::extract::Request;
 use axum::http::{HeaderMap, HeaderName, header};
@@ -22,18 +22,18 @@ const COOKIES_MAX: usize = 4;
 
 /// A way in.
 #[derive(Clone)]
-pub(crate) struct Door {
+pub(crate) struct EntryDoor {
     /// Whose pages may ask.
     pub(crate) guard: OriginGuard,
     /// The name of the cookie. Browsers do not tell ports apart where cookies go, so the name does.
     cookie: Arc<str>,
     /// Whose secrets count.
-    shown: Shown,
+    shown: SecretScope,
 }
 
 /// Whose secrets count at a door.
 #[derive(Clone)]
-enum Shown {
+enum SecretScope {
     /// Those of this computer, on this port.
     Host(Arc<HostAccess>, u16),
     /// Those of invitations.
@@ -47,17 +47,17 @@ struct Guests {
     /// A proxy says from where they come.
     is_proxied: bool,
     /// Told who shows a cookie that holds.
-    noting: Option<Noting>,
+    noting: Option<CookieNoting>,
 }
 
 /// Notes the digest of a cookie that holds, without waiting.
-pub(crate) type Noting = Arc<dyn Fn(Digest) + Send + Sync>;
+pub(crate) type CookieNoting = Arc<dyn Fn(Digest) + Send + Sync>;
 
 /// By which way a request came, and from where.
 #[derive(Clone)]
-pub(crate) struct Came {
+pub(crate) struct RequestArrival {
     /// The way.
-    pub(crate) door: Door,
+    pub(crate) door: EntryDoor,
     /// The other end of the connection; of a proxy, that.
     pub(crate) peer: IpAddr,
 }
@@ -70,29 +70,33 @@ pub(crate) enum LetsIn<'a> {
     Guests(&'a Arc<Invitations>),
 }
 
-impl Door {
+impl EntryDoor {
     /// That of this computer, on this port.
     pub(crate) fn local(port: u16, host: Arc<HostAccess>) -> Self {
-        Self { guard: OriginGuard::Local, cookie: format!("rrp-host-{port}").into(), shown: Shown::Host(host, port) }
+        Self {
+            guard: OriginGuard::Local,
+            cookie: format!("rrp-host-{port}").into(),
+            shown: SecretScope::Host(host, port),
+        }
     }
 
     /// That of others, by TLS on this port. With this prefix browsers take the cookie by TLS only, and from nobody but this
     /// very host.
     pub(crate) fn tls(port: u16, invitations: Arc<Invitations>) -> Self {
-        let shown = Shown::Guests(Guests { invitations, is_proxied: false, noting: None });
+        let shown = SecretScope::Guests(Guests { invitations, is_proxied: false, noting: None });
         Self { guard: OriginGuard::Tls, cookie: format!("__Host-rrp-{port}").into(), shown }
     }
 
     /// That of others, through a proxy that serves this origin.
     pub(crate) fn proxied(origin: &str, invitations: Arc<Invitations>) -> Self {
-        let shown = Shown::Guests(Guests { invitations, is_proxied: true, noting: None });
+        let shown = SecretScope::Guests(Guests { invitations, is_proxied: true, noting: None });
         Self { guard: OriginGuard::Proxy(origin.into()), cookie: "__Host-rrp".into(), shown }
     }
 
     /// This way, for one connection: which guest shows a cookie on it is noted.
-    pub(crate) fn noting(&self, noting: Noting) -> Self {
+    pub(crate) fn noting(&self, noting: CookieNoting) -> Self {
         let mut this = self.clone();
-        if let Shown::Guests(guests) = &mut this.shown {
+        if let SecretScope::Guests(guests) = &mut this.shown {
             guests.noting = Some(noting);
         }
         this
@@ -101,29 +105,29 @@ impl Door {
     /// What lets people in here.
     pub(crate) fn lets_in(&self) -> LetsIn<'_> {
         match &self.shown {
-            Shown::Host(host, _) => LetsIn::Host(host),
-            Shown::Guests(guests) => LetsIn::Guests(&guests.invitations),
+            SecretScope::Host(host, _) => LetsIn::Host(host),
+            SecretScope::Guests(guests) => LetsIn::Guests(&guests.invitations),
         }
     }
 
     /// As whom somebody who sends these headers is in.
-    fn entry(&self, headers: &HeaderMap) -> Entry {
+    fn entry(&self, headers: &HeaderMap) -> Identified {
         let lines = headers.get_all(header::COOKIE).iter().filter_map(|line| line.to_str().ok());
         let mut cookies = self.cookies(lines);
         match &self.shown {
-            Shown::Host(host, _) => {
+            SecretScope::Host(host, _) => {
                 let key = headers.get(host_key::HEADER).and_then(|value| host_key::shown(value.to_str().ok()?));
                 let is_host =
                     key.is_some_and(|key| host.knows_key(key)) || cookies.any(|cookie| host.knows_cookie(cookie));
-                if is_host { Entry::Host } else { Entry::Unproven }
+                if is_host { Identified::Host } else { Identified::Unproven }
             }
-            Shown::Guests(guests) => guests.guest(cookies).map_or(Entry::Stranger, Entry::Guest),
+            SecretScope::Guests(guests) => guests.guest(cookies).map_or(Identified::Stranger, Identified::Guest),
         }
     }
 
     /// The digest of the first guest's cookie in these lines that holds.
     pub(crate) fn pass<'a>(&self, lines: impl Iterator<Item = &'a str>) -> Option<Digest> {
-        let Shown::Guests(guests) = &self.shown else { return None };
+        let SecretScope::Guests(guests) = &self.shown else { return None };
         Some(guests.guest(self.cookies(lines))?.pass())
     }
 
@@ -151,39 +155,39 @@ impl Door {
     pub(crate) fn may_stop(&self, headers: &HeaderMap) -> Result<String, NotAllowed> {
         self.guard.may_stop(headers)?;
         let entry = self.entry(headers);
-        if self.is_passed_on(headers) && !matches!(entry, Entry::Host) {
+        if self.is_passed_on(headers) && !matches!(entry, Identified::Host) {
             return Err(NotAllowed::Forwarded);
         }
-        entry.may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)?;
+        entry.may(AskedOperation::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)?;
         Ok(self.name_of(&entry))
     }
 
     /// What who stops by HTTP is called: a guest as they said on their links.
-    fn name_of(&self, entry: &Entry) -> String {
+    fn name_of(&self, entry: &Identified) -> String {
         match (entry, &self.shown) {
-            (Entry::Guest(guest), Shown::Guests(guests)) => guests.invitations.name_of(guest),
+            (Identified::Guest(guest), SecretScope::Guests(guests)) => guests.invitations.name_of(guest),
             _ => protocol::STOP_BUTTON.to_owned(),
         }
     }
 
     /// Whether an undeclared proxy sends this to the door of this computer, for somebody else.
     fn is_passed_on(&self, headers: &HeaderMap) -> bool {
-        matches!(self.shown, Shown::Host(..)) && is_forwarded(headers)
+        matches!(self.shown, SecretScope::Host(..)) && is_forwarded(headers)
     }
 
     /// The port that a browser speaks to, where it is another than that of this computer's door: that of a tunnel.
     pub(crate) fn tunnel(&self, headers: &HeaderMap) -> Option<u16> {
-        let Shown::Host(_, own) = &self.shown else { return None };
+        let SecretScope::Host(_, own) = &self.shown else { return None };
         super::origin::port(headers.get(header::HOST)?.to_str().ok()?).filter(|port| port != own)
     }
 
     /// The header that gives somebody the cookie of this secret. From now on a guest is known.
     pub(crate) fn give(&self, secret: &str) -> String {
-        if let Shown::Guests(guests) = &self.shown {
+        if let SecretScope::Guests(guests) = &self.shown {
             guests.invitations.guest(secret).iter().for_each(|guest| guests.note(guest));
         }
         // Where this computer is spoken to without TLS, browsers would not keep a cookie for TLS only.
-        let secure = if matches!(self.shown, Shown::Host(..)) { "" } else { " Secure;" };
+        let secure = if matches!(self.shown, SecretScope::Host(..)) { "" } else { " Secure;" };
         format!("{}={secret}; Path=/; Max-Age={COOKIE_SECONDS}; HttpOnly;{secure} SameSite=Strict", self.cookie)
     }
 }
@@ -201,19 +205,19 @@ impl Guests {
     }
 }
 
-impl Came {
+impl RequestArrival {
     /// As whom the sender of a request is in.
-    pub(crate) fn entry(&self, headers: &HeaderMap) -> Entry {
+    pub(crate) fn entry(&self, headers: &HeaderMap) -> Identified {
         self.door.entry(headers)
     }
 
     /// From where a request came: of a proxy, what it says last itself.
-    pub(crate) fn source(&self, headers: &HeaderMap) -> Source {
-        let is_proxied = matches!(&self.door.shown, Shown::Guests(guests) if guests.is_proxied);
+    pub(crate) fn source(&self, headers: &HeaderMap) -> GuessSource {
+        let is_proxied = matches!(&self.door.shown, SecretScope::Guests(guests) if guests.is_proxied);
         let lines = is_proxied.then(|| headers.get_all(FORWARDED_FOR));
         let last =
             lines.and_then(|lines| lines.iter().next_back()?.to_str().ok()?.rsplit(',').next()?.trim().parse().ok());
-        Source::of(last.unwrap_or(self.peer))
+        GuessSource::of(last.unwrap_or(self.peer))
     }
 }
 
@@ -224,7 +228,7 @@ fn is_forwarded(headers: &HeaderMap) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Door, NotAllowed};
+    use super::{EntryDoor, NotAllowed};
     use crate::invitations::HostAccess;
     use axum::http::{HeaderMap, HeaderName, HeaderValue};
     use std::sync::Arc;
@@ -239,7 +243,7 @@ mod tests {
     #[test]
     fn what_an_undeclared_proxy_passes_on_is_refused_but_for_the_stop_of_a_host() {
         let host = Arc::new(HostAccess::within(None).unwrap());
-        let (door, own) = (Door::local(7130, Arc::clone(&host)), ("host", "127.0.0.1:7130"));
+        let (door, own) = (EntryDoor::local(7130, Arc::clone(&host)), ("host", "127.0.0.1:7130"));
         let key = host_key::header(&host.key("127.0.0.1:7130".parse().unwrap()).key);
         for said in ["forwarded", "x-forwarded-for", "x-forwarded-proto", "x-real-ip", "via", "cf-connecting-ip"] {
             let through = headers(&[own, (said, "203.0.113.9")]);

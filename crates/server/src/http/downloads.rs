@@ -1,8 +1,8 @@
 //! Downloads: a few at once, shared out between people, each kept only until it was taken. A reader that stops reading loses
 //! its place to another download of the same person, and its connection soon.
 
-use crate::invitations::Entry;
-use crate::support::shares::{Limits, SharedPlace, SharedPlaces};
+use crate::invitations::Identified;
+use crate::support::shares::{ShareLimits, SharedPlace, SharedPlaces};
 use axum::body::{Body, Bytes, HttpBody};
 use axum::extract::{Request, State};
 use axum::http::StatusCode;
@@ -15,7 +15,7 @@ use std::sync::Arc;
 use std::task::{Context, Poll};
 
 /// Downloads that may be under way. One of which nothing was taken for two seconds gives way to another of the same person.
-const DOWNLOADS: Limits = Limits { all: 8, guest: 2, host: 8, reserved: 2, still_ms: 2_000 };
+const DOWNLOADS: ShareLimits = ShareLimits { all: 8, guest: 2, host: 8, reserved: 2, still_ms: 2_000 };
 /// What who comes beyond that is told.
 const TOO_MANY: &str = "Too much is being downloaded just now. Try again in a moment.\n";
 
@@ -31,22 +31,22 @@ impl Default for Downloads {
 
 /// Answers if there is a place, which is free again once the answer was sent to its end or given up.
 pub(crate) async fn few_at_once(State(downloads): State<Downloads>, request: Request, next: Next) -> Response {
-    let person = request.extensions().get::<Entry>().unwrap_or(&Entry::Stranger).identity();
+    let person = request.extensions().get::<Identified>().unwrap_or(&Identified::Stranger).identity();
     let too_many = || (StatusCode::SERVICE_UNAVAILABLE, TOO_MANY).into_response();
     let Some(place) = downloads.0.take(&person) else { return too_many() };
     let Some(answer) = place.hold(next.run(request)).await else { return too_many() };
     let lost = Box::pin(place.loss().cancelled_owned());
-    answer.map(|body| Body::new(Held { body, lost, place }))
+    answer.map(|body| Body::new(HeldBody { body, lost, place }))
 }
 
 /// A body with the place that it takes.
-struct Held {
+struct HeldBody {
     body: Body,
     lost: Pin<Box<dyn Future<Output = ()> + Send>>,
     place: SharedPlace,
 }
 
-impl HttpBody for Held {
+impl HttpBody for HeldBody {
     type Data = Bytes;
     type Error = axum::Error;
 

@@ -29,7 +29,7 @@ const LATER_MS: u64 = 500;
 /// Something that somebody is known by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) enum Mark {
+pub(crate) enum KnownBy {
     /// A connection comes from there: all of it, as others may be in the same network.
     Address(IpAddr),
     /// It shows a ticket of this earlier connection.
@@ -37,46 +37,46 @@ pub(crate) enum Mark {
 }
 
 /// Everybody who is known.
-pub(crate) struct Known {
+pub(crate) struct KnownPeople {
     file: Option<PathBuf>,
     invitations: Arc<Invitations>,
-    marks: Mutex<Marks>,
+    marks: Mutex<KnownMarks>,
     /// There is something to be written.
     is_new: AtomicBool,
     changed: Notify,
 }
 
 #[derive(Debug, Default)]
-struct Marks {
+struct KnownMarks {
     now: u64,
-    devices: HashMap<Digest, Device>,
+    devices: HashMap<Digest, GuestDevice>,
     /// Devices with a mark.
-    by: HashMap<Mark, Vec<Digest>>,
+    by: HashMap<KnownBy, Vec<Digest>>,
 }
 
 #[derive(Debug, Default)]
-struct Device {
+struct GuestDevice {
     /// When it was last noted.
     at: u64,
     /// Oldest first.
-    marks: VecDeque<Mark>,
+    marks: VecDeque<KnownBy>,
 }
 
 /// A device as it is kept.
 #[derive(Serialize, Deserialize)]
-struct Kept {
+struct KeptDevice {
     /// Of its cookie.
     pass: Digest,
-    marks: VecDeque<Mark>,
+    marks: VecDeque<KnownBy>,
 }
 
-impl Known {
+impl KnownPeople {
     /// Those of a data folder; without one they last as long as the server.
     pub(crate) fn within(data: Option<&Path>, invitations: Arc<Invitations>) -> Arc<Self> {
         let file = data.map(|data| data.join(FILE));
-        let kept: Vec<Kept> = file.as_deref().and_then(atomic_file::read).unwrap_or_default();
-        let mut marks = Marks::default();
-        for Kept { pass, marks: of } in kept {
+        let kept: Vec<KeptDevice> = file.as_deref().and_then(atomic_file::read).unwrap_or_default();
+        let mut marks = KnownMarks::default();
+        for KeptDevice { pass, marks: of } in kept {
             for mark in of {
                 marks.note(mark, pass, |pass| invitations.holds(pass));
             }
@@ -86,7 +86,7 @@ impl Known {
     }
 
     /// The device with this cookie is known by this from now on.
-    pub(crate) fn note(&self, mark: Mark, pass: Digest) {
+    pub(crate) fn note(&self, mark: KnownBy, pass: Digest) {
         if lock(&self.marks).note(mark.canonical(), pass, |pass| self.holds(pass)) {
             self.is_new.store(true, Ordering::Release);
             self.changed.notify_one();
@@ -94,7 +94,7 @@ impl Known {
     }
 
     /// The digest of a cookie that still holds, of a device that is known by this.
-    pub(crate) fn pass(&self, mark: Mark) -> Option<Digest> {
+    pub(crate) fn pass(&self, mark: KnownBy) -> Option<Digest> {
         let marks = lock(&self.marks);
         marks.by.get(&mark.canonical())?.iter().find(|pass| self.holds(pass)).copied()
     }
@@ -126,14 +126,14 @@ impl Known {
     }
 
     /// Those who are still in, as they are kept.
-    fn kept(&self) -> Vec<Kept> {
+    fn kept(&self) -> Vec<KeptDevice> {
         let marks = lock(&self.marks);
         let devices = marks.devices.iter().filter(|(pass, _)| self.holds(pass));
-        devices.map(|(pass, device)| Kept { pass: *pass, marks: device.marks.clone() }).collect()
+        devices.map(|(pass, device)| KeptDevice { pass: *pass, marks: device.marks.clone() }).collect()
     }
 }
 
-impl Mark {
+impl KnownBy {
     fn canonical(self) -> Self {
         match self {
             Self::Address(address) => Self::Address(address.to_canonical()),
@@ -142,9 +142,9 @@ impl Mark {
     }
 }
 
-impl Marks {
+impl KnownMarks {
     /// Says whether this is new.
-    fn note(&mut self, mark: Mark, pass: Digest, holds: impl Fn(&Digest) -> bool) -> bool {
+    fn note(&mut self, mark: KnownBy, pass: Digest, holds: impl Fn(&Digest) -> bool) -> bool {
         self.now += 1;
         if !self.devices.contains_key(&pass) && self.devices.len() >= DEVICES_MAX {
             self.make_room(holds);
@@ -177,7 +177,7 @@ impl Marks {
         device.marks.into_iter().for_each(|mark| self.unmark(mark, pass));
     }
 
-    fn unmark(&mut self, mark: Mark, pass: Digest) {
+    fn unmark(&mut self, mark: KnownBy, pass: Digest) {
         if let Some(of) = self.by.get_mut(&mark) {
             of.retain(|known| *known != pass);
             if of.is_empty() {
@@ -189,26 +189,26 @@ impl Marks {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use super::{DEVICES_MAX, Digest, Invitations, Known, MARKS_MAX, Mark, lock};
-    use crate::invitations::{Source, Terms, Way};
+    use super::{DEVICES_MAX, Digest, Invitations, KnownBy, KnownPeople, MARKS_MAX, lock};
+    use crate::invitations::{GuessSource, LinkTarget, Terms};
     use protocol::{Lasts, Role};
     use std::path::Path;
     use std::sync::Arc;
     use tokio_util::sync::CancellationToken;
     use uuid::Uuid;
 
-    fn address(text: &str) -> Mark {
-        Mark::Address(text.parse().unwrap())
+    fn address(text: &str) -> KnownBy {
+        KnownBy::Address(text.parse().unwrap())
     }
 
     /// Invitations, one of them with a cookie that came by it.
     pub(in crate::http) fn invited(data: &Path) -> (Arc<Invitations>, behaviour::Id, String) {
         let invitations = Invitations::within(Some(data));
-        invitations.open(Way { origin: "https://10.0.0.1:7130".into(), fingerprint: None });
+        invitations.open(LinkTarget { origin: "https://10.0.0.1:7130".into(), fingerprint: None });
         let terms = Terms { role: Role::Viewer, lasts: Lasts::Once, label: String::new(), made_by: "Aiko".into() };
         let invited = invitations.make(terms).unwrap();
         let token = invited.link.split_once('#').unwrap().1;
-        let cookie = invitations.come_in(token, Source::of("10.0.0.2".parse().unwrap())).unwrap();
+        let cookie = invitations.come_in(token, GuessSource::of("10.0.0.2".parse().unwrap())).unwrap();
         (invitations, invited.invitation.id, cookie)
     }
 
@@ -222,17 +222,17 @@ pub(super) mod tests {
     async fn who_is_in_is_known_after_a_restart_and_who_is_revoked_is_not() {
         let folder = tempfile::tempdir().unwrap();
         let (invitations, invitation, pass) = came(folder.path());
-        let known = Known::within(Some(folder.path()), Arc::clone(&invitations));
-        let marks = [address("10.0.0.2"), address("2001:db8::2"), Mark::Tickets(Uuid::new_v4())];
+        let known = KnownPeople::within(Some(folder.path()), Arc::clone(&invitations));
+        let marks = [address("10.0.0.2"), address("2001:db8::2"), KnownBy::Tickets(Uuid::new_v4())];
         marks.iter().for_each(|mark| known.note(*mark, pass));
         let ending = CancellationToken::new();
         ending.cancel();
         known.keep(ending.clone()).await;
-        let known = Known::within(Some(folder.path()), Arc::clone(&invitations));
+        let known = KnownPeople::within(Some(folder.path()), Arc::clone(&invitations));
         for mark in marks.into_iter().chain([address("::ffff:10.0.0.2")]) {
             assert_eq!(known.pass(mark), Some(pass), "{mark:?}");
         }
-        for mark in [address("10.0.0.3"), address("2001:db8::3"), Mark::Tickets(Uuid::new_v4())] {
+        for mark in [address("10.0.0.3"), address("2001:db8::3"), KnownBy::Tickets(Uuid::new_v4())] {
             assert_eq!(known.pass(mark), None, "not the network: {mark:?}");
         }
         invitations.revoke(&invitation).unwrap();
@@ -247,14 +247,14 @@ pub(super) mod tests {
     fn nobody_takes_the_marks_of_others_and_memory_is_bounded() {
         let folder = tempfile::tempdir().unwrap();
         let (invitations, _, pass) = came(folder.path());
-        let known = Known::within(None, invitations);
+        let known = KnownPeople::within(None, invitations);
         known.note(address("10.0.0.2"), pass);
         for number in 0..10 * MARKS_MAX as u128 {
-            known.note(Mark::Tickets(Uuid::from_u128(number)), Digest::of("one"));
+            known.note(KnownBy::Tickets(Uuid::from_u128(number)), Digest::of("one"));
         }
         assert_eq!(known.pass(address("10.0.0.2")), Some(pass), "whatever another one shows");
         for number in 0..2 * DEVICES_MAX {
-            known.note(Mark::Tickets(Uuid::from_u128(number as u128)), Digest::of(&number.to_string()));
+            known.note(KnownBy::Tickets(Uuid::from_u128(number as u128)), Digest::of(&number.to_string()));
             known.note(address("10.0.0.2"), pass);
         }
         assert_eq!(known.pass(address("10.0.0.2")), Some(pass), "noted lately");

@@ -13,30 +13,30 @@ pub(crate) trait Io: AsyncRead + AsyncWrite + Send + Unpin {}
 impl<T: AsyncRead + AsyncWrite + Send + Unpin> Io for T {}
 
 /// A connection on its way, which belongs to no thread.
-pub(crate) struct Line(Way);
+pub(crate) struct ServedConnection(Transport);
 
-enum Way {
+enum Transport {
     Plain(std::net::TcpStream),
-    Read(Box<Begun<Begun<Socket>>>),
-    Tls(Box<Begun<TlsStream<Begun<Socket>>>>),
+    Read(Box<BegunConnection<BegunConnection<WakingSocket>>>),
+    Tls(Box<BegunConnection<TlsStream<BegunConnection<WakingSocket>>>>),
 }
 
-impl Line {
+impl ServedConnection {
     /// One of which nothing was read.
     pub(super) fn plain(stream: std::net::TcpStream) -> Self {
-        Self(Way::Plain(stream))
+        Self(Transport::Plain(stream))
     }
 
     /// One of which this was read.
-    pub(super) fn read(mut begun: Begun<Begun<Socket>>) -> Self {
+    pub(super) fn read(mut begun: BegunConnection<BegunConnection<WakingSocket>>) -> Self {
         begun.stream.leave();
-        Self(Way::Read(Box::new(begun)))
+        Self(Transport::Read(Box::new(begun)))
     }
 
     /// One whose TLS was agreed on.
-    pub(super) fn tls(mut begun: Begun<TlsStream<Begun<Socket>>>) -> Self {
+    pub(super) fn tls(mut begun: BegunConnection<TlsStream<BegunConnection<WakingSocket>>>) -> Self {
         begun.stream.get_mut().0.leave();
-        Self(Way::Tls(Box::new(begun)))
+        Self(Transport::Tls(Box::new(begun)))
     }
 
     /// The connection, from now on carried by the thread that calls this.
@@ -45,16 +45,16 @@ impl Line {
     /// If it was lost on the way.
     pub(super) fn arrive(self) -> io::Result<Box<dyn Io>> {
         Ok(match self.0 {
-            Way::Plain(stream) => {
+            Transport::Plain(stream) => {
                 let stream = TcpStream::from_std(stream)?;
                 stream.set_nodelay(true)?;
                 Box::new(stream)
             }
-            Way::Read(mut begun) => {
+            Transport::Read(mut begun) => {
                 begun.stream.arrive()?;
                 begun
             }
-            Way::Tls(mut begun) => {
+            Transport::Tls(mut begun) => {
                 begun.stream.get_mut().0.arrive()?;
                 begun
             }
@@ -63,51 +63,51 @@ impl Line {
 }
 
 /// A connection that can change the thread that waits for it, under whatever is spoken over it.
-pub(super) struct Socket(At);
+pub(super) struct WakingSocket(LinePlace);
 
-enum At {
+enum LinePlace {
     Here(TcpStream),
     Away(std::net::TcpStream),
     Lost,
 }
 
-impl Socket {
+impl WakingSocket {
     /// One that this thread waits for.
     pub(super) fn new(stream: TcpStream) -> Self {
-        Self(At::Here(stream))
+        Self(LinePlace::Here(stream))
     }
 
     fn leave(&mut self) {
-        self.0 = match std::mem::replace(&mut self.0, At::Lost) {
-            At::Here(stream) => stream.into_std().map_or(At::Lost, At::Away),
+        self.0 = match std::mem::replace(&mut self.0, LinePlace::Lost) {
+            LinePlace::Here(stream) => stream.into_std().map_or(LinePlace::Lost, LinePlace::Away),
             other => other,
         };
     }
 
     fn arrive(&mut self) -> io::Result<()> {
-        if let At::Away(stream) = std::mem::replace(&mut self.0, At::Lost) {
+        if let LinePlace::Away(stream) = std::mem::replace(&mut self.0, LinePlace::Lost) {
             let stream = TcpStream::from_std(stream)?;
             stream.set_nodelay(true)?;
-            self.0 = At::Here(stream);
+            self.0 = LinePlace::Here(stream);
         }
         Ok(())
     }
 
     fn here(&mut self) -> io::Result<Pin<&mut TcpStream>> {
         match &mut self.0 {
-            At::Here(stream) => Ok(Pin::new(stream)),
-            At::Away(_) | At::Lost => Err(io::ErrorKind::NotConnected.into()),
+            LinePlace::Here(stream) => Ok(Pin::new(stream)),
+            LinePlace::Away(_) | LinePlace::Lost => Err(io::ErrorKind::NotConnected.into()),
         }
     }
 }
 
-impl AsyncRead for Socket {
+impl AsyncRead for WakingSocket {
     fn poll_read(mut self: Pin<&mut Self>, context: &mut Context, into: &mut ReadBuf) -> Poll<io::Result<()>> {
         self.here()?.poll_read(context, into)
     }
 }
 
-impl AsyncWrite for Socket {
+impl AsyncWrite for WakingSocket {
     fn poll_write(mut self: Pin<&mut Self>, context: &mut Context, bytes: &[u8]) -> Poll<io::Result<usize>> {
         self.here()?.poll_write(context, bytes)
     }
@@ -122,19 +122,19 @@ impl AsyncWrite for Socket {
 }
 
 /// A connection whose first bytes were read already; whoever reads it gets them first.
-pub(super) struct Begun<S> {
+pub(super) struct BegunConnection<S> {
     stream: S,
     first: Vec<u8>,
 }
 
-impl<S> Begun<S> {
+impl<S> BegunConnection<S> {
     /// Of which this was read.
     pub(super) fn new(stream: S, first: Vec<u8>) -> Self {
         Self { stream, first }
     }
 }
 
-impl Begun<Socket> {
+impl BegunConnection<WakingSocket> {
     /// Nobody waits for it from now on, until it arrives.
     pub(super) fn leave(&mut self) {
         self.stream.leave();
@@ -149,7 +149,7 @@ impl Begun<Socket> {
     }
 }
 
-impl<S: AsyncRead + Unpin> AsyncRead for Begun<S> {
+impl<S: AsyncRead + Unpin> AsyncRead for BegunConnection<S> {
     fn poll_read(mut self: Pin<&mut Self>, context: &mut Context, into: &mut ReadBuf) -> Poll<io::Result<()>> {
         if self.first.is_empty() {
             return Pin::new(&mut self.stream).poll_read(context, into);
@@ -161,7 +161,7 @@ impl<S: AsyncRead + Unpin> AsyncRead for Begun<S> {
     }
 }
 
-impl<S: AsyncWrite + Unpin> AsyncWrite for Begun<S> {
+impl<S: AsyncWrite + Unpin> AsyncWrite for BegunConnection<S> {
     fn poll_write(mut self: Pin<&mut Self>, context: &mut Context, bytes: &[u8]) -> Poll<io::Result<usize>> {
         Pin::new(&mut self.stream).poll_write(context, bytes)
     }

@@ -12,15 +12,15 @@ mod tickets;
 pub use certificate::{NoCertificate, Secured};
 
 use super::accept::{self, HANDED_OVER_MAX, Handed};
-use super::door::Door;
-use super::known::Known;
-use crate::invitations::{Invitations, Way};
+use super::door::EntryDoor;
+use super::known::KnownPeople;
+use crate::invitations::{Invitations, LinkTarget};
 use crate::robots::Robots;
 use crate::support::priority::{self, Priority};
-use crate::support::tasks::{Work, boxed};
+use crate::support::tasks::{TaskWork, boxed};
 use agreement::Agreement;
 use certificate::Certificate;
-use lane::{Arrivals, Lane};
+use lane::{Arrivals, ThreadLane};
 use sorter::{Lanes, Sorter};
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, UdpSocket};
@@ -33,7 +33,7 @@ use tokio_util::sync::CancellationToken;
 
 /// How others come in.
 #[derive(Clone, Debug)]
-pub struct Network {
+pub struct GuestNetwork {
     /// Where they reach this computer; through a proxy, where that does.
     pub listen: SocketAddr,
     /// What keeps what they say from being read on the way.
@@ -41,15 +41,15 @@ pub struct Network {
 }
 
 /// A network that is listened on and does not accept yet.
-pub(crate) struct Opened {
+pub(crate) struct BoundNetwork {
     listener: std::net::TcpListener,
     /// Where it listens.
     pub(crate) address: SocketAddr,
-    door: Door,
+    door: EntryDoor,
     /// None where a proxy agrees on TLS.
     agreement: Option<Agreement>,
     /// Those who are in, by what they are known before they say so.
-    known: Arc<Known>,
+    known: Arc<KnownPeople>,
 }
 
 /// Listens, with the certificate at hand, without accepting yet.
@@ -57,30 +57,30 @@ pub(crate) struct Opened {
 /// # Errors
 /// If the address cannot be used, or the certificate.
 pub(crate) fn open(
-    network: &Network,
+    network: &GuestNetwork,
     data: Option<&Path>,
     invitations: &Arc<Invitations>,
-) -> Result<Opened, NotOpened> {
+) -> Result<BoundNetwork, NotOpened> {
     let listener = accept::listen(network.listen).map_err(NotOpened::Listen)?;
     let address = listener.local_addr().map_err(NotOpened::Listen)?;
     let reached = SocketAddr::new(reached(address.ip()), address.port());
-    let known = Known::within(data, Arc::clone(invitations));
+    let known = KnownPeople::within(data, Arc::clone(invitations));
     let (door, agreement, way) = match &network.secured {
         Secured::Proxy { origin } => {
-            let way = Way { origin: origin.clone(), fingerprint: None };
-            (Door::proxied(origin, Arc::clone(invitations)), None, way)
+            let way = LinkTarget { origin: origin.clone(), fingerprint: None };
+            (EntryDoor::proxied(origin, Arc::clone(invitations)), None, way)
         }
         secured => {
             let certificate = Certificate::of(secured, data, reached.ip()).map_err(NotOpened::Certificate)?;
-            let way = Way { origin: format!("https://{reached}"), fingerprint: certificate.fingerprint.clone() };
+            let way = LinkTarget { origin: format!("https://{reached}"), fingerprint: certificate.fingerprint.clone() };
             let tickets = Tickets::within(data).ok_or_else(no_random)?;
-            let door = Door::tls(address.port(), Arc::clone(invitations));
+            let door = EntryDoor::tls(address.port(), Arc::clone(invitations));
             (door, Some(Agreement::of(certificate, tickets)), way)
         }
     };
     tracing::info!(%address, origin = way.origin, "others can come in by invitation");
     invitations.open(way);
-    Ok(Opened { listener, address, door, agreement, known })
+    Ok(BoundNetwork { listener, address, door, agreement, known })
 }
 
 fn no_random() -> NotOpened {
@@ -121,7 +121,7 @@ pub(crate) struct Started {
     pub(crate) handed: [Handed; 3],
 }
 
-impl Opened {
+impl BoundNetwork {
     /// Starts accepting.
     ///
     /// # Errors
@@ -134,7 +134,7 @@ impl Opened {
             let (others, handed) = mpsc::channel(HANDED_OVER_MAX);
             let (door, known, robots, agreement) =
                 (door.clone(), Arc::clone(&known), robots.clone(), agreement.clone());
-            let lane = Arc::new(Lane { door, known, robots, agreement, others });
+            let lane = Arc::new(ThreadLane { door, known, robots, agreement, others });
             threads.push(thread(name, priority, boxed(lane.work(Arc::clone(&arrivals), ending.clone())))?);
             Ok::<_, io::Error>((arrivals, handed))
         };
@@ -154,7 +154,7 @@ impl Opened {
 }
 
 /// A thread that does this.
-fn thread(name: &str, priority: Option<Priority>, work: Work) -> io::Result<JoinHandle<()>> {
+fn thread(name: &str, priority: Option<Priority>, work: TaskWork) -> io::Result<JoinHandle<()>> {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     std::thread::Builder::new().name(name.into()).spawn(move || {
         priority.into_iter().for_each(priority::of_this_thread);

@@ -53,7 +53,7 @@ impl OriginGuard {
         let of = |name: HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
         let is_own_form = of(header::ORIGIN) == Some("null") && of(SITE) == Some("same-origin");
         let origin = of(header::ORIGIN).filter(|_| !is_own_form);
-        self.check(of(header::HOST), origin, Origin::Optional)?;
+        self.check(of(header::HOST), origin, OriginRule::Optional)?;
         if is_from_another_page(headers, protocol::STOP_PATH) { Err(NotAllowed::OtherPage) } else { Ok(()) }
     }
 
@@ -65,14 +65,14 @@ impl OriginGuard {
     pub(crate) fn may_enter(&self, request: &Request) -> Result<(), NotAllowed> {
         let of = |name: HeaderName| request.headers().get(name).map(|value| value.to_str().unwrap_or("?"));
         let path = request.uri().path();
-        let need = if request.method().is_safe() { Origin::Optional } else { Origin::Required };
+        let need = if request.method().is_safe() { OriginRule::Optional } else { OriginRule::Required };
         self.check(of(header::HOST), of(header::ORIGIN), need)?;
         if is_from_another_page(request.headers(), path) { Err(NotAllowed::OtherPage) } else { Ok(()) }
     }
 }
 
 impl OriginGuard {
-    fn check(&self, host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), NotAllowed> {
+    fn check(&self, host: Option<&str>, origin: Option<&str>, need: OriginRule) -> Result<(), NotAllowed> {
         match self {
             Self::Local => check(host, origin, need),
             Self::Tls => {
@@ -96,7 +96,7 @@ fn is_from_another_page(headers: &HeaderMap, path: &str) -> bool {
 
 /// Whether a missing Origin is fine: browsers always send one where it matters, other programs never do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Origin {
+enum OriginRule {
     /// It may be missing.
     Optional,
     /// It must be there.
@@ -104,7 +104,7 @@ enum Origin {
 }
 
 /// Whether the Host is this computer, and the Origin the same with its port.
-fn check(host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), NotAllowed> {
+fn check(host: Option<&str>, origin: Option<&str>, need: OriginRule) -> Result<(), NotAllowed> {
     let host = host.ok_or(NotAllowed::NoHost)?;
     if !is_here(host) {
         return Err(NotAllowed::OtherHost);
@@ -113,11 +113,11 @@ fn check(host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), N
 }
 
 /// Whether the Origin is our own, or fine to be missing.
-fn fits(origin: Option<&str>, need: Origin, is_own: impl Fn(&str) -> bool) -> Result<(), NotAllowed> {
+fn fits(origin: Option<&str>, need: OriginRule, is_own: impl Fn(&str) -> bool) -> Result<(), NotAllowed> {
     match origin {
         Some(origin) if is_own(origin) => Ok(()),
         Some(_) => Err(NotAllowed::OtherPage),
-        None if need == Origin::Optional => Ok(()),
+        None if need == OriginRule::Optional => Ok(()),
         None => Err(NotAllowed::NoOrigin),
     }
 }
@@ -153,7 +153,7 @@ fn is_loopback(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Origin, OriginGuard, check};
+    use super::{OriginGuard, OriginRule, check};
     use axum::body::Body;
     use axum::extract::Request;
     use axum::http::HeaderMap;
@@ -245,9 +245,9 @@ mod tests {
             (Some("user@localhost:7130"), None, false),
         ];
         for (host, origin, may) in table {
-            let answer = check(host, origin, Origin::Optional);
+            let answer = check(host, origin, OriginRule::Optional);
             assert_eq!(answer.is_ok(), may, "{host:?} {origin:?}: {answer:?}");
         }
-        assert!(check(Some("localhost:7130"), None, Origin::Required).is_err());
+        assert!(check(Some("localhost:7130"), None, OriginRule::Required).is_err());
     }
 }

@@ -18,7 +18,7 @@ pub struct PageFile {
 }
 
 /// The page: gives the file of a name (`index.html`, `app.js.br`), if there is one.
-pub type Page = fn(name: &str) -> Option<PageFile>;
+pub type PageFiles = fn(name: &str) -> Option<PageFile>;
 
 /// Where there is no page yet.
 const NOT_BUILT: &str = "The page was not built. Run `cargo xtask serve` in the project's folder, then reload.\n";
@@ -44,7 +44,7 @@ const TYPES: [(&str, &str); 13] = [
 ];
 
 /// The file at a path.
-pub(crate) fn answer(page: Page, path: &str, asked: &HeaderMap) -> Response {
+pub(crate) fn answer(page: PageFiles, path: &str, asked: &HeaderMap) -> Response {
     let name = path.trim_start_matches('/');
     let name = if name.is_empty() || is_operate(name) { "index.html" } else { name };
     let coded = name.ends_with(".br") || name.ends_with(".gz");
@@ -71,7 +71,7 @@ fn missing(name: &str) -> Response {
 }
 
 /// The best compressed sibling that the browser takes, else the plain file.
-fn best(page: Page, name: &str, asked: &HeaderMap) -> Option<(PageFile, Option<&'static str>)> {
+fn best(page: PageFiles, name: &str, asked: &HeaderMap) -> Option<(PageFile, Option<&'static str>)> {
     let takes = asked.get(header::ACCEPT_ENCODING).and_then(|value| value.to_str().ok()).unwrap_or_default();
     for (coding, end) in CODINGS {
         if accepts(takes, coding)

@@ -10,11 +10,11 @@ use tokio::sync::Mutex;
 const HOLDS: Duration = Duration::from_secs(1);
 
 /// What was found, and when.
-type Found = (Instant, Result<(), StoreError>);
+type ReadinessFound = (Instant, Result<(), StoreError>);
 
 /// What was found last. A clone is the same.
 #[derive(Clone, Default)]
-pub(super) struct Readiness(Arc<Mutex<Option<Found>>>);
+pub(super) struct Readiness(Arc<Mutex<Option<ReadinessFound>>>);
 
 impl Readiness {
     /// Whether the store can save.

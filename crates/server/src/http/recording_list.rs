@@ -1,6 +1,6 @@
 //! The recordings as a page, and the forms on it that change one: by plain HTML, without a program in the browser.
 
-use super::come_in::Language;
+use super::come_in::BrowserLanguage;
 use super::report::busy;
 use crate::recordings::{ALL_MAX_BYTES, Recordings};
 use crate::support::file_name::encoded;
@@ -25,7 +25,7 @@ const ROWS_MAX: usize = 1_000;
 /// The query of an address.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Wanted {
+pub(super) struct ListQueryWanted {
     language: Option<String>,
     offset: Option<String>,
     find: String,
@@ -39,7 +39,7 @@ pub(super) struct Wanted {
 /// A form that was sent.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Change {
+pub(super) struct ListForm {
     language: Option<String>,
     offset: Option<String>,
     bin: Option<String>,
@@ -51,10 +51,10 @@ pub(super) struct Change {
     gone: Option<String>,
 }
 
-fn language_of(wanted: Option<&str>, browser: Language) -> sentences::Language {
+fn language_of(wanted: Option<&str>, browser: BrowserLanguage) -> sentences::Language {
     let otherwise = match browser {
-        Language::English => sentences::Language::English,
-        Language::Japanese => sentences::Language::Japanese,
+        BrowserLanguage::English => sentences::Language::English,
+        BrowserLanguage::Japanese => sentences::Language::Japanese,
     };
     report::language_of(wanted, otherwise)
 }
@@ -67,7 +67,7 @@ fn number<T: std::str::FromStr>(text: Option<&str>) -> Option<T> {
 pub(super) async fn page(
     recordings: Recordings,
     (analyses, sender): (&Workers, Sender),
-    (wanted, browser, may_change): (Wanted, Language, bool),
+    (wanted, browser, may_change): (ListQueryWanted, BrowserLanguage, bool),
 ) -> Response {
     let is_short = |text: &String| text.len() <= FIND_MAX_BYTES;
     let made = analyses.run(sender, move |token| {
@@ -102,7 +102,7 @@ pub(super) async fn page(
 pub(super) async fn change(
     recordings: Recordings,
     (files, sender): (&Workers, Sender),
-    (file, change, by, browser): (String, Change, String, Language),
+    (file, change, by, browser): (String, ListForm, String, BrowserLanguage),
 ) -> Response {
     let language = language_of(change.language.as_deref(), browser);
     let mut back = format!("{REPORTS_PATH}?language={}", language.code());
@@ -124,7 +124,7 @@ pub(super) async fn change(
     }
 }
 
-fn done(recordings: &Recordings, file: &str, change: Change, by: &str) -> Result<(), Refused> {
+fn done(recordings: &Recordings, file: &str, change: ListForm, by: &str) -> Result<(), Refused> {
     match change.r#do.as_str() {
         "title" => recordings.name(file, &change.title),
         "bin" => recordings.remove(file),

@@ -40,7 +40,7 @@ pub(crate) async fn download(recordings: Recordings, files: (Workers, Sender), n
 }
 
 /// The next piece of a file. Nothing waits for the reader: it is read only when it is wanted.
-async fn next_piece((file, files): Reading) -> std::io::Result<Option<(Bytes, Reading)>> {
+async fn next_piece((file, files): RecordingRead) -> std::io::Result<Option<(Bytes, RecordingRead)>> {
     let read = files.0.run(files.1.clone(), move |_| {
         let mut piece = Vec::with_capacity(PIECE_BYTES);
         (&file).take(PIECE_BYTES as u64).read_to_end(&mut piece)?;
@@ -52,4 +52,4 @@ async fn next_piece((file, files): Reading) -> std::io::Result<Option<(Bytes, Re
 }
 
 /// A file that is read, and by which threads for whom.
-type Reading = (File, (Workers, Sender));
+type RecordingRead = (File, (Workers, Sender));

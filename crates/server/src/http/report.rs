@@ -1,17 +1,17 @@
 //! The report of a recording as a page, and a recording in the forms of other programs: on threads of their own, which nothing
 //! else waits for.
 
-use super::come_in::Language;
-use crate::recordings::{Looked, Recordings};
+use super::come_in::BrowserLanguage;
+use crate::recordings::{Recordings, ReportSource};
 use crate::support::file_name::{disposition, encoded};
 use crate::support::identity::Sender;
-use crate::support::workers::{NotDone, Workers};
+use crate::support::workers::{WorkNotDone, Workers};
 use axum::http::{StatusCode, header};
 use axum::response::{Html, IntoResponse, Response};
 use behaviour::Knowledge;
 use protocol::{RECORDINGS_PATH, Refused};
-use recording::Keep;
-use report::{Asked, Form, Zone};
+use recording::PrivateParts;
+use report::{Form, ReportWishes, Zone};
 use serde::Deserialize;
 
 /// The addresses of what the page looks like and does.
@@ -20,7 +20,7 @@ const PARTS: [&str; 2] = ["/report.css", "/report.js"];
 /// The query of an address. What is none of what can be asked is taken as not asked.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Wanted {
+pub(super) struct ReportQuery {
     language: Option<String>,
     names: Option<String>,
     offset: Option<String>,
@@ -28,7 +28,7 @@ pub(super) struct Wanted {
     semicolon: Option<String>,
 }
 
-impl Wanted {
+impl ReportQuery {
     fn names(&self) -> bool {
         self.names.as_deref() == Some("1")
     }
@@ -56,24 +56,25 @@ pub(super) async fn page(
     recordings: Recordings,
     knowledge: std::sync::Arc<impl Knowledge + Send + Sync + 'static>,
     (analyses, sender): (&Workers, Sender),
-    (name, wanted, browser): (String, Wanted, Language),
+    (name, wanted, browser): (String, ReportQuery, BrowserLanguage),
 ) -> Response {
     let otherwise = match browser {
-        Language::English => sentences::Language::English,
-        Language::Japanese => sentences::Language::Japanese,
+        BrowserLanguage::English => sentences::Language::English,
+        BrowserLanguage::Japanese => sentences::Language::Japanese,
     };
     let language = report::language_of(wanted.language.as_deref(), otherwise);
     let names = wanted.names();
     let offset = wanted.offset.as_deref().and_then(|minutes| minutes.parse().ok());
-    let asked = Asked {
+    let asked = ReportWishes {
         names,
         zone: Zone::east_by(offset),
         download: format!("{RECORDINGS_PATH}/{}", encoded(&name)),
         parts: PARTS,
     };
-    let keep = Keep { names, personal: false };
+    let keep = PrivateParts { names, personal: false };
     let made = analyses.run(sender, move |token| {
-        let Looked { gathered, replayed, sessions } = recordings.look(&name, (keep, language), &*knowledge, token)?;
+        let ReportSource { gathered, replayed, sessions } =
+            recordings.look(&name, (keep, language), &*knowledge, token)?;
         Ok(report::page(&gathered, replayed, &sessions, &asked))
     });
     match made.await {
@@ -90,10 +91,10 @@ pub(super) async fn page(
 pub(super) async fn converted(
     recordings: Recordings,
     (analyses, sender): (&Workers, Sender),
-    (name, form, wanted): (String, Form, Wanted),
+    (name, form, wanted): (String, Form, ReportQuery),
 ) -> Response {
     let stem = name.trim_end_matches(".jsonl").to_owned();
-    let keep = Keep { names: wanted.names(), personal: false };
+    let keep = PrivateParts { names: wanted.names(), personal: false };
     let made = analyses.run(sender, move |_| {
         let timeline = recordings.timeline(&name, keep)?;
         form.written(&timeline).map_err(|error| Refused::CannotRecord(error.to_string()))
@@ -130,6 +131,6 @@ fn refused(why: &Refused) -> Response {
     (status, format!("{why}\n")).into_response()
 }
 
-pub(super) fn busy(why: NotDone) -> Response {
+pub(super) fn busy(why: WorkNotDone) -> Response {
     (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::from(why))).into_response()
 }

@@ -1,17 +1,17 @@
 //! The routes.
 
-use super::come_in::Language;
-use super::door::Came;
+use super::come_in::BrowserLanguage;
+use super::door::RequestArrival;
 use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
-use super::page::Page;
+use super::page::PageFiles;
 use super::readiness::Readiness;
 use super::{camera, catalogue, come_in, cut, page, recording_list, recordings, report, stop, transfer, upload};
 use crate::connection::{Connections, NoPlace, session};
-use crate::invitations::{Asked, Entry, Route};
+use crate::invitations::{AskedOperation, Identified, Route};
 use crate::state::ServerState;
 use crate::support::identity::Sender;
-use crate::support::shares::{Limits, SharedPlaces};
+use crate::support::shares::{ShareLimits, SharedPlaces};
 use crate::support::tasks::boxed;
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Form, Path, Query, Request, State, WebSocketUpgrade};
@@ -38,7 +38,7 @@ const READ_BYTES: usize = 8 << 10;
 /// How long a request may take to be answered; a download may take longer once it began.
 const REQUEST_MS: u64 = 60_000;
 /// Files that may be on their way to us.
-const UPLOADS: Limits = Limits { all: 8, guest: 2, host: 8, reserved: 2, still_ms: 0 };
+const UPLOADS: ShareLimits = ShareLimits { all: 8, guest: 2, host: 8, reserved: 2, still_ms: 0 };
 /// The longest form that changes a recording, in bytes.
 const FORM_MAX_BYTES: usize = 8 << 10;
 /// The longest form with a token, in bytes.
@@ -67,14 +67,14 @@ struct AppState {
     readiness: Readiness,
     /// The threads that carry messages.
     messages: Handle,
-    page: Page,
+    page: PageFiles,
     /// Where this computer reaches the server.
     address: SocketAddr,
 }
 
 impl AppState {
     /// For whom a request is done.
-    fn sender(&self, entry: &Entry) -> Sender {
+    fn sender(&self, entry: &Identified) -> Sender {
         entry.identity().asks(self.connections.number())
     }
 
@@ -84,7 +84,7 @@ impl AppState {
 }
 
 /// All routes; sockets are served on `messages`.
-pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page, address: SocketAddr) -> Router {
+pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: PageFiles, address: SocketAddr) -> Router {
     let (downloads, uploads) = (Downloads::default(), SharedPlaces::within(UPLOADS));
     let readiness = Readiness::default();
     let looks = SharedPlaces::within(camera::LOOKS);
@@ -114,16 +114,17 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
     let few_at_once = middleware::from_fn_with_state(app.downloads.clone(), few_at_once);
     let handler = match route {
         Route::Page => get(files),
-        Route::ComeIn => get(async |Extension(came): Extension<Came>, headers: HeaderMap| {
-            come_in::page(&came, Language::of(&headers))
+        Route::ComeIn => get(async |Extension(came): Extension<RequestArrival>, headers: HeaderMap| {
+            come_in::page(&came, BrowserLanguage::of(&headers))
         })
         .post(enter)
         .layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
         Route::ComeInStyle => get(|| async { come_in::style() }),
         Route::ComeInScript => get(|| async { come_in::script() }),
         Route::Invitation => {
-            let ask =
-                async |Extension(came): Extension<Came>, request: Request| come_in::invitation(came, request).await;
+            let ask = async |Extension(came): Extension<RequestArrival>, request: Request| {
+                come_in::invitation(came, request).await
+            };
             post(ask).layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES))
         }
         Route::Socket => any(socket),
@@ -161,7 +162,7 @@ fn with_headers(router: Router) -> Router {
 }
 
 /// Lets in only what the guard lets in, and finds out as whom its sender is in. Stop asks that in its own way.
-async fn guard_all(Extension(came): Extension<Came>, mut request: Request, next: Next) -> Response {
+async fn guard_all(Extension(came): Extension<RequestArrival>, mut request: Request, next: Next) -> Response {
     if request.method() == Method::POST && request.uri().path() == protocol::STOP_PATH {
         return next.run(request).await;
     }
@@ -180,10 +181,10 @@ async fn guard_all(Extension(came): Extension<Came>, mut request: Request, next:
 
 /// Lets in who may ask for a route; whose invitation ends meanwhile is cut off.
 async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> Response {
-    let tunnel = request.extensions().get::<Came>().and_then(|came| came.door.tunnel(request.headers()));
-    let entry = request.extensions().get::<Entry>().cloned().unwrap_or(Entry::Stranger);
-    let language = Language::of(request.headers());
-    let no = match entry.may(Asked::Http(route)) {
+    let tunnel = request.extensions().get::<RequestArrival>().and_then(|came| came.door.tunnel(request.headers()));
+    let entry = request.extensions().get::<Identified>().cloned().unwrap_or(Identified::Stranger);
+    let language = BrowserLanguage::of(request.headers());
+    let no = match entry.may(AskedOperation::Http(route)) {
         Ok(()) => {
             let answer = tokio::select! {
                 answer = next.run(request) => answer,
@@ -194,18 +195,20 @@ async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> R
         Err(no) => no,
     };
     match (entry, route) {
-        (Entry::Stranger, Route::Page) => come_in::ask_for_one(language),
-        (Entry::Unproven, Route::Page) => come_in::ask_for_link(language, tunnel),
-        (Entry::Unproven, _) => (StatusCode::UNAUTHORIZED, NOT_THE_HOST).into_response(),
-        (Entry::Stranger, _) => (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response(),
-        (Entry::Host | Entry::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),
+        (Identified::Stranger, Route::Page) => come_in::ask_for_one(language),
+        (Identified::Unproven, Route::Page) => come_in::ask_for_link(language, tunnel),
+        (Identified::Unproven, _) => (StatusCode::UNAUTHORIZED, NOT_THE_HOST).into_response(),
+        (Identified::Stranger, _) => {
+            (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response()
+        }
+        (Identified::Host | Identified::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),
     }
 }
 
 async fn enter(
     State(app): State<AppState>,
-    Extension(came): Extension<Came>,
-    Extension(entry): Extension<Entry>,
+    Extension(came): Extension<RequestArrival>,
+    Extension(entry): Extension<Identified>,
     request: Request,
 ) -> Response {
     come_in::come_in(came, &entry, &app.state().files, request).await
@@ -213,7 +216,7 @@ async fn enter(
 
 async fn socket(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
+    Extension(entry): Extension<Identified>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
     let seat = match app.connections.place(&entry.identity()) {
@@ -238,7 +241,12 @@ async fn host_link(State(app): State<AppState>) -> Response {
 }
 
 /// The accepting thread answers almost every Stop; this one is for requests that are written in another way.
-async fn stop(State(app): State<AppState>, Extension(came): Extension<Came>, uri: Uri, asked: HeaderMap) -> Response {
+async fn stop(
+    State(app): State<AppState>,
+    Extension(came): Extension<RequestArrival>,
+    uri: Uri,
+    asked: HeaderMap,
+) -> Response {
     stop::press(&came.door, &app.state().robots, &uri, &asked).into_response()
 }
 
@@ -249,23 +257,23 @@ async fn readyz(State(app): State<AppState>) -> Response {
     }
 }
 
-async fn list(State(app): State<AppState>, Extension(entry): Extension<Entry>) -> Response {
+async fn list(State(app): State<AppState>, Extension(entry): Extension<Identified>) -> Response {
     transfer::list(app.state(), &app.sender(&entry)).await
 }
 
-async fn backup(State(app): State<AppState>, Extension(entry): Extension<Entry>) -> Response {
+async fn backup(State(app): State<AppState>, Extension(entry): Extension<Identified>) -> Response {
     transfer::backup(app.state(), app.sender(&entry))
 }
 
-async fn list_recordings(State(app): State<AppState>, Extension(entry): Extension<Entry>) -> Response {
+async fn list_recordings(State(app): State<AppState>, Extension(entry): Extension<Identified>) -> Response {
     recordings::list(app.state().recordings.clone(), (&app.state().files, app.sender(&entry))).await
 }
 
 async fn recording(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
+    Extension(entry): Extension<Identified>,
     Path(file): Path<String>,
-    Query(wanted): Query<report::Wanted>,
+    Query(wanted): Query<report::ReportQuery>,
 ) -> Response {
     match wanted.form() {
         None => {}
@@ -281,47 +289,47 @@ async fn recording(
 
 async fn recording_page(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
-    Query(wanted): Query<recording_list::Wanted>,
+    Extension(entry): Extension<Identified>,
+    Query(wanted): Query<recording_list::ListQueryWanted>,
     headers: HeaderMap,
 ) -> Response {
-    let may_change = entry.may(Asked::Http(Route::ChangeRecording)).is_ok();
+    let may_change = entry.may(AskedOperation::Http(Route::ChangeRecording)).is_ok();
     let analyses = (&app.state().analyses, app.sender(&entry));
-    let asked = (wanted, Language::of(&headers), may_change);
+    let asked = (wanted, BrowserLanguage::of(&headers), may_change);
     recording_list::page(app.state().recordings.clone(), analyses, asked).await
 }
 
 async fn change_recording(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
+    Extension(entry): Extension<Identified>,
     Path(file): Path<String>,
     headers: HeaderMap,
-    Form(change): Form<recording_list::Change>,
+    Form(change): Form<recording_list::ListForm>,
 ) -> Response {
     let by = match &entry {
-        Entry::Guest(guest) => app.state().invitations.name_of(guest),
-        Entry::Host | Entry::Unproven | Entry::Stranger => recording_list::HOST.to_owned(),
+        Identified::Guest(guest) => app.state().invitations.name_of(guest),
+        Identified::Host | Identified::Unproven | Identified::Stranger => recording_list::HOST.to_owned(),
     };
     let files = (&app.state().files, app.sender(&entry));
-    let asked = (file, change, by, Language::of(&headers));
+    let asked = (file, change, by, BrowserLanguage::of(&headers));
     recording_list::change(app.state().recordings.clone(), files, asked).await
 }
 
 async fn session_report(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
+    Extension(entry): Extension<Identified>,
     Path(file): Path<String>,
-    Query(wanted): Query<report::Wanted>,
+    Query(wanted): Query<report::ReportQuery>,
     headers: HeaderMap,
 ) -> Response {
     let (recordings, knowing) = (app.state().recordings.clone(), Arc::clone(&app.state().knowing));
     let analyses = (&app.state().analyses, app.sender(&entry));
-    report::page(recordings, knowing, analyses, (file, wanted, Language::of(&headers))).await
+    report::page(recordings, knowing, analyses, (file, wanted, BrowserLanguage::of(&headers))).await
 }
 
 async fn download(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
+    Extension(entry): Extension<Identified>,
     Path(file): Path<String>,
 ) -> Response {
     transfer::download(app.state(), app.sender(&entry), &file).await
@@ -329,7 +337,7 @@ async fn download(
 
 async fn camera(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
+    Extension(entry): Extension<Identified>,
     Path(robot): Path<String>,
 ) -> Response {
     let Some(_place) = app.looks.take(&entry.identity()) else {
@@ -340,14 +348,14 @@ async fn camera(
 
 async fn import(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
-    Query(how): Query<upload::How>,
+    Extension(entry): Extension<Identified>,
+    Query(how): Query<upload::ImportHow>,
     request: Request,
 ) -> Response {
     let how = match &entry {
         // Whatever they say: a guest is who they are here.
-        Entry::Guest(guest) => upload::How { by: app.state().invitations.name_of(guest), ..how },
-        Entry::Host | Entry::Unproven | Entry::Stranger => how,
+        Identified::Guest(guest) => upload::ImportHow { by: app.state().invitations.name_of(guest), ..how },
+        Identified::Host | Identified::Unproven | Identified::Stranger => how,
     };
     let Some(place) = app.uploads.take(&entry.identity()) else {
         return (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::TooFast)).into_response();
@@ -357,7 +365,7 @@ async fn import(
 
 async fn files(
     State(app): State<AppState>,
-    Extension(entry): Extension<Entry>,
+    Extension(entry): Extension<Identified>,
     method: Method,
     uri: Uri,
     asked: HeaderMap,

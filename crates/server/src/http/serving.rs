@@ -2,10 +2,10 @@
 //! Only bytes are moved here; what the requests ask for is done on the server's other threads.
 
 use crate::http::accept::Handed;
-use crate::http::door::Came;
-use crate::http::line::{Io, Line};
+use crate::http::door::RequestArrival;
+use crate::http::line::{Io, ServedConnection};
 use crate::support::places::Places;
-use crate::support::tasks::{Made, boxed};
+use crate::support::tasks::{TaskResult, boxed};
 use axum::Router;
 use axum::body::Body;
 use axum::http::{HeaderValue, Request, Response, StatusCode, header};
@@ -45,7 +45,7 @@ pub(crate) async fn serve(mut handed: Handed, routed: Routed, tasks: TaskTracker
     while let Some(Some((line, came))) = stopping.run_until_cancelled(handed.recv()).await {
         let (place, routed, stopping) = (places.take(), routed.clone(), stopping.clone());
         tasks.spawn(boxed(async move {
-            match Line::arrive(line) {
+            match ServedConnection::arrive(line) {
                 Ok(stream) => drop(place.hold(one(stream, came, routed, stopping)).await),
                 Err(error) => tracing::debug!(%error, "a connection was lost on the way"),
             }
@@ -54,7 +54,7 @@ pub(crate) async fn serve(mut handed: Handed, routed: Routed, tasks: TaskTracker
 }
 
 /// One request: every next one comes on a connection of its own, so that a Stop is always seen by the accepting thread.
-async fn one(stream: Box<dyn Io>, came: Came, routed: Routed, stopping: CancellationToken) {
+async fn one(stream: Box<dyn Io>, came: RequestArrival, routed: Routed, stopping: CancellationToken) {
     let mut stream = TimeoutStream::new(stream);
     stream.set_write_timeout(Some(Duration::from_millis(WRITE_MS)));
     let service = service_fn(move |request| answer(routed.clone(), came.clone(), request));
@@ -76,10 +76,14 @@ async fn one(stream: Box<dyn Io>, came: Came, routed: Routed, stopping: Cancella
 }
 
 /// Answers on the server's other threads; if the client goes, the work is dropped.
-async fn answer(routed: Routed, came: Came, request: Request<Incoming>) -> Result<Response<Body>, Infallible> {
+async fn answer(
+    routed: Routed,
+    came: RequestArrival,
+    request: Request<Incoming>,
+) -> Result<Response<Body>, Infallible> {
     let mut request = request.map(Body::new);
     request.extensions_mut().insert(came);
-    let (work, made) = Made::by(routed.router.oneshot(request));
+    let (work, made) = TaskResult::by(routed.router.oneshot(request));
     let answered = made.when(AbortOnDropHandle::new(routed.on.spawn(work))).await;
     let Ok(mut response) = answered.unwrap_or_else(|error| Ok(failed(&error)));
     if response.status() != StatusCode::SWITCHING_PROTOCOLS {

@@ -3,10 +3,10 @@
 mod said;
 mod words;
 
-pub(super) use said::Said;
+pub(super) use said::StopAnswer;
 
 use super::headers::HEADERS;
-use crate::http::door::Door;
+use crate::http::door::EntryDoor;
 use crate::http::origin::NotAllowed;
 use crate::robots::Robots;
 use axum::extract::Query;
@@ -36,22 +36,22 @@ struct StopTarget {
 }
 
 /// Does a Stop unless somebody asks who may not, in whatever way it came in; answers with what is to be said.
-pub(super) fn press(door: &Door, robots: &Robots, uri: &Uri, asked: &HeaderMap) -> Said {
+pub(super) fn press(door: &EntryDoor, robots: &Robots, uri: &Uri, asked: &HeaderMap) -> StopAnswer {
     let who = door.may_stop(asked);
     if let Ok(by) = &who {
         let which = Query::try_from_uri(uri).map(|Query(which)| which);
         let StopTarget { behaviour, robot } = which.unwrap_or_default();
         robots.stop_now(behaviour.as_ref(), robot.as_ref(), by);
     }
-    Said::of(&who.map(drop), uri, asked)
+    StopAnswer::of(&who.map(drop), uri, asked)
 }
 
 /// Reads the Stop, does it and answers; the connection ends with that.
-pub(super) async fn answer(mut stream: impl AsyncRead + AsyncWrite + Unpin, door: &Door, robots: &Robots) {
+pub(super) async fn answer(mut stream: impl AsyncRead + AsyncWrite + Unpin, door: &EntryDoor, robots: &Robots) {
     let Some(head) = within(head(&mut stream)).await.flatten() else { return };
     let said = match asked(&head) {
         Some((uri, asked)) => press(door, robots, &uri, &asked),
-        None => Said::of(&Err(NotAllowed::Unreadable), &Uri::default(), &HeaderMap::new()),
+        None => StopAnswer::of(&Err(NotAllowed::Unreadable), &Uri::default(), &HeaderMap::new()),
     };
     let said = written(&said);
     let answered = within(async { stream.write_all(&said).await.and(stream.shutdown().await) }).await;
@@ -91,7 +91,7 @@ fn asked(head: &[u8]) -> Option<(Uri, HeaderMap)> {
     Some((uri, asked))
 }
 
-fn written(said: &Said) -> Vec<u8> {
+fn written(said: &StopAnswer) -> Vec<u8> {
     let mut text = format!("HTTP/1.1 {}\r\ncontent-length: {}\r\n", said.status, said.body.len());
     for (name, value) in said.headers() {
         text.push_str(&format!("{name}: {value}\r\n"));

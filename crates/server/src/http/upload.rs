@@ -1,6 +1,6 @@
 //! Behaviours as files, into the server: a file is taken whole, in one of few places and within a time.
 
-use crate::library::Library;
+use crate::library::LibraryService;
 use crate::library::import::{NotImported, import};
 use crate::support::identity::Sender;
 use crate::support::shares::SharedPlace;
@@ -14,16 +14,16 @@ use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
 use std::time::Duration;
-use store::files::{Import, Mode};
+use store::files::{Import, ImportMode};
 
 /// How long a file may take to come.
 const UPLOAD_MS: u64 = 20_000;
 
 /// How a file is to be imported.
 #[derive(Debug, Default, Deserialize)]
-pub(super) struct How {
+pub(super) struct ImportHow {
     #[serde(default)]
-    pub(super) mode: Wanted,
+    pub(super) mode: UploadWanted,
     /// What the host wants to be called as who imports it.
     #[serde(default)]
     pub(super) by: String,
@@ -33,7 +33,7 @@ pub(super) struct How {
 
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Wanted {
+pub(super) enum UploadWanted {
     #[default]
     Copy,
     Restore,
@@ -41,10 +41,10 @@ pub(super) enum Wanted {
 
 /// Takes a file in this place, imports it for this sender and says what became of it.
 pub(super) async fn upload(
-    library: &Arc<Library>,
+    library: &Arc<LibraryService>,
     place: &SharedPlace,
     sender: Sender,
-    how: How,
+    how: ImportHow,
     request: Request,
 ) -> Response {
     let taken = tokio::time::timeout(Duration::from_millis(UPLOAD_MS), Bytes::from_request(request, &()));
@@ -55,10 +55,15 @@ pub(super) async fn upload(
     }
 }
 
-async fn bring(library: &Arc<Library>, sender: Sender, how: How, body: Bytes) -> Result<Import, NotImported> {
+async fn bring(
+    library: &Arc<LibraryService>,
+    sender: Sender,
+    how: ImportHow,
+    body: Bytes,
+) -> Result<Import, NotImported> {
     let mode = match how.mode {
-        Wanted::Copy => Mode::Copy,
-        Wanted::Restore => Mode::Restore,
+        UploadWanted::Copy => ImportMode::Copy,
+        UploadWanted::Restore => ImportMode::Restore,
     };
     import(library, sender, (mode, how.behaviour), &how.by, body).await
 }

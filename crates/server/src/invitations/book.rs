@@ -3,7 +3,7 @@
 use super::Terms;
 use crate::support::digest::Digest;
 use behaviour::Id;
-use protocol::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, Lasts, Refused, Role};
+use protocol::{CAME_MAX, DAY_MS, INVITATIONS_MAX, Invitation, InvitedGuest, Lasts, Refused, Role};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
@@ -11,18 +11,18 @@ use std::collections::HashMap;
 const PASSES_MAX: usize = 256;
 
 /// What guests are called, by their cookies, and since when, in milliseconds since 1970.
-pub(super) type Names = HashMap<Digest, (String, u64)>;
+pub(super) type GuestNames = HashMap<Digest, (String, u64)>;
 
 /// All invitations, oldest first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Book {
-    kept: Vec<Kept>,
+    kept: Vec<KeptInvitation>,
 }
 
 /// An invitation and what lets people in by it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Kept {
+struct KeptInvitation {
     /// Without who came, which is told from the passes.
     invitation: Invitation,
     /// Of the token in its link, as long as that works.
@@ -42,7 +42,7 @@ struct Pass {
 }
 
 /// What a new invitation is made of, besides its terms.
-pub(super) struct Made {
+pub(super) struct InvitationSeed {
     pub(super) id: Id,
     pub(super) now_ms: u64,
     /// Of the token in its link.
@@ -50,8 +50,8 @@ pub(super) struct Made {
 }
 
 impl Book {
-    pub(super) fn make(&mut self, made: Made, terms: Terms) -> Result<Invitation, Refused> {
-        let Made { id, now_ms, link } = made;
+    pub(super) fn make(&mut self, made: InvitationSeed, terms: Terms) -> Result<Invitation, Refused> {
+        let InvitationSeed { id, now_ms, link } = made;
         if self.kept.len() >= INVITATIONS_MAX {
             let ended = self.kept.iter().position(|kept| kept.is_over(now_ms)).ok_or(Refused::TooManyInvitations)?;
             self.kept.remove(ended);
@@ -62,7 +62,7 @@ impl Book {
         let unwritten = false;
         let invitation =
             Invitation { id, role, lasts, label, made_by, made_ms: now_ms, ends_ms, came, revoked, unwritten };
-        self.kept.push(Kept { invitation: invitation.clone(), link: Some(link), passes: Vec::new() });
+        self.kept.push(KeptInvitation { invitation: invitation.clone(), link: Some(link), passes: Vec::new() });
         Ok(invitation)
     }
 
@@ -117,7 +117,7 @@ impl Book {
     }
 
     /// Puts down what guests are called.
-    pub(super) fn name(&mut self, names: &Names) {
+    pub(super) fn name(&mut self, names: &GuestNames) {
         for pass in self.kept.iter_mut().flat_map(|kept| &mut kept.passes) {
             if let Some((name, at_ms)) = names.get(&pass.cookie) {
                 name.clone_into(&mut pass.name);
@@ -127,11 +127,11 @@ impl Book {
     }
 
     /// What may be told, newest first, with what is known of names besides.
-    pub(super) fn list(&self, names: &Names, is_here: impl Fn(&Digest) -> bool) -> Vec<Invitation> {
-        let told = |kept: &Kept| {
+    pub(super) fn list(&self, names: &GuestNames, is_here: impl Fn(&Digest) -> bool) -> Vec<Invitation> {
+        let told = |kept: &KeptInvitation| {
             let came = kept.passes.iter().rev().take(CAME_MAX).map(|pass| {
                 let (name, at_ms) = names.get(&pass.cookie).cloned().unwrap_or_else(|| (pass.name.clone(), pass.at_ms));
-                Came { name, at_ms, here: is_here(&pass.cookie) }
+                InvitedGuest { name, at_ms, here: is_here(&pass.cookie) }
             });
             Invitation { came: came.collect(), ..kept.invitation.clone() }
         };
@@ -139,7 +139,7 @@ impl Book {
     }
 }
 
-impl Kept {
+impl KeptInvitation {
     fn is_over(&self, now_ms: u64) -> bool {
         self.invitation.revoked || self.invitation.ends_ms.is_some_and(|ends_ms| ends_ms <= now_ms)
     }
@@ -155,7 +155,7 @@ pub(super) struct Indexed {
 
 impl Indexed {
     pub(super) fn of(book: Book) -> Self {
-        let at = |(at, kept): (usize, &Kept)| kept.link.map(|link| (link, at));
+        let at = |(at, kept): (usize, &KeptInvitation)| kept.link.map(|link| (link, at));
         let links = book.kept.iter().enumerate().filter_map(at).collect();
         let open = book.kept.iter().enumerate().filter(|(_, kept)| !kept.invitation.revoked);
         let passes = open.flat_map(|(at, kept)| kept.passes.iter().map(move |pass| (pass.cookie, at))).collect();
@@ -187,12 +187,12 @@ impl Indexed {
 
 #[cfg(test)]
 mod tests {
-    use super::{Book, DAY_MS, Digest, Indexed, Made, Names, PASSES_MAX, Terms};
+    use super::{Book, DAY_MS, Digest, GuestNames, Indexed, InvitationSeed, PASSES_MAX, Terms};
     use behaviour::Id;
     use protocol::{INVITATIONS_MAX, Lasts, Refused, Role};
 
     fn made(book: &mut Book, name: &str, lasts: Lasts, now_ms: u64) -> Result<Id, Refused> {
-        let made = Made { id: Id::new(name).unwrap(), now_ms, link: Digest::of(name) };
+        let made = InvitationSeed { id: Id::new(name).unwrap(), now_ms, link: Digest::of(name) };
         let terms = Terms { role: Role::Viewer, lasts, label: String::new(), made_by: "Aiko".into() };
         book.make(made, terms).map(|invitation| invitation.id)
     }
@@ -232,8 +232,8 @@ mod tests {
         assert!(!text.contains("link-secret") && !text.contains("cookie-secret"), "{text}");
         let read: Book = serde_json::from_str(&serde_json::to_string(&book).unwrap()).unwrap();
         assert!(is_in(&read, "cookie-secret", 5));
-        assert_eq!(read.list(&Names::new(), |_| true), book.list(&Names::new(), |_| true));
-        assert_eq!(read.list(&Names::new(), |_| true)[0].came[0].name, "Ben");
+        assert_eq!(read.list(&GuestNames::new(), |_| true), book.list(&GuestNames::new(), |_| true));
+        assert_eq!(read.list(&GuestNames::new(), |_| true)[0].came[0].name, "Ben");
     }
 
     #[test]
@@ -245,7 +245,7 @@ mod tests {
         assert_eq!(made(&mut book, "more", Lasts::Day, 1), Err(Refused::TooManyInvitations));
         assert!(book.revoke(&Id::new("i5").unwrap()));
         made(&mut book, "more", Lasts::Day, 1).unwrap();
-        assert_eq!(book.list(&Names::new(), |_| false).len(), INVITATIONS_MAX);
+        assert_eq!(book.list(&GuestNames::new(), |_| false).len(), INVITATIONS_MAX);
         for number in 0..=PASSES_MAX {
             book.come(&Digest::of("more"), Digest::of(&number.to_string()), 2).unwrap();
         }

@@ -1,14 +1,14 @@
 //! As whom somebody is in.
 
 use super::guest::Guest;
-use super::permissions::{Asked, Route, least};
-use crate::support::identity::Identity;
+use super::permissions::{AskedOperation, Route, least};
+use crate::support::identity::PersonIdentity;
 use behaviour::Id;
 use protocol::{Refused, Request, Role};
 
 /// The least that somebody must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Least {
+pub(crate) enum MinimumRole {
     /// Nobody in particular.
     Anyone,
     /// Invited, or the host, and may do at least as much.
@@ -17,7 +17,7 @@ pub(crate) enum Least {
 
 /// As whom somebody is in.
 #[derive(Clone, Debug)]
-pub(crate) enum Entry {
+pub(crate) enum Identified {
     /// The host: who showed a secret of this computer.
     Host,
     /// By an invitation.
@@ -28,7 +28,7 @@ pub(crate) enum Entry {
     Stranger,
 }
 
-impl Entry {
+impl Identified {
     /// What they may do.
     pub(crate) fn role(&self) -> Option<Role> {
         match self {
@@ -39,11 +39,11 @@ impl Entry {
     }
 
     /// Whose share of the server they take: the only way to an identity.
-    pub(crate) fn identity(&self) -> Identity {
+    pub(crate) fn identity(&self) -> PersonIdentity {
         match self {
-            Self::Host => Identity::Host,
-            Self::Guest(guest) => Identity::Guest { invitation: guest.invitation.clone(), pass: guest.pass },
-            Self::Unproven | Self::Stranger => Identity::Stranger,
+            Self::Host => PersonIdentity::Host,
+            Self::Guest(guest) => PersonIdentity::Guest { invitation: guest.invitation.clone(), pass: guest.pass },
+            Self::Unproven | Self::Stranger => PersonIdentity::Stranger,
         }
     }
 
@@ -64,14 +64,14 @@ impl Entry {
     ///
     /// # Errors
     /// What they would have to be, or that they may not be here at all.
-    pub(crate) fn may(&self, asked: Asked) -> Result<(), Refused> {
-        let Least::In(least) = least(&asked) else { return Ok(()) };
+    pub(crate) fn may(&self, asked: AskedOperation) -> Result<(), Refused> {
+        let MinimumRole::In(least) = least(&asked) else { return Ok(()) };
         // Who stands beside the robot's computer may stop the robot.
-        if matches!((self, asked), (Self::Unproven, Asked::Http(Route::Stop))) {
+        if matches!((self, asked), (Self::Unproven, AskedOperation::Http(Route::Stop))) {
             return Ok(());
         }
         // Who is told to go may press Stop until the socket is closed.
-        if self.is_over() && !matches!(asked, Asked::Socket(Request::Stop { .. })) {
+        if self.is_over() && !matches!(asked, AskedOperation::Socket(Request::Stop { .. })) {
             return Err(Refused::NotInvited);
         }
         match self.role() {

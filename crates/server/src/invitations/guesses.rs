@@ -14,9 +14,9 @@ const PLACES_MAX: usize = 4_096;
 
 /// Where a connection comes from: an address, or the network of 64 bits that one computer may have all addresses of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) struct Source(IpAddr);
+pub(crate) struct GuessSource(IpAddr);
 
-impl Source {
+impl GuessSource {
     /// A number by which places are told apart when they take turns.
     pub(crate) fn number(self) -> u64 {
         let mut hasher = DefaultHasher::new();
@@ -37,9 +37,9 @@ impl Source {
 #[derive(Debug, Default)]
 pub(super) struct Guesses {
     /// When all of it will be forgiven, by place.
-    forgiven_ms: HashMap<Source, u64>,
+    forgiven_ms: HashMap<GuessSource, u64>,
     /// The same, whoever is forgiven first.
-    order: BTreeSet<(u64, Source)>,
+    order: BTreeSet<(u64, GuessSource)>,
 }
 
 impl Guesses {
@@ -47,7 +47,7 @@ impl Guesses {
     ///
     /// # Errors
     /// The seconds that it has to wait.
-    pub(super) fn check(&self, now_ms: u64, from: Source) -> Result<(), u64> {
+    pub(super) fn check(&self, now_ms: u64, from: GuessSource) -> Result<(), u64> {
         let owed_ms = self.forgiven_ms.get(&from).map_or(0, |forgiven_ms| forgiven_ms.saturating_sub(now_ms));
         match owed_ms.checked_sub((TRIES_MAX - 1) * AGAIN_MS).filter(|wait_ms| *wait_ms > 0) {
             None => Ok(()),
@@ -56,7 +56,7 @@ impl Guesses {
     }
 
     /// A place tried one that does not work.
-    pub(super) fn failed(&mut self, now_ms: u64, from: Source) {
+    pub(super) fn failed(&mut self, now_ms: u64, from: GuessSource) {
         let before_ms = self.forgiven_ms.remove(&from).unwrap_or(0);
         self.order.remove(&(before_ms, from));
         if self.forgiven_ms.len() >= PLACES_MAX
@@ -72,12 +72,12 @@ impl Guesses {
 
 #[cfg(test)]
 mod tests {
-    use super::{AGAIN_MS, Guesses, PLACES_MAX, Source, TRIES_MAX};
+    use super::{AGAIN_MS, GuessSource, Guesses, PLACES_MAX, TRIES_MAX};
     use std::net::{IpAddr, Ipv4Addr};
 
     #[test]
     fn a_place_tries_a_few_at_once_and_then_one_now_and_then() {
-        let (mut guesses, from) = (Guesses::default(), Source::of(IpAddr::V4(Ipv4Addr::new(10, 0, 0, 1))));
+        let (mut guesses, from) = (Guesses::default(), GuessSource::of(IpAddr::V4(Ipv4Addr::new(10, 0, 0, 1))));
         let (mut looked_up, hour_ms) = (0, 3_600_000);
         for now_ms in (0..hour_ms).step_by(36) {
             if guesses.check(now_ms, from).is_ok() {
@@ -86,7 +86,7 @@ mod tests {
             }
         }
         assert_eq!(looked_up, TRIES_MAX + (hour_ms - 1) / AGAIN_MS, "of a hundred thousand");
-        assert_eq!(guesses.check(hour_ms, Source::of("10.0.0.2".parse().unwrap())), Ok(()), "others may");
+        assert_eq!(guesses.check(hour_ms, GuessSource::of("10.0.0.2".parse().unwrap())), Ok(()), "others may");
         assert!(guesses.check(hour_ms - 36, from).is_err_and(|seconds| (1..=6).contains(&seconds)));
     }
 
@@ -94,14 +94,14 @@ mod tests {
     fn a_hundred_thousand_places_take_no_more_memory_than_some() {
         let mut guesses = Guesses::default();
         for number in 0..100_000 {
-            guesses.failed(u64::from(number), Source::of(IpAddr::V4(Ipv4Addr::from_bits(number))));
+            guesses.failed(u64::from(number), GuessSource::of(IpAddr::V4(Ipv4Addr::from_bits(number))));
             assert!(guesses.forgiven_ms.len() <= PLACES_MAX && guesses.order.len() <= PLACES_MAX);
         }
     }
 
     #[test]
     fn all_addresses_of_one_computer_are_one_place() {
-        let of = |text: &str| Source::of(text.parse().unwrap());
+        let of = |text: &str| GuessSource::of(text.parse().unwrap());
         assert_eq!(of("2001:db8:1:2::1"), of("2001:db8:1:2:ffff::9"));
         assert_ne!(of("2001:db8:1:2::1"), of("2001:db8:1:3::1"));
         assert_eq!(of("::ffff:10.0.0.1"), of("10.0.0.1"));

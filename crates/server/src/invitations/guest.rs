@@ -86,18 +86,18 @@ impl Live {
 }
 
 /// As long as this is there, a guest is here.
-pub(crate) struct Here {
+pub(crate) struct GuestPresence {
     all: Arc<Invitations>,
     pass: Digest,
 }
 
-impl Here {
+impl GuestPresence {
     pub(super) fn of(all: Arc<Invitations>, pass: Digest) -> Self {
         Self { all, pass }
     }
 }
 
-impl Drop for Here {
+impl Drop for GuestPresence {
     fn drop(&mut self) {
         self.all.leave(&self.pass);
     }

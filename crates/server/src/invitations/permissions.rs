@@ -1,12 +1,12 @@
 //! Who may what: one table of every request of every way in. Nothing that is asked is left out: whoever adds a request or
 //! a route is asked here by the compiler.
 
-use super::entry::Least;
+use super::entry::MinimumRole;
 use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Request, Role, STOP_PATH};
 
 /// What is asked, by whatever way.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Asked<'a> {
+pub(crate) enum AskedOperation<'a> {
     /// Over a socket.
     Socket(&'a Request),
     /// Over HTTP.
@@ -136,18 +136,20 @@ impl Route {
 }
 
 /// The least that somebody must be to ask this.
-pub(crate) fn least(asked: &Asked) -> Least {
+pub(crate) fn least(asked: &AskedOperation) -> MinimumRole {
     match asked {
-        Asked::Socket(request) => Least::In(of_request(request)),
-        Asked::Http(route) => of_route(*route),
+        AskedOperation::Socket(request) => MinimumRole::In(of_request(request)),
+        AskedOperation::Http(route) => of_route(*route),
         // Only the host can bring a real robot back, and has to find a place for one.
-        Asked::RemoveRealRobot | Asked::LastRobot => Least::In(Role::Host),
+        AskedOperation::RemoveRealRobot | AskedOperation::LastRobot => MinimumRole::In(Role::Host),
     }
 }
 
-fn of_route(route: Route) -> Least {
+fn of_route(route: Route) -> MinimumRole {
     match route {
-        Route::ComeIn | Route::ComeInStyle | Route::ComeInScript | Route::Invitation | Route::Health => Least::Anyone,
+        Route::ComeIn | Route::ComeInStyle | Route::ComeInScript | Route::Invitation | Route::Health => {
+            MinimumRole::Anyone
+        }
         Route::Page
         | Route::Socket
         | Route::Ready
@@ -162,11 +164,11 @@ fn of_route(route: Route) -> Least {
         | Route::ReportScript
         | Route::Catalogue
         | Route::CatalogueStyle
-        | Route::Stop => Least::In(Role::Viewer),
+        | Route::Stop => MinimumRole::In(Role::Viewer),
         // A picture of people is for who works with them.
-        Route::Camera | Route::ChangeRecording => Least::In(Role::Operator),
-        Route::Backup | Route::Import => Least::In(Role::Editor),
-        Route::HostLink => Least::In(Role::Host),
+        Route::Camera | Route::ChangeRecording => MinimumRole::In(Role::Operator),
+        Route::Backup | Route::Import => MinimumRole::In(Role::Editor),
+        Route::HostLink => MinimumRole::In(Role::Host),
     }
 }
 

@@ -1,14 +1,14 @@
 //! Coming in, going, and what is left of it on the disk.
 
-use super::{Entry, Invitations, Invited, NotIn, Source, Terms, Way};
-use crate::invitations::permissions::{Asked, Route};
+use super::{GuessSource, Identified, Invitations, Invited, LinkTarget, NotIn, Terms};
+use crate::invitations::permissions::{AskedOperation, Route};
 use protocol::{Lasts, Refused, Request, Role};
 use std::path::Path;
 use std::sync::Arc;
 
 fn opened(data: Option<&Path>) -> Arc<Invitations> {
     let all = Invitations::within(data);
-    all.open(Way { origin: "https://10.0.0.1:7130".into(), fingerprint: None });
+    all.open(LinkTarget { origin: "https://10.0.0.1:7130".into(), fingerprint: None });
     all
 }
 
@@ -18,8 +18,8 @@ fn invite(all: &Invitations, role: Role, lasts: Lasts) -> (Invited, String) {
     (invited, token)
 }
 
-fn here() -> Source {
-    Source::of("10.0.0.2".parse().unwrap())
+fn here() -> GuessSource {
+    GuessSource::of("10.0.0.2".parse().unwrap())
 }
 
 #[test]
@@ -140,13 +140,13 @@ fn a_hundred_thousand_guesses_are_slowed_and_neither_who_is_in_nor_a_right_link_
             other => panic!("{other:?}"),
         }
         if guess % 1_000 == 0 {
-            let entry = Entry::Guest(all.guest(&cookie).unwrap());
-            assert_eq!(entry.may(Asked::Http(Route::Stop)), Ok(()), "from the same place");
+            let entry = Identified::Guest(all.guest(&cookie).unwrap());
+            assert_eq!(entry.may(AskedOperation::Http(Route::Stop)), Ok(()), "from the same place");
         }
     }
     assert!(told < 100, "{told}");
     assert!(all.come_in(&token, here()).is_ok(), "whatever others tried from the same place");
-    let elsewhere = Source::of("10.0.0.3".parse().unwrap());
+    let elsewhere = GuessSource::of("10.0.0.3".parse().unwrap());
     assert_eq!(all.come_in("a guess", elsewhere), Err(NotIn::Unknown), "another place is not slowed");
 }
 
@@ -167,13 +167,13 @@ async fn who_is_revoked_is_told_at_once_and_may_only_stop() {
     let all = opened(None);
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
     let guest = all.guest(&all.come_in(&token, here()).unwrap()).unwrap();
-    let (entry, here) = (Entry::Guest(guest.clone()), all.arrive(&guest, "Ben"));
-    assert_eq!(entry.may(Asked::Socket(&Request::Runs)), Ok(()));
+    let (entry, here) = (Identified::Guest(guest.clone()), all.arrive(&guest, "Ben"));
+    assert_eq!(entry.may(AskedOperation::Socket(&Request::Runs)), Ok(()));
     assert!(all.list()[0].came[0].here);
     all.revoke(&invited.invitation.id).unwrap();
     entry.until_over().await;
-    assert_eq!(entry.may(Asked::Socket(&Request::Runs)), Err(Refused::NotInvited));
-    assert_eq!(entry.may(Asked::Socket(&Request::Stop { behaviour: None, robot: None })), Ok(()));
+    assert_eq!(entry.may(AskedOperation::Socket(&Request::Runs)), Err(Refused::NotInvited));
+    assert_eq!(entry.may(AskedOperation::Socket(&Request::Stop { behaviour: None, robot: None })), Ok(()));
     drop(here);
     assert!(!all.list()[0].came[0].here);
 }

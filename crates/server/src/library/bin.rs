@@ -5,7 +5,7 @@
 //! only what was too old at that earlier look already, if that was at least a day ago. If a look finds the clock before
 //! the earlier one, the earlier one was wrong and is forgotten. It does not matter which store keeps the behaviours.
 
-use super::Library;
+use super::LibraryService;
 use crate::support::atomic_file;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::Id;
@@ -24,7 +24,7 @@ const LOOK_MS: u64 = 60 * 60 * 1_000;
 const FILE: &str = "bin-looked.json";
 
 /// Empties the bin now and then until the server ends.
-pub(crate) fn keep(library: &Arc<Library>, data: Option<&Path>) {
+pub(crate) fn keep(library: &Arc<LibraryService>, data: Option<&Path>) {
     let (library, mut looks) = (Arc::clone(library), Looks::within(data));
     library.clone().tasks.spawn(async move {
         let mut beat = tokio::time::interval(Duration::from_millis(LOOK_MS));
@@ -45,7 +45,7 @@ pub(crate) fn keep(library: &Arc<Library>, data: Option<&Path>) {
 ///
 /// # Errors
 /// If it is not there, or the store does not answer.
-pub(crate) async fn restore(library: &Library, behaviour: &Id) -> Result<Reply, Refused> {
+pub(crate) async fn restore(library: &LibraryService, behaviour: &Id) -> Result<Reply, Refused> {
     let back = bounded(library.store.restore(behaviour)).await.map_err(|error| store_no(&error))?;
     library.rooms.news().tell();
     if back { Ok(Reply::Done) } else { Err(Refused::NoBehaviour) }

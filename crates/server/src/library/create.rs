@@ -1,6 +1,6 @@
 //! Making a behaviour: empty or from a template, whose helpers join the library.
 
-use super::Library;
+use super::LibraryService;
 use super::exercises::exercise;
 use super::import::{TRIES, is_overtaken, judge, shelve};
 use super::list::free_name;
@@ -12,12 +12,12 @@ use behaviour::{
 };
 use protocol::{Refused, Reply};
 use std::sync::Arc;
-use store::files::Mode;
+use store::files::ImportMode;
 use store::{Append, StoreError};
 use uuid::Uuid;
 
 /// What a client wants made.
-pub(crate) struct Wish {
+pub(crate) struct CreateRequest {
     /// Its id.
     pub(crate) behaviour: Id,
     /// Its name.
@@ -31,11 +31,11 @@ pub(crate) struct Wish {
 }
 
 /// Makes the behaviour; asked twice with the same id, it makes one.
-pub(crate) async fn create(library: &Arc<Library>, wish: Wish) -> Result<Reply, Refused> {
+pub(crate) async fn create(library: &Arc<LibraryService>, wish: CreateRequest) -> Result<Reply, Refused> {
     by(answer_by(), made(library, wish)).await
 }
 
-async fn made(library: &Arc<Library>, wish: Wish) -> Result<Reply, Refused> {
+async fn made(library: &Arc<LibraryService>, wish: CreateRequest) -> Result<Reply, Refused> {
     let template = wish.template.as_deref().map(find).transpose()?;
     if wish.behaviour == *library.rooms.library() {
         return Err(Refused::NoBehaviour);
@@ -55,7 +55,7 @@ async fn made(library: &Arc<Library>, wish: Wish) -> Result<Reply, Refused> {
     Ok(Reply::Created { behaviour: wish.behaviour })
 }
 
-async fn is_there(library: &Library, wish: &Wish) -> Result<bool, Refused> {
+async fn is_there(library: &LibraryService, wish: &CreateRequest) -> Result<bool, Refused> {
     let there = bounded(library.store.load(&wish.behaviour)).await.map_err(|error| store_no(&error))?;
     Ok(there.is_some())
 }
@@ -80,7 +80,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), Refused> {
     if name.chars().count() > most { no(Refusal::TooLong("This name".to_owned(), most)) } else { Ok(()) }
 }
 
-async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Result<(), Refused> {
+async fn save(library: &Arc<LibraryService>, wish: &CreateRequest, mut records: Behaviour) -> Result<(), Refused> {
     let name = bounded(free_name(&*library.store, wish.name.trim())).await.map_err(|error| store_no(&error))?;
     let settings = records.settings().cloned().unwrap_or_else(|| Settings::named(""));
     let settings = Settings { name: name.clone(), ..settings };
@@ -98,7 +98,12 @@ async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Re
 }
 
 /// Saves a change of a behaviour that nobody has open; once more if the outcome is open, the op id settles it.
-pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), Refused> {
+pub(crate) async fn append(
+    library: &LibraryService,
+    id: &Id,
+    made: &Committed,
+    after: &Behaviour,
+) -> Result<(), Refused> {
     let mut answer = bounded(library.store.append(id, made, after)).await;
     if answer.as_ref().is_err_and(StoreError::is_open) {
         answer = bounded(library.store.append(id, made, after)).await;
@@ -115,11 +120,15 @@ pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: 
 }
 
 /// The records of a template under new ids, its helpers in the library.
-async fn from_template(library: &Arc<Library>, template: &Template, wish: &Wish) -> Result<Behaviour, Refused> {
+async fn from_template(
+    library: &Arc<LibraryService>,
+    template: &Template,
+    wish: &CreateRequest,
+) -> Result<Behaviour, Refused> {
     let (file, sender) = (Arc::new(template.file()), wish.sender.clone());
     let mut last = Refused::TooFast;
     for _ in 0..TRIES {
-        let brought = judge(library, &sender, &file, Mode::Copy, &wish.by).await?;
+        let brought = judge(library, &sender, &file, ImportMode::Copy, &wish.by).await?;
         match shelve(library, &brought).await {
             Err(no) if is_overtaken(&no) => last = no,
             Err(no) => return Err(no),

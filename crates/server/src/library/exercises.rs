@@ -4,7 +4,7 @@ mod goal;
 mod rehearsal;
 
 use super::templates::Template;
-use goal::Goal;
+use goal::ExerciseGoal;
 use protocol::{Exercise, ExerciseQuestion};
 pub(crate) use rehearsal::rehearse;
 
@@ -17,14 +17,14 @@ pub(crate) struct ExerciseStart {
 
 impl ExerciseStart {
     /// What the rehearsal of it expects.
-    pub(crate) fn goal(&self) -> Goal {
+    pub(crate) fn goal(&self) -> ExerciseGoal {
         #[expect(clippy::expect_used, reason = "the text is part of the program and a test reads every one")]
         serde_json::from_str(self.goal).expect("a goal is a goal")
     }
 
     /// What people are told about it.
     pub(crate) fn told(&self) -> Exercise {
-        let Goal { says, asks, .. } = self.goal();
+        let ExerciseGoal { says, asks, .. } = self.goal();
         let asks = asks.into_iter().map(|one| ExerciseQuestion { ask: one.ask, answers: one.answers }).collect();
         Exercise { start: self.template.summary(), goal: says, asks }
     }

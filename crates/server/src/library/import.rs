@@ -1,7 +1,7 @@
 //! Behaviours out of files. Reading and judging a file is done by the workers and ends when its sender goes; then the
 //! helpers and the behaviour are saved in one step that goes through whatever becomes of the sender.
 
-use super::Library;
+use super::LibraryService;
 use super::create::{append, check_name};
 use super::list::free_name;
 use crate::rooms::knowledge::{Knowing, Unchecked};
@@ -15,7 +15,7 @@ use behaviour::{
 use protocol::Refused;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use store::files::{FileFault, Import, Looked, Mode, Unfit};
+use store::files::{FileFault, Import, ImportError, ImportMode, ReadFile};
 use uuid::Uuid;
 
 /// How often a file is tried when others change the library at the same moment.
@@ -59,18 +59,18 @@ impl From<FileFault> for NotImported {
 
 /// Imports a file in somebody's name. A copy may have an id that is wanted; if that is here already, there is nothing to change.
 pub(crate) async fn import(
-    library: &Arc<Library>,
+    library: &Arc<LibraryService>,
     sender: Sender,
-    (mode, wanted): (Mode, Option<Id>),
+    (mode, wanted): (ImportMode, Option<Id>),
     by: &str,
     body: Bytes,
 ) -> Result<Import, NotImported> {
     let file = Arc::new(library.workers.run(sender.clone(), move |_| read(&body)).await.map_err(Refused::from)??);
     let by: String = without_unseen(by).chars().take(NAME_MAX_CHARS).collect();
-    if mode == Mode::Restore {
+    if mode == ImportMode::Restore {
         check_absent(library, &file).await?;
     }
-    let wanted = wanted.filter(|id| mode == Mode::Copy && id != library.rooms.library());
+    let wanted = wanted.filter(|id| mode == ImportMode::Copy && id != library.rooms.library());
     let mut last = NotImported::Refused(Refused::TooFast);
     for _ in 0..TRIES {
         if let Some(there) = was_here(library, wanted.as_ref()).await? {
@@ -99,13 +99,13 @@ fn read(body: &[u8]) -> Result<BehaviourFile, NotImported> {
 }
 
 /// What the records say of themselves, with the line.
-fn check_records(file: &BehaviourFile, looked: &Looked) -> Result<(), NotImported> {
+fn check_records(file: &BehaviourFile, looked: &ReadFile) -> Result<(), NotImported> {
     let flaws = file.records(|_| None).err().unwrap_or_default();
     let faults: Vec<_> = flaws.iter().map(ToString::to_string).collect();
     looked.place(&faults).into_iter().next().map_or(Ok(()), |fault| Err(fault.into()))
 }
 
-async fn check_absent(library: &Arc<Library>, file: &BehaviourFile) -> Result<(), NotImported> {
+async fn check_absent(library: &Arc<LibraryService>, file: &BehaviourFile) -> Result<(), NotImported> {
     let Some(id) = file.id.as_deref().and_then(|id| Id::new(id).ok()) else { return Ok(()) };
     let there = bounded(library.store.load(&id)).await.map_err(|error| store_no(&error))?;
     if there.is_none() && id != *library.rooms.library() {
@@ -115,7 +115,7 @@ async fn check_absent(library: &Arc<Library>, file: &BehaviourFile) -> Result<()
 }
 
 /// What was imported under this id before, as an import that changes nothing.
-async fn was_here(library: &Library, wanted: Option<&Id>) -> Result<Option<Import>, NotImported> {
+async fn was_here(library: &LibraryService, wanted: Option<&Id>) -> Result<Option<Import>, NotImported> {
     let Some(id) = wanted else { return Ok(None) };
     let there = bounded(library.store.load(id)).await.map_err(|error| store_no(&error))?;
     Ok(there.map(|there| Import {
@@ -129,10 +129,10 @@ async fn was_here(library: &Library, wanted: Option<&Id>) -> Result<Option<Impor
 
 /// What an import changes, if that keeps the rules. Nothing is saved.
 pub(crate) async fn judge(
-    library: &Arc<Library>,
+    library: &Arc<LibraryService>,
     sender: &Sender,
     file: &Arc<BehaviourFile>,
-    mode: Mode,
+    mode: ImportMode,
     by: &str,
 ) -> Result<Import, Refused> {
     let (file, helpers, by) = (Arc::clone(file), library.rooms.snapshot(), by.to_owned());
@@ -151,20 +151,20 @@ pub(crate) async fn judge(
     judged.await?
 }
 
-fn unreadable(faults: &[Unfit]) -> Refused {
-    Refused::Unreadable(faults.iter().map(Unfit::to_string).collect::<Vec<_>>().join("; "))
+fn unreadable(faults: &[ImportError]) -> Refused {
+    Refused::Unreadable(faults.iter().map(ImportError::to_string).collect::<Vec<_>>().join("; "))
 }
 
 /// Saves what was judged. Whoever makes something else meanwhile waits only for this.
 async fn finish(
-    library: Arc<Library>,
+    library: Arc<LibraryService>,
     file: Arc<BehaviourFile>,
-    mode: Mode,
+    mode: ImportMode,
     brought: Import,
 ) -> Result<Import, NotImported> {
     shelve(&library, &brought).await?;
     let _one_at_a_time = library.creating.lock().await;
-    if mode == Mode::Restore {
+    if mode == ImportMode::Restore {
         check_absent(&library, &file).await?;
     }
     let name = bounded(free_name(&*library.store, file.name.trim())).await.map_err(|error| store_no(&error))?;
@@ -174,7 +174,7 @@ async fn finish(
 }
 
 /// Puts the helpers of an import into the library.
-pub(crate) async fn shelve(library: &Arc<Library>, brought: &Import) -> Result<(), Refused> {
+pub(crate) async fn shelve(library: &Arc<LibraryService>, brought: &Import) -> Result<(), Refused> {
     match brought.library.clone() {
         Some(change) => library.rooms.propose_to_library(change).await,
         None => Ok(()),
@@ -186,7 +186,7 @@ pub(crate) fn is_overtaken(no: &Refused) -> bool {
     matches!(no, Refused::Change(Refusal::Stale(_) | Refusal::NameTaken(_)))
 }
 
-async fn save(library: &Arc<Library>, brought: &Import) -> Result<(), NotImported> {
+async fn save(library: &Arc<LibraryService>, brought: &Import) -> Result<(), NotImported> {
     let (mut after, now_ms) = (Behaviour::default(), crate::support::now_ms());
     for (revision, change) in (1..).zip(&brought.changes) {
         after.apply(change);

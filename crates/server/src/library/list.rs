@@ -4,7 +4,7 @@ use crate::support::store_call::{bounded, store_no};
 use behaviour::{Id, as_looks, numbered};
 use protocol::{LIST_MAX_LINES, ListQuery, Refused, Reply, Summary, WORDS_MAX_CHARS};
 use std::collections::BTreeSet;
-use store::{Listed, Listing, Query, Store, StoreError};
+use store::{ListedBehaviour, Listing, Query, Store, StoreError};
 
 /// A page of the list.
 pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<Reply, Refused> {
@@ -47,7 +47,7 @@ fn asked(query: ListQuery) -> Query {
     }
 }
 
-fn summary_of(listed: Listed) -> Summary {
+fn summary_of(listed: ListedBehaviour) -> Summary {
     Summary {
         id: listed.id.to_string(),
         name: listed.name,

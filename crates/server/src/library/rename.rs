@@ -3,8 +3,8 @@
 //! First the library has the helper under both names, then one program after another says the new one, then the old one
 //! goes. What fails in between leaves both, so that everything runs on.
 
-use super::Library;
-use crate::rooms::Note;
+use super::LibraryService;
+use crate::rooms::RoomCommand;
 use crate::support::identity::Sender;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{
@@ -22,7 +22,7 @@ pub(crate) const FOLLOWING_MAX: usize = 500;
 const TRIES: usize = 5;
 
 /// A helper that somebody wants to be called something else; the rest of it may be another too.
-pub(crate) struct Wish {
+pub(crate) struct RenameRequest {
     /// Which.
     pub(crate) helper: Id,
     /// As it was seen.
@@ -36,7 +36,7 @@ pub(crate) struct Wish {
 }
 
 /// Renames a helper, and goes through with it whatever becomes of the sender.
-pub(crate) async fn rename(library: &Arc<Library>, wish: Wish) -> Result<Reply, Refused> {
+pub(crate) async fn rename(library: &Arc<LibraryService>, wish: RenameRequest) -> Result<Reply, Refused> {
     let renaming = Renaming { library: Arc::clone(library), wish };
     let work = async move {
         let library = Arc::clone(&renaming.library);
@@ -47,12 +47,12 @@ pub(crate) async fn rename(library: &Arc<Library>, wish: Wish) -> Result<Reply, 
 }
 
 struct Renaming {
-    library: Arc<Library>,
-    wish: Wish,
+    library: Arc<LibraryService>,
+    wish: RenameRequest,
 }
 
 /// What became of a program that uses the helper.
-enum Followed {
+enum RenamedUse {
     /// It says the new name.
     Now,
     /// It did not use the helper any more.
@@ -82,8 +82,8 @@ impl Renaming {
             left.clear();
             for (program, name) in self.programs().await? {
                 match self.follow_in(&program).await {
-                    Ok(Followed::Now) => drop(followed.insert(program)),
-                    Ok(Followed::Before) => {}
+                    Ok(RenamedUse::Now) => drop(followed.insert(program)),
+                    Ok(RenamedUse::Before) => {}
                     Err(no) => {
                         tracing::warn!(behaviour = %program, %no, "a program keeps the old name of a helper");
                         left.push(name);
@@ -130,7 +130,7 @@ impl Renaming {
         let judge = move |_: &_| judged.judge(asked, &knowing.within_budget());
         self.library.workers.run(self.wish.sender.clone(), judge).await?.map_err(Refused::Change)?;
         let (waiting, answer) = oneshot::channel();
-        self.library.rooms.tell(program, Note::MayChange(change, waiting));
+        self.library.rooms.tell(program, RoomCommand::MayChange(change, waiting));
         match answer.await.unwrap_or(Err(Refused::NoBehaviour)) {
             Err(Refused::Change(Refusal::Locked { what, by })) => {
                 let what = format!("{what} in “{}”", look.behaviour().name());
@@ -140,15 +140,15 @@ impl Renaming {
         }
     }
 
-    async fn follow_in(&self, program: &Id) -> Result<Followed, Refused> {
+    async fn follow_in(&self, program: &Id) -> Result<RenamedUse, Refused> {
         let mut last = Refused::TooFast;
         for _ in 0..TRIES {
             let change = self.change_of(self.library.rooms.look(program).await?.behaviour());
             if change.edits.is_empty() {
-                return Ok(Followed::Before);
+                return Ok(RenamedUse::Before);
             }
             match self.propose(program, change).await {
-                Ok(()) => return Ok(Followed::Now),
+                Ok(()) => return Ok(RenamedUse::Now),
                 Err(no @ Refused::Change(Refusal::Stale(_))) => last = no,
                 Err(no) => return Err(no),
             }

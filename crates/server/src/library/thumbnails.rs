@@ -6,7 +6,7 @@ use crate::support::store_call::bounded;
 use crate::support::workers::Workers;
 use behaviour::{Behaviour, Graph, Id};
 use futures_util::StreamExt;
-use protocol::{PICTURES_MAX, Picture, PictureOf, PictureStream, Refused, Reply};
+use protocol::{GraphOutline, PICTURES_MAX, PictureOf, PictureStream, Refused, Reply};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
 use store::{Loaded, Store};
@@ -20,22 +20,22 @@ const STEP: [f64; 2] = [180.0, 130.0];
 
 /// The pictures made lately.
 #[derive(Debug, Default)]
-pub(crate) struct Thumbnails(Mutex<Kept>);
+pub(crate) struct Thumbnails(Mutex<KeptThumbnail>);
 
 #[derive(Debug, Default)]
-struct Kept {
-    made: HashMap<Id, (u64, Arc<Picture>)>,
+struct KeptThumbnail {
+    made: HashMap<Id, (u64, Arc<GraphOutline>)>,
     order: VecDeque<Id>,
 }
 
 impl Thumbnails {
-    fn get(&self, of: &PictureOf) -> Option<Arc<Picture>> {
+    fn get(&self, of: &PictureOf) -> Option<Arc<GraphOutline>> {
         let kept = lock(&self.0);
         let (_, picture) = kept.made.get(&of.behaviour).filter(|(revision, _)| *revision >= of.revision)?;
         Some(Arc::clone(picture))
     }
 
-    fn keep(&self, behaviour: Id, revision: u64, picture: &Arc<Picture>) {
+    fn keep(&self, behaviour: Id, revision: u64, picture: &Arc<GraphOutline>) {
         let mut kept = lock(&self.0);
         if kept.made.insert(behaviour.clone(), (revision, Arc::clone(picture))).is_none() {
             kept.order.push_back(behaviour);
@@ -49,7 +49,7 @@ impl Thumbnails {
 }
 
 /// What drawing for somebody takes.
-pub(crate) struct Drawing<'a> {
+pub(crate) struct DrawingShare<'a> {
     /// Where behaviours are kept.
     pub(crate) store: &'a dyn Store,
     /// The pictures made lately.
@@ -61,15 +61,15 @@ pub(crate) struct Drawing<'a> {
 }
 
 /// The pictures of these behaviours, as far as they are there: some are read at once, and drawn one after the other.
-pub(crate) async fn pictures(drawing: Drawing<'_>, of: Vec<PictureOf>) -> Result<Reply, Refused> {
+pub(crate) async fn pictures(drawing: DrawingShare<'_>, of: Vec<PictureOf>) -> Result<Reply, Refused> {
     let wanted = of.into_iter().take(PICTURES_MAX).map(|of| find(&drawing, of));
     let mut found = std::pin::pin!(futures_util::stream::iter(wanted).buffered(AT_ONCE));
     let mut pictures = Vec::new();
     while let Some(one) = found.next().await {
         let Some((id, found)) = one else { continue };
         let picture = match found {
-            Found::Made(picture) => picture,
-            Found::Read(loaded) => draw(&drawing, &id, *loaded).await?,
+            FoundThumbnail::Made(picture) => picture,
+            FoundThumbnail::Read(loaded) => draw(&drawing, &id, *loaded).await?,
         };
         pictures.push((id, (*picture).clone()));
     }
@@ -77,22 +77,22 @@ pub(crate) async fn pictures(drawing: Drawing<'_>, of: Vec<PictureOf>) -> Result
 }
 
 /// What there is of a behaviour to show.
-enum Found {
+enum FoundThumbnail {
     /// A picture that was made lately.
-    Made(Arc<Picture>),
+    Made(Arc<GraphOutline>),
     /// The behaviour, to be drawn.
     Read(Box<Loaded>),
 }
 
-async fn find(drawing: &Drawing<'_>, of: PictureOf) -> Option<(Id, Found)> {
+async fn find(drawing: &DrawingShare<'_>, of: PictureOf) -> Option<(Id, FoundThumbnail)> {
     if let Some(picture) = drawing.made.get(&of) {
-        return Some((of.behaviour, Found::Made(picture)));
+        return Some((of.behaviour, FoundThumbnail::Made(picture)));
     }
     let loaded = bounded(drawing.store.load(&of.behaviour)).await.ok()??;
-    Some((of.behaviour, Found::Read(Box::new(loaded))))
+    Some((of.behaviour, FoundThumbnail::Read(Box::new(loaded))))
 }
 
-async fn draw(drawing: &Drawing<'_>, id: &Id, loaded: Loaded) -> Result<Arc<Picture>, Refused> {
+async fn draw(drawing: &DrawingShare<'_>, id: &Id, loaded: Loaded) -> Result<Arc<GraphOutline>, Refused> {
     let Loaded { revision, behaviour, .. } = loaded;
     let picture = drawing.workers.run(drawing.sender.clone(), move |_| Arc::new(picture_of(&behaviour))).await?;
     drawing.made.keep(id.clone(), revision, &picture);
@@ -100,10 +100,10 @@ async fn draw(drawing: &Drawing<'_>, id: &Id, loaded: Loaded) -> Result<Arc<Pict
 }
 
 /// What a graph looks like: streams where people placed them, the others in rows by their way from the senses.
-pub(crate) fn picture_of(behaviour: &Behaviour) -> Picture {
+pub(crate) fn picture_of(behaviour: &Behaviour) -> GraphOutline {
     let graph = Graph::of(behaviour);
     let rows = rows(behaviour, &graph);
-    let streams: Vec<_> = behaviour.streams_in_order().into_iter().take(Picture::STREAMS_MAX).collect();
+    let streams: Vec<_> = behaviour.streams_in_order().into_iter().take(GraphOutline::STREAMS_MAX).collect();
     let numbers: HashMap<&Id, u16> = streams.iter().map(|(id, _)| *id).zip(0..).collect();
     let ends = behaviour.connectors_in_order().into_iter();
     let ends = ends.flat_map(|(_, connector)| connector.inputs.iter().map(move |from| (from, &connector.output)));
@@ -113,7 +113,7 @@ pub(crate) fn picture_of(behaviour: &Behaviour) -> Picture {
         let [x, y] = place.or_else(|| rows.get(id).copied()).unwrap_or_default();
         PictureStream { x: x as f32, y: y as f32, kind: stream.kind }
     });
-    Picture { streams: streams.collect(), lines }
+    GraphOutline { streams: streams.collect(), lines }
 }
 
 /// A place for every stream that has none: a row for each rank, each row in the middle.
@@ -138,7 +138,7 @@ mod tests {
     use super::{KEPT_MAX, Thumbnails, picture_of};
     use crate::library::templates::templates;
     use behaviour::{Id, Kind};
-    use protocol::{Picture, PictureOf};
+    use protocol::{GraphOutline, PictureOf};
     use std::sync::Arc;
 
     #[test]
@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn pictures_are_kept_by_revision_and_not_for_ever() {
-        let (pictures, picture) = (Thumbnails::default(), Arc::new(Picture::default()));
+        let (pictures, picture) = (Thumbnails::default(), Arc::new(GraphOutline::default()));
         let id = |number: usize| Id::new(&format!("b{number}")).unwrap();
         pictures.keep(id(0), 3, &picture);
         let at = |number, revision| pictures.get(&PictureOf { behaviour: id(number), revision }).is_some();

@@ -17,7 +17,7 @@ const CALL_MS: u64 = 20;
 
 /// A procedure and what to try it on.
 #[derive(Debug)]
-pub(crate) struct Trial {
+pub(crate) struct ProcedureTrial {
     /// Argument names.
     pub(crate) arguments: Vec<String>,
     /// The procedure.
@@ -35,7 +35,7 @@ fn failed(why: &impl Display, unknown: Option<UnknownName>) -> Reply {
 }
 
 /// Whether the procedure can run, and what it makes of the values.
-pub(crate) fn check(trial: &Trial) -> Reply {
+pub(crate) fn check(trial: &ProcedureTrial) -> Reply {
     if trial.body.chars().count() > behaviour::BODY_MAX_CHARS {
         return failed(&Unchecked::TooLong, None);
     }
@@ -44,14 +44,14 @@ pub(crate) fn check(trial: &Trial) -> Reply {
         return failed(&reason, unknown);
     }
     let try_on = |inputs: &Vec<Value>| {
-        let Trial { helpers, arguments, body, .. } = trial;
+        let ProcedureTrial { helpers, arguments, body, .. } = trial;
         engine::try_body(helpers, arguments, body, inputs, &limits()).map_err(|reason| reason.to_string())
     };
     Reply::Checked { error: None, results: trial.inputs.iter().take(INPUTS_MAX).map(try_on).collect(), unknown }
 }
 
 /// A name that means nothing, with the one that is probably meant.
-fn unknown_name(trial: &Trial) -> Option<UnknownName> {
+fn unknown_name(trial: &ProcedureTrial) -> Option<UnknownName> {
     let arguments: Vec<_> = trial.arguments.iter().map(|name| (name.clone(), ValueType::Any)).collect();
     let helpers: Vec<&str> = trial.known.iter().map(String::as_str).collect();
     let (name, known) = engine::unknown_name(&arguments, &trial.body, &helpers)?;
@@ -76,16 +76,16 @@ pub(crate) fn helpers_of(body: &str, library: &[&Helper]) -> Vec<FileHelper> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Trial, check, helpers_of};
+    use super::{ProcedureTrial, check, helpers_of};
     use behaviour::Value;
     use protocol::Reply;
 
-    fn trial(body: &str, inputs: &[f64]) -> Trial {
+    fn trial(body: &str, inputs: &[f64]) -> ProcedureTrial {
         let helpers = robot::shipped_helpers();
         let helpers = helpers_of(body, &helpers.iter().collect::<Vec<_>>());
         let inputs = inputs.iter().map(|input| vec![Value::Float(*input)]).collect();
         let known = robot::shipped_helpers().into_iter().map(|helper| helper.name).collect();
-        Trial { arguments: vec!["d".into()], body: body.into(), inputs, helpers, known }
+        ProcedureTrial { arguments: vec!["d".into()], body: body.into(), inputs, helpers, known }
     }
 
     #[test]

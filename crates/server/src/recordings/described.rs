@@ -1,7 +1,7 @@
 //! The description of a recording in a list: read from its first and its last line alone, however long it is.
 
 use super::bin::title;
-use protocol::{Recording, Session};
+use protocol::{RecordedSession, Recording};
 use recording::{Entry, read_line};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
@@ -20,7 +20,7 @@ pub(super) fn described(path: &Path, bytes: u64) -> Option<Recording> {
     let (header, _) = recording::open(&line).ok()?;
     let end = end(&mut file, bytes);
     let (old_form, marks) = (header.is_first_form(), end.marks);
-    let session = Session { participant: header.participant, session: header.session, records: header.records };
+    let session = RecordedSession { participant: header.participant, session: header.session, records: header.records };
     Some(Recording {
         file: path.file_name()?.to_str()?.to_owned(),
         robot: header.robot,
@@ -41,25 +41,25 @@ pub(super) fn described(path: &Path, bytes: u64) -> Option<Recording> {
 
 /// The end of a recording, as far as its last bytes say so.
 #[derive(Default)]
-struct End {
+struct RecordingEnd {
     is_whole: bool,
     at_ms: Option<u64>,
     marks: Option<u64>,
 }
 
-fn end(file: &mut File, bytes: u64) -> End {
+fn end(file: &mut File, bytes: u64) -> RecordingEnd {
     let mut tail = Vec::new();
     let from = SeekFrom::Start(bytes.saturating_sub(END_MAX_BYTES));
     if file.seek(from).and_then(|_| file.take(END_MAX_BYTES).read_to_end(&mut tail)).is_err() {
-        return End::default();
+        return RecordingEnd::default();
     }
     let tail = String::from_utf8_lossy(&tail);
-    let Some((whole, torn)) = tail.rsplit_once('\n') else { return End::default() };
+    let Some((whole, torn)) = tail.rsplit_once('\n') else { return RecordingEnd::default() };
     let last = whole.lines().next_back().map(read_line);
     let at_ms = whole.lines().rev().find_map(|line| time(&read_line(line)));
     match last {
-        Some(Entry::End(end)) if torn.is_empty() => End { is_whole: true, at_ms, marks: end.marks },
-        last => End { is_whole: torn.is_empty() && matches!(last, Some(Entry::Full)), at_ms, marks: None },
+        Some(Entry::End(end)) if torn.is_empty() => RecordingEnd { is_whole: true, at_ms, marks: end.marks },
+        last => RecordingEnd { is_whole: torn.is_empty() && matches!(last, Some(Entry::Full)), at_ms, marks: None },
     }
 }
 

@@ -5,8 +5,8 @@ use super::{NotRecorded, RECORDING_MAX_BYTES, Recordings, described, later, mark
 use crate::support::lock;
 use behaviour::Knowledge;
 use protocol::{Recording, Refused};
-use recording::{Header, Keep, Replay, Timeline, read_line};
-use report::{Gathered, Listed, Marked, Replayed, Session};
+use recording::{Header, PrivateParts, Replay, Timeline, read_line};
+use report::{ChosenRecording, Gathered, ListedRecording, Replayed, SessionNumbers};
 use sentences::Language;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
@@ -62,10 +62,10 @@ impl<'a> Until<'a> {
 }
 
 /// Everything of which the page of a report is made.
-pub(crate) struct Looked {
+pub(crate) struct ReportSource {
     pub(crate) gathered: Gathered,
     pub(crate) replayed: Replayed,
-    pub(crate) sessions: Vec<Session>,
+    pub(crate) sessions: Vec<SessionNumbers>,
 }
 
 impl Recordings {
@@ -76,10 +76,10 @@ impl Recordings {
     pub(crate) fn look(
         &self,
         name: &str,
-        (keep, language): (Keep, Language),
+        (keep, language): (PrivateParts, Language),
         knowledge: &dyn Knowledge,
         token: &CancellationToken,
-    ) -> Result<Looked, Refused> {
+    ) -> Result<ReportSource, Refused> {
         let path = self.find(name).ok_or(Refused::NoRecording)?;
         let goes_on = lock(&self.open).contains(name);
         let version = Version::of(&path).map_err(NotRecorded::Unread)?;
@@ -108,7 +108,7 @@ impl Recordings {
             self.keep_finding(name, version, replayed);
         }
         let sessions = self.sessions(name, header.participant.as_deref(), &Until::after(SESSIONS_MS, token));
-        Ok(Looked { gathered, replayed, sessions })
+        Ok(ReportSource { gathered, replayed, sessions })
     }
 
     /// All recordings or all in the bin as a list shows them, with the one that is looked at if there is one of that name. What
@@ -118,20 +118,23 @@ impl Recordings {
         bin: bool,
         chosen: Option<&str>,
         token: &CancellationToken,
-    ) -> (Vec<Listed>, Option<Marked>) {
+    ) -> (Vec<ListedRecording>, Option<ChosenRecording>) {
         let all = if bin { self.binned() } else { self.list() };
         let marked = chosen.and_then(|name| {
             let recording = all.iter().find(|one| one.file == name)?.clone();
             let marks = if bin { Vec::new() } else { self.marks(name).unwrap_or_default() };
             let replayed = if bin || recording.goes_on { None } else { self.finding(name, token) };
-            Some(Marked { listed: Listed { marks: Some(marks.len() as u64), recording, replayed }, marks })
+            Some(ChosenRecording {
+                listed: ListedRecording { marks: Some(marks.len() as u64), recording, replayed },
+                marks,
+            })
         });
         let listed = |recording: Recording| {
             let path = self.folder.as_deref().map(|folder| folder.join(&recording.file));
             let replayed =
                 path.as_deref().and_then(|path| self.known_finding(&recording.file, Version::of(path).ok()?));
             let marks = path.and_then(|path| self.marks_by_now(&path, recording.marks, token));
-            Listed { marks, recording, replayed }
+            ListedRecording { marks, recording, replayed }
         };
         (all.into_iter().map(listed).collect(), marked)
     }
@@ -174,7 +177,7 @@ impl Recordings {
     ///
     /// # Errors
     /// If there is no such recording, if it cannot be read, or if it is too large.
-    pub(crate) fn timeline(&self, name: &str, keep: Keep) -> Result<Timeline, Refused> {
+    pub(crate) fn timeline(&self, name: &str, keep: PrivateParts) -> Result<Timeline, Refused> {
         let path = self.find(name).ok_or(Refused::NoRecording)?;
         let mut text = Vec::new();
         let read = File::open(&path).and_then(|file| file.take(CONVERTED_MAX_BYTES + 1).read_to_end(&mut text));
@@ -187,7 +190,7 @@ impl Recordings {
     }
 
     /// Sessions of one participant, the oldest first, with the one that is looked at; no more than are compared.
-    fn sessions(&self, name: &str, participant: Option<&str>, until: &Until) -> Vec<Session> {
+    fn sessions(&self, name: &str, participant: Option<&str>, until: &Until) -> Vec<SessionNumbers> {
         let (Some(participant), Some(folder)) = (participant, self.folder.as_deref()) else { return Vec::new() };
         let all = super::files(folder).filter_map(|(path, bytes)| Some((described(&path, bytes)?, path)));
         let mut all: Vec<_> =
@@ -200,8 +203,8 @@ impl Recordings {
         some.iter().map_while(|(about, path)| until.goes_on().then(|| self.session(about, path, name, until))).collect()
     }
 
-    fn session(&self, about: &Recording, path: &Path, name: &str, until: &Until) -> Session {
-        let mut session = Session::of(about, &self.marks(&about.file).unwrap_or_default(), about.file == name);
+    fn session(&self, about: &Recording, path: &Path, name: &str, until: &Until) -> SessionNumbers {
+        let mut session = SessionNumbers::of(about, &self.marks(&about.file).unwrap_or_default(), about.file == name);
         let Ok(Some((mut lines, _))) = Lines::open(path) else { return session };
         while let Ok(Some(line)) = lines.next() {
             session.count(line);

@@ -1,11 +1,11 @@
 //! The run's side of a recording: gathers what happened and hands it on without ever waiting.
 
-use super::Open;
-use super::writer::{Batch, Progress, write};
+use super::OpenRecordingFile;
+use super::writer::{LineBatch, WriteProgress, write};
 use behaviour::{BehaviourFile, Id, Value};
 use engine::{ConnectorIx, Handover, StreamIx};
 use protocol::{Recorded, Records};
-use recording::{End, Hand, Header, Line, Names, Note, Refusal, RobotLine, json};
+use recording::{EndLine, Hand, Header, Line, LineNames, NoteLine, RefusedLine, RobotLine, json};
 use robot::Scene;
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -23,9 +23,9 @@ const LOOK_MS: u64 = 100;
 
 /// What one reading, or one closing of instants, brought about.
 #[derive(Debug, Default)]
-pub(crate) struct Step(Vec<Line>);
+pub(crate) struct RecordedStep(Vec<Line>);
 
-impl Step {
+impl RecordedStep {
     /// Somebody pretended a reading, and it was admitted.
     pub(crate) fn pretended(&mut self, at_ms: u64, stream: StreamIx, value: &Value, by: &Arc<str>) {
         self.0.push(Line::Pretended { at_ms, stream, value: value.clone(), by: by.clone() });
@@ -46,9 +46,9 @@ impl Step {
 #[derive(Debug)]
 pub(crate) struct Recorder {
     file: String,
-    queue: SyncSender<Batch>,
-    progress: Arc<Progress>,
-    names: Arc<Names>,
+    queue: SyncSender<LineBatch>,
+    progress: Arc<WriteProgress>,
+    names: Arc<LineNames>,
     lines: Vec<Line>,
     /// Batches that were handed on.
     handed_on: u64,
@@ -71,18 +71,18 @@ impl Recorder {
     /// Writes the first lines, which say what is recorded and what runs, and makes sure that they are on the disk; then starts
     /// the writer's thread.
     pub(super) fn start(
-        open: Open,
+        open: OpenRecordingFile,
         mut file: File,
         header: &Header,
         (of, gave_way): (&Arc<BehaviourFile>, u64),
     ) -> std::io::Result<Self> {
         let mut first = format!("{}\n", json(header));
         let line = Line::File { at_ms: 0, revision: header.revision, file: of.clone() };
-        Names::of(of).write(&line, &mut first);
+        LineNames::of(of).write(&line, &mut first);
         file.write_all(first.as_bytes())?;
         file.sync_all()?;
         let (queue, batches) = sync_channel(QUEUE_MAX_BATCHES);
-        let progress = Arc::new(Progress::default());
+        let progress = Arc::new(WriteProgress::default());
         let (shared, bytes, name) = (progress.clone(), first.len() as u64, open.name.clone());
         let thread = std::thread::Builder::new().name("recording".to_owned());
         thread.spawn(move || {
@@ -94,12 +94,12 @@ impl Recorder {
     }
 
     /// A recorder that hands on to whoever takes from `queue`.
-    fn over(file: String, queue: SyncSender<Batch>, progress: Arc<Progress>, of: &BehaviourFile) -> Self {
+    fn over(file: String, queue: SyncSender<LineBatch>, progress: Arc<WriteProgress>, of: &BehaviourFile) -> Self {
         Self {
             file,
             queue,
             progress,
-            names: Arc::new(Names::of(of)),
+            names: Arc::new(LineNames::of(of)),
             lines: Vec::new(),
             handed_on: 0,
             missed: 0,
@@ -122,7 +122,7 @@ impl Recorder {
     /// An edited behaviour goes on after this instant: from now on streams and connectors are its own.
     pub(crate) fn applied(&mut self, at_ms: u64, revision: u64, file: &Arc<BehaviourFile>) {
         self.flush();
-        self.names = Arc::new(Names::of(file));
+        self.names = Arc::new(LineNames::of(file));
         let at_ms = at_ms.max(self.last_ms);
         self.push(Line::Applied { at_ms, revision });
         self.push(Line::File { at_ms, revision, file: file.clone() });
@@ -136,7 +136,7 @@ impl Recorder {
     }
 
     /// Somebody marked a moment.
-    pub(crate) fn note(&mut self, note: Note) {
+    pub(crate) fn note(&mut self, note: NoteLine) {
         match &note.id {
             Some(id) if note.gone => drop(self.marks.remove(id)),
             Some(id) => drop(self.marks.insert(id.clone())),
@@ -146,7 +146,7 @@ impl Recorder {
     }
 
     /// The robot did not do something.
-    pub(crate) fn refused(&mut self, refusal: Refusal) {
+    pub(crate) fn refused(&mut self, refusal: RefusedLine) {
         self.push(Line::Refused(Box::new(refusal)));
     }
 
@@ -166,7 +166,7 @@ impl Recorder {
     }
 
     /// Takes a step that was carried to its end. `late` values were dropped by the clock.
-    pub(crate) fn take(&mut self, step: &mut Step, late: u64) {
+    pub(crate) fn take(&mut self, step: &mut RecordedStep, late: u64) {
         self.late += late;
         for line in step.0.drain(..) {
             self.push(line);
@@ -174,7 +174,7 @@ impl Recorder {
     }
 
     /// Forgets a step that Stop cut short: what it would have brought about is not known.
-    pub(crate) fn forget(&mut self, step: &mut Step) {
+    pub(crate) fn forget(&mut self, step: &mut RecordedStep) {
         step.0.clear();
     }
 
@@ -188,7 +188,8 @@ impl Recorder {
         if self.lines.is_empty() {
             return;
         }
-        let batch = Batch { names: self.names.clone(), missed: self.missed, lines: std::mem::take(&mut self.lines) };
+        let batch =
+            LineBatch { names: self.names.clone(), missed: self.missed, lines: std::mem::take(&mut self.lines) };
         match self.queue.try_send(batch) {
             Ok(()) => (self.missed, self.handed_on) = (0, self.handed_on + 1),
             Err(TrySendError::Full(batch) | TrySendError::Disconnected(batch)) => {
@@ -203,8 +204,8 @@ impl Recorder {
         self.flush();
         let at_ms = self.last_ms.max(self.closed.unwrap_or(0));
         let (closed, late, marks) = (self.closed, self.late, Some(self.marks.len() as u64));
-        let end = End { at_ms, closed, late, marks, why: why.to_owned(), by };
-        let batch = Batch { names: self.names.clone(), missed: self.missed, lines: vec![Line::End(end)] };
+        let end = EndLine { at_ms, closed, late, marks, why: why.to_owned(), by };
+        let batch = LineBatch { names: self.names.clone(), missed: self.missed, lines: vec![Line::End(end)] };
         // The run is over, so now it may wait for room.
         drop(self.queue.send(batch));
     }
@@ -234,7 +235,7 @@ impl Recorder {
 
 #[cfg(test)]
 mod tests {
-    use super::{BATCH_MAX_LINES, Open, Progress, Recorder, Step};
+    use super::{BATCH_MAX_LINES, OpenRecordingFile, RecordedStep, Recorder, WriteProgress};
     use crate::recordings::About;
     use crate::recordings::writer::write;
     use behaviour::{BehaviourFile, Value};
@@ -251,9 +252,9 @@ mod tests {
     #[test]
     fn what_finds_no_room_is_counted_and_the_gap_is_in_the_recording() {
         let (queue, batches) = sync_channel(1);
-        let progress = Arc::new(Progress::default());
+        let progress = Arc::new(WriteProgress::default());
         let mut recorder = Recorder::over("x".to_owned(), queue, progress.clone(), &file());
-        let mut step = Step::default();
+        let mut step = RecordedStep::default();
         for at_ms in 0..3 * BATCH_MAX_LINES as u64 {
             step.value(at_ms, StreamIx::of(0), &Value::Int(1));
             recorder.take(&mut step, 0);
@@ -285,10 +286,11 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn on_a_full_disk_it_does_not_begin() {
-        let (id, file, session) = (behaviour::Id::new("b").unwrap(), Arc::new(file()), protocol::Session::default());
+        let (id, file, session) =
+            (behaviour::Id::new("b").unwrap(), Arc::new(file()), protocol::RecordedSession::default());
         let about =
             About { run: 1, robot: "NAO", behaviour: &id, revision: 1, by: "Aiko", file: &file, session: &session };
-        let open = Open { all: Arc::default(), name: "x".to_owned() };
+        let open = OpenRecordingFile { all: Arc::default(), name: "x".to_owned() };
         let refused = Recorder::start(open, full(), &about.header("today"), (&file, 0)).unwrap_err();
         assert_eq!(refused.kind(), std::io::ErrorKind::StorageFull);
     }
@@ -297,10 +299,10 @@ mod tests {
     #[test]
     fn what_is_lost_later_is_told_also_if_nothing_more_happens() {
         let (queue, batches) = sync_channel(4);
-        let progress = Arc::new(Progress::default());
+        let progress = Arc::new(WriteProgress::default());
         let mut recorder = Recorder::over("x".to_owned(), queue, progress.clone(), &file());
         assert!(recorder.news().is_some() && recorder.next_look().is_none(), "nothing is on its way");
-        let mut step = Step::default();
+        let mut step = RecordedStep::default();
         step.value(1, StreamIx::of(0), &Value::Int(1));
         recorder.take(&mut step, 0);
         recorder.flush();
@@ -321,7 +323,7 @@ mod tests {
     fn a_step_that_was_cut_short_leaves_nothing() {
         let (queue, batches) = sync_channel(4);
         let mut recorder = Recorder::over("x".to_owned(), queue, Arc::default(), &file());
-        let mut step = Step::default();
+        let mut step = RecordedStep::default();
         step.value(1, StreamIx::of(0), &Value::Int(1));
         recorder.forget(&mut step);
         recorder.take(&mut step, 0);

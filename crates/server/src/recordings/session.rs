@@ -1,13 +1,13 @@
 //! The check of what is said of a session before it is recorded: a code that is no name.
 
 use super::NotRecorded;
-use protocol::{CODE_MAX_CHARS, SESSION_MAX_CHARS, Session};
+use protocol::{CODE_MAX_CHARS, RecordedSession, SESSION_MAX_CHARS};
 
 /// Returns what was said of a session, tidied.
 ///
 /// # Errors
 /// If the code has other signs than letters, digits, `-`, `_` and `.`, or if something is too long.
-pub(crate) fn checked(session: Session) -> Result<Session, NotRecorded> {
+pub(crate) fn checked(session: RecordedSession) -> Result<RecordedSession, NotRecorded> {
     let tidy = |text: Option<String>| text.map(|text| text.trim().to_owned()).filter(|text| !text.is_empty());
     let (participant, name) = (tidy(session.participant), tidy(session.session));
     let may_stand = |letter: char| letter.is_alphanumeric() || "-_.".contains(letter);
@@ -19,18 +19,18 @@ pub(crate) fn checked(session: Session) -> Result<Session, NotRecorded> {
     if !name.as_ref().is_none_or(fits) {
         return Err(NotRecorded::LongSession);
     }
-    Ok(Session { participant, session: name, records: session.records })
+    Ok(RecordedSession { participant, session: name, records: session.records })
 }
 
 #[cfg(test)]
 mod tests {
     use super::checked;
-    use protocol::Session;
+    use protocol::RecordedSession;
 
     #[test]
     fn a_code_is_no_name() {
         let code = |code: &str| {
-            let session = Session { participant: Some(code.to_owned()), ..Session::default() };
+            let session = RecordedSession { participant: Some(code.to_owned()), ..RecordedSession::default() };
             checked(session).map(|session| session.participant).map_err(|why| why.to_string())
         };
         assert_eq!(code(" C-07.b "), Ok(Some("C-07.b".to_owned())));

@@ -1,8 +1,8 @@
 //! Tests of the recordings that are kept, and of their later marks.
 
-use super::{About, Bounds, RECORDING_MAX_BYTES, Recordings};
+use super::{About, RECORDING_MAX_BYTES, RecordingBounds, Recordings};
 use behaviour::{BehaviourFile, Id};
-use protocol::{MarkSort, RECORDING_MARKS_MAX, Recorded, RecordingMark, Refused, Session};
+use protocol::{MarkSort, RECORDING_MARKS_MAX, Recorded, RecordedSession, RecordingMark, Refused};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ fn id(text: &str) -> Id {
 }
 
 /// Records nothing, with a mark, and answers with the file's name.
-fn record(recordings: &Recordings, session: &Session) -> String {
+fn record(recordings: &Recordings, session: &RecordedSession) -> String {
     let about = About { run: 1, robot: "NAO", behaviour: &id("b"), revision: 1, by: "Aiko", file: &file(), session };
     let mut recorder = recordings.begin(&about).map_err(|why| why.to_string()).unwrap();
     let name = recorder.news().unwrap().file;
@@ -49,7 +49,7 @@ fn mark(name: &str, t: u64, word: &str) -> RecordingMark {
 #[test]
 fn the_newest_recordings_survive() {
     let folder = tempfile::tempdir().unwrap();
-    let bounds = Bounds { kept: 3, bytes: u64::MAX };
+    let bounds = RecordingBounds { kept: 3, bytes: u64::MAX };
     let recordings = Recordings { bounds, ..Recordings::within(Some(folder.path())) };
     let old = |name: &str, age_s: u64| {
         let path = recordings.find(name).unwrap();
@@ -58,7 +58,7 @@ fn the_newest_recordings_survive() {
     };
     let mut all = Vec::new();
     for age_s in [500, 400, 300, 200, 100] {
-        all.push(record(&recordings, &Session::default()));
+        all.push(record(&recordings, &RecordedSession::default()));
         old(all.last().unwrap(), age_s);
     }
     recordings.put_mark(&all[2], mark("m", 1, "laughs"), "Aiko").unwrap();
@@ -66,16 +66,17 @@ fn the_newest_recordings_survive() {
     assert_eq!(left(&recordings), BTreeSet::from_iter(all[2..].iter().cloned()));
     // The bound leaves room for one more besides the last.
     let last = std::fs::metadata(recordings.find(&all[4]).unwrap()).unwrap().len();
-    let few = Recordings { bounds: Bounds { kept: 9, bytes: last + RECORDING_MAX_BYTES }, ..recordings.clone() };
-    let newest = record(&few, &Session::default());
+    let few =
+        Recordings { bounds: RecordingBounds { kept: 9, bytes: last + RECORDING_MAX_BYTES }, ..recordings.clone() };
+    let newest = record(&few, &RecordedSession::default());
     assert_eq!(left(&few), BTreeSet::from([all[4].clone(), newest]));
     let names = std::fs::read_dir(folder.path().join("recordings")).unwrap().count();
     assert_eq!(names, 2, "their marks went with them");
     // A recording that is being written never gives way; then nothing more begins.
-    let (file, session) = (file(), Session::default());
+    let (file, session) = (file(), RecordedSession::default());
     let about =
         About { run: 1, robot: "NAO", behaviour: &id("b"), revision: 1, by: "Aiko", file: &file, session: &session };
-    let full = Recordings { bounds: Bounds { kept: 1, bytes: u64::MAX }, ..recordings };
+    let full = Recordings { bounds: RecordingBounds { kept: 1, bytes: u64::MAX }, ..recordings };
     let mut writing = full.begin(&about).unwrap();
     assert_eq!(writing.news().unwrap().gave_way, 2);
     let no = full.begin(&about).unwrap_err().to_string();
@@ -87,7 +88,10 @@ fn a_list_says_of_whom_and_how_long_a_recording_is() {
     let folder = tempfile::tempdir().unwrap();
     let recordings = Recordings::within(Some(folder.path()));
     let participant = Some(" C-07 ".to_owned());
-    let name = record(&recordings, &Session { participant, session: Some("2".to_owned()), ..Session::default() });
+    let name = record(
+        &recordings,
+        &RecordedSession { participant, session: Some("2".to_owned()), ..RecordedSession::default() },
+    );
     let listed = recordings.list().remove(0);
     assert_eq!((listed.by.as_str(), listed.session.participant.as_deref()), ("Aiko", Some("C-07")));
     assert_eq!((listed.marks, listed.length_ms, listed.old_form, listed.cut_off), (Some(1), Some(0), false, false));
@@ -103,7 +107,7 @@ fn a_list_says_of_whom_and_how_long_a_recording_is() {
 fn marks_are_added_changed_and_removed_and_every_line_stays() {
     let folder = tempfile::tempdir().unwrap();
     let recordings = Recordings::within(Some(folder.path()));
-    let name = record(&recordings, &Session::default());
+    let name = record(&recordings, &RecordedSession::default());
     let put = |mark: RecordingMark| recordings.put_mark(&name, mark, "Aiko");
     let words = || -> Vec<(String, u64, String)> {
         let marks = recordings.marks(&name).unwrap().into_iter();
@@ -138,15 +142,15 @@ fn marks_are_added_changed_and_removed_and_every_line_stays() {
 fn the_bin_gives_way_before_any_recording_does() {
     let folder = tempfile::tempdir().unwrap();
     let recordings =
-        Recordings { bounds: Bounds { kept: 3, bytes: u64::MAX }, ..Recordings::within(Some(folder.path())) };
-    let [first, second] = [(); 2].map(|()| record(&recordings, &Session::default()));
+        Recordings { bounds: RecordingBounds { kept: 3, bytes: u64::MAX }, ..Recordings::within(Some(folder.path())) };
+    let [first, second] = [(); 2].map(|()| record(&recordings, &RecordedSession::default()));
     recordings.name(&second, " The second ").unwrap();
     recordings.remove(&second).unwrap();
     let binned = || recordings.binned().into_iter().map(|one| (one.file, one.title)).collect::<Vec<_>>();
     assert_eq!(binned(), [(second.clone(), Some("The second".to_owned()))]);
-    record(&recordings, &Session::default());
+    record(&recordings, &RecordedSession::default());
     assert_eq!(binned().len(), 1, "there is room for three");
-    let (file, session) = (file(), Session::default());
+    let (file, session) = (file(), RecordedSession::default());
     let about =
         About { run: 1, robot: "NAO", behaviour: &id("b"), revision: 1, by: "Aiko", file: &file, session: &session };
     let mut fourth = recordings.begin(&about).unwrap();
@@ -162,7 +166,7 @@ fn the_bin_gives_way_before_any_recording_does() {
 fn marks_have_bounds_with_a_sentence() {
     let folder = tempfile::tempdir().unwrap();
     let recordings = Recordings::within(Some(folder.path()));
-    let name = record(&recordings, &Session::default());
+    let name = record(&recordings, &RecordedSession::default());
     let said = |mark: RecordingMark| recordings.put_mark(&name, mark, "Aiko").unwrap_err().to_string();
     assert!(said(mark("m", 1, &"w".repeat(41))).contains("a note has at most 200 characters, and a word 40"));
     assert!(said(RecordingMark { note: "n".repeat(201), ..mark("m", 1, "") }).contains("at most 200 characters"));

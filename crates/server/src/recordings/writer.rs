@@ -2,7 +2,7 @@
 
 use super::RECORDING_MAX_BYTES;
 use crate::support::lock;
-use recording::{Line, Names};
+use recording::{Line, LineNames};
 use std::fs::File;
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -14,9 +14,9 @@ const LAST_LINES_BYTES: u64 = 4_096;
 
 /// Lines on their way.
 #[derive(Debug)]
-pub(super) struct Batch {
+pub(super) struct LineBatch {
     /// What their indices mean.
-    pub(super) names: Arc<Names>,
+    pub(super) names: Arc<LineNames>,
     /// Lines that were lost before these.
     pub(super) missed: u64,
     /// The lines.
@@ -25,14 +25,14 @@ pub(super) struct Batch {
 
 /// How the writing goes, for both sides.
 #[derive(Debug, Default)]
-pub(super) struct Progress {
+pub(super) struct WriteProgress {
     /// Batches that were written, or lost.
     taken: AtomicU64,
     lost: AtomicU64,
     stuck: Mutex<Option<Stuck>>,
 }
 
-impl Progress {
+impl WriteProgress {
     /// How many batches are not on their way any more.
     pub(super) fn taken(&self) -> u64 {
         self.taken.load(Ordering::Acquire)
@@ -68,7 +68,7 @@ pub(crate) enum Stuck {
 }
 
 /// Writes until nobody hands on any more, then makes sure that it is on disk. `bytes` are in the file already.
-pub(super) fn write(file: File, bytes: u64, batches: &Receiver<Batch>, progress: &Progress) {
+pub(super) fn write(file: File, bytes: u64, batches: &Receiver<LineBatch>, progress: &WriteProgress) {
     let mut pen = Pen { file, bytes, text: String::new() };
     while let Ok(batch) = batches.recv() {
         if progress.is_stuck() {
@@ -90,7 +90,7 @@ struct Pen {
 }
 
 impl Pen {
-    fn take(&mut self, batch: &Batch) -> Result<(), Stuck> {
+    fn take(&mut self, batch: &LineBatch) -> Result<(), Stuck> {
         if batch.missed > 0 {
             self.text.push_str(&format!("{{\"mark\":\"gap\",\"lost\":{}}}\n", batch.missed));
         }

@@ -1,14 +1,14 @@
 //! The robots of a data folder as a backup keeps them, without a server.
 
-use super::order::{ORDER_MAX, Order};
+use super::order::{ORDER_MAX, RobotOrder};
 use super::refusal::BackupMisfit;
-use super::register::{Known, Register, check_real};
+use super::register::{Register, RegisteredRobot, check_real};
 use behaviour::{Id, has_unseen};
 use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, RealRobot};
 use robot::Identity;
 use std::collections::HashSet;
 use std::path::Path;
-use store::backup::{Body, Reached, Robot};
+use store::backup::{BackedUpBody, BackedUpRobot, Reached};
 
 /// The seed that is written for the first robot while nothing else about it was ever kept.
 const SEED: u64 = 1;
@@ -17,15 +17,15 @@ const BODY_MAX_CHARS: usize = 200;
 
 /// The robots that are kept in a data folder, each with its order; none while there is nothing to keep of them.
 #[must_use]
-pub fn robots_in(data: &Path) -> Vec<Robot> {
+pub fn robots_in(data: &Path) -> Vec<BackedUpRobot> {
     let register = Register::within(Some(data), SEED);
     let robots: Vec<_> = register.known().iter().map(|known| robot(data, known)).collect();
     if register.is_kept() || robots.iter().any(|robot| !robot.order.is_empty()) { robots } else { Vec::new() }
 }
 
-fn robot(data: &Path, known: &Known) -> Robot {
-    let order = Order::within(Some(data), &known.robot).list();
-    Robot {
+fn robot(data: &Path, known: &RegisteredRobot) -> BackedUpRobot {
+    let order = RobotOrder::within(Some(data), &known.robot).list();
+    BackedUpRobot {
         id: known.robot.clone(),
         name: known.name.clone(),
         seed: known.seed,
@@ -36,20 +36,20 @@ fn robot(data: &Path, known: &Known) -> Robot {
 
 fn reached(real: &RealRobot) -> Reached {
     let RealRobot { address, user, fingerprint, password: _, identity } = real.clone();
-    let body = identity.map(|Identity { name, body, serial, head }| Body { name, kind: body, serial, head });
+    let body = identity.map(|Identity { name, body, serial, head }| BackedUpBody { name, kind: body, serial, head });
     Reached { address, user, fingerprint, body }
 }
 
 /// Returns the way to a robot as it is kept here, without its password: that has to be given again.
 fn real(reached: &Reached) -> RealRobot {
     let Reached { address, user, fingerprint, body } = reached.clone();
-    let identity = body.map(|Body { name, kind, serial, head }| Identity { name, body: kind, serial, head });
+    let identity = body.map(|BackedUpBody { name, kind, serial, head }| Identity { name, body: kind, serial, head });
     RealRobot { address, user, password: None, fingerprint, identity }
 }
 
 /// True if robots are the same, whatever was learned of their bodies meanwhile.
-fn are_same(these: &[Robot], those: &[Robot]) -> bool {
-    let bare = |robots: &[Robot]| -> Vec<Robot> {
+fn are_same(these: &[BackedUpRobot], those: &[BackedUpRobot]) -> bool {
+    let bare = |robots: &[BackedUpRobot]| -> Vec<BackedUpRobot> {
         let mut robots = robots.to_vec();
         robots.iter_mut().filter_map(|robot| robot.real.as_mut()).for_each(|reached| reached.body = None);
         robots
@@ -58,7 +58,7 @@ fn are_same(these: &[Robot], those: &[Robot]) -> bool {
 }
 
 /// True if a robot can have told this of itself.
-fn is_told(body: &Body) -> bool {
+fn is_told(body: &BackedUpBody) -> bool {
     let fits = |text: &String| text.chars().count() <= BODY_MAX_CHARS && !has_unseen(text);
     [&body.name, &body.kind, &body.serial, &body.head].into_iter().all(fits)
 }
@@ -68,13 +68,14 @@ fn is_told(body: &Body) -> bool {
 ///
 /// # Errors
 /// Why not.
-pub fn check_robots(data: &Path, robots: &[Robot], goes_on: bool) -> Result<(), BackupMisfit> {
+pub fn check_robots(data: &Path, robots: &[BackedUpRobot], goes_on: bool) -> Result<(), BackupMisfit> {
     let ids: HashSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
-    let is_named =
-        |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count()) && !has_unseen(&robot.name);
+    let is_named = |robot: &BackedUpRobot| {
+        (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count()) && !has_unseen(&robot.name)
+    };
     let fits_real = |reached: &Reached| check_real(&real(reached)).is_ok() && reached.body.as_ref().is_none_or(is_told);
-    let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(fits_real);
-    let fits = |robot: &Robot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;
+    let is_reached = |robot: &BackedUpRobot| robot.real.as_ref().is_none_or(fits_real);
+    let fits = |robot: &BackedUpRobot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;
     if ids.len() < robots.len() || robots.len() > ROBOTS_MAX || !robots.iter().all(fits) {
         return Err(BackupMisfit::Malformed);
     }
@@ -90,11 +91,11 @@ pub fn check_robots(data: &Path, robots: &[Robot], goes_on: bool) -> Result<(), 
 ///
 /// # Errors
 /// If they cannot be written.
-pub fn put_robots(data: &Path, robots: &[Robot]) -> std::io::Result<()> {
+pub fn put_robots(data: &Path, robots: &[BackedUpRobot]) -> std::io::Result<()> {
     for robot in robots {
-        Order::within(Some(data), &robot.id).replace(robot.order.clone())?;
+        RobotOrder::within(Some(data), &robot.id).replace(robot.order.clone())?;
     }
-    let known = |robot: &Robot| Known {
+    let known = |robot: &BackedUpRobot| RegisteredRobot {
         robot: robot.id.clone(),
         name: robot.name.clone(),
         seed: robot.seed,
@@ -103,7 +104,7 @@ pub fn put_robots(data: &Path, robots: &[Robot]) -> std::io::Result<()> {
     let mut known: Vec<_> = robots.iter().map(known).collect();
     let mut register = Register::within(Some(data), SEED);
     // The register keeps what it knows of a body by now, where a backup from before does not know it.
-    for Known { robot, real, .. } in &mut known {
+    for RegisteredRobot { robot, real, .. } in &mut known {
         if let (Some(real), Some(before)) = (real, register.real(robot)) {
             real.identity = real.identity.take().or_else(|| before.identity.clone());
         }
@@ -113,14 +114,14 @@ pub fn put_robots(data: &Path, robots: &[Robot]) -> std::io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Body, Identity, Register, Robot, check_robots, put_robots, robots_in};
+    use super::{BackedUpBody, BackedUpRobot, Identity, Register, check_robots, put_robots, robots_in};
     use behaviour::Id;
     use protocol::RealRobot;
 
-    fn robot(name: &str, order: &[&str]) -> Robot {
+    fn robot(name: &str, order: &[&str]) -> BackedUpRobot {
         let id = |text: &&str| Id::new(text).unwrap();
         let order = order.iter().map(id).collect();
-        Robot { id: id(&name), name: name.to_uppercase(), seed: 7, real: None, order }
+        BackedUpRobot { id: id(&name), name: name.to_uppercase(), seed: 7, real: None, order }
     }
 
     #[test]
@@ -168,11 +169,11 @@ mod tests {
     fn robots_that_no_server_keeps_are_refused() {
         let folder = tempfile::tempdir().unwrap();
         let twice = [robot("one", &[]), robot("one", &[])];
-        let long = [Robot { name: "x".repeat(41), ..robot("one", &[]) }];
-        let unseen = [Robot { name: "a\0b".to_owned(), ..robot("one", &[]) }];
-        let told = Body { name: "x".repeat(201), ..Body::default() };
+        let long = [BackedUpRobot { name: "x".repeat(41), ..robot("one", &[]) }];
+        let unseen = [BackedUpRobot { name: "a\0b".to_owned(), ..robot("one", &[]) }];
+        let told = BackedUpBody { name: "x".repeat(201), ..BackedUpBody::default() };
         let real = store::backup::Reached { address: "nao".into(), user: None, fingerprint: None, body: Some(told) };
-        let bodies = [Robot { real: Some(real), ..robot("one", &[]) }];
+        let bodies = [BackedUpRobot { real: Some(real), ..robot("one", &[]) }];
         let many: Vec<_> = (0..100).map(|number| robot(&format!("r{number}"), &[])).collect();
         for robots in [&twice[..], &long, &unseen, &bodies, &many] {
             assert!(check_robots(folder.path(), robots, false).is_err());

@@ -3,8 +3,8 @@
 
 use super::cancel_flag::CancelFlag;
 use super::fair::Fair;
-use super::mailbox::Mailbox;
-use super::refusal::{NoRun, NotByHand};
+use super::mailbox::RunMailbox;
+use super::refusal::{NotByHand, StartError};
 use crate::support::lock;
 use behaviour::{Id, Params, StreamKind, Value};
 use engine::{Claim, StreamIx};
@@ -40,28 +40,28 @@ pub(super) struct CommandQueue {
     closing: AtomicBool,
     /// The robot's thread.
     thread: OnceLock<Thread>,
-    pending: Mutex<Pending>,
+    pending: Mutex<PendingCommands>,
 }
 
 /// What waits, in the order in which the robot's thread does it.
 #[derive(Debug, Default)]
-pub(super) struct Pending {
+pub(super) struct PendingCommands {
     /// Runs that ended.
     closes: Vec<u64>,
     /// Runs that want their devices.
-    pub(super) opens: Vec<Opening>,
+    pub(super) opens: Vec<OpeningRun>,
     /// What people did in the room.
     pub(super) edits: VecDeque<SceneEdit>,
     /// Who wants to have the robot.
     pub(super) controls: Vec<Controlling>,
     /// The actions that people have it do by hand.
     pub(super) hands: Vec<Handing>,
-    commands: Fair<Use, Command>,
+    commands: Fair<Use, QueuedCommand>,
 }
 
 /// A run that wants its devices.
 #[derive(Debug)]
-pub(super) struct Opening {
+pub(super) struct OpeningRun {
     /// The run.
     pub(super) run: u64,
     /// Its behaviour, and how people call it.
@@ -69,13 +69,13 @@ pub(super) struct Opening {
     /// What cancels it.
     pub(super) cancel: Arc<CancelFlag>,
     /// Where its readings go.
-    pub(super) mailbox: Arc<Mailbox>,
+    pub(super) mailbox: Arc<RunMailbox>,
     /// Its devices, actions before senses.
-    pub(super) devices: Vec<Wanted>,
+    pub(super) devices: Vec<WantedDevice>,
     /// Whether it follows a run with the same number, whose devices it takes over as far as they are the same.
     pub(super) follows: bool,
     /// Gets the answer; never waited for.
-    pub(super) answer: SyncSender<Result<(), NoRun>>,
+    pub(super) answer: SyncSender<Result<(), StartError>>,
 }
 
 /// Somebody takes control of the robot, gives it back, or lets it rest.
@@ -113,7 +113,7 @@ pub(super) struct Handing {
 
 /// One device for one stream.
 #[derive(Clone, Debug)]
-pub(super) struct Wanted {
+pub(super) struct WantedDevice {
     /// The stream.
     pub(super) stream: Id,
     /// The stream's index in the run.
@@ -128,7 +128,7 @@ pub(super) struct Wanted {
     pub(super) claim: Claim,
 }
 
-impl Wanted {
+impl WantedDevice {
     /// Whether both are the same device with the same parameters for the same stream.
     pub(super) fn is_same_use(&self, other: &Self) -> bool {
         (&self.stream, &self.device, &self.params) == (&other.stream, &other.device, &other.params)
@@ -137,7 +137,7 @@ impl Wanted {
 
 /// A value for an action. Void once its run is cancelled.
 #[derive(Debug)]
-pub(super) struct Command {
+pub(super) struct QueuedCommand {
     /// What cancels the run.
     pub(super) cancel: Arc<CancelFlag>,
     /// The value.
@@ -221,7 +221,7 @@ impl CommandQueue {
     }
 
     /// Asks for devices. Bounded by the number of runs.
-    pub(super) fn open(&self, opening: Opening) {
+    pub(super) fn open(&self, opening: OpeningRun) {
         lock(&self.pending).opens.push(opening);
         self.ring();
     }
@@ -258,7 +258,7 @@ impl CommandQueue {
     }
 
     /// Hands on a value for an action; an older one of the same stream gives way.
-    pub(super) fn command(&self, user: Use, device: &str, command: Command) {
+    pub(super) fn command(&self, user: Use, device: &str, command: QueuedCommand) {
         let waiting = robot::device(StreamKind::Actuator, device).map_or(Waiting::Newest, |device| device.waiting);
         let waiting_max = if waiting == Waiting::Every { TEXTS_MAX } else { 1 };
         lock(&self.pending).commands.push(user, waiting_max, command);
@@ -286,10 +286,10 @@ impl CommandQueue {
     }
 
     /// Everything that waits; commands in the order in which they were given.
-    pub(super) fn take(&self) -> (Pending, Vec<(Use, Command)>) {
+    pub(super) fn take(&self) -> (PendingCommands, Vec<(Use, QueuedCommand)>) {
         let mut pending = lock(&self.pending);
         let commands = pending.commands.take().collect();
-        let taken = Pending {
+        let taken = PendingCommands {
             closes: Vec::new(),
             opens: std::mem::take(&mut pending.opens),
             edits: std::mem::take(&mut pending.edits),

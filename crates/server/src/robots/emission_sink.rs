@@ -1,9 +1,9 @@
 //! Where what a run emits goes: values for actions to the robot's queue, counts to the tally.
 
-use super::command_queue::{Command, Wanted};
-use super::runner::{Job, devices};
-use super::tally::Tally;
-use crate::recordings::{Recorder, Step};
+use super::command_queue::{QueuedCommand, WantedDevice};
+use super::runner::{RunJob, devices};
+use super::tally::RunTally;
+use crate::recordings::{RecordedStep, Recorder};
 use behaviour::{StreamKind, Value};
 use engine::{ConnectorIx, Emission, End, IndexVec, Run, StreamIx};
 use robot::{Millis, Use};
@@ -15,9 +15,9 @@ use std::time::Instant;
 /// Where what a run emits goes.
 pub(super) struct EmissionSink<'a> {
     /// The run.
-    pub(super) job: &'a Job,
+    pub(super) job: &'a RunJob,
     /// What it counted.
-    pub(super) tally: Tally,
+    pub(super) tally: RunTally,
     /// For every actuator stream its use and device.
     uses: IndexVec<StreamIx, Option<(Use, String)>>,
     /// When the procedure that runs now began, or a little before.
@@ -28,7 +28,7 @@ pub(super) struct EmissionSink<'a> {
     pub(super) recorder: Option<Recorder>,
     /// By stream whether it is an action's.
     acts: IndexVec<StreamIx, bool>,
-    step: Step,
+    step: RecordedStep,
     /// Values that took too long in this step.
     late: u64,
     /// Whether Stop ended a procedure in this step.
@@ -37,16 +37,16 @@ pub(super) struct EmissionSink<'a> {
 
 impl<'a> EmissionSink<'a> {
     /// For a run that commands these devices.
-    pub(super) fn new(job: &'a Job, tally: Tally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
+    pub(super) fn new(job: &'a RunJob, tally: RunTally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
         let acts: IndexVec<StreamIx, bool> =
             run.streams().iter().map(|info| info.kind == StreamKind::Actuator).collect();
         let mut uses: IndexVec<StreamIx, _> = acts.iter().map(|_| None).collect();
-        for Wanted { index, stream, device, .. } in devices(run, &job.start.file) {
+        for WantedDevice { index, stream, device, .. } in devices(run, &job.start.file) {
             if acts[index] {
                 uses[index] = Some((Use { run: job.run, stream }, device));
             }
         }
-        let (recorder, step) = (None, Step::default());
+        let (recorder, step) = (None, RecordedStep::default());
         Self { job, tally, uses, clock, too_long: None, recorder, acts, step, late: 0, cut: false }
     }
 
@@ -60,7 +60,7 @@ impl<'a> EmissionSink<'a> {
                     self.step.value(at.0, stream, value);
                 }
                 if let Some((user, device)) = &self.uses[stream] {
-                    let command = Command { cancel: self.job.cancel.clone(), value: value.clone() };
+                    let command = QueuedCommand { cancel: self.job.cancel.clone(), value: value.clone() };
                     self.job.shared.queue.command(user.clone(), device, command);
                 }
             }

@@ -5,12 +5,12 @@ use super::cancel_flag::CancelFlag;
 use super::command_queue::{ByHand, Controlling, Handing};
 use super::live::LiveValues;
 use super::mailbox::Beginning;
-use super::order::Order;
-use super::refusal::{NoRun, NotByHand};
+use super::order::RobotOrder;
+use super::refusal::{NotByHand, StartError};
 use super::robot_thread::{self, Make};
-use super::run_marks::{Marked, Press, RunMarks};
+use super::run_marks::{MarkPress, PressOutcome, RunMarks};
 use super::run_table;
-use super::runner::{self, Job};
+use super::runner::{self, RunJob};
 use super::shared::RobotShared;
 use super::status_feed::StatusFeed;
 use super::successor;
@@ -21,7 +21,7 @@ use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
-use protocol::{HAND_MAX_BYTES, MarkEdit, RecordingMark, Refused, RobotState, RunState, STOP_BUTTON, Session};
+use protocol::{HAND_MAX_BYTES, MarkEdit, RecordedSession, RecordingMark, Refused, RobotState, RunState, STOP_BUTTON};
 use robot::{Control, RobotFault, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -47,7 +47,7 @@ pub(crate) struct Host {
 }
 
 /// What to start.
-pub(crate) struct Start {
+pub(crate) struct StartOrder {
     /// The behaviour.
     pub(crate) behaviour: Id,
     /// Its revision.
@@ -57,7 +57,7 @@ pub(crate) struct Start {
     /// Whether it is recorded.
     pub(crate) record: bool,
     /// The session that its recording is part of, and what the recording has.
-    pub(crate) session: Session,
+    pub(crate) session: RecordedSession,
     /// Who starts it.
     pub(crate) by: String,
     /// By which invitation they came; none if they are the host.
@@ -65,13 +65,13 @@ pub(crate) struct Start {
 }
 
 /// A run that is about to be; forgotten with its end if it did not come to be.
-pub(crate) struct Announced {
+pub(crate) struct AnnouncedRun {
     run: u64,
     cancel: Arc<CancelFlag>,
     shared: Arc<RobotShared>,
 }
 
-impl Announced {
+impl AnnouncedRun {
     /// Whether somebody pressed Stop meanwhile.
     pub(crate) fn is_cancelled(&self) -> bool {
         self.cancel.is_cancelled()
@@ -83,14 +83,14 @@ impl Announced {
     }
 }
 
-impl Drop for Announced {
+impl Drop for AnnouncedRun {
     fn drop(&mut self) {
         lock(&self.shared.table).withdraw(self.run);
     }
 }
 
 /// Whether a run began, or why not.
-type Begun = Result<RunState, NoRun>;
+type BegunRun = Result<RunState, StartError>;
 
 /// Ends the robot's thread with the last clone.
 pub(super) struct Owner {
@@ -115,7 +115,7 @@ impl Host {
         make: Make,
         limits: fn() -> Limits,
         recordings: Recordings,
-        order: Order,
+        order: RobotOrder,
     ) -> std::io::Result<Self> {
         let shared = Arc::new(RobotShared::new(state.robot.clone(), feed, order));
         let mine = Arc::clone(&shared);
@@ -141,51 +141,51 @@ impl Host {
     ///
     /// # Errors
     /// If too many run already.
-    pub(crate) fn announce(&self, behaviour: &Id) -> Result<Announced, NoRun> {
+    pub(crate) fn announce(&self, behaviour: &Id) -> Result<AnnouncedRun, StartError> {
         let shared = self.shared().clone();
         if let Some(other) = shared.feed.same_as(&shared.robot) {
-            return Err(NoRun::Twin(other));
+            return Err(StartError::Twin(other));
         }
         if shared.threads() >= THREADS_MAX {
-            return Err(NoRun::TooMany);
+            return Err(StartError::TooMany);
         }
         let (run, cancel) = (shared.feed.next_run(), shared.cancel_flags.add(behaviour));
-        let announced = Announced { run, cancel, shared };
+        let announced = AnnouncedRun { run, cancel, shared };
         let has_room = lock(&announced.shared.table).announce(run, behaviour, &announced.cancel);
-        if has_room { Ok(announced) } else { Err(NoRun::TooMany) }
+        if has_room { Ok(announced) } else { Err(StartError::TooMany) }
     }
 
     /// Starts an announced behaviour; one that runs already is replaced as soon as the new one is ready.
     ///
     /// # Errors
     /// Why it cannot start.
-    pub(crate) async fn start_announced(&self, announced: &Announced, start: Start) -> Begun {
+    pub(crate) async fn start_announced(&self, announced: &AnnouncedRun, start: StartOrder) -> BegunRun {
         let job = self.job(announced.run, start, announced.cancel.clone());
         let (answer, answered) = oneshot::channel();
         self.thread(job, move |job| runner::run(job, answer))?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
-            Ok(answered) => answered.unwrap_or(Err(NoRun::Unprepared)),
+            Ok(answered) => answered.unwrap_or(Err(StartError::Unprepared)),
             Err(_) => {
                 announced.cancel.cancel();
-                Err(NoRun::Late)
+                Err(StartError::Late)
             }
         }
     }
 
     /// Announces and starts a behaviour.
     #[cfg(test)]
-    pub(super) async fn start(&self, start: Start) -> Begun {
+    pub(super) async fn start(&self, start: StartOrder) -> BegunRun {
         let announced = self.announce(&start.behaviour)?;
         self.start_announced(&announced, start).await
     }
 
-    fn job(&self, run: u64, start: Start, cancel: Arc<CancelFlag>) -> Job {
+    fn job(&self, run: u64, start: StartOrder, cancel: Arc<CancelFlag>) -> RunJob {
         let (shared, recordings) = (self.shared().clone(), self.owner.recordings.clone());
-        Job { run, start, cancel, shared, recordings, limits: self.owner.limits, clock: Instant::now }
+        RunJob { run, start, cancel, shared, recordings, limits: self.owner.limits, clock: Instant::now }
     }
 
     /// A thread for a run.
-    fn thread(&self, job: Job, work: impl FnOnce(&Job) + Send + 'static) -> Result<(), NoRun> {
+    fn thread(&self, job: RunJob, work: impl FnOnce(&RunJob) + Send + 'static) -> Result<(), StartError> {
         let shared = self.shared().clone();
         shared.threads.fetch_add(1, Ordering::SeqCst);
         let thread = std::thread::Builder::new().name(format!("run-{}", job.run)).stack_size(STACK_BYTES);
@@ -196,7 +196,7 @@ impl Host {
         });
         spawned.map(drop).map_err(|error| {
             shared.threads.fetch_sub(1, Ordering::SeqCst);
-            NoRun::NoThread(error)
+            StartError::NoThread(error)
         })
     }
 
@@ -205,22 +205,22 @@ impl Host {
     ///
     /// # Errors
     /// Why it was not applied.
-    pub(crate) async fn apply(&self, start: Start) -> Begun {
+    pub(crate) async fn apply(&self, start: StartOrder) -> BegunRun {
         let answered = self.launch_successor(start)?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
-            Ok(answered) => answered.unwrap_or(Err(NoRun::Unprepared)),
-            Err(_) => Err(NoRun::StillApplying),
+            Ok(answered) => answered.unwrap_or(Err(StartError::Unprepared)),
+            Err(_) => Err(StartError::StillApplying),
         }
     }
 
-    fn launch_successor(&self, start: Start) -> Result<oneshot::Receiver<Begun>, NoRun> {
+    fn launch_successor(&self, start: StartOrder) -> Result<oneshot::Receiver<BegunRun>, StartError> {
         let before = lock(&self.shared().table).running_of(&start.behaviour).cloned();
-        let before = before.ok_or(NoRun::Ended)?;
+        let before = before.ok_or(StartError::Ended)?;
         if self.shared().threads() >= THREADS_MAX {
-            return Err(NoRun::TooMany);
+            return Err(StartError::TooMany);
         }
         if !before.applying.begin() {
-            return Err(NoRun::AppliedJustNow);
+            return Err(StartError::AppliedJustNow);
         }
         let job = self.job(before.state.run, start, before.cancel.clone());
         let (answer, answered) = oneshot::channel();
@@ -275,14 +275,20 @@ impl Host {
     ///
     /// # Errors
     /// If the behaviour did not run then, if a text is too long, or if that was too much at once.
-    pub(super) fn mark(&self, behaviour: &Id, mark: RecordingMark, press: Press) -> Result<Marked, Refused> {
+    pub(super) fn mark(&self, behaviour: &Id, mark: RecordingMark, press: MarkPress) -> Result<PressOutcome, Refused> {
         let table = lock(&self.shared().table);
         let entry = table.newest_of(behaviour).ok_or(Refused::NotRunning)?;
         entry.marks.put(mark, press, &entry.mailbox).map(|mark| entry.marked(mark))
     }
 
     /// Changes a mark of a run; none if that run is of another robot, or is forgotten.
-    pub(super) fn edit_mark(&self, run: u64, id: &Id, edit: MarkEdit, press: Press) -> Option<Result<Marked, Refused>> {
+    pub(super) fn edit_mark(
+        &self,
+        run: u64,
+        id: &Id,
+        edit: MarkEdit,
+        press: MarkPress,
+    ) -> Option<Result<PressOutcome, Refused>> {
         let table = lock(&self.shared().table);
         let entry = table.get(run)?;
         Some(entry.marks.edit(id, edit, press, &entry.mailbox).map(|mark| entry.marked(mark)))
@@ -297,7 +303,7 @@ impl Host {
     ///
     /// # Errors
     /// If the behaviour does not run, or why it cannot be recorded.
-    pub(crate) fn record(&self, behaviour: &Id, by: &str, session: &Session) -> Result<(), Refused> {
+    pub(crate) fn record(&self, behaviour: &Id, by: &str, session: &RecordedSession) -> Result<(), Refused> {
         // One at a time, so that nothing is recorded twice.
         let _beginning = lock(&self.owner.beginning);
         let shared = self.shared();
@@ -350,7 +356,7 @@ impl Host {
         match answered {
             Ok(Ok(done)) => done.map_err(|fault| Refused::RobotCannot(fault.to_string())),
             Ok(Err(_)) => Err(Refused::TooFast),
-            Err(_) => Err(Refused::RobotCannot(NoRun::Silent.to_string())),
+            Err(_) => Err(Refused::RobotCannot(StartError::Silent.to_string())),
         }
     }
 

@@ -8,32 +8,32 @@ use std::sync::{Arc, Mutex};
 #[derive(Clone, Debug)]
 pub(crate) struct LiveValues {
     run: u64,
-    cell: Arc<Mutex<Cell>>,
+    cell: Arc<Mutex<LiveCell>>,
 }
 
 /// What one subscriber has seen already; starts with nothing.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Seen {
+pub(crate) struct SeenLive {
     run: u64,
     version: u64,
 }
 
 #[derive(Debug, Default)]
-struct Cell {
+struct LiveCell {
     version: u64,
     at_ms: u64,
-    streams: Vec<Told<StreamSample>>,
-    connectors: Vec<Told<ConnectorSample>>,
+    streams: Vec<ToldSample<StreamSample>>,
+    connectors: Vec<ToldSample<ConnectorSample>>,
 }
 
 /// A sample and the version with which it changed last; 0 while there is nothing to tell.
 #[derive(Debug)]
-struct Told<T> {
+struct ToldSample<T> {
     version: u64,
     sample: Option<T>,
 }
 
-impl<T> Default for Told<T> {
+impl<T> Default for ToldSample<T> {
     fn default() -> Self {
         Self { version: 0, sample: None }
     }
@@ -42,22 +42,22 @@ impl<T> Default for Told<T> {
 impl LiveValues {
     /// For a run with that many streams and connectors.
     pub(super) fn new(run: u64, streams: usize, connectors: usize) -> Self {
-        let cell = Cell {
-            streams: std::iter::repeat_with(Told::default).take(streams).collect(),
-            connectors: std::iter::repeat_with(Told::default).take(connectors).collect(),
-            ..Cell::default()
+        let cell = LiveCell {
+            streams: std::iter::repeat_with(ToldSample::default).take(streams).collect(),
+            connectors: std::iter::repeat_with(ToldSample::default).take(connectors).collect(),
+            ..LiveCell::default()
         };
         Self { run, cell: Arc::new(Mutex::new(cell)) }
     }
 
     /// What changed since this subscriber's last question, or nothing.
-    pub(crate) fn since(&self, seen: &mut Seen) -> Option<Values> {
+    pub(crate) fn since(&self, seen: &mut SeenLive) -> Option<Values> {
         let known = if seen.run == self.run { seen.version } else { 0 };
         let cell = lock(&self.cell);
         if cell.version <= known {
             return None;
         }
-        *seen = Seen { run: self.run, version: cell.version };
+        *seen = SeenLive { run: self.run, version: cell.version };
         let (streams, connectors) = (newer(&cell.streams, known), newer(&cell.connectors, known));
         Some(Values { run: self.run, at_ms: cell.at_ms, streams, connectors })
     }
@@ -65,8 +65,8 @@ impl LiveValues {
     /// Begins anew with that many streams and connectors; whoever watches goes on watching.
     pub(super) fn renew(&self, streams: usize, connectors: usize) {
         let mut cell = lock(&self.cell);
-        cell.streams = std::iter::repeat_with(Told::default).take(streams).collect();
-        cell.connectors = std::iter::repeat_with(Told::default).take(connectors).collect();
+        cell.streams = std::iter::repeat_with(ToldSample::default).take(streams).collect();
+        cell.connectors = std::iter::repeat_with(ToldSample::default).take(connectors).collect();
     }
 
     /// Tells what changed, each with its index. False if somebody reads just now and `wait` is false.
@@ -98,21 +98,21 @@ impl Changes {
     }
 }
 
-fn put<T>(told: &mut [Told<T>], changes: &mut Vec<(usize, T)>, version: u64) {
+fn put<T>(told: &mut [ToldSample<T>], changes: &mut Vec<(usize, T)>, version: u64) {
     for (index, sample) in changes.drain(..) {
         if let Some(place) = told.get_mut(index) {
-            *place = Told { version, sample: Some(sample) };
+            *place = ToldSample { version, sample: Some(sample) };
         }
     }
 }
 
-fn newer<T: Clone>(told: &[Told<T>], known: u64) -> Vec<T> {
+fn newer<T: Clone>(told: &[ToldSample<T>], known: u64) -> Vec<T> {
     told.iter().filter(|told| told.version > known).filter_map(|told| told.sample.clone()).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Changes, LiveValues, Seen};
+    use super::{Changes, LiveValues, SeenLive};
     use behaviour::{Id, Value};
     use protocol::StreamSample;
 
@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn every_subscriber_hears_only_what_is_new_to_it() {
         let live = LiveValues::new(7, 3, 0);
-        let (mut aiko, mut ben) = (Seen::default(), Seen::default());
+        let (mut aiko, mut ben) = (SeenLive::default(), SeenLive::default());
         assert!(live.since(&mut aiko).is_none());
         live.tell(10, &mut ball(1), true);
         assert_eq!(live.since(&mut aiko).unwrap().streams.len(), 1);

@@ -25,14 +25,14 @@ const HANDS_MAX: usize = 256;
 
 /// Which readings of a stream are kept while the run is busy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Keep {
+pub(super) enum ReadingsKept {
     /// Only the newest: what a camera or joint says now.
     Newest,
     /// Every one, up to a bound: what happened.
     All,
 }
 
-impl Keep {
+impl ReadingsKept {
     /// How the readings of a sense are kept.
     pub(super) fn of(device: &str) -> Self {
         match robot::device(StreamKind::Sensor, device).map(|device| device.waiting) {
@@ -123,14 +123,14 @@ pub(super) struct Beginning {
 
 /// The mailbox.
 #[derive(Debug, Default)]
-pub(super) struct Mailbox {
-    inbox: Mutex<Inbox>,
+pub(super) struct RunMailbox {
+    inbox: Mutex<RunInbox>,
     bell: Condvar,
 }
 
 #[derive(Debug, Default)]
-struct Inbox {
-    readings: Fair<(StreamIx, Keep), Arrived>,
+struct RunInbox {
+    readings: Fair<(StreamIx, ReadingsKept), Arrived>,
     refused: BTreeMap<Id, (u64, String)>,
     undone: BTreeMap<Undone, (Instant, u64)>,
     hands: Vec<DoneByHand>,
@@ -141,18 +141,18 @@ struct Inbox {
     rung: bool,
 }
 
-impl Mailbox {
+impl RunMailbox {
     /// Puts a reading in.
-    pub(super) fn put(&self, stream: StreamIx, keep: Keep, value: Value) {
+    pub(super) fn put(&self, stream: StreamIx, keep: ReadingsKept, value: Value) {
         self.put_of(stream, keep, value, None);
     }
 
     /// Puts a reading in that somebody pretended; every one counts.
     pub(super) fn pretend(&self, stream: StreamIx, value: Value, by: &str) {
-        self.put_of(stream, Keep::All, value, Some(by.into()));
+        self.put_of(stream, ReadingsKept::All, value, Some(by.into()));
     }
 
-    fn put_of(&self, stream: StreamIx, keep: Keep, value: Value, by: Option<Arc<str>>) {
+    fn put_of(&self, stream: StreamIx, keep: ReadingsKept, value: Value, by: Option<Arc<str>>) {
         let mut inbox = lock(&self.inbox);
         let arrived = Arrived { stream, at: Instant::now(), value, by };
         inbox.readings.push((stream, keep), keep.readings_max(), arrived);
@@ -260,7 +260,7 @@ impl Mailbox {
     }
 }
 
-impl Inbox {
+impl RunInbox {
     /// The same again only counts; of more different things than may wait the newest are left out.
     fn undone(&mut self, undone: Undone) {
         if self.undone.len() < UNDONE_MAX || self.undone.contains_key(&undone) {
@@ -275,7 +275,7 @@ impl Inbox {
 
 #[cfg(test)]
 mod tests {
-    use super::{Keep, Mailbox};
+    use super::{ReadingsKept, RunMailbox};
     use behaviour::Value;
     use engine::StreamIx;
 
@@ -283,17 +283,17 @@ mod tests {
     fn how_readings_are_kept_is_what_their_device_says() {
         for sense in robot::sensors() {
             let every = sense.waiting == robot::Waiting::Every;
-            assert_eq!(Keep::of(sense.name) == Keep::All, every, "{}", sense.name);
+            assert_eq!(ReadingsKept::of(sense.name) == ReadingsKept::All, every, "{}", sense.name);
         }
-        assert_eq!(Keep::of("no such sense"), Keep::Newest);
+        assert_eq!(ReadingsKept::of("no such sense"), ReadingsKept::Newest);
     }
 
     #[test]
     fn a_camera_keeps_its_newest_and_a_touch_keeps_every_one() {
-        let mailbox = Mailbox::default();
+        let mailbox = RunMailbox::default();
         for at in 0..300_i64 {
-            mailbox.put(StreamIx::of(0), Keep::Newest, Value::Int(at));
-            mailbox.put(StreamIx::of(1), Keep::All, Value::Int(at));
+            mailbox.put(StreamIx::of(0), ReadingsKept::Newest, Value::Int(at));
+            mailbox.put(StreamIx::of(1), ReadingsKept::All, Value::Int(at));
         }
         let post = mailbox.take(None);
         let of = |at| post.readings.iter().filter(move |reading| reading.stream == StreamIx::of(at));
@@ -305,7 +305,7 @@ mod tests {
 
     #[test]
     fn waiting_ends_at_its_time_or_when_it_is_rung() {
-        let mailbox = Mailbox::default();
+        let mailbox = RunMailbox::default();
         assert!(mailbox.take(Some(std::time::Instant::now())).readings.is_empty());
         mailbox.ring();
         assert!(mailbox.take(None).readings.is_empty());

@@ -16,21 +16,21 @@ pub(super) const OWN_NAME: &str = "rrp";
 const FORMER_MAX: usize = 64;
 
 /// The names, now and before.
-pub(super) struct Names {
+pub(super) struct RobotNames {
     path: Option<PathBuf>,
-    kept: Kept,
+    kept: KeptNames,
 }
 
 #[derive(Clone, Default, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
-struct Kept {
+struct KeptNames {
     /// The number of other bodies that a robot was before, if it was one.
     bodies: BTreeMap<Id, u32>,
     /// Names that no robot has any more, oldest first.
     former: Vec<String>,
 }
 
-impl Names {
+impl RobotNames {
     /// Returns the names that are kept in a data folder; none if there is no folder.
     pub(super) fn within(data: Option<&Path>) -> Self {
         let path = data.map(|data| data.join(FILE));
@@ -84,7 +84,7 @@ impl Names {
 
 #[cfg(test)]
 mod tests {
-    use super::{FORMER_MAX, Names};
+    use super::{FORMER_MAX, RobotNames};
     use behaviour::Id;
 
     fn id(text: &str) -> Id {
@@ -95,12 +95,12 @@ mod tests {
     fn a_name_outlives_its_robot_and_its_body() {
         let folder = tempfile::tempdir().unwrap();
         let (blue, green) = (id("blue"), id("green"));
-        let mut names = Names::within(Some(folder.path()));
+        let mut names = RobotNames::within(Some(folder.path()));
         assert_eq!((names.own(&blue).as_str(), names.former([&blue].into_iter())), ("rrp-blue", Vec::new()));
         names.change(&blue);
         names.change(&blue);
         names.leave(&green);
-        let names = Names::within(Some(folder.path()));
+        let names = RobotNames::within(Some(folder.path()));
         assert_eq!(names.own(&blue), "rrp-blue-3");
         assert_eq!(names.former([&blue].into_iter()), ["rrp-blue", "rrp-blue-2", "rrp-green"]);
         assert_eq!(names.former([&blue, &green].into_iter()), ["rrp-blue", "rrp-blue-2"], "it is here again");
@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn only_so_many_are_remembered() {
-        let mut names = Names::within(None);
+        let mut names = RobotNames::within(None);
         (0..FORMER_MAX + 3).for_each(|number| names.leave(&id(&format!("r{number}"))));
         names.leave(&id("r5"));
         let former = names.former(std::iter::empty());

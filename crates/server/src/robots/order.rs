@@ -14,13 +14,13 @@ const FOLDER: &str = "robot-orders";
 
 /// The order, from the top. Every use of the list is short; saving waits for the disk outside of it.
 #[derive(Debug, Default)]
-pub(crate) struct Order {
+pub(crate) struct RobotOrder {
     path: Option<PathBuf>,
     list: Mutex<Vec<Id>>,
     saving: Mutex<()>,
 }
 
-impl Order {
+impl RobotOrder {
     /// The order on a robot that is kept in a data folder; without a folder it lasts as long as the server.
     pub(crate) fn within(data: Option<&Path>, robot: &Id) -> Self {
         let path = data.map(|data| data.join(FOLDER).join(format!("{robot}.json")));
@@ -112,7 +112,7 @@ impl Order {
 
 #[cfg(test)]
 mod tests {
-    use super::{ORDER_MAX, Order};
+    use super::{ORDER_MAX, RobotOrder};
     use behaviour::Id;
 
     #[test]
@@ -121,7 +121,7 @@ mod tests {
         let id = |text: &str| Id::new(text).unwrap();
         let (a, b, c) = (id("a"), id("b"), id("c"));
         let (robot, another) = (id("nao"), id("another"));
-        let order = Order::within(Some(folder.path()), &robot);
+        let order = RobotOrder::within(Some(folder.path()), &robot);
         for one in [&a, &b, &c, &a] {
             order.add(one).unwrap();
         }
@@ -129,16 +129,16 @@ mod tests {
         order.put(&c, Some(&a)).unwrap();
         order.put(&a, None).unwrap();
         order.put(&b, Some(&b)).unwrap();
-        let again = Order::within(Some(folder.path()), &robot);
+        let again = RobotOrder::within(Some(folder.path()), &robot);
         assert_eq!([&c, &b, &a].map(|one| again.place(one)), [0, 1, 2]);
-        assert_eq!(Order::within(Some(folder.path()), &another).place(&c), 0, "every robot has its own");
+        assert_eq!(RobotOrder::within(Some(folder.path()), &another).place(&c), 0, "every robot has its own");
         again.forget();
-        assert_eq!(Order::within(Some(folder.path()), &robot).place(&a), 0);
+        assert_eq!(RobotOrder::within(Some(folder.path()), &robot).place(&a), 0);
     }
 
     #[test]
     fn however_many_are_placed_the_order_has_its_bound() {
-        let order = Order::default();
+        let order = RobotOrder::default();
         let id = |number: usize| Id::new(&format!("b{number}")).unwrap();
         *order.list.lock().unwrap() = (0..ORDER_MAX).map(id).collect();
         for number in 0..3 {

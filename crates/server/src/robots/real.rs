@@ -6,8 +6,8 @@ use super::refusal::RobotsUnchanged;
 use super::register::check_real;
 use super::robot_thread::RoomRobot;
 use behaviour::Id;
-use nao::{Login, Nao, Settings, Step};
-use protocol::{CheckStage, CheckStep, Checked, FoundRobot, RealRobot, Refused, Reply};
+use nao::{Login, Nao, ReachStep, RobotSettings};
+use protocol::{CheckStage, CheckStep, FoundRobot, RealRobot, Refused, Reply, RobotFindings};
 use robot::SceneEdit;
 use std::time::Duration;
 
@@ -16,15 +16,15 @@ const FIND: Duration = Duration::from_millis(2_000);
 
 /// A NAO or Pepper; it connects by itself and for as long as it lasts.
 pub(super) fn nao((own_name, former): (String, Vec<String>), real: &RealRobot) -> Nao {
-    Nao::start(Settings { former, ..settings(&own_name, real) })
+    Nao::start(RobotSettings { former, ..settings(&own_name, real) })
 }
 
-fn settings(own_name: &str, real: &RealRobot) -> Settings {
+fn settings(own_name: &str, real: &RealRobot) -> RobotSettings {
     let login = real
         .user
         .as_ref()
         .map(|user| Login { user: user.clone(), password: real.password.clone().unwrap_or_default() });
-    Settings {
+    RobotSettings {
         address: real.address.trim().to_owned(),
         login,
         own_name: own_name.to_owned(),
@@ -52,18 +52,18 @@ pub(crate) async fn check(robots: &Robots, real: &RealRobot, robot: Option<&Id>)
     let steps = found.steps.into_iter().map(|(step, failed)| CheckStep { stage: stage(step), failed }).collect();
     let (name, model, fingerprint, lacking) = (found.name, found.model, found.fingerprint, found.lacking);
     let identity = found.identity;
-    let checked = Checked { steps, name, model, fingerprint, lacking, identity, known_as };
+    let checked = RobotFindings { steps, name, model, fingerprint, lacking, identity, known_as };
     Ok(Reply::RobotChecked { checked: Box::new(checked) })
 }
 
-fn stage(step: Step) -> CheckStage {
+fn stage(step: ReachStep) -> CheckStage {
     match step {
-        Step::Name => CheckStage::Name,
-        Step::Tcp => CheckStage::Tcp,
-        Step::Tls => CheckStage::Tls,
-        Step::Login => CheckStage::Login,
-        Step::Directory => CheckStage::Directory,
-        Step::Services => CheckStage::Services,
+        ReachStep::Name => CheckStage::Name,
+        ReachStep::Tcp => CheckStage::Tcp,
+        ReachStep::Tls => CheckStage::Tls,
+        ReachStep::Login => CheckStage::Login,
+        ReachStep::Directory => CheckStage::Directory,
+        ReachStep::Services => CheckStage::Services,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Why the robots and what runs on them stay as they are, and why a run ended by itself.
 
 use crate::recordings::NotRecorded;
-use engine::Fault;
+use engine::GraphFault;
 use protocol::Refused;
 use robot::RobotFault;
 use std::io;
@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 /// Why a behaviour did not begin on a robot, or why an edited one was not applied.
 #[derive(Debug)]
-pub(crate) enum NoRun {
+pub(crate) enum StartError {
     /// As many run as may run.
     TooMany,
     /// There is no thread for it.
@@ -19,7 +19,7 @@ pub(crate) enum NoRun {
     /// Preparing it took longer than it may.
     Late,
     /// The engine cannot run it.
-    Faults(Vec<Fault>),
+    Faults(Vec<GraphFault>),
     /// The robot does not answer in time.
     Silent,
     /// The robot cannot open a device, of the stream that people call so; with the robot's reason.
@@ -51,13 +51,13 @@ pub(crate) enum NoRun {
     Inside,
 }
 
-impl From<NotRecorded> for NoRun {
+impl From<NotRecorded> for StartError {
     fn from(why: NotRecorded) -> Self {
         Self::NotRecorded(why)
     }
 }
 
-impl NoRun {
+impl StartError {
     /// This as why a behaviour cannot start.
     pub(crate) fn cannot_start(self) -> Refused {
         Refused::CannotStart(self.to_string())

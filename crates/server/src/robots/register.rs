@@ -1,6 +1,6 @@
 //! Which robots there are, kept in the data folder before it counts.
 
-use super::names::Names;
+use super::names::RobotNames;
 use super::refusal::RobotsUnchanged;
 use crate::support::atomic_file;
 use behaviour::{Id, has_unseen, numbered};
@@ -17,15 +17,15 @@ const FIRST: (&str, &str) = ("simulated-nao", "Simulated NAO");
 /// The robots that are known, oldest first; never empty.
 pub(super) struct Register {
     path: Option<PathBuf>,
-    known: Vec<Known>,
-    names: Names,
+    known: Vec<RegisteredRobot>,
+    names: RobotNames,
     seed: u64,
 }
 
 /// A robot.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub(super) struct Known {
+pub(super) struct RegisteredRobot {
     /// Its id.
     pub(super) robot: Id,
     /// What people call it.
@@ -41,10 +41,10 @@ impl Register {
     /// What is kept in a data folder, at first one robot with this seed.
     pub(super) fn within(data: Option<&Path>, seed: u64) -> Self {
         let path = data.map(|data| data.join(FILE));
-        let known: Vec<Known> = path.as_deref().and_then(atomic_file::read).unwrap_or_default();
-        let mut this = Self { path, known, names: Names::within(data), seed };
+        let known: Vec<RegisteredRobot> = path.as_deref().and_then(atomic_file::read).unwrap_or_default();
+        let mut this = Self { path, known, names: RobotNames::within(data), seed };
         if let (true, Ok(robot)) = (this.known.is_empty(), Id::new(FIRST.0)) {
-            this.known.push(Known { robot, name: FIRST.1.to_owned(), seed, real: None });
+            this.known.push(RegisteredRobot { robot, name: FIRST.1.to_owned(), seed, real: None });
         }
         this
     }
@@ -55,12 +55,12 @@ impl Register {
     }
 
     /// Others in their place.
-    pub(super) fn replace(&mut self, known: Vec<Known>) -> std::io::Result<()> {
+    pub(super) fn replace(&mut self, known: Vec<RegisteredRobot>) -> std::io::Result<()> {
         self.keep(known)
     }
 
     /// All of them.
-    pub(super) fn known(&self) -> &[Known] {
+    pub(super) fn known(&self) -> &[RegisteredRobot] {
         &self.known
     }
 
@@ -68,13 +68,18 @@ impl Register {
     ///
     /// # Errors
     /// What is wrong with the name, or with how it is reached.
-    pub(super) fn newcomer(&self, robot: &Id, name: &str, real: Option<RealRobot>) -> Result<Known, RobotsUnchanged> {
+    pub(super) fn newcomer(
+        &self,
+        robot: &Id,
+        name: &str,
+        real: Option<RealRobot>,
+    ) -> Result<RegisteredRobot, RobotsUnchanged> {
         let name = self.name_for(robot, name)?;
         real.as_ref().map_or(Ok(()), check_real)?;
         let twin = real.as_ref().and_then(|real| self.twin(real.identity.as_ref()?, Some(robot)));
         twin.map_or(Ok(()), |twin| Err(RobotsUnchanged::Twin(twin.to_owned())))?;
         let seed = self.known.iter().map(|known| known.seed).fold(self.seed, u64::max).wrapping_add(1);
-        Ok(Known { robot: robot.clone(), name, seed, real })
+        Ok(RegisteredRobot { robot: robot.clone(), name, seed, real })
     }
 
     /// A name that no other robot has.
@@ -126,7 +131,7 @@ impl Register {
     ///
     /// # Errors
     /// What is wrong with that way, or that it could not be kept.
-    pub(super) fn reach(&mut self, robot: &Id, real: RealRobot) -> Result<Known, RobotsUnchanged> {
+    pub(super) fn reach(&mut self, robot: &Id, real: RealRobot) -> Result<RegisteredRobot, RobotsUnchanged> {
         check_real(&real)?;
         let mut after = self.known.clone();
         let known = after.iter_mut().find(|known| known.robot == *robot && known.real.is_some());
@@ -144,7 +149,7 @@ impl Register {
     }
 
     /// One more.
-    pub(super) fn add(&mut self, known: Known) -> std::io::Result<()> {
+    pub(super) fn add(&mut self, known: RegisteredRobot) -> std::io::Result<()> {
         let mut after = self.known.clone();
         after.push(known);
         self.keep(after)
@@ -159,7 +164,7 @@ impl Register {
         Ok(())
     }
 
-    fn keep(&mut self, after: Vec<Known>) -> std::io::Result<()> {
+    fn keep(&mut self, after: Vec<RegisteredRobot>) -> std::io::Result<()> {
         if let Some(path) = &self.path {
             atomic_file::put(path, &serde_json::to_string(&after).map_err(std::io::Error::other)?)?;
         }

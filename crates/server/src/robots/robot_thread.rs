@@ -4,9 +4,9 @@
 mod by_hand;
 
 use super::cancel_flag::CancelFlag;
-use super::command_queue::{Command, CommandQueue, Controlling, Opening, Wanted};
-use super::mailbox::{Keep, Mailbox};
-use super::refusal::{NoRun, RunFailure};
+use super::command_queue::{CommandQueue, Controlling, OpeningRun, QueuedCommand, WantedDevice};
+use super::mailbox::{ReadingsKept, RunMailbox};
+use super::refusal::{RunFailure, StartError};
 use super::shared::RobotShared;
 use crate::support::lock;
 use behaviour::Id;
@@ -71,7 +71,7 @@ pub(super) struct RobotThread<'a> {
     steps: u64,
     /// When its first step was due.
     began: Instant,
-    users: HashMap<u64, User>,
+    users: HashMap<u64, RobotUser>,
     readings: Vec<Reading>,
     /// When it looks between two steps again what the senses have read.
     may_sense: Instant,
@@ -79,23 +79,23 @@ pub(super) struct RobotThread<'a> {
     parts: Precedence,
     /// The actions that people do by hand.
     hands: Hands,
-    blocked: Blocked,
+    blocked: BlockedPart,
     /// What was shown of that last.
     shown: HashMap<u64, Vec<HeldPart>>,
 }
 
 /// A run that uses the robot.
-struct User {
+struct RobotUser {
     /// Its behaviour, and how people call it.
     behaviour: (Id, String),
     cancel: Arc<CancelFlag>,
-    mailbox: Arc<Mailbox>,
-    streams: HashMap<Id, (StreamIx, Keep)>,
-    devices: Vec<Wanted>,
+    mailbox: Arc<RunMailbox>,
+    streams: HashMap<Id, (StreamIx, ReadingsKept)>,
+    devices: Vec<WantedDevice>,
 }
 
 /// A part that a stream of a run wanted and did not get: from whom, and when.
-type Blocked = HashMap<(u64, Id, String), (u64, Millis)>;
+type BlockedPart = HashMap<(u64, Id, String), (u64, Millis)>;
 
 impl<'a> RobotThread<'a> {
     /// A robot whose first step is due at `began`.
@@ -110,7 +110,7 @@ impl<'a> RobotThread<'a> {
             may_sense: Instant::now(),
             parts: Precedence::default(),
             hands: Hands::default(),
-            blocked: Blocked::new(),
+            blocked: BlockedPart::new(),
             shown: HashMap::new(),
         }
     }
@@ -222,7 +222,7 @@ impl<'a> RobotThread<'a> {
     }
 
     /// What was told before its run was stopped is void.
-    fn command(&mut self, user: &Use, command: &Command) {
+    fn command(&mut self, user: &Use, command: &QueuedCommand) {
         if command.cancel.is_cancelled() {
             return;
         }
@@ -287,27 +287,27 @@ impl<'a> RobotThread<'a> {
         }
     }
 
-    fn open(&mut self, opening: Opening) {
+    fn open(&mut self, opening: OpeningRun) {
         if opening.cancel.is_cancelled() {
             return;
         }
-        let Opening { run, behaviour, cancel, mailbox, devices, answer, follows } = opening;
+        let OpeningRun { run, behaviour, cancel, mailbox, devices, answer, follows } = opening;
         let opened = if follows { self.exchange(run, &devices) } else { self.open_all(run, &devices) };
         if opened.is_ok() {
-            let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, Keep::of(&d.device)))).collect();
-            self.users.insert(run, User { behaviour, cancel, mailbox, streams, devices });
+            let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, ReadingsKept::of(&d.device)))).collect();
+            self.users.insert(run, RobotUser { behaviour, cancel, mailbox, streams, devices });
         }
         // Who gave up waiting has cancelled it and asked to close.
         drop(answer.try_send(opened));
     }
 
     /// Opens devices; if one cannot be opened, none stays open.
-    fn open_all(&mut self, run: u64, devices: &[Wanted]) -> Result<(), NoRun> {
+    fn open_all(&mut self, run: u64, devices: &[WantedDevice]) -> Result<(), StartError> {
         for (at, wanted) in devices.iter().enumerate() {
             let user = Use { run, stream: wanted.stream.clone() };
             if let Err(reason) = self.robot.open(&user, &wanted.device, &wanted.params) {
                 self.close_all(run, &devices[..at]);
-                return Err(NoRun::Unopened { stream: wanted.name.clone(), reason: reason.to_string() });
+                return Err(StartError::Unopened { stream: wanted.name.clone(), reason: reason.to_string() });
             }
         }
         Ok(())
@@ -315,9 +315,9 @@ impl<'a> RobotThread<'a> {
 
     /// Opens what an edited behaviour uses beyond the one before it, and closes what it does not use any more. What
     /// stays the same is not touched; if something cannot be opened, everything stays as it was.
-    fn exchange(&mut self, run: u64, wanted: &[Wanted]) -> Result<(), NoRun> {
-        let before = self.users.get(&run).ok_or(NoRun::StoppedMeanwhile)?.devices.clone();
-        let not_in = |these: &[Wanted], those: &[Wanted]| -> Vec<Wanted> {
+    fn exchange(&mut self, run: u64, wanted: &[WantedDevice]) -> Result<(), StartError> {
+        let before = self.users.get(&run).ok_or(StartError::StoppedMeanwhile)?.devices.clone();
+        let not_in = |these: &[WantedDevice], those: &[WantedDevice]| -> Vec<WantedDevice> {
             these.iter().filter(|this| !those.iter().any(|that| that.is_same_use(this))).cloned().collect()
         };
         let (goes, comes) = (not_in(&before, wanted), not_in(wanted, &before));
@@ -330,7 +330,7 @@ impl<'a> RobotThread<'a> {
         opened
     }
 
-    fn close_all(&mut self, run: u64, devices: &[Wanted]) {
+    fn close_all(&mut self, run: u64, devices: &[WantedDevice]) {
         for wanted in devices {
             self.robot.close(&Use { run, stream: wanted.stream.clone() });
         }

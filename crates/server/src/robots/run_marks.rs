@@ -1,6 +1,6 @@
 //! The marks of a run: told to everybody who watches, and kept by its recording if it has one.
 
-use super::mailbox::Mailbox;
+use super::mailbox::RunMailbox;
 use crate::recordings::{NotRecorded, tidied};
 use crate::support::lock;
 use behaviour::Id;
@@ -13,7 +13,7 @@ const CHANGES_MAX: u64 = 4 * RECORDING_MARKS_MAX as u64;
 
 /// A press: by whom, and when.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Press<'a> {
+pub(crate) struct MarkPress<'a> {
     /// The name of the person.
     pub(crate) by: &'a str,
     /// The moment of the press.
@@ -22,7 +22,7 @@ pub(crate) struct Press<'a> {
 
 /// The outcome of a press.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Marked {
+pub(crate) struct PressOutcome {
     /// The mark as it is now.
     pub(crate) mark: RecordingMark,
     /// True if a recording keeps it.
@@ -42,7 +42,7 @@ struct Inner {
     /// The beginning of logical time.
     began: Instant,
     /// Every mark of the run, those that are gone included.
-    marks: Vec<Told>,
+    marks: Vec<ToldMark>,
     /// The number of changes.
     version: u64,
     /// The time at which the run ended, in milliseconds since Start.
@@ -51,7 +51,7 @@ struct Inner {
 
 /// A mark as it is told.
 #[derive(Debug)]
-struct Told {
+struct ToldMark {
     mark: RecordingMark,
     /// The last press of who made it: of its beginning, or of the end of the span.
     pressed: Instant,
@@ -74,7 +74,7 @@ impl RunMarks {
         for mark in before.into_iter().filter(|mark| !known.contains(&mark.id)) {
             inner.version += 1;
             let version = inner.version;
-            inner.marks.push(Told { mark, pressed: began, version });
+            inner.marks.push(ToldMark { mark, pressed: began, version });
         }
     }
 
@@ -82,7 +82,12 @@ impl RunMarks {
     ///
     /// # Errors
     /// If a text of it is too long, if there are too many marks, or if the run had ended by then.
-    pub(super) fn put(&self, mark: RecordingMark, press: Press, mailbox: &Mailbox) -> Result<RecordingMark, Refused> {
+    pub(super) fn put(
+        &self,
+        mark: RecordingMark,
+        press: MarkPress,
+        mailbox: &RunMailbox,
+    ) -> Result<RecordingMark, Refused> {
         let open = mark.open;
         let mark = RecordingMark { open, ..tidied(RecordingMark { until: None, ..mark })? };
         let mut inner = lock(&self.inner);
@@ -102,7 +107,7 @@ impl RunMarks {
         let version = inner.next_version()?;
         inner.hand_on(&mark, mailbox)?;
         inner.version = version;
-        inner.marks.push(Told { mark: mark.clone(), pressed: press.at, version });
+        inner.marks.push(ToldMark { mark: mark.clone(), pressed: press.at, version });
         Ok(mark)
     }
 
@@ -114,8 +119,8 @@ impl RunMarks {
         &self,
         id: &Id,
         edit: MarkEdit,
-        press: Press,
-        mailbox: &Mailbox,
+        press: MarkPress,
+        mailbox: &RunMailbox,
     ) -> Result<RecordingMark, Refused> {
         let mut inner = lock(&self.inner);
         let at_ms = inner.ms_at(press.at);
@@ -139,7 +144,7 @@ impl RunMarks {
         }
         inner.hand_on(&mark, mailbox)?;
         let pressed = if mark.until == known.mark.until { known.pressed } else { press.at };
-        inner.marks[at] = Told { mark: mark.clone(), pressed, version };
+        inner.marks[at] = ToldMark { mark: mark.clone(), pressed, version };
         inner.version = version;
         Ok(mark)
     }
@@ -182,7 +187,7 @@ impl RunMarks {
             return Vec::new();
         }
         let from = *seen;
-        let mut newer: Vec<&Told> = inner.marks.iter().filter(|told| told.version > from).collect();
+        let mut newer: Vec<&ToldMark> = inner.marks.iter().filter(|told| told.version > from).collect();
         newer.sort_by_key(|told| told.version);
         newer.truncate(LIVE_MARKS_MAX);
         *seen = newer.last().map_or(inner.version, |told| told.version);
@@ -192,7 +197,7 @@ impl RunMarks {
 
 impl Inner {
     /// Hands a mark to the recording, while the run takes what waits for it.
-    fn hand_on(&self, mark: &RecordingMark, mailbox: &Mailbox) -> Result<(), Refused> {
+    fn hand_on(&self, mark: &RecordingMark, mailbox: &RunMailbox) -> Result<(), Refused> {
         let is_taken = self.ended_ms.is_some() || mailbox.mark(mark.clone());
         if is_taken { Ok(()) } else { Err(Refused::TooFast) }
     }
@@ -215,7 +220,7 @@ fn end(mark: &mut RecordingMark, at_ms: u64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{LIVE_MARKS_MAX, Mailbox, Press, RecordingMark, RunMarks};
+    use super::{LIVE_MARKS_MAX, MarkPress, RecordingMark, RunMailbox, RunMarks};
     use behaviour::Id;
     use protocol::{MarkEdit, MarkSort};
     use std::time::{Duration, Instant};
@@ -231,27 +236,27 @@ mod tests {
     }
 
     /// Takes what waits, as the run does.
-    fn empty(mailbox: &Mailbox) -> usize {
+    fn empty(mailbox: &RunMailbox) -> usize {
         mailbox.take(Some(Instant::now())).marks.len()
     }
 
     #[test]
     fn a_mark_that_is_sent_twice_counts_once_and_has_the_time_of_the_press() {
-        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
+        let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
         marks.begin(began, Vec::new());
-        let press = Press { by: "Aiko", at: began + Duration::from_millis(700) };
+        let press = MarkPress { by: "Aiko", at: began + Duration::from_millis(700) };
         let first = marks.put(mark("a", false), press, &mailbox).unwrap();
         assert_eq!((first.t, first.by.as_str()), (700, "Aiko"));
-        let late = Press { by: "Ben", at: began + Duration::from_secs(9) };
+        let late = MarkPress { by: "Ben", at: began + Duration::from_secs(9) };
         assert_eq!(marks.put(mark("a", false), late, &mailbox).unwrap(), first);
         assert_eq!((marks.all(), empty(&mailbox)), (vec![first], 1));
     }
 
     #[test]
     fn a_span_ends_once_and_what_is_open_ends_with_the_run() {
-        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
+        let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
         marks.begin(began, Vec::new());
-        let at = |ms| Press { by: "Aiko", at: began + Duration::from_millis(ms) };
+        let at = |ms| MarkPress { by: "Aiko", at: began + Duration::from_millis(ms) };
         for name in ["a", "b"] {
             assert!(marks.put(mark(name, true), at(100), &mailbox).unwrap().open);
         }
@@ -269,9 +274,9 @@ mod tests {
 
     #[test]
     fn who_made_a_mark_takes_it_back_for_ten_seconds() {
-        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
+        let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
         marks.begin(began, Vec::new());
-        let by = |by: &'static str, ms| Press { by, at: began + Duration::from_millis(ms) };
+        let by = |by: &'static str, ms| MarkPress { by, at: began + Duration::from_millis(ms) };
         for name in ["a", "b"] {
             marks.put(mark(name, name == "b"), by("Aiko", 1_000), &mailbox).unwrap();
         }
@@ -287,8 +292,8 @@ mod tests {
 
     #[test]
     fn whoever_comes_later_hears_all_in_parts_and_then_what_is_new() {
-        let (marks, mailbox, began) = (RunMarks::default(), Mailbox::default(), Instant::now());
-        let press = Press { by: "Aiko", at: began };
+        let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
+        let press = MarkPress { by: "Aiko", at: began };
         for number in 0..=LIVE_MARKS_MAX {
             marks.put(mark(&format!("m{number}"), false), press, &mailbox).unwrap();
             empty(&mailbox);

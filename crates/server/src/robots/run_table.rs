@@ -2,8 +2,8 @@
 
 use super::cancel_flag::CancelFlag;
 use super::live::LiveValues;
-use super::mailbox::{Keep, Mailbox};
-use super::run_marks::{Marked, RunMarks};
+use super::mailbox::{ReadingsKept, RunMailbox};
+use super::run_marks::{PressOutcome, RunMarks};
 use behaviour::{BehaviourFile, Id};
 use engine::{Handover, StreamIx};
 use protocol::{RecordingMark, RunPhase, RunState};
@@ -20,7 +20,7 @@ pub(super) const RUNNING_MAX_RUNS: usize = 16;
 #[derive(Debug, Default)]
 pub(super) struct RunTable {
     preparing: HashMap<u64, Preparing>,
-    runs: BTreeMap<u64, Entry>,
+    runs: BTreeMap<u64, RunEntry>,
     /// Of the runs that the robot interrupted: what they may go on with.
     paused: HashMap<u64, Paused>,
 }
@@ -55,7 +55,7 @@ struct Preparing {
 }
 
 /// The sensor streams of a run by id: their index, and which readings wait.
-pub(super) type Senses = HashMap<Id, (StreamIx, Keep)>;
+pub(super) type RunSenses = HashMap<Id, (StreamIx, ReadingsKept)>;
 
 /// Taken while somebody applies an edited behaviour to a run.
 #[derive(Clone, Debug, Default)]
@@ -75,17 +75,17 @@ impl Applying {
 
 /// A run.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
+pub(super) struct RunEntry {
     /// What people see.
     pub(super) state: RunState,
     /// What cancels it.
     pub(super) cancel: Arc<CancelFlag>,
     /// Its mailbox.
-    pub(super) mailbox: Arc<Mailbox>,
+    pub(super) mailbox: Arc<RunMailbox>,
     /// Its values.
     pub(super) live: LiveValues,
     /// Its sensor streams by id.
-    pub(super) senses: Senses,
+    pub(super) senses: RunSenses,
     /// The marks of the run.
     pub(super) marks: Arc<RunMarks>,
     /// What runs.
@@ -98,12 +98,12 @@ pub(super) struct Entry {
     pub(super) invitation: Option<Id>,
 }
 
-impl Entry {
+impl RunEntry {
     /// Returns the outcome of a press that made or changed this mark.
-    pub(super) fn marked(&self, mark: RecordingMark) -> Marked {
+    pub(super) fn marked(&self, mark: RecordingMark) -> PressOutcome {
         let recording = self.state.recording.as_ref().filter(|recording| recording.trouble.is_none());
         let later = recording.filter(|_| self.marks.is_closed()).map(|recording| recording.file.clone());
-        Marked { mark, kept: recording.is_some(), later }
+        PressOutcome { mark, kept: recording.is_some(), later }
     }
 }
 
@@ -133,7 +133,7 @@ impl RunTable {
     }
 
     /// From now on it runs, unless it was stopped meanwhile. What ran of the same behaviour is returned, ended.
-    pub(super) fn enter(&mut self, entry: Entry) -> Option<Vec<Entry>> {
+    pub(super) fn enter(&mut self, entry: RunEntry) -> Option<Vec<RunEntry>> {
         self.preparing.remove(&entry.state.run)?;
         if entry.cancel.is_cancelled() {
             return None;
@@ -146,14 +146,14 @@ impl RunTable {
     }
 
     /// Cancels a behaviour's runs, or all, and returns what ran.
-    pub(super) fn end(&mut self, behaviour: Option<&Id>, phase: &RunPhase) -> Vec<Entry> {
-        let is_meant = |entry: &Entry| behaviour.is_none_or(|id| entry.state.behaviour == *id);
+    pub(super) fn end(&mut self, behaviour: Option<&Id>, phase: &RunPhase) -> Vec<RunEntry> {
+        let is_meant = |entry: &RunEntry| behaviour.is_none_or(|id| entry.state.behaviour == *id);
         let meant: Vec<u64> = self.running().filter(|entry| is_meant(entry)).map(|entry| entry.state.run).collect();
         meant.into_iter().filter_map(|run| self.end_run(run, phase.clone())).collect()
     }
 
     /// Ends one run; none if it had ended already.
-    pub(super) fn end_run(&mut self, run: u64, phase: RunPhase) -> Option<Entry> {
+    pub(super) fn end_run(&mut self, run: u64, phase: RunPhase) -> Option<RunEntry> {
         let entry = self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)?;
         entry.cancel.cancel();
         entry.state.phase = phase;
@@ -163,8 +163,9 @@ impl RunTable {
     }
 
     /// Ends what Stop cancelled already, and returns what ran.
-    pub(super) fn end_stopped(&mut self) -> Vec<Entry> {
-        let by = |entry: &Entry| entry.cancel.stopped_by().filter(|_| entry.cancel.is_cancelled()).map(str::to_owned);
+    pub(super) fn end_stopped(&mut self) -> Vec<RunEntry> {
+        let by =
+            |entry: &RunEntry| entry.cancel.stopped_by().filter(|_| entry.cancel.is_cancelled()).map(str::to_owned);
         let stopped: Vec<_> = self.running().filter_map(|entry| Some((entry.state.run, by(entry)?))).collect();
         let given_up: Vec<_> = self
             .paused
@@ -232,27 +233,27 @@ impl RunTable {
     }
 
     /// The running one of a behaviour.
-    pub(super) fn running_of(&self, behaviour: &Id) -> Option<&Entry> {
+    pub(super) fn running_of(&self, behaviour: &Id) -> Option<&RunEntry> {
         self.running().find(|entry| entry.state.behaviour == *behaviour)
     }
 
     /// The newest one of a behaviour, running or ended.
-    pub(super) fn newest_of(&self, behaviour: &Id) -> Option<&Entry> {
+    pub(super) fn newest_of(&self, behaviour: &Id) -> Option<&RunEntry> {
         self.runs.values().rev().find(|entry| entry.state.behaviour == *behaviour)
     }
 
     /// One run, if it runs.
-    pub(super) fn running_mut(&mut self, run: u64) -> Option<&mut Entry> {
+    pub(super) fn running_mut(&mut self, run: u64) -> Option<&mut RunEntry> {
         self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)
     }
 
     /// All runs.
-    pub(super) fn entries_mut(&mut self) -> impl Iterator<Item = &mut Entry> {
+    pub(super) fn entries_mut(&mut self) -> impl Iterator<Item = &mut RunEntry> {
         self.runs.values_mut()
     }
 
     /// One run, running or ended.
-    pub(super) fn get(&self, run: u64) -> Option<&Entry> {
+    pub(super) fn get(&self, run: u64) -> Option<&RunEntry> {
         self.runs.get(&run)
     }
 
@@ -261,7 +262,7 @@ impl RunTable {
         self.runs.values().map(|entry| entry.state.clone()).collect()
     }
 
-    fn running(&self) -> impl Iterator<Item = &Entry> {
+    fn running(&self) -> impl Iterator<Item = &RunEntry> {
         self.runs.values().filter(|entry| entry.state.phase == RunPhase::Running)
     }
 

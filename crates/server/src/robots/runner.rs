@@ -1,24 +1,24 @@
 //! The thread of one run: builds the behaviour, opens its devices, and moves it through logical time until it ends.
 
 use super::cancel_flag::CancelFlag;
-use super::command_queue::{ByHand, Opening, Wanted};
+use super::command_queue::{ByHand, OpeningRun, WantedDevice};
 use super::emission_sink::EmissionSink;
-use super::host::Start;
+use super::host::StartOrder;
 use super::live::LiveValues;
-use super::mailbox::{Arrived, Beginning, DoneByHand, Keep, Mailbox, Post, Undone};
-use super::refusal::{NoRun, RunFailure};
+use super::mailbox::{Arrived, Beginning, DoneByHand, Post, ReadingsKept, RunMailbox, Undone};
+use super::refusal::{RunFailure, StartError};
 use super::run_marks::RunMarks;
-use super::run_table::{Applying, Entry, PausedMemory, Senses};
+use super::run_table::{Applying, PausedMemory, RunEntry, RunSenses};
 use super::shared::RobotShared;
 use super::successor::{RunHandover, Successor};
-use super::surroundings::Surroundings;
-use super::tally::Tally;
+use super::surroundings::RecordedSurroundings;
+use super::tally::RunTally;
 use crate::recordings::{About, NotRecorded, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Matching, Run};
 use protocol::{RecordingMark, RunPhase, RunState};
-use recording::{Hand, Note, Refusal};
+use recording::{Hand, NoteLine, RefusedLine};
 use robot::Millis;
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -40,11 +40,11 @@ const CONNECT_MAX_MS: u64 = 5_000;
 const LOOK_MS: u64 = 10;
 
 /// A run to be.
-pub(super) struct Job {
+pub(super) struct RunJob {
     /// Its number.
     pub(super) run: u64,
     /// What to run.
-    pub(super) start: Start,
+    pub(super) start: StartOrder,
     /// What cancels it.
     pub(super) cancel: Arc<CancelFlag>,
     /// What it shares with the robot's thread and the server.
@@ -58,7 +58,7 @@ pub(super) struct Job {
 }
 
 /// How a run ended.
-pub(super) enum End {
+pub(super) enum RunnerEnd {
     /// By itself, with the reason.
     Fault(RunFailure),
     /// It was stopped, or did not come to be.
@@ -68,7 +68,7 @@ pub(super) enum End {
 }
 
 /// Runs to the end; `answer` hears whether it began. A panic ends this behaviour only.
-pub(super) fn run(job: &Job, answer: oneshot::Sender<Result<RunState, NoRun>>) {
+pub(super) fn run(job: &RunJob, answer: oneshot::Sender<Result<RunState, StartError>>) {
     let done = catch_unwind(AssertUnwindSafe(|| match prepare(job) {
         Ok((runner, state)) => {
             drop(answer.send(Ok(state)));
@@ -76,24 +76,24 @@ pub(super) fn run(job: &Job, answer: oneshot::Sender<Result<RunState, NoRun>>) {
         }
         Err(reason) => {
             drop(answer.send(Err(reason)));
-            End::Stopped
+            RunnerEnd::Stopped
         }
     }));
     clear_away(job, done.ok());
 }
 
 /// Works to the end, in place of a run that was followed.
-pub(super) fn work(job: &Job, runner: Runner) {
+pub(super) fn work(job: &RunJob, runner: Runner) {
     clear_away(job, catch_unwind(AssertUnwindSafe(|| runner.work())).ok());
 }
 
-fn clear_away(job: &Job, end: Option<End>) {
+fn clear_away(job: &RunJob, end: Option<RunnerEnd>) {
     let shared = &job.shared;
     let reason = match end {
-        Some(End::Followed) => return,
-        Some(End::Fault(reason)) => reason,
+        Some(RunnerEnd::Followed) => return,
+        Some(RunnerEnd::Fault(reason)) => reason,
         // A run that was stopped keeps that as its end; without a reason it came too late for the one who waited.
-        Some(End::Stopped) => RunFailure::Late,
+        Some(RunnerEnd::Stopped) => RunFailure::Late,
         None => RunFailure::Inside,
     };
     lock(&shared.table).withdraw(job.run);
@@ -102,10 +102,10 @@ fn clear_away(job: &Job, end: Option<End>) {
     shared.queue.close(job.run);
 }
 
-fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
+fn prepare(job: &RunJob) -> Result<(Runner<'_>, RunState), StartError> {
     let clock = Rc::new(Cell::new(Instant::now()));
     let run = build(job, &clock)?;
-    let mailbox = Arc::new(Mailbox::default());
+    let mailbox = Arc::new(RunMailbox::default());
     let devices = devices(&run, &job.start.file);
     wait_for_robot(job);
     open(job, &mailbox, devices.clone(), false)?;
@@ -114,16 +114,16 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
 
 /// Begins a run whose devices are open, where the robot interrupted it if it did.
 pub(super) fn begin<'a>(
-    job: &'a Job,
+    job: &'a RunJob,
     run: Run,
-    mailbox: Arc<Mailbox>,
-    devices: &[Wanted],
+    mailbox: Arc<RunMailbox>,
+    devices: &[WantedDevice],
     clock: Rc<Cell<Instant>>,
-) -> Result<(Runner<'a>, RunState), NoRun> {
+) -> Result<(Runner<'a>, RunState), StartError> {
     let mut entry = entry(job, &run, &mailbox, devices);
-    let tally = Tally::new(entry.live.clone(), &run);
+    let tally = RunTally::new(entry.live.clone(), &run);
     let mut runner = Runner::new(job, run, mailbox, tally, clock);
-    job.shared.order.add(&job.start.behaviour).map_err(NoRun::Unordered)?;
+    job.shared.order.add(&job.start.behaviour).map_err(StartError::Unordered)?;
     runner.sink.recorder = recorder(job)?;
     entry.state.recording = runner.sink.recorder.as_mut().and_then(Recorder::news);
     runner.began = (job.clock)();
@@ -135,32 +135,32 @@ pub(super) fn begin<'a>(
     if job.shared.begin(entry) {
         return Ok((runner, state));
     }
-    runner.sink.end_recording(&NoRun::StoppedBefore.to_string(), None);
-    Err(NoRun::StoppedBefore)
+    runner.sink.end_recording(&StartError::StoppedBefore.to_string(), None);
+    Err(StartError::StoppedBefore)
 }
 
 /// Somebody has just added the robot, or changed its address: then there is no link for a moment, and that is no reason to
 /// refuse a Start. A robot that is not found by then says so itself.
-fn wait_for_robot(job: &Job) {
+fn wait_for_robot(job: &RunJob) {
     let until = Instant::now() + Duration::from_millis(CONNECT_MAX_MS);
     while job.shared.feed.is_connecting(&job.shared.robot) && !job.cancel.is_cancelled() && Instant::now() < until {
         std::thread::sleep(Duration::from_millis(LOOK_MS));
     }
 }
 
-fn recorder(job: &Job) -> Result<Option<Recorder>, NotRecorded> {
-    let Start { behaviour, revision, file, record, by, session, .. } = &job.start;
+fn recorder(job: &RunJob) -> Result<Option<Recorder>, NotRecorded> {
+    let StartOrder { behaviour, revision, file, record, by, session, .. } = &job.start;
     let robot = &job.shared.feed.name(&job.shared.robot);
     let about = About { run: job.run, robot, behaviour, revision: *revision, by, file, session };
     record.then(|| job.recordings.begin(&about)).transpose()
 }
 
 /// Compiles what is to run. `clock` says when the procedure that runs began.
-pub(super) fn build(job: &Job, clock: &Rc<Cell<Instant>>) -> Result<Run, NoRun> {
+pub(super) fn build(job: &RunJob, clock: &Rc<Cell<Instant>>) -> Result<Run, StartError> {
     let cancel = job.cancel.clone();
     let limits = (job.limits)().interrupted_by(interrupt(job.cancel.clone(), clock.clone(), job.clock));
     let limits = limits.stopped_by(move || cancel.is_cancelled());
-    Run::build(&job.start.file, limits).map_err(NoRun::Faults)
+    Run::build(&job.start.file, limits).map_err(StartError::Faults)
 }
 
 /// Ends a procedure at its deadline, or at once when the run is stopped.
@@ -170,42 +170,48 @@ fn interrupt(cancel: Arc<CancelFlag>, clock: Rc<Cell<Instant>>, now: fn() -> Ins
 }
 
 /// The devices it uses, actions before senses, each in file order.
-pub(super) fn devices(run: &Run, file: &BehaviourFile) -> Vec<Wanted> {
+pub(super) fn devices(run: &Run, file: &BehaviourFile) -> Vec<WantedDevice> {
     let of = |kind: StreamKind| {
         run.streams().enumerate().filter(move |(_, info)| info.kind == kind).filter_map(|(index, info)| {
             let (stream, device) = (Id::new(&info.id).ok()?, info.device.clone()?);
             let (claim, params) = (Claim::of(&file.streams[index.index()]), info.params.clone());
-            Some(Wanted { stream, index, name: info.name.clone(), device, params, claim })
+            Some(WantedDevice { stream, index, name: info.name.clone(), device, params, claim })
         })
     };
     of(StreamKind::Actuator).chain(of(StreamKind::Sensor)).collect()
 }
 
 /// Asks the robot for devices; a run that follows another takes over the other's.
-pub(super) fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>, follows: bool) -> Result<(), NoRun> {
+pub(super) fn open(
+    job: &RunJob,
+    mailbox: &Arc<RunMailbox>,
+    devices: Vec<WantedDevice>,
+    follows: bool,
+) -> Result<(), StartError> {
     let (answer, opened) = sync_channel(1);
     let behaviour = (job.start.behaviour.clone(), job.start.file.name.clone());
     let (cancel, mailbox) = (job.cancel.clone(), mailbox.clone());
-    job.shared.queue.open(Opening { run: job.run, behaviour, cancel, mailbox, devices, follows, answer });
+    job.shared.queue.open(OpeningRun { run: job.run, behaviour, cancel, mailbox, devices, follows, answer });
     let waited = opened.recv_timeout(Duration::from_millis(OPEN_MAX_MS));
-    waited.unwrap_or(Err(NoRun::Silent))
+    waited.unwrap_or(Err(StartError::Silent))
 }
 
 /// The sensor streams among the devices.
-pub(super) fn senses(run: &Run, devices: &[Wanted]) -> Senses {
-    let is_sense = |wanted: &&Wanted| run.streams().get(wanted.index).is_some_and(|s| s.kind == StreamKind::Sensor);
-    let of = |wanted: &Wanted| (wanted.stream.clone(), (wanted.index, Keep::of(&wanted.device)));
+pub(super) fn senses(run: &Run, devices: &[WantedDevice]) -> RunSenses {
+    let is_sense =
+        |wanted: &&WantedDevice| run.streams().get(wanted.index).is_some_and(|s| s.kind == StreamKind::Sensor);
+    let of = |wanted: &WantedDevice| (wanted.stream.clone(), (wanted.index, ReadingsKept::of(&wanted.device)));
     devices.iter().filter(is_sense).map(of).collect()
 }
 
 /// Whether it can move the robot.
-pub(super) fn acts(run: &Run, devices: &[Wanted]) -> bool {
+pub(super) fn acts(run: &Run, devices: &[WantedDevice]) -> bool {
     senses(run, devices).len() < devices.len()
 }
 
-fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> Entry {
+fn entry(job: &RunJob, run: &Run, mailbox: &Arc<RunMailbox>, devices: &[WantedDevice]) -> RunEntry {
     let start = &job.start;
-    Entry {
+    RunEntry {
         state: RunState {
             run: job.run,
             robot: job.shared.robot.clone(),
@@ -235,7 +241,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
 /// A run that has begun.
 pub(super) struct Runner<'a> {
     run: Run,
-    mailbox: Arc<Mailbox>,
+    mailbox: Arc<RunMailbox>,
     sink: EmissionSink<'a>,
     began: Instant,
     /// The next instant that still takes readings; everything before is closed.
@@ -243,16 +249,22 @@ pub(super) struct Runner<'a> {
     /// Who follows, as soon as no frame is open.
     successor: Option<Successor>,
     /// The state of the robot and its room, as a recording has it.
-    surroundings: Surroundings,
+    surroundings: RecordedSurroundings,
     /// The marks that people make meanwhile.
     marks: Arc<RunMarks>,
 }
 
 impl<'a> Runner<'a> {
     /// A run whose logical time begins now.
-    pub(super) fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, tally: Tally, clock: Rc<Cell<Instant>>) -> Self {
+    pub(super) fn new(
+        job: &'a RunJob,
+        run: Run,
+        mailbox: Arc<RunMailbox>,
+        tally: RunTally,
+        clock: Rc<Cell<Instant>>,
+    ) -> Self {
         let sink = EmissionSink::new(job, tally, &run, clock);
-        let surroundings = Surroundings::default();
+        let surroundings = RecordedSurroundings::default();
         let marks = Arc::default();
         Self { run, mailbox, sink, began: (job.clock)(), open_ms: 0, successor: None, surroundings, marks }
     }
@@ -300,7 +312,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Works until it is cancelled, it ends by itself or another one follows.
-    fn work(mut self) -> End {
+    fn work(mut self) -> RunnerEnd {
         let mut reason = None;
         while reason.is_none() && !self.sink.job.cancel.is_cancelled() {
             let post = self.mailbox.take(self.next_wake());
@@ -335,7 +347,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Comes to its end.
-    pub(super) fn finish(mut self, reason: Option<RunFailure>) -> End {
+    pub(super) fn finish(mut self, reason: Option<RunFailure>) -> RunnerEnd {
         // A request that was answered just before the end counts.
         let ended = self.marks.close(self.now_ms());
         let last = self.mailbox.take(Some(Instant::now()));
@@ -351,7 +363,7 @@ impl<'a> Runner<'a> {
             self.keep_memory();
         }
         self.end_recording(reason.as_ref());
-        reason.map_or(End::Stopped, End::Fault)
+        reason.map_or(RunnerEnd::Stopped, RunnerEnd::Fault)
     }
 
     /// Writes the last line of its recording: why it ended, and who ended it.
@@ -378,7 +390,7 @@ impl<'a> Runner<'a> {
         self.successor.take_if(|_| may_follow)
     }
 
-    pub(super) fn hand_over(self, to: Successor) -> End {
+    pub(super) fn hand_over(self, to: Successor) -> RunnerEnd {
         let handover = RunHandover {
             memory: self.run.handover(),
             tally: self.sink.tally,
@@ -387,7 +399,7 @@ impl<'a> Runner<'a> {
             began: self.began,
             open_ms: self.open_ms,
         };
-        if to.take(handover) { End::Followed } else { End::Fault(RunFailure::NotFollowed) }
+        if to.take(handover) { RunnerEnd::Followed } else { RunnerEnd::Fault(RunFailure::NotFollowed) }
     }
 
     /// The live rule: a reading counts when it arrived, but never in an instant that is closed.
@@ -432,7 +444,7 @@ impl<'a> Runner<'a> {
     /// Records marks that are new or changed.
     fn mark(&mut self, marks: Vec<RecordingMark>) {
         if let Some(recorder) = &mut self.sink.recorder {
-            marks.into_iter().for_each(|mark| recorder.note(Note::from(mark)));
+            marks.into_iter().for_each(|mark| recorder.note(NoteLine::from(mark)));
         }
     }
 
@@ -441,7 +453,7 @@ impl<'a> Runner<'a> {
         for (Undone { stream, why, with }, (at, count)) in undone {
             let (at_ms, count) = (self.ms_at(at), Some(count).filter(|count| *count > 1));
             if let Some(recorder) = &mut self.sink.recorder {
-                recorder.refused(Refusal { at_ms, refused: stream, why, with, count });
+                recorder.refused(RefusedLine { at_ms, refused: stream, why, with, count });
             }
         }
     }
@@ -465,7 +477,7 @@ impl<'a> Runner<'a> {
             recorder.applied(self.open_ms.saturating_sub(1), start.revision, &start.file);
         }
         recorder.memory(self.open_ms, self.run.handover());
-        self.surroundings = Surroundings::default();
+        self.surroundings = RecordedSurroundings::default();
         self.sink.recorder = Some(recorder);
         self.mark(self.marks.all());
     }

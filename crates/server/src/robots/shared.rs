@@ -3,10 +3,10 @@
 use super::camera::CameraView;
 use super::cancel_flag::CancelFlags;
 use super::command_queue::CommandQueue;
-use super::host::Start;
-use super::order::Order;
+use super::host::StartOrder;
+use super::order::RobotOrder;
 use super::refusal::RunFailure;
-use super::run_table::{Entry, RunTable};
+use super::run_table::{RunEntry, RunTable};
 use super::status_feed::StatusFeed;
 use crate::support::lock;
 use behaviour::Id;
@@ -37,14 +37,14 @@ pub(super) struct RobotShared {
     /// The names under which it remembers faces; told to nobody who does not ask.
     pub(super) faces: Mutex<Arc<[String]>>,
     /// Who wins.
-    pub(super) order: Order,
+    pub(super) order: RobotOrder,
     /// What Stop sets.
     pub(super) cancel_flags: CancelFlags,
 }
 
 impl RobotShared {
     /// Nothing runs and nothing waits.
-    pub(super) fn new(robot: Id, feed: Arc<StatusFeed>, order: Order) -> Self {
+    pub(super) fn new(robot: Id, feed: Arc<StatusFeed>, order: RobotOrder) -> Self {
         Self {
             robot,
             feed,
@@ -60,7 +60,7 @@ impl RobotShared {
     }
 
     /// Lets a prepared run begin, in place of an older one of the same behaviour; false if it was stopped meanwhile.
-    pub(super) fn begin(&self, entry: Entry) -> bool {
+    pub(super) fn begin(&self, entry: RunEntry) -> bool {
         let mut table = lock(&self.table);
         let Some(replaced) = table.enter(entry) else { return false };
         self.clear_away(&table, &replaced);
@@ -128,7 +128,7 @@ impl RobotShared {
     }
 
     /// Notes that a run goes on with an edited behaviour; none if it does not run any more.
-    pub(super) fn applied(&self, run: u64, start: &Start) -> Option<RunState> {
+    pub(super) fn applied(&self, run: u64, start: &StartOrder) -> Option<RunState> {
         let mut table = lock(&self.table);
         let entry = table.running_mut(run)?;
         entry.file = start.file.clone();
@@ -164,7 +164,7 @@ impl RobotShared {
 
     /// They are cancelled: now the robot ends what they do, and nobody else's, and their threads notice. With
     /// nobody else left it holds as a whole.
-    fn clear_away(&self, table: &RunTable, ended: &[Entry]) {
+    fn clear_away(&self, table: &RunTable, ended: &[RunEntry]) {
         if ended.iter().any(|entry| entry.acts) && !table.runs_any() {
             self.queue.stop();
         }

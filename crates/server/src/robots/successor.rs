@@ -1,13 +1,13 @@
 //! Applying an edited behaviour to the robot that runs it: the new graph is compiled beside the old one on a thread of
 //! its own, then takes over between two instants. Until then, and if it is refused, the old one goes on.
 
-use super::mailbox::Mailbox;
-use super::refusal::NoRun;
+use super::mailbox::RunMailbox;
+use super::refusal::StartError;
 use super::run_marks::RunMarks;
-use super::run_table::{Entry, Senses};
-use super::runner::{self, Job, Runner, devices, open, senses};
+use super::run_table::{RunEntry, RunSenses};
+use super::runner::{self, RunJob, Runner, devices, open, senses};
 use super::shared::RobotShared;
-use super::tally::Tally;
+use super::tally::RunTally;
 use crate::recordings::Recorder;
 use crate::support::lock;
 use engine::{Handover, Matching, Run};
@@ -29,7 +29,7 @@ pub(super) struct RunHandover {
     /// What its connectors remember.
     pub(super) memory: Handover,
     /// What it counted.
-    pub(super) tally: Tally,
+    pub(super) tally: RunTally,
     /// What is recorded, if it is.
     pub(super) recorder: Option<Recorder>,
     /// The marks of the run.
@@ -48,9 +48,9 @@ impl Successor {
 }
 
 /// Follows the run of `before`; `answer` hears whether it took over. A panic before that leaves the old one running.
-pub(super) fn follow(job: &Job, before: &Entry, answer: oneshot::Sender<Result<RunState, NoRun>>) {
+pub(super) fn follow(job: &RunJob, before: &RunEntry, answer: oneshot::Sender<Result<RunState, StartError>>) {
     let took = catch_unwind(AssertUnwindSafe(|| take_over(job, before)));
-    match took.unwrap_or_else(|_| Err(NoRun::Inside)) {
+    match took.unwrap_or_else(|_| Err(StartError::Inside)) {
         Ok((runner, state)) => {
             before.applying.end();
             drop(answer.send(Ok(state)));
@@ -63,33 +63,33 @@ pub(super) fn follow(job: &Job, before: &Entry, answer: oneshot::Sender<Result<R
     }
 }
 
-fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState), NoRun> {
+fn take_over<'a>(job: &'a RunJob, before: &RunEntry) -> Result<(Runner<'a>, RunState), StartError> {
     let clock = Rc::new(Cell::new(Instant::now()));
     let run = runner::build(job, &clock)?;
     let matching = Matching::between(&before.file, &job.start.file);
-    let mailbox = Arc::new(Mailbox::default());
+    let mailbox = Arc::new(RunMailbox::default());
     open(job, &mailbox, devices(&run, &job.start.file), true)?;
     let handover = handover(job, &run, &mailbox)?;
-    let state = job.shared.applied(job.run, &job.start).ok_or(NoRun::StoppedMeanwhile)?;
+    let state = job.shared.applied(job.run, &job.start).ok_or(StartError::StoppedMeanwhile)?;
     Ok((go_on(job, run, handover, &matching, mailbox, clock), state))
 }
 
 /// From now on readings go to the new run, where they wait; the old one hands over after its last ones.
-fn handover(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<RunHandover, NoRun> {
+fn handover(job: &RunJob, run: &Run, mailbox: &Arc<RunMailbox>) -> Result<RunHandover, StartError> {
     let (hand, handed) = sync_channel(1);
     let devices = devices(run, &job.start.file);
     let (senses, acts) = (senses(run, &devices), runner::acts(run, &devices));
-    let old = job.shared.redirect(job.run, mailbox, senses, acts).ok_or(NoRun::StoppedMeanwhile)?;
+    let old = job.shared.redirect(job.run, mailbox, senses, acts).ok_or(StartError::StoppedMeanwhile)?;
     old.succeed(Successor(hand));
-    handed.recv().map_err(|_| NoRun::StoppedMeanwhile)
+    handed.recv().map_err(|_| StartError::StoppedMeanwhile)
 }
 
 pub(super) fn go_on<'a>(
-    job: &'a Job,
+    job: &'a RunJob,
     mut run: Run,
     handover: RunHandover,
     matching: &Matching,
-    mailbox: Arc<Mailbox>,
+    mailbox: Arc<RunMailbox>,
     clock: Rc<Cell<Instant>>,
 ) -> Runner<'a> {
     let RunHandover { memory, tally, recorder, marks, began, open_ms } = handover;
@@ -100,7 +100,7 @@ pub(super) fn go_on<'a>(
 
 impl RobotShared {
     /// Sends what comes for a run to another mailbox; answers with the one before, or none if it does not run.
-    fn redirect(&self, run: u64, to: &Arc<Mailbox>, senses: Senses, acts: bool) -> Option<Arc<Mailbox>> {
+    fn redirect(&self, run: u64, to: &Arc<RunMailbox>, senses: RunSenses, acts: bool) -> Option<Arc<RunMailbox>> {
         let mut table = lock(&self.table);
         let entry = table.running_mut(run)?;
         (entry.senses, entry.acts) = (senses, acts);

@@ -1,6 +1,6 @@
 //! The robot and its room as a recording has them: told when they are new, at most once a second.
 
-use super::runner::Job;
+use super::runner::RunJob;
 use crate::recordings::Recorder;
 use protocol::RobotState;
 use recording::RobotLine;
@@ -11,21 +11,21 @@ const LOOK_MS: u64 = 1_000;
 
 /// The robot and its room as they were recorded last.
 #[derive(Debug, Default)]
-pub(super) struct Surroundings {
+pub(super) struct RecordedSurroundings {
     robot: Option<RobotLine>,
     room: Scene,
     /// The logical time of the next look, in milliseconds; none before the first.
     next_ms: Option<u64>,
 }
 
-impl Surroundings {
+impl RecordedSurroundings {
     /// Returns the logical time of the next look, in milliseconds; none before the first.
     pub(super) fn next_ms(&self) -> Option<u64> {
         self.next_ms
     }
 
     /// Records what is new by now.
-    pub(super) fn look(&mut self, job: &Job, at_ms: u64, recorder: &mut Recorder) {
+    pub(super) fn look(&mut self, job: &RunJob, at_ms: u64, recorder: &mut Recorder) {
         if self.next_ms.is_some_and(|next_ms| at_ms < next_ms) {
             return;
         }
@@ -44,13 +44,13 @@ impl Surroundings {
     }
 
     /// Records that the robot interrupted what ran.
-    pub(super) fn halt(&mut self, job: &Job, why: &str, at_ms: u64, recorder: &mut Recorder) {
+    pub(super) fn halt(&mut self, job: &RunJob, why: &str, at_ms: u64, recorder: &mut Recorder) {
         let line = line(job).unwrap_or_default();
         recorder.robot(RobotLine { at_ms, halt: Some(why.to_owned()), ..line });
     }
 }
 
-fn line(job: &Job) -> Option<RobotLine> {
+fn line(job: &RunJob) -> Option<RobotLine> {
     let RobotState { health, condition, .. } = job.shared.feed.state(&job.shared.robot)?;
     let (link, why) = match health {
         Health::Connecting => ("connecting", None),

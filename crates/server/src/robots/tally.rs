@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 const TELL_MS: u64 = 33;
 
 /// Counts of one run.
-pub(super) struct Tally {
+pub(super) struct RunTally {
     live: LiveValues,
     streams: IndexVec<StreamIx, StreamTally>,
     connectors: IndexVec<ConnectorIx, ConnectorTally>,
@@ -36,7 +36,7 @@ struct ConnectorTally {
     refusal: Option<String>,
 }
 
-impl Tally {
+impl RunTally {
     /// For a run that has just been built.
     pub(super) fn new(live: LiveValues, run: &Run) -> Self {
         let stream = |id: &str| StreamTally { id: Id::new(id).ok(), beats: Beats::default(), count: 0, rate: 0.0 };

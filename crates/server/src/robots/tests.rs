@@ -18,9 +18,9 @@ mod stopping;
 mod threads;
 mod together;
 
-use super::{Host, Start};
+use super::{Host, StartOrder};
 use behaviour::{BehaviourFile, FORMAT, FileConnector, FileStream, Id, StreamKind, Value};
-use protocol::{RunPhase, RunState, Session};
+use protocol::{RecordedSession, RunPhase, RunState};
 use puppet::Puppet;
 use std::time::{Duration, Instant};
 
@@ -40,7 +40,7 @@ fn id(text: &str) -> Id {
 }
 
 /// A behaviour: a ball, a filter with this body, and a text on the page.
-fn filtered(name: &str, body: &str) -> Start {
+fn filtered(name: &str, body: &str) -> StartOrder {
     let stream = |id: &str, kind, device: Option<&str>| FileStream {
         id: id.to_owned(),
         kind,
@@ -86,12 +86,12 @@ fn filtered(name: &str, body: &str) -> Start {
         order: std::collections::BTreeMap::new(),
         layout: std::collections::BTreeMap::new(),
     };
-    Start {
+    StartOrder {
         behaviour: id(name),
         revision: 1,
         file: file.into(),
         record: false,
-        session: Session::default(),
+        session: RecordedSession::default(),
         by: "Aiko".to_owned(),
         invitation: None,
     }

@@ -1,7 +1,7 @@
 //! What the rules ask: the catalogue of devices, and whether a procedure can run. Answers about procedures are kept.
 
 use crate::support::lock;
-use behaviour::{Call, DeviceType, Helper, Knowledge, Params, Signature, StreamKind, ValueType};
+use behaviour::{DeviceType, Helper, HelperCall, Knowledge, Params, Signature, StreamKind, ValueType};
 use std::cell::Cell;
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
@@ -16,9 +16,9 @@ const NEW_MAX_BYTES: usize = 128 << 10;
 /// How long checking one change may take; what fits [`NEW_MAX_BYTES`] takes less, unless the computer is very busy.
 const CHECK_MS: u64 = 2_000;
 
-type Question = (Vec<String>, String);
+type KnowledgeQuestion = (Vec<String>, String);
 /// What [`Knowledge`] answers.
-type Answer = Result<(), String>;
+type KnowledgeAnswer = Result<(), String>;
 
 /// Why a procedure was not checked.
 #[derive(Debug)]
@@ -35,12 +35,12 @@ pub(crate) enum Unchecked {
 
 /// Devices and procedures, as this rrp knows them.
 #[derive(Debug, Default)]
-pub struct Knowing(Mutex<Answers>);
+pub struct Knowing(Mutex<KnowledgeAnswers>);
 
 #[derive(Debug, Default)]
-struct Answers {
-    known: HashMap<Arc<Question>, Answer>,
-    order: VecDeque<Arc<Question>>,
+struct KnowledgeAnswers {
+    known: HashMap<Arc<KnowledgeQuestion>, KnowledgeAnswer>,
+    order: VecDeque<Arc<KnowledgeQuestion>>,
     bytes: usize,
 }
 
@@ -51,11 +51,11 @@ impl Knowing {
         Budgeted { knowing: self, bytes: Cell::new(NEW_MAX_BYTES), until }
     }
 
-    fn known(&self, question: &Question) -> Option<Answer> {
+    fn known(&self, question: &KnowledgeQuestion) -> Option<KnowledgeAnswer> {
         lock(&self.0).known.get(question).cloned()
     }
 
-    fn find_out(&self, question: Question) -> Answer {
+    fn find_out(&self, question: KnowledgeQuestion) -> KnowledgeAnswer {
         let answer = engine::check_body(&question.0, &question.1).map_err(|fault| fault.to_string());
         lock(&self.0).keep(Arc::new(question), answer.clone());
         answer
@@ -63,11 +63,11 @@ impl Knowing {
 }
 
 impl Knowledge for Knowing {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Answer {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> KnowledgeAnswer {
         robot::device(kind, device).and_then(|device| device.check(params)).map_err(|fault| fault.to_string())
     }
 
-    fn body(&self, arguments: &[String], body: &str) -> Answer {
+    fn body(&self, arguments: &[String], body: &str) -> KnowledgeAnswer {
         let question = (arguments.to_vec(), body.to_owned());
         self.known(&question).unwrap_or_else(|| self.find_out(question))
     }
@@ -76,7 +76,7 @@ impl Knowledge for Knowing {
         robot::device_type(kind, device, params)
     }
 
-    fn result(&self, arguments: &[(String, ValueType)], body: &str, helper: Call) -> ValueType {
+    fn result(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> ValueType {
         engine::result_type(arguments, body, helper)
     }
 
@@ -84,7 +84,7 @@ impl Knowledge for Knowing {
         robot::shipped_signature(helper)
     }
 
-    fn misused(&self, arguments: &[(String, ValueType)], body: &str, helper: Call) -> Option<(String, usize)> {
+    fn misused(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> Option<(String, usize)> {
         engine::misused(arguments, body, helper)
     }
 
@@ -110,11 +110,11 @@ pub(crate) struct Budgeted<'a> {
 }
 
 impl Knowledge for Budgeted<'_> {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Answer {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> KnowledgeAnswer {
         self.knowing.device(kind, device, params)
     }
 
-    fn body(&self, arguments: &[String], body: &str) -> Answer {
+    fn body(&self, arguments: &[String], body: &str) -> KnowledgeAnswer {
         let question = (arguments.to_vec(), body.to_owned());
         if let Some(answer) = self.knowing.known(&question) {
             return answer;
@@ -125,8 +125,8 @@ impl Knowledge for Budgeted<'_> {
     }
 }
 
-impl Answers {
-    fn keep(&mut self, question: Arc<Question>, answer: Answer) {
+impl KnowledgeAnswers {
+    fn keep(&mut self, question: Arc<KnowledgeQuestion>, answer: KnowledgeAnswer) {
         let bytes = size(&question);
         if self.known.insert(Arc::clone(&question), answer).is_none() {
             self.order.push_back(question);
@@ -140,7 +140,7 @@ impl Answers {
     }
 }
 
-fn size(question: &Question) -> usize {
+fn size(question: &KnowledgeQuestion) -> usize {
     question.1.len() + question.0.iter().map(String::len).sum::<usize>()
 }
 

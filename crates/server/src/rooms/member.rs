@@ -1,11 +1,11 @@
 //! Who is in a room and who waits for its answers, as far as a room has to know.
 
-use super::shown::{GaveWay, Shown};
-use crate::support::identity::{Group, Identity, Sender};
+use super::shown::{GaveWay, ShownBehaviour};
+use crate::support::identity::{PersonIdentity, Sender, ShareGroup};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
-use protocol::{Parts, Person, Refused, Reply};
+use protocol::{PartsCursor, Person, Refused, Reply};
 use std::sync::Arc;
 use tokio::sync::{oneshot, watch};
 
@@ -14,16 +14,16 @@ pub(crate) trait Recipient: Send + Sync {
     /// The number of the link, never used twice.
     fn session(&self) -> u64;
     /// Whose link it is.
-    fn person(&self) -> &Identity;
+    fn person(&self) -> &PersonIdentity;
     /// Whether the link ended, so that nobody hears what is sent.
     fn is_gone(&self) -> bool;
     /// Sends a message.
     fn send(&self, text: Utf8Bytes);
     /// Sends all of a behaviour, as the answer to `ask`.
-    fn send_whole(&self, ask: u32, whole: Whole);
+    fn send_whole(&self, ask: u32, whole: WholeBehaviour);
     /// From now on tells what goes on in a room, if that is still the one that is wanted: a room that opens late may come
     /// after another that was wanted meanwhile.
-    fn follow(&self, feed: Box<Feed>);
+    fn follow(&self, feed: Box<RoomFeed>);
     /// Tells no longer what goes on in this room, which is gone.
     fn unfollow(&self, gone: Id);
 }
@@ -38,17 +38,17 @@ pub(crate) struct Member {
 
 /// A welcome, or a behaviour as it is or was, with all its records, shared by all who get it until they are written.
 #[derive(Debug)]
-pub(crate) struct Whole {
+pub(crate) struct WholeBehaviour {
     /// The reply without records.
     pub(crate) reply: Reply,
     /// The records.
-    pub(crate) shown: Arc<Shown>,
+    pub(crate) shown: Arc<ShownBehaviour>,
 }
 
-impl Whole {
+impl WholeBehaviour {
     /// The messages, each made when it is its turn.
     pub(crate) fn texts(self, ask: u32) -> impl Iterator<Item = Result<Utf8Bytes, GaveWay>> + Send {
-        let (mut first, shown, mut parts) = (Some(self.reply), self.shown, Parts::default());
+        let (mut first, shown, mut parts) = (Some(self.reply), self.shown, PartsCursor::default());
         let next = move || shown.room().map(|room| parts.next(room.behaviour())).transpose();
         let parts = (0..).zip(std::iter::from_fn(next));
         parts.map(move |(number, part)| {
@@ -66,7 +66,7 @@ impl Whole {
 
 /// What a room shows besides its changes; only the newest counts.
 #[derive(Clone, Debug)]
-pub(crate) struct Feed {
+pub(crate) struct RoomFeed {
     /// Which room.
     pub(crate) behaviour: Id,
     /// Its revision.
@@ -82,7 +82,7 @@ pub(crate) struct Feed {
 }
 
 /// Who waits for an answer: a client, or this server itself.
-pub(crate) enum Answer {
+pub(crate) enum AnswerTo {
     /// A client that asked.
     Client {
         /// The way to it.
@@ -96,7 +96,7 @@ pub(crate) enum Answer {
     Server(oneshot::Sender<Reply>),
 }
 
-impl Answer {
+impl AnswerTo {
     /// Gives the answer.
     pub(crate) fn give(self, reply: Reply) {
         match self {
@@ -109,7 +109,7 @@ impl Answer {
     }
 
     /// Shows all of a behaviour.
-    pub(crate) fn show(self, whole: Whole) {
+    pub(crate) fn show(self, whole: WholeBehaviour) {
         match self {
             Self::Client { to, ask, held } => {
                 to.send_whole(ask, whole);
@@ -141,7 +141,7 @@ impl Answer {
     }
 
     /// The group of who asked.
-    pub(crate) fn group(&self) -> Group {
+    pub(crate) fn group(&self) -> ShareGroup {
         self.sender().group()
     }
 

@@ -1,35 +1,35 @@
 //! What people want of the past of a behaviour: to read it, to take things back, to give versions names.
 
-use crate::support::lookups::Turn;
-use behaviour::{Behaviour, Id, Token};
+use crate::support::lookups::LookupTurn;
+use behaviour::{Behaviour, Id, LockToken};
 use protocol::Person;
 
 /// What somebody wants of the past of a behaviour.
-pub(crate) enum Past {
+pub(crate) enum PastRequest {
     /// A page of its history, before a revision if one is said.
     History(Option<u64>),
     /// The behaviour as it was after a revision.
     At(u64),
     /// A change that comes of the past.
-    Wish(Wish),
+    Wish(RevertRequest),
     /// A name for a version, or none any more.
-    Name(Naming),
+    Name(VersionNaming),
 }
 
 /// A change that the server makes for somebody out of what was.
-pub(crate) struct Wish {
+pub(crate) struct RevertRequest {
     /// The name of the change.
     pub(crate) op: Id,
     /// Who wants it.
     pub(crate) who: Person,
     /// Of the locks that they hold.
-    pub(crate) tokens: Vec<Token>,
+    pub(crate) tokens: Vec<LockToken>,
     /// What shall come of it.
-    pub(crate) what: Wanted,
+    pub(crate) what: WantedChange,
 }
 
 /// What shall come of a wish.
-pub(crate) enum Wanted {
+pub(crate) enum WantedChange {
     /// Their last change is taken back.
     Undo,
     /// What they took back last is done again.
@@ -49,11 +49,11 @@ pub(crate) struct Was {
     /// What going back there is called.
     pub(crate) label: String,
     /// The turn in which it was found: few are kept at once.
-    pub(crate) _turn: Option<Turn>,
+    pub(crate) _turn: Option<LookupTurn>,
 }
 
 /// What becomes of a name.
-pub(crate) enum Naming {
+pub(crate) enum VersionNaming {
     /// A revision gets it.
     Name {
         /// Which revision.

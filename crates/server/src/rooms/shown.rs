@@ -2,7 +2,7 @@
 //! meanwhile, each takes memory of its own; if all together take too much, the oldest gives way of those for whom most is
 //! kept, and who still waits for it opens again.
 
-use crate::support::identity::Group;
+use crate::support::identity::ShareGroup;
 use crate::support::lock;
 use behaviour::Room;
 use std::collections::{HashMap, VecDeque};
@@ -16,7 +16,7 @@ const PAST_MAX_BYTES: usize = 24 << 20;
 
 /// A behaviour at one revision.
 #[derive(Debug)]
-pub(crate) struct Shown {
+pub(crate) struct ShownBehaviour {
     room: Mutex<Option<Arc<Room>>>,
     bytes: usize,
 }
@@ -28,15 +28,15 @@ pub(crate) struct GaveWay;
 /// All that is still shown to somebody, oldest first. A clone is the same.
 #[derive(Clone, Debug)]
 pub(crate) struct AllShown {
-    all: Arc<Mutex<VecDeque<Kept>>>,
+    all: Arc<Mutex<VecDeque<ShownOrder>>>,
     most_bytes: usize,
 }
 
 /// What is shown, and to whom first.
 #[derive(Clone, Debug)]
-struct Kept {
-    shown: Weak<Shown>,
-    to: Group,
+struct ShownOrder {
+    shown: Weak<ShownBehaviour>,
+    to: ShareGroup,
 }
 
 impl Default for AllShown {
@@ -45,7 +45,7 @@ impl Default for AllShown {
     }
 }
 
-impl Shown {
+impl ShownBehaviour {
     /// The room at that revision.
     pub(crate) fn room(&self) -> Result<Arc<Room>, GaveWay> {
         lock(&self.room).clone().ok_or(GaveWay)
@@ -63,15 +63,15 @@ impl AllShown {
     }
 
     /// Shows a room to somebody: as the one `before` if that is the same revision.
-    pub(crate) fn show(&self, room: &Arc<Room>, before: &Weak<Shown>, to: &Group) -> Arc<Shown> {
+    pub(crate) fn show(&self, room: &Arc<Room>, before: &Weak<ShownBehaviour>, to: &ShareGroup) -> Arc<ShownBehaviour> {
         if let Some(shown) = before.upgrade().filter(|before| before.is(room)) {
             self.share(before, to);
             return shown;
         }
-        let shown = Arc::new(Shown { room: Mutex::new(Some(Arc::clone(room))), bytes: room.bytes() });
+        let shown = Arc::new(ShownBehaviour { room: Mutex::new(Some(Arc::clone(room))), bytes: room.bytes() });
         let mut all = lock(&self.all);
         all.retain(|kept| kept.shown.strong_count() > 0);
-        all.push_back(Kept { shown: Arc::downgrade(&shown), to: to.clone() });
+        all.push_back(ShownOrder { shown: Arc::downgrade(&shown), to: to.clone() });
         while let Some(at) = one_too_many(&all, self.most_bytes) {
             if let Some(gone) = all.remove(at).and_then(|kept| kept.shown.upgrade()) {
                 lock(&gone.room).take();
@@ -81,16 +81,16 @@ impl AllShown {
     }
 
     /// What others are shown too counts for nobody in particular, so that it does not give way for what one of them opens.
-    fn share(&self, shown: &Weak<Shown>, to: &Group) {
+    fn share(&self, shown: &Weak<ShownBehaviour>, to: &ShareGroup) {
         let mut all = lock(&self.all);
         let other = all.iter_mut().find(|kept| kept.shown.ptr_eq(shown) && kept.to != *to);
-        other.into_iter().for_each(|kept| kept.to = Group::Rooms);
+        other.into_iter().for_each(|kept| kept.to = ShareGroup::Rooms);
     }
 }
 
 /// The place of the one that gives way, if all together take too much: never the newest.
-fn one_too_many(all: &VecDeque<Kept>, most_bytes: usize) -> Option<usize> {
-    let mut bytes = HashMap::<&Group, usize>::new();
+fn one_too_many(all: &VecDeque<ShownOrder>, most_bytes: usize) -> Option<usize> {
+    let mut bytes = HashMap::<&ShareGroup, usize>::new();
     for (kept, shown) in all.iter().filter_map(|kept| Some((kept, kept.shown.upgrade()?))) {
         *bytes.entry(&kept.to).or_default() += shown.bytes;
     }
@@ -104,7 +104,7 @@ fn one_too_many(all: &VecDeque<Kept>, most_bytes: usize) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::{ALL_MAX_BYTES, AllShown, GaveWay, PAST_MAX_BYTES};
-    use crate::support::identity::Group;
+    use crate::support::identity::ShareGroup;
     use behaviour::{Behaviour, Id, Kind, Note, Record, RecordId, Room};
     use std::sync::{Arc, Weak};
 
@@ -119,19 +119,19 @@ mod tests {
     #[test]
     fn who_opens_one_revision_shares_it() {
         let (all, room) = (AllShown::default(), room());
-        let first = all.show(&room, &Weak::new(), &Group::Host);
-        assert!(Arc::ptr_eq(&first, &all.show(&room, &Arc::downgrade(&first), &Group::Host)));
+        let first = all.show(&room, &Weak::new(), &ShareGroup::Host);
+        assert!(Arc::ptr_eq(&first, &all.show(&room, &Arc::downgrade(&first), &ShareGroup::Host)));
         let edited = Arc::new(Room::clone(&room));
-        assert!(!Arc::ptr_eq(&first, &all.show(&edited, &Arc::downgrade(&first), &Group::Host)));
+        assert!(!Arc::ptr_eq(&first, &all.show(&edited, &Arc::downgrade(&first), &ShareGroup::Host)));
     }
 
     #[test]
     fn who_opens_much_loses_their_own() {
-        let (all, many) = (AllShown::default(), Group::Invitation(Id::new("many").unwrap()));
-        let ben = all.show(&room(), &Weak::new(), &Group::Invitation(Id::new("ben").unwrap()));
+        let (all, many) = (AllShown::default(), ShareGroup::Invitation(Id::new("many").unwrap()));
+        let ben = all.show(&room(), &Weak::new(), &ShareGroup::Invitation(Id::new("ben").unwrap()));
         let shared = room();
         let first = all.show(&shared, &Weak::new(), &many);
-        all.show(&shared, &Arc::downgrade(&first), &Group::Host);
+        all.show(&shared, &Arc::downgrade(&first), &ShareGroup::Host);
         let held: Vec<_> = (0..100).map(|_| all.show(&room(), &Weak::new(), &many)).collect();
         assert!(ben.room().is_ok() && first.room().is_ok() && held[0].room().is_err() && held[99].room().is_ok());
     }
@@ -139,16 +139,16 @@ mod tests {
     #[test]
     fn the_oldest_gives_way_to_too_many() {
         for (all, most_bytes) in [(AllShown::default(), ALL_MAX_BYTES), (AllShown::of_the_past(), PAST_MAX_BYTES)] {
-            let held: Vec<_> = (0..100).map(|_| all.show(&room(), &Weak::new(), &Group::Host)).collect();
+            let held: Vec<_> = (0..100).map(|_| all.show(&room(), &Weak::new(), &ShareGroup::Host)).collect();
             let kept = held.iter().filter(|shown| shown.room().is_ok()).count();
             assert!(kept < 60 && kept * (1 << 20) <= most_bytes && kept > 10, "{kept}");
         }
         let all = AllShown::default();
-        let held: Vec<_> = (0..100).map(|_| all.show(&room(), &Weak::new(), &Group::Host)).collect();
+        let held: Vec<_> = (0..100).map(|_| all.show(&room(), &Weak::new(), &ShareGroup::Host)).collect();
         assert_eq!(held[0].room().err(), Some(GaveWay));
         assert!(held[99].room().is_ok());
         drop(held);
-        all.show(&room(), &Weak::new(), &Group::Host);
+        all.show(&room(), &Weak::new(), &ShareGroup::Host);
         assert_eq!(all.all.lock().unwrap().len(), 1, "what nobody waits for is forgotten");
     }
 }

@@ -14,18 +14,18 @@ mod replay;
 mod saving;
 mod waiting;
 
-use super::member::{Feed, Member};
-use super::shown::Shown;
+use super::member::{Member, RoomFeed};
+use super::shown::ShownBehaviour;
 use super::snapshot::LibrarySnapshot;
-use super::{Look, Note, Rooms, Surroundings};
+use super::{RoomCommand, Rooms, SavedLook, Surroundings};
 use crate::support::message::encode;
 use crate::support::store_call::{answer_by, bounded, by, store_no};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Change, Checkpoints, Id, Room};
 use change_log::ChangeLog;
-use jobs::Saving;
+use jobs::SavingStage;
 use locking::LockBook;
-use problems::{Finding, Found};
+use problems::{Finding, FoundProblems};
 use protocol::Refused;
 use saving::Proposal;
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ use std::sync::{Arc, Weak};
 use store::StoreError;
 use tokio::sync::{mpsc, oneshot, watch};
 use tokio::time::Instant;
-use waiting::{Job, Waiting};
+use waiting::{SavingJob, WaitingJobs};
 
 /// Whether a behaviour is there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,17 +58,17 @@ struct RoomTask {
     /// By the number of their link.
     members: BTreeMap<u64, Member>,
     /// What waits for saving.
-    waiting: Waiting,
-    saving: Saving,
+    waiting: WaitingJobs,
+    saving: SavingStage,
     /// When what it saves just now is to be answered.
     answer_by: Option<Instant>,
     stay: Stay,
     log: ChangeLog,
     snapshot: watch::Receiver<Arc<LibrarySnapshot>>,
-    found: Found,
+    found: FoundProblems,
     finding: Finding,
     /// What those who opened it last are shown.
-    shown: Weak<Shown>,
+    shown: Weak<ShownBehaviour>,
     revision: watch::Sender<u64>,
     people_text: watch::Sender<Utf8Bytes>,
     problems_text: watch::Sender<Utf8Bytes>,
@@ -78,7 +78,7 @@ struct RoomTask {
 }
 
 /// Runs a room until nobody needs it.
-pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<Note>) {
+pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<RoomCommand>) {
     let no = match by(answer_by(), load(&rooms.around, &id)).await {
         Ok(Some((room, versions))) => {
             let mut task = RoomTask::new(rooms, id.clone(), room, versions);
@@ -117,13 +117,13 @@ impl RoomTask {
             room: Arc::new(room),
             locks: LockBook::new(rooms_epoch),
             members: BTreeMap::new(),
-            waiting: Waiting::default(),
-            saving: Saving::Idle,
+            waiting: WaitingJobs::default(),
+            saving: SavingStage::Idle,
             answer_by: None,
             stay: Stay::Here,
             log: ChangeLog::default(),
             snapshot,
-            found: Found::default(),
+            found: FoundProblems::default(),
             finding: Finding::Current,
             shown: Weak::new(),
             revision,
@@ -138,7 +138,7 @@ impl RoomTask {
         self.id == self.around.library
     }
 
-    async fn live(mut self, mut inbox: mpsc::Receiver<Note>) {
+    async fn live(mut self, mut inbox: mpsc::Receiver<RoomCommand>) {
         let stopping = self.around.tasks.stopping.clone();
         tracing::debug!(behaviour = %self.id, revision = self.room.revision(), "a room opens");
         while !self.may_go() || !self.rooms.let_go(&self.id, &inbox) {
@@ -163,19 +163,19 @@ impl RoomTask {
         !busy && (!needed || self.around.tasks.ends())
     }
 
-    fn take(&mut self, note: Note) {
+    fn take(&mut self, note: RoomCommand) {
         match note {
-            Note::Join(member, ask, secret) => self.join(member, ask, secret),
-            Note::Leave(session, parting) => self.leave(session, parting),
-            Note::Propose(change, tokens, from) => self.wait(Job::Save(Proposal { change, tokens, from })),
-            Note::Past(past, answer) => self.past(past, answer),
-            Note::Locking(session, locking) => self.lock(session, locking),
-            Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
-            Note::Since(revision, answer) => self.since(revision, answer),
-            Note::Present(session, whereabouts) => self.present(session, whereabouts),
-            Note::Rename(session, name) => self.rename(session, name),
-            Note::MayChange(change, waiting) => drop(waiting.send(self.may_change(&change))),
-            Note::Look(waiting) => self.look(waiting),
+            RoomCommand::Join(member, ask, secret) => self.join(member, ask, secret),
+            RoomCommand::Leave(session, parting) => self.leave(session, parting),
+            RoomCommand::Propose(change, tokens, from) => self.wait(SavingJob::Save(Proposal { change, tokens, from })),
+            RoomCommand::Past(past, answer) => self.past(past, answer),
+            RoomCommand::Locking(session, locking) => self.lock(session, locking),
+            RoomCommand::Remove(by, answer) => self.wait(SavingJob::Remove(by, answer)),
+            RoomCommand::Since(revision, answer) => self.since(revision, answer),
+            RoomCommand::Present(session, whereabouts) => self.present(session, whereabouts),
+            RoomCommand::Rename(session, name) => self.rename(session, name),
+            RoomCommand::MayChange(change, waiting) => drop(waiting.send(self.may_change(&change))),
+            RoomCommand::Look(waiting) => self.look(waiting),
         }
     }
 
@@ -186,15 +186,15 @@ impl RoomTask {
         self.locks.check(&self.room, change).map_err(Refused::Change)
     }
 
-    fn look(&self, waiting: oneshot::Sender<Result<Look, Refused>>) {
-        let look = Look(Arc::clone(&self.room));
+    fn look(&self, waiting: oneshot::Sender<Result<SavedLook, Refused>>) {
+        let look = SavedLook(Arc::clone(&self.room));
         let _ = waiting.send(if self.stay == Stay::Here { Ok(look) } else { Err(Refused::NoBehaviour) });
     }
 
-    fn feed(&self) -> Feed {
+    fn feed(&self) -> RoomFeed {
         let mut versions = self.versions_text.subscribe();
         versions.mark_changed();
-        Feed {
+        RoomFeed {
             behaviour: self.id.clone(),
             revision: self.revision.subscribe(),
             people: self.people_text.subscribe(),

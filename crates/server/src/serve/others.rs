@@ -1,7 +1,7 @@
 //! Letting others in from the start.
 
 use super::ServeError;
-use crate::http::network::{self, Network, NotOpened, Opened};
+use crate::http::network::{self, BoundNetwork, GuestNetwork, NotOpened};
 use crate::invitations::Invitations;
 use crate::support::tasks::blocking;
 use protocol::{Invitation, Lasts, Role};
@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// How somebody comes in from elsewhere.
 #[derive(Clone, Debug)]
-pub struct Invited {
+pub struct InvitedFrom {
     /// What who comes may do.
     pub role: Role,
     /// How long the link works.
@@ -25,10 +25,10 @@ pub struct Invited {
 
 /// Listens for others.
 pub(super) fn open(
-    network: &Network,
+    network: &GuestNetwork,
     data: Option<&Path>,
     invitations: &Arc<Invitations>,
-) -> Result<Opened, ServeError> {
+) -> Result<BoundNetwork, ServeError> {
     network::open(network, data, invitations).map_err(|why| match why {
         NotOpened::Listen(error) => ServeError::Listen(network.listen, error),
         NotOpened::Certificate(why) => ServeError::Certificate(why),
@@ -36,12 +36,12 @@ pub(super) fn open(
 }
 
 /// The invitation that is told at the start. Where it cannot be made, as on a full disk, those who came before still come.
-pub(super) async fn first_invitation(all: &Arc<Invitations>) -> Option<Invited> {
+pub(super) async fn first_invitation(all: &Arc<Invitations>) -> Option<InvitedFrom> {
     let all = Arc::clone(all);
     match blocking(move || all.make_at_start()).await {
         Ok(Ok(made)) => {
             let (Invitation { role, lasts, .. }, link) = (made.invitation, made.link);
-            Some(Invited { role, lasts, link, qr: made.qr, fingerprint: made.fingerprint })
+            Some(InvitedFrom { role, lasts, link, qr: made.qr, fingerprint: made.fingerprint })
         }
         Ok(Err(why)) => {
             tracing::warn!(%why, "nobody new is invited");

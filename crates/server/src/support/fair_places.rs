@@ -12,11 +12,11 @@ use tokio_util::sync::CancellationToken;
 #[derive(Debug)]
 pub(crate) struct FairPlaces<K> {
     max: usize,
-    held: Mutex<Held<K>>,
+    held: Mutex<HeldFairPlaces<K>>,
 }
 
 #[derive(Debug)]
-struct Held<K> {
+struct HeldFairPlaces<K> {
     last: u64,
     count: usize,
     /// Of each, the oldest first.
@@ -35,7 +35,7 @@ pub(crate) struct FairPlace<K: Copy + Eq + Hash> {
 impl<K: Copy + Eq + Hash> FairPlaces<K> {
     /// So many.
     pub(crate) fn of(max: usize) -> Arc<Self> {
-        Arc::new(Self { max, held: Mutex::new(Held { last: 0, count: 0, by: HashMap::new() }) })
+        Arc::new(Self { max, held: Mutex::new(HeldFairPlaces { last: 0, count: 0, by: HashMap::new() }) })
     }
 
     /// A place for somebody; the oldest one of who has most is lost if there is no other.
@@ -59,7 +59,7 @@ impl<K: Copy + Eq + Hash> FairPlaces<K> {
     }
 }
 
-impl<K: Copy + Eq + Hash> Held<K> {
+impl<K: Copy + Eq + Hash> HeldFairPlaces<K> {
     fn give_way(&mut self) {
         let oldest = |of: &BTreeMap<u64, CancellationToken>| of.keys().next().map(|number| Reverse(*number));
         let most = self.by.iter().max_by_key(|(_, of)| (of.len(), oldest(of))).map(|(whose, _)| *whose);

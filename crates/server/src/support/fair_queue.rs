@@ -11,12 +11,12 @@ use tokio::sync::Notify;
 #[derive(Debug)]
 pub(crate) struct FairQueue<K, T> {
     max: usize,
-    waiting: Mutex<Waiting<K, T>>,
+    waiting: Mutex<QueuedItem<K, T>>,
     arrived: Notify,
 }
 
 #[derive(Debug)]
-struct Waiting<K, T> {
+struct QueuedItem<K, T> {
     count: usize,
     /// Of each, the oldest first; nobody has none.
     by: HashMap<K, VecDeque<T>>,
@@ -27,7 +27,7 @@ struct Waiting<K, T> {
 impl<K: Copy + Eq + Hash, T> FairQueue<K, T> {
     /// Of so many places.
     pub(crate) fn of(max: usize) -> Self {
-        let waiting = Waiting { count: 0, by: HashMap::new(), turns: VecDeque::new() };
+        let waiting = QueuedItem { count: 0, by: HashMap::new(), turns: VecDeque::new() };
         Self { max, waiting: Mutex::new(waiting), arrived: Notify::new() }
     }
 
@@ -57,7 +57,7 @@ impl<K: Copy + Eq + Hash, T> FairQueue<K, T> {
     }
 }
 
-impl<K: Copy + Eq + Hash, T> Waiting<K, T> {
+impl<K: Copy + Eq + Hash, T> QueuedItem<K, T> {
     fn next(&mut self) -> Option<T> {
         let whose = self.turns.pop_front()?;
         let next = self.oldest(whose);

@@ -7,7 +7,7 @@ use behaviour::Id;
 
 /// As whom somebody asks. Made by `Entry::identity` only, so that nobody takes a share as somebody else.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Identity {
+pub(crate) enum PersonIdentity {
     /// The host, by all their links and pages.
     Host,
     /// Who has this cookie of an invitation.
@@ -23,7 +23,7 @@ pub(crate) enum Identity {
 
 /// People, or work, among whom the server is shared out first.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Group {
+pub(crate) enum ShareGroup {
     /// The host.
     Host,
     /// Who came by an invitation.
@@ -36,13 +36,13 @@ pub(crate) enum Group {
     Server,
 }
 
-impl Identity {
+impl PersonIdentity {
     /// The group of this person.
-    pub(crate) fn group(&self) -> Group {
+    pub(crate) fn group(&self) -> ShareGroup {
         match self {
-            Self::Host => Group::Host,
-            Self::Guest { invitation, .. } => Group::Invitation(invitation.clone()),
-            Self::Stranger => Group::Strangers,
+            Self::Host => ShareGroup::Host,
+            Self::Guest { invitation, .. } => ShareGroup::Invitation(invitation.clone()),
+            Self::Stranger => ShareGroup::Strangers,
         }
     }
 
@@ -64,9 +64,9 @@ impl Identity {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Sender {
     /// What a person asks.
-    Asks(Identity, u64),
+    Asks(PersonIdentity, u64),
     /// What a person is told on a link.
-    Told(Identity, u64),
+    Told(PersonIdentity, u64),
     /// What is done for everyone in an open behaviour.
     Room(Id),
     /// The server itself.
@@ -75,21 +75,21 @@ pub(crate) enum Sender {
 
 impl Sender {
     /// The group that this is done for.
-    pub(crate) fn group(&self) -> Group {
+    pub(crate) fn group(&self) -> ShareGroup {
         match self {
             Self::Asks(identity, _) | Self::Told(identity, _) => identity.group(),
-            Self::Room(_) => Group::Rooms,
-            Self::Server => Group::Server,
+            Self::Room(_) => ShareGroup::Rooms,
+            Self::Server => ShareGroup::Server,
         }
     }
 }
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::{Digest, Id, Identity};
+    use super::{Digest, Id, PersonIdentity};
 
     /// Somebody who came by an invitation, with this cookie.
-    pub(crate) fn guest(invitation: &str, cookie: &str) -> Identity {
-        Identity::Guest { invitation: Id::new(invitation).unwrap(), pass: Digest::of(cookie) }
+    pub(crate) fn guest(invitation: &str, cookie: &str) -> PersonIdentity {
+        PersonIdentity::Guest { invitation: Id::new(invitation).unwrap(), pass: Digest::of(cookie) }
     }
 }

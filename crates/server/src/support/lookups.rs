@@ -3,30 +3,30 @@
 
 use super::identity::Sender;
 use super::lock;
-use super::turns::{Bounds, Turns};
+use super::turns::{FairTurns, TurnBounds};
 use std::sync::{Arc, Mutex};
 use tokio::sync::oneshot;
 
 /// Lookups at once, of which an invitation has one at a time: a page of history takes a processor for some 50 ms, and who edits needs
 /// another one.
-const LOOKUPS: (usize, Bounds) =
-    (16, Bounds { host: 12, group: 1, sender: 8, sender_waiting: 16, group_waiting: 256, waiting: 4_096 });
+const LOOKUPS: (usize, TurnBounds) =
+    (16, TurnBounds { host: 12, group: 1, sender: 8, sender_waiting: 16, group_waiting: 256, waiting: 4_096 });
 /// Behaviours as they were that are found out at once; each takes memory of its own.
-const REPLAYS: (usize, Bounds) =
-    (2, Bounds { host: 2, group: 1, sender: 1, sender_waiting: 16, group_waiting: 256, waiting: 4_096 });
+const REPLAYS: (usize, TurnBounds) =
+    (2, TurnBounds { host: 2, group: 1, sender: 1, sender_waiting: 16, group_waiting: 256, waiting: 4_096 });
 
 /// The turns. A clone is the same turns.
 #[derive(Clone)]
-pub(crate) struct Lookups(Arc<Mutex<Waiting>>);
+pub(crate) struct Lookups(Arc<Mutex<WaitingLookup>>);
 
-struct Waiting {
+struct WaitingLookup {
     free: usize,
-    turns: Turns<oneshot::Sender<Turn>>,
+    turns: FairTurns<oneshot::Sender<LookupTurn>>,
 }
 
 /// Somebody's turn, which ends with this.
 #[derive(Debug)]
-pub(crate) struct Turn {
+pub(crate) struct LookupTurn {
     sender: Sender,
     of: Option<Lookups>,
 }
@@ -49,12 +49,12 @@ impl Lookups {
         Self::within(REPLAYS)
     }
 
-    fn within((at_once, bounds): (usize, Bounds)) -> Self {
-        Self(Arc::new(Mutex::new(Waiting { free: at_once, turns: Turns::within(bounds) })))
+    fn within((at_once, bounds): (usize, TurnBounds)) -> Self {
+        Self(Arc::new(Mutex::new(WaitingLookup { free: at_once, turns: FairTurns::within(bounds) })))
     }
 
     /// Waits for a turn, which ends with what is returned; none if too much of this sender waits already.
-    pub(crate) async fn turn(&self, sender: &Sender) -> Option<Turn> {
+    pub(crate) async fn turn(&self, sender: &Sender) -> Option<LookupTurn> {
         let (tell, told) = oneshot::channel();
         if !lock(&self.0).turns.put(sender, tell) {
             return None;
@@ -71,7 +71,7 @@ impl Lookups {
             waiting.free -= 1;
             drop(waiting);
             // Who does not wait any more gives it back at once; that begins the next, so that it does not do so itself.
-            if let Err(mut unwanted) = tell.send(Turn { sender, of: Some(self.clone()) }) {
+            if let Err(mut unwanted) = tell.send(LookupTurn { sender, of: Some(self.clone()) }) {
                 unwanted.of = None;
                 self.end(&unwanted.sender);
             }
@@ -85,7 +85,7 @@ impl Lookups {
     }
 }
 
-impl Drop for Turn {
+impl Drop for LookupTurn {
     fn drop(&mut self) {
         if let Some(all) = self.of.take() {
             all.end(&self.sender);
@@ -97,7 +97,7 @@ impl Drop for Turn {
 #[cfg(test)]
 mod tests {
     use super::{LOOKUPS, Lookups};
-    use crate::support::identity::Identity;
+    use crate::support::identity::PersonIdentity;
     use crate::support::identity::tests::guest;
     use futures_util::FutureExt;
 
@@ -118,7 +118,7 @@ mod tests {
             let other = lookups.turn(&guest("other", "one").asks(1)).now_or_never().flatten();
             assert!(other.is_some(), "somebody else has a turn at once");
             drop(other);
-            assert!(lookups.turn(&Identity::Host.asks(1)).now_or_never().flatten().is_some());
+            assert!(lookups.turn(&PersonIdentity::Host.asks(1)).now_or_never().flatten().is_some());
             drop(begun);
             let more = many.into_iter().skip(most).filter_map(FutureExt::now_or_never).flatten().count();
             assert!(more >= most, "and those who waited have theirs then");

@@ -10,11 +10,11 @@ use tokio_util::sync::CancellationToken;
 #[derive(Debug)]
 pub(crate) struct Places {
     max: usize,
-    held: Mutex<Held>,
+    held: Mutex<HeldPlaces>,
 }
 
 #[derive(Debug, Default)]
-struct Held {
+struct HeldPlaces {
     last: u64,
     /// Oldest first.
     by: BTreeMap<u64, CancellationToken>,
@@ -22,7 +22,7 @@ struct Held {
 
 /// One place, free again with its end.
 #[derive(Debug)]
-pub(crate) struct Place {
+pub(crate) struct HeldPlace {
     places: Arc<Places>,
     number: u64,
     lost: CancellationToken,
@@ -35,7 +35,7 @@ impl Places {
     }
 
     /// A place; the oldest one is lost if there is no other.
-    pub(crate) fn take(self: &Arc<Self>) -> Place {
+    pub(crate) fn take(self: &Arc<Self>) -> HeldPlace {
         let lost = CancellationToken::new();
         let mut held = lock(&self.held);
         if held.by.len() >= self.max
@@ -47,18 +47,18 @@ impl Places {
         let number = held.last;
         held.by.insert(number, lost.clone());
         drop(held);
-        Place { places: Arc::clone(self), number, lost }
+        HeldPlace { places: Arc::clone(self), number, lost }
     }
 }
 
-impl Place {
+impl HeldPlace {
     /// Does something as long as the place is held; none if it is lost before that ended.
     pub(crate) async fn hold<T>(&self, work: impl Future<Output = T>) -> Option<T> {
         self.lost.run_until_cancelled(work).await
     }
 }
 
-impl Drop for Place {
+impl Drop for HeldPlace {
     fn drop(&mut self) {
         lock(&self.places.held).by.remove(&self.number);
     }

@@ -3,7 +3,7 @@
 //! somebody many cookies, there of the cookie that holds most, there the oldest. So nobody can lock others out by holding
 //! places; and some are kept for the host, which no guest gets.
 
-use super::identity::{Group, Identity};
+use super::identity::{PersonIdentity, ShareGroup};
 use super::lock;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, Mutex};
@@ -12,7 +12,7 @@ use tokio_util::sync::CancellationToken;
 
 /// How many places there are, and for whom.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
+pub(crate) struct ShareLimits {
     /// All of them.
     pub(crate) all: usize,
     /// For one guest.
@@ -28,21 +28,21 @@ pub(crate) struct Limits {
 /// The places and who holds them, with the time handed in.
 #[derive(Debug)]
 pub(crate) struct Shares {
-    limits: Limits,
+    limits: ShareLimits,
     last: u64,
-    held: BTreeMap<u64, Held>,
+    held: BTreeMap<u64, HeldShares>,
 }
 
 #[derive(Debug)]
-struct Held {
-    by: Identity,
+struct HeldShares {
+    by: PersonIdentity,
     /// When it was taken, or something came of it last; then its turn among those of the same time.
     moved: (u64, u64),
 }
 
 /// A place that somebody gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Taken {
+pub(crate) struct TakenShare {
     /// The number of the place.
     pub(crate) number: u64,
     /// The one that gave way for it.
@@ -51,12 +51,12 @@ pub(crate) struct Taken {
 
 impl Shares {
     /// None is taken yet.
-    pub(crate) fn within(limits: Limits) -> Self {
+    pub(crate) fn within(limits: ShareLimits) -> Self {
         Self { limits, last: 0, held: BTreeMap::new() }
     }
 
     /// A place for somebody; none if all are taken and they have as many as anybody.
-    pub(crate) fn take(&mut self, by: &Identity, now_ms: u64) -> Option<Taken> {
+    pub(crate) fn take(&mut self, by: &PersonIdentity, now_ms: u64) -> Option<TakenShare> {
         let instead_of = if self.count(by) >= self.most(by) {
             Some(self.own_oldest(by, now_ms)?)
         } else if self.has_room(by) {
@@ -66,8 +66,8 @@ impl Shares {
         };
         instead_of.iter().for_each(|number| drop(self.held.remove(number)));
         self.last += 1;
-        self.held.insert(self.last, Held { by: by.clone(), moved: (now_ms, self.last) });
-        Some(Taken { number: self.last, instead_of })
+        self.held.insert(self.last, HeldShares { by: by.clone(), moved: (now_ms, self.last) });
+        Some(TakenShare { number: self.last, instead_of })
     }
 
     /// Something came of a place: it is the newest of its holder.
@@ -83,47 +83,47 @@ impl Shares {
         self.held.remove(&number);
     }
 
-    fn most(&self, by: &Identity) -> usize {
-        if *by == Identity::Host { self.limits.host } else { self.limits.guest }
+    fn most(&self, by: &PersonIdentity) -> usize {
+        if *by == PersonIdentity::Host { self.limits.host } else { self.limits.guest }
     }
 
-    fn count(&self, by: &Identity) -> usize {
+    fn count(&self, by: &PersonIdentity) -> usize {
         self.held.values().filter(|held| held.by == *by).count()
     }
 
-    fn own_oldest(&self, by: &Identity, now_ms: u64) -> Option<u64> {
+    fn own_oldest(&self, by: &PersonIdentity, now_ms: u64) -> Option<u64> {
         let (number, held) = self.oldest(by)?;
         (now_ms.saturating_sub(held.moved.0) >= self.limits.still_ms).then_some(number)
     }
 
-    fn oldest(&self, by: &Identity) -> Option<(u64, &Held)> {
+    fn oldest(&self, by: &PersonIdentity) -> Option<(u64, &HeldShares)> {
         let own = self.held.iter().filter(|(_, held)| held.by == *by);
         own.min_by_key(|(_, held)| held.moved).map(|(number, held)| (*number, held))
     }
 
     /// Guests never get what is kept for the host.
-    fn has_room(&self, by: &Identity) -> bool {
+    fn has_room(&self, by: &PersonIdentity) -> bool {
         let for_guests = self.limits.all - self.limits.reserved;
-        let guests = self.held.len() - self.count(&Identity::Host);
-        self.held.len() < self.limits.all && (*by == Identity::Host || guests < for_guests)
+        let guests = self.held.len() - self.count(&PersonIdentity::Host);
+        self.held.len() < self.limits.all && (*by == PersonIdentity::Host || guests < for_guests)
     }
 
     /// The place that gives way to somebody else: only where both have not just changed sides then.
-    fn whose_gives_way(&self, to: &Identity) -> Option<u64> {
-        let (mut groups, mut people) = (HashMap::<Group, usize>::new(), HashMap::<&Identity, usize>::new());
+    fn whose_gives_way(&self, to: &PersonIdentity) -> Option<u64> {
+        let (mut groups, mut people) = (HashMap::<ShareGroup, usize>::new(), HashMap::<&PersonIdentity, usize>::new());
         for held in self.held.values() {
             *groups.entry(held.by.group()).or_default() += 1;
             *people.entry(&held.by).or_default() += 1;
         }
         let (own, mine) = (to.group(), people.get(to).copied().unwrap_or_default());
         let ours = groups.get(&own).copied().unwrap_or_default();
-        let may_give = |group: &Group, holds: usize| match group {
-            Group::Host => *group != own && holds > self.limits.reserved && self.held.len() >= self.limits.all,
+        let may_give = |group: &ShareGroup, holds: usize| match group {
+            ShareGroup::Host => *group != own && holds > self.limits.reserved && self.held.len() >= self.limits.all,
             _ => *group != own,
         };
         let others = groups.iter().filter(|(group, holds)| may_give(group, **holds) && **holds > ours + 1);
         let from = others.max_by_key(|(_, holds)| **holds).map(|(group, _)| group);
-        let from_whom = |group: &Group| {
+        let from_whom = |group: &ShareGroup| {
             let people = people.iter().filter(|(person, _)| person.group() == *group);
             people.max_by_key(|(_, holds)| **holds).map(|(person, holds)| (*person, *holds))
         };
@@ -152,16 +152,16 @@ pub(crate) struct SharedPlace {
 
 impl SharedPlaces {
     /// None is taken yet.
-    pub(crate) fn within(limits: Limits) -> Arc<Self> {
+    pub(crate) fn within(limits: ShareLimits) -> Arc<Self> {
         Arc::new(Self { began: Instant::now(), all: Mutex::new((Shares::within(limits), HashMap::new())) })
     }
 
     /// A place for somebody; none if all are taken and they have as many as anybody.
-    pub(crate) fn take(self: &Arc<Self>, by: &Identity) -> Option<SharedPlace> {
+    pub(crate) fn take(self: &Arc<Self>, by: &PersonIdentity) -> Option<SharedPlace> {
         let (now_ms, lost) = (self.now_ms(), CancellationToken::new());
         let mut all = lock(&self.all);
         let (shares, holders) = &mut *all;
-        let Taken { number, instead_of } = shares.take(by, now_ms)?;
+        let TakenShare { number, instead_of } = shares.take(by, now_ms)?;
         holders.insert(number, lost.clone());
         if let Some(other) = instead_of.and_then(|number| holders.remove(&number)) {
             other.cancel();
@@ -207,15 +207,15 @@ impl Drop for SharedPlace {
 
 #[cfg(test)]
 mod tests {
-    use super::{Limits, SharedPlaces, Shares, Taken};
-    use crate::support::identity::Identity;
+    use super::{ShareLimits, SharedPlaces, Shares, TakenShare};
+    use crate::support::identity::PersonIdentity;
     use crate::support::identity::tests::guest;
     use std::future::{pending, ready};
 
-    const LIMITS: Limits = Limits { all: 32, guest: 4, host: 32, reserved: 8, still_ms: 0 };
+    const LIMITS: ShareLimits = ShareLimits { all: 32, guest: 4, host: 32, reserved: 8, still_ms: 0 };
 
     /// Takes so many for somebody, who has none yet; says how many of them they hold then.
-    fn take(shares: &mut Shares, by: &Identity, many: usize) -> usize {
+    fn take(shares: &mut Shares, by: &PersonIdentity, many: usize) -> usize {
         for _ in 0..many {
             shares.take(by, 0);
         }
@@ -225,7 +225,7 @@ mod tests {
     #[test]
     fn ones_own_oldest_gives_way() {
         let (mut shares, ben) = (Shares::within(LIMITS), guest("a", "ben"));
-        let taken: Vec<Taken> = (0..6).filter_map(|_| shares.take(&ben, 0)).collect();
+        let taken: Vec<TakenShare> = (0..6).filter_map(|_| shares.take(&ben, 0)).collect();
         assert_eq!(
             taken.iter().map(|taken| taken.instead_of).collect::<Vec<_>>(),
             [None, None, None, None, Some(1), Some(2)]
@@ -236,7 +236,7 @@ mod tests {
 
     #[test]
     fn what_just_moved_does_not_give_way_where_it_must_stand_still() {
-        let (mut shares, ben) = (Shares::within(Limits { still_ms: 100, ..LIMITS }), guest("a", "ben"));
+        let (mut shares, ben) = (Shares::within(ShareLimits { still_ms: 100, ..LIMITS }), guest("a", "ben"));
         for at in 0..4 {
             shares.take(&ben, at);
         }
@@ -253,18 +253,22 @@ mod tests {
         }
         assert_eq!(shares.held.len(), LIMITS.all - LIMITS.reserved);
         assert_eq!(take(&mut shares, &ben, 4), 4);
-        assert_eq!(take(&mut shares, &Identity::Host, 100), 14, "what is kept, then as many as the others of one link");
+        assert_eq!(
+            take(&mut shares, &PersonIdentity::Host, 100),
+            14,
+            "what is kept, then as many as the others of one link"
+        );
         assert_eq!((shares.held.len(), shares.count(&ben)), (LIMITS.all, 4));
     }
 
     #[test]
     fn the_host_gives_way_down_to_what_is_kept() {
         let mut shares = Shares::within(LIMITS);
-        assert_eq!(take(&mut shares, &Identity::Host, 100), LIMITS.all);
+        assert_eq!(take(&mut shares, &PersonIdentity::Host, 100), LIMITS.all);
         for person in 0..40 {
             take(&mut shares, &guest(&person.to_string(), "only"), 1);
         }
-        assert_eq!(shares.count(&Identity::Host), LIMITS.reserved);
+        assert_eq!(shares.count(&PersonIdentity::Host), LIMITS.reserved);
         assert!(shares.take(&guest("late", "only"), 0).is_none(), "who would have as many as anybody is refused");
     }
 
@@ -279,7 +283,7 @@ mod tests {
         };
         for _ in 0..20_000 {
             let by = match random(8) {
-                0 => Identity::Host,
+                0 => PersonIdentity::Host,
                 group => guest(&group.to_string(), &random(6).to_string()),
             };
             let ours = |shares: &Shares| shares.held.values().filter(|held| held.by.group() == by.group()).count();
@@ -288,21 +292,21 @@ mod tests {
                 let guests = (1..8).map(|group| guest(&group.to_string(), "").group());
                 let most =
                     guests.map(|group| shares.held.values().filter(|held| held.by.group() == group).count()).max();
-                assert!(most <= Some(before + 1) && (by != Identity::Host || before >= LIMITS.reserved));
+                assert!(most <= Some(before + 1) && (by != PersonIdentity::Host || before >= LIMITS.reserved));
             }
             if random(4) == 0 {
                 let first = shares.held.keys().next().copied();
                 first.into_iter().for_each(|number| shares.free(number));
             }
-            let guests = shares.held.len() - shares.count(&Identity::Host);
+            let guests = shares.held.len() - shares.count(&PersonIdentity::Host);
             assert!(shares.held.len() <= LIMITS.all && guests <= LIMITS.all - LIMITS.reserved);
-            assert!(by == Identity::Host || shares.count(&by) <= LIMITS.guest);
+            assert!(by == PersonIdentity::Host || shares.count(&by) <= LIMITS.guest);
         }
     }
 
     #[tokio::test]
     async fn who_gives_way_is_told_and_a_freed_place_is_taken_first() {
-        let places = SharedPlaces::within(Limits { guest: 2, ..LIMITS });
+        let places = SharedPlaces::within(ShareLimits { guest: 2, ..LIMITS });
         let ben = guest("a", "ben");
         let [first, second, third] = [(); 3].map(|()| places.take(&ben).unwrap());
         assert_eq!(first.hold(pending::<()>()).await, None);

@@ -11,10 +11,10 @@ use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
 /// Work for a task, all of one type.
-pub(crate) type Work = Pin<Box<dyn Future<Output = ()> + Send>>;
+pub(crate) type TaskWork = Pin<Box<dyn Future<Output = ()> + Send>>;
 
 /// This as work for a task.
-pub(crate) fn boxed(work: impl Future<Output = ()> + Send + 'static) -> Work {
+pub(crate) fn boxed(work: impl Future<Output = ()> + Send + 'static) -> TaskWork {
     Box::pin(work)
 }
 
@@ -22,30 +22,30 @@ pub(crate) fn boxed(work: impl Future<Output = ()> + Send + 'static) -> Work {
 pub(crate) fn blocking<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> impl Future<Output = Result<T, JoinError>> {
-    let made = Made::default();
+    let made = TaskResult::default();
     let place = made.clone();
     let work: Box<dyn FnOnce() + Send> = Box::new(move || place.put(work()));
     made.when(tokio::task::spawn_blocking(work))
 }
 
 /// What a task makes, for who waits for its end.
-pub(crate) struct Made<T>(Arc<Mutex<Option<T>>>);
+pub(crate) struct TaskResult<T>(Arc<Mutex<Option<T>>>);
 
-impl<T> Clone for Made<T> {
+impl<T> Clone for TaskResult<T> {
     fn clone(&self) -> Self {
         Self(Arc::clone(&self.0))
     }
 }
 
-impl<T> Default for Made<T> {
+impl<T> Default for TaskResult<T> {
     fn default() -> Self {
         Self(Arc::default())
     }
 }
 
-impl<T> Made<T> {
+impl<T> TaskResult<T> {
     /// This as work for a task, and what it makes.
-    pub(crate) fn by(work: impl Future<Output = T> + Send + 'static) -> (Work, Self)
+    pub(crate) fn by(work: impl Future<Output = T> + Send + 'static) -> (TaskWork, Self)
     where
         T: Send + 'static,
     {
@@ -98,7 +98,7 @@ impl Tasks {
     }
 
     /// Starts a task on these threads.
-    pub(crate) fn spawn_on(&self, work: Work, threads: &Handle) -> JoinHandle<()> {
+    pub(crate) fn spawn_on(&self, work: TaskWork, threads: &Handle) -> JoinHandle<()> {
         self.tracker.spawn_on(work, threads)
     }
 
@@ -107,7 +107,7 @@ impl Tasks {
         &self,
         work: impl Future<Output = T> + Send + 'static,
     ) -> impl Future<Output = Result<T, JoinError>> {
-        let (work, made) = Made::by(work);
+        let (work, made) = TaskResult::by(work);
         made.when(self.spawn_on(work, &self.runtime))
     }
 

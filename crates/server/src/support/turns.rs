@@ -1,12 +1,12 @@
 //! What waits for its turn: groups of senders take turns, in each its senders, and what one sender wants keeps its order. So
 //! whoever wants much waits behind themselves, however many links or cookies they have.
 
-use super::identity::{Group, Sender};
+use super::identity::{Sender, ShareGroup};
 use std::collections::{HashMap, VecDeque};
 
 /// How much may wait and be under way.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds {
+pub(crate) struct TurnBounds {
     /// Of the host's group under way at once.
     pub(crate) host: usize,
     /// Of an invitation, or of all rooms together, under way at once.
@@ -21,25 +21,25 @@ pub(crate) struct Bounds {
     pub(crate) waiting: usize,
 }
 
-impl Bounds {
-    fn of(&self, group: &Group) -> usize {
+impl TurnBounds {
+    fn of(&self, group: &ShareGroup) -> usize {
         match group {
-            Group::Host | Group::Server => self.host,
-            Group::Invitation(_) | Group::Strangers | Group::Rooms => self.group,
+            ShareGroup::Host | ShareGroup::Server => self.host,
+            ShareGroup::Invitation(_) | ShareGroup::Strangers | ShareGroup::Rooms => self.group,
         }
     }
 }
 
 /// What waits.
-pub(crate) struct Turns<T> {
-    bounds: Bounds,
-    groups: HashMap<Group, Members<T>>,
+pub(crate) struct FairTurns<T> {
+    bounds: TurnBounds,
+    groups: HashMap<ShareGroup, TurnMembers<T>>,
     /// Groups of which something waits, next first.
-    next: VecDeque<Group>,
+    next: VecDeque<ShareGroup>,
     waiting: usize,
 }
 
-struct Members<T> {
+struct TurnMembers<T> {
     senders: HashMap<Sender, Share<T>>,
     /// Senders of whom something waits, next first.
     next: VecDeque<Sender>,
@@ -52,7 +52,7 @@ struct Share<T> {
     under_way: usize,
 }
 
-impl<T> Default for Members<T> {
+impl<T> Default for TurnMembers<T> {
     fn default() -> Self {
         Self { senders: HashMap::new(), next: VecDeque::new(), waiting: 0, under_way: 0 }
     }
@@ -64,9 +64,9 @@ impl<T> Default for Share<T> {
     }
 }
 
-impl<T> Turns<T> {
+impl<T> FairTurns<T> {
     /// Nothing waits yet.
-    pub(crate) fn within(bounds: Bounds) -> Self {
+    pub(crate) fn within(bounds: TurnBounds) -> Self {
         Self { bounds, groups: HashMap::new(), next: VecDeque::new(), waiting: 0 }
     }
 
@@ -85,13 +85,13 @@ impl<T> Turns<T> {
         true
     }
 
-    fn has_room(&self, group: &Group, sender: &Sender) -> bool {
-        let Bounds { sender_waiting, group_waiting, waiting, .. } = self.bounds;
+    fn has_room(&self, group: &ShareGroup, sender: &Sender) -> bool {
+        let TurnBounds { sender_waiting, group_waiting, waiting, .. } = self.bounds;
         let members = self.groups.get(group);
         let mine = members.and_then(|members| members.senders.get(sender)).map_or(0, |share| share.waiting.len());
         let ours = members.map_or(0, |members| members.waiting);
         // Each open behaviour is one sender, of which there are so many at most.
-        let is_few = matches!(group, Group::Host | Group::Server | Group::Rooms) || ours < group_waiting;
+        let is_few = matches!(group, ShareGroup::Host | ShareGroup::Server | ShareGroup::Rooms) || ours < group_waiting;
         self.waiting < waiting && mine < sender_waiting && is_few
     }
 
@@ -124,7 +124,7 @@ impl<T> Turns<T> {
     }
 }
 
-impl<T> Members<T> {
+impl<T> TurnMembers<T> {
     fn put(&mut self, sender: &Sender, one: T) {
         let share = self.senders.entry(sender.clone()).or_default();
         if share.waiting.is_empty() {
@@ -162,18 +162,19 @@ impl<T> Members<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bounds, Turns};
+    use super::{FairTurns, TurnBounds};
     use crate::support::identity::tests::guest;
-    use crate::support::identity::{Identity, Sender};
+    use crate::support::identity::{PersonIdentity, Sender};
 
-    const BOUNDS: Bounds = Bounds { host: 2, group: 1, sender: 1, sender_waiting: 4, group_waiting: 10, waiting: 20 };
+    const BOUNDS: TurnBounds =
+        TurnBounds { host: 2, group: 1, sender: 1, sender_waiting: 4, group_waiting: 10, waiting: 20 };
 
     fn asks(invitation: &str, cookie: &str) -> Sender {
         guest(invitation, cookie).asks(7)
     }
 
     /// Who is served, when each ends before the next begins.
-    fn served(turns: &mut Turns<u32>) -> Vec<Sender> {
+    fn served(turns: &mut FairTurns<u32>) -> Vec<Sender> {
         let next = || {
             let (sender, _) = turns.take()?;
             turns.done(&sender);
@@ -184,7 +185,7 @@ mod tests {
 
     #[test]
     fn an_invitation_with_many_cookies_has_one_turn_as_one_with_a_single_cookie() {
-        let mut turns = Turns::within(BOUNDS);
+        let mut turns = FairTurns::within(BOUNDS);
         for cookie in ["a", "a", "b", "c"] {
             assert!(turns.put(&asks("many", cookie), 0));
         }
@@ -197,22 +198,27 @@ mod tests {
 
     #[test]
     fn a_group_at_its_bound_lets_others_by_and_the_host_has_more() {
-        let mut turns = Turns::within(BOUNDS);
-        for sender in [asks("a", "1"), asks("a", "2"), asks("b", "3"), Identity::Host.asks(1), Identity::Host.asks(2)] {
+        let mut turns = FairTurns::within(BOUNDS);
+        for sender in
+            [asks("a", "1"), asks("a", "2"), asks("b", "3"), PersonIdentity::Host.asks(1), PersonIdentity::Host.asks(2)]
+        {
             assert!(turns.put(&sender, 0));
         }
         let begun: Vec<_> = std::iter::from_fn(|| turns.take()).map(|(sender, _)| sender).collect();
-        assert_eq!(begun, [asks("a", "1"), asks("b", "3"), Identity::Host.asks(1), Identity::Host.asks(2)]);
+        assert_eq!(begun, [asks("a", "1"), asks("b", "3"), PersonIdentity::Host.asks(1), PersonIdentity::Host.asks(2)]);
         turns.done(&begun[0]);
         assert_eq!(turns.take().map(|(sender, _)| sender), Some(asks("a", "2")));
     }
 
     #[test]
     fn what_waits_is_bounded_for_a_sender_a_group_and_all() {
-        let mut turns = Turns::within(BOUNDS);
+        let mut turns = FairTurns::within(BOUNDS);
         let mut put = |sender: &Sender| (0..100).filter(|_| turns.put(sender, 0)).count();
         assert_eq!([put(&asks("a", "1")), put(&asks("a", "2")), put(&asks("a", "3"))], [4, 4, 2]);
-        assert_eq!([put(&asks("b", "1")), put(&Identity::Host.asks(1)), put(&Identity::Host.asks(2))], [4, 4, 2]);
+        assert_eq!(
+            [put(&asks("b", "1")), put(&PersonIdentity::Host.asks(1)), put(&PersonIdentity::Host.asks(2))],
+            [4, 4, 2]
+        );
     }
 
     #[test]
@@ -220,6 +226,6 @@ mod tests {
         let aiko = guest("a", "1");
         assert_eq!(aiko.asks(1), aiko.asks(2));
         assert_ne!(aiko.told(1), aiko.told(2));
-        assert_ne!(Identity::Host.asks(1), Identity::Host.asks(2));
+        assert_ne!(PersonIdentity::Host.asks(1), PersonIdentity::Host.asks(2));
     }
 }

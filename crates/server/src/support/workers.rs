@@ -4,8 +4,8 @@
 use crate::support::identity::Sender;
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
-use crate::support::tasks::Made;
-use crate::support::turns::{Bounds, Turns};
+use crate::support::tasks::TaskResult;
+use crate::support::turns::{FairTurns, TurnBounds};
 use protocol::Refused;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -22,23 +22,25 @@ const FILE_THREADS: usize = 4;
 /// Threads that read whole recordings for people.
 const ANALYSIS_THREADS: usize = 2;
 /// What may wait for threads, and who has how many of them: with 16 tasks of a guest or of a link of the host.
-const BOUNDS: Bounds =
-    Bounds { host: usize::MAX, group: 1, sender: 1, sender_waiting: 16, group_waiting: 256, waiting: 4_096 };
+const BOUNDS: TurnBounds =
+    TurnBounds { host: usize::MAX, group: 1, sender: 1, sender_waiting: 16, group_waiting: 256, waiting: 4_096 };
 
 /// Why something was not worked on to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum NotDone {
+pub(crate) enum WorkNotDone {
     /// Too much waits already.
     TooMuch,
     /// It failed inside.
     Failed,
 }
 
-impl From<NotDone> for Refused {
-    fn from(why: NotDone) -> Self {
+impl From<WorkNotDone> for Refused {
+    fn from(why: WorkNotDone) -> Self {
         match why {
-            NotDone::TooMuch => Self::TooFast,
-            NotDone::Failed => Self::Unreadable("it makes the server fail; please tell the people who make rrp".into()),
+            WorkNotDone::TooMuch => Self::TooFast,
+            WorkNotDone::Failed => {
+                Self::Unreadable("it makes the server fail; please tell the people who make rrp".into())
+            }
         }
     }
 }
@@ -47,20 +49,20 @@ impl From<NotDone> for Refused {
 #[derive(Clone)]
 pub(crate) struct Workers(Arc<Pool>);
 
-struct Pool(Arc<Shared>);
+struct Pool(Arc<WorkersShared>);
 
-struct Shared {
-    queue: Mutex<Queue>,
+struct WorkersShared {
+    queue: Mutex<WorkQueue>,
     bell: Condvar,
 }
 
 /// Work of whatever kind, as one type: what does it is compiled once.
-type Work = Box<dyn FnOnce(&CancellationToken) + Send>;
+type WorkerJob = Box<dyn FnOnce(&CancellationToken) + Send>;
 /// Work with what it is told by.
 type Task = Box<dyn FnOnce() + Send>;
 
-struct Queue {
-    turns: Turns<Task>,
+struct WorkQueue {
+    turns: FairTurns<Task>,
     ended: bool,
 }
 
@@ -90,8 +92,8 @@ impl Workers {
     }
 
     fn of(threads: usize, name: &str, priority: Option<Priority>) -> std::io::Result<Self> {
-        let queue = Mutex::new(Queue { turns: Turns::within(BOUNDS), ended: false });
-        let shared = Arc::new(Shared { queue, bell: Condvar::new() });
+        let queue = Mutex::new(WorkQueue { turns: FairTurns::within(BOUNDS), ended: false });
+        let shared = Arc::new(WorkersShared { queue, bell: Condvar::new() });
         let pool = Self(Arc::new(Pool(Arc::clone(&shared))));
         for number in 1..=threads {
             let shared = Arc::clone(&shared);
@@ -110,34 +112,34 @@ impl Workers {
         &self,
         sender: Sender,
         work: impl FnOnce(&CancellationToken) -> T + Send + 'static,
-    ) -> impl Future<Output = Result<T, NotDone>> {
-        let made = Made::default();
+    ) -> impl Future<Output = Result<T, WorkNotDone>> {
+        let made = TaskResult::default();
         let place = made.clone();
         let put = move |token: &CancellationToken| place.put(work(token));
         self.made(sender, Box::new(put), made)
     }
 
     /// Does work that puts what it makes into a place, and takes that.
-    async fn made<T>(&self, sender: Sender, work: Work, made: Made<T>) -> Result<T, NotDone> {
+    async fn made<T>(&self, sender: Sender, work: WorkerJob, made: TaskResult<T>) -> Result<T, WorkNotDone> {
         self.done(sender, work).await?;
-        made.taken().ok_or(NotDone::Failed)
+        made.taken().ok_or(WorkNotDone::Failed)
     }
 
     /// Does work and waits for its end.
-    async fn done(&self, sender: Sender, work: Work) -> Result<(), NotDone> {
+    async fn done(&self, sender: Sender, work: WorkerJob) -> Result<(), WorkNotDone> {
         let (token, (done, waiting)) = (CancellationToken::new(), oneshot::channel());
         let _leaving = token.clone().drop_guard();
         let task = move || {
             if !token.is_cancelled() {
                 let worked = catch_unwind(AssertUnwindSafe(|| work(&token)));
-                let _ = done.send(worked.map_err(|_| NotDone::Failed));
+                let _ = done.send(worked.map_err(|_| WorkNotDone::Failed));
             }
         };
         if !lock(&self.0.0.queue).put(&sender, Box::new(task)) {
-            return Err(NotDone::TooMuch);
+            return Err(WorkNotDone::TooMuch);
         }
         self.0.0.bell.notify_one();
-        waiting.await.unwrap_or(Err(NotDone::Failed))
+        waiting.await.unwrap_or(Err(WorkNotDone::Failed))
     }
 }
 
@@ -148,7 +150,7 @@ impl Drop for Pool {
     }
 }
 
-impl Shared {
+impl WorkersShared {
     fn work(&self, priority: Option<Priority>) {
         priority.into_iter().for_each(priority::of_this_thread);
         while let Some((sender, task)) = self.next() {
@@ -174,7 +176,7 @@ impl Shared {
     }
 }
 
-impl Queue {
+impl WorkQueue {
     /// Adds a task; false if there is no room.
     fn put(&mut self, sender: &Sender, task: Task) -> bool {
         !self.ended && self.turns.put(sender, task)
@@ -183,9 +185,9 @@ impl Queue {
 
 #[cfg(test)]
 mod tests {
-    use super::{NotDone, Workers};
+    use super::{WorkNotDone, Workers};
     use crate::support::identity::tests::guest;
-    use crate::support::identity::{Identity, Sender};
+    use crate::support::identity::{PersonIdentity, Sender};
     use std::sync::mpsc::channel;
 
     #[tokio::test]
@@ -193,7 +195,7 @@ mod tests {
         let workers = Workers::start().unwrap();
         for _ in 0..5 {
             let failed: Result<(), _> = workers.run(Sender::Server, |_| panic!("on purpose")).await;
-            assert_eq!(failed, Err(NotDone::Failed));
+            assert_eq!(failed, Err(WorkNotDone::Failed));
         }
         assert_eq!(workers.run(Sender::Server, |_| 7).await, Ok(7));
     }
@@ -202,7 +204,7 @@ mod tests {
     async fn who_leaves_is_told_to_the_work() {
         let workers = Workers::start().unwrap();
         let ((begin, began), (end, ended)) = (channel(), channel());
-        let work = workers.run(Identity::Host.asks(1), move |cancel| {
+        let work = workers.run(PersonIdentity::Host.asks(1), move |cancel| {
             begin.send(()).unwrap();
             while !cancel.is_cancelled() {
                 std::thread::yield_now();
@@ -237,7 +239,7 @@ mod tests {
             .collect();
         for turn in 0..50 {
             assert_eq!(workers.run(guest("other", "one").asks(1), move |_| turn).await, Ok(turn));
-            assert_eq!(workers.run(Identity::Host.asks(1), move |_| turn).await, Ok(turn));
+            assert_eq!(workers.run(PersonIdentity::Host.asks(1), move |_| turn).await, Ok(turn));
         }
         all.iter().for_each(tokio::task::JoinHandle::abort);
     }

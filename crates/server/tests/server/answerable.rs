@@ -3,7 +3,7 @@
 use crate::house::{House, make, start};
 use crate::invited::Scene;
 use protocol::{Refused, Reply, Request, Role, RunPhase, RunState};
-use shell::{Client, Trouble};
+use shell::{Client, ClientError};
 
 /// Waits until people are told of a run like this.
 async fn run_like(aiko: &mut Client, is_like: impl Fn(&RunState) -> bool) -> RunState {
@@ -104,7 +104,7 @@ async fn a_program_is_not_removed_under_somebodys_hands() {
     let locked = ben.ask(Request::Lock { behaviour: play.clone(), records }).await.unwrap();
     let Reply::Locked { grant } = locked else { panic!("{locked:?}") };
     let no = aiko.ask(Request::Remove { behaviour: play.clone() }).await.unwrap_err();
-    assert!(matches!(&no, Trouble::No(Refused::Change(_))) && no.to_string().contains("Ben is editing"), "{no}");
+    assert!(matches!(&no, ClientError::No(Refused::Change(_))) && no.to_string().contains("Ben is editing"), "{no}");
     ben.ask(Request::Unlock { behaviour: play.clone(), token: grant.token }).await.unwrap();
     assert_eq!(aiko.ask(Request::Remove { behaviour: play }).await, Ok(Reply::Done));
     house.close().await;

@@ -3,7 +3,7 @@
 use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, sentence, stream, stream_id};
 use behaviour::{Parameters, Procedure, Record, RecordId, Refusal, StreamKind, connectors};
 use protocol::{Refused, Reply, Request};
-use shell::{Mirror, Trouble};
+use shell::{ClientError, Mirror};
 
 #[tokio::test]
 async fn two_people_see_each_edit_in_order() {
@@ -65,7 +65,7 @@ async fn who_saw_an_older_state_is_refused() {
     aiko.put("Rename", stream_id("a"), Some(plain("Two"))).await.unwrap();
     let late = aiko.change("Rename", &before, vec![(stream_id("a"), Some(plain("Three")))]);
     let answer = aiko.ask(Request::Propose { behaviour: play, change: late, tokens: Vec::new() }).await;
-    assert_eq!(answer, Err(Trouble::No(Refused::Change(Refusal::Stale("“Two”".into())))));
+    assert_eq!(answer, Err(ClientError::No(Refused::Change(Refusal::Stale("“Two”".into())))));
     assert_eq!(aiko.open().unwrap().revision, 3);
     house.close().await;
 }
@@ -103,7 +103,7 @@ async fn an_op_id_stands_for_one_change_for_ever_also_after_a_restart() {
         tokens: Vec::new(),
     };
     let first = aiko.ask(propose(&change)).await.unwrap();
-    let reused = Err(Trouble::No(Refused::Change(Refusal::Reused)));
+    let reused = Err(ClientError::No(Refused::Change(Refusal::Reused)));
     for ask in [propose(&other), propose(&bad), undo.clone()] {
         assert_eq!(aiko.ask(ask).await, reused);
     }
@@ -192,7 +192,7 @@ async fn a_helper_in_use_cannot_be_removed_or_renamed() {
     for after in [None, Some(Record::Helper(renamed))] {
         let change = aiko.change("Remove", &library.records, vec![(used.clone(), after)]);
         let no = aiko.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap_err();
-        let Trouble::No(Refused::Change(Refusal::HelperUsed(name, users))) = no else { panic!("{no:?}") };
+        let ClientError::No(Refused::Change(Refusal::HelperUsed(name, users))) = no else { panic!("{no:?}") };
         assert_eq!((name, users), (record.name.clone(), vec!["“Far”".to_owned()]));
     }
     let edited = behaviour::Helper { says: "Other words.".into(), ..record.clone() };

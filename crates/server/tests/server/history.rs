@@ -3,7 +3,7 @@
 use crate::house::{House, ball, connector_id, id, map, plain, sentence, stream_id};
 use behaviour::{Accepted, Behaviour, Checkpoint, Id, RecordId, Refusal};
 use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, Reply, Request};
-use shell::{Client, Trouble};
+use shell::{Client, ClientError};
 use std::sync::Arc;
 use store::{MemoryStore, Store};
 
@@ -11,7 +11,7 @@ pub(crate) fn take_back(play: &Id, op: &str, again: bool) -> Request {
     Request::TakeBack { behaviour: play.clone(), op: id(op), again, tokens: Vec::new() }
 }
 
-fn accepted(answer: Result<Reply, Trouble>) -> Accepted {
+fn accepted(answer: Result<Reply, ClientError>) -> Accepted {
     match answer {
         Ok(Reply::Accepted { accepted, .. }) => accepted,
         other => panic!("{other:?}"),
@@ -41,7 +41,7 @@ async fn two(house: &House) -> (Client, Client, Id) {
     (aiko, ben, play)
 }
 
-pub(crate) async fn was(client: &Client, play: &Id, revision: u64) -> Result<Behaviour, Trouble> {
+pub(crate) async fn was(client: &Client, play: &Id, revision: u64) -> Result<Behaviour, ClientError> {
     match client.ask(Request::At { behaviour: play.clone(), revision }).await? {
         Reply::At { behaviour, revision: told, records, more: false } if (&behaviour, told) == (play, revision) => {
             Ok(*records)
@@ -79,7 +79,7 @@ async fn each_takes_back_and_does_again_only_their_own() {
     accepted(aiko.ask(take_back(&play, "r1", true)).await);
     assert_eq!(names(&now(&aiko, &play).await), ["A2", "B1"]);
     let nothing = aiko.ask(take_back(&play, "r2", true)).await;
-    assert_eq!(nothing, Err(Trouble::No(Refused::Change(Refusal::NothingToUndo))));
+    assert_eq!(nothing, Err(ClientError::No(Refused::Change(Refusal::NothingToUndo))));
     for op in ["u3", "u4"] {
         undo(&aiko, &play, op).await;
     }
@@ -96,7 +96,7 @@ async fn an_undo_over_the_change_of_somebody_else_is_refused_with_their_name() {
     name(&ben, "a", "His").await;
     let no = aiko.ask(take_back(&play, "u1", false)).await;
     let (what, by) = ("“His”".to_owned(), "Ben".to_owned());
-    assert_eq!(no, Err(Trouble::No(Refused::Change(Refusal::ChangedSince { what, by }))));
+    assert_eq!(no, Err(ClientError::No(Refused::Change(Refusal::ChangedSince { what, by }))));
     undo(&ben, &play, "u2").await;
     undo(&aiko, &play, "u3").await;
     assert_eq!(names(&now(&aiko, &play).await), Vec::<String>::new());
@@ -130,7 +130,7 @@ async fn undo_goes_on_after_a_reload_and_a_restart_and_is_done_once_though_it_is
     assert_eq!(names(&now(&aiko, &play).await), ["A3"]);
     let somebody = house.person("Aiko").await;
     let no = somebody.ask(take_back(&play, "u4", false)).await;
-    assert_eq!(no, Err(Trouble::No(Refused::Change(Refusal::NothingToUndo))), "a name proves nothing");
+    assert_eq!(no, Err(ClientError::No(Refused::Change(Refusal::NothingToUndo))), "a name proves nothing");
     house.close().await;
 }
 
@@ -214,10 +214,10 @@ async fn a_behaviour_is_shown_as_it_was_after_every_change() {
         assert_eq!(was(&aiko, &play, before as u64 + 1).await.as_ref(), Ok(records), "{before}");
     }
     for revision in [0, 82, u64::MAX] {
-        assert_eq!(was(&aiko, &play, revision).await, Err(Trouble::No(Refused::NoVersion)));
+        assert_eq!(was(&aiko, &play, revision).await, Err(ClientError::No(Refused::NoVersion)));
     }
     let nobody = was(&aiko, &id("nobody"), 1).await;
-    assert_eq!(nobody, Err(Trouble::No(Refused::NoBehaviour)));
+    assert_eq!(nobody, Err(ClientError::No(Refused::NoBehaviour)));
     house.close().await;
 }
 
@@ -248,8 +248,8 @@ async fn going_back_is_one_new_change_that_can_be_taken_back() {
     undo(&ben, &play, "u1").await;
     assert_eq!(now(&aiko, &play).await, later.records);
     let same = aiko.ask(back("g2", later.revision, "")).await;
-    assert_eq!(same, Err(Trouble::No(Refused::Change(Refusal::Edits(0)))));
-    assert_eq!(aiko.ask(back("g3", 99, "")).await, Err(Trouble::No(Refused::NoVersion)));
+    assert_eq!(same, Err(ClientError::No(Refused::Change(Refusal::Edits(0)))));
+    assert_eq!(aiko.ask(back("g3", 99, "")).await, Err(ClientError::No(Refused::NoVersion)));
     house.close().await;
 }
 
@@ -272,14 +272,14 @@ async fn what_was_removed_is_brought_back_as_far_as_it_may() {
     assert_eq!((back.change.label.as_str(), back.change.author.as_str()), ("Bring back “near”", "Ben"));
     assert_eq!(now(&ben, &play).await, whole);
     assert_eq!(accepted(ben.ask(bring("b1", removal.revision)).await), back, "sent twice, made once");
-    assert_eq!(ben.ask(bring("b2", removal.revision)).await, Err(Trouble::No(Refused::NothingGone)));
-    assert_eq!(ben.ask(bring("b3", 1)).await, Err(Trouble::No(Refused::NothingGone)), "nothing was removed there");
-    assert_eq!(ben.ask(bring("b4", 99)).await, Err(Trouble::No(Refused::NoVersion)));
+    assert_eq!(ben.ask(bring("b2", removal.revision)).await, Err(ClientError::No(Refused::NothingGone)));
+    assert_eq!(ben.ask(bring("b3", 1)).await, Err(ClientError::No(Refused::NothingGone)), "nothing was removed there");
+    assert_eq!(ben.ask(bring("b4", 99)).await, Err(ClientError::No(Refused::NoVersion)));
     undo(&ben, &play, "u1").await;
     aiko.load(&play).await.unwrap();
     name(&aiko, "other", "near").await;
     let taken = ben.ask(bring("b5", removal.revision)).await;
-    assert_eq!(taken, Err(Trouble::No(Refused::Change(Refusal::NameTaken("near".into())))));
+    assert_eq!(taken, Err(ClientError::No(Refused::Change(Refusal::NameTaken("near".into())))));
     house.close().await;
 }
 
@@ -307,13 +307,13 @@ async fn versions_with_names_are_told_to_everyone_and_kept() {
     assert_eq!(called(&versions(&mut ben).await), [(2, "With a stream", "Aiko")]);
     assert_eq!(aiko.ask(give(2, "With a stream")).await, Ok(Reply::Done), "said twice, done once");
     let no = ben.ask(give(1, "With a stream")).await;
-    assert_eq!(no, Err(Trouble::No(Refused::Change(Refusal::NameTaken("With a stream".into())))));
+    assert_eq!(no, Err(ClientError::No(Refused::Change(Refusal::NameTaken("With a stream".into())))));
     for revision in [0, 3] {
-        assert_eq!(ben.ask(give(revision, "Later")).await, Err(Trouble::No(Refused::NoVersion)));
+        assert_eq!(ben.ask(give(revision, "Later")).await, Err(ClientError::No(Refused::NoVersion)));
     }
     assert!(sentence(ben.ask(give(1, " ")).await).contains("name is missing"));
     let elsewhere = Request::NameVersion { behaviour: id("library"), revision: 1, name: "x".into() };
-    assert_eq!(ben.ask(elsewhere).await, Err(Trouble::No(Refused::NoBehaviour)));
+    assert_eq!(ben.ask(elsewhere).await, Err(ClientError::No(Refused::NoBehaviour)));
     ben.ask(give(1, "Empty")).await.unwrap();
     house.close().await;
     let house = House::at(folder.path()).await;

@@ -6,7 +6,7 @@ use crate::limits::too_large;
 use crate::slow::Hanging;
 use behaviour::Kind;
 use protocol::{Refused, Reply, Request};
-use shell::Trouble;
+use shell::ClientError;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
@@ -28,7 +28,7 @@ async fn going_back_over_more_than_a_message_can_carry_is_refused() {
     let play = aiko.load(&id("play")).await.unwrap();
     let (behaviour, op, called) = (id("play"), id("g1"), String::new());
     let back = Request::GoBack { behaviour, revision: 1, op, called, tokens: Vec::new() };
-    assert_eq!(aiko.ask(back).await, Err(Trouble::No(Refused::FarBack)));
+    assert_eq!(aiko.ask(back).await, Err(ClientError::No(Refused::FarBack)));
     assert_eq!(aiko.open().unwrap(), play);
     house.close().await;
 }
@@ -61,7 +61,7 @@ async fn however_many_look_at_what_was_few_are_served_at_once_and_all_at_last() 
     for person in asked {
         let (answers, after) = person.await.unwrap();
         let shown = answers.iter().filter(|answer| **answer == Ok(true)).count();
-        let refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(Refused::TooFast))).count();
+        let refused = answers.iter().filter(|answer| **answer == Err(ClientError::No(Refused::TooFast))).count();
         assert!(shown >= 2 && shown + refused == 6, "{answers:?}");
         assert_eq!(after.unwrap().streams().count(), 2);
     }

@@ -1,9 +1,9 @@
 //! A server in this process on a free port, and things to put into behaviours.
 
 use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind, connectors};
-use protocol::{Reply, Request, Session};
-use server::{Config, Network, Ready, Secured, serve_with};
-use shell::{Client, Trouble};
+use protocol::{RecordedSession, Reply, Request};
+use server::{Config, GuestNetwork, ReadyServer, Secured, serve_with};
+use shell::{Client, ClientError};
 use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::Arc;
@@ -49,7 +49,7 @@ impl House {
 
     /// With a data folder, where others come in by invitation.
     pub(crate) async fn for_others(data: &Path) -> Self {
-        let network = Network { listen: "127.0.0.1:0".parse().unwrap(), secured: Secured::Made };
+        let network = GuestNetwork { listen: "127.0.0.1:0".parse().unwrap(), secured: Secured::Made };
         Self::with(Arc::new(MemoryStore::default()), Some(network), Some(data)).await
     }
 
@@ -57,7 +57,7 @@ impl House {
         Self::with(store, None, None).await
     }
 
-    pub(crate) async fn with(store: Arc<dyn Store>, network: Option<Network>, data: Option<&Path>) -> Self {
+    pub(crate) async fn with(store: Arc<dyn Store>, network: Option<GuestNetwork>, data: Option<&Path>) -> Self {
         let (stop, stopped) = oneshot::channel::<()>();
         let (tell, ready) = oneshot::channel();
         let listen = "127.0.0.1:0".parse().unwrap();
@@ -67,7 +67,7 @@ impl House {
             let stopped = async { drop(stopped.await) };
             serve_with(store, config, |now| tell.send(now).unwrap(), stopped).await.unwrap();
         });
-        let Ready { address, network, invited, host_link } = ready.await.unwrap();
+        let ReadyServer { address, network, invited, host_link } = ready.await.unwrap();
         Self { address, network, host_link, link: invited.map(|invited| invited.link), stop, serving }
     }
 
@@ -110,7 +110,7 @@ pub(crate) async fn make(client: &Client, name: &str, template: Option<&str>) ->
 
 /// Starts a behaviour on the first robot, without recording it.
 pub(crate) fn start(behaviour: &Id) -> Request {
-    Request::Start { behaviour: behaviour.clone(), robot: None, record: false, session: Session::default() }
+    Request::Start { behaviour: behaviour.clone(), robot: None, record: false, session: RecordedSession::default() }
 }
 
 pub(crate) fn id(text: &str) -> Id {
@@ -160,9 +160,9 @@ pub(crate) fn connect(operation: Operation, from: &[&str], to: &str) -> Record {
 }
 
 /// The sentence of a refusal.
-pub(crate) fn sentence(answer: Result<Reply, Trouble>) -> String {
+pub(crate) fn sentence(answer: Result<Reply, ClientError>) -> String {
     match answer {
-        Err(trouble @ Trouble::No(_)) => trouble.to_string(),
+        Err(trouble @ ClientError::No(_)) => trouble.to_string(),
         other => panic!("this was not refused: {other:?}"),
     }
 }

@@ -9,7 +9,7 @@ use behaviour::{
 };
 use futures_util::{SinkExt, StreamExt};
 use protocol::{LIBRARY, Message as Told, PART_MAX_BYTES, Refused, Reply, Request};
-use shell::Trouble;
+use shell::ClientError;
 use std::sync::Arc;
 use store::{MemoryStore, Store};
 use tokio_tungstenite::tungstenite::Message;
@@ -152,7 +152,7 @@ async fn large_changes_that_were_missed_come_in_pages() {
         let notes = (0..10).map(|one| (key(Kind::Note, at * 10 + one), Some(note(&"n".repeat(4_000)))));
         let change = aiko.change("Add", &aiko.open().unwrap().records, notes.collect());
         while aiko.ask(Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() }).await
-            == Err(Trouble::No(Refused::TooFast))
+            == Err(ClientError::No(Refused::TooFast))
         {
             tokio::time::sleep(std::time::Duration::from_millis(50)).await;
         }
@@ -185,7 +185,7 @@ async fn names_that_hide_something_are_refused_wherever_one_is_given() {
     let (aiko, _) = house.maker("Ai\u{202e}ko").await;
     assert_eq!(aiko.you().name, "Aiko");
     let create = Request::Create { behaviour: id("hidden"), name: "Pl\u{200b}ay".into(), template: None };
-    let unseen = Err(Trouble::No(Refused::Change(Refusal::Unseen("Play".into()))));
+    let unseen = Err(ClientError::No(Refused::Change(Refusal::Unseen("Play".into()))));
     assert_eq!(aiko.ask(create).await, unseen);
     assert_eq!(aiko.put("Add", stream_id("s"), Some(plain("Pl\u{2067}ay"))).await, unseen);
     let robot = Request::AddRobot { robot: id("r"), name: "NAO\u{202e}".into(), real: None };

@@ -3,9 +3,10 @@
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{
-    Area, Ask, Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer, Refused, Reply, Request,
+    Ask, CanvasArea, Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer, Refused, Reply,
+    Request,
 };
-use shell::{Client, NoLink, Trouble};
+use shell::{Client, ClientError, NoLink};
 use std::time::Duration;
 use tokio::io::AsyncWriteExt;
 use tokio::net::TcpStream;
@@ -94,7 +95,7 @@ async fn a_newer_link_of_the_same_client_replaces_the_older() {
     let second = Client::connect_again(&house.url(), Some(first.credential()), "Aiko").await.unwrap();
     while first.next().await.is_some() {}
     let why = first.ask(Request::List { query: ListQuery::default() }).await.unwrap_err();
-    assert!(matches!(&why, Trouble::Link(NoLink::Replaced)), "{why}");
+    assert!(matches!(&why, ClientError::Link(NoLink::Replaced)), "{why}");
     assert!(second.ask(Request::List { query: ListQuery::default() }).await.is_ok());
     assert_eq!(first.you(), second.you());
     house.close().await;
@@ -125,12 +126,12 @@ async fn people_see_each_other_and_each_others_pointers() {
     assert_eq!((ben.you().name.as_str(), aiko.you().color, ben.you().color), ("Ben", 0, 1));
     ben.load(&play).await.unwrap();
     let pointer = Some(Pointer { x: 3.0, y: 4.0 });
-    let view = Some(Area { x: -50.0, y: 0.0, width: 800.0, height: 600.0 });
+    let view = Some(CanvasArea { x: -50.0, y: 0.0, width: 800.0, height: 600.0 });
     aiko.tell(Request::Present { pointer, selected: Some(id("s1")), view }).await.unwrap();
     let seen = |reply: &Reply| matches!(reply, Reply::People { people, .. } if people.iter().any(|p| p.pointer == pointer && p.view == view));
     ben.until(seen).await.unwrap();
     let (pointer, nowhere) =
-        (Some(Pointer { x: 5.0, y: 1e300 }), Some(Area { x: 0.0, y: 0.0, width: 0.0, height: 1.0 }));
+        (Some(Pointer { x: 5.0, y: 1e300 }), Some(CanvasArea { x: 0.0, y: 0.0, width: 0.0, height: 1.0 }));
     aiko.tell(Request::Present { pointer, selected: Some(id("s2")), view: nowhere }).await.unwrap();
     let left_out = |p: &Person| p.selected == Some(id("s2")) && p.pointer.is_none() && p.view.is_none();
     ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.iter().any(left_out))).await.unwrap();
@@ -168,8 +169,11 @@ async fn who_asks_too_much_is_told_so_but_can_always_stop() {
     for _ in 0..20 {
         let asks: Vec<_> = (0..240).map(|_| aiko.ask(watch())).collect();
         let answers = futures_util::future::join_all(asks).await;
-        refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(Refused::TooFast))).count();
-        assert!(answers.iter().all(|answer| !matches!(answer, Err(Trouble::Link(_)))), "nobody is cut off for that");
+        refused = answers.iter().filter(|answer| **answer == Err(ClientError::No(Refused::TooFast))).count();
+        assert!(
+            answers.iter().all(|answer| !matches!(answer, Err(ClientError::Link(_)))),
+            "nobody is cut off for that"
+        );
         if refused > 0 {
             break;
         }

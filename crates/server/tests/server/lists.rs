@@ -2,8 +2,8 @@
 
 use crate::house::{House, id, make, plain, stream_id};
 use behaviour::{Kind, Record, RecordId, Settings};
-use protocol::{ListQuery, PictureOf, Place, Refused, Reply, Request, Sort, Summary};
-use shell::{Client, Trouble};
+use protocol::{ListQuery, PictureOf, Refused, Reply, Request, SearchPlace, Sort, Summary};
+use shell::{Client, ClientError};
 
 async fn names(client: &Client) -> Vec<String> {
     let programs = client.programs(ListQuery::default(), usize::MAX).await.unwrap();
@@ -40,7 +40,7 @@ async fn every_template_becomes_a_behaviour_without_problems() {
         assert!(records.streams().count() > 1);
     }
     let no = aiko.ask(Request::Create { behaviour: id("x"), name: "X".into(), template: Some("None".into()) }).await;
-    assert_eq!(no, Err(Trouble::No(Refused::NoTemplate("None".into()))));
+    assert_eq!(no, Err(ClientError::No(Refused::NoTemplate("None".into()))));
     assert_eq!(names(&aiko).await.len(), 3);
     assert!(aiko.until(|reply| *reply == Reply::ProgramsChanged).await.is_ok());
     house.close().await;
@@ -133,9 +133,9 @@ async fn a_removed_behaviour_can_be_taken_back() {
     let told = ben.until(|reply| matches!(reply, Reply::Removed { .. })).await.unwrap();
     assert_eq!(told, Reply::Removed { behaviour: play.clone(), by: "Aiko".into() });
     assert_eq!(ben.open(), None);
-    assert_eq!(ben.load(&play).await, Err(Trouble::No(Refused::NoBehaviour)));
+    assert_eq!(ben.load(&play).await, Err(ClientError::No(Refused::NoBehaviour)));
     assert!(names(&ben).await.is_empty());
-    let bin = || ListQuery { place: Place::Bin, ..ListQuery::default() };
+    let bin = || ListQuery { place: SearchPlace::Bin, ..ListQuery::default() };
     let removed = ben.programs(bin(), usize::MAX).await.unwrap();
     assert_eq!(removed.iter().map(|one| (one.name.as_str(), one.by.as_str())).collect::<Vec<_>>(), [("Play", "Aiko")]);
     ben.ask(Request::Restore { behaviour: play.clone() }).await.unwrap();

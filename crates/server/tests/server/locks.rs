@@ -2,9 +2,9 @@
 
 use crate::house::{House, id, plain, sentence, stream_id};
 use crate::http::raw;
-use behaviour::{Asked, Grant, Id, LockEvent, RecordId, Token, Why};
+use behaviour::{AskResult, Grant, Id, LockEndReason, LockEvent, LockToken, RecordId};
 use protocol::{LockShown, Reply, Request};
-use shell::{Client, Trouble};
+use shell::{Client, ClientError};
 use std::collections::BTreeSet;
 
 /// Aiko and Ben in a behaviour with two streams.
@@ -18,7 +18,7 @@ async fn two(house: &House) -> (Client, Client, Id) {
     (aiko, ben, play)
 }
 
-async fn lock(client: &Client, play: &Id, names: &[&str]) -> Result<Reply, Trouble> {
+async fn lock(client: &Client, play: &Id, names: &[&str]) -> Result<Reply, ClientError> {
     let records = names.iter().map(|name| stream_id(name)).collect();
     client.ask(Request::Lock { behaviour: play.clone(), records }).await
 }
@@ -30,7 +30,13 @@ async fn grant(client: &Client, play: &Id, names: &[&str]) -> Grant {
     }
 }
 
-async fn rename(client: &Client, play: &Id, stream: &str, name: &str, tokens: &[Token]) -> Result<Reply, Trouble> {
+async fn rename(
+    client: &Client,
+    play: &Id,
+    stream: &str,
+    name: &str,
+    tokens: &[LockToken],
+) -> Result<Reply, ClientError> {
     let change = client.change("Rename", &client.open().unwrap().records, vec![(stream_id(stream), Some(plain(name)))]);
     client.ask(Request::Propose { behaviour: play.clone(), change, tokens: tokens.to_vec() }).await
 }
@@ -59,7 +65,7 @@ async fn who_is_at_the_computer_takes_over_and_the_other_is_told() {
     let Reply::Locked { grant: taken } = aiko.ask(over).await.unwrap() else { panic!() };
     assert!(taken.token > held.token);
     let LockEvent::Freed { why, grant, .. } = event(&mut ben).await else { panic!() };
-    assert_eq!((why, grant.token), (Why::TakenOver { by: "Aiko".into() }, held.token));
+    assert_eq!((why, grant.token), (LockEndReason::TakenOver { by: "Aiko".into() }, held.token));
     let no = "Aiko is editing “a”. Ask, or wait until it is free.";
     assert_eq!(sentence(rename(&ben, &play, "a", "A", &[held.token]).await), no);
     rename(&aiko, &play, "a", "A", &[taken.token]).await.unwrap();
@@ -172,7 +178,7 @@ async fn who_asks_gets_it_when_it_is_handed_over() {
     let (mut aiko, mut ben, play) = two(&house).await;
     let held = grant(&aiko, &play, &["a"]).await;
     let ask = Request::AskFor { behaviour: play.clone(), record: stream_id("a") };
-    let Reply::Asked { now_ms, asked: Asked::Waiting { by_ms } } = ben.ask(ask.clone()).await.unwrap() else {
+    let Reply::Asked { now_ms, asked: AskResult::Waiting { by_ms } } = ben.ask(ask.clone()).await.unwrap() else {
         panic!()
     };
     assert_eq!(by_ms - now_ms, 10_000);
@@ -181,7 +187,7 @@ async fn who_asks_gets_it_when_it_is_handed_over() {
     let say = |yes| Request::HandOver { behaviour: play.clone(), token: held.token, yes };
     aiko.ask(say(false)).await.unwrap();
     assert!(matches!(event(&mut ben).await, LockEvent::NotYet { by, .. } if by == "Aiko"));
-    assert!(matches!(ben.ask(ask).await.unwrap(), Reply::Asked { asked: Asked::TooSoon { .. }, .. }));
+    assert!(matches!(ben.ask(ask).await.unwrap(), Reply::Asked { asked: AskResult::TooSoon { .. }, .. }));
     let carol = house.person("Carol").await;
     carol.load(&play).await.unwrap();
     carol.ask(Request::AskFor { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
@@ -191,7 +197,7 @@ async fn who_asks_gets_it_when_it_is_handed_over() {
             break why;
         }
     };
-    assert_eq!(why, Why::HandedOver { to: "Carol".to_owned() });
+    assert_eq!(why, LockEndReason::HandedOver { to: "Carol".to_owned() });
     let mut carol = carol;
     let LockEvent::Granted { grant: hers, .. } = event(&mut carol).await else { panic!() };
     assert!(sentence(rename(&aiko, &play, "a", "late", &[held.token]).await).starts_with("Carol is editing"));

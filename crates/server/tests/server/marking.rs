@@ -5,7 +5,9 @@ use crate::browser::Socket;
 use crate::house::{House, connect, connector_id, make, printer, start, stream, stream_id};
 use crate::invited::Scene;
 use behaviour::{Id, Record, StreamKind, connectors};
-use protocol::{AGO_MAX_MS, MarkEdit, MarkSort, RecordingMark, Refused, Reply, Request, Role, RunPhase, Session};
+use protocol::{
+    AGO_MAX_MS, MarkEdit, MarkSort, RecordedSession, RecordingMark, Refused, Reply, Request, Role, RunPhase,
+};
 use shell::Client;
 use std::sync::Arc;
 use store::MemoryStore;
@@ -111,7 +113,7 @@ async fn the_recording_has_the_time_of_the_press_and_spans_end_with_stop() {
     let run = run(&aiko).await;
     let (early, kept) = marked(aiko.ask(mark(&play, "early", "waits", (false, 0))).await.unwrap());
     assert!(!kept);
-    let record = Request::Record { behaviour: play.clone(), robot: None, session: Session::default() };
+    let record = Request::Record { behaviour: play.clone(), robot: None, session: RecordedSession::default() };
     aiko.ask(record).await.unwrap();
     let (past, kept) = marked(aiko.ask(mark(&play, "past", "laughs", (false, 10 * AGO_MAX_MS))).await.unwrap());
     assert!(kept && past.t == 0, "what was before Start counts as Start: {past:?}");

@@ -2,7 +2,7 @@
 
 use crate::house::{House, id, map, plain, stream_id};
 use crate::links::socket;
-use behaviour::{Behaviour, Change, Seen, ValueType};
+use behaviour::{Behaviour, Change, SeenKinds, ValueType};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Ask, ListQuery, Request, VERSION};
 use std::time::Duration;
@@ -33,8 +33,8 @@ fn samples() -> Vec<String> {
         Request::Propose { behaviour: id(protocol::LIBRARY), change, tokens: Vec::new() },
         Request::Since { behaviour: id("b"), revision: 0 },
         Request::Check { arguments: vec!["x".into()], body: "x + 1".into(), inputs: vec![vec![1.into()]] },
-        Request::Types { behaviour: id("b"), seen: Seen::from([(id("s"), ValueType::Text)]) },
-        Request::Start { behaviour: id("b"), robot: None, record: true, session: protocol::Session::default() },
+        Request::Types { behaviour: id("b"), seen: SeenKinds::from([(id("s"), ValueType::Text)]) },
+        Request::Start { behaviour: id("b"), robot: None, record: true, session: protocol::RecordedSession::default() },
         Request::Stimulate { behaviour: id("b"), robot: None, stream: id("s"), value: 1.into() },
         Request::Present { pointer: None, selected: Some(id("s")), view: None },
         Request::CallMe { name: "Aiko".to_owned() },

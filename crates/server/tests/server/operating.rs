@@ -2,8 +2,8 @@
 
 use crate::house::{House, connect, connector_id, printer, start, stream, stream_id};
 use behaviour::{Id, Params, Record, StreamKind, Value, connectors};
-use protocol::{MarkSort, Recording, RecordingMark, Refused, Reply, Request, Session};
-use shell::{Client, Trouble};
+use protocol::{MarkSort, RecordedSession, Recording, RecordingMark, Refused, Reply, Request};
+use shell::{Client, ClientError};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use store::MemoryStore;
@@ -32,9 +32,9 @@ async fn what_runs_is_recorded_marked_and_marked_again_later() {
     let through = connect(connectors::subscribe::SPEC.with(()), &["head"], "out");
     aiko.put("Add", connector_id("c"), Some(through)).await.unwrap();
     let (behaviour, robot) = (play.clone(), None);
-    let session = Session { participant: Some("C-07".to_owned()), ..Session::default() };
+    let session = RecordedSession { participant: Some("C-07".to_owned()), ..RecordedSession::default() };
     let record = Request::Record { behaviour: behaviour.clone(), robot: None, session };
-    assert_eq!(aiko.ask(record.clone()).await, Err(Trouble::No(Refused::NotRunning)));
+    assert_eq!(aiko.ask(record.clone()).await, Err(ClientError::No(Refused::NotRunning)));
     aiko.ask(start(&behaviour)).await.unwrap();
     aiko.ask(record).await.unwrap();
     let value = Value::Int(7);
@@ -46,7 +46,7 @@ async fn what_runs_is_recorded_marked_and_marked_again_later() {
         aiko.ask(Request::Hand { robot: None, device, params, value })
     };
     assert_eq!(hand("SayInput").await, Ok(Reply::Done));
-    assert!(matches!(hand("Dance").await, Err(Trouble::No(Refused::RobotCannot(why))) if why.contains("Dance")));
+    assert!(matches!(hand("Dance").await, Err(ClientError::No(Refused::RobotCannot(why))) if why.contains("Dance")));
     aiko.ask(Request::mark(play.clone(), None, "she smiles", 86_400_000)).await.unwrap();
     aiko.ask(Request::Stop { behaviour: None, robot }).await.unwrap();
     let began = Instant::now();
@@ -74,9 +74,9 @@ async fn what_runs_is_recorded_marked_and_marked_again_later() {
     let text = std::fs::read_to_string(path).unwrap();
     assert!(text.contains(r#""hand":"SayInput""#) && text.contains(r#""by":"Aiko""#), "{text}");
     let Ok(Reply::Done) = aiko.ask(Request::RemoveRecording { file: file.clone() }).await else { panic!() };
-    assert_eq!(aiko.ask(Request::Marks { file }).await, Err(Trouble::No(Refused::NoRecording)));
+    assert_eq!(aiko.ask(Request::Marks { file }).await, Err(ClientError::No(Refused::NoRecording)));
     // A name is no code, and such a Start does not begin.
-    let session = Session { participant: Some("Emma Smith".to_owned()), ..Session::default() };
+    let session = RecordedSession { participant: Some("Emma Smith".to_owned()), ..RecordedSession::default() };
     let no = aiko.ask(Request::Start { behaviour: play, robot: None, record: true, session }).await.unwrap_err();
     assert!(no.to_string().contains("is no name"), "{no}");
     house.close().await;

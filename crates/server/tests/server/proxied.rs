@@ -4,7 +4,7 @@
 use crate::browser::{status, token};
 use crate::house::House;
 use crate::http::FORM;
-use server::{Network, Secured};
+use server::{GuestNetwork, Secured};
 use std::net::SocketAddr;
 use std::sync::Arc;
 use store::MemoryStore;
@@ -26,7 +26,7 @@ async fn handed_on(proxy: SocketAddr, method: &str, path: &str, more: &str, body
 #[tokio::test]
 async fn a_proxy_on_this_computer_opens_nothing_by_itself() {
     let secured = Secured::Proxy { origin: "https://rrp.example".into() };
-    let network = Network { listen: "127.0.0.1:0".parse().unwrap(), secured };
+    let network = GuestNetwork { listen: "127.0.0.1:0".parse().unwrap(), secured };
     let house = House::with(Arc::new(MemoryStore::default()), Some(network), None).await;
     let (proxy, link) = (house.network.unwrap(), house.link.clone().unwrap());
     assert!(link.starts_with("https://rrp.example/come-in#"), "{link}");

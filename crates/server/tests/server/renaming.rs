@@ -3,7 +3,7 @@
 use crate::house::{House, ball, connect, connector_id, id, make, plain, sentence, stream_id};
 use behaviour::{Behaviour, Helper, Id, Kind, Procedure, Record, RecordId, Refusal, connectors};
 use protocol::{Refused, Reply, Request};
-use shell::{Client, Trouble};
+use shell::{Client, ClientError};
 use std::collections::BTreeSet;
 
 fn helper(name: &str, body: &str) -> Helper {
@@ -14,7 +14,7 @@ fn helper_id(text: &str) -> RecordId {
     RecordId::new(Kind::Helper, &id(text))
 }
 
-async fn shelve(client: &Client, text: &str, helper: Option<Helper>) -> Result<Reply, Trouble> {
+async fn shelve(client: &Client, text: &str, helper: Option<Helper>) -> Result<Reply, ClientError> {
     let edits = vec![(helper_id(text), helper.map(Record::Helper))];
     let change = client.change("Helper", &client.library().records, edits);
     client.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await
@@ -40,7 +40,7 @@ async fn program(client: &Client, name: &str) -> Id {
     play
 }
 
-async fn rename(client: &Client, seen: Helper, after: Helper) -> Result<Reply, Trouble> {
+async fn rename(client: &Client, seen: Helper, after: Helper) -> Result<Reply, ClientError> {
     let (seen, after) = (Box::new(seen), Box::new(after));
     client.ask(Request::RenameHelper { helper: id("h"), seen, after }).await
 }
@@ -141,11 +141,11 @@ async fn a_name_that_is_taken_or_none_and_a_helper_that_is_another_are_refused()
     let play = program(&aiko, "Play").await;
     let before = (aiko.open().unwrap(), aiko.library());
     let taken = rename(&aiko, seen.clone(), helper("other", "v.distance")).await;
-    assert_eq!(taken, Err(Trouble::No(Refused::Change(Refusal::NameTaken("other".into())))));
+    assert_eq!(taken, Err(ClientError::No(Refused::Change(Refusal::NameTaken("other".into())))));
     let none = rename(&aiko, seen.clone(), helper("no name", "v.distance")).await;
-    assert!(matches!(none, Err(Trouble::No(Refused::Change(_)))), "{none:?}");
+    assert!(matches!(none, Err(ClientError::No(Refused::Change(_)))), "{none:?}");
     let stale = rename(&aiko, helper("near", "v"), helper("close", "v")).await;
-    assert!(matches!(stale, Err(Trouble::No(Refused::Change(Refusal::Stale(_))))), "{stale:?}");
+    assert!(matches!(stale, Err(ClientError::No(Refused::Change(Refusal::Stale(_))))), "{stale:?}");
     assert_eq!((aiko.open().unwrap(), aiko.library()), before);
     let answer = rename(&aiko, seen, helper("close", "near(v - 1)")).await.unwrap();
     assert_eq!(answer, Reply::HelperRenamed { programs: 1, left: Vec::new() });

@@ -1,9 +1,9 @@
 //! Running: problems stop Start, Stop stops, values come.
 
 use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, start, stream, stream_id};
-use behaviour::{Seen, Value, connectors};
+use behaviour::{SeenKinds, Value, connectors};
 use protocol::{Refused, Reply, Request, RunPhase};
-use shell::Trouble;
+use shell::ClientError;
 
 #[tokio::test]
 async fn problems_stop_start() {
@@ -13,7 +13,7 @@ async fn problems_stop_start() {
     aiko.put("Add", stream_id("far"), Some(plain("Far"))).await.unwrap();
     aiko.put("Add", connector_id("c"), Some(map("", "ball", "far"))).await.unwrap();
     let no = aiko.ask(start(&play)).await.unwrap_err();
-    assert!(matches!(&no, Trouble::No(Refused::Problems(problems)) if problems.len() == 1), "{no:?}");
+    assert!(matches!(&no, ClientError::No(Refused::Problems(problems)) if problems.len() == 1), "{no:?}");
     house.close().await;
 }
 
@@ -37,7 +37,7 @@ async fn a_behaviour_runs_tells_its_values_and_stops() {
     .unwrap();
     let seven = |reply: &Reply| matches!(reply, Reply::Values { values } if values.streams.iter().any(|s| s.value == Value::Int(7)));
     aiko.until(seven).await.unwrap();
-    assert_eq!(aiko.ask(Request::Remove { behaviour: play.clone() }).await, Err(Trouble::No(Refused::Running)));
+    assert_eq!(aiko.ask(Request::Remove { behaviour: play.clone() }).await, Err(ClientError::No(Refused::Running)));
     aiko.ask(Request::Stop { behaviour: Some(play.clone()), robot: None }).await.unwrap();
     let stopped = |reply: &Reply| matches!(reply, Reply::Runs { runs } if runs.iter().all(|run| run.phase == RunPhase::Stopped("Aiko".into())) && !runs.is_empty());
     aiko.until(stopped).await.unwrap();
@@ -90,7 +90,7 @@ async fn edits_disturb_nothing_until_they_are_applied() {
         .await
         .unwrap();
     let apply = Request::Apply { behaviour: play.clone(), robot: None };
-    assert_eq!(aiko.ask(apply.clone()).await, Err(Trouble::No(Refused::NotRunning)));
+    assert_eq!(aiko.ask(apply.clone()).await, Err(ClientError::No(Refused::NotRunning)));
     aiko.ask(start(&play)).await.unwrap();
     aiko.put("Edit", connector_id("m"), Some(map("head + 2", "head", "next"))).await.unwrap();
     let seven =
@@ -104,7 +104,7 @@ async fn edits_disturb_nothing_until_they_are_applied() {
     // What cannot run is not applied; the sentence says why and that the robot goes on.
     aiko.put("Edit", connector_id("m"), Some(map("", "head", "next"))).await.unwrap();
     let no = aiko.ask(apply).await.unwrap_err();
-    assert!(matches!(&no, Trouble::No(Refused::NotApplied(_))), "{no:?}");
+    assert!(matches!(&no, ClientError::No(Refused::NotApplied(_))), "{no:?}");
     assert!(no.to_string().starts_with("The robot goes on with what it ran before"), "{no}");
     aiko.ask(seven(Value::Int(1))).await.unwrap();
     aiko.until(shows(3)).await.unwrap();
@@ -140,12 +140,12 @@ async fn a_hint_is_told_with_what_mends_it() {
         panic!()
     };
     let [problem] = &problems[..] else { panic!("{problems:?}") };
-    let ask = Request::Fixes { behaviour: play.clone(), problem: problem.clone(), seen: Seen::new() };
+    let ask = Request::Fixes { behaviour: play.clone(), problem: problem.clone(), seen: SeenKinds::new() };
     let Reply::Fixes { fixes } = aiko.ask(ask).await.unwrap() else { panic!() };
     assert_eq!(fixes.iter().map(|fix| fix.kind.to_string()).collect::<Vec<_>>(), ["Leave out what is older than 1 s."]);
     let change = fixes[0].change(id("fix"), "Aiko");
     aiko.ask(Request::Propose { behaviour: play.clone(), change, tokens: Vec::new() }).await.unwrap();
-    let ask = Request::Types { behaviour: play, seen: Seen::new() };
+    let ask = Request::Types { behaviour: play, seen: SeenKinds::new() };
     let Reply::Types { types, hints } = aiko.ask(ask).await.unwrap() else { panic!() };
     assert_eq!(hints, [], "nothing was seen");
     assert!(types.values().any(|of| of.unit() == Some(behaviour::Unit::Metres)), "{types:?}");

@@ -10,7 +10,10 @@ use protocol::{Reply, Request};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
-use store::{Append, Contested, Driver, Listing, Loaded, MemoryStore, Query, Similar, Source, Store, StoreError, Used};
+use store::{
+    ActionDriver, Append, Contested, FillingSource, HelperUse, Listing, Loaded, MemoryStore, Query, Similar, Store,
+    StoreError,
+};
 use tokio_tungstenite::tungstenite::Message;
 
 /// How often others get their turn while something is looked up in a history.
@@ -87,11 +90,11 @@ impl Store for Hanging {
     async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError> {
         self.inside.purge(removed_before_ms).await
     }
-    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
         self.inside.users(helper).await
     }
 
-    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+    async fn drivers(&self, actuator: &str) -> Result<Vec<ActionDriver>, StoreError> {
         self.inside.drivers(actuator).await
     }
 
@@ -109,10 +112,10 @@ impl Store for Hanging {
     async fn next_epoch(&self) -> Result<u64, StoreError> {
         self.inside.next_epoch().await
     }
-    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+    async fn filling(&self) -> Result<Option<FillingSource>, StoreError> {
         self.inside.filling().await
     }
-    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+    async fn begin_filling(&self, source: &FillingSource) -> Result<FillingSource, StoreError> {
         self.inside.begin_filling(source).await
     }
     async fn end_filling(&self) -> Result<(), StoreError> {
@@ -207,13 +210,13 @@ async fn an_edit_that_hung_too_long_is_refused_and_the_room_recovers() {
     let create = Request::Create { behaviour: crate::house::id("new"), name: "New".into(), template: None };
     let (stream, one, two, undo, new) = tokio::join!(stream, one, two, aiko.ask(undo), aiko.ask(create));
     for answer in [stream, one, two, undo, new] {
-        assert!(matches!(&answer, Err(shell::Trouble::No(protocol::Refused::Store(_)))), "{answer:?}");
+        assert!(matches!(&answer, Err(shell::ClientError::No(protocol::Refused::Store(_)))), "{answer:?}");
     }
     assert!(start.elapsed() < ANSWERED_MAX, "it took {:?}", start.elapsed());
     let mut aiko = aiko;
     aiko.until(|reply| matches!(reply, Reply::Store { away: Some(_) })).await.unwrap();
     let answer = aiko.put("Add", stream_id("b"), Some(plain("Two"))).await;
-    assert!(matches!(&answer, Err(shell::Trouble::No(protocol::Refused::Store(_)))), "{answer:?}");
+    assert!(matches!(&answer, Err(shell::ClientError::No(protocol::Refused::Store(_)))), "{answer:?}");
     store.hangs.store(false, Ordering::SeqCst);
     aiko.until(|reply| matches!(reply, Reply::Store { away: None })).await.unwrap();
     aiko.put("Add", stream_id("b"), Some(plain("Two"))).await.unwrap();

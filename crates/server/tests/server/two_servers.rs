@@ -3,7 +3,7 @@
 use crate::house::{House, connector_id, id, map, plain, stream_id};
 use behaviour::{Kind, Note, Place, Record, RecordId, Refusal};
 use protocol::{Refused, Reply, Request};
-use shell::{Client, Trouble};
+use shell::{Client, ClientError};
 use std::sync::Arc;
 use store::{MemoryStore, Store};
 
@@ -36,9 +36,9 @@ async fn only_what_touches_the_same_records_is_stale() {
     assert_eq!(ben.open().unwrap().revision, 5, "he has hers too");
     aiko.put("Rename", stream_id("a"), Some(plain("Three"))).await.expect("she follows him the same way");
     let late = ben.put("Rename", stream_id("a"), Some(plain("Four"))).await;
-    assert_eq!(late, Err(Trouble::No(Refused::Change(Refusal::Stale("“Three”".into())))));
+    assert_eq!(late, Err(ClientError::No(Refused::Change(Refusal::Stale("“Three”".into())))));
     let taken = ben.put("Add", stream_id("b"), Some(plain("Three"))).await;
-    assert_eq!(taken, Err(Trouble::No(Refused::Change(Refusal::NameTaken("Three".into())))));
+    assert_eq!(taken, Err(ClientError::No(Refused::Change(Refusal::NameTaken("Three".into())))));
     aiko.put("Remove", stream_id("a"), None).await.unwrap();
     let gone = ben.put("Connect", connector_id("c"), Some(map("a", "a", "a"))).await;
     assert!(gone.is_err(), "the rules are asked again too: {gone:?}");

@@ -33,22 +33,22 @@ const SILENT_MS: u64 = 10_000;
 /// Numbers of asks that the link makes itself, apart from the client's.
 const OWN_ASK: u32 = u32::MAX;
 
-type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
+type ConsoleSocket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 
 /// A request and who waits for its answer.
-pub(super) struct Line {
+pub(super) struct OpenRequest {
     pub(super) ask: u32,
     pub(super) request: Request,
     pub(super) waiting: Option<oneshot::Sender<Reply>>,
 }
 
 /// The state that client and task share.
-pub(super) struct Link {
+pub(super) struct ConsoleLink {
     mirrors: Mutex<Mirrors>,
     ended: Mutex<Option<NoLink>>,
 }
 
-impl Link {
+impl ConsoleLink {
     pub(super) fn mirrors(&self) -> MutexGuard<'_, Mirrors> {
         self.mirrors.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -59,10 +59,10 @@ impl Link {
     }
 }
 
-type Opened = (Arc<Link>, mpsc::Sender<Line>, mpsc::Receiver<Reply>, AbortHandle);
+type OpenedSocket = (Arc<ConsoleLink>, mpsc::Sender<OpenRequest>, mpsc::Receiver<Reply>, AbortHandle);
 
 /// Connects and starts the task.
-pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
+pub(super) async fn open(url: &str) -> Result<OpenedSocket, NoLink> {
     let config =
         WebSocketConfig::default().max_message_size(Some(MESSAGE_MAX_BYTES)).max_frame_size(Some(MESSAGE_MAX_BYTES));
     let connecting = async {
@@ -79,7 +79,7 @@ pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
         Err(_) => return Err(NoLink::Silent(url.to_owned())),
     };
     let mirrors = Mutex::new(Mirrors::empty()?);
-    let link = Arc::new(Link { mirrors, ended: Mutex::new(None) });
+    let link = Arc::new(ConsoleLink { mirrors, ended: Mutex::new(None) });
     let (lines, inbox) = mpsc::channel(LINES_MAX);
     let (tell, told) = mpsc::channel(TOLD_MAX);
     let carrier =
@@ -117,15 +117,15 @@ fn socket_address(url: &str) -> String {
 }
 
 struct Carrier {
-    link: Arc<Link>,
-    socket: Socket,
+    link: Arc<ConsoleLink>,
+    socket: ConsoleSocket,
     tell: mpsc::Sender<Reply>,
     waiting: BTreeMap<u32, oneshot::Sender<Reply>>,
     assembly: Assembly,
 }
 
 impl Carrier {
-    async fn carry(mut self, mut inbox: mpsc::Receiver<Line>) {
+    async fn carry(mut self, mut inbox: mpsc::Receiver<OpenRequest>) {
         let mut heard = Instant::now();
         let why = loop {
             tokio::select! {
@@ -150,7 +150,7 @@ impl Carrier {
         let _ = tokio::time::timeout(Duration::from_secs(1), self.socket.close(None)).await;
     }
 
-    async fn send(&mut self, line: Line) -> Result<(), Error> {
+    async fn send(&mut self, line: OpenRequest) -> Result<(), Error> {
         if let Some(waiting) = line.waiting {
             self.waiting.insert(line.ask, waiting);
         }
@@ -169,7 +169,8 @@ impl Carrier {
             mirrors.missing(&told.reply)
         };
         for (behaviour, revision) in missing {
-            self.send(Line { ask: OWN_ASK, request: Request::Since { behaviour, revision }, waiting: None }).await?;
+            self.send(OpenRequest { ask: OWN_ASK, request: Request::Since { behaviour, revision }, waiting: None })
+                .await?;
         }
         self.pass_on(told);
         Ok(())

@@ -1,12 +1,12 @@
 //! Says that the body that answers at a robot's address is that robot from now on.
 
-use super::{Command, show_robots};
+use super::{ConsoleCommand, show_robots};
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::Request;
 use robot::Health;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "accept robot",
     words: "NAME",
     help: "Takes the other robot that answers at a robot's address for this one from now on.",

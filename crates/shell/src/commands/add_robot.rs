@@ -1,17 +1,17 @@
 //! Adds a robot, simulated or real.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::client::unique;
 use crate::console::Console;
 use crate::find::unquoted;
-use crate::refusal::{Answer, NotDone};
+use crate::refusal::{ExpectedAnswer, NotDone};
 use behaviour::Id;
-use protocol::{Checked, RealRobot, Reply, Request};
+use protocol::{RealRobot, Reply, Request, RobotFindings};
 
 /// The variable in which a password is looked for, so that it stands in no history.
 pub(super) const PASSWORD: &str = "RRP_ROBOT_PASSWORD";
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "add robot",
     words: "NAME [at ADDRESS [as USER]]",
     help: "Adds a robot: a simulated one, or the NAO or Pepper at an address, with its password from RRP_ROBOT_PASSWORD.",
@@ -43,10 +43,14 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
 }
 
 /// Looks whether a robot can be reached, with the login of `robot` where none is said.
-pub(super) async fn check(console: &mut Console, real: &RealRobot, robot: Option<&Id>) -> Result<Checked, NotDone> {
+pub(super) async fn check(
+    console: &mut Console,
+    real: &RealRobot,
+    robot: Option<&Id>,
+) -> Result<RobotFindings, NotDone> {
     match console.ask(Request::CheckRobot { real: Box::new(real.clone()), robot: robot.cloned() }).await? {
         Reply::RobotChecked { checked } => Ok(*checked),
-        _ => Err(NotDone::NoAnswer(Answer::Check)),
+        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Check)),
     }
 }
 

@@ -1,11 +1,11 @@
 //! Lets a running program go on as it is saved now.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::Request;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "apply",
     words: "[NAME]",
     help: "Lets the named or the loaded program, which runs, go on as it is saved now; what did not change goes on.",

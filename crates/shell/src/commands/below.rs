@@ -1,11 +1,11 @@
 //! Lists what hangs below a stream.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, stream_lines};
 use crate::refusal::NotDone;
 use behaviour::Graph;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "below",
     words: "[STREAM]",
     help: "Shows all streams that hang below a stream of the loaded program.",

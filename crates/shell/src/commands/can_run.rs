@@ -1,10 +1,10 @@
 //! Says whether a program can run on the robot.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "can run",
     words: "",
     help: "Says whether the robot in use has all that the loaded program needs.",

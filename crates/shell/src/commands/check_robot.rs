@@ -1,11 +1,11 @@
 //! Looks step by step whether a robot can be reached.
 
-use super::{Command, add_robot, show_robots};
+use super::{ConsoleCommand, add_robot, show_robots};
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::{CheckStage, CheckStep};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "check robot",
     words: "ADDRESS [as USER]",
     help: "Looks step by step whether a NAO or Pepper can be reached, and what it lacks.",

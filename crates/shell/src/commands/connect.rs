@@ -1,11 +1,11 @@
 //! Connects to a server.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use crate::{Client, DEFAULT_URL};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "connect",
     words: "[URL]",
     help: "Connects to a running rrp server.",

@@ -1,11 +1,11 @@
 //! Shows which actions several programs want.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{Answer, NotDone};
+use crate::refusal::{ExpectedAnswer, NotDone};
 use protocol::{Contested, Reply, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "contested",
     words: "",
     help: "Shows the actions that several programs use.",
@@ -17,7 +17,7 @@ async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
         Reply::Contested { contested } => {
             Ok(or_nothing(contested.iter().map(line).collect(), "No two programs use the same action."))
         }
-        _ => Err(NotDone::NoAnswer(Answer::Actions)),
+        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Actions)),
     }
 }
 

@@ -1,77 +1,77 @@
 //! Takes control of a robot, gives it back to its own life, has it wake up, rest, stand or sit, forget faces, or give a sign.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::find::unquoted;
-use crate::refusal::{Answer, NotDone, NotFound};
+use crate::refusal::{ExpectedAnswer, NotDone, NotFound};
 use behaviour::Id;
 use protocol::{Reply, Request};
 use robot::Control;
 
-pub(crate) const TAKE: Command = Command {
+pub(crate) const TAKE: ConsoleCommand = ConsoleCommand {
     name: "take control",
     words: "NAME",
     help: "Ends the robot's own life: it stands up, and programs have it.",
     run: |console, words| Box::pin(run(console, words, Control::Take)),
 };
 
-pub(crate) const GIVE_BACK: Command = Command {
+pub(crate) const GIVE_BACK: ConsoleCommand = ConsoleCommand {
     name: "give back",
     words: "NAME",
     help: "Stops what runs and gives the robot back to its own life.",
     run: |console, words| Box::pin(run(console, words, Control::GiveBack)),
 };
 
-pub(crate) const REST: Command = Command {
+pub(crate) const REST: ConsoleCommand = ConsoleCommand {
     name: "rest",
     words: "NAME",
     help: "Stops what runs and lets the robot sit down, its motors off.",
     run: |console, words| Box::pin(run(console, words, Control::Rest)),
 };
 
-pub(crate) const BLINK: Command = Command {
+pub(crate) const BLINK: ConsoleCommand = ConsoleCommand {
     name: "blink robot",
     words: "NAME",
     help: "Makes the robot's eyes blink for a moment, so that people see which one it is.",
     run: |console, words| Box::pin(run(console, words, Control::Blink)),
 };
 
-pub(crate) const WAKE_UP: Command = Command {
+pub(crate) const WAKE_UP: ConsoleCommand = ConsoleCommand {
     name: "wake up",
     words: "NAME",
     help: "Wakes the robot up: its motors go on.",
     run: |console, words| Box::pin(run(console, words, Control::WakeUp)),
 };
 
-pub(crate) const STAND: Command = Command {
+pub(crate) const STAND: ConsoleCommand = ConsoleCommand {
     name: "let stand",
     words: "NAME",
     help: "Lets the robot stand up.",
     run: |console, words| Box::pin(run(console, words, Control::Stand)),
 };
 
-pub(crate) const SIT: Command = Command {
+pub(crate) const SIT: ConsoleCommand = ConsoleCommand {
     name: "let sit",
     words: "NAME",
     help: "Lets the robot sit down, its motors on.",
     run: |console, words| Box::pin(run(console, words, Control::Sit)),
 };
 
-pub(crate) const FORGET_FACES: Command = Command {
+pub(crate) const FORGET_FACES: ConsoleCommand = ConsoleCommand {
     name: "forget faces",
     words: "NAME",
     help: "Has the robot forget all faces that it remembers, for good.",
     run: |console, words| Box::pin(run(console, words, Control::ForgetFaces)),
 };
 
-pub(crate) const FORGET_FACE: Command = Command {
+pub(crate) const FORGET_FACE: ConsoleCommand = ConsoleCommand {
     name: "forget face",
     words: "FACE of NAME",
     help: "Has the robot forget the face that it remembers under this name, for good.",
     run: |console, words| Box::pin(forget_face(console, words)),
 };
 
-pub(crate) const SHOW_FACES: Command = Command {
+pub(crate) const SHOW_FACES: ConsoleCommand = ConsoleCommand {
     name: "show faces",
     words: "NAME",
     help: "Shows the names under which the robot remembers faces.",
@@ -81,7 +81,7 @@ pub(crate) const SHOW_FACES: Command = Command {
 async fn faces(console: &mut Console, robot: &Id) -> Result<Vec<String>, NotDone> {
     match console.ask(Request::Faces { robot: robot.clone() }).await? {
         Reply::Faces { faces } => Ok(faces),
-        _ => Err(NotDone::NoAnswer(Answer::Faces)),
+        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Faces)),
     }
 }
 

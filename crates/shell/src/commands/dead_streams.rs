@@ -1,11 +1,11 @@
 //! Lists streams that lead to no action.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, stream_lines};
 use crate::refusal::NotDone;
 use behaviour::Graph;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "dead streams",
     words: "",
     help: "Shows the streams of the loaded program that lead to no action.",

@@ -1,10 +1,10 @@
 //! Ends the connection.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "disconnect",
     words: "",
     help: "Ends the connection to the server.",

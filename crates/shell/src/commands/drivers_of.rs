@@ -1,11 +1,11 @@
 //! Shows which programs drive an action.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{Answer, NotDone};
-use protocol::{Driver, Reply, Request};
+use crate::refusal::{ExpectedAnswer, NotDone};
+use protocol::{ActionDriver, Reply, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "drivers of",
     words: "ACTION",
     help: "Shows the programs that use an action of the robot, and from which senses.",
@@ -22,12 +22,12 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
             lines.extend((more > 0).then(|| format!("and {more} more")));
             Ok(or_nothing(lines, &format!("No program uses {actuator}.")))
         }
-        _ => Err(NotDone::NoAnswer(Answer::Programs)),
+        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Programs)),
     }
 }
 
 /// `Greeter: from Face`.
-fn line(driver: &Driver) -> String {
+fn line(driver: &ActionDriver) -> String {
     if driver.sensors.is_empty() {
         return format!("{}: from no sense", driver.name);
     }

@@ -1,11 +1,11 @@
 //! Finds robots in the network.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
-use crate::refusal::{Answer, NotDone};
+use crate::refusal::{ExpectedAnswer, NotDone};
 use protocol::{Reply, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "find robots",
     words: "",
     help: "Finds the robots that announce themselves in the server's network, with their addresses.",
@@ -14,7 +14,7 @@ pub(crate) const COMMAND: Command = Command {
 
 async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let Reply::FoundRobots { robots } = console.ask(Request::FindRobots).await? else {
-        return Err(NotDone::NoAnswer(Answer::Found));
+        return Err(NotDone::NoAnswer(ExpectedAnswer::Found));
     };
     if robots.is_empty() {
         return Ok("No robot announces itself".to_owned());

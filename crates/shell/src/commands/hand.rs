@@ -1,13 +1,13 @@
 //! Has the robot do something by hand.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::find::find;
 use crate::refusal::NotDone;
 use behaviour::{Params, StreamKind, Value};
 use protocol::Request;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "hand",
     words: "ACTION [VALUE] [with SETTINGS]",
     help: "Has the robot do something by hand, above all programs; value and settings are JSON, else an example and the usual ones.",

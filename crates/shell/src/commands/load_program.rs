@@ -1,10 +1,10 @@
 //! Loads a program to look at.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{CHOICES_MAX, Console};
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "load program",
     words: "NAME",
     help: "Loads a program to look at it here.",

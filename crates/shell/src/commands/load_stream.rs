@@ -1,10 +1,10 @@
 //! Loads a stream to look around from it.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "load stream",
     words: "NAME",
     help: "Loads a stream to look around from it.",

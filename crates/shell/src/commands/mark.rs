@@ -1,11 +1,11 @@
 //! Marks a moment in a recording.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::{Reply, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "mark",
     words: "[NOTE]",
     help: "Marks this moment of the loaded program for all who watch and for its recording, with a note of what happened.",

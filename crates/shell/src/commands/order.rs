@@ -1,12 +1,12 @@
 //! The order of what runs: if they disagree, the upper one wins.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
 use crate::refusal::NotDone;
 use protocol::{Request, RunState};
 use std::collections::BTreeSet;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "order",
     words: "[NAME up|down]",
     help: "Shows what runs, the upper wins if they disagree; or moves one a place up or down.",

@@ -1,11 +1,11 @@
 //! Gives a real robot another address.
 
-use super::{Command, add_robot};
+use super::{ConsoleCommand, add_robot};
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::Request;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "reach robot",
     words: "NAME at ADDRESS [as USER]",
     help: "Gives a NAO or Pepper another address; its login stays unless another one is said.",

@@ -1,11 +1,11 @@
 //! The choice to record starts.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::{Request, Session};
+use protocol::{RecordedSession, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "record",
     words: "on|now|off",
     help: "Records what is started from now on, or not; “now” also what runs, “off” ends the recordings under way.",
@@ -34,7 +34,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
 
 async fn record_all(console: &mut Console) -> Result<(), NotDone> {
     for run in console.running().await?.into_iter().filter(|run| run.recording.is_none()) {
-        let (behaviour, robot, session) = (run.behaviour, Some(run.robot), Session::default());
+        let (behaviour, robot, session) = (run.behaviour, Some(run.robot), RecordedSession::default());
         console.ask(Request::Record { behaviour, robot, session }).await?;
     }
     Ok(())

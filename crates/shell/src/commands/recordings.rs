@@ -1,11 +1,11 @@
 //! Lists the recordings.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{Answer, NotDone};
+use crate::refusal::{ExpectedAnswer, NotDone};
 use protocol::{RECORDINGS_PATH, Recording, Reply, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "recordings",
     words: "",
     help: "Lists the recordings, newest first, each with where it can be downloaded.",
@@ -14,7 +14,7 @@ pub(crate) const COMMAND: Command = Command {
 
 async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let Reply::Recordings { recordings } = console.ask(Request::Recordings).await? else {
-        return Err(NotDone::NoAnswer(Answer::Recordings));
+        return Err(NotDone::NoAnswer(ExpectedAnswer::Recordings));
     };
     Ok(or_nothing(recordings.iter().map(line).collect(), "No recordings. Type “record on” before “start”."))
 }

@@ -1,11 +1,11 @@
 //! Puts a recording into the bin.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::Request;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "remove recording",
     words: "FILE",
     help: "Puts a recording into the bin; “recordings” shows the files, and /recordings brings it back.",

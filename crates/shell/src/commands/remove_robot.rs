@@ -1,11 +1,11 @@
 //! Removes a robot.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::{Request, RobotState};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "remove robot",
     words: "NAME",
     help: "Removes a robot on which nothing runs, with its room and its order.",

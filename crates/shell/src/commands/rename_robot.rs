@@ -1,12 +1,12 @@
 //! Gives a robot another name.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::find::unquoted;
 use crate::refusal::NotDone;
 use protocol::{Request, RobotState};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "rename robot",
     words: "NAME to NEW",
     help: "Gives a robot another name.",

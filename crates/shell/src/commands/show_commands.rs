@@ -1,10 +1,10 @@
 //! Lists what can be typed.
 
-use super::{ALL, Command};
+use super::{ALL, ConsoleCommand};
 use crate::console::Console;
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "show commands",
     words: "",
     help: "Shows this list.",
@@ -12,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 async fn run(_: &mut Console, _: &str) -> Result<String, NotDone> {
-    let typed = |command: &Command| format!("{} {}", command.name, command.words).trim_end().to_owned();
+    let typed = |command: &ConsoleCommand| format!("{} {}", command.name, command.words).trim_end().to_owned();
     let width = ALL.iter().map(|command| typed(command).len()).max().unwrap_or(0);
     let lines: Vec<_> = ALL.iter().map(|command| format!("{:width$}  {}", typed(command), command.help)).collect();
     Ok(lines.join("\n"))

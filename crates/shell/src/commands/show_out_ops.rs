@@ -1,10 +1,10 @@
 //! Lists the connectors out of the loaded stream.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, connector_lines};
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "show out ops",
     words: "",
     help: "Shows the connectors out of the loaded stream.",

@@ -1,11 +1,11 @@
 //! Lists the streams that the loaded one gives to.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, stream_lines};
 use crate::refusal::NotDone;
 use behaviour::Graph;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "show out streams",
     words: "",
     help: "Shows the streams that the loaded stream leads to.",

@@ -1,10 +1,10 @@
 //! Lists the programs.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "show programs",
     words: "",
     help: "Shows the programs (behaviours) in the store.",

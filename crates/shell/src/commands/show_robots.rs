@@ -1,12 +1,12 @@
 //! Lists the robots.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::{RobotState, RunState};
 use robot::{Condition, Health, Identity, Life};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "show robots",
     words: "",
     help: "Shows the robots, how they and their bodies are and what runs on them; the one in use has a star.",

@@ -1,11 +1,11 @@
 //! Lists the streams with a sensor.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, stream_lines};
 use crate::refusal::NotDone;
 use behaviour::StreamKind;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "show start streams",
     words: "",
     help: "Shows the streams that have a sensor.",

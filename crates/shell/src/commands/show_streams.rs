@@ -1,10 +1,10 @@
 //! Lists all streams.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, stream_lines};
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "show streams",
     words: "",
     help: "Shows all streams of the loaded program.",

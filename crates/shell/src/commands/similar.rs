@@ -1,11 +1,11 @@
 //! Shows similar programs.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{Answer, NotDone};
+use crate::refusal::{ExpectedAnswer, NotDone};
 use protocol::{Reply, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "similar",
     words: "[NAME]",
     help: "Shows the programs that use the same senses and actions as the loaded one.",
@@ -22,6 +22,6 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
             });
             Ok(or_nothing(lines.collect(), &format!("No other program is like {name}.")))
         }
-        _ => Err(NotDone::NoAnswer(Answer::Programs)),
+        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Programs)),
     }
 }

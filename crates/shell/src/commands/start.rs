@@ -1,11 +1,11 @@
 //! Runs a program.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::{Request, Session};
+use protocol::{RecordedSession, Request};
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "start",
     words: "[NAME]",
     help: "Runs the named or the loaded program on the robot in use, or on the first one.",
@@ -15,6 +15,6 @@ pub(crate) const COMMAND: Command = Command {
 async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, behaviour) = console.meant(wanted).await?;
     let (record, robot) = (console.records, console.robot.clone());
-    console.ask(Request::Start { behaviour, robot, record, session: Session::default() }).await?;
+    console.ask(Request::Start { behaviour, robot, record, session: RecordedSession::default() }).await?;
     Ok(if record { format!("{name} runs and is recorded") } else { format!("{name} runs") })
 }

@@ -1,13 +1,13 @@
 //! Sends a value to a sensor stream.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::find::find;
 use crate::refusal::NotDone;
 use behaviour::{Id, Stream, StreamKind, Value};
 use protocol::Request;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "stimulate",
     words: "STREAM [VALUE]",
     help: "Sends a value (JSON) to a sensor stream of the running program, or an example.",

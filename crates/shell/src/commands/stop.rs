@@ -1,11 +1,11 @@
 //! Stops a program or the robots.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::Request;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "stop",
     words: "[NAME]",
     help: "Stops the named program, or everything, on the robot in use, or on all of them.",

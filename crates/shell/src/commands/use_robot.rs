@@ -1,10 +1,10 @@
 //! Chooses a robot.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "use robot",
     words: "[NAME]",
     help: "Starts, stops, orders and watches on the named robot from now on; without a name on any.",

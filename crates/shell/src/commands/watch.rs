@@ -1,13 +1,13 @@
 //! Prints live values.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use behaviour::Behaviour;
 use protocol::{Reply, Request, Values};
 use std::time::Duration;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "watch",
     words: "[SECONDS]",
     help: "Prints the live values of the loaded program for some seconds (5).",

@@ -1,12 +1,12 @@
 //! Shows who uses a helper.
 
-use super::Command;
+use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{Answer, NotDone};
-use protocol::{LIBRARY, Reply, Request, Used};
+use crate::refusal::{ExpectedAnswer, NotDone};
+use protocol::{HelperUse, LIBRARY, Reply, Request};
 use std::collections::BTreeMap;
 
-pub(crate) const COMMAND: Command = Command {
+pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "where used",
     words: "HELPER",
     help: "Shows the programs and helpers that use a helper, also through other helpers.",
@@ -24,12 +24,12 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
             lines.extend((more > 0).then(|| format!("and {more} more")));
             Ok(or_nothing(lines, &format!("Nothing uses {helper}.")))
         }
-        _ => Err(NotDone::NoAnswer(Answer::Uses)),
+        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Uses)),
     }
 }
 
 /// A line for each program or helper: `Greeter (2 connectors)`, `helper far (through distance)`.
-fn lines(uses: &[Used]) -> Vec<String> {
+fn lines(uses: &[HelperUse]) -> Vec<String> {
     let (mut counts, mut order): (BTreeMap<String, usize>, Vec<String>) = Default::default();
     for used in uses {
         let through = used.through.as_ref().map_or_else(String::new, |helper| format!(" (through {helper})"));

@@ -2,20 +2,20 @@
 
 mod gestures;
 
-use super::{Act, Driver, Opened};
-use crate::hash::{Digest, digest_use};
+use super::{SimulatedAct, SimulatedDevice, SimulatedDriver};
+use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
-use gestures::{GESTURES, Gesture, Row};
+use gestures::{GESTURES, Gesture, JointKeys};
 use robot::{RobotFault, Use};
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver {
     name: "Animation",
     open: |chosen| {
         let (name, path) = (chosen.text("animation")?, chosen.text("gesture")?.trim());
         let is_own = name == "robot" && !path.is_empty();
         let is_it = |gesture: &Gesture| if is_own { gesture.path == path } else { gesture.name == name };
-        Opened::act(Animation(GESTURES.iter().position(is_it)?))
+        SimulatedDevice::act(Animation(GESTURES.iter().position(is_it)?))
     },
 };
 
@@ -28,7 +28,7 @@ struct Animation(usize);
 
 /// A gesture that plays.
 #[derive(Clone, Debug)]
-pub(crate) struct Playing {
+pub(crate) struct PlayingGesture {
     user: Use,
     gesture: usize,
     from: u64,
@@ -43,7 +43,7 @@ pub(crate) fn paths() -> impl Iterator<Item = &'static str> {
     GESTURES.iter().map(|gesture| gesture.path).filter(|path| !path.is_empty())
 }
 
-impl Playing {
+impl PlayingGesture {
     fn gesture(&self) -> &'static Gesture {
         &GESTURES[self.gesture]
     }
@@ -59,7 +59,7 @@ impl Playing {
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest_use(&self.user, digest);
         digest.count(self.gesture);
         digest.whole(self.from);
@@ -71,7 +71,7 @@ impl Playing {
     }
 }
 
-impl Act for Animation {
+impl SimulatedAct for Animation {
     fn moves(&self) -> bool {
         true
     }
@@ -91,13 +91,13 @@ impl Act for Animation {
 impl SimulatedNao {
     /// Begins a gesture of the table, in place of the one that plays.
     fn begin(&mut self, gesture: usize, behavior: Option<&'static str>, user: &Use) {
-        let motors = GESTURES[gesture].rows.iter().filter_map(Row::motor);
+        let motors = GESTURES[gesture].rows.iter().filter_map(JointKeys::motor);
         let starts: Vec<_> = motors.map(|motor| (motor, self.servo.now[motor])).collect();
         for (motor, _) in &starts {
             self.take_joint(*motor);
             self.movers.take([*motor], user);
         }
-        self.playing = Some(Playing { user: user.clone(), gesture, from: self.now, starts, behavior });
+        self.playing = Some(PlayingGesture { user: user.clone(), gesture, from: self.now, starts, behavior });
     }
 
     /// Begins a gesture by its name in files, unless one plays.

@@ -1,19 +1,20 @@
 //! Balls of a colour, thirty times a second; a lost ball gives nothing.
 
-use super::{Beat, Chosen, Driver, Opened, Sense};
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use crate::sight::Sighting;
 use behaviour::Value;
 
-pub(super) const RED_BALL: Driver = Driver { name: "RedBall", open: |_| Opened::sense(Balls("red".to_owned())) };
-pub(super) const COLOR_BALL: Driver = Driver { name: "ColorBall", open: colored };
+pub(super) const RED_BALL: SimulatedDriver =
+    SimulatedDriver { name: "RedBall", open: |_| SimulatedDevice::sense(Balls("red".to_owned())) };
+pub(super) const COLOR_BALL: SimulatedDriver = SimulatedDriver { name: "ColorBall", open: colored };
 
 /// The largest ball of this colour.
 #[derive(Debug)]
 struct Balls(String);
 
-fn colored(chosen: &Chosen) -> Option<Opened> {
-    Opened::sense(Balls(chosen.text("color")?.to_owned()))
+fn colored(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::sense(Balls(chosen.text("color")?.to_owned()))
 }
 
 impl Sense for Balls {

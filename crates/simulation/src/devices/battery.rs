@@ -1,12 +1,13 @@
 //! The battery: what moves and what stands drains it, the cable fills it; told at first and when its percentage changes.
 //! By itself it never gets empty: a simulated robot that was forgotten overnight is of use in the morning.
 
-use super::{Beat, Driver, Opened, Sense};
-use crate::hash::Digest;
+use super::{Beat, Sense, SimulatedDevice, SimulatedDriver};
+use crate::hash::RunningHash;
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver { name: "Battery", open: |_| Opened::sense(Battery(None)) };
+pub(super) const DRIVER: SimulatedDriver =
+    SimulatedDriver { name: "Battery", open: |_| SimulatedDevice::sense(Battery(None)) };
 
 /// The energy of a full battery: walking drains 30 a step, so that it lasts for 60 minutes.
 const FULL: u32 = 60 * 60 * 100 * 30;
@@ -69,7 +70,7 @@ impl Charge {
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.whole(u64::from(self.left));
         digest.truth(self.plugged);
     }

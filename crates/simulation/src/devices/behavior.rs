@@ -1,12 +1,14 @@
 //! Installed behaviours: the simulated robot has three, each with one gesture. One runs at a time.
 
-use super::{Act, Driver, Opened};
+use super::{SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{DeviceFault, Offers, RobotFault, Use};
 
-pub(super) const DRIVER: Driver =
-    Driver { name: "Behavior", open: |chosen| Opened::act(Behavior(chosen.text("name")?.trim().to_owned())) };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver {
+    name: "Behavior",
+    open: |chosen| SimulatedDevice::act(Behavior(chosen.text("name")?.trim().to_owned())),
+};
 
 /// Their names, and the gesture of each by its name in files.
 pub(crate) const BEHAVIORS: [(&str, &str); 3] =
@@ -16,7 +18,7 @@ pub(crate) const BEHAVIORS: [(&str, &str); 3] =
 #[derive(Debug)]
 struct Behavior(String);
 
-impl Act for Behavior {
+impl SimulatedAct for Behavior {
     fn moves(&self) -> bool {
         true
     }

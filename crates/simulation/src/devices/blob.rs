@@ -1,11 +1,11 @@
 //! The largest thing of a colour, ball or box, thirty times a second, if it looks large enough.
 
 use super::balls::place;
-use super::{Beat, Chosen, Driver, Opened, Sense};
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver { name: "Blob", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Blob", open };
 
 #[derive(Debug)]
 struct Blob {
@@ -14,8 +14,8 @@ struct Blob {
     size: f32,
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::sense(Blob { color: chosen.text("color")?.to_owned(), size: chosen.number("size")? as f32 })
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::sense(Blob { color: chosen.text("color")?.to_owned(), size: chosen.number("size")? as f32 })
 }
 
 impl Sense for Blob {

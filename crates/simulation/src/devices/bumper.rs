@@ -1,16 +1,16 @@
 //! The bumpers: pressed by a hand, or by an obstacle or a ball that the front of a foot meets.
 
 use super::touch::Touch;
-use super::{Chosen, Driver, Opened};
+use super::{DeviceParams, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use robot::Touchable;
 
-pub(super) const DRIVER: Driver = Driver { name: "Bumper", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Bumper", open };
 
 /// A bumper is pressed by what is nearer to the tip of its foot than this, in metres.
 const NEAR_M: f32 = 0.015;
 
-fn open(chosen: &Chosen) -> Option<Opened> {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     // Only a Pepper has one there.
     if chosen.text("foot")? == "back" {
         return None;

@@ -1,10 +1,10 @@
 //! A button on the page: whoever presses it stimulates the stream, so the robot itself reads nothing.
 
-use super::{Beat, Driver, Opened, Sense};
+use super::{Beat, Sense, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver { name: "Button", open: |_| Opened::sense(Button) };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Button", open: |_| SimulatedDevice::sense(Button) };
 
 #[derive(Debug)]
 struct Button;

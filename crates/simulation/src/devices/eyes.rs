@@ -1,13 +1,16 @@
 //! The eye lights: a colour and a brightness.
 
-use super::{Act, Driver, Opened, number};
+use super::{SimulatedAct, SimulatedDevice, SimulatedDriver, number};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 
-pub(super) const COLOR: Driver =
-    Driver { name: "EyeLedColor", open: |chosen| Opened::act(Color(chosen.text("color")?.to_owned())) };
-pub(super) const BRIGHTNESS: Driver = Driver { name: "EyeBrightness", open: |_| Opened::act(Brightness) };
+pub(super) const COLOR: SimulatedDriver = SimulatedDriver {
+    name: "EyeLedColor",
+    open: |chosen| SimulatedDevice::act(Color(chosen.text("color")?.to_owned())),
+};
+pub(super) const BRIGHTNESS: SimulatedDriver =
+    SimulatedDriver { name: "EyeBrightness", open: |_| SimulatedDevice::act(Brightness) };
 
 /// A colour by its name, or `Value`.
 #[derive(Debug)]
@@ -36,7 +39,7 @@ impl Eyes {
     }
 }
 
-impl Act for Color {
+impl SimulatedAct for Color {
     fn moves(&self) -> bool {
         false
     }
@@ -47,7 +50,7 @@ impl Act for Color {
     }
 }
 
-impl Act for Brightness {
+impl SimulatedAct for Brightness {
     fn moves(&self) -> bool {
         false
     }

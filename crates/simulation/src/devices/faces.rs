@@ -1,13 +1,15 @@
 //! Faces: the largest one in view, ten times a second, and remembering it.
 
 use super::balls::place;
-use super::{Act, Beat, Driver, Opened, Sense};
+use super::{Beat, Sense, SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 
-pub(super) const DETECTION: Driver = Driver { name: "FaceDetection", open: |_| Opened::sense(Detection) };
-pub(super) const REMEMBER: Driver = Driver { name: "RememberFace", open: |_| Opened::act(Remember) };
+pub(super) const DETECTION: SimulatedDriver =
+    SimulatedDriver { name: "FaceDetection", open: |_| SimulatedDevice::sense(Detection) };
+pub(super) const REMEMBER: SimulatedDriver =
+    SimulatedDriver { name: "RememberFace", open: |_| SimulatedDevice::act(Remember) };
 
 /// The name under which it remembers somebody's face.
 pub(crate) fn face(person: usize) -> String {
@@ -39,7 +41,7 @@ impl Sense for Detection {
     }
 }
 
-impl Act for Remember {
+impl SimulatedAct for Remember {
     fn moves(&self) -> bool {
         false
     }

@@ -1,15 +1,15 @@
 //! Falling: a push lets the robot fall ahead within half a second, which ends everything; helped up, it stands again.
 
-use super::posture::Kind;
-use super::{Beat, Chosen, Driver, Opened, Sense};
-use crate::hash::Digest;
+use super::posture::PostureKind;
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver};
+use crate::hash::RunningHash;
 use crate::math::nearer;
 use crate::nao::SimulatedNao;
 use crate::servo::STEP_S;
 use behaviour::Value;
 use core::f32::consts::FRAC_PI_2;
 
-pub(super) const DRIVER: Driver = Driver { name: "Fall", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Fall", open };
 
 /// The speeds at which it falls, and is helped up, in radians a second.
 const SPEED_RPS: [f32; 2] = [FRAC_PI_2 / 0.5, FRAC_PI_2 / 1.5];
@@ -33,8 +33,8 @@ pub(crate) struct Lean {
     fallen: [bool; 2],
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::sense(Fall { release: chosen.is("release", "yes") })
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::sense(Fall { release: chosen.is("release", "yes") })
 }
 
 impl Lean {
@@ -44,7 +44,7 @@ impl Lean {
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.floats(&[self.angle]);
         digest.truth(self.pushed);
         self.fallen.iter().for_each(|fallen| digest.truth(*fallen));
@@ -61,7 +61,7 @@ impl SimulatedNao {
     pub(crate) fn help_up(&mut self) {
         if self.lean.pushed {
             self.lean.pushed = false;
-            self.assume(Kind::StandInit, UP_SPEED, None);
+            self.assume(PostureKind::StandInit, UP_SPEED, None);
         }
     }
 

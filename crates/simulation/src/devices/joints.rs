@@ -1,15 +1,17 @@
 //! Joints: their angles twenty times a second, and moving one of them or a group.
 
-use super::{Act, Beat, Chosen, Driver, Opened, Sense, float, number};
-use crate::body::Side;
+use super::{Beat, DeviceParams, Sense, SimulatedAct, SimulatedDevice, SimulatedDriver, float, number};
+use crate::body::ArmSide;
 use crate::model::{arm_motors_and_hand, motor};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 
-pub(super) const POSITION: Driver =
-    Driver { name: "JointPosition", open: |chosen| Opened::sense(Position(motor(chosen.text("joint")?)?)) };
-pub(super) const SET_POSITION: Driver = Driver { name: "SetJointPosition", open };
+pub(super) const POSITION: SimulatedDriver = SimulatedDriver {
+    name: "JointPosition",
+    open: |chosen| SimulatedDevice::sense(Position(motor(chosen.text("joint")?)?)),
+};
+pub(super) const SET_POSITION: SimulatedDriver = SimulatedDriver { name: "SetJointPosition", open };
 
 /// Angles beyond this are clipped before anything is computed, in radians; every joint ends far below.
 const ANGLE_MAX: f64 = 100.0;
@@ -26,15 +28,15 @@ struct SetPosition {
     speed: f32,
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     let joint = chosen.text("joint")?;
     let (motors, group) = match joint {
         "Head" => (vec![motor("HeadYaw")?, motor("HeadPitch")?], true),
-        "LArm" => (arm_motors_and_hand(Side::Left).collect(), true),
-        "RArm" => (arm_motors_and_hand(Side::Right).collect(), true),
+        "LArm" => (arm_motors_and_hand(ArmSide::Left).collect(), true),
+        "RArm" => (arm_motors_and_hand(ArmSide::Right).collect(), true),
         _ => (vec![motor(joint)?], false),
     };
-    Opened::act(SetPosition { motors, group, speed: chosen.number("speed")? as f32 })
+    SimulatedDevice::act(SetPosition { motors, group, speed: chosen.number("speed")? as f32 })
 }
 
 impl Sense for Position {
@@ -60,7 +62,7 @@ impl SetPosition {
     }
 }
 
-impl Act for SetPosition {
+impl SimulatedAct for SetPosition {
     fn moves(&self) -> bool {
         true
     }

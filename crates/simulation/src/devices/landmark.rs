@@ -1,18 +1,18 @@
 //! Printed marks, ten times a second: the one that looks largest of those that can be read.
 
 use super::balls::place;
-use super::{Beat, Chosen, Driver, Opened, Sense};
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver { name: "Landmark", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Landmark", open };
 
 /// Only the mark of this number; 0 is any.
 #[derive(Debug)]
 struct Landmark(u16);
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::sense(Landmark(chosen.number("number")? as u16))
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::sense(Landmark(chosen.number("number")? as u16))
 }
 
 impl Sense for Landmark {

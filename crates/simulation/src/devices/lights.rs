@@ -1,14 +1,14 @@
 //! The lights that are no eyes: what a program has lit, until it ends.
 
 use super::eyes::color;
-use super::{Act, Chosen, Driver, Opened};
-use crate::hash::{Digest, digest_use};
+use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
+use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 use std::collections::BTreeMap;
 
-pub(super) const DRIVER: Driver = Driver { name: "Lights", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Lights", open };
 
 /// The colours that are lit, by part, and by whom.
 #[derive(Default)]
@@ -21,10 +21,10 @@ struct Light(&'static str, String);
 /// The parts of a NAO; shoulders shine on a Pepper only.
 const PARTS: [&str; 3] = ["ears", "chest", "head"];
 
-fn open(chosen: &Chosen) -> Option<Opened> {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     let part = chosen.text("part")?;
     let part = PARTS.into_iter().chain(["shoulders"]).find(|known| *known == part)?;
-    Opened::act(Light(part, chosen.text("color")?.to_owned()))
+    SimulatedDevice::act(Light(part, chosen.text("color")?.to_owned()))
 }
 
 impl Lights {
@@ -34,7 +34,7 @@ impl Lights {
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         for (part, (user, color)) in &self.0 {
             digest.text(part);
             digest_use(user, digest);
@@ -53,7 +53,7 @@ fn shines(part: &str, color: [f32; 3]) -> [f32; 3] {
     }
 }
 
-impl Act for Light {
+impl SimulatedAct for Light {
     fn moves(&self) -> bool {
         false
     }

@@ -1,10 +1,10 @@
 //! People in view, five times a second: how many, and where the nearest is.
 
-use super::{Beat, Driver, Opened, Sense, float};
+use super::{Beat, Sense, SimulatedDevice, SimulatedDriver, float};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver { name: "People", open: |_| Opened::sense(People) };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "People", open: |_| SimulatedDevice::sense(People) };
 
 #[derive(Debug)]
 struct People;

@@ -1,16 +1,17 @@
 //! Postures: taking one, all joints arriving together, and telling which one it is in.
 
-use super::{Act, Beat, Chosen, Driver, Opened, Sense};
-use crate::hash::{Digest, digest_use};
-use crate::model::{LEGS, MOTORS, Model};
+use super::{Beat, DeviceParams, Sense, SimulatedAct, SimulatedDevice, SimulatedDriver};
+use crate::hash::{RunningHash, digest_use};
+use crate::model::{BodyModel, LEGS, MOTORS};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use core::f32::consts::FRAC_PI_4;
 use core::ops::Range;
 use robot::{RobotFault, Use};
 
-pub(super) const DRIVER: Driver = Driver { name: "Posture", open };
-pub(super) const CHANGED: Driver = Driver { name: "PostureChanged", open: |_| Opened::sense(Changed(None)) };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Posture", open };
+pub(super) const CHANGED: SimulatedDriver =
+    SimulatedDriver { name: "PostureChanged", open: |_| SimulatedDevice::sense(Changed(None)) };
 
 /// The slowest joint of a posture goes with this part of its top speed at speed 1; our planning value.
 const TOP_PART: f32 = 0.4;
@@ -25,14 +26,14 @@ const READY_SPEED: f32 = 0.5;
 
 /// A posture of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum PostureKind {
     Stand,
     StandInit,
     Crouch,
     Sit,
 }
 
-impl Kind {
+impl PostureKind {
     const ALL: [Self; 4] = [Self::Stand, Self::StandInit, Self::Crouch, Self::Sit];
 
     fn named(name: &str) -> Option<Self> {
@@ -48,7 +49,7 @@ impl Kind {
         }
     }
 
-    fn angles(self, model: &Model) -> &[f32; MOTORS] {
+    fn angles(self, model: &BodyModel) -> &[f32; MOTORS] {
         match self {
             Self::Stand => &model.postures.stand,
             Self::StandInit => &model.postures.stand_init,
@@ -61,13 +62,13 @@ impl Kind {
 /// On the way to a posture.
 #[derive(Clone, Debug)]
 pub(crate) struct Going {
-    to: Kind,
+    to: PostureKind,
     user: Option<Use>,
 }
 
 impl Going {
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.text(&format!("{:?}", self.to));
         self.user.iter().for_each(|user| digest_use(user, digest));
     }
@@ -75,7 +76,7 @@ impl Going {
 
 #[derive(Debug)]
 struct Posture {
-    to: Kind,
+    to: PostureKind,
     speed: f32,
 }
 
@@ -83,13 +84,16 @@ struct Posture {
 #[derive(Debug)]
 struct Changed(Option<&'static str>);
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::act(Posture { to: Kind::named(chosen.text("posture")?)?, speed: chosen.number("speed")? as f32 })
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::act(Posture {
+        to: PostureKind::named(chosen.text("posture")?)?,
+        speed: chosen.number("speed")? as f32,
+    })
 }
 
 impl SimulatedNao {
     /// Returns how far these joints are from a posture at most, in radians.
-    fn away(&self, kind: Kind, joints: Range<usize>) -> f32 {
+    fn away(&self, kind: PostureKind, joints: Range<usize>) -> f32 {
         let pairs = self.servo.now[joints.clone()].iter().zip(&kind.angles(self.model)[joints]);
         pairs.fold(0.0, |most: f32, (now, then)| most.max((now - then).abs()))
     }
@@ -99,7 +103,7 @@ impl SimulatedNao {
         if self.lean.angle > FRAC_PI_4 {
             return "LyingBelly";
         }
-        let all = Kind::ALL.map(|kind| (kind, self.away(kind, LEGS)));
+        let all = PostureKind::ALL.map(|kind| (kind, self.away(kind, LEGS)));
         let nearest = all.into_iter().min_by(|one, other| one.1.total_cmp(&other.1));
         let sure = nearest.filter(|(_, away)| *away < NONE && self.lean.angle <= 0.0);
         sure.map_or("Unknown", |(kind, _)| kind.family())
@@ -107,14 +111,14 @@ impl SimulatedNao {
 
     /// True if it stands so that it may walk.
     pub(crate) fn may_step(&self) -> bool {
-        self.own.awake && !self.lean.is_fallen() && self.away(Kind::StandInit, LEGS) < READY
+        self.own.awake && !self.lean.is_fallen() && self.away(PostureKind::StandInit, LEGS) < READY
     }
 
     /// Why it cannot walk or turn its whole body now, if it cannot.
     pub(crate) fn check_legs(&self) -> Result<(), &'static str> {
         if self.lean.is_fallen() {
             Err("it lies on the floor; help it up first")
-        } else if self.family() == Kind::Sit.family() {
+        } else if self.family() == PostureKind::Sit.family() {
             Err("it sits; let it stand up first")
         } else if self.charge.plugged {
             Err("it is on its charging cable; unplug it first")
@@ -126,21 +130,21 @@ impl SimulatedNao {
     /// Makes ready to walk: unless it sits, it stands up first.
     pub(crate) fn get_ready(&mut self, user: &Use) -> Result<(), RobotFault> {
         self.check_legs().map_err(|why| RobotFault::NotNow(why.to_owned()))?;
-        let on_its_way = self.going.as_ref().is_some_and(|going| going.to == Kind::StandInit);
-        if !on_its_way && self.away(Kind::StandInit, LEGS) > READY {
-            self.send(Kind::StandInit, READY_SPEED, LEGS, Some(user));
+        let on_its_way = self.going.as_ref().is_some_and(|going| going.to == PostureKind::StandInit);
+        if !on_its_way && self.away(PostureKind::StandInit, LEGS) > READY {
+            self.send(PostureKind::StandInit, READY_SPEED, LEGS, Some(user));
         }
         Ok(())
     }
 
     /// Takes a posture with the whole body; whatever else moved it ends.
-    pub(crate) fn assume(&mut self, to: Kind, speed: f32, user: Option<&Use>) {
+    pub(crate) fn assume(&mut self, to: PostureKind, speed: f32, user: Option<&Use>) {
         self.end_motion();
         self.send(to, speed, 0..MOTORS, user);
     }
 
     /// Sends these joints to a posture, so that all arrive together.
-    fn send(&mut self, to: Kind, speed: f32, joints: Range<usize>, user: Option<&Use>) {
+    fn send(&mut self, to: PostureKind, speed: f32, joints: Range<usize>, user: Option<&Use>) {
         let angles = to.angles(self.model);
         let (model, now) = (self.model, self.servo.now);
         let seconds = |motor: usize| (angles[motor] - now[motor]).abs() / model.motors[motor].top_speed;
@@ -170,7 +174,7 @@ impl SimulatedNao {
     }
 }
 
-impl Act for Posture {
+impl SimulatedAct for Posture {
     fn moves(&self) -> bool {
         true
     }

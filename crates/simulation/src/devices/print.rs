@@ -1,11 +1,11 @@
 //! Texts shown beside the room.
 
-use super::{Act, Driver, Opened};
+use super::{SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{Printed, RobotFault, Use};
 
-pub(super) const DRIVER: Driver = Driver { name: "Print", open: |_| Opened::act(Print) };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Print", open: |_| SimulatedDevice::act(Print) };
 
 /// Texts shown; the oldest go first.
 const PRINTED_MAX: usize = 20;
@@ -15,7 +15,7 @@ const PRINT_MAX_CHARS: usize = 200;
 #[derive(Debug)]
 struct Print;
 
-impl Act for Print {
+impl SimulatedAct for Print {
     fn moves(&self) -> bool {
         false
     }

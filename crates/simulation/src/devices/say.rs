@@ -1,19 +1,22 @@
 //! Speaking the value, or a fixed text.
 
-use super::{Act, Driver, Opened};
+use super::{SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 
-pub(super) const INPUT: Driver = Driver { name: "SayInput", open: |_| Opened::act(Say(None)) };
-pub(super) const PARAMETER: Driver =
-    Driver { name: "SayParameter", open: |chosen| Opened::act(Say(Some(chosen.text("text")?.to_owned()))) };
+pub(super) const INPUT: SimulatedDriver =
+    SimulatedDriver { name: "SayInput", open: |_| SimulatedDevice::act(Say(None)) };
+pub(super) const PARAMETER: SimulatedDriver = SimulatedDriver {
+    name: "SayParameter",
+    open: |chosen| SimulatedDevice::act(Say(Some(chosen.text("text")?.to_owned()))),
+};
 
 /// This text, or else the value.
 #[derive(Debug)]
 struct Say(Option<String>);
 
-impl Act for Say {
+impl SimulatedAct for Say {
     fn moves(&self) -> bool {
         false
     }

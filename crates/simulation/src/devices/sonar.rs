@@ -1,12 +1,12 @@
 //! The two sonars in the chest, ten times a second: the nearest echo in their cones.
 
-use super::{Beat, Chosen, Driver, Opened, Sense, float};
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver, float};
 use crate::math::{Pose, Vector, turn};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use core::f32::consts::TAU;
 
-pub(super) const DRIVER: Driver = Driver { name: "Sonar", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Sonar", open };
 
 /// The least and the most that it says, in metres.
 const RANGE_M: [f32; 2] = [0.20, 2.55];
@@ -17,8 +17,8 @@ const CIRCLES: [(u8, f32); 3] = [(6, 0.33), (12, 0.67), (18, 1.0)];
 #[derive(Debug)]
 struct Sonar(Vec<usize>);
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::sense(Sonar(match chosen.text("side")? {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::sense(Sonar(match chosen.text("side")? {
         "left" => vec![0],
         "right" => vec![1],
         // Only a Pepper has one there.

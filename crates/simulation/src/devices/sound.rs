@@ -1,12 +1,12 @@
 //! Sounds: one that plays already is not begun again; what was played is written down.
 
-use super::{Act, Chosen, Driver, Opened};
-use crate::hash::{Digest, digest_use};
+use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
+use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{Millis, RobotFault, Use};
 
-pub(super) const DRIVER: Driver = Driver { name: "Sound", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Sound", open };
 
 /// Sounds that play at once.
 const PLAYING_MAX: usize = 4;
@@ -17,7 +17,7 @@ const LASTS_MS: [u64; 2] = [300, 2_000];
 
 /// A sound that was played, or plays.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Played {
+pub struct PlayedSound {
     /// The name of the sound: `beep`, `low`, `high`, or the file on the robot.
     pub sound: String,
     /// From 0 to 100 percent.
@@ -34,7 +34,7 @@ pub struct Played {
 #[derive(Default)]
 pub(crate) struct Sounds {
     playing: Vec<Tone>,
-    log: Vec<Played>,
+    log: Vec<PlayedSound>,
 }
 
 /// A sound that plays.
@@ -51,11 +51,11 @@ struct Sound {
     volume: u8,
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     let is_file = chosen.is("sound", "file");
     let name = chosen.text(if is_file { "file" } else { "sound" })?.trim().to_owned();
     let volume = chosen.number("volume")? as u8;
-    if name.is_empty() { None } else { Opened::act(Sound { name, is_file, volume }) }
+    if name.is_empty() { None } else { SimulatedDevice::act(Sound { name, is_file, volume }) }
 }
 
 impl Sound {
@@ -79,7 +79,7 @@ impl Sounds {
             self.log.remove(0);
         }
         let name = sound.name.clone();
-        self.log.push(Played { sound: name, volume: sound.volume, from: Millis(now), until: None, cut: false });
+        self.log.push(PlayedSound { sound: name, volume: sound.volume, from: Millis(now), until: None, cut: false });
         self.playing.push(Tone { sound: sound.clone(), from: now, users: vec![user.clone()] });
         Ok(())
     }
@@ -103,7 +103,7 @@ impl Sounds {
         let log = &mut self.log;
         self.playing.retain(|tone| {
             let over = ends(tone);
-            let open = |played: &&mut Played| played.until.is_none() && played.sound == tone.sound.name;
+            let open = |played: &&mut PlayedSound| played.until.is_none() && played.sound == tone.sound.name;
             if let Some(played) = log.iter_mut().rev().find(open).filter(|_| over) {
                 (played.until, played.cut) = (Some(Millis(now)), cut);
             }
@@ -122,12 +122,12 @@ impl Sounds {
     }
 
     /// Returns what was played, oldest first.
-    pub(crate) fn log(&self) -> &[Played] {
+    pub(crate) fn log(&self) -> &[PlayedSound] {
         &self.log
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest.count(self.playing.len());
         for tone in &self.playing {
             digest.whole(tone.from);
@@ -144,7 +144,7 @@ impl Sounds {
     }
 }
 
-impl Act for Sound {
+impl SimulatedAct for Sound {
     fn moves(&self) -> bool {
         false
     }

@@ -1,11 +1,11 @@
 //! Where a sound comes from, seen from the head: each one that is loud enough for the chosen sensitivity.
 
-use super::{Beat, Chosen, Driver, Opened, Sense, float};
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver, float};
 use crate::math::across;
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver { name: "SoundLocated", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "SoundLocated", open };
 
 /// At this distance a sound has half its energy, in metres; our planning value.
 const HALF_M: f32 = 2.0;
@@ -14,8 +14,8 @@ const HALF_M: f32 = 2.0;
 #[derive(Debug)]
 struct Located(f32);
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::sense(Located(chosen.number("sensitivity")? as f32))
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::sense(Located(chosen.number("sensitivity")? as f32))
 }
 
 impl Sense for Located {

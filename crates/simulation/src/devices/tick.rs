@@ -1,12 +1,12 @@
 //! A clock that ticks.
 
-use super::{Beat, Driver, Opened, Sense};
+use super::{Beat, Sense, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver {
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver {
     name: "Tick",
-    open: |chosen| Opened::sense(Tick((chosen.number("period_ms")? * 1_000.0).max(10_000.0) as u64)),
+    open: |chosen| SimulatedDevice::sense(Tick((chosen.number("period_ms")? * 1_000.0).max(10_000.0) as u64)),
 };
 
 /// Every so many microseconds.

@@ -1,14 +1,14 @@
 //! Touch: fields on the head and the hands, and what every field and bumper feels. Told in the step after it happens,
 //! when the first of the wanted fields is touched and, if wanted, when the last is let go.
 
-use super::{Beat, Chosen, Driver, Opened, Sense};
-use crate::hash::Digest;
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver};
+use crate::hash::RunningHash;
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::Touchable;
 
-pub(super) const HEAD: Driver = Driver { name: "HeadTouch", open: head };
-pub(super) const HAND: Driver = Driver { name: "HandTouch", open: hand };
+pub(super) const HEAD: SimulatedDriver = SimulatedDriver { name: "HeadTouch", open: head };
+pub(super) const HAND: SimulatedDriver = SimulatedDriver { name: "HandTouch", open: hand };
 
 /// The most times that somebody may touch or let go of one part between two steps; more are left out in pairs.
 const TOUCHES_MAX: u8 = 16;
@@ -17,12 +17,12 @@ const PARTS: usize = Touchable::ALL.len();
 /// The feelings of all parts.
 #[derive(Default)]
 pub(crate) struct Pads {
-    pads: [Pad; PARTS],
+    pads: [TouchPad; PARTS],
 }
 
 /// The feelings of one part.
 #[derive(Clone, Copy, Default)]
-struct Pad {
+struct TouchPad {
     /// True if a hand is there, as people know it.
     hand: bool,
     /// The number of times that the hand came or left and that is not yet felt.
@@ -65,7 +65,7 @@ impl Pads {
     }
 
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         for pad in &self.pads {
             digest.truth(pad.hand);
             digest.whole(u64::from(pad.waiting));
@@ -84,10 +84,10 @@ pub(super) struct Touch {
 
 impl Touch {
     /// Those of `all` that were chosen: of each, the words of its choices that must be `any` or its own.
-    pub(super) fn of(chosen: &Chosen, all: &[(Touchable, &[(&str, &str)])]) -> Option<Opened> {
+    pub(super) fn of(chosen: &DeviceParams, all: &[(Touchable, &[(&str, &str)])]) -> Option<SimulatedDevice> {
         let fits = |(param, own): &(&str, &str)| chosen.is(param, "any") || chosen.is(param, own);
         let parts = all.iter().filter(|(_, words)| words.iter().all(fits)).map(|(part, _)| *part).collect();
-        Opened::sense(Self { parts, release: chosen.is("release", "yes") })
+        SimulatedDevice::sense(Self { parts, release: chosen.is("release", "yes") })
     }
 }
 
@@ -102,7 +102,7 @@ impl Sense for Touch {
     }
 }
 
-fn head(chosen: &Chosen) -> Option<Opened> {
+fn head(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     let parts: [(Touchable, &[(&str, &str)]); 3] = [
         (Touchable::HeadFront, &[("part", "front")]),
         (Touchable::HeadMiddle, &[("part", "middle")]),
@@ -111,7 +111,7 @@ fn head(chosen: &Chosen) -> Option<Opened> {
     Touch::of(chosen, &parts)
 }
 
-fn hand(chosen: &Chosen) -> Option<Opened> {
+fn hand(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     let parts: [(Touchable, &[(&str, &str)]); 6] = [
         (Touchable::HandLeftBack, &[("hand", "left"), ("part", "back")]),
         (Touchable::HandLeftLeft, &[("hand", "left"), ("part", "left")]),

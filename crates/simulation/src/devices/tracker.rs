@@ -3,21 +3,21 @@
 mod follow;
 mod pointing;
 
-pub(crate) use follow::{Follow, Point};
+pub(crate) use follow::{FollowingBody, PointingArm};
 
-use super::{Act, Chosen, Driver, Opened};
-use crate::body::Side;
+use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
+use crate::body::ArmSide;
 use crate::math::{Vector, across};
 use crate::model::{HEAD_PITCH, HEAD_YAW, arm_motors};
 use crate::nao::SimulatedNao;
 use crate::servo::STEP_S;
 use crate::sight::Sighting;
 use behaviour::Value;
-use follow::{Effector, HOLD_MS, Pictures};
+use follow::{CameraPictures, Effector, HOLD_MS};
 use pointing::{nearest, point, put_back};
 use robot::{RobotFault, TrackMode, TrackTarget, Use};
 
-pub(super) const DRIVER: Driver = Driver { name: "Tracker", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Tracker", open };
 
 /// Speed of a following head, as a fraction of the top speed: 24° take about 0.3 s.
 const HEAD_SPEED: f32 = 0.3;
@@ -38,22 +38,22 @@ struct Tracker {
     effector: Effector,
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     let target = TrackTarget::of(chosen.text("target")?)?;
     let mode = TrackMode::of(chosen.text("mode")?)?;
     let effector = match chosen.text("effector")? {
-        "LArm" => Effector::Arm(Side::Left),
-        "RArm" => Effector::Arm(Side::Right),
+        "LArm" => Effector::Arm(ArmSide::Left),
+        "RArm" => Effector::Arm(ArmSide::Right),
         "Nearest" => Effector::Nearest,
         "Value" => Effector::Value,
         // An arm tracker that names no arm takes the one its value names, else the nearest.
         _ if mode == TrackMode::Arm => Effector::Value,
         _ => Effector::None,
     };
-    Opened::act(Tracker { target, mode, effector })
+    SimulatedDevice::act(Tracker { target, mode, effector })
 }
 
-impl Act for Tracker {
+impl SimulatedAct for Tracker {
     fn moves(&self) -> bool {
         true
     }
@@ -92,7 +92,7 @@ impl SimulatedNao {
 
     fn engage_head(&mut self, user: &Use, target: TrackTarget, mode: TrackMode) {
         let until = self.now + HOLD_MS;
-        let same = |follow: &&mut Follow| follow.user == *user && follow.target == target && follow.mode == mode;
+        let same = |follow: &&mut FollowingBody| follow.user == *user && follow.target == target && follow.mode == mode;
         if let Some(follow) = self.follow.as_mut().filter(same) {
             follow.until = until;
             return;
@@ -101,21 +101,21 @@ impl SimulatedNao {
         if mode.walks() {
             self.stand_still();
         }
-        let pictures = Pictures::from(self.now);
-        self.follow = Some(Follow { user: user.clone(), target, mode, until, pictures, turning: false });
+        let pictures = CameraPictures::from(self.now);
+        self.follow = Some(FollowingBody { user: user.clone(), target, mode, until, pictures, turning: false });
     }
 
-    fn engage_arm(&mut self, user: &Use, target: TrackTarget, wish: Option<Side>) {
+    fn engage_arm(&mut self, user: &Use, target: TrackTarget, wish: Option<ArmSide>) {
         let until = self.now + HOLD_MS;
-        let same = |point: &&mut Point| point.user == *user && point.target == target && point.wish == wish;
+        let same = |point: &&mut PointingArm| point.user == *user && point.target == target && point.wish == wish;
         if let Some(point) = self.points.iter_mut().find(same) {
             point.until = until;
             return;
         }
         // The newest wins: an arm another stream used, or the other arm of this one, is given back.
         self.release_points(|point| point.user == *user || point.wish.or(point.side) == wish && wish.is_some());
-        let pictures = Pictures::from(self.now);
-        self.points.push(Point { user: user.clone(), target, wish, side: None, until, pictures });
+        let pictures = CameraPictures::from(self.now);
+        self.points.push(PointingArm { user: user.clone(), target, wish, side: None, until, pictures });
     }
 
     fn release_arms(&mut self, user: &Use) {
@@ -138,7 +138,7 @@ impl SimulatedNao {
     }
 
     /// Gives arms back: they go slowly to the standing posture.
-    fn release_points(&mut self, ends: impl Fn(&Point) -> bool) {
+    fn release_points(&mut self, ends: impl Fn(&PointingArm) -> bool) {
         let (ended, kept): (Vec<_>, Vec<_>) = self.points.drain(..).partition(ends);
         self.points = kept;
         for (side, user) in ended.iter().filter_map(|point| Some((point.side?, &point.user))) {
@@ -180,7 +180,7 @@ impl SimulatedNao {
     }
 
     /// The head goes where it was plus what the picture says, which needs no model of the delay in between.
-    fn head_to(&mut self, follow: &mut Follow, seen: Sighting, place: Vector) {
+    fn head_to(&mut self, follow: &mut FollowingBody, seen: Sighting, place: Vector) {
         self.movers.take([HEAD_YAW, HEAD_PITCH], &follow.user);
         self.servo.aim(HEAD_YAW, self.servo.now[HEAD_YAW] + seen.x, HEAD_SPEED);
         self.servo.aim(HEAD_PITCH, self.servo.now[HEAD_PITCH] + seen.y, HEAD_SPEED);
@@ -193,7 +193,7 @@ impl SimulatedNao {
     }
 
     /// The whole body turns on the spot when the head is turned far, until it faces the target.
-    fn turn_to(&mut self, follow: &mut Follow, aside: f32) {
+    fn turn_to(&mut self, follow: &mut FollowingBody, aside: f32) {
         let from = if follow.turning { TURN_UNTIL } else { TURN_FROM };
         follow.turning = aside.abs() > from;
         self.base.want([0.0, 0.0, if follow.turning { aside * 1.5 } else { 0.0 }]);
@@ -226,10 +226,10 @@ impl SimulatedNao {
 }
 
 /// The arm a value names, by its side.
-fn named(value: &Value) -> Option<Side> {
+fn named(value: &Value) -> Option<ArmSide> {
     match value.as_text()?.trim() {
-        "left" | "LArm" => Some(Side::Left),
-        "right" | "RArm" => Some(Side::Right),
+        "left" | "LArm" => Some(ArmSide::Left),
+        "right" | "RArm" => Some(ArmSide::Right),
         _ => None,
     }
 }

@@ -1,11 +1,11 @@
 //! The way in which it speaks: for as long as the use lasts that changed it last.
 
-use super::{Act, Chosen, Driver, Opened};
+use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 
-pub(super) const DRIVER: Driver = Driver { name: "Voice", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Voice", open };
 
 /// The way in which it speaks.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,8 +18,8 @@ pub(crate) struct Voice {
     language: String,
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::act(Voice {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::act(Voice {
         volume: chosen.number("volume")? as u8,
         speed: chosen.number("speed")? as u16,
         gestures: chosen.is("gestures", "yes"),
@@ -47,7 +47,7 @@ impl SimulatedNao {
     }
 }
 
-impl Act for Voice {
+impl SimulatedAct for Voice {
     fn moves(&self) -> bool {
         false
     }

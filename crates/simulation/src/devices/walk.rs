@@ -1,13 +1,13 @@
 //! Walking with the speed of the newest value, until half a second after it; it stands up for that if it must.
 
-use super::{Act, Chosen, Driver, Opened};
+use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::base::ASIDE_MPS;
-use crate::hash::{Digest, digest_use};
+use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 
-pub(super) const DRIVER: Driver = Driver { name: "Walk", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Walk", open };
 
 /// It walks for so long after a value, in milliseconds: the dead-man's switch.
 const HOLD_MS: u64 = 500;
@@ -30,15 +30,15 @@ pub(crate) struct Walking {
 
 impl Walking {
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest_use(&self.user, digest);
         digest.floats(&self.speeds);
         digest.whole(self.until);
     }
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
-    Opened::act(Walk { speed: chosen.number("speed")? as f32, turn: chosen.number("turn")? as f32 })
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
+    SimulatedDevice::act(Walk { speed: chosen.number("speed")? as f32, turn: chosen.number("turn")? as f32 })
 }
 
 impl Walk {
@@ -64,7 +64,7 @@ impl Walk {
     }
 }
 
-impl Act for Walk {
+impl SimulatedAct for Walk {
     fn moves(&self) -> bool {
         true
     }

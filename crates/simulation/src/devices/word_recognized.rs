@@ -1,10 +1,10 @@
 //! Words that somebody says: spotted in what was said, whole words, however they are written large or small.
 
-use super::{Beat, Chosen, Driver, Opened, Sense};
+use super::{Beat, DeviceParams, Sense, SimulatedDevice, SimulatedDriver};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
 
-pub(super) const DRIVER: Driver = Driver { name: "WordRecognized", open };
+pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "WordRecognized", open };
 
 /// The confidence of the robot in words that are all that was said, and in words among others, from 0 to 1; our
 /// planning values.
@@ -13,19 +13,19 @@ const SURE: [f64; 2] = [0.8, 0.6];
 const WITHOUT_SPACES: [&str; 2] = ["Japanese", "Chinese"];
 
 #[derive(Debug)]
-struct Words {
+struct RecognizedWords {
     /// The words as they were chosen, and as they are looked for.
     words: Vec<(String, Vec<String>)>,
     spaces: bool,
     confidence: f64,
 }
 
-fn open(chosen: &Chosen) -> Option<Opened> {
+fn open(chosen: &DeviceParams) -> Option<SimulatedDevice> {
     let spaces = !WITHOUT_SPACES.contains(&chosen.text("language")?);
     let words = chosen.text("words")?.split(',').map(str::trim).map(|word| (word.to_owned(), pieces(word, spaces)));
     let words: Vec<_> = words.filter(|(_, pieces)| !pieces.is_empty()).collect();
     let confidence = chosen.number("confidence")?;
-    if words.is_empty() { None } else { Opened::sense(Words { words, spaces, confidence }) }
+    if words.is_empty() { None } else { SimulatedDevice::sense(RecognizedWords { words, spaces, confidence }) }
 }
 
 /// The words of a text in small letters, or its characters where there are no spaces.
@@ -35,7 +35,7 @@ fn pieces(text: &str, spaces: bool) -> Vec<String> {
     if spaces { words.map(str::to_owned).collect() } else { words.flat_map(str::chars).map(String::from).collect() }
 }
 
-impl Words {
+impl RecognizedWords {
     /// The first of the chosen words in what was said, the longest if several begin there, and how sure that is.
     fn spot(&self, said: &str) -> Option<(&str, f64)> {
         let said = pieces(said, self.spaces);
@@ -47,7 +47,7 @@ impl Words {
     }
 }
 
-impl Sense for Words {
+impl Sense for RecognizedWords {
     fn beat(&self) -> Beat {
         Beat::Step
     }
@@ -62,11 +62,11 @@ impl Sense for Words {
 
 #[cfg(test)]
 mod tests {
-    use super::{Words, pieces};
+    use super::{RecognizedWords, pieces};
 
     fn spot(chosen: &[&str], spaces: bool, said: &str) -> Option<(String, f64)> {
         let words = chosen.iter().map(|word| ((*word).to_owned(), pieces(word, spaces))).collect();
-        let words = Words { words, spaces, confidence: 0.0 };
+        let words = RecognizedWords { words, spaces, confidence: 0.0 };
         words.spot(said).map(|(word, sure)| (word.to_owned(), sure))
     }
 

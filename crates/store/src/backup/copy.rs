@@ -1,7 +1,7 @@
 //! Behaviour by behaviour into another store, several at a time, and the proof that both hold the same.
 
-use super::{BackupError, Counted, Progress, Shelf, named, page, shelves};
-use crate::{Append, Filling, Source, Store, StoreError, filling};
+use super::{BackedUpBehaviour, BackupError, Counted, Progress, named, page, shelves};
+use crate::{Append, Filling, FillingSource, Store, StoreError, filling};
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ pub(super) type Heads = BTreeMap<Id, Committed>;
 
 /// A difference between two stores.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Difference {
+pub struct StoreDifference {
     /// The behaviour.
     pub behaviour: Id,
     /// The difference, in a few words.
@@ -31,9 +31,9 @@ pub struct Difference {
 pub async fn migrate(
     from: &Arc<dyn Store>,
     to: &Arc<dyn Store>,
-    source: &Source,
+    source: &FillingSource,
     progress: Progress<'_>,
-) -> Result<(Counted, Vec<Difference>), BackupError> {
+) -> Result<(Counted, Vec<StoreDifference>), BackupError> {
     filling::check(&**to, source).await?;
     let (shelves, heads) = (shelves(&**from).await?, heads(&**to).await?);
     check_heads(&**from, &shelves, &heads).await?;
@@ -76,7 +76,7 @@ pub(super) async fn finished(
     Ok(())
 }
 
-async fn copy(from: Arc<dyn Store>, to: Filling, shelf: Shelf) -> Result<u64, BackupError> {
+async fn copy(from: Arc<dyn Store>, to: Filling, shelf: BackedUpBehaviour) -> Result<u64, BackupError> {
     let mut copying = Copying::of(&to, &shelf).await?;
     let mut since = 0;
     while since < shelf.revision {
@@ -92,7 +92,7 @@ async fn copy(from: Arc<dyn Store>, to: Filling, shelf: Shelf) -> Result<u64, Ba
 pub(super) struct Copying<'s> {
     to: &'s dyn Store,
     goes_on: bool,
-    shelf: &'s Shelf,
+    shelf: &'s BackedUpBehaviour,
     /// The revision that is there already.
     head: u64,
     after: Behaviour,
@@ -100,7 +100,7 @@ pub(super) struct Copying<'s> {
 }
 
 impl<'s> Copying<'s> {
-    pub(super) async fn of(filling: &'s Filling, shelf: &'s Shelf) -> Result<Self, BackupError> {
+    pub(super) async fn of(filling: &'s Filling, shelf: &'s BackedUpBehaviour) -> Result<Self, BackupError> {
         let (to, goes_on) = (&**filling.store(), filling.goes_on());
         let there = to.load(&shelf.id).await?;
         let head = there.as_ref().map_or(0, |loaded| loaded.revision);
@@ -166,7 +166,7 @@ pub(super) async fn heads(store: &dyn Store) -> Result<Heads, BackupError> {
 }
 
 /// Checks that what is there already is the beginning of what comes.
-async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Result<(), BackupError> {
+async fn check_heads(from: &dyn Store, shelves: &[BackedUpBehaviour], heads: &Heads) -> Result<(), BackupError> {
     for (id, last) in heads {
         let known = shelves.iter().any(|shelf| shelf.id == *id);
         let same = if known { from.history(id, last.revision.saturating_sub(1), 1).await? } else { Vec::new() };
@@ -181,22 +181,26 @@ async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Resu
 ///
 /// # Errors
 /// Fails if a store does.
-pub async fn compare(one: &dyn Store, other: &dyn Store) -> Result<Vec<Difference>, BackupError> {
+pub async fn compare(one: &dyn Store, other: &dyn Store) -> Result<Vec<StoreDifference>, BackupError> {
     let (mut differences, ours) = (Vec::new(), shelves(one).await?);
     for shelf in shelves(other).await? {
         if !ours.iter().any(|known| known.id == shelf.id) {
-            differences.push(Difference { behaviour: shelf.id, what: "it is in one store only" });
+            differences.push(StoreDifference { behaviour: shelf.id, what: "it is in one store only" });
         }
     }
     for shelf in ours {
         if let Some(what) = difference(one, other, &shelf).await? {
-            differences.push(Difference { behaviour: shelf.id, what });
+            differences.push(StoreDifference { behaviour: shelf.id, what });
         }
     }
     Ok(differences)
 }
 
-async fn difference(one: &dyn Store, other: &dyn Store, shelf: &Shelf) -> Result<Option<&'static str>, BackupError> {
+async fn difference(
+    one: &dyn Store,
+    other: &dyn Store,
+    shelf: &BackedUpBehaviour,
+) -> Result<Option<&'static str>, BackupError> {
     let (Some(ours), Some(theirs)) = (one.load(&shelf.id).await?, other.load(&shelf.id).await?) else {
         return Ok(Some("it is in one store only"));
     };

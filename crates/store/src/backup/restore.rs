@@ -1,9 +1,9 @@
 //! From a backup into a store: first the whole file is read, then the first change is made.
 
 use super::copy::{Copying, Heads, finished, heads};
-use super::lines::{self, Listener, Whole};
-use super::{BackupError, Counted, Flaw, Progress, Robot, Shelf};
-use crate::{Filling, LIBRARY, Source, Store, StoreError, filling};
+use super::lines::{self, BackupListener, BackupRest};
+use super::{BackedUpBehaviour, BackedUpRobot, BackupError, BackupFlaw, Counted, Progress};
+use crate::{Filling, FillingSource, LIBRARY, Store, StoreError, filling};
 use behaviour::{Checkpoint, Committed, History, Id, Refusal, check_person};
 use std::collections::BTreeSet;
 use std::io::{BufRead, Seek};
@@ -14,28 +14,28 @@ use tokio::task::JoinSet;
 const AT_ONCE: usize = 16;
 
 /// A behaviour with its history and its named versions.
-type Filled = (Shelf, Vec<Committed>, Vec<Checkpoint>);
+type RestoredBehaviour = (BackedUpBehaviour, Vec<Committed>, Vec<Checkpoint>);
 
 /// A backup that was read to its end, found whole, and fits the store that it is for.
 #[derive(Debug)]
 pub struct Backup<R> {
     from: R,
-    whole: Whole,
+    whole: BackupRest,
 }
 
 impl<R> Backup<R> {
     /// The robots that are in it; none in one of an older rrp.
     #[must_use]
-    pub fn robots(&self) -> &[Robot] {
+    pub fn robots(&self) -> &[BackedUpRobot] {
         &self.whole.robots
     }
 
     /// Returns the mark of a store that is filled from it, `again` being the command for that. The same backup under
     /// another name is the same source.
     #[must_use]
-    pub fn source(&self, again: &str) -> Source {
+    pub fn source(&self, again: &str) -> FillingSource {
         let Counted { behaviours, changes } = self.whole.counted;
-        Source { key: format!("backup {} {behaviours} {changes}", self.whole.sum), again: again.to_owned() }
+        FillingSource { key: format!("backup {} {behaviours} {changes}", self.whole.sum), again: again.to_owned() }
     }
 }
 
@@ -50,7 +50,7 @@ where
 {
     let heads = heads(to).await?;
     let looking = tokio::task::spawn_blocking(move || -> Result<_, BackupError> {
-        let mut look = Look::at(heads);
+        let mut look = RestoreLook::at(heads);
         let whole = lines::read(&mut from, &mut look)?;
         from.rewind()?;
         Ok((Backup { from, whole }, look.all_found()))
@@ -97,14 +97,14 @@ where
 /// # Errors
 /// [`BackupError::Broken`] if it is not whole, or if its behaviours do not keep the rules.
 pub fn verify(from: &mut dyn BufRead) -> Result<Counted, BackupError> {
-    lines::read(from, &mut Look::at(Heads::new())).map(|whole| whole.counted)
+    lines::read(from, &mut RestoreLook::at(Heads::new())).map(|whole| whole.counted)
 }
 
 fn stopped(error: &tokio::task::JoinError) -> StoreError {
     StoreError::Unavailable(format!("restoring stopped: {error}"))
 }
 
-async fn fill(to: Filling, (shelf, changes, named): Filled) -> Result<u64, BackupError> {
+async fn fill(to: Filling, (shelf, changes, named): RestoredBehaviour) -> Result<u64, BackupError> {
     let mut copying = Copying::of(&to, &shelf).await?;
     for change in &changes {
         copying.put(change).await?;
@@ -113,18 +113,18 @@ async fn fill(to: Filling, (shelf, changes, named): Filled) -> Result<u64, Backu
 }
 
 /// Looks whether what the store has is the beginning of what the backup has, and whether that keeps the rules.
-struct Look {
+struct RestoreLook {
     heads: Heads,
     /// The behaviours of the backup that were not found yet.
     missing: BTreeSet<Id>,
     /// A behaviour of the store that the backup does not have so.
     other: Option<Id>,
     seen: BTreeSet<Id>,
-    now: Option<Shelf>,
+    now: Option<BackedUpBehaviour>,
     history: History,
 }
 
-impl Look {
+impl RestoreLook {
     fn at(heads: Heads) -> Self {
         let (missing, history) = (heads.keys().cloned().collect(), History::default());
         Self { heads, missing, other: None, seen: BTreeSet::new(), now: None, history }
@@ -136,15 +136,15 @@ impl Look {
     }
 }
 
-impl Listener for Look {
-    fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError> {
+impl BackupListener for RestoreLook {
+    fn behaviour(&mut self, shelf: BackedUpBehaviour) -> Result<(), BackupError> {
         if !self.seen.insert(shelf.id.clone()) {
-            return Err(broken(Flaw::Twice));
+            return Err(broken(BackupFlaw::Twice));
         }
         let is_library = shelf.id.as_str() == LIBRARY;
         if let Some((at_ms, by)) = &shelf.removed {
             let no = check_person(by).err().or_else(|| is_library.then_some(Refusal::Gone));
-            no.map_or(Ok(()), |no| Err(broken(Flaw::Binned(no))))?;
+            no.map_or(Ok(()), |no| Err(broken(BackupFlaw::Binned(no))))?;
             check_time(*at_ms)?;
         }
         self.history = if is_library { History::of_the_library() } else { History::default() };
@@ -153,7 +153,7 @@ impl Listener for Look {
     }
 
     fn change(&mut self, change: Committed) -> Result<(), BackupError> {
-        let Some(Shelf { id, revision, .. }) = &self.now else { return Ok(()) };
+        let Some(BackedUpBehaviour { id, revision, .. }) = &self.now else { return Ok(()) };
         check_time(change.change.at_ms)?;
         let mut taken = self.history.take(&change.change);
         if change.revision == *revision {
@@ -173,25 +173,25 @@ impl Listener for Look {
 }
 
 fn check_time(at_ms: u64) -> Result<(), BackupError> {
-    crate::json::check_time(at_ms).map_err(|_| broken(Flaw::Time))
+    crate::json::check_time(at_ms).map_err(|_| broken(BackupFlaw::Time))
 }
 
-fn unruly(refusal: Refusal) -> Flaw {
+fn unruly(refusal: Refusal) -> BackupFlaw {
     match refusal {
-        Refusal::Stale(record) => Flaw::Stale(record),
-        refusal => Flaw::Refused(refusal),
+        Refusal::Stale(record) => BackupFlaw::Stale(record),
+        refusal => BackupFlaw::Refused(refusal),
     }
 }
 
 /// The reader of the lines knows which one it is.
-fn broken(flaw: Flaw) -> BackupError {
+fn broken(flaw: BackupFlaw) -> BackupError {
     BackupError::Broken(0, flaw)
 }
 
 /// Gathers behaviours and passes each on when it is whole.
 struct Gather {
-    tell: mpsc::Sender<Filled>,
-    whole: Option<Filled>,
+    tell: mpsc::Sender<RestoredBehaviour>,
+    whole: Option<RestoredBehaviour>,
 }
 
 impl Gather {
@@ -202,8 +202,8 @@ impl Gather {
     }
 }
 
-impl Listener for Gather {
-    fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError> {
+impl BackupListener for Gather {
+    fn behaviour(&mut self, shelf: BackedUpBehaviour) -> Result<(), BackupError> {
         self.pass_on()?;
         self.whole = Some((shelf, Vec::new(), Vec::new()));
         Ok(())

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// A robot that is kept beside a store, with the order of the behaviours on it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct Robot {
+pub struct BackedUpRobot {
     /// The id of the robot.
     pub id: Id,
     /// The name that people gave it.
@@ -34,13 +34,13 @@ pub struct Reached {
     pub fingerprint: Option<String>,
     /// Which body it is, if that is known: after a restore too another one is not taken for it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub body: Option<Body>,
+    pub body: Option<BackedUpBody>,
 }
 
 /// By what a body is known. What is not known is empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
-pub struct Body {
+pub struct BackedUpBody {
     /// The name by which the robot calls itself.
     pub name: String,
     /// The kind of robot.

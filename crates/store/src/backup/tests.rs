@@ -1,7 +1,7 @@
 //! Backups there and back, cut off, changed, and taken up again.
 
-use super::{BackupError, Counted, Robot, backup, compare, migrate, read, restore};
-use crate::{Filling, FolderStore, LIBRARY, MemoryStore, Source, Store, StoreError, check_whole};
+use super::{BackedUpRobot, BackupError, Counted, backup, compare, migrate, read, restore};
+use crate::{Filling, FillingSource, FolderStore, LIBRARY, MemoryStore, Store, StoreError, check_whole};
 use behaviour::{Behaviour, Change, Checkpoint, Committed, Helper, Id, Kind, Note, Record, RecordId, Settings};
 use std::io::Cursor;
 use std::sync::{Arc, Mutex};
@@ -57,8 +57,8 @@ async fn name_version(store: &dyn Store, to: &str, revision: u64, name: &str) {
     assert_eq!(store.keep_checkpoint(&id(to), &named).await, Ok(true));
 }
 
-fn robots() -> Vec<Robot> {
-    let robot = |name: &str, order| Robot { id: id(name), name: name.to_owned(), seed: 3, real: None, order };
+fn robots() -> Vec<BackedUpRobot> {
+    let robot = |name: &str, order| BackedUpRobot { id: id(name), name: name.to_owned(), seed: 3, real: None, order };
     vec![robot("nao", vec![id("b"), id("a")]), robot("other", Vec::new())]
 }
 
@@ -82,8 +82,8 @@ async fn given(text: &str, to: &Arc<dyn Store>) -> Result<Counted, BackupError> 
     Ok(done)
 }
 
-fn other_store() -> Source {
-    Source { key: "another store".to_owned(), again: "rrp migrate --from it".to_owned() }
+fn other_store() -> FillingSource {
+    FillingSource { key: "another store".to_owned(), again: "rrp migrate --from it".to_owned() }
 }
 
 #[tokio::test]

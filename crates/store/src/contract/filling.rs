@@ -1,7 +1,7 @@
 //! The mark of a store that is being filled: there from the first moment, kept, and the same for every handle.
 
 use super::samples::{id, save, settings};
-use crate::{Append, Filling, Source, Store, StoreError, check_whole};
+use crate::{Append, Filling, FillingSource, Store, StoreError, check_whole};
 use behaviour::RecordId;
 use std::future::Future;
 use std::sync::Arc;
@@ -11,8 +11,8 @@ pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -
     nobody_else_fills_it(&make().await).await;
 }
 
-fn from(key: &str) -> Source {
-    Source { key: key.to_owned(), again: format!("rrp restore {key} \"赤い\"") }
+fn from(key: &str) -> FillingSource {
+    FillingSource { key: key.to_owned(), again: format!("rrp restore {key} \"赤い\"") }
 }
 
 async fn what_is_filled_is_marked_until_its_end(store: &Arc<dyn Store>) {

@@ -1,7 +1,7 @@
 //! Insight: the same answers from every store.
 
 use super::samples::{append, driving, id, key, now, save, settings};
-use crate::{Contested, Driver, Similar, Store};
+use crate::{ActionDriver, Contested, Similar, Store};
 use behaviour::{Change, Kind, RecordId};
 use std::future::Future;
 use std::sync::Arc;
@@ -24,8 +24,8 @@ async fn fill(store: &dyn Store) {
     save(store, "d", "op1", vec![(RecordId::settings(), settings("Empty"))]).await;
 }
 
-fn driver(behaviour: &str, name: &str) -> Driver {
-    Driver { behaviour: id(behaviour), name: name.to_owned(), sensors: vec!["Ball".to_owned()] }
+fn driver(behaviour: &str, name: &str) -> ActionDriver {
+    ActionDriver { behaviour: id(behaviour), name: name.to_owned(), sensors: vec!["Ball".to_owned()] }
 }
 
 async fn drivers_are_found_with_their_sensors(store: &dyn Store) {
@@ -52,7 +52,7 @@ async fn similar_behaviours_are_found(store: &dyn Store) {
 async fn the_answers_follow_the_changes(store: &dyn Store) {
     let cut = Change::of(id("cut"), "Ben", "Cut").take(&now(store, "a").await, key(Kind::Connector, "c1"));
     append(store, "a", 2, cut).await;
-    let blind = Driver { sensors: Vec::new(), ..driver("a", "Look") };
+    let blind = ActionDriver { sensors: Vec::new(), ..driver("a", "Look") };
     assert_eq!(store.drivers("Tracker").await, Ok(vec![blind.clone(), driver("c", "Point")]));
     assert_eq!(store.remove(&id("c"), 5, "Ben").await, Ok(true));
     assert_eq!(store.drivers("Tracker").await, Ok(vec![blind]), "what is in the bin drives nothing");

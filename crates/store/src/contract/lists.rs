@@ -1,7 +1,7 @@
 //! Lists: pages that stay whole while others write, orders, owners, words.
 
 use super::samples::{append, change, id, in_bin, key, names, note, now, save, settings, stream};
-use crate::{Place, Query, Sort, Store, Tagged};
+use crate::{Query, SearchPlace, Sort, Store, Tagged};
 use behaviour::{Change, Kind, Record, RecordId, Settings};
 use std::collections::BTreeSet;
 use std::future::Future;
@@ -90,7 +90,7 @@ async fn tags_are_kept_found_and_counted(store: &dyn Store) {
     save(store, "a", "op2", vec![tagged("Ball", &[])]).await;
     assert!(store.remove(&id("b"), 9, "Aiko").await.expect("an answer"));
     assert_eq!(counted(store.tags().await.expect("the tags")), []);
-    assert_eq!(names(store, Query { place: Place::Bin, ..of("group b") }).await, ["Greet"]);
+    assert_eq!(names(store, Query { place: SearchPlace::Bin, ..of("group b") }).await, ["Greet"]);
     assert_eq!(now(store, "a").await.settings().expect("settings").tags, [""; 0]);
 }
 

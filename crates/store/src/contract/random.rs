@@ -10,14 +10,14 @@ const STEPS: u64 = 80;
 const BEHAVIOURS: [&str; 4] = ["a", "b", "c", crate::LIBRARY];
 
 #[derive(Default)]
-struct Model {
-    shelves: BTreeMap<Id, Shelf>,
+struct StoreModel {
+    shelves: BTreeMap<Id, RandomShelf>,
     ops: u64,
     seed: u64,
 }
 
 #[derive(Default)]
-struct Shelf {
+struct RandomShelf {
     behaviour: Behaviour,
     history: Vec<Committed>,
     removed_ms: Option<u64>,
@@ -25,7 +25,7 @@ struct Shelf {
 
 pub(super) async fn check(store: &dyn Store, seed: u64) {
     let mut chance = Chance(seed);
-    let mut model = Model { seed, ..Model::default() };
+    let mut model = StoreModel { seed, ..StoreModel::default() };
     for step in 0..STEPS {
         let name = id(BEHAVIOURS[chance.below(4) as usize]);
         match chance.below(20) {
@@ -41,7 +41,7 @@ pub(super) async fn check(store: &dyn Store, seed: u64) {
     model.compare_lists(store).await;
 }
 
-impl Model {
+impl StoreModel {
     fn head(&self, name: &Id) -> u64 {
         self.shelves.get(name).map_or(0, |shelf| shelf.history.len() as u64)
     }

@@ -1,6 +1,6 @@
 //! Things to put into a store, and chance that a seed repeats.
 
-use crate::{Append, Place, Query, Store, StoreError};
+use crate::{Append, Query, SearchPlace, Store, StoreError};
 use behaviour::{
     Behaviour, Change, Committed, Connector, Group, Helper, Id, Kind, Note, Operation, Pad, Parameters, Procedure,
     Record, RecordId, Settings, Stream, StreamKind, Tile, TileAction, Value, connectors,
@@ -127,7 +127,7 @@ pub(super) async fn names(store: &dyn Store, query: Query) -> Vec<String> {
 
 /// Asks for the behaviours in the bin.
 pub(super) fn in_bin() -> Query {
-    Query { place: Place::Bin, ..Query::default() }
+    Query { place: SearchPlace::Bin, ..Query::default() }
 }
 
 /// The two streams that [`filter`] connects.

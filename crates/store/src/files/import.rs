@@ -8,7 +8,7 @@ use thiserror::Error;
 
 /// Whose ids the imported behaviour gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
+pub enum ImportMode {
     /// New ones: a second behaviour beside the first.
     Copy,
     /// The file's own: the same behaviour again, in a store that does not have it.
@@ -48,7 +48,7 @@ impl Import {
 
 /// The reasons why a file cannot be imported; said with the id of what it is about first, `id: reason`.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum Unfit {
+pub enum ImportError {
     /// A helper of this name calls itself, also through others.
     #[error("{0}: it calls itself, also through others. Change its body.")]
     Circle(String),
@@ -70,34 +70,34 @@ fn label(name: &str) -> String {
 /// Every reason.
 pub fn import(
     file: &BehaviourFile,
-    mode: Mode,
+    mode: ImportMode,
     library: &Behaviour,
     by: &str,
     mut new_id: impl FnMut() -> Id,
-) -> Result<Import, Vec<Unfit>> {
+) -> Result<Import, Vec<ImportError>> {
     let mut file = file.clone();
     file.read_as_meant();
     let Shelved { names, change } = helpers::shelve(&file, library, by, &mut new_id).map_err(|reason| vec![reason])?;
     let file = helpers::renamed(&file, &names);
     let records = match mode {
-        Mode::Copy => file.records(|_| Some(new_id())),
-        Mode::Restore => file.records(|_| None),
+        ImportMode::Copy => file.records(|_| Some(new_id())),
+        ImportMode::Restore => file.records(|_| None),
     };
     let mut records = records.map_err(|faults| unfit(&faults))?;
-    if mode == Mode::Copy {
+    if mode == ImportMode::Copy {
         records.use_names_of_today();
     }
-    let own = file.id.as_deref().filter(|_| mode == Mode::Restore);
+    let own = file.id.as_deref().filter(|_| mode == ImportMode::Restore);
     let behaviour =
-        own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![Unfit::OwnId(reason.to_string())])?;
+        own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![ImportError::OwnId(reason.to_string())])?;
     let changes = from_nothing(&records, &file.name, by, &mut new_id);
     let renamed = names.into_iter().filter(|(old, new)| old != new).collect();
     let library = Some(change).filter(|change| !change.edits.is_empty());
     Ok(Import { behaviour, name: file.name, library, changes, renamed })
 }
 
-fn unfit(records: &[impl ToString]) -> Vec<Unfit> {
-    records.iter().map(|fault| Unfit::Record(fault.to_string())).collect()
+fn unfit(records: &[impl ToString]) -> Vec<ImportError> {
+    records.iter().map(|fault| ImportError::Record(fault.to_string())).collect()
 }
 
 /// The changes that make all records, streams before what needs them.
@@ -117,7 +117,7 @@ fn from_nothing(records: &Behaviour, name: &str, by: &str, new_id: &mut impl FnM
 
 #[cfg(test)]
 mod tests {
-    use super::{Import, Mode, Unfit, import};
+    use super::{Import, ImportError, ImportMode, import};
     use crate::files::samples::templates;
     use behaviour::{
         Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Procedure, Record, RecordId, StreamKind,
@@ -179,8 +179,8 @@ mod tests {
         file
     }
 
-    fn said(refused: &[Unfit]) -> Vec<String> {
-        refused.iter().map(Unfit::to_string).collect()
+    fn said(refused: &[ImportError]) -> Vec<String> {
+        refused.iter().map(ImportError::to_string).collect()
     }
 
     fn done(made: &Import) -> Behaviour {
@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn a_helper_that_is_there_with_the_same_meaning_is_used() {
         let file = file(vec![helper("near", "x < 1")], &[Procedure::Helper("near".into())]);
-        let made = import(&file, Mode::Copy, &library(&[("near", "x < 1")]), "Aiko", ids()).unwrap();
+        let made = import(&file, ImportMode::Copy, &library(&[("near", "x < 1")]), "Aiko", ids()).unwrap();
         assert_eq!((made.library.as_ref(), made.renamed.len()), (None, 0));
         assert_eq!(procedures(&made), [Procedure::Helper("near".into())]);
         assert_eq!(made.changes[0].author, "Aiko");
@@ -230,7 +230,7 @@ mod tests {
         let helpers = vec![helper("near", "x < 1"), helper("near3", "1"), helper("close", "near(x) && far(x)")];
         let maps = [Procedure::Helper("near".into()), Procedure::body("near < 1 || near(near) || close(near)")];
         let there = library(&[("near", "x < 2"), ("near2", "x < 3")]);
-        let made = import(&file(helpers, &maps), Mode::Copy, &there, "Aiko", ids()).unwrap();
+        let made = import(&file(helpers, &maps), ImportMode::Copy, &there, "Aiko", ids()).unwrap();
         assert_eq!(made.renamed, [("near".to_owned(), "near4".to_owned())]);
         let wanted = [("close", "near4(x) && far(x)"), ("near3", "1"), ("near4", "x < 1")];
         assert_eq!(added(made.library.as_ref()), wanted.map(|(name, body)| (name.to_owned(), body.to_owned())));
@@ -243,7 +243,8 @@ mod tests {
         let (said, called) = ("`You are near (about ${near} m)`", "`near (${`near ${near(near)}`})`");
         let maps = [Procedure::body(said), Procedure::body(called)];
         let there = library(&[("near", "x < 1")]);
-        let made = import(&file(vec![helper("near", "x < 2")], &maps), Mode::Copy, &there, "Aiko", ids()).unwrap();
+        let made =
+            import(&file(vec![helper("near", "x < 2")], &maps), ImportMode::Copy, &there, "Aiko", ids()).unwrap();
         assert_eq!(made.renamed, [("near".to_owned(), "near2".to_owned())]);
         let wanted = [Procedure::body(said), Procedure::body("`near (${`near ${near2(near)}`})`")];
         assert_eq!(procedures(&made), wanted);
@@ -254,10 +255,10 @@ mod tests {
         let (composed, decomposed) = ("n\u{e9}ar", "ne\u{301}ar");
         let maps = [Procedure::body(&format!("{decomposed}(near)"))];
         let file = file(vec![helper(decomposed, "x < 1")], &maps);
-        let same = import(&file, Mode::Copy, &library(&[(composed, "x < 1")]), "Aiko", ids()).unwrap();
+        let same = import(&file, ImportMode::Copy, &library(&[(composed, "x < 1")]), "Aiko", ids()).unwrap();
         assert_eq!(procedures(&same), [Procedure::body(&format!("{composed}(near)"))]);
         assert!(same.library.is_none());
-        let other = import(&file, Mode::Copy, &library(&[(composed, "x < 2")]), "Aiko", ids()).unwrap();
+        let other = import(&file, ImportMode::Copy, &library(&[(composed, "x < 2")]), "Aiko", ids()).unwrap();
         assert_eq!(procedures(&other), [Procedure::body(&format!("{composed}2(near)"))]);
     }
 
@@ -267,7 +268,8 @@ mod tests {
             .map(Procedure::body);
         let file = crate::files::write_json(&file(vec![helper("far", "x ≥ 1,5")], &texts));
         let made =
-            import(&crate::files::read(file.as_bytes()).unwrap(), Mode::Copy, &library(&[]), "Aiko", ids()).unwrap();
+            import(&crate::files::read(file.as_bytes()).unwrap(), ImportMode::Copy, &library(&[]), "Aiko", ids())
+                .unwrap();
         texts[0] = Procedure::body("near.size < 0.5");
         texts[1] = Procedure::body("near.size <= 0.5 && \"é\" != `0,5 “×”`");
         assert_eq!(procedures(&made), texts, "what may be read in two ways stays, to be asked about");
@@ -278,7 +280,7 @@ mod tests {
     fn a_helper_whose_own_helper_differs_means_something_else() {
         let helpers = vec![helper("close", "near(x)"), helper("near", "x < 1")];
         let there = library(&[("near", "x < 2"), ("close", "near(x)")]);
-        let made = import(&file(helpers, &[]), Mode::Copy, &there, "Aiko", ids()).unwrap();
+        let made = import(&file(helpers, &[]), ImportMode::Copy, &there, "Aiko", ids()).unwrap();
         let pair = |a: &str, b: &str| (a.to_owned(), b.to_owned());
         assert_eq!(made.renamed, [pair("close", "close2"), pair("near", "near2")]);
         assert_eq!(added(made.library.as_ref()), [pair("close2", "near2(x)"), pair("near2", "x < 1")]);
@@ -288,9 +290,9 @@ mod tests {
     fn imported_again_the_numbered_helper_is_found() {
         let file = file(vec![helper("near", "x < 1")], &[Procedure::Helper("near".into())]);
         let mut there = library(&[("near", "x < 2")]);
-        let first = import(&file, Mode::Copy, &there, "Aiko", ids()).unwrap();
+        let first = import(&file, ImportMode::Copy, &there, "Aiko", ids()).unwrap();
         there.apply(&first.library.unwrap());
-        let again = import(&file, Mode::Copy, &there, "Aiko", ids()).unwrap();
+        let again = import(&file, ImportMode::Copy, &there, "Aiko", ids()).unwrap();
         assert_eq!((again.library, again.renamed), (None, first.renamed));
     }
 
@@ -299,10 +301,10 @@ mod tests {
         for (name, text) in templates() {
             let mut file = crate::files::read(text.as_bytes()).unwrap();
             file.id = Some("own".to_owned());
-            let restored = import(&file, Mode::Restore, &library(&[]), "Aiko", ids()).unwrap();
+            let restored = import(&file, ImportMode::Restore, &library(&[]), "Aiko", ids()).unwrap();
             assert_eq!(done(&restored), file.records(|_| None).unwrap(), "{name}");
             assert_eq!(restored.behaviour.as_str(), "own");
-            let copied = import(&file, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap();
+            let copied = import(&file, ImportMode::Copy, &library(&[]), "Aiko", ids()).unwrap();
             assert!(copied.behaviour.as_str().starts_with("new") && copied.name == file.name);
             let library = file.library();
             let mut again = BehaviourFile::of(&done(&copied), &library.iter().collect::<Vec<_>>());
@@ -319,17 +321,17 @@ mod tests {
     #[test]
     fn helpers_that_call_each_other_in_a_circle_and_missing_streams_are_refused() {
         let circle = file(vec![helper("a", "b(x)"), helper("b", "a(x)")], &[]);
-        let refused = import(&circle, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
+        let refused = import(&circle, ImportMode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
         assert_eq!(said(&refused), ["a: it calls itself, also through others. Change its body."]);
         let mut dangling = file(vec![], &[Procedure::body("1")]);
         dangling.connectors[0].inputs = vec!["nobody".to_owned()];
-        let refused = import(&dangling, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
+        let refused = import(&dangling, ImportMode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
         assert_eq!(said(&refused), ["c0: there is no stream \"nobody\""]);
     }
 
     #[test]
     fn it_can_have_another_name_than_in_the_file() {
-        let made = import(&file(vec![], &[]), Mode::Copy, &library(&[]), "Aiko", ids()).unwrap().named("Near 2");
+        let made = import(&file(vec![], &[]), ImportMode::Copy, &library(&[]), "Aiko", ids()).unwrap().named("Near 2");
         assert_eq!(
             (done(&made).name(), made.name.as_str(), made.changes[0].label.as_str()),
             ("Near 2", "Near 2", "Import Near 2")
@@ -342,7 +344,7 @@ mod tests {
             |at: usize| helper(&format!("h{at}"), &if at == 0 { "x".to_owned() } else { format!("h{}(x)", at - 1) });
         let dense = |at: usize| helper(&format!("h{at}"), &(0..at).map(|to| format!("h{to}(x);")).collect::<String>());
         for helpers in [(0..1_000).rev().map(chain).collect::<Vec<_>>(), (0..1_000).rev().map(dense).collect()] {
-            let made = import(&file(helpers, &[]), Mode::Copy, &library(&[]), "Aiko", ids()).unwrap();
+            let made = import(&file(helpers, &[]), ImportMode::Copy, &library(&[]), "Aiko", ids()).unwrap();
             let names: Vec<_> = added_in_order(made.library.as_ref());
             assert!(names.iter().eq((0..1_000).map(|at| format!("h{at}")).collect::<Vec<_>>().iter()));
         }
@@ -356,7 +358,7 @@ mod tests {
         {
             file.layout.insert(format!("{prefix}{at}"), behaviour::Place { x: 0.0, y: 0.0 });
         }
-        let made = import(&file, Mode::Restore, &library(&[]), "Aiko", ids()).unwrap();
+        let made = import(&file, ImportMode::Restore, &library(&[]), "Aiko", ids()).unwrap();
         assert_eq!(made.changes.len(), 2);
         assert_eq!(done(&made), file.records(|_| None).unwrap());
     }

@@ -3,8 +3,8 @@
 pub(super) mod write;
 
 use super::FileFault;
-use super::place::Lines;
-use super::tree::{DEPTH_MAX, NODES_MAX, NoNumber, Node, TOO_MANY, What};
+use super::place::LineStarts;
+use super::tree::{DEPTH_MAX, FileNode, NODES_MAX, NoNumber, NodeKind, TOO_MANY};
 use behaviour::Value;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
@@ -12,9 +12,9 @@ use std::cell::Cell;
 use std::fmt;
 
 /// The tree of a JSON text.
-pub(super) fn tree(text: &str, lines: &Lines) -> Result<Node, FileFault> {
+pub(super) fn tree(text: &str, lines: &LineStarts) -> Result<FileNode, FileFault> {
     let whole: &RawValue = serde_json::from_str(text).map_err(|error| syntax(&error, lines))?;
-    Reader { lines, left: Cell::new(NODES_MAX) }.node(whole, 0)
+    JsonReader { lines, left: Cell::new(NODES_MAX) }.node(whole, 0)
 }
 
 /// A number as JSON writes it: whole, or measured and finite.
@@ -28,14 +28,14 @@ pub(super) fn number(text: &str) -> Result<Value, NoNumber> {
     }
 }
 
-struct Reader<'l, 't> {
-    lines: &'l Lines<'t>,
+struct JsonReader<'l, 't> {
+    lines: &'l LineStarts<'t>,
     /// Things that the file may still have.
     left: Cell<usize>,
 }
 
-impl Reader<'_, '_> {
-    fn node(&self, raw: &RawValue, depth: usize) -> Result<Node, FileFault> {
+impl JsonReader<'_, '_> {
+    fn node(&self, raw: &RawValue, depth: usize) -> Result<FileNode, FileFault> {
         let text = raw.get();
         let at = self.lines.offset(text.as_bytes());
         if depth > DEPTH_MAX {
@@ -50,18 +50,20 @@ impl Reader<'_, '_> {
             Some(b'{') => {
                 let entries = Entries(&self.left).deserialize(&mut serde_json::Deserializer::from_str(text));
                 let entry = |(name, raw): (String, &RawValue)| Ok((name, self.node(raw, depth + 1)?));
-                What::Object(entries.map_err(bad)?.into_iter().map(entry).collect::<Result<_, FileFault>>()?)
+                NodeKind::Object(entries.map_err(bad)?.into_iter().map(entry).collect::<Result<_, FileFault>>()?)
             }
             Some(b'[') => {
                 let items = Items(&self.left).deserialize(&mut serde_json::Deserializer::from_str(text));
-                What::Array(
+                NodeKind::Array(
                     items.map_err(bad)?.into_iter().map(|raw| self.node(raw, depth + 1)).collect::<Result<_, _>>()?,
                 )
             }
-            Some(b'-' | b'0'..=b'9') => What::Plain(number(text).map_err(|why| self.lines.fault(at, why.to_string()))?),
-            _ => What::Plain(serde_json::from_str(text).map_err(bad)?),
+            Some(b'-' | b'0'..=b'9') => {
+                NodeKind::Plain(number(text).map_err(|why| self.lines.fault(at, why.to_string()))?)
+            }
+            _ => NodeKind::Plain(serde_json::from_str(text).map_err(bad)?),
         };
-        Ok(Node { at, what })
+        Ok(FileNode { at, what })
     }
 }
 
@@ -128,7 +130,7 @@ impl<'t> Visitor<'t> for Items<'_> {
 }
 
 /// Says serde_json's complaint about broken JSON as a sentence.
-fn syntax(error: &serde_json::Error, lines: &Lines) -> FileFault {
+fn syntax(error: &serde_json::Error, lines: &LineStarts) -> FileFault {
     let at = lines.byte(error.line(), error.column());
     let said = error.to_string();
     let said = said.split(" at line ").next().unwrap_or_default();

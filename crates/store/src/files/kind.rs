@@ -11,7 +11,7 @@ const LOOKED_AT_BYTES: usize = 64 << 10;
 
 /// A kind of file other than a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum FileKind {
     /// Not text at all: a picture, an archive, and others that say by their first bytes what they are.
     Binary(&'static str),
     /// A recording of a run, `rrp-recording`.
@@ -48,7 +48,7 @@ pub enum Kind {
     Json,
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for FileKind {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         to.write_str(match self {
             Self::Binary(what) => what,
@@ -72,7 +72,7 @@ impl fmt::Display for Kind {
     }
 }
 
-impl Kind {
+impl FileKind {
     /// Says that it is no program, and what to do.
     pub(super) fn no_program(self) -> String {
         match self {
@@ -157,49 +157,49 @@ fn beginning(bytes: &[u8]) -> &[u8] {
 }
 
 /// Finds the kind of markup by the first element, or by what is said before it.
-fn of_markup(text: &str) -> Option<Kind> {
+fn of_markup(text: &str) -> Option<FileKind> {
     if text.get(..14).is_some_and(|first| first.eq_ignore_ascii_case("<!doctype html")) {
-        return Some(Kind::WebPage);
+        return Some(FileKind::WebPage);
     }
     let (_, name) = first_name(text)?;
     of_element(name.rsplit(':').next().unwrap_or_default())
 }
 
 /// Finds the kind by the first element. The name of another element is told by who reads the whole.
-fn of_element(name: &str) -> Option<Kind> {
+fn of_element(name: &str) -> Option<FileKind> {
     match name.to_ascii_lowercase().as_str() {
-        "html" | "head" | "body" => Some(Kind::WebPage),
-        "svg" => Some(Kind::Drawing),
-        "choregrapheproject" => Some(Kind::Choregraphe),
-        "xml" | "export" | "block" | "block_set" | "blockset" => Some(Kind::Blocks),
+        "html" | "head" | "body" => Some(FileKind::WebPage),
+        "svg" => Some(FileKind::Drawing),
+        "choregrapheproject" => Some(FileKind::Choregraphe),
+        "xml" | "export" | "block" | "block_set" | "blockset" => Some(FileKind::Blocks),
         _ => None,
     }
 }
 
 /// Finds the kind of JSON by the names in its first object: a program is never a list, and has some of its own fields.
-fn of_json(text: &str) -> Option<Kind> {
+fn of_json(text: &str) -> Option<FileKind> {
     if text.starts_with("{\\rtf") {
-        return Some(Kind::RichText);
+        return Some(FileKind::RichText);
     }
     let is_list = text.starts_with('[');
     let first = fields(text.trim_start_matches(['[', ' ', '\t', '\r', '\n']));
     let has = |names: &[&str]| names.iter().all(|name| first.iter().any(|(known, _)| known == name));
     let format = first.iter().find(|(name, _)| name == "format").map_or("", |(_, format)| format.as_str());
     match format.split('/').next().unwrap_or_default() {
-        "rrp-recording" => return Some(Kind::Recording),
-        "rrp-part" => return Some(Kind::Part),
+        "rrp-recording" => return Some(FileKind::Recording),
+        "rrp-part" => return Some(FileKind::Part),
         "rrp-behaviour" if !is_list => return None,
         _ => {}
     }
     match () {
-        () if has(&["start"]) && text.starts_with("{\"start\":{\"format\":\"rrp-backup/") => Some(Kind::Backup),
-        () if has(&["t", "stream"]) => Some(Kind::Readings),
-        () if has(&["targets", "meta"]) || has(&["objName", "children"]) => Some(Kind::Scratch),
-        () if has(&["cells", "nbformat"]) => Some(Kind::Notebook),
-        () if has(&["blocks", "variables"]) => Some(Kind::Blocks),
-        () if has(&["flows", "rev"]) || (is_list && has(&["id", "type"])) => Some(Kind::NodeRed),
+        () if has(&["start"]) && text.starts_with("{\"start\":{\"format\":\"rrp-backup/") => Some(FileKind::Backup),
+        () if has(&["t", "stream"]) => Some(FileKind::Readings),
+        () if has(&["targets", "meta"]) || has(&["objName", "children"]) => Some(FileKind::Scratch),
+        () if has(&["cells", "nbformat"]) => Some(FileKind::Notebook),
+        () if has(&["blocks", "variables"]) => Some(FileKind::Blocks),
+        () if has(&["flows", "rev"]) || (is_list && has(&["id", "type"])) => Some(FileKind::NodeRed),
         () if !is_list && OWN.iter().any(|name| has(&[name])) => None,
-        () => Some(Kind::Json),
+        () => Some(FileKind::Json),
     }
 }
 
@@ -211,15 +211,15 @@ fn fields(text: &str) -> Vec<(String, String)> {
     let mut all = Vec::new();
     if text.starts_with('{') {
         // What is cut off or broken is judged by who reads the whole.
-        let _ = Names(&mut all).deserialize(&mut serde_json::Deserializer::from_str(text));
+        let _ = ObjectNames(&mut all).deserialize(&mut serde_json::Deserializer::from_str(text));
     }
     all
 }
 
 /// Reads the names of an object, and its values where they are texts.
-struct Names<'a>(&'a mut Vec<(String, String)>);
+struct ObjectNames<'a>(&'a mut Vec<(String, String)>);
 
-impl<'t> DeserializeSeed<'t> for Names<'_> {
+impl<'t> DeserializeSeed<'t> for ObjectNames<'_> {
     type Value = ();
 
     fn deserialize<D: Deserializer<'t>>(self, from: D) -> Result<(), D::Error> {
@@ -227,7 +227,7 @@ impl<'t> DeserializeSeed<'t> for Names<'_> {
     }
 }
 
-impl<'t> Visitor<'t> for Names<'_> {
+impl<'t> Visitor<'t> for ObjectNames<'_> {
     type Value = ();
 
     fn expecting(&self, words: &mut fmt::Formatter) -> fmt::Result {
@@ -247,25 +247,25 @@ impl<'t> Visitor<'t> for Names<'_> {
 }
 
 /// Finds the kind by the first lines of other text.
-fn of_text(text: &str) -> Option<Kind> {
+fn of_text(text: &str) -> Option<FileKind> {
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
     let first = lines.next()?;
     if first.starts_with("version https://git-lfs") {
-        return Some(Kind::LfsPointer);
+        return Some(FileKind::LfsPointer);
     }
     let is_script = first.starts_with("#!") || ["import ", "from ", "def "].iter().any(|word| first.starts_with(word));
     if is_script {
-        return Some(Kind::Script);
+        return Some(FileKind::Script);
     }
     let columns = |line: &str, by: char| line.matches(by).count();
     let second = lines.next()?;
     let in_columns = |by: &char| columns(first, *by) > 0 && columns(first, *by) == columns(second, *by);
-    [',', ';', '\t'].iter().any(in_columns).then_some(Kind::Table)
+    [',', ';', '\t'].iter().any(in_columns).then_some(FileKind::Table)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Kind;
+    use super::FileKind;
     use crate::files::{look, samples::templates};
 
     /// Returns what is said of a file, without its place.
@@ -334,17 +334,17 @@ mod tests {
     #[test]
     fn what_may_be_a_program_is_none_of_them() {
         for (name, text) in templates() {
-            assert_eq!(Kind::of(text.as_bytes()), None, "{name}");
-            assert_eq!(Kind::of(&text.as_bytes()[..text.len() / 2]), None, "{name}, cut off");
+            assert_eq!(FileKind::of(text.as_bytes()), None, "{name}");
+            assert_eq!(FileKind::of(&text.as_bytes()[..text.len() / 2]), None, "{name}, cut off");
         }
         let others: [&[u8]; 5] =
             [b"", b"MZ is text, too", b"<behaviour format=\"1\">", b"{\"format\":\"other/1\"}", b"name: x"];
-        assert_eq!(others.map(Kind::of), [None; 5]);
+        assert_eq!(others.map(FileKind::of), [None; 5]);
     }
 
     #[test]
     fn a_long_file_is_known_by_its_beginning() {
         let long = format!("<html><p>{}", "あ".repeat(100_000));
-        assert_eq!(Kind::of(long.as_bytes()), Some(Kind::WebPage));
+        assert_eq!(FileKind::of(long.as_bytes()), Some(FileKind::WebPage));
     }
 }

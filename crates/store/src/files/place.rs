@@ -4,14 +4,14 @@ use super::FileFault;
 use std::cell::Cell;
 
 /// A text with the beginnings of its lines.
-pub(super) struct Lines<'t> {
+pub(super) struct LineStarts<'t> {
     text: &'t str,
     starts: Vec<usize>,
     /// The byte that was asked for last and the characters before it in its line: a file may be one long line.
     last: Cell<(usize, usize)>,
 }
 
-impl<'t> Lines<'t> {
+impl<'t> LineStarts<'t> {
     pub(super) fn of(text: &'t str) -> Self {
         let after_breaks = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(at, _)| at + 1);
         Self { text, starts: std::iter::once(0).chain(after_breaks).collect(), last: Cell::new((0, 0)) }
@@ -54,11 +54,11 @@ fn number(count: usize) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::Lines;
+    use super::LineStarts;
 
     #[test]
     fn lines_and_columns_count_from_one_and_in_characters() {
-        let lines = Lines::of("a\nüb\n\nc");
+        let lines = LineStarts::of("a\nüb\n\nc");
         let places: Vec<_> = [0, 1, 2, 4, 5, 6, 7, 8, 99].map(|at| lines.place(at)).into();
         assert_eq!(places, [(1, 1), (1, 2), (2, 1), (2, 2), (2, 3), (3, 1), (4, 1), (4, 2), (4, 2)]);
         let backwards: Vec<_> = [99, 8, 7, 6, 5, 4, 2, 1, 0].map(|at| lines.place(at)).into();

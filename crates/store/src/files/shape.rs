@@ -2,15 +2,15 @@
 
 mod fields;
 
-use super::place::Lines;
-use super::tree::{Node, What};
-use super::{FileFault, Looked, TEXT_MAX_BYTES};
+use super::place::LineStarts;
+use super::tree::{FileNode, NodeKind};
+use super::{FileFault, ReadFile, TEXT_MAX_BYTES};
 use behaviour::{
     BehaviourFile, CONNECTORS_MAX, Declared, Engine, FORMAT, FileConnector, FileGroup, FileHelper, FileNote,
     FileStream, FileTile, GROUPS_MAX, HELPERS_MAX, Id, NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX,
     StreamKind, TAG_MAX_CHARS, TAGS_MAX, TILE_KEYS, connectors, is_identifier, without_control,
 };
-use fields::Fields;
+use fields::ShapeFields;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The lengths a frame may have, in milliseconds.
@@ -19,8 +19,8 @@ const FRAME_MS: std::ops::RangeInclusive<u64> = 1..=1000;
 const FAULTS_MAX: usize = 100;
 
 /// The behaviour in a tree, with everything that is wrong with it.
-pub(super) fn behaviour(root: &Node, lines: &Lines) -> Looked {
-    let mut reader = Reader { lines, faults: Vec::new(), places: BTreeMap::new(), helpers: BTreeMap::new() };
+pub(super) fn behaviour(root: &FileNode, lines: &LineStarts) -> ReadFile {
+    let mut reader = ShapeReader { lines, faults: Vec::new(), places: BTreeMap::new(), helpers: BTreeMap::new() };
     reader.check_twice(root);
     let file = reader.file(root);
     // Helpers are found by name, unless something else has it as its id.
@@ -30,17 +30,17 @@ pub(super) fn behaviour(root: &Node, lines: &Lines) -> Looked {
     reader.faults.sort();
     reader.faults.dedup();
     let file = Some(file).filter(|_| reader.faults.is_empty());
-    Looked { file, faults: reader.faults, places: reader.places }
+    ReadFile { file, faults: reader.faults, places: reader.places }
 }
 
-struct Reader<'l, 't> {
-    lines: &'l Lines<'t>,
+struct ShapeReader<'l, 't> {
+    lines: &'l LineStarts<'t>,
     faults: Vec<FileFault>,
     places: BTreeMap<String, (u32, u32)>,
     helpers: BTreeMap<String, (u32, u32)>,
 }
 
-impl Reader<'_, '_> {
+impl ShapeReader<'_, '_> {
     fn fault(&mut self, at: usize, reason: impl Into<String>) {
         if self.faults.len() < FAULTS_MAX {
             self.faults.push(self.lines.fault(at, reason));
@@ -48,11 +48,11 @@ impl Reader<'_, '_> {
     }
 
     /// Nothing may be said twice, however deep.
-    fn check_twice(&mut self, node: &Node) {
+    fn check_twice(&mut self, node: &FileNode) {
         match &node.what {
-            What::Plain(_) => {}
-            What::Array(items) => items.iter().for_each(|item| self.check_twice(item)),
-            What::Object(fields) => {
+            NodeKind::Plain(_) => {}
+            NodeKind::Array(items) => items.iter().for_each(|item| self.check_twice(item)),
+            NodeKind::Object(fields) => {
                 let mut seen: HashSet<&str> = HashSet::new();
                 for (name, field) in fields {
                     if !seen.insert(name.as_str()) {
@@ -64,10 +64,10 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn file(&mut self, root: &Node) -> BehaviourFile {
+    fn file(&mut self, root: &FileNode) -> BehaviourFile {
         const KNOWN: &str =
             "format id name robot engine exercise tags helpers streams connectors notes groups pad order layout";
-        let fields = Fields::of(self, root, "a program", KNOWN);
+        let fields = ShapeFields::of(self, root, "a program", KNOWN);
         let format = fields.text(self, "format");
         if let Some(node) = fields.get("format").filter(|_| format != FORMAT) {
             self.fault(node.at, format!("This is not the format {FORMAT}. Export it again with this rrp."));
@@ -101,7 +101,13 @@ impl Reader<'_, '_> {
         file
     }
 
-    fn each<T>(&mut self, fields: &Fields, name: &str, most: usize, read: fn(&mut Self, &Node) -> T) -> Vec<T> {
+    fn each<T>(
+        &mut self,
+        fields: &ShapeFields,
+        name: &str,
+        most: usize,
+        read: fn(&mut Self, &FileNode) -> T,
+    ) -> Vec<T> {
         let items = fields.list(self, name);
         if let (Some(node), true) = (fields.get(name), items.len() > most) {
             self.fault(node.at, format!("{} {name} are too many: a file may have {most}. Split it.", items.len()));
@@ -110,16 +116,27 @@ impl Reader<'_, '_> {
         items.iter().map(|item| read(self, item)).collect()
     }
 
-    fn maybe_each<T>(&mut self, fields: &Fields, name: &str, most: usize, read: fn(&mut Self, &Node) -> T) -> Vec<T> {
+    fn maybe_each<T>(
+        &mut self,
+        fields: &ShapeFields,
+        name: &str,
+        most: usize,
+        read: fn(&mut Self, &FileNode) -> T,
+    ) -> Vec<T> {
         if fields.get(name).is_some() { self.each(fields, name, most, read) } else { Vec::new() }
     }
 
-    fn entries<T>(&mut self, fields: &Fields, name: &str, read: fn(&mut Self, &Node) -> T) -> BTreeMap<String, T> {
+    fn entries<T>(
+        &mut self,
+        fields: &ShapeFields,
+        name: &str,
+        read: fn(&mut Self, &FileNode) -> T,
+    ) -> BTreeMap<String, T> {
         match fields.get(name).map(|node| (&node.what, node.at)) {
-            Some((What::Object(entries), _)) => {
+            Some((NodeKind::Object(entries), _)) => {
                 entries.iter().map(|(id, node)| (without_control(id, ' ').into_owned(), read(self, node))).collect()
             }
-            Some((What::Array(_) | What::Plain(_), at)) => {
+            Some((NodeKind::Array(_) | NodeKind::Plain(_), at)) => {
                 self.fault(at, format!("“{name}” must be an object with an id before each of its values."));
                 BTreeMap::new()
             }
@@ -127,16 +144,16 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn engine(&mut self, node: &Node) -> Engine {
+    fn engine(&mut self, node: &FileNode) -> Engine {
         if node.value().as_text() == Some("event") {
             return Engine::Event;
         }
-        let fields = Fields::of(self, node, "an engine", "frame");
+        let fields = ShapeFields::of(self, node, "an engine", "frame");
         let Some(frame) = fields.get("frame") else {
             self.fault(node.at, "The engine must be \"event\", or an object with \"frame\" and its \"frameMs\".");
             return Engine::Event;
         };
-        let fields = Fields::of(self, frame, "a frame", "frameMs");
+        let fields = ShapeFields::of(self, frame, "a frame", "frameMs");
         let frame_ms = fields.count(self, "frameMs").unwrap_or_default();
         if !FRAME_MS.contains(&frame_ms) {
             self.fault(frame.at, "A frame must have 1 to 1000 milliseconds.");
@@ -144,13 +161,13 @@ impl Reader<'_, '_> {
         Engine::Frame { frame_ms }
     }
 
-    fn exercise(&mut self, fields: &Fields) -> Option<String> {
+    fn exercise(&mut self, fields: &ShapeFields) -> Option<String> {
         let exercise = fields.maybe_text(self, "exercise")?;
         self.check_name(fields.at("exercise"), &exercise);
         Some(exercise)
     }
 
-    fn tags(&mut self, fields: &Fields) -> Vec<String> {
+    fn tags(&mut self, fields: &ShapeFields) -> Vec<String> {
         let tags = fields.texts(self, "tags").unwrap_or_default();
         if tags.len() > TAGS_MAX {
             let reason = format!("{} tags are too many: a file may have {TAGS_MAX}. Leave some out.", tags.len());
@@ -163,8 +180,8 @@ impl Reader<'_, '_> {
         tags
     }
 
-    fn helper(&mut self, node: &Node) -> FileHelper {
-        let fields = Fields::of(self, node, "a helper", "name params body says takes gives");
+    fn helper(&mut self, node: &FileNode) -> FileHelper {
+        let fields = ShapeFields::of(self, node, "a helper", "name params body says takes gives");
         let name = fields.text(self, "name");
         self.check_identifier(node.at, &name);
         self.check_name(node.at, &name);
@@ -193,8 +210,8 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn stream(&mut self, node: &Node) -> FileStream {
-        let fields = Fields::of(self, node, "a stream", "id kind name device params resources priority holdMs");
+    fn stream(&mut self, node: &FileNode) -> FileStream {
+        let fields = ShapeFields::of(self, node, "a stream", "id kind name device params resources priority holdMs");
         let (id, name) = (self.own_id(node, &fields), fields.text(self, "name"));
         self.check_name(node.at, &name);
         FileStream {
@@ -210,7 +227,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn kind(&mut self, fields: &Fields) -> StreamKind {
+    fn kind(&mut self, fields: &ShapeFields) -> StreamKind {
         match fields.text(self, "kind").as_str() {
             "sensor" => StreamKind::Sensor,
             "ordinary" => StreamKind::Ordinary,
@@ -223,8 +240,9 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn connector(&mut self, node: &Node) -> FileConnector {
-        let fields = Fields::of(self, node, "a connector", "id type inputs output body args helper periodMs start");
+    fn connector(&mut self, node: &FileNode) -> FileConnector {
+        let fields =
+            ShapeFields::of(self, node, "a connector", "id type inputs output body args helper periodMs start");
         let connector = FileConnector {
             id: self.own_id(node, &fields),
             operation: fields.text(self, "type"),
@@ -240,7 +258,7 @@ impl Reader<'_, '_> {
         connector
     }
 
-    fn check_connector(&mut self, fields: &Fields, connector: &FileConnector) {
+    fn check_connector(&mut self, fields: &ShapeFields, connector: &FileConnector) {
         let word = short(&connector.operation);
         let Some(spec) = connectors::spec(&word) else {
             let known = connectors::in_words(connectors::words(|_| true));
@@ -264,15 +282,15 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn note(&mut self, node: &Node) -> FileNote {
-        let fields = Fields::of(self, node, "a note", "id text by at");
+    fn note(&mut self, node: &FileNode) -> FileNote {
+        let fields = ShapeFields::of(self, node, "a note", "id text by at");
         let by = fields.maybe_text(self, "by");
         self.check_name(fields.at("by"), by.as_deref().unwrap_or_default());
         FileNote { id: self.own_id(node, &fields), text: fields.text(self, "text"), by, at: fields.count(self, "at") }
     }
 
-    fn group(&mut self, node: &Node) -> FileGroup {
-        let fields = Fields::of(self, node, "a group", "id title streams folded");
+    fn group(&mut self, node: &FileNode) -> FileGroup {
+        let fields = ShapeFields::of(self, node, "a group", "id title streams folded");
         let (id, title) = (self.own_id(node, &fields), fields.text(self, "title"));
         self.check_name(node.at, &title);
         let streams = fields.texts(self, "streams").unwrap_or_else(|| self.missing(node.at, "streams"));
@@ -287,8 +305,8 @@ impl Reader<'_, '_> {
         FileGroup { id, title, streams, folded: fields.truth(self, "folded") }
     }
 
-    fn tile(&mut self, node: &Node) -> FileTile {
-        let fields = Fields::of(self, node, "a tile", "key label device params stream value word span");
+    fn tile(&mut self, node: &FileNode) -> FileTile {
+        let fields = ShapeFields::of(self, node, "a tile", "key label device params stream value word span");
         let (key, stream) = (fields.count(self, "key"), fields.maybe_text(self, "stream"));
         stream.iter().for_each(|stream| self.check_id(fields.at("stream"), stream));
         let tile = FileTile {
@@ -314,12 +332,12 @@ impl Reader<'_, '_> {
         tile
     }
 
-    fn whole(&mut self, node: &Node) -> i64 {
+    fn whole(&mut self, node: &FileNode) -> i64 {
         fields::whole(self, node, "order").unwrap_or_default()
     }
 
-    fn place(&mut self, node: &Node) -> Place {
-        let fields = Fields::of(self, node, "a place", "x y");
+    fn place(&mut self, node: &FileNode) -> Place {
+        let fields = ShapeFields::of(self, node, "a place", "x y");
         let mut number = |name: &str| {
             let found = fields.get(name).and_then(|node| node.value().as_number());
             found.unwrap_or_else(|| {
@@ -331,7 +349,7 @@ impl Reader<'_, '_> {
     }
 
     /// An id, of which there is one.
-    fn own_id(&mut self, node: &Node, fields: &Fields) -> String {
+    fn own_id(&mut self, node: &FileNode, fields: &ShapeFields) -> String {
         let id = fields.text(self, "id");
         self.check_id(fields.at("id"), &id);
         self.remember(node.at, &id);
@@ -373,8 +391,8 @@ impl Reader<'_, '_> {
     }
 
     /// Order names things that are there, and tells the same as their position.
-    fn check_order(&mut self, fields: &Fields, file: &BehaviourFile) {
-        let Some(What::Object(entries)) = fields.get("order").map(|node| &node.what) else { return };
+    fn check_order(&mut self, fields: &ShapeFields, file: &BehaviourFile) {
+        let Some(NodeKind::Object(entries)) = fields.get("order").map(|node| &node.what) else { return };
         let streams = file.streams.iter().map(|stream| stream.id.as_str());
         let connectors = file.connectors.iter().map(|connector| connector.id.as_str());
         let all: HashSet<&str> = streams.chain(connectors).collect();
@@ -384,7 +402,7 @@ impl Reader<'_, '_> {
     }
 
     /// A stream is in one group at most.
-    fn check_groups(&mut self, fields: &Fields, file: &BehaviourFile) {
+    fn check_groups(&mut self, fields: &ShapeFields, file: &BehaviourFile) {
         let mut seen: HashMap<&str, &str> = HashMap::new();
         for (group, stream) in file.groups.iter().flat_map(|group| group.streams.iter().map(move |id| (group, id))) {
             if seen.insert(stream, &group.id).is_some_and(|other| other != group.id) {
@@ -395,7 +413,7 @@ impl Reader<'_, '_> {
     }
 
     /// Every tile has a key of its own.
-    fn check_keys(&mut self, fields: &Fields, file: &BehaviourFile) {
+    fn check_keys(&mut self, fields: &ShapeFields, file: &BehaviourFile) {
         let mut seen = HashSet::new();
         for tile in file.pad.iter().flatten() {
             if !seen.insert(tile.key) {

@@ -4,12 +4,12 @@ mod layout;
 mod shapes;
 
 use behaviour::BehaviourFile;
-use layout::Drawing;
+use layout::SvgDrawing;
 
 /// The drawing as SVG, readable on white paper. Names and bodies are only ever text in it.
 #[must_use]
 pub fn write_svg(file: &BehaviourFile) -> String {
-    let drawing = Drawing::of(file);
+    let drawing = SvgDrawing::of(file);
     let (left, top, width, height) = drawing.bounds();
     let mut lines = vec![
         format!(
@@ -113,7 +113,7 @@ mod tests {
     fn no_label_of_a_template_covers_another() {
         for (name, text) in templates() {
             let file = crate::files::read(text.as_bytes()).expect("a template");
-            let drawing = super::layout::Drawing::of(&file);
+            let drawing = super::layout::SvgDrawing::of(&file);
             for (at, one) in drawing.chips.iter().enumerate() {
                 for other in &drawing.chips[at + 1..] {
                     let wide = super::shapes::chip_width(&one.label) + super::shapes::chip_width(&other.label);
@@ -130,7 +130,7 @@ mod tests {
         for (name, text) in templates() {
             let mut file = crate::files::read(text.as_bytes()).expect("a template");
             file.layout.clear();
-            let drawing = super::layout::Drawing::of(&file);
+            let drawing = super::layout::SvgDrawing::of(&file);
             for (from, to) in drawing.edges() {
                 assert!(from.1 < to.1, "{name}: {from:?} {to:?}");
             }

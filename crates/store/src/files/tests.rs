@@ -1,7 +1,7 @@
 //! Files there and back, and files that nobody should have made.
 
 use super::samples::{any_behaviour, any_file, any_text, templates};
-use super::{FILE_MAX_BYTES, Mode, import, look, read, write_json, write_xml};
+use super::{FILE_MAX_BYTES, ImportMode, import, look, read, write_json, write_xml};
 use behaviour::{Behaviour, BehaviourFile, Id, Kind, Record, RecordId, is_identifier, record_bytes};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -114,7 +114,7 @@ fn connectors_beyond_the_thesis_are_written_and_imported_as_they_are() {
     let records = file.records(|_| None).unwrap();
     let again = BehaviourFile::of(&records, &file.library().iter().collect::<Vec<_>>());
     assert_eq!(again.connectors, file.connectors);
-    let made = import(&file, Mode::Restore, &Behaviour::default(), "Aiko", || Id::new("new").unwrap()).unwrap();
+    let made = import(&file, ImportMode::Restore, &Behaviour::default(), "Aiko", || Id::new("new").unwrap()).unwrap();
     let imported: BTreeMap<_, _> =
         made.changes.into_iter().flat_map(|change| change.edits).map(|edit| (edit.id, edit.after)).collect();
     assert_eq!(imported, records.records.into_iter().map(|(id, record)| (id, Some(record))).collect());

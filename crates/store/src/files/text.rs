@@ -1,7 +1,7 @@
 //! The text in the bytes of a file, whatever program saved it.
 
 use super::FileFault;
-use super::place::Lines;
+use super::place::LineStarts;
 
 /// The text of a file: UTF-8, with or without a byte order mark.
 ///
@@ -14,7 +14,7 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, FileFault> {
     }
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-        Lines::of(&good).fault(good.len(), "This is no UTF-8 text. Save the file as UTF-8.")
+        LineStarts::of(&good).fault(good.len(), "This is no UTF-8 text. Save the file as UTF-8.")
     })?;
     Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }

@@ -28,41 +28,41 @@ pub(super) enum NoNumber {
 
 /// A thing in the file.
 #[derive(Debug)]
-pub(super) struct Node {
+pub(super) struct FileNode {
     /// The byte where it begins.
     pub(super) at: usize,
-    pub(super) what: What,
+    pub(super) what: NodeKind,
 }
 
 #[derive(Debug)]
-pub(super) enum What {
+pub(super) enum NodeKind {
     /// Named things, in the order of the file.
-    Object(Vec<(String, Node)>),
+    Object(Vec<(String, FileNode)>),
     /// Things in a row.
-    Array(Vec<Node>),
+    Array(Vec<FileNode>),
     /// A text, a number, true, false or nothing.
     Plain(Value),
 }
 
-impl Node {
+impl FileNode {
     pub(super) fn text(at: usize, text: impl AsRef<str>) -> Self {
-        Self { at, what: What::Plain(Value::text(text)) }
+        Self { at, what: NodeKind::Plain(Value::text(text)) }
     }
 
-    pub(super) fn array(at: usize, items: Vec<Node>) -> Self {
-        Self { at, what: What::Array(items) }
+    pub(super) fn array(at: usize, items: Vec<FileNode>) -> Self {
+        Self { at, what: NodeKind::Array(items) }
     }
 
-    pub(super) fn object(at: usize, fields: Vec<(String, Node)>) -> Self {
-        Self { at, what: What::Object(fields) }
+    pub(super) fn object(at: usize, fields: Vec<(String, FileNode)>) -> Self {
+        Self { at, what: NodeKind::Object(fields) }
     }
 
     /// Returns the value without its places; of a name that is there twice the last one.
     pub(super) fn value(&self) -> Value {
         match &self.what {
-            What::Plain(value) => value.clone(),
-            What::Array(items) => Value::list(items.iter().map(Node::value)),
-            What::Object(fields) => Value::object(fields.iter().map(|(name, node)| (name.as_str(), node.value()))),
+            NodeKind::Plain(value) => value.clone(),
+            NodeKind::Array(items) => Value::list(items.iter().map(FileNode::value)),
+            NodeKind::Object(fields) => Value::object(fields.iter().map(|(name, node)| (name.as_str(), node.value()))),
         }
     }
 }

@@ -6,11 +6,11 @@ pub(super) mod write;
 
 use super::FileFault;
 use super::json::number;
-use super::place::Lines;
-use super::tree::{NoNumber, Node, What};
+use super::place::LineStarts;
+use super::tree::{FileNode, NoNumber, NodeKind};
 use behaviour::{FORMAT, Value};
 pub(super) use element::first_name;
-use element::{Element, root};
+use element::{XmlElement, root};
 #[cfg(test)]
 pub(super) use escape::reference;
 pub(super) use escape::{cannot_hold, in_element};
@@ -22,7 +22,7 @@ const VERSION: &str = "1";
 
 /// The ways to read the text of an attribute.
 #[derive(Clone, Copy)]
-enum How {
+enum AttributeReading {
     Text,
     /// A number as in JSON.
     Number,
@@ -35,74 +35,82 @@ enum How {
 }
 
 /// An attribute, the field it is, and how it is read.
-type Known = (&'static str, &'static str, How);
+type KnownAttribute = (&'static str, &'static str, AttributeReading);
 
-const BEHAVIOUR: &[Known] = &[
-    ("format", "format", How::Text),
-    ("id", "id", How::Text),
-    ("name", "name", How::Text),
-    ("robot", "robot", How::Text),
-    ("engine", "engine", How::Text),
-    ("frame", "frame", How::Millis),
-    ("exercise", "exercise", How::Text),
+const BEHAVIOUR: &[KnownAttribute] = &[
+    ("format", "format", AttributeReading::Text),
+    ("id", "id", AttributeReading::Text),
+    ("name", "name", AttributeReading::Text),
+    ("robot", "robot", AttributeReading::Text),
+    ("engine", "engine", AttributeReading::Text),
+    ("frame", "frame", AttributeReading::Millis),
+    ("exercise", "exercise", AttributeReading::Text),
 ];
-const HELPER: &[Known] = &[
-    ("id", "name", How::Text),
-    ("args", "params", How::Names),
-    ("says", "says", How::Text),
-    ("takes", "takes", How::Names),
-    ("gives", "gives", How::Text),
+const HELPER: &[KnownAttribute] = &[
+    ("id", "name", AttributeReading::Text),
+    ("args", "params", AttributeReading::Names),
+    ("says", "says", AttributeReading::Text),
+    ("takes", "takes", AttributeReading::Names),
+    ("gives", "gives", AttributeReading::Text),
 ];
-const STREAM: &[Known] = &[
-    ("id", "id", How::Text),
-    ("name", "name", How::Text),
-    ("device", "device", How::Text),
-    ("priority", "priority", How::Number),
-    ("hold", "holdMs", How::Millis),
-    ("order", "order", How::Number),
+const STREAM: &[KnownAttribute] = &[
+    ("id", "id", AttributeReading::Text),
+    ("name", "name", AttributeReading::Text),
+    ("device", "device", AttributeReading::Text),
+    ("priority", "priority", AttributeReading::Number),
+    ("hold", "holdMs", AttributeReading::Millis),
+    ("order", "order", AttributeReading::Number),
 ];
-const CONNECTOR: &[Known] = &[
-    ("id", "id", How::Text),
-    ("to", "output", How::Text),
-    ("helper", "helper", How::Text),
-    ("period", "periodMs", How::Millis),
-    ("start", "start", How::Text),
-    ("order", "order", How::Number),
+const CONNECTOR: &[KnownAttribute] = &[
+    ("id", "id", AttributeReading::Text),
+    ("to", "output", AttributeReading::Text),
+    ("helper", "helper", AttributeReading::Text),
+    ("period", "periodMs", AttributeReading::Millis),
+    ("start", "start", AttributeReading::Text),
+    ("order", "order", AttributeReading::Number),
 ];
-const NOTE: &[Known] = &[("id", "id", How::Text), ("by", "by", How::Text), ("at", "at", How::Number)];
-const GROUP: &[Known] = &[
-    ("id", "id", How::Text),
-    ("title", "title", How::Text),
-    ("streams", "streams", How::Names),
-    ("folded", "folded", How::Truth),
+const NOTE: &[KnownAttribute] = &[
+    ("id", "id", AttributeReading::Text),
+    ("by", "by", AttributeReading::Text),
+    ("at", "at", AttributeReading::Number),
 ];
-const TILE: &[Known] = &[
-    ("key", "key", How::Number),
-    ("label", "label", How::Text),
-    ("device", "device", How::Text),
-    ("stream", "stream", How::Text),
-    ("value", "value", How::Text),
-    ("word", "word", How::Text),
-    ("span", "span", How::Truth),
+const GROUP: &[KnownAttribute] = &[
+    ("id", "id", AttributeReading::Text),
+    ("title", "title", AttributeReading::Text),
+    ("streams", "streams", AttributeReading::Names),
+    ("folded", "folded", AttributeReading::Truth),
 ];
-const AT: &[Known] = &[("ref", "ref", How::Text), ("x", "x", How::Number), ("y", "y", How::Number)];
+const TILE: &[KnownAttribute] = &[
+    ("key", "key", AttributeReading::Number),
+    ("label", "label", AttributeReading::Text),
+    ("device", "device", AttributeReading::Text),
+    ("stream", "stream", AttributeReading::Text),
+    ("value", "value", AttributeReading::Text),
+    ("word", "word", AttributeReading::Text),
+    ("span", "span", AttributeReading::Truth),
+];
+const AT: &[KnownAttribute] = &[
+    ("ref", "ref", AttributeReading::Text),
+    ("x", "x", AttributeReading::Number),
+    ("y", "y", AttributeReading::Number),
+];
 
 /// The tree of an XML text.
-pub(super) fn tree(text: &str, lines: &Lines) -> Result<Node, FileFault> {
+pub(super) fn tree(text: &str, lines: &LineStarts) -> Result<FileNode, FileFault> {
     let root = root(text, lines)?;
     check_name(&root.name, root.at, lines)?;
-    Door { lines }.behaviour(&root)
+    XmlDoor { lines }.behaviour(&root)
 }
 
 /// Checks that a text may be a program by its first element; nothing inside of it is looked at.
-pub(super) fn check_root(text: &str, lines: &Lines) -> Result<(), FileFault> {
+pub(super) fn check_root(text: &str, lines: &LineStarts) -> Result<(), FileFault> {
     match first_name(text) {
         Some((at, name)) => check_name(&name, at, lines),
         None => Ok(()),
     }
 }
 
-fn check_name(name: &str, at: usize, lines: &Lines) -> Result<(), FileFault> {
+fn check_name(name: &str, at: usize, lines: &LineStarts) -> Result<(), FileFault> {
     if name == "behaviour" {
         return Ok(());
     }
@@ -110,21 +118,21 @@ fn check_name(name: &str, at: usize, lines: &Lines) -> Result<(), FileFault> {
     Err(lines.fault(at, format!("This is no program but <{name}>. Choose another file.")))
 }
 
-type Entry = (String, Node);
+type XmlEntry = (String, FileNode);
 
-struct Door<'l, 't> {
-    lines: &'l Lines<'t>,
+struct XmlDoor<'l, 't> {
+    lines: &'l LineStarts<'t>,
 }
 
-impl Door<'_, '_> {
-    fn behaviour(&self, root: &Element) -> Result<Node, FileFault> {
+impl XmlDoor<'_, '_> {
+    fn behaviour(&self, root: &XmlElement) -> Result<FileNode, FileFault> {
         let mut fields = self.attributes(root, BEHAVIOUR)?;
         for (name, node) in fields.iter_mut().filter(|(name, _)| name == "format") {
             if node.value().as_text() != Some(VERSION) {
                 let reason = format!("This file has another {name} than {VERSION}. Export it again with this rrp.");
                 return Err(self.lines.fault(node.at, reason));
             }
-            *node = Node::text(node.at, FORMAT);
+            *node = FileNode::text(node.at, FORMAT);
         }
         frame(&mut fields);
         let mut order = Vec::new();
@@ -146,36 +154,36 @@ impl Door<'_, '_> {
             fields.push((section.name.clone(), field));
         }
         if !order.is_empty() {
-            fields.push(("order".to_owned(), Node::object(root.at, order)));
+            fields.push(("order".to_owned(), FileNode::object(root.at, order)));
         }
-        Ok(Node::object(root.at, fields))
+        Ok(FileNode::object(root.at, fields))
     }
 
     fn list(
         &self,
-        section: &Element,
-        mut read: impl FnMut(&Element) -> Result<Node, FileFault>,
-    ) -> Result<Node, FileFault> {
+        section: &XmlElement,
+        mut read: impl FnMut(&XmlElement) -> Result<FileNode, FileFault>,
+    ) -> Result<FileNode, FileFault> {
         self.attributes(section, &[])?;
         let items = self.children(section)?.iter().map(&mut read).collect::<Result<_, _>>()?;
-        Ok(Node::array(section.at, items))
+        Ok(FileNode::array(section.at, items))
     }
 
-    fn helper(&self, element: &Element) -> Result<Node, FileFault> {
+    fn helper(&self, element: &XmlElement) -> Result<FileNode, FileFault> {
         self.check_name(element, "helper")?;
         let mut fields = self.attributes(element, HELPER)?;
         fields.push(("body".to_owned(), self.text(element)?));
-        Ok(Node::object(element.at, fields))
+        Ok(FileNode::object(element.at, fields))
     }
 
-    fn stream(&self, element: &Element, order: &mut Vec<Entry>) -> Result<Node, FileFault> {
+    fn stream(&self, element: &XmlElement, order: &mut Vec<XmlEntry>) -> Result<FileNode, FileFault> {
         let kind = match element.name.as_str() {
             kind @ ("sensor" | "actuator") => kind,
             "stream" => "ordinary",
             _ => return Err(self.unknown(element, "sensor, stream, actuator")),
         };
         let mut fields = self.attributes(element, STREAM)?;
-        fields.push(("kind".to_owned(), Node::text(element.at, kind)));
+        fields.push(("kind".to_owned(), FileNode::text(element.at, kind)));
         let mut params = Vec::new();
         for child in self.children(element)? {
             match child.name.as_str() {
@@ -188,23 +196,26 @@ impl Door<'_, '_> {
             }
         }
         if !params.is_empty() {
-            fields.push(("params".to_owned(), Node::object(element.at, params)));
+            fields.push(("params".to_owned(), FileNode::object(element.at, params)));
         }
         take_order(&mut fields, order);
-        Ok(Node::object(element.at, fields))
+        Ok(FileNode::object(element.at, fields))
     }
 
     /// `value` is a text; anything else is written as `json`.
-    fn param(&self, element: &Element) -> Result<Entry, FileFault> {
-        const PARAM: &[Known] =
-            &[("name", "name", How::Text), ("value", "value", How::Text), ("json", "json", How::Text)];
+    fn param(&self, element: &XmlElement) -> Result<XmlEntry, FileFault> {
+        const PARAM: &[KnownAttribute] = &[
+            ("name", "name", AttributeReading::Text),
+            ("value", "value", AttributeReading::Text),
+            ("json", "json", AttributeReading::Text),
+        ];
         self.children_none(element)?;
         let fields = self.attributes(element, PARAM)?;
         let get = |name: &str| fields.iter().find(|(known, _)| known == name).map(|(_, node)| node);
         let name = get("name").and_then(|node| node.value().as_text().map(str::to_owned));
         let name = name.ok_or_else(|| self.lines.fault(element.at, "A param needs a name. Add name=\"…\"."))?;
         let node = match (get("value"), get("json")) {
-            (Some(value), None) => Node { at: value.at, what: What::Plain(value.value()) },
+            (Some(value), None) => FileNode { at: value.at, what: NodeKind::Plain(value.value()) },
             (None, Some(json)) => self.json(json)?,
             _ => return Err(self.lines.fault(element.at, "A param has either a value or a json. Write one of them.")),
         };
@@ -212,72 +223,72 @@ impl Door<'_, '_> {
     }
 
     /// A tree of JSON inside the attribute, all of it at the attribute's place.
-    fn json(&self, json: &Node) -> Result<Node, FileFault> {
+    fn json(&self, json: &FileNode) -> Result<FileNode, FileFault> {
         let text = json.value();
         let text = text.as_text().unwrap_or_default();
-        let lines = Lines::of(text);
+        let lines = LineStarts::of(text);
         let tree = super::json::tree(text, &lines).map_err(|fault| self.lines.fault(json.at, fault.reason))?;
         Ok(moved(tree, json.at))
     }
 
     /// An element that is a name and nothing else.
-    fn named(&self, element: &Element, called: &str) -> Result<Node, FileFault> {
+    fn named(&self, element: &XmlElement, called: &str) -> Result<FileNode, FileFault> {
         self.check_name(element, called)?;
         self.children_none(element)?;
-        let fields = self.attributes(element, &[("name", "name", How::Text)])?;
+        let fields = self.attributes(element, &[("name", "name", AttributeReading::Text)])?;
         let name = fields.into_iter().next().map(|(_, node)| node);
         name.ok_or_else(|| self.lines.fault(element.at, format!("A {called} needs a name. Add name=\"…\".")))
     }
 
-    fn connector(&self, element: &Element, order: &mut Vec<Entry>) -> Result<Node, FileFault> {
+    fn connector(&self, element: &XmlElement, order: &mut Vec<XmlEntry>) -> Result<FileNode, FileFault> {
         let mut fields = self.attributes(element, CONNECTOR)?;
         if let Some((_, start)) = fields.iter_mut().find(|(name, _)| name == "start") {
             *start = self.json(start)?;
         }
-        fields.push(("type".to_owned(), Node::text(element.at, &element.name)));
+        fields.push(("type".to_owned(), FileNode::text(element.at, &element.name)));
         let mut inputs = Vec::new();
         for child in self.children(element)? {
             match child.name.as_str() {
                 "from" => inputs.push(self.from(child)?),
                 "body" => {
-                    fields.extend(self.attributes(child, &[("args", "args", How::Names)])?);
+                    fields.extend(self.attributes(child, &[("args", "args", AttributeReading::Names)])?);
                     fields.push(("body".to_owned(), self.text(child)?));
                 }
                 _ => return Err(self.unknown(child, "from, body")),
             }
         }
-        fields.push(("inputs".to_owned(), Node::array(element.at, inputs)));
+        fields.push(("inputs".to_owned(), FileNode::array(element.at, inputs)));
         take_order(&mut fields, order);
-        Ok(Node::object(element.at, fields))
+        Ok(FileNode::object(element.at, fields))
     }
 
-    fn from(&self, element: &Element) -> Result<Node, FileFault> {
+    fn from(&self, element: &XmlElement) -> Result<FileNode, FileFault> {
         self.children_none(element)?;
-        let fields = self.attributes(element, &[("stream", "stream", How::Text)])?;
+        let fields = self.attributes(element, &[("stream", "stream", AttributeReading::Text)])?;
         let stream = fields.into_iter().next().map(|(_, node)| node);
         stream.ok_or_else(|| self.lines.fault(element.at, "A from needs a stream. Add stream=\"…\"."))
     }
 
-    fn note(&self, element: &Element) -> Result<Node, FileFault> {
+    fn note(&self, element: &XmlElement) -> Result<FileNode, FileFault> {
         self.check_name(element, "note")?;
         let mut fields = self.attributes(element, NOTE)?;
         fields.push(("text".to_owned(), self.text(element)?));
-        Ok(Node::object(element.at, fields))
+        Ok(FileNode::object(element.at, fields))
     }
 
-    fn group(&self, element: &Element) -> Result<Node, FileFault> {
+    fn group(&self, element: &XmlElement) -> Result<FileNode, FileFault> {
         self.check_name(element, "group")?;
         self.children_none(element)?;
-        Ok(Node::object(element.at, self.attributes(element, GROUP)?))
+        Ok(FileNode::object(element.at, self.attributes(element, GROUP)?))
     }
 
-    fn tile(&self, element: &Element) -> Result<Node, FileFault> {
+    fn tile(&self, element: &XmlElement) -> Result<FileNode, FileFault> {
         self.check_name(element, "tile")?;
         let mut fields = self.attributes(element, TILE)?;
         if let Some((_, value)) = fields.iter_mut().find(|(name, _)| name == "value") {
             *value = self.json(value)?;
         }
-        let params: Vec<Entry> = self
+        let params: Vec<XmlEntry> = self
             .children(element)?
             .iter()
             .map(|child| {
@@ -286,12 +297,12 @@ impl Door<'_, '_> {
             })
             .collect::<Result<_, _>>()?;
         if !params.is_empty() {
-            fields.push(("params".to_owned(), Node::object(element.at, params)));
+            fields.push(("params".to_owned(), FileNode::object(element.at, params)));
         }
-        Ok(Node::object(element.at, fields))
+        Ok(FileNode::object(element.at, fields))
     }
 
-    fn layout(&self, section: &Element) -> Result<Node, FileFault> {
+    fn layout(&self, section: &XmlElement) -> Result<FileNode, FileFault> {
         self.attributes(section, &[])?;
         let mut places = Vec::new();
         for child in self.children(section)? {
@@ -301,12 +312,12 @@ impl Door<'_, '_> {
             let at = fields.iter().position(|(name, _)| name == "ref");
             let at = at.ok_or_else(|| self.lines.fault(child.at, "An at needs a ref. Add ref=\"…\"."))?;
             let (_, name) = fields.remove(at);
-            places.push((name.value().as_text().unwrap_or_default().to_owned(), Node::object(child.at, fields)));
+            places.push((name.value().as_text().unwrap_or_default().to_owned(), FileNode::object(child.at, fields)));
         }
-        Ok(Node::object(section.at, places))
+        Ok(FileNode::object(section.at, places))
     }
 
-    fn attributes(&self, element: &Element, known: &[Known]) -> Result<Vec<Entry>, FileFault> {
+    fn attributes(&self, element: &XmlElement, known: &[KnownAttribute]) -> Result<Vec<XmlEntry>, FileFault> {
         let mut fields = Vec::new();
         for (name, at, text) in &element.attributes {
             let Some((_, field, how)) = known.iter().find(|(known, ..)| known == name) else {
@@ -322,14 +333,14 @@ impl Door<'_, '_> {
     }
 
     /// The elements in an element that has no text of its own.
-    fn children<'e>(&self, element: &'e Element) -> Result<&'e [Element], FileFault> {
+    fn children<'e>(&self, element: &'e XmlElement) -> Result<&'e [XmlElement], FileFault> {
         match element.loose_text_at() {
             None => Ok(&element.children),
             Some(at) => Err(self.lines.fault(at, format!("<{}> holds no text of its own. Take it out.", element.name))),
         }
     }
 
-    fn children_none(&self, element: &Element) -> Result<(), FileFault> {
+    fn children_none(&self, element: &XmlElement) -> Result<(), FileFault> {
         match self.children(element)?.first() {
             None => Ok(()),
             Some(child) => Err(self.unknown(child, "nothing")),
@@ -337,18 +348,18 @@ impl Door<'_, '_> {
     }
 
     /// The text in an element that has nothing else.
-    fn text(&self, element: &Element) -> Result<Node, FileFault> {
+    fn text(&self, element: &XmlElement) -> Result<FileNode, FileFault> {
         match element.children.first() {
-            None => Ok(Node::text(element.text_at, &element.text)),
+            None => Ok(FileNode::text(element.text_at, &element.text)),
             Some(child) => Err(self.unknown(child, "text")),
         }
     }
 
-    fn check_name(&self, element: &Element, name: &str) -> Result<(), FileFault> {
+    fn check_name(&self, element: &XmlElement, name: &str) -> Result<(), FileFault> {
         if element.name == name { Ok(()) } else { Err(self.unknown(element, name)) }
     }
 
-    fn unknown(&self, element: &Element, known: &str) -> FileFault {
+    fn unknown(&self, element: &XmlElement, known: &str) -> FileFault {
         let reason = format!("<{}> is not known here, only {known}. Take it out.", element.name);
         self.lines.fault(element.at, reason)
     }
@@ -359,39 +370,39 @@ fn measured(text: &str) -> Option<Value> {
     behaviour::typed_number(text)?.one().map(Value::Float)
 }
 
-fn read(how: How, text: &str, at: usize) -> Result<Node, NoNumber> {
-    let plain = |value| Node { at, what: What::Plain(value) };
+fn read(how: AttributeReading, text: &str, at: usize) -> Result<FileNode, NoNumber> {
+    let plain = |value| FileNode { at, what: NodeKind::Plain(value) };
     match how {
-        How::Text => Ok(Node::text(at, text)),
-        How::Number => number(text).or_else(|no| measured(text).ok_or(no)).map(plain),
-        How::Millis => match text.strip_suffix("ms").map(number) {
+        AttributeReading::Text => Ok(FileNode::text(at, text)),
+        AttributeReading::Number => number(text).or_else(|no| measured(text).ok_or(no)).map(plain),
+        AttributeReading::Millis => match text.strip_suffix("ms").map(number) {
             Some(Ok(value @ Value::Int(_))) => Ok(plain(value)),
             _ => Err(NoNumber::NoMillis),
         },
-        How::Truth => match text {
+        AttributeReading::Truth => match text {
             "true" => Ok(plain(Value::Bool(true))),
             "false" => Ok(plain(Value::Bool(false))),
-            _ => Ok(Node::text(at, text)),
+            _ => Ok(FileNode::text(at, text)),
         },
-        How::Names => {
+        AttributeReading::Names => {
             let names = text.split(' ').filter(|name| !name.is_empty());
-            Ok(Node::array(at, names.map(|name| Node::text(at, name)).collect()))
+            Ok(FileNode::array(at, names.map(|name| FileNode::text(at, name)).collect()))
         }
     }
 }
 
 /// `frame="50ms"` is the engine.
-fn frame(fields: &mut Vec<Entry>) {
+fn frame(fields: &mut Vec<XmlEntry>) {
     if let Some(at) = fields.iter().position(|(name, _)| name == "frame") {
         let (_, frame) = fields.remove(at);
         let at = frame.at;
-        let frame = Node::object(at, vec![("frameMs".to_owned(), frame)]);
-        fields.push(("engine".to_owned(), Node::object(at, vec![("frame".to_owned(), frame)])));
+        let frame = FileNode::object(at, vec![("frameMs".to_owned(), frame)]);
+        fields.push(("engine".to_owned(), FileNode::object(at, vec![("frame".to_owned(), frame)])));
     }
 }
 
 /// Moves the order of one thing to where the behaviour has it.
-fn take_order(fields: &mut Vec<Entry>, order: &mut Vec<Entry>) {
+fn take_order(fields: &mut Vec<XmlEntry>, order: &mut Vec<XmlEntry>) {
     let Some(at) = fields.iter().position(|(name, _)| name == "order") else { return };
     let (_, number) = fields.remove(at);
     let id = fields.iter().find(|(name, _)| name == "id").and_then(|(_, id)| id.value().as_text().map(str::to_owned));
@@ -400,13 +411,13 @@ fn take_order(fields: &mut Vec<Entry>, order: &mut Vec<Entry>) {
     }
 }
 
-fn moved(node: Node, at: usize) -> Node {
+fn moved(node: FileNode, at: usize) -> FileNode {
     let what = match node.what {
-        What::Plain(value) => What::Plain(value),
-        What::Array(items) => What::Array(items.into_iter().map(|item| moved(item, at)).collect()),
-        What::Object(fields) => {
-            What::Object(fields.into_iter().map(|(name, field)| (name, moved(field, at))).collect())
+        NodeKind::Plain(value) => NodeKind::Plain(value),
+        NodeKind::Array(items) => NodeKind::Array(items.into_iter().map(|item| moved(item, at)).collect()),
+        NodeKind::Object(fields) => {
+            NodeKind::Object(fields.into_iter().map(|(name, field)| (name, moved(field, at))).collect())
         }
     };
-    Node { at, what }
+    FileNode { at, what }
 }

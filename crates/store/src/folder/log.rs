@@ -22,7 +22,7 @@ const ROOM_MIN_BYTES: usize = 4_096;
 /// One line of a file.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) enum Line {
+pub(super) enum LogLine {
     /// A change and its revision.
     Change(Committed),
     /// It went to the bin.
@@ -77,7 +77,7 @@ pub(super) struct Logs {
 
 impl Logs {
     /// Reads every file, each line through `take`.
-    pub(super) fn open(folder: &Path, take: impl Fn(&Id, Line) -> Result<(), Strange>) -> Result<Self, StoreError> {
+    pub(super) fn open(folder: &Path, take: impl Fn(&Id, LogLine) -> Result<(), Strange>) -> Result<Self, StoreError> {
         let logs = Self { folder: folder.to_owned(), broken: None, wants_bytes: ROOM_MIN_BYTES };
         for (id, path) in logs.files()? {
             let length = read(&path, |line| take(&id, line))?;
@@ -111,7 +111,7 @@ impl Logs {
     }
 
     /// Writes a line and syncs it; after an error the file is as it was.
-    pub(super) fn add(&mut self, id: &Id, line: &Line) -> Result<(), StoreError> {
+    pub(super) fn add(&mut self, id: &Id, line: &LogLine) -> Result<(), StoreError> {
         if let Some(broken) = &self.broken {
             return Err(broken.clone());
         }
@@ -138,7 +138,7 @@ impl Logs {
     /// Keeps the number of the server's start.
     pub(super) fn set_epoch(&mut self, epoch: u64) -> Result<(), StoreError> {
         let path = self.folder.join(EPOCH);
-        let text = json::encode(&Line::Epoch(epoch)).map_err(json::unwritable)?;
+        let text = json::encode(&LogLine::Epoch(epoch)).map_err(json::unwritable)?;
         disk::put(&path, text.as_bytes()).map_err(|error| told(&path, &error))
     }
 
@@ -182,7 +182,7 @@ fn id_of(name: &str) -> Option<Id> {
 }
 
 /// Reads the lines of a file; says how many bytes are whole lines.
-fn read(path: &Path, mut take: impl FnMut(Line) -> Result<(), Strange>) -> Result<u64, StoreError> {
+fn read(path: &Path, mut take: impl FnMut(LogLine) -> Result<(), Strange>) -> Result<u64, StoreError> {
     let mut from = BufReader::new(File::open(path).map_err(|error| told(path, &error))?);
     let (mut length, mut text) = (0, Vec::new());
     for number in 1.. {
@@ -197,7 +197,7 @@ fn read(path: &Path, mut take: impl FnMut(Line) -> Result<(), Strange>) -> Resul
     Ok(length)
 }
 
-fn line(text: &[u8]) -> Result<Line, Strange> {
+fn line(text: &[u8]) -> Result<LogLine, Strange> {
     Ok(json::decode(std::str::from_utf8(text)?)?)
 }
 

@@ -18,7 +18,7 @@ const SCHEMES: [(&str, &str); 6] = [
 const PORT: u16 = 7687;
 
 /// An address in its parts. It shows everything but the password.
-pub(super) struct Address {
+pub(super) struct Neo4jAddress {
     /// Without user and password: `bolt://127.0.0.1:7687`.
     pub(super) server: String,
     /// The user that we are.
@@ -29,13 +29,13 @@ pub(super) struct Address {
     pub(super) database: Option<String>,
 }
 
-impl fmt::Debug for Address {
+impl fmt::Debug for Neo4jAddress {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         write!(to, "{} as {}", self.server, self.user)
     }
 }
 
-impl Address {
+impl Neo4jAddress {
     /// Reads an address; a missing password is looked for in the variables of `environment`.
     pub(super) fn read(url: &str, environment: &dyn Fn(&str) -> Option<String>) -> Result<Self, StoreError> {
         let wrong = || StoreError::Address(SHAPE.to_owned());
@@ -99,12 +99,12 @@ fn plain(part: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Address, SCHEMES};
+    use super::{Neo4jAddress, SCHEMES};
     use crate::StoreError;
     use crate::open::is_neo4j;
 
-    fn read(url: &str) -> Result<Address, StoreError> {
-        Address::read(url, &|name| (name == "RRP_NEO4J_PASSWORD").then(|| "from the variable".to_owned()))
+    fn read(url: &str) -> Result<Neo4jAddress, StoreError> {
+        Neo4jAddress::read(url, &|name| (name == "RRP_NEO4J_PASSWORD").then(|| "from the variable".to_owned()))
     }
 
     fn parts(url: &str) -> (String, String, String, Option<String>) {
@@ -146,8 +146,8 @@ mod tests {
         std::fs::write(file.path(), "in the file\n").expect("written");
         let name = file.path().display().to_string();
         let from = |variable: &str| (variable == "RRP_NEO4J_PASSWORD_FILE").then(|| name.clone());
-        assert_eq!(Address::read("bolt://h", &from).expect("an address").password, "in the file");
-        let none = Address::read("bolt://h", &|_| None).expect_err("no password");
+        assert_eq!(Neo4jAddress::read("bolt://h", &from).expect("an address").password, "in the file");
+        let none = Neo4jAddress::read("bolt://h", &|_| None).expect_err("no password");
         assert!(none.to_string().contains("RRP_NEO4J_PASSWORD"), "{none}");
     }
 

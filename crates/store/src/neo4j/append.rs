@@ -1,7 +1,7 @@
 //! Saving a change: one statement, with the parts that this change needs, which does all of it or nothing.
 
 use super::delta::Delta;
-use super::link::{Broken, Link, Params};
+use super::link::{Broken, Neo4jConnections, StatementParams};
 use super::nodes::relationships;
 use crate::{Append, LIBRARY, StoreError};
 use behaviour::{Behaviour, Change, Committed, Id};
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::time::Duration;
 
 /// One part of the statement: the lists it works through, the Cypher, and what must be true of its counts.
-struct Part {
+struct StatementPart {
     lists: &'static [&'static str],
     cypher: &'static str,
     /// More Cypher, once for every type of relationship that a connector may be.
@@ -18,11 +18,11 @@ struct Part {
     counts: Option<&'static str>,
 }
 
-const fn part(lists: &'static [&'static str], cypher: &'static str) -> Part {
-    Part { lists, cypher, each_type: "", counts: None }
+const fn part(lists: &'static [&'static str], cypher: &'static str) -> StatementPart {
+    StatementPart { lists, cypher, each_type: "", counts: None }
 }
 
-impl Part {
+impl StatementPart {
     fn text(&self) -> String {
         let more = relationships().map(|kind| self.each_type.replace("$TYPE", kind));
         std::iter::once(self.cypher.to_owned()).chain(more).collect()
@@ -31,12 +31,15 @@ impl Part {
 
 /// The parts of a save, in this order. Touched connectors go, whatever they were, and come back as what they are now;
 /// nodes that behaviours share are made in one order and linked only where that changes, or else they would deadlock.
-const PARTS: [Part; 12] = [
-    Part { each_type: RELATIONSHIP_GOES, ..part(&["connectors"], CONNECTORS_GO) },
+const PARTS: [StatementPart; 12] = [
+    StatementPart { each_type: RELATIONSHIP_GOES, ..part(&["connectors"], CONNECTORS_GO) },
     part(&["gone_streams"], STREAMS_GO),
     part(&["streams", "devices"], STREAMS),
-    Part { counts: Some("simple = size($does.simple)"), ..part(&["simple"], SIMPLE_CONNECTORS) },
-    Part { counts: Some("nodes = size($does.nodes) AND inputs = $does.inputs"), ..part(&["nodes"], CONNECTOR_NODES) },
+    StatementPart { counts: Some("simple = size($does.simple)"), ..part(&["simple"], SIMPLE_CONNECTORS) },
+    StatementPart {
+        counts: Some("nodes = size($does.nodes) AND inputs = $does.inputs"),
+        ..part(&["nodes"], CONNECTOR_NODES)
+    },
     part(&["places", "gone_places"], PLACES),
     part(&["notes", "gone_notes"], NOTES),
     part(&["groups", "gone_groups"], GROUPS),
@@ -191,7 +194,7 @@ RETURN head, binned, applied, done.revision AS duplicate, done.change AS saved";
 const WARM_UP_MAX: Duration = Duration::from_secs(60);
 
 #[derive(Deserialize)]
-struct Outcome {
+struct AppendOutcome {
     head: u64,
     binned: bool,
     applied: u64,
@@ -202,7 +205,7 @@ struct Outcome {
 
 /// The statement with the parts that these lists need.
 fn statement(needed: impl Fn(&str) -> bool) -> String {
-    let parts: Vec<&Part> = PARTS.iter().filter(|part| part.lists.iter().any(|list| needed(list))).collect();
+    let parts: Vec<&StatementPart> = PARTS.iter().filter(|part| part.lists.iter().any(|list| needed(list))).collect();
     let cypher: Vec<String> = parts.iter().map(|part| part.text()).collect();
     let counts: Vec<&str> = parts.iter().filter_map(|part| part.counts).collect();
     let one = match counts.as_slice() {
@@ -215,7 +218,7 @@ fn statement(needed: impl Fn(&str) -> bool) -> String {
 
 /// Saves a change, whose JSON is given, unless it was saved before or is not the next one.
 pub(super) async fn append(
-    link: &Link,
+    link: &Neo4jConnections,
     id: &Id,
     committed: &Committed,
     json: String,
@@ -228,7 +231,7 @@ pub(super) async fn append(
     outcome_of(&outcome, committed, found.open_before)
 }
 
-fn outcome_of(outcome: &Outcome, committed: &Committed, open_before: bool) -> Result<Append, StoreError> {
+fn outcome_of(outcome: &AppendOutcome, committed: &Committed, open_before: bool) -> Result<Append, StoreError> {
     match outcome.duplicate {
         Some(revision) => match again(outcome, committed, revision)? {
             // Saved by an attempt of this very call, whose answer was lost.
@@ -241,14 +244,14 @@ fn outcome_of(outcome: &Outcome, committed: &Committed, open_before: bool) -> Re
     }
 }
 
-fn again(outcome: &Outcome, committed: &Committed, revision: u64) -> Result<Append, StoreError> {
+fn again(outcome: &AppendOutcome, committed: &Committed, revision: u64) -> Result<Append, StoreError> {
     let damaged = |why: String| StoreError::Damaged(format!("the Neo4j database: change {revision}: {why}"));
     let text = outcome.saved.as_deref().ok_or_else(|| damaged("it has lost what it does".to_owned()))?;
     let saved: Change = crate::json::decode(text).map_err(|error| damaged(error.to_string()))?;
     Ok(Append::again(&committed.change, &saved, revision))
 }
 
-fn params_of(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params {
+fn params_of(id: &Id, committed: &Committed, json: String, delta: Delta) -> StatementParams {
     let change = &committed.change;
     let op = json!({
         "id": change.op, "author": change.author, "label": change.label, "at_ms": change.at_ms, "change": json,
@@ -277,7 +280,7 @@ const AS_LONG_AS_AN_ID: &str = "00000000000000000000000000000000";
 
 /// Has the plans of the usual statements made: the first of each takes longer than people should wait. They are found again by
 /// parameters of the same kinds and sizes only, such as an id that is as long as all are.
-pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
+pub(super) async fn warm_up(link: &Neo4jConnections) -> Result<(), StoreError> {
     let usual = USUAL.iter().map(|lists| statement(|list| lists.contains(&list)));
     let usual = usual.map(|text| (text, params(nothing(AS_LONG_AS_AN_ID), json!({}), -1)));
     for (text, params) in usual.chain([(super::load::LOAD.clone(), super::load::params(AS_LONG_AS_AN_ID))]) {
@@ -288,7 +291,7 @@ pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
 }
 
 /// Returns the parameters of a change that does nothing to the behaviour with this id.
-fn nothing(id: &str) -> Params {
+fn nothing(id: &str) -> StatementParams {
     let lists = PARTS.iter().flat_map(|part| part.lists).map(|list| ((*list).to_owned(), json!([])));
     let shelf = if id == LIBRARY { "Library" } else { "Program" };
     let others = [("id", json!(id)), ("shelf", json!(shelf)), ("inputs", json!(0)), ("summary", json!({}))];
@@ -297,7 +300,7 @@ fn nothing(id: &str) -> Params {
 
 /// The parameters of a statement. What the change does is one of them, a map: Neo4j plans a statement anew for other sizes of
 /// texts and lists among its parameters (none, one, up to ten, up to a hundred), and does not look into maps.
-fn params(does: Params, op: Value, base: i64) -> Params {
+fn params(does: StatementParams, op: Value, base: i64) -> StatementParams {
     let all = [("does", does.into()), ("op", op), ("base", json!(base))];
     all.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
 }

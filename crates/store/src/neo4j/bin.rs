@@ -1,6 +1,6 @@
 //! The bin, and what servers share: small writes, each one statement.
 
-use super::link::{Broken, Link, Params};
+use super::link::{Broken, Neo4jConnections, StatementParams};
 use super::nodes::whole;
 use crate::StoreError;
 use behaviour::Id;
@@ -51,7 +51,7 @@ RETURN n.value AS many";
 const PROBE: &str = "MATCH (n:Shared {name: 'epoch'}) SET n.probed_ms = timestamp() RETURN n.value AS many";
 
 #[derive(Deserialize)]
-struct Count {
+struct CountRow {
     many: u64,
 }
 
@@ -60,9 +60,9 @@ struct Old {
     id: Id,
 }
 
-async fn count(link: &Link, text: &str, params: &[(&str, Value)]) -> Result<u64, StoreError> {
-    let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
-    let found = link.ask::<Count>(text, params, Broken::GiveUp).await?;
+async fn count(link: &Neo4jConnections, text: &str, params: &[(&str, Value)]) -> Result<u64, StoreError> {
+    let params: StatementParams = params.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+    let found = link.ask::<CountRow>(text, params, Broken::GiveUp).await?;
     Ok(found.rows.first().map_or(0, |row| row.many))
 }
 
@@ -72,19 +72,19 @@ fn kept(time_ms: u64) -> Value {
 }
 
 /// Moves a behaviour to the bin.
-pub(super) async fn remove(link: &Link, id: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
+pub(super) async fn remove(link: &Neo4jConnections, id: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
     Ok(count(link, REMOVE, &[("id", json!(id)), ("now_ms", kept(now_ms)), ("by", json!(by))]).await? > 0)
 }
 
 /// Takes a behaviour out of the bin.
-pub(super) async fn restore(link: &Link, id: &Id) -> Result<bool, StoreError> {
+pub(super) async fn restore(link: &Neo4jConnections, id: &Id) -> Result<bool, StoreError> {
     Ok(count(link, RESTORE, &[("id", json!(id))]).await? > 0)
 }
 
 /// Deletes what was removed before that time, one behaviour after the other.
-pub(super) async fn purge(link: &Link, removed_before_ms: u64) -> Result<u32, StoreError> {
+pub(super) async fn purge(link: &Neo4jConnections, removed_before_ms: u64) -> Result<u32, StoreError> {
     let before = kept(removed_before_ms);
-    let old = link.read::<Old>(OLD, Params::from_iter([("before".to_owned(), before.clone())])).await?;
+    let old = link.read::<Old>(OLD, StatementParams::from_iter([("before".to_owned(), before.clone())])).await?;
     let mut gone = 0;
     for Old { id } in old {
         gone += count(link, PURGE, &[("id", json!(id)), ("before", before.clone())]).await?;
@@ -93,7 +93,7 @@ pub(super) async fn purge(link: &Link, removed_before_ms: u64) -> Result<u32, St
 }
 
 /// The next number of a server start.
-pub(super) async fn next_epoch(link: &Link) -> Result<u64, StoreError> {
+pub(super) async fn next_epoch(link: &Neo4jConnections) -> Result<u64, StoreError> {
     match count(link, EPOCH, &[]).await? {
         0 => Err(StoreError::Damaged("the Neo4j database: it has lost the number of its starts".to_owned())),
         epoch => Ok(epoch),
@@ -101,11 +101,11 @@ pub(super) async fn next_epoch(link: &Link) -> Result<u64, StoreError> {
 }
 
 /// The number of the last server start is at least this.
-pub(super) async fn raise_epoch(link: &Link, least: u64) -> Result<(), StoreError> {
+pub(super) async fn raise_epoch(link: &Neo4jConnections, least: u64) -> Result<(), StoreError> {
     count(link, RAISE, &[("least", kept(least))]).await.map(|_| ())
 }
 
 /// Writes something that nobody reads, to see whether that works.
-pub(super) async fn probe(link: &Link) -> Result<(), StoreError> {
+pub(super) async fn probe(link: &Neo4jConnections) -> Result<(), StoreError> {
     count(link, PROBE, &[]).await.map(|_| ())
 }

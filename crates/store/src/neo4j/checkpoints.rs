@@ -1,6 +1,6 @@
 //! Revisions with a name: nodes of their own beside the behaviour.
 
-use super::link::{Broken, Link, Params};
+use super::link::{Broken, Neo4jConnections, StatementParams};
 use super::nodes::whole;
 use crate::StoreError;
 use crate::checkpoints::in_order;
@@ -30,32 +30,32 @@ DETACH DELETE n
 RETURN count(*) AS many";
 
 #[derive(Deserialize)]
-struct Kept {
+struct CheckpointText {
     kept: bool,
 }
 
-fn params<const N: usize>(all: [(&str, Value); N]) -> Params {
+fn params<const N: usize>(all: [(&str, Value); N]) -> StatementParams {
     all.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
 /// All of a behaviour.
-pub(super) async fn all(link: &Link, id: &Id) -> Result<Vec<Checkpoint>, StoreError> {
+pub(super) async fn all(link: &Neo4jConnections, id: &Id) -> Result<Vec<Checkpoint>, StoreError> {
     Ok(in_order(link.read(ALL, params([("id", json!(id))])).await?))
 }
 
 /// Keeps one, unless another one has its name or its revision is not there.
-pub(super) async fn keep(link: &Link, id: &Id, wanted: &Checkpoint) -> Result<bool, StoreError> {
+pub(super) async fn keep(link: &Neo4jConnections, id: &Id, wanted: &Checkpoint) -> Result<bool, StoreError> {
     let Checkpoint { revision, name, by, at_ms } = wanted;
     // No revision is larger than the largest i64.
     let revision = whole((*revision).min(i64::MAX as u64));
     let all =
         [("id", json!(id)), ("revision", revision), ("name", json!(name)), ("by", json!(by)), ("at_ms", whole(*at_ms))];
-    let found = link.ask::<Kept>(KEEP, params(all), Broken::Again).await?;
+    let found = link.ask::<CheckpointText>(KEEP, params(all), Broken::Again).await?;
     Ok(found.rows.first().is_some_and(|row| row.kept))
 }
 
 /// Lets one go.
-pub(super) async fn drop(link: &Link, id: &Id, name: &str) -> Result<(), StoreError> {
+pub(super) async fn drop(link: &Neo4jConnections, id: &Id, name: &str) -> Result<(), StoreError> {
     let all = params([("id", json!(id)), ("name", json!(name))]);
     link.ask::<Value>(DROP, all, Broken::Again).await.map(|_| ())
 }

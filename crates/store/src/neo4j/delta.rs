@@ -1,6 +1,6 @@
 //! The effect of a change in the graph, as lists that one statement works through.
 
-use super::link::Params;
+use super::link::StatementParams;
 use super::nodes::{
     device_kind, label, of_connector, of_group, of_helper, of_note, of_pad, of_settings, of_stream, relationship, whole,
 };
@@ -20,7 +20,7 @@ pub(super) struct Delta {
     devices: BTreeSet<(&'static str, String)>,
     inputs: usize,
     /// The properties for the behaviour's own node; null takes away.
-    summary: Params,
+    summary: StatementParams,
 }
 
 impl Delta {
@@ -28,7 +28,7 @@ impl Delta {
     pub(super) fn of(program: &Id, committed: &Committed, after: &Behaviour) -> Result<Self, StoreError> {
         let lists = BTreeMap::new();
         let program = program.clone();
-        let mut delta = Self { program, lists, devices: BTreeSet::new(), inputs: 0, summary: Params::new() };
+        let mut delta = Self { program, lists, devices: BTreeSet::new(), inputs: 0, summary: StatementParams::new() };
         // A record named twice is what it is last.
         let edits: BTreeMap<&RecordId, Option<&Record>> =
             committed.change.edits.iter().map(|edit| (&edit.id, edit.after.as_ref())).collect();
@@ -44,10 +44,11 @@ impl Delta {
     }
 
     /// The parameters of the statement.
-    pub(super) fn params(self) -> Params {
+    pub(super) fn params(self) -> StatementParams {
         let devices: Vec<_> =
             self.devices.into_iter().map(|(kind, name)| json!({ "kind": kind, "name": name })).collect();
-        let mut params: Params = self.lists.into_iter().map(|(name, list)| (name.to_owned(), list.into())).collect();
+        let mut params: StatementParams =
+            self.lists.into_iter().map(|(name, list)| (name.to_owned(), list.into())).collect();
         params.insert("devices".to_owned(), devices.into());
         params.insert("inputs".to_owned(), self.inputs.into());
         params.insert("summary".to_owned(), self.summary.into());

@@ -12,7 +12,7 @@ const PASSING: [&str; 2] = ["Neo.ClientError.Statement.EntityNotFound", "Neo.Cli
 
 /// The reasons why an attempt failed.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Fault {
+pub(super) enum Neo4jFault {
     /// Undone by Neo4j; it may go well the next time. With the reason.
     Passing(String),
     /// The connection broke; whether it was done is open.
@@ -25,14 +25,14 @@ pub(super) enum Fault {
     Said(StoreError),
 }
 
-impl Fault {
+impl Neo4jFault {
     /// Returns the fault of a database whose content cannot be what we wrote.
     pub(super) fn damaged(reason: &impl Display) -> Self {
         Self::Said(StoreError::Damaged(format!("the Neo4j database: {reason}")))
     }
 }
 
-impl From<Error> for Fault {
+impl From<Error> for Neo4jFault {
     fn from(error: Error) -> Self {
         match error {
             Error::IOError { detail } if detail.kind() == ErrorKind::ConnectionRefused => Self::Away,
@@ -49,23 +49,23 @@ impl From<Error> for Fault {
     }
 }
 
-fn unknown_user() -> Fault {
+fn unknown_user() -> Neo4jFault {
     let why = "Neo4j refuses this user and password; check the store's address and RRP_NEO4J_PASSWORD";
-    Fault::Said(StoreError::Unavailable(why.to_owned()))
+    Neo4jFault::Said(StoreError::Unavailable(why.to_owned()))
 }
 
-fn of_server(error: &Neo4jError) -> Fault {
+fn of_server(error: &Neo4jError) -> Neo4jFault {
     let (code, message) = (error.code(), error.message());
     if PASSING.contains(&code) {
-        return Fault::Passing(message.to_owned());
+        return Neo4jFault::Passing(message.to_owned());
     }
     match error.kind() {
         Neo4jErrorKind::Transient | Neo4jErrorKind::Client(Neo4jClientErrorKind::SessionExpired) => {
-            Fault::Passing(message.to_owned())
+            Neo4jFault::Passing(message.to_owned())
         }
         Neo4jErrorKind::Client(Neo4jClientErrorKind::Security(_)) => unknown_user(),
         Neo4jErrorKind::Client(_) | Neo4jErrorKind::Database | Neo4jErrorKind::Unknown => {
-            Fault::Said(refused(code, message))
+            Neo4jFault::Said(refused(code, message))
         }
     }
 }
@@ -85,13 +85,13 @@ fn refused(code: &str, message: &str) -> StoreError {
 }
 
 /// Says a fault when no further attempt is made.
-pub(super) fn told(fault: Fault, server: &str, at_most: Duration) -> StoreError {
+pub(super) fn told(fault: Neo4jFault, server: &str, at_most: Duration) -> StoreError {
     let why = match fault {
-        Fault::Said(error) => return error,
-        Fault::Passing(reason) => format!("Neo4j at {server} is too busy: {reason}"),
-        Fault::Broken => format!("the connection to Neo4j at {server} broke"),
-        Fault::Away => format!("there is no Neo4j at {server}; start it"),
-        Fault::Silent => format!("Neo4j at {server} did not answer within {} s", at_most.as_secs()),
+        Neo4jFault::Said(error) => return error,
+        Neo4jFault::Passing(reason) => format!("Neo4j at {server} is too busy: {reason}"),
+        Neo4jFault::Broken => format!("the connection to Neo4j at {server} broke"),
+        Neo4jFault::Away => format!("there is no Neo4j at {server}; start it"),
+        Neo4jFault::Silent => format!("Neo4j at {server} did not answer within {} s", at_most.as_secs()),
     };
     StoreError::Unavailable(why)
 }

@@ -1,9 +1,9 @@
 //! The knowledge in a library of graphs, asked of the graph.
 
-use super::link::{Link, Params};
+use super::link::{Neo4jConnections, StatementParams};
 use super::nodes::with_relationships;
 use crate::usage::in_order;
-use crate::{Contested, Driver, Similar, StoreError, Used};
+use crate::{ActionDriver, Contested, HelperUse, Similar, StoreError};
 use behaviour::{Id, Kind, RecordId, calls_helper};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -48,7 +48,7 @@ RETURN p.id AS behaviour, coalesce(p.name, '') AS name, count(DISTINCT d) AS sha
 ORDER BY shared DESC, behaviour LIMIT $most";
 
 #[derive(Deserialize)]
-struct User {
+struct InsightUser {
     behaviour: Id,
     program: String,
     id: Id,
@@ -57,16 +57,16 @@ struct User {
     helper: Option<String>,
 }
 
-impl User {
+impl InsightUser {
     fn uses(&self, helper: &str) -> bool {
         let itself = self.name.as_deref() == Some(helper);
         self.helper.is_some() || (!itself && self.body.as_deref().is_some_and(|body| calls_helper(body, helper)))
     }
 
-    fn usage(self) -> Used {
+    fn usage(self) -> HelperUse {
         let kind = if self.name.is_some() { Kind::Helper } else { Kind::Connector };
         let (name, record) = (self.name.unwrap_or(self.program), RecordId::new(kind, &self.id));
-        Used { behaviour: self.behaviour, name, record, through: None }
+        HelperUse { behaviour: self.behaviour, name, record, through: None }
     }
 }
 
@@ -78,7 +78,7 @@ struct Driving {
 }
 
 #[derive(Deserialize)]
-struct Shared {
+struct InsightShared {
     actuator: String,
     behaviours: Vec<(Id, String)>,
     count: u64,
@@ -91,7 +91,7 @@ struct Alike {
     shared: u32,
 }
 
-fn params<const N: usize>(params: [(&str, Value); N]) -> Params {
+fn params<const N: usize>(params: [(&str, Value); N]) -> StatementParams {
     params.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
@@ -101,22 +101,22 @@ fn is_word(text: &str) -> bool {
 }
 
 /// Returns the direct users of a helper.
-pub(super) async fn users(link: &Link, helper: &str) -> Result<Vec<Used>, StoreError> {
+pub(super) async fn users(link: &Neo4jConnections, helper: &str) -> Result<Vec<HelperUse>, StoreError> {
     // What is no word is in no index; neither is a blank, but the index must be asked for something.
     let quoted = if is_word(helper) { format!("\"{helper}\"") } else { "\"-\"".to_owned() };
-    let found = link.read::<User>(USERS, params([("helper", json!(helper)), ("quoted", json!(quoted))])).await?;
-    Ok(in_order(found.into_iter().filter(|user| user.uses(helper)).map(User::usage).collect()))
+    let found = link.read::<InsightUser>(USERS, params([("helper", json!(helper)), ("quoted", json!(quoted))])).await?;
+    Ok(in_order(found.into_iter().filter(|user| user.uses(helper)).map(InsightUser::usage).collect()))
 }
 
 /// Returns the behaviours that drive an action, and from which sensors.
-pub(super) async fn drivers(link: &Link, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+pub(super) async fn drivers(link: &Neo4jConnections, actuator: &str) -> Result<Vec<ActionDriver>, StoreError> {
     let rows = link.read::<Driving>(&with_relationships(DRIVERS), params([("actuator", json!(actuator))])).await?;
     let mut drivers: BTreeMap<Id, (String, BTreeSet<String>)> = BTreeMap::new();
     for row in rows {
         let entry = drivers.entry(row.behaviour).or_insert_with(|| (row.name, BTreeSet::new()));
         entry.1.extend(row.sensors);
     }
-    let driver = |(behaviour, (name, sensors)): (Id, (String, BTreeSet<String>))| Driver {
+    let driver = |(behaviour, (name, sensors)): (Id, (String, BTreeSet<String>))| ActionDriver {
         behaviour,
         name,
         sensors: sensors.into_iter().collect(),
@@ -125,14 +125,14 @@ pub(super) async fn drivers(link: &Link, actuator: &str) -> Result<Vec<Driver>, 
 }
 
 /// Actions that several behaviours drive.
-pub(super) async fn contested(link: &Link) -> Result<Vec<Contested>, StoreError> {
-    let rows = link.read::<Shared>(CONTESTED, params([("shown", json!(Contested::SHOWN_MAX))])).await?;
-    let one = |Shared { actuator, behaviours, count }| Contested { actuator, behaviours, count };
+pub(super) async fn contested(link: &Neo4jConnections) -> Result<Vec<Contested>, StoreError> {
+    let rows = link.read::<InsightShared>(CONTESTED, params([("shown", json!(Contested::SHOWN_MAX))])).await?;
+    let one = |InsightShared { actuator, behaviours, count }| Contested { actuator, behaviours, count };
     Ok(rows.into_iter().map(one).collect())
 }
 
 /// Other behaviours with the same devices.
-pub(super) async fn similar(link: &Link, id: &Id, most: u32) -> Result<Vec<Similar>, StoreError> {
+pub(super) async fn similar(link: &Neo4jConnections, id: &Id, most: u32) -> Result<Vec<Similar>, StoreError> {
     let rows = link.read::<Alike>(SIMILAR, params([("id", json!(id)), ("most", json!(most))])).await?;
     Ok(rows.into_iter().map(|Alike { behaviour, name, shared }| Similar { behaviour, name, shared }).collect())
 }

@@ -1,7 +1,7 @@
 //! The way to the server: every call has an end, and is made again where that is safe.
 
-use super::address::Address;
-use super::fault::{Fault, told};
+use super::address::Neo4jAddress;
+use super::fault::{Neo4jFault, told};
 use crate::StoreError;
 use neo4rs::{BoltType, ConfigBuilder, Graph, query};
 use serde::de::DeserializeOwned;
@@ -21,7 +21,7 @@ const PAUSE_MAX: Duration = Duration::from_millis(320);
 const BROKEN_MAX: u32 = 3;
 
 /// The parameters of a statement.
-pub(super) type Params = Map<String, Value>;
+pub(super) type StatementParams = Map<String, Value>;
 
 /// The way to go on when the connection broke before the answer came.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -33,7 +33,7 @@ pub(super) enum Broken {
 }
 
 /// Connections to one Neo4j.
-pub(super) struct Link {
+pub(super) struct Neo4jConnections {
     graph: Graph,
     server: String,
     answer_max: Duration,
@@ -42,14 +42,14 @@ pub(super) struct Link {
 }
 
 /// The rows that a call found, and whether an earlier attempt of it may have done its work too.
-pub(super) struct Found<T> {
+pub(super) struct FoundRows<T> {
     pub(super) rows: Vec<T>,
     pub(super) open_before: bool,
 }
 
-impl Link {
+impl Neo4jConnections {
     /// A way to the server, where a call may take that long, all attempts together. It connects when first asked.
-    pub(super) fn new(address: &Address, answer_max: Duration) -> Result<Self, StoreError> {
+    pub(super) fn new(address: &Neo4jAddress, answer_max: Duration) -> Result<Self, StoreError> {
         let config = ConfigBuilder::default()
             .uri(&address.server)
             .user(&address.user)
@@ -80,12 +80,16 @@ impl Link {
     }
 
     /// Reads rows.
-    pub(super) async fn read<T: DeserializeOwned>(&self, text: &str, params: Params) -> Result<Vec<T>, StoreError> {
+    pub(super) async fn read<T: DeserializeOwned>(
+        &self,
+        text: &str,
+        params: StatementParams,
+    ) -> Result<Vec<T>, StoreError> {
         Ok(self.ask(text, params, Broken::Again).await?.rows)
     }
 
     /// Says a fault.
-    pub(super) fn told(&self, fault: Fault) -> StoreError {
+    pub(super) fn told(&self, fault: Neo4jFault) -> StoreError {
         told(fault, &self.server, self.answer_max)
     }
 
@@ -93,9 +97,9 @@ impl Link {
     pub(super) async fn ask<T: DeserializeOwned>(
         &self,
         text: &str,
-        params: Params,
+        params: StatementParams,
         broken: Broken,
-    ) -> Result<Found<T>, StoreError> {
+    ) -> Result<FoundRows<T>, StoreError> {
         self.ask_for(self.answer_max, text, params, broken).await
     }
 
@@ -104,28 +108,28 @@ impl Link {
         &self,
         at_most: Duration,
         text: &str,
-        params: Params,
+        params: StatementParams,
         broken: Broken,
-    ) -> Result<Found<T>, StoreError> {
+    ) -> Result<FoundRows<T>, StoreError> {
         let end = Instant::now() + at_most;
         let (mut open_before, mut tries, mut breaks) = (false, 0, 0);
         loop {
             let fault = match timeout_at(end, self.once(text, &params)).await {
-                Ok(Ok(rows)) => return Ok(Found { rows, open_before }),
+                Ok(Ok(rows)) => return Ok(FoundRows { rows, open_before }),
                 Ok(Err(fault)) => fault,
-                Err(_) => Fault::Silent,
+                Err(_) => Neo4jFault::Silent,
             };
-            breaks += u32::from(fault == Fault::Broken);
-            open_before |= fault == Fault::Broken;
+            breaks += u32::from(fault == Neo4jFault::Broken);
+            open_before |= fault == Neo4jFault::Broken;
             let again = match fault {
-                Fault::Passing(_) => true,
-                Fault::Broken => broken == Broken::Again && breaks < BROKEN_MAX,
-                Fault::Away | Fault::Silent | Fault::Said(_) => false,
+                Neo4jFault::Passing(_) => true,
+                Neo4jFault::Broken => broken == Broken::Again && breaks < BROKEN_MAX,
+                Neo4jFault::Away | Neo4jFault::Silent | Neo4jFault::Said(_) => false,
             };
             let pause = self.pause(tries);
             tries += 1;
             if !again || Instant::now() + pause >= end {
-                let away = matches!(fault, Fault::Broken | Fault::Away | Fault::Silent);
+                let away = matches!(fault, Neo4jFault::Broken | Neo4jFault::Away | Neo4jFault::Silent);
                 self.was_away.fetch_or(away, Ordering::Relaxed);
                 return Err(told(fault, &self.server, at_most));
             }
@@ -134,15 +138,15 @@ impl Link {
     }
 
     /// One attempt: the statement, then every row. (Rows left unread would leave errors unread too.)
-    async fn once<T: DeserializeOwned>(&self, text: &str, params: &Params) -> Result<Vec<T>, Fault> {
+    async fn once<T: DeserializeOwned>(&self, text: &str, params: &StatementParams) -> Result<Vec<T>, Neo4jFault> {
         let statement = params.iter().try_fold(query(text), |statement, (name, value)| {
-            Ok::<_, Fault>(statement.param(name, BoltType::try_from(value.clone())?))
+            Ok::<_, Neo4jFault>(statement.param(name, BoltType::try_from(value.clone())?))
         })?;
         let mut stream = self.graph.execute(statement).await?;
         let mut rows = Vec::new();
         while let Some(row) = stream.next().await? {
-            let row: Value = row.to().map_err(|error| Fault::damaged(&error))?;
-            rows.push(serde_json::from_value(row).map_err(|error| Fault::damaged(&error))?);
+            let row: Value = row.to().map_err(|error| Neo4jFault::damaged(&error))?;
+            rows.push(serde_json::from_value(row).map_err(|error| Neo4jFault::damaged(&error))?);
         }
         Ok(rows)
     }

@@ -1,8 +1,8 @@
 //! Pages of behaviours: the statement is put together from fixed pieces, what people write comes as parameters.
 
-use super::link::{Link, Params};
+use super::link::{Neo4jConnections, StatementParams};
 use super::nodes::whole;
-use crate::{Cursor, Listed, Listing, PAGE_MAX_LINES, Place, Query, Sort, StoreError};
+use crate::{Cursor, ListedBehaviour, Listing, PAGE_MAX_LINES, Query, SearchPlace, Sort, StoreError};
 use behaviour::Id;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -12,13 +12,13 @@ const TRIGRAM_CHARS: usize = 3;
 const NAME_ORDER: &str = "p.name_key, p.id";
 
 #[derive(Deserialize)]
-struct Page {
+struct ListPage {
     total: u64,
-    lines: Vec<Line>,
+    lines: Vec<ListLine>,
 }
 
 #[derive(Deserialize)]
-struct Line {
+struct ListLine {
     id: Id,
     name: String,
     revision: u64,
@@ -29,18 +29,18 @@ struct Line {
     tags: Option<Vec<String>>,
 }
 
-impl From<Line> for Listed {
-    fn from(line: Line) -> Self {
-        let Line { id, name, revision, at_ms: changed_ms, by, owner, streams, tags } = line;
+impl From<ListLine> for ListedBehaviour {
+    fn from(line: ListLine) -> Self {
+        let ListLine { id, name, revision, at_ms: changed_ms, by, owner, streams, tags } = line;
         Self { id, name, revision, changed_ms, by, owner, streams, tags: tags.unwrap_or_default() }
     }
 }
 
 /// The label of a place, and its properties for when and by whom.
-fn shelf(place: Place) -> (&'static str, &'static str, &'static str) {
+fn shelf(place: SearchPlace) -> (&'static str, &'static str, &'static str) {
     match place {
-        Place::Here => ("Program", "changed_ms", "by"),
-        Place::Bin => ("Binned", "removed_ms", "removed_by"),
+        SearchPlace::Here => ("Program", "changed_ms", "by"),
+        SearchPlace::Bin => ("Binned", "removed_ms", "removed_by"),
     }
 }
 
@@ -48,11 +48,11 @@ fn shelf(place: Place) -> (&'static str, &'static str, &'static str) {
 fn index(query: &Query, needles: &[String]) -> &'static str {
     let selective = needles.iter().any(|word| word.chars().count() >= TRIGRAM_CHARS);
     match (query.place, query.sort) {
-        (Place::Here, _) if selective => "USING TEXT INDEX p:Program(search)",
-        (Place::Here, Sort::Changed) => "USING INDEX p:Program(changed_ms, id)",
-        (Place::Here, Sort::Name) => "USING INDEX p:Program(name_key, id)",
-        (Place::Bin, Sort::Changed) => "USING INDEX p:Binned(removed_ms, id)",
-        (Place::Bin, Sort::Name) => "",
+        (SearchPlace::Here, _) if selective => "USING TEXT INDEX p:Program(search)",
+        (SearchPlace::Here, Sort::Changed) => "USING INDEX p:Program(changed_ms, id)",
+        (SearchPlace::Here, Sort::Name) => "USING INDEX p:Program(name_key, id)",
+        (SearchPlace::Bin, Sort::Changed) => "USING INDEX p:Binned(removed_ms, id)",
+        (SearchPlace::Bin, Sort::Name) => "",
     }
 }
 
@@ -73,10 +73,10 @@ fn order(query: &Query, at_ms: &str) -> (String, String) {
 }
 
 /// Returns the query for the number of all. Neo4j keeps a count for every label, and the bin is small.
-fn total(place: Place) -> &'static str {
+fn total(place: SearchPlace) -> &'static str {
     match place {
-        Place::Here => "CALL () { MATCH (p:Listed) RETURN count(p) AS total }",
-        Place::Bin => "CALL () { MATCH (p:Binned) WHERE p.name_key IS NOT NULL RETURN count(*) AS total }",
+        SearchPlace::Here => "CALL () { MATCH (p:Listed) RETURN count(p) AS total }",
+        SearchPlace::Bin => "CALL () { MATCH (p:Binned) WHERE p.name_key IS NOT NULL RETURN count(*) AS total }",
     }
 }
 
@@ -101,7 +101,7 @@ fn statement(query: &Query, needles: &[String]) -> String {
     )
 }
 
-fn params(query: &Query, needles: &[String]) -> Params {
+fn params(query: &Query, needles: &[String]) -> StatementParams {
     let most = query.most.min(PAGE_MAX_LINES) + 1;
     let mut params: Vec<(&str, Value)> = vec![("most", json!(most)), ("words", json!(needles))];
     // The longest word is the rarest.
@@ -115,9 +115,9 @@ fn params(query: &Query, needles: &[String]) -> Params {
 }
 
 /// A page of the behaviours that a query finds.
-pub(super) async fn list(link: &Link, query: &Query) -> Result<Listing, StoreError> {
+pub(super) async fn list(link: &Neo4jConnections, query: &Query) -> Result<Listing, StoreError> {
     let needles = query.needles();
-    let page = link.read::<Page>(&statement(query, &needles), params(query, &needles)).await?.pop();
-    let page = page.unwrap_or(Page { total: 0, lines: Vec::new() });
-    Ok(Listing::of(page.lines.into_iter().map(Listed::from).collect(), query, page.total))
+    let page = link.read::<ListPage>(&statement(query, &needles), params(query, &needles)).await?.pop();
+    let page = page.unwrap_or(ListPage { total: 0, lines: Vec::new() });
+    Ok(Listing::of(page.lines.into_iter().map(ListedBehaviour::from).collect(), query, page.total))
 }

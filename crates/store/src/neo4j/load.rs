@@ -1,7 +1,7 @@
 //! Reading a behaviour and its history.
 
-use super::fault::Fault;
-use super::link::{Broken, Link, Params};
+use super::fault::Neo4jFault;
+use super::link::{Broken, Neo4jConnections, StatementParams};
 use super::nodes::{
     ConnectorNode, GroupNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, pad, whole, with_relationships,
 };
@@ -45,7 +45,7 @@ MATCH (o:Op) WHERE o.program_id = $id AND o.revision > $since
 RETURN o.revision AS revision, o.change AS change ORDER BY o.program_id, o.revision LIMIT $most";
 
 #[derive(Deserialize)]
-struct Row {
+struct LoadedRow {
     revision: u64,
     removed_ms: Option<u64>,
     settings: SettingsNode,
@@ -60,26 +60,26 @@ struct Row {
 }
 
 #[derive(Deserialize)]
-struct Made {
+struct MadeRecords {
     revision: u64,
     change: String,
 }
 
 /// The parameters of [`LOAD`].
-pub(super) fn params(id: &str) -> Params {
-    Params::from_iter([("id".to_owned(), json!(id))])
+pub(super) fn params(id: &str) -> StatementParams {
+    StatementParams::from_iter([("id".to_owned(), json!(id))])
 }
 
 /// A behaviour as it is now.
-pub(super) async fn load(link: &Link, id: &Id) -> Result<Option<Loaded>, StoreError> {
-    let found = link.ask::<Row>(&LOAD, params(id.as_str()), Broken::Again).await?;
+pub(super) async fn load(link: &Neo4jConnections, id: &Id) -> Result<Option<Loaded>, StoreError> {
+    let found = link.ask::<LoadedRow>(&LOAD, params(id.as_str()), Broken::Again).await?;
     let Some(row) = found.rows.into_iter().next() else { return Ok(None) };
     let (revision, removed_ms) = (row.revision, row.removed_ms);
     let behaviour = behaviour(row).map_err(|fault| link.told(fault))?;
     Ok(Some(Loaded { behaviour, revision, removed_ms }))
 }
 
-fn behaviour(row: Row) -> Result<Behaviour, Fault> {
+fn behaviour(row: LoadedRow) -> Result<Behaviour, Neo4jFault> {
     let mut behaviour = Behaviour::default();
     let records = &mut behaviour.records;
     records.extend(row.settings.record()?);
@@ -98,16 +98,21 @@ fn behaviour(row: Row) -> Result<Behaviour, Fault> {
 }
 
 /// Changes after a revision, oldest first.
-pub(super) async fn history(link: &Link, id: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
+pub(super) async fn history(
+    link: &Neo4jConnections,
+    id: &Id,
+    since: u64,
+    most: u32,
+) -> Result<Vec<Committed>, StoreError> {
     // No revision is larger than the largest i64.
     let since = i64::try_from(since).unwrap_or(i64::MAX);
     let params = [("id", json!(id)), ("since", json!(since)), ("most", whole(u64::from(most)))];
     let params = params.map(|(name, value)| (name.to_owned(), value)).into_iter().collect();
-    let rows = link.read::<Made>(HISTORY, params).await?;
+    let rows = link.read::<MadeRecords>(HISTORY, params).await?;
     rows.into_iter().map(committed).collect()
 }
 
-fn committed(made: Made) -> Result<Committed, StoreError> {
+fn committed(made: MadeRecords) -> Result<Committed, StoreError> {
     let damaged = |reason: serde_json::Error| {
         StoreError::Damaged(format!("the Neo4j database: change {}: {reason}", made.revision))
     };

@@ -1,6 +1,6 @@
 //! Records as the properties of nodes and relationships, and back.
 
-use super::fault::Fault;
+use super::fault::Neo4jFault;
 use crate::json;
 use crate::usage::words;
 use behaviour::{
@@ -113,8 +113,8 @@ pub(super) fn of_pad(pad: Option<&Pad>) -> serde_json::Result<Value> {
 }
 
 /// The pad as it is read.
-pub(super) fn pad(text: Option<&str>) -> Result<Option<(RecordId, Record)>, Fault> {
-    let pad = text.map(json::decode).transpose().map_err(|reason| Fault::damaged(&reason))?;
+pub(super) fn pad(text: Option<&str>) -> Result<Option<(RecordId, Record)>, Neo4jFault> {
+    let pad = text.map(json::decode).transpose().map_err(|reason| Neo4jFault::damaged(&reason))?;
     Ok(pad.map(|pad| (RecordId::pad(), Record::Pad(pad))))
 }
 
@@ -141,12 +141,12 @@ pub(super) struct SettingsNode {
 
 impl SettingsNode {
     /// The settings, if there are any.
-    pub(super) fn record(self) -> Result<Option<(RecordId, Record)>, Fault> {
+    pub(super) fn record(self) -> Result<Option<(RecordId, Record)>, Neo4jFault> {
         let (Some(name), Some(robot), Some(engine)) = (self.name, self.robot, self.engine_json) else {
             return Ok(None);
         };
         let tags = self.tags.unwrap_or_default();
-        let engine: Engine = json::decode(&engine).map_err(|reason| Fault::damaged(&reason))?;
+        let engine: Engine = json::decode(&engine).map_err(|reason| Neo4jFault::damaged(&reason))?;
         Ok(Some((
             RecordId::settings(),
             Record::Settings(Settings { name, robot, engine, tags, exercise: self.exercise }),
@@ -171,13 +171,13 @@ pub(super) struct StreamNode {
 
 impl StreamNode {
     /// The stream.
-    pub(super) fn record(self) -> Result<(RecordId, Record), Fault> {
+    pub(super) fn record(self) -> Result<(RecordId, Record), Neo4jFault> {
         let params = self.params_json.as_deref().map(json::decode).transpose();
         let stream = Stream {
             kind: self.kind,
             name: self.name,
             device: self.device,
-            params: params.map_err(|reason| Fault::damaged(&reason))?.unwrap_or_default(),
+            params: params.map_err(|reason| Neo4jFault::damaged(&reason))?.unwrap_or_default(),
             order: self.order,
             resources: self.resources,
             priority: self.priority,
@@ -205,8 +205,8 @@ pub(super) struct ConnectorNode {
 
 impl ConnectorNode {
     /// The connector.
-    pub(super) fn record(self) -> Result<(RecordId, Record), Fault> {
-        let wrong = || Fault::damaged(&format!("connector {} has a part too few", self.id));
+    pub(super) fn record(self) -> Result<(RecordId, Record), Neo4jFault> {
+        let wrong = || Neo4jFault::damaged(&format!("connector {} has a part too few", self.id));
         let kept_as = |spec: &&&Spec| spec.graph.label == self.kind || spec.graph.relationship == Some(&self.kind);
         let spec = *connectors::ALL.iter().find(kept_as).ok_or_else(wrong)?;
         let procedure = match (&self.helper, &self.body) {
@@ -215,7 +215,7 @@ impl ConnectorNode {
             (None, None) => None,
         };
         let start = self.start_json.as_deref().map(json::decode).transpose();
-        let start = start.map_err(|reason| Fault::damaged(&reason))?;
+        let start = start.map_err(|reason| Neo4jFault::damaged(&reason))?;
         let parameters = Parameters { procedure, period_ms: self.period_ms, start };
         if spec.lacks(&parameters).is_some() {
             return Err(wrong());

@@ -8,11 +8,11 @@ use tokio::net::{TcpListener, TcpStream};
 
 /// The fate of a statement.
 #[derive(Clone, Debug)]
-pub(super) enum Answer {
+pub(super) enum StatementFate {
     /// One row of these names and values.
-    Row(Vec<(&'static str, Value)>),
+    Row(Vec<(&'static str, RowValue)>),
     /// One row of these names and values, after a while.
-    Late(Duration, Vec<(&'static str, Value)>),
+    Late(Duration, Vec<(&'static str, RowValue)>),
     /// It is refused at once, with this code.
     Refused(&'static str),
     /// It begins well, and fails with this code when its rows are asked for.
@@ -25,7 +25,7 @@ pub(super) enum Answer {
 
 /// A value in a row.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Value {
+pub(super) enum RowValue {
     Null,
     Truth(bool),
     Small(u8),
@@ -34,7 +34,7 @@ pub(super) enum Value {
 
 /// The stage to which a connection gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Door {
+pub(super) enum ConnectStage {
     /// Statements are answered.
     Open,
     /// It is taken, but nothing is said.
@@ -53,9 +53,9 @@ pub(super) struct Peer {
 
 #[derive(Debug)]
 struct Script {
-    door: Door,
-    answers: VecDeque<Answer>,
-    otherwise: Answer,
+    door: ConnectStage,
+    answers: VecDeque<StatementFate>,
+    otherwise: StatementFate,
     statements: usize,
 }
 
@@ -73,7 +73,11 @@ const FAILURE: u8 = 0x7F;
 
 impl Peer {
     /// A server that gives these answers in order, and then the other one for ever.
-    pub(super) async fn start(door: Door, answers: impl IntoIterator<Item = Answer>, otherwise: Answer) -> Self {
+    pub(super) async fn start(
+        door: ConnectStage,
+        answers: impl IntoIterator<Item = StatementFate>,
+        otherwise: StatementFate,
+    ) -> Self {
         let listener = TcpListener::bind("127.0.0.1:0").await.expect("a port");
         let place = listener.local_addr().expect("a place").to_string();
         let answers = answers.into_iter().collect();
@@ -95,16 +99,16 @@ impl Peer {
     }
 
     /// Behaves differently from now on, towards new connections.
-    pub(super) fn set_door(&self, door: Door) {
+    pub(super) fn set_door(&self, door: ConnectStage) {
         self.script.lock().unwrap_or_else(PoisonError::into_inner).door = door;
     }
 }
 
-fn door(script: &Mutex<Script>) -> Door {
+fn door(script: &Mutex<Script>) -> ConnectStage {
     script.lock().unwrap_or_else(PoisonError::into_inner).door
 }
 
-fn next_answer(script: &Mutex<Script>) -> Answer {
+fn next_answer(script: &Mutex<Script>) -> StatementFate {
     let mut script = script.lock().unwrap_or_else(PoisonError::into_inner);
     script.statements += 1;
     script.answers.pop_front().unwrap_or_else(|| script.otherwise.clone())
@@ -120,17 +124,17 @@ async fn serve(mut stream: TcpStream, script: &Mutex<Script>) -> std::io::Result
     let mut hello = [0; 20];
     stream.read_exact(&mut hello).await?;
     assert_eq!(hello[..4], MAGIC, "the other side speaks Bolt");
-    if door(script) == Door::SilentAtAccept {
+    if door(script) == ConnectStage::SilentAtAccept {
         silence().await;
     }
     stream.write_all(&BOLT_4_4).await?;
-    if door(script) == Door::SilentAfterHandshake {
+    if door(script) == ConnectStage::SilentAfterHandshake {
         silence().await;
     }
     let (mut answer, mut ignoring) = (None, false);
     loop {
         match kind_of_next(&mut stream).await? {
-            HELLO if door(script) == Door::WrongPassword => {
+            HELLO if door(script) == ConnectStage::WrongPassword => {
                 say(&mut stream, &failure("Neo.ClientError.Security.Unauthorized")).await?;
             }
             HELLO => say(&mut stream, &hello_back()).await?,
@@ -145,12 +149,14 @@ async fn serve(mut stream: TcpStream, script: &Mutex<Script>) -> std::io::Result
             }
             PULL if ignoring => say(&mut stream, &[0xB0, IGNORED]).await?,
             PULL => match answer.take() {
-                Some(Answer::Row(row) | Answer::Late(_, row)) => give(&mut stream, &row).await?,
-                Some(Answer::Fails(code)) => {
+                Some(StatementFate::Row(row) | StatementFate::Late(_, row)) => give(&mut stream, &row).await?,
+                Some(StatementFate::Fails(code)) => {
                     ignoring = true;
                     say(&mut stream, &failure(code)).await?;
                 }
-                Some(Answer::Closed | Answer::Refused(_) | Answer::Silence) | None => return Ok(()),
+                Some(StatementFate::Closed | StatementFate::Refused(_) | StatementFate::Silence) | None => {
+                    return Ok(());
+                }
             },
             _ => return Ok(()),
         }
@@ -158,19 +164,19 @@ async fn serve(mut stream: TcpStream, script: &Mutex<Script>) -> std::io::Result
 }
 
 /// Answers RUN; true if what follows is to be ignored.
-async fn begin(stream: &mut TcpStream, answer: &Answer) -> std::io::Result<bool> {
+async fn begin(stream: &mut TcpStream, answer: &StatementFate) -> std::io::Result<bool> {
     let names: Vec<&str> = match answer {
-        Answer::Silence => silence().await,
-        Answer::Refused(code) => {
+        StatementFate::Silence => silence().await,
+        StatementFate::Refused(code) => {
             say(stream, &failure(code)).await?;
             return Ok(true);
         }
-        Answer::Late(time, row) => {
+        StatementFate::Late(time, row) => {
             tokio::time::sleep(*time).await;
             row.iter().map(|(name, _)| *name).collect()
         }
-        Answer::Row(row) => row.iter().map(|(name, _)| *name).collect(),
-        Answer::Fails(_) | Answer::Closed => Vec::new(),
+        StatementFate::Row(row) => row.iter().map(|(name, _)| *name).collect(),
+        StatementFate::Fails(_) | StatementFate::Closed => Vec::new(),
     };
     let mut fields = vec![0x90 + u8::try_from(names.len()).expect("few fields")];
     names.iter().for_each(|name| fields.extend(text(name)));
@@ -178,14 +184,14 @@ async fn begin(stream: &mut TcpStream, answer: &Answer) -> std::io::Result<bool>
     Ok(false)
 }
 
-async fn give(stream: &mut TcpStream, row: &[(&str, Value)]) -> std::io::Result<()> {
+async fn give(stream: &mut TcpStream, row: &[(&str, RowValue)]) -> std::io::Result<()> {
     let mut record = vec![0xB1, RECORD, 0x90 + u8::try_from(row.len()).expect("few values")];
     record.extend(row.iter().flat_map(|(_, value)| match value {
-        Value::Null => vec![0xC0],
-        Value::Truth(false) => vec![0xC2],
-        Value::Truth(true) => vec![0xC3],
-        Value::Small(number) => vec![*number],
-        Value::Text(words) => text(words),
+        RowValue::Null => vec![0xC0],
+        RowValue::Truth(false) => vec![0xC2],
+        RowValue::Truth(true) => vec![0xC3],
+        RowValue::Small(number) => vec![*number],
+        RowValue::Text(words) => text(words),
     }));
     say(stream, &record).await?;
     say(stream, &map(SUCCESS, &[("type", text("rw"))])).await

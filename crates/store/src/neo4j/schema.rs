@@ -1,8 +1,8 @@
 //! The schema of a database: numbered Cypher files, each applied once, in order, and recorded with its checksum.
 
-use super::address::Address;
-use super::fault::Fault;
-use super::link::{Broken, Link, Params};
+use super::address::Neo4jAddress;
+use super::fault::Neo4jFault;
+use super::link::{Broken, Neo4jConnections, StatementParams};
 use crate::StoreError;
 use neo4rs::{Txn, query};
 use serde::Deserialize;
@@ -47,10 +47,10 @@ struct Applied {
 /// # Errors
 /// [`StoreError::Newer`] for one with steps that this program does not know, [`StoreError::Unavailable`] for one made
 /// with a step that was edited since, or if Neo4j cannot be used.
-pub(super) async fn migrate(address: &Address) -> Result<(), StoreError> {
+pub(super) async fn migrate(address: &Neo4jAddress) -> Result<(), StoreError> {
     // Its own connections: whatever is left open here ends with them.
-    let link = Link::new(address, STEP_MAX)?;
-    step(&link, RECORDS, Params::new()).await?;
+    let link = Neo4jConnections::new(address, STEP_MAX)?;
+    step(&link, RECORDS, StatementParams::new()).await?;
     if missing(&link).await?.is_empty() {
         return Ok(());
     }
@@ -62,41 +62,41 @@ pub(super) async fn migrate(address: &Address) -> Result<(), StoreError> {
     done
 }
 
-async fn lock(link: &Link) -> Result<Txn, StoreError> {
+async fn lock(link: &Neo4jConnections) -> Result<Txn, StoreError> {
     let locked = async {
         let mut lock = link.graph().start_txn().await?;
         match lock.execute(query(LOCK)).await {
             Ok(mut rows) => while rows.next(lock.handle()).await?.is_some() {},
             Err(error) => {
                 lock.rollback().await?;
-                return Err(Fault::from(error));
+                return Err(Neo4jFault::from(error));
             }
         }
         Ok(lock)
     };
-    let locked = timeout(OTHERS_MAX, locked).await.unwrap_or(Err(Fault::Silent));
+    let locked = timeout(OTHERS_MAX, locked).await.unwrap_or(Err(Neo4jFault::Silent));
     locked.map_err(|fault| link.told(fault))
 }
 
-async fn apply(link: &Link) -> Result<(), StoreError> {
+async fn apply(link: &Neo4jConnections) -> Result<(), StoreError> {
     for (version, name, text) in missing(link).await? {
         for statement in statements(text) {
-            step(link, &statement, Params::new()).await?;
+            step(link, &statement, StatementParams::new()).await?;
         }
-        step(link, "CALL db.awaitIndexes(100)", Params::new()).await?;
+        step(link, "CALL db.awaitIndexes(100)", StatementParams::new()).await?;
         let record = [("version", json!(version)), ("name", json!(name)), ("checksum", json!(checksum(text)))];
         step(link, RECORD, record.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()).await?;
     }
     Ok(())
 }
 
-async fn step(link: &Link, statement: &str, params: Params) -> Result<(), StoreError> {
+async fn step(link: &Neo4jConnections, statement: &str, params: StatementParams) -> Result<(), StoreError> {
     link.ask_for::<Value>(STEP_MAX, statement, params, Broken::Again).await.map(|_| ())
 }
 
 /// The steps that the database lacks, after a look at those that it has.
-async fn missing(link: &Link) -> Result<Vec<(u32, &'static str, &'static str)>, StoreError> {
-    let applied = link.read::<Applied>(APPLIED, Params::new()).await?;
+async fn missing(link: &Neo4jConnections) -> Result<Vec<(u32, &'static str, &'static str)>, StoreError> {
+    let applied = link.read::<Applied>(APPLIED, StatementParams::new()).await?;
     check(&applied)?;
     let steps = (1..).zip(MIGRATIONS).map(|(version, (name, text))| (version, name, text));
     Ok(steps.filter(|(version, ..)| applied.iter().all(|done| done.version != *version)).collect())

@@ -1,8 +1,8 @@
 //! Tests with a server that misbehaves: every call ends, and is made again only where that is safe.
 
-use super::address::Address;
-use super::link::Link;
-use super::peer::{Answer, Door, Peer, Value};
+use super::address::Neo4jAddress;
+use super::link::Neo4jConnections;
+use super::peer::{ConnectStage, Peer, RowValue, StatementFate};
 use super::{append, bin, load};
 use crate::{Append, StoreError, Unkept, json};
 use behaviour::{Behaviour, Change, Committed, Id};
@@ -22,33 +22,33 @@ fn id(text: &str) -> Id {
     Id::new(text).expect("an id")
 }
 
-fn link(peer: &Peer, answer_max: Duration) -> Link {
+fn link(peer: &Peer, answer_max: Duration) -> Neo4jConnections {
     let url = format!("bolt://u:secret@{}", peer.place);
-    Link::new(&Address::read(&url, &|_| None).expect("an address"), answer_max).expect("a link")
+    Neo4jConnections::new(&Neo4jAddress::read(&url, &|_| None).expect("an address"), answer_max).expect("a link")
 }
 
 async fn ends<T>(call: impl Future<Output = T>) -> T {
     tokio::time::timeout(GUARD, call).await.expect("every call ends")
 }
 
-async fn save(link: &Link, revision: u64) -> Result<Append, StoreError> {
+async fn save(link: &Neo4jConnections, revision: u64) -> Result<Append, StoreError> {
     let committed = Committed { revision, change: Change::of(id("op"), "Aiko", "Edit") };
     let json = json::checked(&committed)?;
     ends(append::append(link, &id("b"), &committed, json, &Behaviour::default())).await
 }
 
-fn outcome(head: u8, applied: u8, duplicate: Value) -> Vec<(&'static str, Value)> {
+fn outcome(head: u8, applied: u8, duplicate: RowValue) -> Vec<(&'static str, RowValue)> {
     vec![
-        ("head", Value::Small(head)),
-        ("binned", Value::Truth(false)),
-        ("applied", Value::Small(applied)),
+        ("head", RowValue::Small(head)),
+        ("binned", RowValue::Truth(false)),
+        ("applied", RowValue::Small(applied)),
         ("duplicate", duplicate),
-        ("saved", Value::Text(SAVED)),
+        ("saved", RowValue::Text(SAVED)),
     ]
 }
 
-fn saved() -> Answer {
-    Answer::Row(outcome(0, 1, Value::Null))
+fn saved() -> StatementFate {
+    StatementFate::Row(outcome(0, 1, RowValue::Null))
 }
 
 fn said(answer: Result<Append, StoreError>) -> String {
@@ -60,7 +60,7 @@ fn said(answer: Result<Append, StoreError>) -> String {
 
 #[tokio::test]
 async fn a_server_that_is_silent_holds_nobody_up() {
-    for door in [Door::SilentAtAccept, Door::SilentAfterHandshake] {
+    for door in [ConnectStage::SilentAtAccept, ConnectStage::SilentAfterHandshake] {
         let peer = Peer::start(door, [], saved()).await;
         let link = link(&peer, SOON);
         let told = said(save(&link, 1).await);
@@ -72,19 +72,19 @@ async fn a_server_that_is_silent_holds_nobody_up() {
 
 #[tokio::test]
 async fn a_server_that_speaks_again_is_heard_by_the_same_handle() {
-    let peer = Peer::start(Door::SilentAtAccept, [], saved()).await;
+    let peer = Peer::start(ConnectStage::SilentAtAccept, [], saved()).await;
     let link = link(&peer, Duration::from_secs(2));
     said(save(&link, 1).await);
-    peer.set_door(Door::Open);
+    peer.set_door(ConnectStage::Open);
     assert_eq!(save(&link, 1).await, Ok(Append::Applied));
 }
 
 #[tokio::test]
 async fn a_slow_answer_is_waited_for_within_the_time_of_a_call() {
-    let late = |time| Answer::Late(time, outcome(0, 1, Value::Null));
-    let peer = Peer::start(Door::Open, [late(SOON)], saved()).await;
+    let late = |time| StatementFate::Late(time, outcome(0, 1, RowValue::Null));
+    let peer = Peer::start(ConnectStage::Open, [late(SOON)], saved()).await;
     assert_eq!(save(&link(&peer, LONG), 1).await, Ok(Append::Applied));
-    let peer = Peer::start(Door::Open, [late(LONG), Answer::Silence], saved()).await;
+    let peer = Peer::start(ConnectStage::Open, [late(LONG), StatementFate::Silence], saved()).await;
     let link = link(&peer, Duration::from_secs(2));
     for _ in 0..2 {
         let told = said(save(&link, 1).await);
@@ -95,8 +95,8 @@ async fn a_slow_answer_is_waited_for_within_the_time_of_a_call() {
 
 #[tokio::test]
 async fn a_change_cut_off_at_its_commit_is_settled_by_its_op_id() {
-    let duplicate = Answer::Row(outcome(1, 0, Value::Small(1)));
-    let peer = Peer::start(Door::Open, [Answer::Closed], duplicate).await;
+    let duplicate = StatementFate::Row(outcome(1, 0, RowValue::Small(1)));
+    let peer = Peer::start(ConnectStage::Open, [StatementFate::Closed], duplicate).await;
     let link = link(&peer, LONG);
     assert_eq!(save(&link, 1).await, Ok(Append::Applied), "this very call saved it");
     assert_eq!(save(&link, 1).await, Ok(Append::Duplicate { revision: 1 }), "an earlier call saved it");
@@ -105,7 +105,7 @@ async fn a_change_cut_off_at_its_commit_is_settled_by_its_op_id() {
 
 #[tokio::test]
 async fn a_connection_that_always_breaks_is_told() {
-    let peer = Peer::start(Door::Open, [], Answer::Closed).await;
+    let peer = Peer::start(ConnectStage::Open, [], StatementFate::Closed).await;
     let told = said(save(&link(&peer, LONG), 1).await);
     assert!(told.contains("broke"), "{told}");
     assert!((1..=6).contains(&peer.statements()), "{}", peer.statements());
@@ -113,8 +113,8 @@ async fn a_connection_that_always_breaks_is_told() {
 
 #[tokio::test]
 async fn what_is_not_settled_by_an_op_id_is_not_done_twice() {
-    let row = || Answer::Row(vec![("many", Value::Small(1))]);
-    let peer = Peer::start(Door::Open, [Answer::Closed], row()).await;
+    let row = || StatementFate::Row(vec![("many", RowValue::Small(1))]);
+    let peer = Peer::start(ConnectStage::Open, [StatementFate::Closed], row()).await;
     let link = link(&peer, LONG);
     let cut = ends(bin::next_epoch(&link)).await.expect_err("it may have been done");
     assert!(cut.is_open(), "{cut}");
@@ -124,18 +124,22 @@ async fn what_is_not_settled_by_an_op_id_is_not_done_twice() {
 
 #[tokio::test]
 async fn what_neo4j_undid_is_done_again() {
-    let peer =
-        Peer::start(Door::Open, [Answer::Fails(BUSY), Answer::Refused(BUSY), Answer::Fails(BUSY)], saved()).await;
+    let peer = Peer::start(
+        ConnectStage::Open,
+        [StatementFate::Fails(BUSY), StatementFate::Refused(BUSY), StatementFate::Fails(BUSY)],
+        saved(),
+    )
+    .await;
     assert_eq!(save(&link(&peer, LONG), 1).await, Ok(Append::Applied));
     assert_eq!(peer.statements(), 4);
-    let peer = Peer::start(Door::Open, [], Answer::Fails(BUSY)).await;
+    let peer = Peer::start(ConnectStage::Open, [], StatementFate::Fails(BUSY)).await;
     let told = said(save(&link(&peer, SOON), 1).await);
     assert!(told.contains("too busy") || told.contains("did not answer"), "{told}");
 }
 
 #[tokio::test]
 async fn what_will_never_go_well_is_tried_once() {
-    let peer = Peer::start(Door::Open, [Answer::Fails(ZERO)], saved()).await;
+    let peer = Peer::start(ConnectStage::Open, [StatementFate::Fails(ZERO)], saved()).await;
     let refused = save(&link(&peer, LONG), 1).await.expect_err("a refusal");
     assert_eq!(refused, StoreError::Refused(Unkept::NoStream));
     assert_eq!(peer.statements(), 1);
@@ -143,14 +147,14 @@ async fn what_will_never_go_well_is_tried_once() {
 
 #[tokio::test]
 async fn a_wrong_password_is_told() {
-    let peer = Peer::start(Door::WrongPassword, [], saved()).await;
+    let peer = Peer::start(ConnectStage::WrongPassword, [], saved()).await;
     let told = said(save(&link(&peer, LONG), 1).await);
     assert!(told.contains("refuses this user and password"), "{told}");
 }
 
 #[tokio::test]
 async fn rows_that_cannot_be_ours_are_told() {
-    let peer = Peer::start(Door::Open, [], Answer::Row(vec![("head", Value::Null)])).await;
+    let peer = Peer::start(ConnectStage::Open, [], StatementFate::Row(vec![("head", RowValue::Null)])).await;
     let damaged = save(&link(&peer, LONG), 1).await.expect_err("nonsense");
     assert!(matches!(damaged, StoreError::Damaged(_)), "{damaged}");
 }

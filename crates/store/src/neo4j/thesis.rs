@@ -3,8 +3,8 @@
 //! The thesis prints the labels, the relationships and one query, but not the names of properties: those are recognised
 //! in their likely spellings. What is not recognised stays empty, and is shown as a problem before Start.
 
-use super::address::Address;
-use super::link::{Link, Params};
+use super::address::Neo4jAddress;
+use super::link::{Neo4jConnections, StatementParams};
 use crate::StoreError;
 use behaviour::{
     BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream, StreamKind, connectors, numbered, shown_spellings,
@@ -35,7 +35,7 @@ RETURN id(c) AS id, labels(c) AS labels, c {.*} AS props, inputs, id(b) AS outpu
   'n' AS form ORDER BY id";
 
 #[derive(Deserialize)]
-struct Found {
+struct ThesisFound {
     id: i64,
     #[serde(default)]
     labels: Vec<String>,
@@ -45,7 +45,7 @@ struct Found {
 #[derive(Deserialize)]
 struct FoundConnector {
     #[serde(flatten)]
-    found: Found,
+    found: ThesisFound,
     inputs: Vec<i64>,
     output: i64,
     helper: Option<Map<String, Value>>,
@@ -59,11 +59,11 @@ struct FoundConnector {
 /// [`StoreError::Address`] for an address that cannot be understood, [`StoreError::Unavailable`] if the database cannot
 /// be read.
 pub async fn read_thesis(url: &str) -> Result<Vec<BehaviourFile>, StoreError> {
-    let link = Link::new(&Address::read(url, &|name| std::env::var(name).ok())?, ANSWER_MAX)?;
-    let programs: Vec<Found> = link.read(PROGRAMS, Params::new()).await?;
+    let link = Neo4jConnections::new(&Neo4jAddress::read(url, &|name| std::env::var(name).ok())?, ANSWER_MAX)?;
+    let programs: Vec<ThesisFound> = link.read(PROGRAMS, StatementParams::new()).await?;
     let mut files = Vec::new();
     for program in programs {
-        let id = Params::from_iter([("id".to_owned(), json!(program.id))]);
+        let id = StatementParams::from_iter([("id".to_owned(), json!(program.id))]);
         let streams = link.read(STREAMS, id.clone()).await?;
         let mut connectors: Vec<FoundConnector> = link.read(SIMPLE, id.clone()).await?;
         connectors.extend(link.read::<FoundConnector>(NODES, id).await?);
@@ -72,7 +72,7 @@ pub async fn read_thesis(url: &str) -> Result<Vec<BehaviourFile>, StoreError> {
     Ok(files)
 }
 
-fn file(program: &Found, streams: &[Found], connectors: &[FoundConnector]) -> BehaviourFile {
+fn file(program: &ThesisFound, streams: &[ThesisFound], connectors: &[FoundConnector]) -> BehaviourFile {
     let names = free_names(streams);
     let mut helpers = BTreeMap::new();
     for helper in connectors.iter().filter_map(|connector| connector.helper.as_ref()) {
@@ -100,7 +100,7 @@ fn file(program: &Found, streams: &[Found], connectors: &[FoundConnector]) -> Be
 }
 
 /// The name of every stream; one that has none, or another's, gets a number.
-fn free_names(streams: &[Found]) -> BTreeMap<i64, String> {
+fn free_names(streams: &[ThesisFound]) -> BTreeMap<i64, String> {
     let (mut names, mut used) = (BTreeMap::new(), BTreeSet::new());
     for stream in streams {
         let wanted = text(&stream.props, &["name", "title"]).unwrap_or_else(|| "Stream".to_owned());
@@ -116,7 +116,7 @@ fn stream_id(id: i64) -> String {
     format!("s{id}")
 }
 
-fn file_stream(stream: &Found, names: &BTreeMap<i64, String>) -> FileStream {
+fn file_stream(stream: &ThesisFound, names: &BTreeMap<i64, String>) -> FileStream {
     let kind = kind(stream);
     let device = text(&stream.props, &["device", "sensor", "actuator", "class", "module"]);
     let name = names.get(&stream.id).cloned().unwrap_or_default();
@@ -132,7 +132,7 @@ fn file_stream(stream: &Found, names: &BTreeMap<i64, String>) -> FileStream {
     }
 }
 
-fn kind(stream: &Found) -> StreamKind {
+fn kind(stream: &ThesisFound) -> StreamKind {
     let said = text(&stream.props, &["kind", "type"]);
     let words: Vec<String> = stream.labels.iter().chain(&said).map(|word| word.to_lowercase()).collect();
     let says = |kind: &str| words.iter().any(|word| word.contains(kind));
@@ -143,7 +143,7 @@ fn kind(stream: &Found) -> StreamKind {
     }
 }
 
-fn place(stream: &Found) -> Option<(String, behaviour::Place)> {
+fn place(stream: &ThesisFound) -> Option<(String, behaviour::Place)> {
     let number = |names: [&str; 2]| names.iter().find_map(|name| stream.props.get(*name)?.as_f64());
     Some((stream_id(stream.id), behaviour::Place { x: number(["x", "left"])?, y: number(["y", "top"])? }))
 }

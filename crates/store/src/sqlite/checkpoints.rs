@@ -1,6 +1,6 @@
 //! Revisions with a name, in the tables.
 
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use super::write::{head, kept, read};
 use crate::checkpoints::in_order;
 use behaviour::{Checkpoint, Id};
@@ -11,14 +11,14 @@ fn checkpoint(row: &Row) -> rusqlite::Result<Checkpoint> {
 }
 
 /// All of a behaviour.
-pub(super) fn all(at: &Connection, id: &Id) -> Result<Vec<Checkpoint>, Fault> {
+pub(super) fn all(at: &Connection, id: &Id) -> Result<Vec<Checkpoint>, SqliteFault> {
     let mut query = at.prepare_cached("SELECT name, revision, by, at_ms FROM checkpoint WHERE behaviour = ?1")?;
     let found = query.query_map([id.as_str()], checkpoint)?.collect::<rusqlite::Result<Vec<_>>>()?;
     Ok(in_order(found))
 }
 
 /// Keeps one, unless another one has its name or its revision is not there.
-pub(super) fn keep(at: &Connection, id: &Id, wanted: &Checkpoint) -> Result<bool, Fault> {
+pub(super) fn keep(at: &Connection, id: &Id, wanted: &Checkpoint) -> Result<bool, SqliteFault> {
     let mut query =
         at.prepare_cached("SELECT name, revision, by, at_ms FROM checkpoint WHERE behaviour = ?1 AND name = ?2")?;
     if let Some(there) = query.query_row([id.as_str(), &wanted.name], checkpoint).optional()? {
@@ -33,7 +33,7 @@ pub(super) fn keep(at: &Connection, id: &Id, wanted: &Checkpoint) -> Result<bool
 }
 
 /// Lets one go.
-pub(super) fn drop(at: &Connection, id: &Id, name: &str) -> Result<(), Fault> {
+pub(super) fn drop(at: &Connection, id: &Id, name: &str) -> Result<(), SqliteFault> {
     let mut gone = at.prepare_cached("DELETE FROM checkpoint WHERE behaviour = ?1 AND name = ?2")?;
     gone.execute([id.as_str(), name])?;
     Ok(())

@@ -1,6 +1,6 @@
 //! Opens the database in the data directory, and looks whether it is whole.
 
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use super::schema;
 use crate::{StoreError, disk};
 use rusqlite::config::DbConfig;
@@ -27,7 +27,7 @@ pub(super) fn database(data_dir: &Path) -> PathBuf {
 }
 
 /// The one connection that writes, to a database that is whole and up to date.
-pub(super) fn writer(file: &Path) -> Result<Connection, Fault> {
+pub(super) fn writer(file: &Path) -> Result<Connection, SqliteFault> {
     check_not_cut_off(file)?;
     // SQLite gives the files beside it the rights that this one has.
     disk::private().create(true).truncate(false).open(file).map_err(|error| disk::told(file, &error))?;
@@ -45,7 +45,7 @@ pub(super) fn writer(file: &Path) -> Result<Connection, Fault> {
 }
 
 /// A connection that only reads.
-pub(super) fn reader(file: &Path) -> Result<Connection, Fault> {
+pub(super) fn reader(file: &Path) -> Result<Connection, SqliteFault> {
     let at = Connection::open_with_flags(file, flags(OpenFlags::SQLITE_OPEN_READ_ONLY))?;
     at.busy_timeout(OTHERS_MAX)?;
     at.execute_batch(READER)?;
@@ -53,7 +53,7 @@ pub(super) fn reader(file: &Path) -> Result<Connection, Fault> {
 }
 
 /// The one connection there is on a full disk. It reads the log too, but needs no new file and folds nothing in.
-pub(super) fn alone(file: &Path) -> Result<Connection, Fault> {
+pub(super) fn alone(file: &Path) -> Result<Connection, SqliteFault> {
     check_not_cut_off(file)?;
     let at = Connection::open_with_flags(file, flags(OpenFlags::SQLITE_OPEN_READ_WRITE))?;
     at.set_db_config(DbConfig::SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, true)?;
@@ -62,12 +62,12 @@ pub(super) fn alone(file: &Path) -> Result<Connection, Fault> {
     match looked {
         Ok(()) => Ok(at),
         // Not even the name of a log could be made; without a log the database is all there is.
-        Err(Fault::Sql(_)) if length(&log(file)) == 0 => without_log(file),
+        Err(SqliteFault::Sql(_)) if length(&log(file)) == 0 => without_log(file),
         Err(fault) => Err(fault),
     }
 }
 
-fn without_log(file: &Path) -> Result<Connection, Fault> {
+fn without_log(file: &Path) -> Result<Connection, SqliteFault> {
     let how = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"/-_.".contains(&byte);
     let letter = |byte: u8| if plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") };
@@ -84,11 +84,11 @@ fn flags(how: OpenFlags) -> OpenFlags {
 }
 
 /// SQLite takes a file without a whole page for a new database and drops its log; we do not.
-fn check_not_cut_off(file: &Path) -> Result<(), Fault> {
+fn check_not_cut_off(file: &Path) -> Result<(), SqliteFault> {
     match (length(file), length(&log(file))) {
         (0, 0) | (PAGE_MIN_BYTES.., _) => Ok(()),
-        (0, _) => Err(Fault::Content("it is empty, but its log is not".to_owned())),
-        (some, _) => Err(Fault::Content(format!("only {some} bytes of it are left"))),
+        (0, _) => Err(SqliteFault::Content("it is empty, but its log is not".to_owned())),
+        (some, _) => Err(SqliteFault::Content(format!("only {some} bytes of it are left"))),
     }
 }
 
@@ -100,9 +100,9 @@ fn length(path: &Path) -> u64 {
     std::fs::metadata(path).map_or(0, |about| about.len())
 }
 
-fn check_whole(at: &Connection) -> Result<(), Fault> {
+fn check_whole(at: &Connection) -> Result<(), SqliteFault> {
     let found: String = at.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
-    if found == "ok" { Ok(()) } else { Err(Fault::Content(found.replace('\n', " "))) }
+    if found == "ok" { Ok(()) } else { Err(SqliteFault::Content(found.replace('\n', " "))) }
 }
 
 /// Makes the names of new files survive a power cut, where a directory can be synced at all.

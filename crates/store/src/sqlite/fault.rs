@@ -10,7 +10,7 @@ const IOERR_SHMSIZE: i32 = 10 | (19 << 8);
 
 /// The reasons why a piece of work in the database failed.
 #[derive(Debug)]
-pub(super) enum Fault {
+pub(super) enum SqliteFault {
     /// SQLite says so.
     Sql(rusqlite::Error),
     /// The content that was read is not what was written.
@@ -19,19 +19,19 @@ pub(super) enum Fault {
     Said(StoreError),
 }
 
-impl From<rusqlite::Error> for Fault {
+impl From<rusqlite::Error> for SqliteFault {
     fn from(error: rusqlite::Error) -> Self {
         Self::Sql(error)
     }
 }
 
-impl From<StoreError> for Fault {
+impl From<StoreError> for SqliteFault {
     fn from(error: StoreError) -> Self {
         Self::Said(error)
     }
 }
 
-impl Fault {
+impl SqliteFault {
     /// Returns the fault of content that is not what was written, for this reason.
     pub(super) fn content(reason: &impl Display) -> Self {
         Self::Content(reason.to_string())

@@ -1,25 +1,25 @@
 //! The knowledge in the library of graphs, from the table of devices and the graphs themselves.
 
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use super::read::{self, id};
 use crate::insight::sensors_of;
-use crate::{Contested, Driver, Similar};
+use crate::{ActionDriver, Contested, Similar};
 use behaviour::Id;
 use rusqlite::{Connection, params};
 
 /// Returns the behaviours that drive an action, and from which sensor streams.
-pub(super) fn drivers(at: &Connection, actuator: &str) -> Result<Vec<Driver>, Fault> {
+pub(super) fn drivers(at: &Connection, actuator: &str) -> Result<Vec<ActionDriver>, SqliteFault> {
     let mut drivers = Vec::new();
     for (behaviour, name) in driving(at, actuator, u32::MAX)? {
         let loaded = read::load(at, &behaviour)?;
         if let Some(sensors) = loaded.and_then(|loaded| sensors_of(&loaded.behaviour, actuator)) {
-            drivers.push(Driver { behaviour, name, sensors });
+            drivers.push(ActionDriver { behaviour, name, sensors });
         }
     }
     Ok(drivers)
 }
 
-fn driving(at: &Connection, actuator: &str, most: u32) -> Result<Vec<(Id, String)>, Fault> {
+fn driving(at: &Connection, actuator: &str, most: u32) -> Result<Vec<(Id, String)>, SqliteFault> {
     let mut query = at.prepare_cached(
         "SELECT DISTINCT behaviour.id, coalesce(behaviour.name, '') FROM device \
          JOIN behaviour ON behaviour.id = device.behaviour \
@@ -35,7 +35,7 @@ fn driving(at: &Connection, actuator: &str, most: u32) -> Result<Vec<(Id, String
 }
 
 /// Actions that several behaviours drive.
-pub(super) fn contested(at: &Connection) -> Result<Vec<Contested>, Fault> {
+pub(super) fn contested(at: &Connection) -> Result<Vec<Contested>, SqliteFault> {
     let mut query = at.prepare_cached(
         "SELECT device.name, count(DISTINCT behaviour.id) FROM device \
          JOIN behaviour ON behaviour.id = device.behaviour \
@@ -54,7 +54,7 @@ pub(super) fn contested(at: &Connection) -> Result<Vec<Contested>, Fault> {
 }
 
 /// Returns the behaviours that use the same senses and actions.
-pub(super) fn similar(at: &Connection, this: &Id, most: u32) -> Result<Vec<Similar>, Fault> {
+pub(super) fn similar(at: &Connection, this: &Id, most: u32) -> Result<Vec<Similar>, SqliteFault> {
     let mut query = at.prepare_cached(
         "WITH mine AS (SELECT DISTINCT kind, name FROM device WHERE behaviour = ?1), \
          theirs AS (SELECT DISTINCT device.behaviour, device.kind, device.name FROM mine JOIN device USING (kind, name)) \

@@ -1,9 +1,9 @@
 //! A page of the list, read with the index that has its order.
 
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use super::read::id;
 use super::write::{kept, read};
-use crate::{Listed, Listing, PAGE_MAX_LINES, Place, Query, Sort, json};
+use crate::{ListedBehaviour, Listing, PAGE_MAX_LINES, Query, SearchPlace, Sort, json};
 use rusqlite::types::Value;
 use rusqlite::{Connection, Row, params_from_iter};
 
@@ -11,8 +11,8 @@ use rusqlite::{Connection, Row, params_from_iter};
 const LETTERS: usize = 3;
 
 /// A page.
-pub(super) fn list(at: &Connection, query: &Query) -> Result<Listing, Fault> {
-    let mut asked = Asked::new(query.place);
+pub(super) fn list(at: &Connection, query: &Query) -> Result<Listing, SqliteFault> {
+    let mut asked = ListStatement::new(query.place);
     asked.words(query);
     asked.owner(query);
     asked.tag(query);
@@ -27,24 +27,24 @@ pub(super) fn list(at: &Connection, query: &Query) -> Result<Listing, Fault> {
     Ok(Listing::of(lines, query, total(at, query.place)?))
 }
 
-fn total(at: &Connection, place: Place) -> Result<u64, Fault> {
+fn total(at: &Connection, place: SearchPlace) -> Result<u64, SqliteFault> {
     let place = match place {
-        Place::Here => "here",
-        Place::Bin => "bin",
+        SearchPlace::Here => "here",
+        SearchPlace::Bin => "bin",
     };
     let mut query = at.prepare_cached("SELECT count FROM tally WHERE place = ?1")?;
     Ok(read(query.query_row([place], |row| row.get(0))?))
 }
 
-fn there(place: Place) -> &'static str {
+fn there(place: SearchPlace) -> &'static str {
     match place {
-        Place::Here => "removed_ms IS NULL AND name IS NOT NULL",
-        Place::Bin => "removed_ms IS NOT NULL AND name IS NOT NULL",
+        SearchPlace::Here => "removed_ms IS NULL AND name IS NOT NULL",
+        SearchPlace::Bin => "removed_ms IS NOT NULL AND name IS NOT NULL",
     }
 }
 
-fn line(row: &Row) -> Result<Listed, Fault> {
-    Ok(Listed {
+fn line(row: &Row) -> Result<ListedBehaviour, SqliteFault> {
+    Ok(ListedBehaviour {
         id: id(row, 0)?,
         name: row.get(1)?,
         revision: read(row.get(2)?),
@@ -52,23 +52,23 @@ fn line(row: &Row) -> Result<Listed, Fault> {
         changed_ms: read(row.get(4)?),
         by: row.get(5)?,
         owner: row.get(6)?,
-        tags: json::decode(&row.get::<_, String>(7)?).map_err(|reason| Fault::content(&reason))?,
+        tags: json::decode(&row.get::<_, String>(7)?).map_err(|reason| SqliteFault::content(&reason))?,
     })
 }
 
 /// A statement on its way: conditions and their values.
-struct Asked {
+struct ListStatement {
     time: &'static str,
     by: &'static str,
     conditions: String,
     values: Vec<Value>,
 }
 
-impl Asked {
-    fn new(place: Place) -> Self {
+impl ListStatement {
+    fn new(place: SearchPlace) -> Self {
         let (time, by) = match place {
-            Place::Here => ("changed_ms", "by"),
-            Place::Bin => ("removed_ms", "removed_by"),
+            SearchPlace::Here => ("changed_ms", "by"),
+            SearchPlace::Bin => ("removed_ms", "removed_by"),
         };
         Self { time, by, conditions: there(place).to_owned(), values: Vec::new() }
     }

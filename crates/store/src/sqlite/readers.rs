@@ -1,7 +1,7 @@
 //! A few connections that read, each in a thread that may block.
 
 use super::connect;
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use crate::StoreError;
 use rusqlite::Connection;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ struct Free {
 
 impl Free {
     /// All connections, beside one that writes.
-    fn beside_a_writer(file: &Path) -> Result<Self, Fault> {
+    fn beside_a_writer(file: &Path) -> Result<Self, SqliteFault> {
         let connections = (0..READERS).map(|_| connect::reader(file)).collect::<Result<_, _>>()?;
         Ok(Self { alone: false, connections })
     }
@@ -37,13 +37,13 @@ impl Free {
 
 impl Readers {
     /// Opens them all.
-    pub(super) fn open(file: PathBuf) -> Result<Self, Fault> {
+    pub(super) fn open(file: PathBuf) -> Result<Self, SqliteFault> {
         let free = Mutex::new(Free::beside_a_writer(&file)?);
         Ok(Self { file, free, places: Arc::new(Semaphore::new(READERS)) })
     }
 
     /// Opens the one that can read on a full disk.
-    pub(super) fn alone(file: PathBuf) -> Result<Self, Fault> {
+    pub(super) fn alone(file: PathBuf) -> Result<Self, SqliteFault> {
         let free = Mutex::new(Free { alone: true, connections: vec![connect::alone(&file)?] });
         Ok(Self { file, free, places: Arc::new(Semaphore::new(1)) })
     }
@@ -88,7 +88,7 @@ impl Readers {
     pub(super) async fn ask<T, F>(self: &Arc<Self>, work: F) -> Result<T, StoreError>
     where
         T: Send + 'static,
-        F: FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
+        F: FnOnce(&Connection) -> Result<T, SqliteFault> + Send + 'static,
     {
         let readers = Arc::clone(self);
         let asked = async {
@@ -107,14 +107,14 @@ impl Readers {
         Arc::clone(&self.places).acquire_owned().await.map_err(|error| failed(&error))
     }
 
-    fn read<T>(&self, work: impl FnOnce(&Connection) -> Result<T, Fault>) -> Result<T, StoreError> {
+    fn read<T>(&self, work: impl FnOnce(&Connection) -> Result<T, SqliteFault>) -> Result<T, StoreError> {
         let at = self.take().map_err(|fault| fault.told(&self.file))?;
-        let found = at.unchecked_transaction().map_err(Fault::from).and_then(|moment| work(&moment));
+        let found = at.unchecked_transaction().map_err(SqliteFault::from).and_then(|moment| work(&moment));
         self.free().connections.push(at);
         found.map_err(|fault| fault.told(&self.file))
     }
 
-    fn take(&self) -> Result<Connection, Fault> {
+    fn take(&self) -> Result<Connection, SqliteFault> {
         let (alone, free) = {
             let mut free = self.free();
             (free.alone, free.connections.pop())

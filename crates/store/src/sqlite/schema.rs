@@ -1,6 +1,6 @@
 //! The tables of the embedded store: numbered SQL files, each applied once, in order.
 
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use super::{read, write};
 use crate::StoreError;
 use rusqlite::{Connection, TransactionBehavior};
@@ -19,7 +19,7 @@ const MIGRATIONS: [&str; 5] = [
 const DERIVED_SINCE: usize = 2;
 
 /// Brings the tables up to date, all steps or none.
-pub(super) fn migrate(at: &mut Connection) -> Result<(), Fault> {
+pub(super) fn migrate(at: &mut Connection) -> Result<(), SqliteFault> {
     let known = MIGRATIONS.len();
     let step = at.transaction_with_behavior(TransactionBehavior::Immediate)?;
     let found = version(&step)?;
@@ -40,7 +40,7 @@ pub(super) fn migrate(at: &mut Connection) -> Result<(), Fault> {
 }
 
 /// Checks that the tables can be read as they are.
-pub(super) fn check(at: &Connection) -> Result<(), Fault> {
+pub(super) fn check(at: &Connection) -> Result<(), SqliteFault> {
     match version(at)? {
         found if found == MIGRATIONS.len() => Ok(()),
         found if found > MIGRATIONS.len() => Err(newer(found).into()),
@@ -49,7 +49,7 @@ pub(super) fn check(at: &Connection) -> Result<(), Fault> {
 }
 
 /// Fills what is derived from the records, for every behaviour.
-fn derive_all(at: &Connection) -> Result<(), Fault> {
+fn derive_all(at: &Connection) -> Result<(), SqliteFault> {
     for id in read::ids(at)? {
         let Some(loaded) = read::load(at, &id)? else { continue };
         let first = read::history(at, &id, 0, 1)?.pop();
@@ -59,12 +59,12 @@ fn derive_all(at: &Connection) -> Result<(), Fault> {
     Ok(())
 }
 
-fn version(at: &Connection) -> Result<usize, Fault> {
+fn version(at: &Connection) -> Result<usize, SqliteFault> {
     if !at.table_exists(None, "meta")? {
         return Ok(0);
     }
     let version: i64 = at.query_row("SELECT schema_version FROM meta", [], |row| row.get(0))?;
-    usize::try_from(version).map_err(|_| Fault::Content(format!("there is no schema version {version}")))
+    usize::try_from(version).map_err(|_| SqliteFault::Content(format!("there is no schema version {version}")))
 }
 
 fn newer(found: usize) -> StoreError {

@@ -1,7 +1,7 @@
 //! The contract on both stores, and what only the embedded store promises.
 
-use super::write::{self, Ready};
-use super::writer::Writer;
+use super::write::{self, PreparedChange};
+use super::writer::SqliteWriter;
 use super::{SqliteStore, connect, open, read};
 use crate::{Append, MemoryStore, Query, Store, StoreError, contract, json};
 use behaviour::{Behaviour, Change, Checkpoint, Committed, Id, Kind, Note, Record, RecordId};
@@ -21,7 +21,7 @@ fn committed(revision: u64, text: &str) -> Committed {
     Committed { revision, change: change.put(&Default::default(), key, note) }
 }
 
-fn writing(store: &SqliteStore) -> &Writer {
+fn writing(store: &SqliteStore) -> &SqliteWriter {
     store.writer().expect("it can write")
 }
 
@@ -212,7 +212,7 @@ async fn one_job_that_fails_spoils_no_other_in_its_transaction() {
         Ok(())
     });
     let append = |name: &str, revision| {
-        let ready = Ready::new(committed(revision, "x"), Behaviour::default());
+        let ready = PreparedChange::new(committed(revision, "x"), Behaviour::default());
         let (name, ready) = (id(name), ready.expect("it can be kept"));
         writing(&store).ask(move |at| write::append(at, &name, &ready))
     };

@@ -1,6 +1,6 @@
 //! The work of the writing thread in the tables.
 
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use crate::query::name_key;
 use crate::usage::words;
 use crate::{Append, LIBRARY, StoreError, json, search_text};
@@ -8,13 +8,13 @@ use behaviour::{Behaviour, Change, Committed, Edit, Id, Kind, StreamKind};
 use rusqlite::{Connection, OptionalExtension, params};
 
 /// A change made ready to be saved: everything that needs no database is done.
-pub(super) struct Ready {
+pub(super) struct PreparedChange {
     committed: Committed,
     json: String,
     after: Option<Behaviour>,
 }
 
-impl Ready {
+impl PreparedChange {
     /// Checks and encodes a change.
     pub(super) fn new(committed: Committed, after: Behaviour) -> Result<Self, StoreError> {
         let json = json::checked(&committed)?;
@@ -44,7 +44,7 @@ pub(super) fn read(number: i64) -> u64 {
 }
 
 /// Saves a change, unless it was saved before or is not the next one.
-pub(super) fn append(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, Fault> {
+pub(super) fn append(at: &Connection, id: &Id, ready: &PreparedChange) -> Result<Append, SqliteFault> {
     let answer = put(at, id, ready)?;
     if let (Append::Applied, Some(after)) = (&answer, &ready.after) {
         put_derived(at, id, after)?;
@@ -53,7 +53,7 @@ pub(super) fn append(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, 
 }
 
 /// Keeps a change, but not yet what lists show.
-fn put(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, Fault> {
+fn put(at: &Connection, id: &Id, ready: &PreparedChange) -> Result<Append, SqliteFault> {
     let committed = &ready.committed;
     if let Some((revision, saved)) = made_by(at, id, &committed.change.op)? {
         return Ok(Append::again(&committed.change, &saved, revision));
@@ -77,7 +77,7 @@ fn put(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, Fault> {
 }
 
 /// Keeps changes that follow each other, up to the first that is not applied. What lists show is taken from the last.
-pub(super) fn append_all(at: &Connection, id: &Id, all: &[Ready]) -> Result<Vec<Append>, Fault> {
+pub(super) fn append_all(at: &Connection, id: &Id, all: &[PreparedChange]) -> Result<Vec<Append>, SqliteFault> {
     let (mut answers, mut newest) = (Vec::new(), None);
     for ready in all {
         answers.push(put(at, id, ready)?);
@@ -93,21 +93,22 @@ pub(super) fn append_all(at: &Connection, id: &Id, all: &[Ready]) -> Result<Vec<
 }
 
 /// The change that has this op id, and its revision.
-fn made_by(at: &Connection, id: &Id, op: &Id) -> Result<Option<(u64, Change)>, Fault> {
+fn made_by(at: &Connection, id: &Id, op: &Id) -> Result<Option<(u64, Change)>, SqliteFault> {
     let mut query = at.prepare_cached("SELECT revision, json FROM op WHERE behaviour = ?1 AND op_id = ?2")?;
     let found = query.query_row([id.as_str(), op.as_str()], |row| Ok((row.get(0)?, row.get::<_, String>(1)?)));
     let Some((revision, text)) = found.optional()? else { return Ok(None) };
-    let change = json::decode(&text).map_err(|error| Fault::Content(format!("change {revision} of {id}: {error}")))?;
+    let change =
+        json::decode(&text).map_err(|error| SqliteFault::Content(format!("change {revision} of {id}: {error}")))?;
     Ok(Some((read(revision), change)))
 }
 
-pub(super) fn head(at: &Connection, id: &Id) -> Result<(u64, bool), Fault> {
+pub(super) fn head(at: &Connection, id: &Id) -> Result<(u64, bool), SqliteFault> {
     let mut query = at.prepare_cached("SELECT revision, removed_ms IS NOT NULL FROM behaviour WHERE id = ?1")?;
     let found = query.query_row([id.as_str()], |row| Ok((read(row.get(0)?), row.get(1)?))).optional()?;
     Ok(found.unwrap_or((0, false)))
 }
 
-fn put_line(at: &Connection, id: &Id, committed: &Committed) -> Result<(), Fault> {
+fn put_line(at: &Connection, id: &Id, committed: &Committed) -> Result<(), SqliteFault> {
     let mut put = at.prepare_cached(
         "INSERT INTO behaviour (id, revision, changed_ms, by, streams) VALUES (?1, ?2, ?3, ?4, 0) \
          ON CONFLICT (id) DO UPDATE SET revision = ?2, changed_ms = ?3, by = ?4",
@@ -117,7 +118,7 @@ fn put_line(at: &Connection, id: &Id, committed: &Committed) -> Result<(), Fault
     Ok(())
 }
 
-fn put_change(at: &Connection, id: &Id, ready: &Ready) -> Result<(), Fault> {
+fn put_change(at: &Connection, id: &Id, ready: &PreparedChange) -> Result<(), SqliteFault> {
     let mut put = at.prepare_cached(
         "INSERT INTO op (behaviour, revision, op_id, author, label, at_ms, json) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
     )?;
@@ -129,7 +130,7 @@ fn put_change(at: &Connection, id: &Id, ready: &Ready) -> Result<(), Fault> {
 }
 
 /// Takes the old record away, with its words, and puts the new one.
-fn put_edit(at: &Connection, id: &Id, revision: u64, edit: &Edit) -> Result<(), Fault> {
+fn put_edit(at: &Connection, id: &Id, revision: u64, edit: &Edit) -> Result<(), SqliteFault> {
     let (behaviour, key) = (id.as_str(), edit.id.to_string());
     at.prepare_cached("DELETE FROM record WHERE behaviour = ?1 AND id = ?2")?.execute([behaviour, &key])?;
     let Some(record) = &edit.after else { return Ok(()) };
@@ -144,13 +145,13 @@ fn put_edit(at: &Connection, id: &Id, revision: u64, edit: &Edit) -> Result<(), 
 }
 
 /// Keeps who made a behaviour.
-pub(super) fn put_owner(at: &Connection, id: &Id, owner: &str) -> Result<(), Fault> {
+pub(super) fn put_owner(at: &Connection, id: &Id, owner: &str) -> Result<(), SqliteFault> {
     at.prepare_cached("UPDATE behaviour SET owner = ?2 WHERE id = ?1")?.execute([id.as_str(), owner])?;
     Ok(())
 }
 
 /// Brings up to date what is derived from all records: name, tags, number of streams, searched text, devices.
-pub(super) fn put_derived(at: &Connection, id: &Id, behaviour: &Behaviour) -> Result<(), Fault> {
+pub(super) fn put_derived(at: &Connection, id: &Id, behaviour: &Behaviour) -> Result<(), SqliteFault> {
     let name = behaviour.settings().map(|settings| settings.name.as_str());
     let tags = behaviour.settings().map_or(&[][..], |settings| &settings.tags);
     let tags = json::encode(&tags).map_err(json::unwritable)?;
@@ -164,7 +165,7 @@ pub(super) fn put_derived(at: &Connection, id: &Id, behaviour: &Behaviour) -> Re
     put_devices(at, id, behaviour)
 }
 
-fn put_devices(at: &Connection, id: &Id, behaviour: &Behaviour) -> Result<(), Fault> {
+fn put_devices(at: &Connection, id: &Id, behaviour: &Behaviour) -> Result<(), SqliteFault> {
     at.prepare_cached("DELETE FROM device WHERE behaviour = ?1")?.execute([id.as_str()])?;
     let mut put = at.prepare_cached("INSERT INTO device (behaviour, kind, name, stream) VALUES (?1, ?2, ?3, ?4)")?;
     for (key, stream) in behaviour.streams() {
@@ -185,37 +186,37 @@ pub(super) fn kind_word(kind: StreamKind) -> &'static str {
 }
 
 /// Moves a behaviour to the bin.
-pub(super) fn remove(at: &Connection, id: &Id, now_ms: u64, by: &str) -> Result<bool, Fault> {
+pub(super) fn remove(at: &Connection, id: &Id, now_ms: u64, by: &str) -> Result<bool, SqliteFault> {
     let sql = "UPDATE behaviour SET removed_ms = ?2, removed_by = ?3 WHERE id = ?1 AND removed_ms IS NULL AND id <> ?4";
     Ok(at.execute(sql, params![id.as_str(), kept(now_ms), by, LIBRARY])? > 0)
 }
 
 /// Takes a behaviour out of the bin.
-pub(super) fn restore(at: &Connection, id: &Id) -> Result<bool, Fault> {
+pub(super) fn restore(at: &Connection, id: &Id) -> Result<bool, SqliteFault> {
     let sql = "UPDATE behaviour SET removed_ms = NULL, removed_by = NULL WHERE id = ?1 AND removed_ms IS NOT NULL";
     Ok(at.execute(sql, [id.as_str()])? > 0)
 }
 
 /// Deletes what was removed before that time; records, changes and words go along.
-pub(super) fn purge(at: &Connection, removed_before_ms: u64) -> Result<u32, Fault> {
+pub(super) fn purge(at: &Connection, removed_before_ms: u64) -> Result<u32, SqliteFault> {
     let gone = at.execute("DELETE FROM behaviour WHERE removed_ms < ?1", [kept(removed_before_ms)])?;
     Ok(u32::try_from(gone).unwrap_or(u32::MAX))
 }
 
 /// The next number of a server start.
-pub(super) fn next_epoch(at: &Connection) -> Result<u64, Fault> {
+pub(super) fn next_epoch(at: &Connection) -> Result<u64, SqliteFault> {
     let next = at.query_row("UPDATE meta SET epoch = epoch + 1 RETURNING epoch", [], |row| row.get(0))?;
     Ok(read(next))
 }
 
 /// The number of the last server start is at least this.
-pub(super) fn raise_epoch(at: &Connection, least: u64) -> Result<(), Fault> {
+pub(super) fn raise_epoch(at: &Connection, least: u64) -> Result<(), SqliteFault> {
     at.execute("UPDATE meta SET epoch = max(epoch, ?1)", [kept(least)])?;
     Ok(())
 }
 
 /// Writes without changing anything, to see whether that works.
-pub(super) fn probe(at: &Connection) -> Result<(), Fault> {
+pub(super) fn probe(at: &Connection) -> Result<(), SqliteFault> {
     at.execute("UPDATE meta SET epoch = epoch", [])?;
     Ok(())
 }

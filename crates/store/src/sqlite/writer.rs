@@ -1,6 +1,6 @@
 //! The one thread that writes. It takes everything that waits into one transaction and answers after the commit.
 
-use super::fault::Fault;
+use super::fault::SqliteFault;
 use crate::{FolderLock, StoreError};
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 use std::path::{Path, PathBuf};
@@ -17,12 +17,12 @@ const BATCH_MAX: usize = 256;
 const ANSWER_MAX: Duration = Duration::from_secs(30);
 
 /// The way to the writing thread. Dropping it waits until the thread has finished and the directory is free.
-pub(super) struct Writer {
-    queue: Option<mpsc::Sender<Box<dyn Job>>>,
+pub(super) struct SqliteWriter {
+    queue: Option<mpsc::Sender<Box<dyn QueuedWork>>>,
     thread: Option<JoinHandle<()>>,
 }
 
-impl Writer {
+impl SqliteWriter {
     /// Starts the thread; it holds the directory's lock until it ends.
     pub(super) fn start(at: Connection, file: PathBuf, lock: Arc<FolderLock>) -> Result<Self, StoreError> {
         let (queue, waiting) = mpsc::channel(WAITING_MAX);
@@ -39,20 +39,20 @@ impl Writer {
     pub(super) async fn ask<T, F>(&self, work: F) -> Result<T, StoreError>
     where
         T: Send + 'static,
-        F: FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
+        F: FnOnce(&Connection) -> Result<T, SqliteFault> + Send + 'static,
     {
         let stopped = || StoreError::Unavailable("the store has stopped".to_owned());
         let (reply, answer) = oneshot::channel();
         let queue = self.queue.as_ref().ok_or_else(stopped)?;
         let asked = async {
-            queue.send(Box::new(Asked { work: Some(work), found: None, reply })).await.map_err(|_| stopped())?;
+            queue.send(Box::new(WriteJob { work: Some(work), found: None, reply })).await.map_err(|_| stopped())?;
             answer.await.map_err(|_| stopped())?
         };
         tokio::time::timeout(ANSWER_MAX, asked).await.map_err(|_| StoreError::Timeout)?
     }
 }
 
-impl Drop for Writer {
+impl Drop for SqliteWriter {
     fn drop(&mut self) {
         self.queue = None;
         if let Some(thread) = self.thread.take() {
@@ -62,23 +62,23 @@ impl Drop for Writer {
 }
 
 /// A piece of work in the queue, whatever it answers.
-trait Job: Send {
+trait QueuedWork: Send {
     /// Does the work and keeps what it found.
     fn run(&mut self, at: &Connection, file: &Path) -> Result<(), StoreError>;
     /// Tells what was found, or that it could not be saved after all.
     fn answer(self: Box<Self>, saved: &Result<(), StoreError>);
 }
 
-struct Asked<T, F> {
+struct WriteJob<T, F> {
     work: Option<F>,
     found: Option<Result<T, StoreError>>,
     reply: oneshot::Sender<Result<T, StoreError>>,
 }
 
-impl<T, F> Job for Asked<T, F>
+impl<T, F> QueuedWork for WriteJob<T, F>
 where
     T: Send,
-    F: FnOnce(&Connection) -> Result<T, Fault> + Send,
+    F: FnOnce(&Connection) -> Result<T, SqliteFault> + Send,
 {
     fn run(&mut self, at: &Connection, file: &Path) -> Result<(), StoreError> {
         let Some(work) = self.work.take() else { return Ok(()) };
@@ -98,7 +98,7 @@ where
     }
 }
 
-fn write_all(mut at: Connection, file: &Path, mut waiting: mpsc::Receiver<Box<dyn Job>>) {
+fn write_all(mut at: Connection, file: &Path, mut waiting: mpsc::Receiver<Box<dyn QueuedWork>>) {
     while let Some(first) = waiting.blocking_recv() {
         let mut batch = vec![first];
         while batch.len() < BATCH_MAX
@@ -113,8 +113,8 @@ fn write_all(mut at: Connection, file: &Path, mut waiting: mpsc::Receiver<Box<dy
     }
 }
 
-fn write_batch(at: &mut Connection, file: &Path, batch: &mut [Box<dyn Job>]) -> Result<(), StoreError> {
-    let told = |error| Fault::Sql(error).told(file);
+fn write_batch(at: &mut Connection, file: &Path, batch: &mut [Box<dyn QueuedWork>]) -> Result<(), StoreError> {
+    let told = |error| SqliteFault::Sql(error).told(file);
     let mut together = at.transaction_with_behavior(TransactionBehavior::Immediate).map_err(told)?;
     for job in batch {
         write_one(&mut together, file, job.as_mut())?;
@@ -123,8 +123,8 @@ fn write_batch(at: &mut Connection, file: &Path, batch: &mut [Box<dyn Job>]) -> 
 }
 
 /// One job, undone alone if it fails; an error only if SQLite gave up the whole transaction.
-fn write_one(together: &mut Transaction, file: &Path, job: &mut dyn Job) -> Result<(), StoreError> {
-    let told = |error| Fault::Sql(error).told(file);
+fn write_one(together: &mut Transaction, file: &Path, job: &mut dyn QueuedWork) -> Result<(), StoreError> {
+    let told = |error| SqliteFault::Sql(error).told(file);
     let alone = together.savepoint().map_err(told)?;
     match job.run(&alone, file) {
         Ok(()) => alone.commit().map_err(told),

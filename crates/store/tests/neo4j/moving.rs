@@ -6,8 +6,8 @@ use behaviour::{Committed, Id, Kind, Place, Record, RecordId};
 use std::io::Cursor;
 use std::sync::{Arc, Mutex};
 use store::backup::{self, backup, compare, migrate, restore};
-use store::files::{Mode, import, read};
-use store::{Filling, LIBRARY, MemoryStore, Source, Store};
+use store::files::{ImportMode, import, read};
+use store::{Filling, FillingSource, LIBRARY, MemoryStore, Store};
 
 /// Every template, imported into a store in memory; one is changed some times, one goes to the bin.
 async fn filled() -> Arc<dyn Store> {
@@ -25,7 +25,7 @@ async fn filled() -> Arc<dyn Store> {
     for path in paths {
         let file = read(&std::fs::read(path).expect("a file")).expect("a template");
         let library = now(&store, LIBRARY).await;
-        let made = import(&file, Mode::Copy, &library, "Aiko", &mut new_id).expect("an import");
+        let made = import(&file, ImportMode::Copy, &library, "Aiko", &mut new_id).expect("an import");
         if let Some(change) = made.library {
             put(&store, &id(LIBRARY), change).await;
         }
@@ -55,7 +55,7 @@ async fn put(store: &MemoryStore, to: &Id, change: behaviour::Change) {
 async fn everything_moves_into_neo4j_and_back() {
     let Some(neo4j) = shared::alone("moving a store into Neo4j and back").await else { return };
     let (from, to) = (filled().await, Arc::new(neo4j.empty_store().await) as Arc<dyn Store>);
-    let source = Source { key: "memory".to_owned(), again: "rrp migrate".to_owned() };
+    let source = FillingSource { key: "memory".to_owned(), again: "rrp migrate".to_owned() };
     for _ in 0..2 {
         let (done, differences) = migrate(&from, &to, &source, &|_, _| {}).await.expect("copied");
         assert_eq!((done.behaviours >= 9, differences), (true, vec![]));

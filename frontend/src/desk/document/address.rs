@@ -1,7 +1,7 @@
 //! The address of the page holds which behaviour is open: `#/b/<id>`.
 
 use super::Document;
-use crate::browser::{self, Keep};
+use crate::browser::{self, Drawer};
 use behaviour::Id;
 
 const LAST_KEY: &str = "rrp.last";
@@ -9,7 +9,8 @@ const LAST_KEY: &str = "rrp.last";
 impl Document {
     /// Takes what is to be open from the address, else what was open last, and follows the address from now on.
     pub(in crate::desk) fn follow_address(&self) {
-        let wanted = in_hash(&browser::hash()).or_else(|| Keep::Browser.get(LAST_KEY).and_then(|id| Id::new(&id).ok()));
+        let wanted =
+            in_hash(&browser::hash()).or_else(|| Drawer::Browser.get(LAST_KEY).and_then(|id| Id::new(&id).ok()));
         if let Some(id) = &wanted {
             browser::set_hash(&hash_of(id));
         }
@@ -32,11 +33,11 @@ impl Document {
     pub(super) fn remember_address(&self, id: Option<&Id>) {
         match id {
             Some(id) => {
-                Keep::Browser.put(LAST_KEY, id.as_str());
+                Drawer::Browser.put(LAST_KEY, id.as_str());
                 browser::set_hash(&hash_of(id));
             }
             None => {
-                Keep::Browser.drop(LAST_KEY);
+                Drawer::Browser.drop(LAST_KEY);
                 browser::set_hash("#/");
             }
         }

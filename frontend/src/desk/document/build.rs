@@ -1,6 +1,6 @@
 //! From gestures to changes, as pure functions of the behaviour as it is.
 
-use super::{ConnectPlan, Gap, Output, Spot, rewire};
+use super::{ConnectPlan, Gap, NewSpot, Output, rewire};
 use crate::layout;
 use behaviour::{
     Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Settings,
@@ -49,7 +49,7 @@ pub(super) fn connected(
     (stream_id, connector_id): (&Id, &Id),
     plan: ConnectPlan,
 ) -> Change {
-    if let Spot::Into(gap) = plan.spot.clone() {
+    if let NewSpot::Into(gap) = plan.spot.clone() {
         return rewire::inserted(behaviour, places, change, (stream_id, connector_id), (&gap, plan));
     }
     let order = behaviour.next_order();
@@ -64,8 +64,8 @@ pub(super) fn connected(
             let output = stream_id.clone();
             let connector = Connector { operation: plan.operation, inputs: plan.inputs, output, order: order + 1 };
             let place = match plan.spot {
-                Spot::At(place) => layout::snapped(place),
-                Spot::Below | Spot::Into(_) => layout::free_spot(behaviour, places, &stream, &connector),
+                NewSpot::At(place) => layout::snapped(place),
+                NewSpot::Below | NewSpot::Into(_) => layout::free_spot(behaviour, places, &stream, &connector),
             };
             change
                 .put(behaviour, key(Kind::Stream, stream_id), Record::Stream(stream))
@@ -86,8 +86,8 @@ pub(super) fn connected_twice(
 ) -> Change {
     let between = ids[0].0;
     let spot = match &first.spot {
-        Spot::Into(gap) => Spot::Into(Gap { connector: gap.connector.clone(), input: between.clone() }),
-        Spot::At(_) | Spot::Below => Spot::Below,
+        NewSpot::Into(gap) => NewSpot::Into(Gap { connector: gap.connector.clone(), input: between.clone() }),
+        NewSpot::At(_) | NewSpot::Below => NewSpot::Below,
     };
     let change = connected(behaviour, places, change, ids[0], first);
     let (mut after, mut stand) = (behaviour.clone(), places.clone());

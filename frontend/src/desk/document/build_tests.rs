@@ -2,7 +2,7 @@
 
 use super::super::graph_tests::{id, places};
 use super::{connected, connected_twice, connector_edited, free_name, sensor, stream_edited, without_stream};
-use crate::desk::{ConnectPlan, Gap, Output, Spot};
+use crate::desk::{ConnectPlan, Gap, NewSpot, Output};
 use behaviour::{Behaviour, Change, Params, Procedure, Stream, StreamKind, connectors};
 use std::collections::BTreeMap;
 
@@ -16,14 +16,14 @@ fn track() -> Behaviour {
     made.apply(&sensor(&made, &BTreeMap::new(), start("1"), (&id("ball"), "RedBall", "Red ball", Params::new()), None));
     let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.1"));
     let output = Output::New { name: "Close".into(), device: None, params: Params::new() };
-    let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output, spot: Spot::Below };
+    let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output, spot: NewSpot::Below };
     made.apply(&connected(&made, &places(&made), start("2"), (&id("close"), &id("filter")), plan));
     let output = Output::New { name: "Tracker".into(), device: Some("Tracker".into()), params: Params::new() };
     let plan = ConnectPlan {
         operation: connectors::subscribe::SPEC.with(()),
         inputs: vec![id("close")],
         output,
-        spot: Spot::Below,
+        spot: NewSpot::Below,
     };
     made.apply(&connected(&made, &places(&made), start("3"), (&id("tracker"), &id("subscribe")), plan));
     made
@@ -49,15 +49,15 @@ fn two_connectors_one_after_the_other_are_one_change() {
     };
     let ids = [id("metres"), id("c1"), id("bright"), id("c2")];
     let both = [(&ids[0], &ids[1]), (&ids[2], &ids[3])];
-    for spot in [Spot::Below, Spot::Into(Gap { connector: id("filter"), input: id("ball") })] {
-        let plans = (plan("In m", "redBall.size", spot.clone()), plan("Bright", "inM * 2.0", Spot::Below));
+    for spot in [NewSpot::Below, NewSpot::Into(Gap { connector: id("filter"), input: id("ball") })] {
+        let plans = (plan("In m", "redBall.size", spot.clone()), plan("Bright", "inM * 2.0", NewSpot::Below));
         let change = connected_twice(&start_of, &places(&start_of), start("4"), both, plans);
         let mut made = start_of.clone();
         made.apply(&change);
         assert_eq!(made.connector(&id("c2")).unwrap().inputs, [id("metres")]);
         assert!(made.place(&id("bright")).unwrap().y > made.place(&id("metres")).unwrap().y);
         let goes_on = made.connector(&id("filter")).unwrap().inputs[0].clone();
-        assert_eq!(goes_on, if spot == Spot::Below { id("ball") } else { id("bright") });
+        assert_eq!(goes_on, if spot == NewSpot::Below { id("ball") } else { id("bright") });
         made.apply(&change.swapped(id("5"), "Undo"));
         assert_eq!(made, start_of);
     }

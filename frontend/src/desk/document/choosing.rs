@@ -1,7 +1,7 @@
 //! The things that are chosen, one or several, and what is done with all of them.
 
 use super::gestures::short;
-use super::{Document, LineUp, Part, Selected, grouping, several};
+use super::{Document, LineUp, ProgramPart, Selected, grouping, several};
 use crate::desk::tab::new_id;
 use behaviour::{Behaviour, Helper, Id, Kind, Place, Record, RecordId};
 use leptos::prelude::*;
@@ -58,15 +58,15 @@ impl Document {
     }
 
     /// A part of the open program, with the helpers of the library that it uses.
-    pub(crate) fn part(&self, of: &BTreeSet<Selected>, helpers: &[Helper]) -> Part {
+    pub(crate) fn part(&self, of: &BTreeSet<Selected>, helpers: &[Helper]) -> ProgramPart {
         let (behaviour, places) = self.behaviour_and_all_places();
         let of = &grouping::expanded(&behaviour, of);
-        Part::of(&behaviour, &places, of, helpers)
+        ProgramPart::of(&behaviour, &places, of, helpers)
     }
 
     /// Puts a part into the open program, as one change; helpers that are not in the library go there first. What was put in
     /// is chosen then, and `shown` is told.
-    pub(crate) fn put_in(&self, part: Part, put: Put, known: &[Helper], shown: impl FnOnce() + 'static) {
+    pub(crate) fn put_in(&self, part: ProgramPart, put: Put, known: &[Helper], shown: impl FnOnce() + 'static) {
         let (part, new) = part.for_library(known);
         for helper in new {
             let change = self.change(&format!("Helper {}", short(&helper.name)));

@@ -7,7 +7,7 @@
 use super::build;
 use crate::naming;
 use behaviour::{
-    Accepted, Behaviour, Change, Connector, Edit, Filled, Group, Id, Kind, Params, Procedure, Record, RecordId,
+    Accepted, Behaviour, Change, Connector, Edit, FillFrom, Group, Id, Kind, Params, Procedure, Record, RecordId,
     Refusal, Settings, Stream,
 };
 use serde::{Deserialize, Serialize};

@@ -4,12 +4,12 @@ use super::conflict::{
     CONFLICTS_MAX, Conflict, between, brought_back, is_late, is_shown_beside, is_worth_keeping, since_seen,
 };
 use super::propose::OnAnswer;
-use super::queue::{Waiting, Way};
-use super::{Document, Mark};
-use crate::browser::Keep;
+use super::queue::{SendMode, WaitingChange};
+use super::{Document, UnsavedMark};
+use crate::browser::Drawer;
 use crate::desk::tab::{Dialog, new_id, set_if_new};
 use crate::{link, words};
-use behaviour::{Accepted, Behaviour, Change, Filled, Id, Kind, RecordId, Refusal, without_late_followers};
+use behaviour::{Accepted, Behaviour, Change, FillFrom, Id, Kind, RecordId, Refusal, without_late_followers};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request};
 use std::collections::BTreeSet;
@@ -20,12 +20,12 @@ const LOOK_BACK: u64 = 100;
 /// The most pages of the log that are read for that.
 const PAGES_MAX: u32 = 8;
 
-type Then = Box<dyn FnOnce(Vec<Accepted>)>;
+type ConflictNext = Box<dyn FnOnce(Vec<Accepted>)>;
 
 impl Document {
     /// A change came too late. If only otherwises were late that follow what it edits, it goes without them. Else it is
     /// found out who was first; then it is shown beside theirs, or it is said who it was.
-    pub(super) fn came_late(&self, mut waiting: Waiting, no: Refusal, on_answer: OnAnswer) {
+    pub(super) fn came_late(&self, mut waiting: WaitingChange, no: Refusal, on_answer: OnAnswer) {
         if self.is_open(&waiting.behaviour) {
             let whole = waiting.change.edits.len();
             waiting.change = self.with_confirmed(|now| without_late_followers(now, waiting.change.clone()));
@@ -68,7 +68,7 @@ impl Document {
     }
 
     /// Keeps a refused change for its author; false if there is no room or nothing to decide.
-    fn keeps(&self, waiting: &Waiting, theirs: &[Accepted]) -> bool {
+    fn keeps(&self, waiting: &WaitingChange, theirs: &[Accepted]) -> bool {
         if !self.is_open(&waiting.behaviour) {
             return self.keeps_elsewhere(waiting, theirs);
         }
@@ -101,7 +101,7 @@ impl Document {
     }
 
     /// A change of a program that is not open any more waits until that is opened.
-    fn keeps_elsewhere(&self, waiting: &Waiting, theirs: &[Accepted]) -> bool {
+    fn keeps_elsewhere(&self, waiting: &WaitingChange, theirs: &[Accepted]) -> bool {
         let mut all = self.conflicts.get_untracked();
         let made = (waiting.made_ms, waiting.offline);
         let now = Behaviour::default();
@@ -115,7 +115,7 @@ impl Document {
 
     /// A change touches a record that somebody is editing. One that was made without a connection, or that meets nothing but a
     /// lock of this page from before, is kept until that is free; gives it back if it is no such change.
-    pub(super) fn waits_for_lock(&self, waiting: Waiting) -> Option<Waiting> {
+    pub(super) fn waits_for_lock(&self, waiting: WaitingChange) -> Option<WaitingChange> {
         let mut all = self.conflicts.get_untracked();
         if let Some(known) = all.iter_mut().find(|known| known.retry.as_ref() == Some(&waiting.change.op)) {
             (known.retry, known.shown) = (None, known.shown && !known.locked);
@@ -125,7 +125,7 @@ impl Document {
             return (!waits).then_some(waiting);
         }
         let is_others = self.other_editor(&waiting.change).is_some();
-        let is_kept = waiting.way == Way::Propose && is_worth_keeping(&waiting.change);
+        let is_kept = waiting.way == SendMode::Propose && is_worth_keeping(&waiting.change);
         if !is_kept || is_others && !waiting.offline || all.len() >= CONFLICTS_MAX {
             return Some(waiting);
         }
@@ -311,7 +311,7 @@ impl Document {
     pub(crate) fn drop_conflict(&self, op: &Id) {
         let mut all = self.conflicts.get_untracked();
         for dropped in all.extract_if(.., |conflict| conflict.mine.op == *op) {
-            Keep::Tab.drop(&draft_key(&dropped.about.id));
+            Drawer::Tab.drop(&draft_key(&dropped.about.id));
         }
         self.set_conflicts(all);
     }
@@ -365,7 +365,7 @@ impl Document {
 
     /// Takes up what waited before the page was loaded again.
     pub(in crate::desk) fn restore_conflicts(&self) {
-        let kept = Keep::Tab.get(CONFLICTS_KEY).and_then(|text| crate::json::read::<Vec<Conflict>>(&text).ok());
+        let kept = Drawer::Tab.get(CONFLICTS_KEY).and_then(|text| crate::json::read::<Vec<Conflict>>(&text).ok());
         let Some(mut kept) = kept else { return };
         {
             let state = self.state();
@@ -377,18 +377,18 @@ impl Document {
 
     fn set_conflicts(&self, all: Vec<Conflict>) {
         match serde_json::to_string(&all) {
-            Ok(text) if !all.is_empty() => Keep::Tab.put(CONFLICTS_KEY, &text),
-            Ok(_) | Err(_) => Keep::Tab.drop(CONFLICTS_KEY),
+            Ok(text) if !all.is_empty() => Drawer::Tab.put(CONFLICTS_KEY, &text),
+            Ok(_) | Err(_) => Drawer::Tab.drop(CONFLICTS_KEY),
         }
         set_if_new(&self.conflicts, all);
     }
 
     /// Returns the mark of a record: that its change waits to be sent, or to be decided about. Reactive.
-    pub(crate) fn mark_of(&self, record: &RecordId) -> Option<Mark> {
+    pub(crate) fn mark_of(&self, record: &RecordId) -> Option<UnsavedMark> {
         if self.conflict_about(&record.id).is_some() {
-            return Some(Mark::Undecided);
+            return Some(UnsavedMark::Undecided);
         }
-        self.waits.with(|waits| waits.contains(record)).then_some(Mark::Waits)
+        self.waits.with(|waits| waits.contains(record)).then_some(UnsavedMark::Waits)
     }
 
     /// Returns the words for the changes that wait to be sent, oldest first; and whether each is of the open program.
@@ -418,7 +418,7 @@ pub(crate) fn draft_key(about: &Id) -> String {
 }
 
 /// Reads the log of a behaviour after a revision, page after page.
-fn read_log(behaviour: Id, revision: u64, mut found: Vec<Accepted>, pages: u32, then: Then) {
+fn read_log(behaviour: Id, revision: u64, mut found: Vec<Accepted>, pages: u32, then: ConflictNext) {
     let again = behaviour.clone();
     link::ask_even_down(Request::Since { behaviour, revision }, move |reply| match reply {
         Some(Reply::Missed { changes, more, .. }) => {

@@ -1,6 +1,6 @@
 //! The editor that is open in this tab, and who may write in it: pure, with times on the clock of the page.
 
-use behaviour::{Asked, Change, Grant, Id, LockEvent, Record, RecordId, Token, Why};
+use behaviour::{AskResult, Change, Grant, Id, LockEndReason, LockEvent, LockToken, Record, RecordId};
 use protocol::LockShown;
 
 /// The editor of one record.
@@ -10,7 +10,7 @@ pub(crate) struct Editing {
     pub(crate) number: u32,
     pub(super) behaviour: Id,
     pub(super) record: RecordId,
-    pub(crate) writing: Writing,
+    pub(crate) writing: WriteRight,
     /// The record as whoever types here has seen it: as it was when they began, with what they saved since.
     pub(super) seen: Option<Record>,
     /// Whoever typed has left; it ends as soon as what they typed is on its way.
@@ -19,21 +19,21 @@ pub(crate) struct Editing {
 
 /// The right to write in an open editor.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Writing {
+pub(crate) enum WriteRight {
     /// It was just opened and its lock is asked for; one may write already.
     Opening,
     /// Without a lock: the server is not reached, or gives none. What is saved meanwhile is found by comparing.
     Free,
     /// Nobody else may write.
-    Own(Own),
+    Own(OwnLock),
     /// Somebody else may, so this one only reads.
-    No(Reading),
+    No(EditReading),
 }
 
 /// A lock of one's own.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Own {
-    pub(super) token: Token,
+pub(crate) struct OwnLock {
+    pub(super) token: LockToken,
     /// The person who asks for it, if somebody does.
     pub(crate) asker: Option<String>,
     /// It was kept from them for a minute, and is handed over now.
@@ -44,7 +44,7 @@ pub(crate) struct Own {
 
 /// Reading what others may change.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Reading {
+pub(crate) struct EditReading {
     /// The person who is editing; none if nobody is any more.
     pub(crate) by: Option<String>,
     /// It was one's own until now: what was written stays to be seen.
@@ -75,7 +75,7 @@ impl Editing {
         (record, seen): (RecordId, Option<Record>),
         by: Option<String>,
     ) -> Self {
-        let writing = by.map_or(Writing::Opening, |by| Writing::No(Reading::of(Some(by), false)));
+        let writing = by.map_or(WriteRight::Opening, |by| WriteRight::No(EditReading::of(Some(by), false)));
         Self { number, behaviour, record, writing, seen, is_over: false }
     }
 
@@ -87,24 +87,24 @@ impl Editing {
 
     /// True if somebody else may write, so that one only reads here.
     pub(super) fn reads(&self) -> bool {
-        matches!(self.writing, Writing::No(_))
+        matches!(self.writing, WriteRight::No(_))
     }
 
     /// True if it was one's own until nothing was typed for long, and nobody else took it since.
     pub(super) fn is_free_again(&self) -> bool {
-        matches!(&self.writing, Writing::No(Reading { by: None, was_own: true, .. }))
+        matches!(&self.writing, WriteRight::No(EditReading { by: None, was_own: true, .. }))
     }
 
     /// True if what others save is shown here as it comes, so that nobody has to be told.
     pub(super) fn only_reads(&self) -> bool {
-        matches!(&self.writing, Writing::No(reading) if !reading.was_own)
+        matches!(&self.writing, WriteRight::No(reading) if !reading.was_own)
     }
 
     /// The token of one's own lock.
-    pub(super) fn token(&self) -> Option<Token> {
+    pub(super) fn token(&self) -> Option<LockToken> {
         match &self.writing {
-            Writing::Own(own) => Some(own.token),
-            Writing::Opening | Writing::Free | Writing::No(_) => None,
+            WriteRight::Own(own) => Some(own.token),
+            WriteRight::Opening | WriteRight::Free | WriteRight::No(_) => None,
         }
     }
 
@@ -112,7 +112,7 @@ impl Editing {
     pub(super) fn granted(&mut self, grant: &Grant) -> bool {
         let is_mine = grant.records.contains(&self.record);
         if is_mine && self.token() != Some(grant.token) {
-            self.writing = Writing::Own(Own { token: grant.token, asker: None, is_last: false, free_ms: None });
+            self.writing = WriteRight::Own(OwnLock { token: grant.token, asker: None, is_last: false, free_ms: None });
         }
         is_mine
     }
@@ -120,32 +120,32 @@ impl Editing {
     /// Somebody else is editing it.
     pub(super) fn denied(&mut self, by: &str) {
         let was_own = match &self.writing {
-            Writing::Opening => false,
-            Writing::Free | Writing::Own(_) => true,
-            Writing::No(reading) => reading.was_own,
+            WriteRight::Opening => false,
+            WriteRight::Free | WriteRight::Own(_) => true,
+            WriteRight::No(reading) => reading.was_own,
         };
-        self.writing = Writing::No(Reading::of(Some(by.to_owned()), was_own));
+        self.writing = WriteRight::No(EditReading::of(Some(by.to_owned()), was_own));
     }
 
     /// There is no lock to be had: everybody writes, and comparing finds who was late.
     pub(super) fn not_locked(&mut self) {
-        if self.writing == Writing::Opening {
-            self.writing = Writing::Free;
+        if self.writing == WriteRight::Opening {
+            self.writing = WriteRight::Free;
         }
     }
 
     /// The link broke: what was locked may be lost, and what was asked is forgotten.
     pub(super) fn link_lost(&mut self) {
         match &mut self.writing {
-            Writing::Opening | Writing::Own(_) => self.writing = Writing::Free,
-            Writing::No(reading) => reading.asking = Asking::No,
-            Writing::Free => {}
+            WriteRight::Opening | WriteRight::Own(_) => self.writing = WriteRight::Free,
+            WriteRight::No(reading) => reading.asking = Asking::No,
+            WriteRight::Free => {}
         }
     }
 
     /// Hears who is editing what now, as everyone is told.
     pub(super) fn shown(&mut self, locks: &[LockShown], me: Option<&Id>) {
-        let Writing::No(reading) = &mut self.writing else { return };
+        let WriteRight::No(reading) = &mut self.writing else { return };
         let lock = locks.iter().find(|lock| lock.records.contains(&self.record));
         let is_mine = lock.is_some_and(|lock| Some(&lock.client) == me);
         if !is_mine {
@@ -154,16 +154,16 @@ impl Editing {
     }
 
     /// Hears the server's answer to asking. Returns true if it can be had at once.
-    pub(super) fn asked(&mut self, asked: &Asked, at: impl Fn(u64) -> f64) -> bool {
-        let Writing::No(reading) = &mut self.writing else { return false };
+    pub(super) fn asked(&mut self, asked: &AskResult, at: impl Fn(u64) -> f64) -> bool {
+        let WriteRight::No(reading) = &mut self.writing else { return false };
         reading.asking = match asked {
-            Asked::Waiting { by_ms } => Asking::Waits { until_ms: at(*by_ms) },
-            Asked::Queued { .. } => Asking::Queued,
-            Asked::TooSoon { again_ms } => Asking::Kept { again_ms: at(*again_ms) },
-            Asked::Full => Asking::Full,
-            Asked::Free | Asked::Yours => Asking::No,
+            AskResult::Waiting { by_ms } => Asking::Waits { until_ms: at(*by_ms) },
+            AskResult::Queued { .. } => Asking::Queued,
+            AskResult::TooSoon { again_ms } => Asking::Kept { again_ms: at(*again_ms) },
+            AskResult::Full => Asking::Full,
+            AskResult::Free | AskResult::Yours => Asking::No,
         };
-        matches!(asked, Asked::Free | Asked::Yours)
+        matches!(asked, AskResult::Free | AskResult::Yours)
     }
 
     /// Something happened to a lock that is held or wanted here.
@@ -195,18 +195,18 @@ impl Editing {
         }
     }
 
-    fn freed(&mut self, why: &Why) {
+    fn freed(&mut self, why: &LockEndReason) {
         let by = match why {
-            Why::HandedOver { to } => Some(to.clone()),
-            Why::TakenOver { by } => Some(by.clone()),
-            Why::Released | Why::Idle | Why::Left => None,
+            LockEndReason::HandedOver { to } => Some(to.clone()),
+            LockEndReason::TakenOver { by } => Some(by.clone()),
+            LockEndReason::Released | LockEndReason::Idle | LockEndReason::Left => None,
         };
-        self.writing = Writing::No(Reading::of(by, true));
+        self.writing = WriteRight::No(EditReading::of(by, true));
     }
 
     /// Does something with one's own lock, if there is one.
-    pub(super) fn own(&mut self, act: impl FnOnce(&mut Own)) {
-        if let Writing::Own(own) = &mut self.writing {
+    pub(super) fn own(&mut self, act: impl FnOnce(&mut OwnLock)) {
+        if let WriteRight::Own(own) = &mut self.writing {
             act(own);
         }
     }
@@ -217,14 +217,14 @@ impl Editing {
     }
 
     fn asks(&mut self, now: Asking) {
-        if let Writing::No(reading) = &mut self.writing {
+        if let WriteRight::No(reading) = &mut self.writing {
             reading.asking = now;
         }
     }
 
     /// Time goes on: after a while one may ask again.
     pub(super) fn tick(&mut self, now_ms: f64) {
-        if let Writing::No(Reading { asking: asking @ Asking::Kept { .. }, .. }) = &mut self.writing
+        if let WriteRight::No(EditReading { asking: asking @ Asking::Kept { .. }, .. }) = &mut self.writing
             && matches!(asking, Asking::Kept { again_ms } if *again_ms <= now_ms)
         {
             *asking = Asking::No;
@@ -232,7 +232,7 @@ impl Editing {
     }
 }
 
-impl Reading {
+impl EditReading {
     fn of(by: Option<String>, was_own: bool) -> Self {
         Self { by, was_own, asking: Asking::No }
     }
@@ -240,8 +240,8 @@ impl Reading {
 
 #[cfg(test)]
 mod tests {
-    use super::{Asking, Editing, Own, Reading, Writing};
-    use behaviour::{Asked, Grant, Holder, Id, Kind, LockEvent, RecordId, Token, Why};
+    use super::{Asking, EditReading, Editing, OwnLock, WriteRight};
+    use behaviour::{AskResult, Grant, Holder, Id, Kind, LockEndReason, LockEvent, LockToken, RecordId};
     use protocol::LockShown;
     use std::collections::BTreeSet;
 
@@ -258,15 +258,15 @@ mod tests {
     }
 
     fn grant(counter: u64) -> Grant {
-        Grant { token: Token { epoch: 1, counter }, records: BTreeSet::from([record()]) }
+        Grant { token: LockToken { epoch: 1, counter }, records: BTreeSet::from([record()]) }
     }
 
     fn yuki() -> Holder {
         Holder { session: 1, client: id("y"), name: "Yuki".into() }
     }
 
-    fn reading(by: Option<&str>, was_own: bool, asking: Asking) -> Writing {
-        Writing::No(Reading { by: by.map(str::to_owned), was_own, asking })
+    fn reading(by: Option<&str>, was_own: bool, asking: Asking) -> WriteRight {
+        WriteRight::No(EditReading { by: by.map(str::to_owned), was_own, asking })
     }
 
     #[test]
@@ -274,7 +274,7 @@ mod tests {
         let mut editing = opened(None);
         editing.denied("Yuki");
         assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::No));
-        assert!(!editing.asked(&Asked::Waiting { by_ms: 10 }, |ms| ms as f64));
+        assert!(!editing.asked(&AskResult::Waiting { by_ms: 10 }, |ms| ms as f64));
         let later = LockEvent::Postponed { to: yuki(), record: record(), by_ms: 20 };
         editing.hear(&later, |ms| ms as f64);
         assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::Waits { until_ms: 20.0 }));
@@ -289,9 +289,9 @@ mod tests {
         let (holder, token, record) = (yuki(), grant(1).token, record());
         let asked = LockEvent::Asked { holder, token, asker: yuki(), record, by_ms: 10, last: true };
         editing.hear(&asked, |ms| ms as f64);
-        assert!(matches!(&editing.writing, Writing::Own(Own { asker: Some(_), is_last: true, .. })));
+        assert!(matches!(&editing.writing, WriteRight::Own(OwnLock { asker: Some(_), is_last: true, .. })));
         editing.hear(&LockEvent::Withdrawn { holder: yuki(), token, asker: yuki() }, |ms| ms as f64);
-        assert!(matches!(&editing.writing, Writing::Own(Own { asker: None, .. })));
+        assert!(matches!(&editing.writing, WriteRight::Own(OwnLock { asker: None, .. })));
     }
 
     #[test]
@@ -310,9 +310,9 @@ mod tests {
         let mut editing = opened(None);
         editing.granted(&grant(1));
         let freed = |grant, why| LockEvent::Freed { holder: yuki(), grant, why };
-        editing.hear(&freed(grant(7), Why::Idle), |ms| ms as f64);
-        assert!(matches!(&editing.writing, Writing::Own(Own { .. })), "another lock's end is none of it");
-        editing.hear(&freed(grant(1), Why::HandedOver { to: "Aiko".into() }), |ms| ms as f64);
+        editing.hear(&freed(grant(7), LockEndReason::Idle), |ms| ms as f64);
+        assert!(matches!(&editing.writing, WriteRight::Own(OwnLock { .. })), "another lock's end is none of it");
+        editing.hear(&freed(grant(1), LockEndReason::HandedOver { to: "Aiko".into() }), |ms| ms as f64);
         assert_eq!(editing.writing, reading(Some("Aiko"), true, Asking::No));
         editing.shown(&[], None);
         assert_eq!(editing.writing, reading(None, true, Asking::No));
@@ -323,7 +323,7 @@ mod tests {
         let mut editing = opened(None);
         editing.granted(&grant(1));
         editing.link_lost();
-        assert_eq!(editing.writing, Writing::Free);
+        assert_eq!(editing.writing, WriteRight::Free);
         editing.denied("Yuki");
         assert_eq!(editing.writing, reading(Some("Yuki"), true, Asking::No));
     }

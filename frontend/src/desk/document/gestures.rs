@@ -6,7 +6,7 @@ use crate::layout::Tidy;
 use crate::naming;
 use crate::words;
 use behaviour::{
-    Behaviour, Change, Connector, Filled, Id, Kind, Operation, Params, Place, Record, RecordId, Settings, Stream,
+    Behaviour, Change, Connector, FillFrom, Id, Kind, Operation, Params, Place, Record, RecordId, Settings, Stream,
 };
 use leptos::prelude::*;
 use protocol::Refused;

@@ -2,8 +2,8 @@
 
 use super::{Document, Selected};
 use crate::desk::tab::new_id;
-use behaviour::{Behaviour, Change, Connector, Filled, Id, Kind, Place, Record, RecordId, Stream};
-use protocol::{Area, Refused};
+use behaviour::{Behaviour, Change, Connector, FillFrom, Id, Kind, Place, Record, RecordId, Stream};
+use protocol::{CanvasArea, Refused};
 use std::collections::BTreeMap;
 
 /// A part of a graph that nobody added yet. Its new streams have ids that only it knows.
@@ -72,7 +72,7 @@ impl Document {
     }
 
     /// The part of the canvas in view, none where there is no canvas.
-    pub(crate) fn in_view(&self) -> Option<Area> {
+    pub(crate) fn in_view(&self) -> Option<CanvasArea> {
         self.state().presence.in_view()
     }
 

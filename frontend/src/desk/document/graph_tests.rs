@@ -1,6 +1,6 @@
 //! The common beginning of the tests of gestures.
 
-use super::{ConnectPlan, Output, Spot, build};
+use super::{ConnectPlan, NewSpot, Output, build};
 use behaviour::{Behaviour, Change, Id, Params, Place, Procedure, connectors};
 use std::collections::BTreeMap;
 
@@ -32,7 +32,7 @@ pub(super) fn graph() -> Behaviour {
     ];
     for (from, to, name, operation) in ways {
         let output = Output::New { name: name.into(), device: None, params: Params::new() };
-        let plan = ConnectPlan { operation, inputs: vec![id(from)], output, spot: Spot::Below };
+        let plan = ConnectPlan { operation, inputs: vec![id(from)], output, spot: NewSpot::Below };
         let change = build::connected(&made, &places(&made), start(), (&id(to), &id(&format!("to-{to}"))), plan);
         made.apply(&change);
     }

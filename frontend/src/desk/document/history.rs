@@ -10,7 +10,7 @@ const LINES_MAX: usize = 5_000;
 
 /// Changes as the history tells them, the newest of them up to some older one without gaps.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct History {
+pub(crate) struct HistoryPanel {
     lines: BTreeMap<u64, HistoryLine>,
     /// True if there are older ones than these.
     pub(crate) more: bool,
@@ -18,7 +18,7 @@ pub(crate) struct History {
     pub(crate) is_read: bool,
 }
 
-impl History {
+impl HistoryPanel {
     /// Newest first.
     pub(crate) fn newest_first(&self) -> impl Iterator<Item = &HistoryLine> {
         self.lines.values().rev()
@@ -80,7 +80,7 @@ pub(super) fn is_mine(line: &HistoryLine, me: &Id) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{History, LINES_MAX};
+    use super::{HistoryPanel, LINES_MAX};
     use behaviour::{Accepted, Behaviour, Change, Id, Note, Record, RecordId};
     use protocol::HistoryLine;
 
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn pages_and_what_is_made_meanwhile_become_one_history() {
-        let mut history = History::default();
+        let mut history = HistoryPanel::default();
         history.made(&made(4, "Aiko"));
         history.read(&[line_of(&made(3, "Ben")), line_of(&made(2, "Aiko"))], true);
         let revisions: Vec<u64> = history.newest_first().map(|line| line.revision).collect();
@@ -112,14 +112,14 @@ mod tests {
 
     #[test]
     fn a_long_history_is_bounded() {
-        let mut history = History::default();
+        let mut history = HistoryPanel::default();
         (1..).take(LINES_MAX + 1).for_each(|revision| history.made(&made(revision, "Aiko")));
         assert_eq!((history.len(), history.oldest(), history.more), (LINES_MAX, Some(2), true));
     }
 
     #[test]
     fn who_removed_something_is_said_only_if_it_is_known() {
-        let mut history = History::default();
+        let mut history = HistoryPanel::default();
         history.read(&[], false);
         history.made(&removal(1, "Aiko"));
         history.made(&made(2, "Aiko"));
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn who_removed_something_before_what_was_read_is_not_known() {
-        let mut history = History::default();
+        let mut history = HistoryPanel::default();
         history.read(&[line_of(&removal(9, "Ben"))], true);
         assert_eq!(history.who_removed(3, None), None);
         assert_eq!(history.who_removed(8, None).as_deref(), Some("Ben"));

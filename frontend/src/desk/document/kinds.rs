@@ -55,7 +55,7 @@ pub(crate) struct Lit {
 
 /// The mark of a part of the behaviour, as long as this tab has something of it that nobody else has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mark {
+pub(crate) enum UnsavedMark {
     /// A change waits to be sent.
     Waits,
     /// A change was refused, as somebody was first; its author has not decided yet.
@@ -102,12 +102,12 @@ pub(crate) struct ConnectPlan {
     pub(crate) operation: Operation,
     pub(crate) inputs: Vec<Id>,
     pub(crate) output: Output,
-    pub(crate) spot: Spot,
+    pub(crate) spot: NewSpot,
 }
 
 /// The place of a new connector with its new stream.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) enum Spot {
+pub(crate) enum NewSpot {
     /// Below what it takes from, where there is room.
     #[default]
     Below,

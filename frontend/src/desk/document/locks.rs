@@ -1,12 +1,12 @@
 //! Locks: who else is editing what, and the lock of what is edited here. They are for people; data is kept whole by
 //! comparing, so that whoever is offline edits without one.
 
-use super::editing::{Asking, Editing, Writing};
-use super::queue::Waiting;
-use super::{Document, Fields};
+use super::editing::{Asking, Editing, WriteRight};
+use super::queue::WaitingChange;
+use super::{Document, DocumentFields};
 use crate::desk::tab::set_if_new;
 use crate::{browser, link};
-use behaviour::{Asked, Grant, Id, LockEvent, RecordId, Refusal, Token};
+use behaviour::{AskResult, Grant, Id, LockEvent, LockToken, RecordId, Refusal};
 use leptos::prelude::*;
 use protocol::{LockShown, Refused, Reply, Request};
 use std::collections::BTreeSet;
@@ -16,13 +16,13 @@ const TYPING_MS: f64 = 1_000.0;
 
 /// Somebody else who is editing something.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Editor {
+pub(crate) struct OtherEditor {
     pub(crate) name: String,
     /// The number of the colour, of the eight for people.
     pub(crate) color: u8,
 }
 
-impl Fields {
+impl DocumentFields {
     fn my_client(&self) -> Option<Id> {
         self.tab.me.with_untracked(|me| me.as_ref().map(|me| me.client.clone()))
     }
@@ -45,21 +45,21 @@ impl Fields {
 
 impl Document {
     /// Returns what others are editing, each with who does. Reactive.
-    pub(crate) fn edited_by_others(&self) -> Vec<(RecordId, Editor)> {
+    pub(crate) fn edited_by_others(&self) -> Vec<(RecordId, OtherEditor)> {
         let me = self.tab.me.with(|me| me.as_ref().map(|me| me.client.clone()));
         let people = self.people.get();
         let color =
             |client: &Id| people.iter().find(|person| person.client == *client).map_or(0, |person| person.color);
         let locks = self.locks.get().into_iter().filter(|lock| Some(&lock.client) != me.as_ref());
         let records = locks.flat_map(|lock| {
-            let editor = Editor { color: color(&lock.client) % 8, name: lock.name };
+            let editor = OtherEditor { color: color(&lock.client) % 8, name: lock.name };
             lock.records.into_iter().map(move |record| (record, editor.clone()))
         });
         records.collect()
     }
 
     /// Returns the other person who is editing a record. Reactive.
-    pub(crate) fn editor_of(&self, record: &RecordId) -> Option<Editor> {
+    pub(crate) fn editor_of(&self, record: &RecordId) -> Option<OtherEditor> {
         self.edited_by_others().into_iter().find(|(edited, _)| edited == record).map(|(_, editor)| editor)
     }
 
@@ -178,25 +178,25 @@ impl Document {
         let is_there = record.is_some_and(|record| self.with_confirmed(|whole| whole.records.contains_key(&record)));
         if is_there {
             // The text that was typed meanwhile is sent with that lock.
-            self.change_editing(|now| now.writing = Writing::Opening);
+            self.change_editing(|now| now.writing = WriteRight::Opening);
             self.take_lock();
         }
     }
 
     fn edits_freely(&self) -> bool {
-        self.edited(|now| now.writing == Writing::Free).unwrap_or_default()
+        self.edited(|now| now.writing == WriteRight::Free).unwrap_or_default()
     }
 
     /// True if this change is about what is typed into here, and the lock of that is asked for and not answered yet.
-    pub(super) fn awaits_lock(&self, next: Option<&Waiting>) -> bool {
-        let awaits = |now: &Editing, next: &Waiting| {
-            now.writing == Writing::Opening && now.behaviour == next.behaviour && now.made_by(&next.change).is_some()
+    pub(super) fn awaits_lock(&self, next: Option<&WaitingChange>) -> bool {
+        let awaits = |now: &Editing, next: &WaitingChange| {
+            now.writing == WriteRight::Opening && now.behaviour == next.behaviour && now.made_by(&next.change).is_some()
         };
         next.is_some_and(|next| self.edited(|now| awaits(now, next)) == Some(true))
     }
 
     /// The tokens that go with a change of a behaviour.
-    pub(super) fn tokens(&self, behaviour: &Id) -> Vec<Token> {
+    pub(super) fn tokens(&self, behaviour: &Id) -> Vec<LockToken> {
         let token = self.edited(|now| now.token().filter(|_| now.behaviour == *behaviour));
         token.flatten().into_iter().collect()
     }
@@ -242,7 +242,7 @@ impl Document {
         });
     }
 
-    fn asked(&self, number: u32, now_ms: u64, asked: &Asked) {
+    fn asked(&self, number: u32, now_ms: u64, asked: &AskResult) {
         if self.edited(|now| now.number) != Some(number) {
             return;
         }
@@ -283,9 +283,9 @@ impl Document {
 /// True if something is counted down.
 fn counts(editing: &Editing) -> bool {
     match &editing.writing {
-        Writing::Own(own) => own.free_ms.is_some(),
-        Writing::No(reading) => matches!(reading.asking, Asking::Waits { .. } | Asking::Kept { .. }),
-        Writing::Opening | Writing::Free => false,
+        WriteRight::Own(own) => own.free_ms.is_some(),
+        WriteRight::No(reading) => matches!(reading.asking, Asking::Waits { .. } | Asking::Kept { .. }),
+        WriteRight::Opening | WriteRight::Free => false,
     }
 }
 
@@ -296,6 +296,6 @@ fn on_page_clock(now_ms: u64) -> impl Fn(u64) -> f64 {
 }
 
 /// Gives a lock back; who does not reach the server has none any more.
-fn unlock(behaviour: Id, token: Token) {
+fn unlock(behaviour: Id, token: LockToken) {
     link::ask(Request::Unlock { behaviour, token }, |_| {});
 }

@@ -5,7 +5,7 @@ use super::Document;
 use crate::desk::tab::{new_id, set_if_new};
 use crate::live;
 use behaviour::{
-    Change, Edit, Fix, Id, Kind, Place, Problem, ProblemKind, Record, RecordId, Seen, Unit, Value, ValueType,
+    Change, Edit, Fix, Id, Kind, Place, Problem, ProblemKind, Record, RecordId, SeenKinds, Unit, Value, ValueType,
 };
 use leptos::prelude::*;
 use protocol::{Reply, Request};
@@ -95,7 +95,7 @@ impl Document {
     }
 
     /// The kinds of the newest values.
-    fn seen(&self) -> Seen {
+    fn seen(&self) -> SeenKinds {
         let kind = |id: &Id| {
             let live = self.stream(id)?.live;
             live.with_untracked(|live| live.value.as_ref().map(|value| (id.clone(), ValueType::of(value))))

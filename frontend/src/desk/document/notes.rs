@@ -1,6 +1,6 @@
 //! Notes beside the graph: written, and where each stands.
 
-use super::{Document, NoteSignals, Selected, State, build, several};
+use super::{Document, DocumentState, NoteSignals, Selected, build, several};
 use crate::browser;
 use crate::desk::tab::{new_id, set_if_new};
 use crate::layout;
@@ -89,7 +89,7 @@ impl Document {
     }
 }
 
-impl State {
+impl DocumentState {
     fn left_of_graph(&self, row: usize) -> Place {
         let streams = self.streams.values().map(|signals| signals.place.get_untracked());
         let corner = streams.reduce(|one, other| Place { x: one.x.min(other.x), y: one.y.min(other.y) });

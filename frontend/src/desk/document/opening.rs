@@ -1,7 +1,7 @@
 //! Opening and leaving programs. A wish that only the moment stands against is asked again.
 
 use super::undo::Mine;
-use super::{Document, DocumentEvent, History};
+use super::{Document, DocumentEvent, HistoryPanel};
 use crate::desk::tab::{AGAIN_MS, may_pass, set_if_new};
 use crate::{browser, link};
 use behaviour::{Behaviour, Id};
@@ -91,7 +91,7 @@ impl Document {
         set_if_new(&self.problems, Vec::new());
         set_if_new(&self.name, String::new());
         set_if_new(&self.versions, Vec::new());
-        set_if_new(&self.history, History::default());
+        set_if_new(&self.history, HistoryPanel::default());
         self.show_whole(Behaviour::default());
         self.end_comparing();
         self.show_steps();

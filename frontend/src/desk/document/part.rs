@@ -5,7 +5,8 @@ use super::build::free_name;
 use super::grouping::members;
 use crate::layout::{CHIP_HEIGHT, GAP, STREAM_HEIGHT, VALUE_ROOM, note_size, snapped, stream_width};
 use behaviour::{
-    Behaviour, Change, Connector, Filled, Group, Helper, Id, Kind, Place, Procedure, Record, RecordId, Stream, numbered,
+    Behaviour, Change, Connector, FillFrom, Group, Helper, Id, Kind, Place, Procedure, Record, RecordId, Stream,
+    numbered,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,13 +22,13 @@ const STEPS_MAX: i32 = 40;
 /// A part of a program as a text: its records, and the helpers that they use.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Part {
+pub(crate) struct ProgramPart {
     format: String,
     records: Behaviour,
     helpers: Vec<Helper>,
 }
 
-impl Part {
+impl ProgramPart {
     /// The streams, connectors and notes among these, the connectors between the streams, the groups of which all streams
     /// are among them, and where everything stands.
     pub(super) fn of(
@@ -202,9 +203,11 @@ impl Part {
 
     /// The shortest way to the right or down to where it covers nothing that stands in a behaviour.
     pub(super) fn to_free(&self, behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> (f64, f64) {
-        let Some(own) = self.rooms().into_iter().map(|(_, room)| room).reduce(Room::and) else { return (0.0, 0.0) };
+        let Some(own) = self.rooms().into_iter().map(|(_, room)| room).reduce(TakenRoom::and) else {
+            return (0.0, 0.0);
+        };
         let place = |id: &Id| places.get(id).copied();
-        let taken: Vec<Room> = rooms(behaviour, place).into_iter().map(|(_, room)| room).collect();
+        let taken: Vec<TakenRoom> = rooms(behaviour, place).into_iter().map(|(_, room)| room).collect();
         let (width, height) = (own.right - own.left + GAP, own.bottom - own.top + GAP);
         let step = |start: f64, number: i32| start + f64::from(number) * STEP;
         let ways = (0..STEPS_MAX).flat_map(|number| [(step(width, number), 0.0), (0.0, step(height, number))]);
@@ -218,7 +221,7 @@ impl Part {
     }
 
     /// Returns the places of its streams and notes, and the room that they take.
-    fn rooms(&self) -> Vec<(Place, Room)> {
+    fn rooms(&self) -> Vec<(Place, TakenRoom)> {
         rooms(&self.records, |id| self.records.place(id))
     }
 
@@ -256,15 +259,15 @@ fn name_in(helper: &Helper, all: &[Helper]) -> Option<String> {
 
 /// Room that something takes.
 #[derive(Clone, Copy)]
-struct Room {
+struct TakenRoom {
     left: f64,
     top: f64,
     right: f64,
     bottom: f64,
 }
 
-impl Room {
-    fn and(self, other: Room) -> Self {
+impl TakenRoom {
+    fn and(self, other: TakenRoom) -> Self {
         Self {
             left: self.left.min(other.left),
             top: self.top.min(other.top),
@@ -277,15 +280,15 @@ impl Room {
         Self { left: self.left + dx, top: self.top + dy, right: self.right + dx, bottom: self.bottom + dy }
     }
 
-    fn meets(self, other: &Room) -> bool {
+    fn meets(self, other: &TakenRoom) -> bool {
         self.left < other.right && self.right > other.left && self.top < other.bottom && self.bottom > other.top
     }
 }
 
 /// Returns the places of a behaviour's streams and notes, and the room that they take: a stream with its value and the
 /// chip above it.
-fn rooms(behaviour: &Behaviour, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Place, Room)> {
-    let room = |place: Place, half: f64, (above, right, below): (f64, f64, f64)| Room {
+fn rooms(behaviour: &Behaviour, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Place, TakenRoom)> {
+    let room = |place: Place, half: f64, (above, right, below): (f64, f64, f64)| TakenRoom {
         left: place.x - half,
         top: place.y - above,
         right: place.x + half + right,

@@ -2,7 +2,7 @@
 
 use super::super::Selected;
 use super::super::graph_tests::{graph, id, places, start};
-use super::Part;
+use super::ProgramPart;
 use behaviour::{Behaviour, Group, Helper, Id, Kind, Note, Place, Procedure, Record, RecordId};
 use std::collections::BTreeSet;
 
@@ -10,10 +10,10 @@ fn both() -> BTreeSet<Selected> {
     [Selected::Stream(id("distance")), Selected::Stream(id("close"))].into()
 }
 
-fn part(made: &Behaviour, of: &BTreeSet<Selected>) -> Part {
+fn part(made: &Behaviour, of: &BTreeSet<Selected>) -> ProgramPart {
     let helper =
         |name: &str| Helper { name: name.into(), params: vec!["b".into()], body: "1".into(), ..Helper::default() };
-    Part::of(made, &places(made), of, &[helper("distance"), helper("other")])
+    ProgramPart::of(made, &places(made), of, &[helper("distance"), helper("other")])
 }
 
 fn numbered() -> impl FnMut() -> Id {
@@ -28,7 +28,7 @@ fn numbered() -> impl FnMut() -> Id {
 fn a_part_goes_as_a_text_into_another_program() {
     let made = graph();
     let text = part(&made, &both()).text();
-    let copy = Part::read(&text).unwrap();
+    let copy = ProgramPart::read(&text).unwrap();
     assert_eq!(copy.helpers.len(), 0, "the connector into the part is not in it");
     let other = Behaviour::default();
     let (change, streams) = copy.into(&other, start(), (0.0, 0.0), numbered());
@@ -38,7 +38,7 @@ fn a_part_goes_as_a_text_into_another_program() {
     let (_, filter) = after.connectors().next().unwrap();
     assert_eq!(filter.operation.procedure(), Some(&Procedure::body("distance < 20")));
     for text in ["", "{}", "hello", "{\"format\":\"rrp-part/2\",\"records\":{},\"helpers\":[]}"] {
-        assert!(Part::read(text).is_none(), "{text}");
+        assert!(ProgramPart::read(text).is_none(), "{text}");
     }
 }
 
@@ -80,7 +80,7 @@ fn a_helper_of_the_same_name_with_another_body_comes_under_a_free_one() {
     let of: BTreeSet<Selected> = both().into_iter().chain([Selected::Connector(id("to-distance"))]).collect();
     let helper =
         |name: &str, body: &str| Helper { name: name.into(), body: body.into(), ..part(&made, &of).helpers[0].clone() };
-    let used = |part: &Part| {
+    let used = |part: &ProgramPart| {
         let names = part.records.connectors().filter_map(|(_, connector)| match connector.operation.procedure() {
             Some(Procedure::Helper(name)) => Some(name.clone()),
             _ => None,
@@ -120,7 +120,7 @@ fn notes_and_groups_go_with_what_is_in_them() {
     let mut at = places(&made);
     at.insert(id("note"), Place { x: -300.0, y: 0.0 });
     let of: BTreeSet<Selected> = both().into_iter().chain([Selected::Note(id("note"))]).collect();
-    let copy = Part::read(&Part::of(&made, &at, &of, &[]).text()).unwrap();
+    let copy = ProgramPart::read(&ProgramPart::of(&made, &at, &of, &[]).text()).unwrap();
     let (change, chosen) = copy.into(&made, start(), (400.0, 0.0), numbered());
     let mut after = made.clone();
     after.apply(&change);
@@ -129,8 +129,8 @@ fn notes_and_groups_go_with_what_is_in_them() {
     assert!(copied.title == "Near" && copied.streams.is_disjoint(&group(false).streams), "{copied:?}");
     assert!(after.notes().all(|(_, other)| *other == note), "who wrote it stays");
     put(&mut made, Kind::Group, "near", Record::Group(group(true)));
-    let (_, chosen) = Part::of(&made, &at, &of, &[]).into(&made, start(), (400.0, 0.0), numbered());
+    let (_, chosen) = ProgramPart::of(&made, &at, &of, &[]).into(&made, start(), (400.0, 0.0), numbered());
     assert_eq!(chosen.len(), 2, "a folded group is chosen for what is in it: {chosen:?}");
-    let half = Part::of(&made, &at, &[Selected::Stream(id("close"))].into(), &[]);
+    let half = ProgramPart::of(&made, &at, &[Selected::Stream(id("close"))].into(), &[]);
     assert_eq!(half.records.groups().count(), 0);
 }

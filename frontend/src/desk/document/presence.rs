@@ -5,7 +5,7 @@ use super::{Document, Selected};
 use crate::{browser, link, words};
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Area, Person, Pointer, Request};
+use protocol::{CanvasArea, Person, Pointer, Request};
 
 /// The least time between two messages that tell others where this person is, in milliseconds.
 const PRESENCE_MS: f64 = 50.0;
@@ -14,24 +14,24 @@ const PRESENCE_MS: f64 = 50.0;
 #[derive(Default)]
 pub(super) struct Presence {
     pointer: Option<Pointer>,
-    view: Option<Area>,
+    view: Option<CanvasArea>,
     /// The time when the others were told last, and what.
     told_ms: f64,
-    told: Option<(Option<Pointer>, Option<Id>, Option<Area>)>,
+    told: Option<(Option<Pointer>, Option<Id>, Option<CanvasArea>)>,
     is_planned: bool,
 }
 
 impl Presence {
     /// Returns the part of the canvas that is in view.
-    pub(super) fn in_view(&self) -> Option<Area> {
+    pub(super) fn in_view(&self) -> Option<CanvasArea> {
         self.view
     }
 }
 
 /// The place of somebody who is followed.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Followed {
-    pub(crate) view: Option<Area>,
+pub(crate) struct FollowedPlace {
+    pub(crate) view: Option<CanvasArea>,
     pub(crate) selected: Option<Id>,
 }
 
@@ -43,7 +43,7 @@ impl Document {
     }
 
     /// Tells them what part of the canvas is in view, none where there is no canvas.
-    pub(crate) fn present_view(&self, view: Option<Area>) {
+    pub(crate) fn present_view(&self, view: Option<CanvasArea>) {
         self.state().presence.view = view;
         self.plan_presence();
     }
@@ -130,11 +130,11 @@ impl Document {
     }
 
     /// Returns the place of the followed person. Reactive.
-    pub(crate) fn followed(&self) -> Option<Followed> {
+    pub(crate) fn followed(&self) -> Option<FollowedPlace> {
         let client = self.following.get()?;
         self.people.with(|people| {
             let person = people.iter().find(|person| person.client == client)?;
-            Some(Followed { view: person.view, selected: person.selected.clone() })
+            Some(FollowedPlace { view: person.view, selected: person.selected.clone() })
         })
     }
 

@@ -1,12 +1,12 @@
 //! The one door for edits: a change is queued, kept over reloads, sent when its turn comes, and answered.
 
-use super::queue::{Waiting, Way};
+use super::queue::{SendMode, WaitingChange};
 use super::save_state::{SaveEvent, SaveState};
 use super::{Document, DocumentEvent};
-use crate::browser::Keep;
+use crate::browser::Drawer;
 use crate::desk::tab::set_if_new;
 use crate::link;
-use behaviour::{Change, Id, Kind, RecordId, Refusal, Token, with_otherwise};
+use behaviour::{Change, Id, Kind, LockToken, RecordId, Refusal, with_otherwise};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request, Role};
 use std::cell::RefCell;
@@ -74,7 +74,7 @@ impl Document {
         if to.as_str() != LIBRARY {
             self.state().mine.begin_anew();
         }
-        self.queue_up(to, (change, Way::Propose), on_answer);
+        self.queue_up(to, (change, SendMode::Propose), on_answer);
     }
 
     /// Puts a change into the queue that was made at another time, perhaps without a connection.
@@ -86,7 +86,7 @@ impl Document {
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let op = change.op.clone();
-        self.queue_up(to, (change, Way::Propose), on_answer);
+        self.queue_up(to, (change, SendMode::Propose), on_answer);
         let revision = self.revision.get_untracked();
         self.state().queue.made(&op, revision, made);
     }
@@ -95,7 +95,7 @@ impl Document {
     pub(super) fn queue_up(
         &self,
         to: Id,
-        (change, way): (Change, Way),
+        (change, way): (Change, SendMode),
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let (op, touched) = (change.op.clone(), touched(&change));
@@ -183,7 +183,9 @@ impl Document {
             Ok(()) | Err(_) => waiting,
         };
         match answer {
-            Err(Refused::Change(no @ (Refusal::Stale(_) | Refusal::MissingStream))) if waiting.way == Way::Propose => {
+            Err(Refused::Change(no @ (Refusal::Stale(_) | Refusal::MissingStream)))
+                if waiting.way == SendMode::Propose =>
+            {
                 self.came_late(waiting, no, on_answer);
             }
             answer => on_answer(answer),
@@ -193,7 +195,7 @@ impl Document {
     }
 
     /// A change was refused, and with it go the steps that wait to take it back.
-    fn not_made(&self, waiting: &Waiting, no: &Refused) {
+    fn not_made(&self, waiting: &WaitingChange, no: &Refused) {
         self.seen_again(&waiting.change);
         let steps = self.state().queue.forget_steps_of(&waiting.change.op);
         self.happened(DocumentEvent::NotSaved);
@@ -308,14 +310,14 @@ impl Document {
             if queue.len() == 0 { None } else { serde_json::to_string(queue).ok() }
         };
         match kept {
-            Some(text) => Keep::Tab.put(QUEUE_KEY, &text),
-            None => Keep::Tab.drop(QUEUE_KEY),
+            Some(text) => Drawer::Tab.put(QUEUE_KEY, &text),
+            None => Drawer::Tab.drop(QUEUE_KEY),
         }
     }
 
     /// Takes up what waited before the page was loaded again.
     pub(in crate::desk) fn restore_queue(&self) {
-        let kept = Keep::Tab.get(QUEUE_KEY).and_then(|text| crate::json::read(&text).ok());
+        let kept = Drawer::Tab.get(QUEUE_KEY).and_then(|text| crate::json::read(&text).ok());
         if let Some(queue) = kept {
             self.state().queue = queue;
         }
@@ -323,15 +325,15 @@ impl Document {
 }
 
 /// Returns the request for a change that waits.
-fn request(waiting: Waiting, tokens: Vec<Token>) -> Request {
-    let Waiting { behaviour, change, way, .. } = waiting;
+fn request(waiting: WaitingChange, tokens: Vec<LockToken>) -> Request {
+    let WaitingChange { behaviour, change, way, .. } = waiting;
     let op = change.op.clone();
     match way {
-        Way::Propose => Request::Propose { behaviour, change, tokens },
-        Way::TakeBack => Request::TakeBack { behaviour, op, again: false, tokens },
-        Way::DoAgain => Request::TakeBack { behaviour, op, again: true, tokens },
-        Way::GoBack { revision, called } => Request::GoBack { behaviour, revision, op, called, tokens },
-        Way::BringBack { revision } => Request::BringBack { behaviour, revision, op, tokens },
+        SendMode::Propose => Request::Propose { behaviour, change, tokens },
+        SendMode::TakeBack => Request::TakeBack { behaviour, op, again: false, tokens },
+        SendMode::DoAgain => Request::TakeBack { behaviour, op, again: true, tokens },
+        SendMode::GoBack { revision, called } => Request::GoBack { behaviour, revision, op, called, tokens },
+        SendMode::BringBack { revision } => Request::BringBack { behaviour, revision, op, tokens },
     }
 }
 

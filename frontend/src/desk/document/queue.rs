@@ -9,12 +9,12 @@ pub(super) const WAITING_MAX: usize = 200;
 
 /// A change and what it is for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Waiting {
+pub(super) struct WaitingChange {
     pub(super) behaviour: Id,
     /// The change that is made, as far as this page knows it.
     pub(super) change: Change,
     #[serde(default)]
-    pub(super) way: Way,
+    pub(super) way: SendMode,
     /// True if the server may have it.
     #[serde(default)]
     sent: bool,
@@ -31,7 +31,7 @@ pub(super) struct Waiting {
 
 /// The ways to ask the server for a change.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) enum Way {
+pub(super) enum SendMode {
     /// The change as it is.
     #[default]
     Propose,
@@ -48,7 +48,7 @@ pub(super) enum Way {
 /// Oldest first.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(super) struct Queue {
-    waiting: VecDeque<Waiting>,
+    waiting: VecDeque<WaitingChange>,
     #[serde(skip)]
     oldest: Oldest,
 }
@@ -71,17 +71,21 @@ impl Queue {
     }
 
     /// Adds a change to the end of the queue. Returns true if there was room.
-    pub(super) fn push(&mut self, behaviour: Id, change: Change, way: Way) -> bool {
+    pub(super) fn push(&mut self, behaviour: Id, change: Change, way: SendMode) -> bool {
         let room = self.waiting.len() < WAITING_MAX;
         if room {
             let (revision, made_ms, offline) = (0, 0.0, false);
-            self.waiting.push_back(Waiting { behaviour, change, way, sent: false, revision, made_ms, offline });
+            self.waiting.push_back(WaitingChange { behaviour, change, way, sent: false, revision, made_ms, offline });
         }
         room
     }
 
     /// Takes the newest change of a behaviour out again, if the server has not been asked for it and it is `wanted`.
-    pub(super) fn withdraw(&mut self, behaviour: &Id, wanted: impl Fn(&Waiting) -> bool) -> Option<Waiting> {
+    pub(super) fn withdraw(
+        &mut self,
+        behaviour: &Id,
+        wanted: impl Fn(&WaitingChange) -> bool,
+    ) -> Option<WaitingChange> {
         let at = self.waiting.iter().rposition(|waiting| waiting.behaviour == *behaviour)?;
         let newest = self.waiting.get(at)?;
         if newest.sent || !wanted(newest) {
@@ -94,8 +98,8 @@ impl Queue {
     }
 
     /// Takes out what takes this change back, and what takes that back: it was never made.
-    pub(super) fn forget_steps_of(&mut self, op: &Id) -> Vec<Waiting> {
-        let mut gone: Vec<Waiting> = Vec::new();
+    pub(super) fn forget_steps_of(&mut self, op: &Id) -> Vec<WaitingChange> {
+        let mut gone: Vec<WaitingChange> = Vec::new();
         for waiting in std::mem::take(&mut self.waiting) {
             let of = waiting.change.undoes.as_ref();
             if of == Some(op) || gone.iter().any(|gone| of == Some(&gone.change.op)) {
@@ -115,12 +119,12 @@ impl Queue {
     }
 
     /// Everything that waits, oldest first.
-    pub(super) fn all(&self) -> impl Iterator<Item = &Waiting> {
+    pub(super) fn all(&self) -> impl Iterator<Item = &WaitingChange> {
         self.waiting.iter()
     }
 
     /// The next to send, which is then under way; none while one is, or rests.
-    pub(super) fn send_next(&mut self) -> Option<Waiting> {
+    pub(super) fn send_next(&mut self) -> Option<WaitingChange> {
         match self.oldest {
             Oldest::UnderWay | Oldest::Rests => None,
             Oldest::Ready => {
@@ -153,7 +157,7 @@ impl Queue {
     }
 
     /// Takes out the change that was answered.
-    pub(super) fn answered(&mut self, op: &Id) -> Option<Waiting> {
+    pub(super) fn answered(&mut self, op: &Id) -> Option<WaitingChange> {
         let at = self.waiting.iter().position(|waiting| waiting.change.op == *op)?;
         if at == 0 {
             self.oldest = Oldest::Ready;
@@ -170,7 +174,7 @@ impl Queue {
     }
 
     /// Returns the changes that wait for a behaviour, oldest first.
-    pub(super) fn waiting_for<'a>(&'a self, behaviour: &'a Id) -> impl DoubleEndedIterator<Item = &'a Waiting> {
+    pub(super) fn waiting_for<'a>(&'a self, behaviour: &'a Id) -> impl DoubleEndedIterator<Item = &'a WaitingChange> {
         self.waiting.iter().filter(move |waiting| waiting.behaviour == *behaviour)
     }
 
@@ -199,7 +203,7 @@ impl Queue {
 
 #[cfg(test)]
 mod tests {
-    use super::{Queue, WAITING_MAX, Way};
+    use super::{Queue, SendMode, WAITING_MAX};
     use behaviour::{Behaviour, Change, Id, Kind, Note, Record, RecordId};
 
     fn id(text: &str) -> Id {
@@ -215,8 +219,8 @@ mod tests {
     fn one_is_under_way_and_a_broken_link_sends_it_again() {
         let mut queue = Queue::default();
         assert!(
-            queue.push(id("b"), change("one", "1"), Way::Propose)
-                && queue.push(id("b"), change("two", "2"), Way::Propose)
+            queue.push(id("b"), change("one", "1"), SendMode::Propose)
+                && queue.push(id("b"), change("two", "2"), SendMode::Propose)
         );
         assert_eq!(queue.send_next().unwrap().change.op, id("one"));
         assert_eq!(queue.send_next(), None);
@@ -229,7 +233,7 @@ mod tests {
     #[test]
     fn what_came_too_fast_rests_before_it_is_sent_again() {
         let mut queue = Queue::default();
-        queue.push(id("b"), change("one", "1"), Way::Propose);
+        queue.push(id("b"), change("one", "1"), SendMode::Propose);
         queue.send_next();
         queue.rest();
         assert_eq!(queue.send_next(), None);
@@ -242,7 +246,7 @@ mod tests {
     #[test]
     fn a_link_that_breaks_ends_the_rest() {
         let mut queue = Queue::default();
-        queue.push(id("b"), change("one", "1"), Way::Propose);
+        queue.push(id("b"), change("one", "1"), SendMode::Propose);
         queue.send_next();
         queue.rest();
         queue.link_lost();
@@ -252,8 +256,8 @@ mod tests {
     #[test]
     fn the_newest_waiting_change_says_what_a_record_will_be() {
         let mut queue = Queue::default();
-        queue.push(id("b"), change("one", "1"), Way::Propose);
-        queue.push(id("b"), change("two", "2"), Way::Propose);
+        queue.push(id("b"), change("one", "1"), SendMode::Propose);
+        queue.push(id("b"), change("two", "2"), SendMode::Propose);
         let key = RecordId::new(Kind::Note, &id("n"));
         assert_eq!(queue.record(&id("b"), &key), Some(Some(Record::Note(Note::new("2".into())))));
         assert_eq!(queue.record(&id("other"), &key), None);
@@ -263,8 +267,8 @@ mod tests {
     #[test]
     fn the_queue_is_bounded_and_survives_a_reload() {
         let mut queue = Queue::default();
-        (0..WAITING_MAX).for_each(|at| assert!(queue.push(id("b"), change(&format!("op{at}"), ""), Way::Propose)));
-        assert!(!queue.push(id("b"), change("more", ""), Way::Propose));
+        (0..WAITING_MAX).for_each(|at| assert!(queue.push(id("b"), change(&format!("op{at}"), ""), SendMode::Propose)));
+        assert!(!queue.push(id("b"), change("more", ""), SendMode::Propose));
         queue.made(&id(&format!("op{}", WAITING_MAX - 1)), 7, (5.0, true));
         let kept = serde_json::to_string(&queue).unwrap();
         let again = serde_json::from_str::<Queue>(&kept).unwrap();
@@ -276,10 +280,10 @@ mod tests {
     #[test]
     fn what_was_not_sent_is_taken_out_again() {
         let mut queue = Queue::default();
-        queue.push(id("b"), change("one", "1"), Way::Propose);
-        queue.push(id("b"), change("two", "2"), Way::Propose);
+        queue.push(id("b"), change("one", "1"), SendMode::Propose);
+        queue.push(id("b"), change("two", "2"), SendMode::Propose);
         queue.send_next();
-        let any = |_: &super::Waiting| true;
+        let any = |_: &super::WaitingChange| true;
         assert_eq!(queue.withdraw(&id("b"), |_| false), None);
         assert_eq!(queue.withdraw(&id("b"), any).unwrap().change.op, id("two"));
         assert_eq!(queue.withdraw(&id("b"), any), None, "the server may have it");
@@ -288,7 +292,7 @@ mod tests {
         queue.send_next();
         queue.rest();
         assert!(queue.withdraw(&id("b"), any).is_some(), "the server refused to hear it");
-        queue.push(id("b"), change("three", "3"), Way::Propose);
+        queue.push(id("b"), change("three", "3"), SendMode::Propose);
         assert_eq!(queue.send_next().unwrap().change.op, id("three"));
     }
 
@@ -298,9 +302,12 @@ mod tests {
         let first = change("one", "1");
         let undo = first.swapped(id("undo"), "");
         let redo = undo.swapped(id("redo"), "");
-        for (change, way) in
-            [(first, Way::Propose), (undo, Way::TakeBack), (change("two", "2"), Way::Propose), (redo, Way::DoAgain)]
-        {
+        for (change, way) in [
+            (first, SendMode::Propose),
+            (undo, SendMode::TakeBack),
+            (change("two", "2"), SendMode::Propose),
+            (redo, SendMode::DoAgain),
+        ] {
             queue.push(id("b"), change, way);
         }
         queue.answered(&id("one"));

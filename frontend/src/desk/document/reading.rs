@@ -1,6 +1,6 @@
 //! Reading the history of the open behaviour: its newest page when it is opened, older ones on demand.
 
-use super::{Document, History};
+use super::{Document, HistoryPanel};
 use crate::desk::tab::{AGAIN_MS, may_pass};
 use crate::{browser, link};
 use behaviour::{Accepted, Id};
@@ -15,7 +15,7 @@ impl Document {
     pub(super) fn begin_history(&self, revision: u64) {
         let newest = self.history.with_untracked(|history| history.newest_first().next().map(|line| line.revision));
         if newest != Some(revision) {
-            self.history.set(History::default());
+            self.history.set(HistoryPanel::default());
         }
         self.state().reads_history = false;
         if !self.history.with_untracked(|history| history.is_read) {
@@ -26,7 +26,7 @@ impl Document {
 
     /// Forgets a history that is not right, and reads it anew.
     pub(super) fn forget_history(&self) {
-        self.history.set(History::default());
+        self.history.set(HistoryPanel::default());
         self.ask_history(None);
         self.show_steps();
     }
@@ -87,6 +87,6 @@ impl Document {
 
     /// True if older changes may tell what can be taken back.
     fn seeks_own_change(&self) -> bool {
-        self.undoable.with_untracked(Option::is_none) && self.history.with_untracked(History::len) < UNDO_LOOKS_AT
+        self.undoable.with_untracked(Option::is_none) && self.history.with_untracked(HistoryPanel::len) < UNDO_LOOKS_AT
     }
 }

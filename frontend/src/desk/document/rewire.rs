@@ -2,10 +2,10 @@
 //! an edge, a stream taken out of its way. Pure.
 
 use super::build::{connected, free_name};
-use super::{ConnectPlan, Output, Selected, Spot};
+use super::{ConnectPlan, NewSpot, Output, Selected};
 use crate::layout::{LEVEL, snapped};
 use behaviour::{
-    Behaviour, Change, Connector, Filled, Graph, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream,
+    Behaviour, Change, Connector, FillFrom, Graph, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream,
     StreamKind, connectors,
 };
 use std::collections::{BTreeMap, BTreeSet};
@@ -124,7 +124,7 @@ pub(super) fn wired(
             operation,
             inputs: vec![from.clone()],
             output: Output::Existing(to.clone()),
-            spot: Spot::Below,
+            spot: NewSpot::Below,
         };
         connected(behaviour, places, change.clone(), ids, plan)
     };

@@ -1,7 +1,7 @@
 //! Tests of other ways through a graph.
 
 use super::super::graph_tests::{id, places, start};
-use super::super::{ConnectPlan, Output, Spot, build};
+use super::super::{ConnectPlan, NewSpot, Output, build};
 use super::{Gap, Joining, WireEnd, healed, healed_by, inserted, wire_ends, wired};
 use behaviour::{Behaviour, Params, Procedure, StreamKind, connectors};
 
@@ -12,7 +12,7 @@ fn add(made: &mut Behaviour, ids: (&str, &str), plan: ConnectPlan) {
 
 fn plan(from: &str, operation: behaviour::Operation, name: &str, device: Option<&str>) -> ConnectPlan {
     let output = Output::New { name: name.into(), device: device.map(str::to_owned), params: Params::new() };
-    ConnectPlan { operation, inputs: vec![id(from)], output, spot: Spot::Below }
+    ConnectPlan { operation, inputs: vec![id(from)], output, spot: NewSpot::Below }
 }
 
 /// RedBall -> Distance -> Close (distance < 20) -> Tracker, and a Touch that leads nowhere.
@@ -117,7 +117,8 @@ fn a_connector_goes_into_an_edge_and_what_is_below_makes_room() {
     let before = made.place(&id("tracker")).unwrap().y;
     let gap = Gap { connector: id("filter"), input: id("distance") };
     let sample = connectors::sample::SPEC.with(());
-    let plan = ConnectPlan { spot: Spot::Into(gap.clone()), ..plan("distance", sample, "Distance every second", None) };
+    let plan =
+        ConnectPlan { spot: NewSpot::Into(gap.clone()), ..plan("distance", sample, "Distance every second", None) };
     let change = inserted(&made, &places(&made), start(), (&id("beat"), &id("sample")), (&gap, plan));
     made.apply(&change);
     assert_eq!(made.connector(&id("sample")).unwrap().inputs, [id("distance")]);

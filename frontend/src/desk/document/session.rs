@@ -14,12 +14,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub(crate) struct EditSession {
     document: Document,
     record: RecordId,
-    begun: Arc<Mutex<Option<Begun>>>,
+    begun: Arc<Mutex<Option<KeyboardStay>>>,
 }
 
 /// From when the keyboard comes until it leaves.
 #[derive(Clone)]
-struct Begun {
+struct KeyboardStay {
     behaviour: Id,
     /// The editor that holds the lock.
     number: u32,
@@ -102,11 +102,11 @@ impl Document {
 }
 
 impl EditSession {
-    fn begun(&self) -> Option<Begun> {
+    fn begun(&self) -> Option<KeyboardStay> {
         self.begun.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    fn put(&self, begun: Option<Begun>) {
+    fn put(&self, begun: Option<KeyboardStay>) {
         *self.begun.lock().unwrap_or_else(PoisonError::into_inner) = begun;
     }
 
@@ -130,7 +130,7 @@ impl EditSession {
         if !is_own {
             document.change_editing(|now| now.seen.clone_from(&seen));
         }
-        self.put(Some(Begun { behaviour, number, is_own, seen }));
+        self.put(Some(KeyboardStay { behaviour, number, is_own, seen }));
     }
 
     /// The keyboard left: others may edit it.

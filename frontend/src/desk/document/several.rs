@@ -31,7 +31,7 @@ pub(crate) enum LineUp {
 }
 
 /// One of what is lined up: a stream, a note, or a folded group with its streams.
-struct Item {
+struct LinedUp {
     id: Id,
     place: Place,
     half: f64,
@@ -39,7 +39,7 @@ struct Item {
     spare: f64,
 }
 
-fn item(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, one: &Selected) -> Option<Item> {
+fn item(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, one: &Selected) -> Option<LinedUp> {
     let (width, spare) = match one {
         Selected::Stream(id) => (behaviour.stream(id).map_or(0.0, stream_width), VALUE_ROOM),
         Selected::Note(id) => match behaviour.records.get(&RecordId::new(Kind::Note, id)) {
@@ -49,7 +49,7 @@ fn item(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, one: &Selected) -> 
         Selected::Group(_) => (BOX.0, 0.0),
         Selected::Connector(_) => return None,
     };
-    Some(Item { id: one.id().clone(), place: *places.get(one.id())?, half: width / 2.0, spare })
+    Some(LinedUp { id: one.id().clone(), place: *places.get(one.id())?, half: width / 2.0, spare })
 }
 
 /// Returns the places of these in a row or a column, in the order in which they stand now.
@@ -59,7 +59,7 @@ pub(super) fn lined_up(
     of: &BTreeSet<Selected>,
     how: LineUp,
 ) -> Vec<(Id, Place)> {
-    let mut items: Vec<Item> = of.iter().filter_map(|one| item(behaviour, places, one)).collect();
+    let mut items: Vec<LinedUp> = of.iter().filter_map(|one| item(behaviour, places, one)).collect();
     let along = |place: &Place| if how == LineUp::Row { place.x } else { place.y };
     items.sort_by(|one, other| along(&one.place).total_cmp(&along(&other.place)));
     let Some(first) = items.iter().map(|item| item.place).min_by(|one, other| one.y.total_cmp(&other.y)) else {
@@ -67,7 +67,7 @@ pub(super) fn lined_up(
     };
     let mut free = f64::MIN;
     let mut moved = Vec::new();
-    for Item { id, place, half, spare } in items {
+    for LinedUp { id, place, half, spare } in items {
         let now = match how {
             LineUp::Row => {
                 let now = snapped(Place { x: place.x.max(free + half), y: first.y });

@@ -1,6 +1,6 @@
 //! From accepted changes to signals: the one signal of every touched record, and nothing else.
 
-use super::{ConnectorSignals, Document, DocumentEvent, Selected, State, StreamSignals};
+use super::{ConnectorSignals, Document, DocumentEvent, DocumentState, Selected, StreamSignals};
 use crate::desk::tab::set_if_new;
 use crate::layout::{self, Tidy};
 use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream, StreamKind};
@@ -200,7 +200,7 @@ impl Document {
     }
 }
 
-impl State {
+impl DocumentState {
     /// A record as it is to be shown.
     pub(super) fn record(&self, key: &RecordId) -> Option<Record> {
         let waiting = match &self.wanted {

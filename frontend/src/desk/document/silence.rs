@@ -1,6 +1,6 @@
 //! While the server is silent nothing is claimed: for how long it has been, and what is said once it speaks again.
 
-use super::{Document, State};
+use super::{Document, DocumentState};
 use crate::desk::tab::{LinkState, set_if_new};
 use crate::words;
 use leptos::prelude::*;
@@ -78,7 +78,7 @@ impl Document {
     }
 }
 
-impl State {
+impl DocumentState {
     /// Returns how many changes were sent since the server speaks again, once, when none waits any more.
     fn end_of_silence(&mut self) -> Option<usize> {
         match self.silence {
@@ -93,8 +93,8 @@ impl State {
 
 #[cfg(test)]
 mod tests {
-    use super::{Silence, State};
-    use crate::desk::document::queue::Way;
+    use super::{DocumentState, Silence};
+    use crate::desk::document::queue::SendMode;
     use behaviour::{Change, Id};
 
     fn seconds(silent_ms: f64, lost: bool) -> Option<u32> {
@@ -123,9 +123,9 @@ mod tests {
 
     #[test]
     fn that_the_server_speaks_again_is_said_once_and_only_when_nothing_waits() {
-        let mut state = State { silence: Silence::Over { sent: 1 }, ..State::default() };
+        let mut state = DocumentState { silence: Silence::Over { sent: 1 }, ..DocumentState::default() };
         let (behaviour, op) = (Id::new("b").unwrap(), Id::new("op").unwrap());
-        state.queue.push(behaviour, Change::of(op.clone(), "Aiko", "Edit"), Way::Propose);
+        state.queue.push(behaviour, Change::of(op.clone(), "Aiko", "Edit"), SendMode::Propose);
         assert_eq!(state.end_of_silence(), None);
         state.queue.answered(&op);
         assert_eq!([state.end_of_silence(), state.end_of_silence()], [Some(1), None]);

@@ -1,7 +1,7 @@
 //! One's own steps: what undo would take back and redo would do again, as the server's log has it and what waits adds to it.
 
-use super::history::{History, is_mine};
-use super::queue::{Waiting, Way};
+use super::history::{HistoryPanel, is_mine};
+use super::queue::{SendMode, WaitingChange};
 use behaviour::Id;
 
 /// The words with which the labels of undo and redo begin.
@@ -10,7 +10,7 @@ const REDO: &str = "Redo: ";
 
 /// One step.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Step {
+pub(super) struct EditStep {
     pub(super) op: Id,
     /// The label of the change, without the word of undo or redo.
     pub(super) label: String,
@@ -19,13 +19,13 @@ pub(super) struct Step {
 /// The changes that can be taken back and done again; the newest is last.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Steps {
-    pub(super) done: Vec<Step>,
-    pub(super) undone: Vec<Step>,
+    pub(super) done: Vec<EditStep>,
+    pub(super) undone: Vec<EditStep>,
 }
 
 /// The role of a change among steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
+enum StepRole {
     Do,
     Undo,
     Redo,
@@ -33,17 +33,17 @@ enum Role {
 
 impl Steps {
     /// The steps of somebody, from what is known of the history and what waits to be sent.
-    pub(super) fn of<'a>(history: &History, me: &Id, waiting: impl Iterator<Item = &'a Waiting>) -> Self {
+    pub(super) fn of<'a>(history: &HistoryPanel, me: &Id, waiting: impl Iterator<Item = &'a WaitingChange>) -> Self {
         let mut steps = Self::default();
         for line in history.oldest_first().filter(|line| is_mine(line, me)) {
-            let role = line.undoes.as_ref().map_or(Role::Do, |of| steps.role(of, &line.label));
+            let role = line.undoes.as_ref().map_or(StepRole::Do, |of| steps.role(of, &line.label));
             steps.take(role, &line.op, &line.label, line.undoes.as_ref());
         }
-        for Waiting { change, way, .. } in waiting {
+        for WaitingChange { change, way, .. } in waiting {
             let role = match way {
-                Way::Propose | Way::GoBack { .. } | Way::BringBack { .. } => Role::Do,
-                Way::TakeBack => Role::Undo,
-                Way::DoAgain => Role::Redo,
+                SendMode::Propose | SendMode::GoBack { .. } | SendMode::BringBack { .. } => StepRole::Do,
+                SendMode::TakeBack => StepRole::Undo,
+                SendMode::DoAgain => StepRole::Redo,
             };
             steps.take(role, &change.op, &change.label, change.undoes.as_ref());
         }
@@ -52,30 +52,30 @@ impl Steps {
 
     /// Returns the role of a change that takes another one back; of one that is not known any more only the label
     /// tells.
-    fn role(&self, of: &Id, label: &str) -> Role {
-        let has = |steps: &[Step]| steps.iter().any(|step| step.op == *of);
+    fn role(&self, of: &Id, label: &str) -> StepRole {
+        let has = |steps: &[EditStep]| steps.iter().any(|step| step.op == *of);
         match (has(&self.done), has(&self.undone)) {
-            (true, _) => Role::Undo,
-            (false, true) => Role::Redo,
-            (false, false) if label.starts_with(UNDO) => Role::Undo,
-            (false, false) if label.starts_with(REDO) => Role::Redo,
-            (false, false) => Role::Do,
+            (true, _) => StepRole::Undo,
+            (false, true) => StepRole::Redo,
+            (false, false) if label.starts_with(UNDO) => StepRole::Undo,
+            (false, false) if label.starts_with(REDO) => StepRole::Redo,
+            (false, false) => StepRole::Do,
         }
     }
 
-    fn take(&mut self, role: Role, op: &Id, label: &str, of: Option<&Id>) {
-        let step = Step { op: op.clone(), label: bare(label).to_owned() };
-        let other = |other: &Step| Some(&other.op) != of;
+    fn take(&mut self, role: StepRole, op: &Id, label: &str, of: Option<&Id>) {
+        let step = EditStep { op: op.clone(), label: bare(label).to_owned() };
+        let other = |other: &EditStep| Some(&other.op) != of;
         match role {
-            Role::Do => {
+            StepRole::Do => {
                 self.undone.clear();
                 self.done.push(step);
             }
-            Role::Undo => {
+            StepRole::Undo => {
                 self.done.retain(other);
                 self.undone.push(step);
             }
-            Role::Redo => {
+            StepRole::Redo => {
                 self.undone.retain(other);
                 self.done.push(step);
             }
@@ -96,7 +96,7 @@ pub(crate) fn bare(label: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::{History, Steps, Waiting, Way, label_of};
+    use super::{HistoryPanel, SendMode, Steps, WaitingChange, label_of};
     use crate::desk::document::queue::Queue;
     use behaviour::{Change, Id};
     use protocol::HistoryLine;
@@ -106,8 +106,8 @@ mod tests {
     }
 
     /// A history of lines, oldest first: who, the op, the label, what it takes back.
-    fn history(lines: &[(&str, &str, &str, &str)]) -> History {
-        let mut history = History::default();
+    fn history(lines: &[(&str, &str, &str, &str)]) -> HistoryPanel {
+        let mut history = HistoryPanel::default();
         let line = |(revision, (by, op, label, undoes)): (u64, &(&str, &str, &str, &str))| HistoryLine {
             revision,
             op: id(op),
@@ -124,12 +124,12 @@ mod tests {
         history
     }
 
-    fn of(history: &History, waiting: &[Waiting]) -> [Vec<String>; 2] {
+    fn of(history: &HistoryPanel, waiting: &[WaitingChange]) -> [Vec<String>; 2] {
         let steps = Steps::of(history, &id("me"), waiting.iter());
         [steps.done, steps.undone].map(|steps| steps.into_iter().map(|step| step.label).collect())
     }
 
-    fn waiting(changes: Vec<(Change, Way)>) -> Vec<Waiting> {
+    fn waiting(changes: Vec<(Change, SendMode)>) -> Vec<WaitingChange> {
         let mut queue = Queue::default();
         changes.into_iter().for_each(|(change, way)| assert!(queue.push(id("b"), change, way)));
         queue.waiting_for(&id("b")).cloned().collect()
@@ -164,7 +164,7 @@ mod tests {
         let history = history(&[("me", "a", "Add A", "")]);
         let added = Change::of(id("b"), "me", "Add B");
         let undo = added.swapped(id("u"), &label_of(false, "Add B"));
-        let all = waiting(vec![(added, Way::Propose), (undo, Way::TakeBack)]);
+        let all = waiting(vec![(added, SendMode::Propose), (undo, SendMode::TakeBack)]);
         assert_eq!(of(&history, &all[..1]), [vec!["Add A", "Add B"], vec![]]);
         assert_eq!(of(&history, &all), [vec!["Add A"], vec!["Add B"]]);
     }

@@ -4,8 +4,8 @@
 //! refused.
 
 use super::Document;
-use super::queue::{Waiting, Way};
-use super::steps::{Step, Steps, label_of};
+use super::queue::{SendMode, WaitingChange};
+use super::steps::{EditStep, Steps, label_of};
 use crate::desk::tab::{new_id, set_if_new};
 use behaviour::{Change, Id};
 use leptos::prelude::*;
@@ -25,7 +25,7 @@ pub(super) struct Mine {
 /// A change that the server was never asked for, as it was taken back before.
 #[derive(Debug)]
 struct Withdrawn {
-    waiting: Waiting,
+    waiting: WaitingChange,
     /// The number of steps that had been taken back in the log by then; a step that was taken back later is done again
     /// earlier.
     above: usize,
@@ -50,7 +50,7 @@ impl Mine {
     }
 
     /// Returns what is to be done again before anything that the log has, if so many steps are taken back there.
-    fn next(&self, undone: usize) -> Option<&Waiting> {
+    fn next(&self, undone: usize) -> Option<&WaitingChange> {
         self.withdrawn.last().filter(|withdrawn| withdrawn.above >= undone).map(|withdrawn| &withdrawn.waiting)
     }
 }
@@ -60,11 +60,11 @@ impl Document {
     pub(crate) fn undo(&self) {
         let Some(open) = self.open.get_untracked().filter(|_| !self.tab.refuses(Role::Editor)) else { return };
         let above = self.steps(&open).undone.len();
-        let withdrawn = self.state().queue.withdraw(&open, |newest| newest.way != Way::TakeBack);
+        let withdrawn = self.state().queue.withdraw(&open, |newest| newest.way != SendMode::TakeBack);
         match withdrawn {
             Some(waiting) => {
                 self.withdrawn(&waiting);
-                if waiting.way != Way::DoAgain {
+                if waiting.way != SendMode::DoAgain {
                     self.state().mine.withdrawn.push(Withdrawn { waiting, above });
                 }
             }
@@ -77,7 +77,7 @@ impl Document {
     pub(crate) fn redo(&self) {
         let Some(open) = self.open.get_untracked().filter(|_| !self.tab.refuses(Role::Editor)) else { return };
         let undone = self.steps(&open).undone.len();
-        let withdrawn = self.state().queue.withdraw(&open, |newest| newest.way == Way::TakeBack);
+        let withdrawn = self.state().queue.withdraw(&open, |newest| newest.way == SendMode::TakeBack);
         if let Some(waiting) = withdrawn {
             self.withdrawn(&waiting);
         } else if !self.put_again(&open, undone) {
@@ -87,7 +87,7 @@ impl Document {
     }
 
     /// Forgets a change that was taken out of the queue: it is not shown and not waited for any more.
-    fn withdrawn(&self, waiting: &Waiting) {
+    fn withdrawn(&self, waiting: &WaitingChange) {
         self.settle(&waiting.change)(Ok(()));
         self.pump();
     }
@@ -95,7 +95,7 @@ impl Document {
     /// Puts what was withdrawn last into the queue again, if that comes next.
     fn put_again(&self, open: &Id, undone: usize) -> bool {
         let next = self.state().mine.next(undone).cloned();
-        let Some(Waiting { change, way, .. }) = next else { return false };
+        let Some(WaitingChange { change, way, .. }) = next else { return false };
         let tab = self.tab.clone();
         self.queue_up(open.clone(), (change, way), move |answer| tab.say_refusal(answer));
         self.state().mine.withdrawn.pop();
@@ -108,12 +108,12 @@ impl Document {
         let step = if again { steps.undone.last() } else { steps.done.last() };
         let Some(step) = step else { return };
         let change = self.opposite(&open, step, again);
-        let way = if again { Way::DoAgain } else { Way::TakeBack };
+        let way = if again { SendMode::DoAgain } else { SendMode::TakeBack };
         let tab = self.tab.clone();
         self.queue_up(open, (change, way), move |answer| tab.say_refusal(answer));
     }
 
-    fn opposite(&self, open: &Id, step: &Step, again: bool) -> Change {
+    fn opposite(&self, open: &Id, step: &EditStep, again: bool) -> Change {
         let (op, label) = (new_id(), label_of(again, &step.label));
         let state = self.state();
         let waiting = state.queue.waiting_for(open).map(|waiting| &waiting.change).find(|change| change.op == step.op);
@@ -148,7 +148,7 @@ impl Document {
 #[cfg(test)]
 mod tests {
     use super::{Mine, REMEMBERED_MAX, Withdrawn};
-    use crate::desk::document::queue::{Queue, Way};
+    use crate::desk::document::queue::{Queue, SendMode};
     use behaviour::{Change, Id};
 
     fn id(text: &str) -> Id {
@@ -157,7 +157,7 @@ mod tests {
 
     fn withdrawn(op: &str, above: usize) -> Withdrawn {
         let mut queue = Queue::default();
-        queue.push(id("b"), Change::of(id(op), "Aiko", op), Way::Propose);
+        queue.push(id("b"), Change::of(id(op), "Aiko", op), SendMode::Propose);
         Withdrawn { waiting: queue.withdraw(&id("b"), |_| true).unwrap(), above }
     }
 

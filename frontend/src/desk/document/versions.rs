@@ -1,17 +1,17 @@
 //! Looking at versions of the open behaviour: two are compared on the graph, one has a name, one is gone back to.
 
 use super::Document;
-use super::queue::Way;
+use super::queue::SendMode;
 use crate::desk::tab::set_if_new;
 use crate::link::{self, NoAnswer};
-use behaviour::{Behaviour, Change, Checkpoint, Comparison, Id, RecordId};
+use behaviour::{Behaviour, Change, Checkpoint, Id, RecordId, VersionComparison};
 use leptos::prelude::*;
 use protocol::{Refused, Reply, Request, Role};
 use std::sync::Arc;
 
 /// A version of the open behaviour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Version {
+pub(crate) enum OpenVersion {
     /// After this revision.
     At(u64),
     /// The version as it is, whatever comes.
@@ -24,19 +24,19 @@ pub(crate) struct Comparing {
     /// The one that was chosen.
     pub(crate) was: u64,
     /// The one that it is compared with.
-    pub(crate) with: Version,
+    pub(crate) with: OpenVersion,
     /// Versions as they were, as far as the server has told them.
     known: Vec<(u64, Arc<Behaviour>)>,
 }
 
 /// The differences of two versions.
 #[derive(Debug)]
-pub(crate) struct Compared {
+pub(crate) struct ComparedVersions {
     /// The revision of the older one.
     pub(crate) since: u64,
     pub(crate) was: Arc<Behaviour>,
     pub(crate) is: Arc<Behaviour>,
-    pub(crate) difference: Comparison,
+    pub(crate) difference: VersionComparison,
 }
 
 impl Comparing {
@@ -47,8 +47,8 @@ impl Comparing {
     /// The versions that the server has to tell yet.
     fn missing(&self) -> Vec<u64> {
         let with = match self.with {
-            Version::At(revision) => Some(revision),
-            Version::Now => None,
+            OpenVersion::At(revision) => Some(revision),
+            OpenVersion::Now => None,
         };
         [Some(self.was), with].into_iter().flatten().filter(|revision| self.behaviour(*revision).is_none()).collect()
     }
@@ -56,7 +56,7 @@ impl Comparing {
 
 impl Document {
     /// Compares a version with how it is now, or with another version.
-    pub(crate) fn compare(&self, was: u64, with: Version) {
+    pub(crate) fn compare(&self, was: u64, with: OpenVersion) {
         let known = self.comparing.with_untracked(|now| now.as_ref().map_or_else(Vec::new, |now| now.known.clone()));
         let comparing = Comparing { was, with, known };
         let known = comparing.known.iter().filter(|(revision, _)| is_of(&comparing, *revision)).cloned().collect();
@@ -115,11 +115,11 @@ impl Document {
         let compared = comparing.and_then(|comparing| {
             let was = comparing.behaviour(comparing.was)?;
             let is = match comparing.with {
-                Version::Now => Arc::new(self.behaviour()),
-                Version::At(revision) => comparing.behaviour(revision)?,
+                OpenVersion::Now => Arc::new(self.behaviour()),
+                OpenVersion::At(revision) => comparing.behaviour(revision)?,
             };
-            let difference = Comparison::between(&was, &is);
-            Some(Arc::new(Compared { since: comparing.was, was, is, difference }))
+            let difference = VersionComparison::between(&was, &is);
+            Some(Arc::new(ComparedVersions { since: comparing.was, was, is, difference }))
         });
         if compared.is_some() || self.compared.with_untracked(Option::is_some) {
             self.compared.set(compared);
@@ -156,16 +156,16 @@ impl Document {
     /// Makes the behaviour again what it was, as one new change.
     pub(crate) fn go_back(&self, revision: u64, called: String) {
         let label = format!("Go back to {called}");
-        self.wish(&label, Way::GoBack { revision, called });
+        self.wish(&label, SendMode::GoBack { revision, called });
     }
 
     /// Brings back what the change of a revision removed.
     pub(crate) fn bring_back_removed(&self, revision: u64) {
-        self.wish("Bring back", Way::BringBack { revision });
+        self.wish("Bring back", SendMode::BringBack { revision });
     }
 
     /// Asks for a change that only the server can make.
-    fn wish(&self, label: &str, way: Way) {
+    fn wish(&self, label: &str, way: SendMode) {
         let Some(open) = self.open.get_untracked().filter(|_| !self.tab.refuses(Role::Editor)) else { return };
         if !link::is_up() {
             return self.tab.say_unreachable();
@@ -177,5 +177,5 @@ impl Document {
 
 /// True if this version is one of the two.
 fn is_of(comparing: &Comparing, revision: u64) -> bool {
-    comparing.was == revision || comparing.with == Version::At(revision)
+    comparing.was == revision || comparing.with == OpenVersion::At(revision)
 }

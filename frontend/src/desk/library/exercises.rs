@@ -1,11 +1,11 @@
 //! The exercise that the open program is of, and whether its goal is reached.
 
-use super::Library;
+use super::LibraryPanel;
 use crate::link::NoAnswer;
 use leptos::prelude::*;
-use protocol::{Exercise, Reply, Request, Tried};
+use protocol::{Exercise, RehearsalResult, Reply, Request};
 
-impl Library {
+impl LibraryPanel {
     /// The exercise that the open program is of: its settings say so, in programs made before a note. Reactive.
     pub(crate) fn exercise(&self) -> Option<Exercise> {
         let (begun, notes) = (self.document.exercise.get(), self.document.notes.read());
@@ -20,7 +20,7 @@ impl Library {
         &self,
         exercise: &Exercise,
         answers: Vec<u8>,
-        then: impl FnOnce(Result<Tried, NoAnswer>) + 'static,
+        then: impl FnOnce(Result<RehearsalResult, NoAnswer>) + 'static,
     ) {
         let Some(behaviour) = self.document.open.get_untracked() else { return };
         let request = Request::TryExercise { behaviour, exercise: exercise.start.id.clone(), answers };

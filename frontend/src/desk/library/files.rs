@@ -1,6 +1,6 @@
 //! Programs as files: opening one that a person chose or dropped on the page.
 
-use super::Library;
+use super::LibraryPanel;
 use crate::desk::tab::set_if_new;
 use crate::{browser, words};
 use behaviour::Id;
@@ -16,7 +16,7 @@ pub(super) const FILE_MAX_BYTES: f64 = (behaviour::BEHAVIOUR_MAX_BYTES + behavio
 /// The server's answer about a file that it took.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct Brought {
+pub(super) struct UploadAnswer {
     pub(super) id: Id,
     pub(super) name: String,
     /// Helpers that were there already in another form: as they were called, as they are called here.
@@ -24,7 +24,7 @@ pub(super) struct Brought {
 }
 
 #[derive(Deserialize)]
-struct Refused {
+struct RefusedFile {
     error: String,
 }
 
@@ -52,7 +52,7 @@ pub(crate) fn first_file(of: &JsValue) -> Option<JsValue> {
     Reflect::get_u32(&files, 0).ok().filter(|file| !file.is_undefined())
 }
 
-impl Library {
+impl LibraryPanel {
     /// Makes a program out of a file and opens it, or says why not.
     pub(crate) fn open_file(&self, file: JsValue) {
         if self.tab.refuses(Role::Editor) {
@@ -133,7 +133,7 @@ fn carries_file(event: &JsValue) -> bool {
 }
 
 /// Sends the file to the server.
-pub(super) async fn bring(file: &JsValue, by: &str) -> Result<Brought, NotBrought> {
+pub(super) async fn bring(file: &JsValue, by: &str) -> Result<UploadAnswer, NotBrought> {
     let size = Reflect::get(file, &"size".into()).ok().and_then(|size| size.as_f64()).unwrap_or(0.0);
     if size > FILE_MAX_BYTES {
         return Err(NotBrought::TooLarge);
@@ -142,7 +142,7 @@ pub(super) async fn bring(file: &JsValue, by: &str) -> Result<Brought, NotBrough
     if good {
         return crate::json::read(&text).map_err(|_| NotBrought::Unclear);
     }
-    let refused = crate::json::read::<Refused>(&text).map(|refused| NotBrought::Refused(refused.error));
+    let refused = crate::json::read::<RefusedFile>(&text).map(|refused| NotBrought::Refused(refused.error));
     Err(refused.unwrap_or(NotBrought::Unclear))
 }
 
@@ -175,7 +175,7 @@ async fn post(file: &JsValue, by: &str) -> Option<(bool, String)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Brought, file_address, named};
+    use super::{UploadAnswer, file_address, named};
     use behaviour::Id;
 
     #[test]
@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn the_answer_of_the_server_is_read() {
         let text = r#"{"id":"b-1","name":"Play","renamedHelpers":[["far","far2"]]}"#;
-        let brought: Brought = serde_json::from_str(text).unwrap();
+        let brought: UploadAnswer = serde_json::from_str(text).unwrap();
         assert_eq!((brought.name.as_str(), brought.renamed_helpers.len()), ("Play", 1));
         assert_eq!(file_address(&Id::new("b-1").unwrap(), "svg"), "/api/behaviours/b-1.svg");
     }

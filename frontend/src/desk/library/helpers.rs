@@ -1,6 +1,6 @@
 //! The helpers: as the server has them, and the changes that people make to them.
 
-use super::Library;
+use super::LibraryPanel;
 use crate::desk::document::{as_seen, helper_gone, helper_put, short};
 use crate::desk::tab::{new_id, set_if_new};
 use crate::link::{self, NoAnswer};
@@ -11,7 +11,7 @@ use protocol::{LIBRARY, Refused, Reply, Request, Role, Summary};
 /// Of so many helpers it is remembered who changed them.
 const CHANGED_MAX: usize = 2_000;
 
-impl Library {
+impl LibraryPanel {
     /// After a greeting: takes the helpers and templates as they are now.
     pub(in crate::desk) fn welcome(&self, records: Behaviour, revision: u64, templates: Vec<Summary>) {
         set_if_new(&self.templates, templates);

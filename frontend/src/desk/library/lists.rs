@@ -1,6 +1,6 @@
 //! Lists of programs: the newest ones, and page after page of all of them.
 
-use super::Library;
+use super::LibraryPanel;
 use crate::desk::tab::set_if_new;
 use crate::link::NoAnswer;
 use behaviour::Id;
@@ -18,7 +18,7 @@ pub(crate) struct ProgramPage {
     pub(crate) total: u64,
 }
 
-impl Library {
+impl LibraryPanel {
     /// Asks for the newest programs afresh.
     pub(crate) fn list_programs(&self) {
         let library = self.clone();

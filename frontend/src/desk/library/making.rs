@@ -1,6 +1,6 @@
 //! Making and removing programs, and taking them out of the bin. What only the moment stands against is asked again.
 
-use super::Library;
+use super::LibraryPanel;
 use crate::desk::tab::{AGAIN_MS, Gone, may_pass, new_id, set_if_new};
 use crate::link::NoAnswer;
 use crate::{browser, link, words};
@@ -10,7 +10,7 @@ use protocol::{Refused, Reply, Request, Summary};
 
 /// A program that is to be made; asked twice with one id, the server makes one.
 #[derive(Clone)]
-pub(super) struct Making {
+pub(super) struct ProgramMaking {
     behaviour: Id,
     name: String,
     template: Option<String>,
@@ -18,7 +18,7 @@ pub(super) struct Making {
     said: bool,
 }
 
-impl Library {
+impl LibraryPanel {
     /// Makes a program, from a template's id or empty, and opens it.
     pub(crate) fn create_program(&self, name: &str, template: Option<&str>) {
         if !link::is_up() {
@@ -26,7 +26,7 @@ impl Library {
         }
         let behaviour = new_id();
         let (name, template) = (name.to_owned(), template.map(str::to_owned));
-        self.state().making = Some(Making { behaviour: behaviour.clone(), name, template, said: false });
+        self.state().making = Some(ProgramMaking { behaviour: behaviour.clone(), name, template, said: false });
         self.make(behaviour);
     }
 
@@ -39,7 +39,7 @@ impl Library {
     /// Asks for what is to be made, if nobody wished for something else since.
     fn make(&self, behaviour: Id) {
         let making = self.state().making.clone().filter(|making| making.behaviour == behaviour);
-        let Some(Making { behaviour, name, template, .. }) = making else { return };
+        let Some(ProgramMaking { behaviour, name, template, .. }) = making else { return };
         let (library, made) = (self.clone(), behaviour.clone());
         link::ask_even_down(Request::Create { behaviour, name, template }, move |reply| match reply {
             Some(Reply::No { no }) if !may_pass(no) => {

@@ -1,7 +1,7 @@
 //! A whole program as a text that somebody pasted.
 
 use super::files::{FILE_MAX_BYTES, bring};
-use crate::desk::Library;
+use crate::desk::LibraryPanel;
 use crate::words;
 use protocol::Role;
 use std::sync::Arc;
@@ -35,7 +35,7 @@ fn root(text: &str) -> Option<&str> {
     }
 }
 
-impl Library {
+impl LibraryPanel {
     /// Makes a program out of a pasted one and opens it, or says why not.
     pub(crate) fn open_pasted(&self, pasted: &Pasted) {
         if self.tab.refuses(Role::Editor) {

@@ -1,10 +1,10 @@
 //! Pictures of graphs, asked for together as they come into sight.
 
-use super::Library;
+use super::LibraryPanel;
 use crate::browser;
-use behaviour::{Filled, Id};
+use behaviour::{FillFrom, Id};
 use leptos::prelude::*;
-use protocol::{PICTURES_MAX, Picture, PictureOf, Reply, Request};
+use protocol::{GraphOutline, PICTURES_MAX, PictureOf, Reply, Request};
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ const PICTURES_KEPT_MAX: usize = 600;
 const PICTURES_SOON_MS: i32 = 40;
 
 /// Pictures by program, with the revision they show.
-pub(crate) type Pictures = BTreeMap<String, (u64, Arc<Picture>)>;
+pub(crate) type ProgramPictures = BTreeMap<String, (u64, Arc<GraphOutline>)>;
 
 /// Pictures that are waited for.
 #[derive(Default)]
@@ -26,7 +26,7 @@ pub(super) struct WantedPictures {
     planned: bool,
 }
 
-impl Library {
+impl LibraryPanel {
     /// Sees to it that the picture of a program comes.
     pub(crate) fn want_picture(&self, id: &str, revision: u64) {
         let there = self.pictures.with_untracked(|pictures| pictures.get(id).is_some_and(|(at, _)| *at >= revision));
@@ -47,7 +47,7 @@ impl Library {
         });
     }
 
-    fn got_pictures(&self, asked: &[PictureOf], got: &[(Id, Picture)]) {
+    fn got_pictures(&self, asked: &[PictureOf], got: &[(Id, GraphOutline)]) {
         let revisions: HashMap<&Id, u64> = asked.iter().map(|of| (&of.behaviour, of.revision)).filled();
         self.pictures.update(|kept| {
             if kept.len() + got.len() > PICTURES_KEPT_MAX {

@@ -1,6 +1,6 @@
 //! Another name or other tags of a program in the library, whether it is open here or not.
 
-use super::Library;
+use super::LibraryPanel;
 use super::files::file_address;
 use crate::desk::tab::new_id;
 use crate::link;
@@ -69,7 +69,7 @@ impl Head {
     }
 }
 
-impl Library {
+impl LibraryPanel {
     /// Gives a program another name or other tags, and tells how it is then. What is open here goes the way of all edits,
     /// anything else is proposed to its room; both can be undone where it is open.
     /// `seen` is the name as its author saw it when they began to type another.

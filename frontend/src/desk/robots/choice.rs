@@ -1,18 +1,18 @@
 //! The robots, and the one that this tab looks at: its Start, its Stop, its room and its live values.
 
-use super::Robots;
-use crate::browser::{self, Keep};
+use super::RobotsPanel;
+use crate::browser::{self, Drawer};
 use crate::desk::tab::{new_id, set_if_new};
 use crate::link::NoAnswer;
 use crate::{link, words};
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Checked, FoundRobot, RealRobot, Reply, Request, RobotState, RunPhase, RunState, STOP_PATH};
+use protocol::{FoundRobot, RealRobot, Reply, Request, RobotFindings, RobotState, RunPhase, RunState, STOP_PATH};
 use robot::{Control, Health, Identity, Scene};
 
 const ROBOT_KEY: &str = "rrp.robot";
 
-impl Robots {
+impl RobotsPanel {
     pub(in crate::desk) fn hear_robots(&self, robots: Vec<RobotState>) {
         set_if_new(&self.all, robots);
         self.look();
@@ -20,7 +20,7 @@ impl Robots {
 
     /// Looks at another robot; this tab goes on with it, and the next tab begins with it.
     pub(crate) fn choose(&self, robot: &Id) {
-        for drawer in [Keep::Tab, Keep::Browser] {
+        for drawer in [Drawer::Tab, Drawer::Browser] {
             drawer.put(ROBOT_KEY, robot.as_str());
         }
         self.state().wanted = Some(robot.clone());
@@ -35,7 +35,7 @@ impl Robots {
     }
 
     /// Adds a robot that was looked at, and says what it is and which certificate counts from now on.
-    pub(crate) fn add_seen(&self, name: &str, real: RealRobot, checked: &Checked) {
+    pub(crate) fn add_seen(&self, name: &str, real: RealRobot, checked: &RobotFindings) {
         if !checked.model.is_empty() {
             self.tab.say(&words::found_robot(&checked.name, &checked.model, checked.fingerprint.as_deref()), false);
         }
@@ -67,7 +67,7 @@ impl Robots {
         &self,
         real: RealRobot,
         robot: Option<Id>,
-        then: impl FnOnce(Result<Checked, NoAnswer>) + 'static,
+        then: impl FnOnce(Result<RobotFindings, NoAnswer>) + 'static,
     ) {
         self.tab.look_up(Request::CheckRobot { real: Box::new(real), robot }, move |answer| match answer {
             Ok(Reply::RobotChecked { checked }) => then(Ok((**checked).clone())),
@@ -184,7 +184,7 @@ impl Robots {
     }
 
     fn wanted(&self) -> Option<Id> {
-        let kept = || Keep::Tab.get(ROBOT_KEY).or_else(|| Keep::Browser.get(ROBOT_KEY));
+        let kept = || Drawer::Tab.get(ROBOT_KEY).or_else(|| Drawer::Browser.get(ROBOT_KEY));
         let chosen = self.state().wanted.clone();
         chosen.or_else(|| kept().and_then(|text| Id::new(&text).ok()))
     }

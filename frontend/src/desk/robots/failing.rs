@@ -1,7 +1,7 @@
 //! The connectors of the run that fail, and how often.
 
-use super::Robots;
-use super::unused::Before;
+use super::RobotsPanel;
+use super::unused::RecordsBefore;
 use crate::desk::document::ConnectorSignals;
 use crate::desk::tab::set_if_new;
 use crate::few::sort_few;
@@ -20,7 +20,7 @@ pub(crate) struct Failing {
     pub(crate) why: String,
 }
 
-impl Robots {
+impl RobotsPanel {
     /// Returns the number of failures on the robot now. Reactive.
     pub(crate) fn fails_now(&self) -> usize {
         if self.running().is_some() { self.failing.read().len() } else { 0 }
@@ -39,7 +39,7 @@ impl Robots {
 }
 
 /// A connector that fails, and since when; it is called what it was called in the version that runs.
-fn failing(before: &Before, id: &Id, signals: &ConnectorSignals) -> Option<(f64, Failing)> {
+fn failing(before: &RecordsBefore, id: &Id, signals: &ConnectorSignals) -> Option<(f64, Failing)> {
     let live = signals.live.read_untracked();
     let why = live.error.clone().filter(|_| live.faults > 0)?;
     let name = match before.get(&RecordId::new(Kind::Connector, id)) {

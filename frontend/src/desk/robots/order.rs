@@ -1,13 +1,13 @@
 //! The runs beside the open program: their order, and stopping one of them.
 
-use super::Robots;
+use super::RobotsPanel;
 use crate::few::sort_few;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Request, RunPhase, RunState};
 
-impl Robots {
+impl RobotsPanel {
     /// Everything that runs on the robot that this tab looks at, from the top of the order. Reactive.
     pub(crate) fn all_running(&self) -> Vec<RunState> {
         let mut running = self.runs_here();

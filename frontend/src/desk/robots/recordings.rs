@@ -1,16 +1,16 @@
 //! The recordings that are kept, and the one under way.
 
-use super::Robots;
+use super::RobotsPanel;
 use crate::desk::tab::set_if_new;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{Reply, Request, Session};
+use protocol::{RecordedSession, Reply, Request};
 
-impl Robots {
+impl RobotsPanel {
     /// Records the open behaviour, which runs, from now on.
     pub(crate) fn record_now(&self) {
         if let Some(behaviour) = self.document.open.get_untracked() {
-            let (robot, session) = (self.chosen_id(), Session::default());
+            let (robot, session) = (self.chosen_id(), RecordedSession::default());
             self.tab.ask_or_say(Request::Record { behaviour, robot, session }, |_| {});
         }
     }

@@ -1,11 +1,11 @@
 //! The run of the open behaviour on the robot that this tab looks at.
 
-use super::Robots;
+use super::RobotsPanel;
 use crate::browser;
 use leptos::prelude::*;
 use protocol::{RunPhase, RunState};
 
-impl Robots {
+impl RobotsPanel {
     /// The run of the open behaviour on the robot that this tab looks at, if it runs there. Reactive.
     pub(crate) fn running(&self) -> Option<RunState> {
         self.document.open.track();

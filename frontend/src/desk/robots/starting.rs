@@ -1,26 +1,26 @@
 //! Start, applying edits, stimulating and the room: what is asked of a robot but never saved. Stop is plain HTML and needs
 //! nothing of this.
 
-use super::Robots;
+use super::RobotsPanel;
 use crate::{link, words};
 use behaviour::{Id, Value};
 use leptos::prelude::*;
-use protocol::{Reply, Request, Role, Session};
+use protocol::{RecordedSession, Reply, Request, Role};
 use robot::SceneEdit;
 
 /// The wish that the robot is to do with the open behaviour once it is saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Wish {
+pub(super) enum StartIntent {
     /// Run it from the beginning.
     Start,
     /// Go on with it where the run is.
     Apply,
 }
 
-impl Robots {
+impl RobotsPanel {
     /// Runs the open behaviour as soon as what was changed is saved.
     pub(crate) fn start(&self) {
-        self.wish(Wish::Start);
+        self.wish(StartIntent::Start);
     }
 
     /// Lets the run of the open behaviour go on with what was changed, as soon as that is saved.
@@ -29,10 +29,10 @@ impl Robots {
         if let Some((name, of)) = untrack(|| self.unfinished()) {
             return self.tab.say(&words::not_while_edited(&name, &of), true);
         }
-        self.wish(Wish::Apply);
+        self.wish(StartIntent::Apply);
     }
 
-    fn wish(&self, wish: Wish) {
+    fn wish(&self, wish: StartIntent) {
         if self.tab.refuses(Role::Operator) {
             return;
         }
@@ -56,11 +56,14 @@ impl Robots {
         let now = self.state().when_saved.take_if(|_| is_saved);
         let Some(behaviour) = self.document.open.get_untracked() else { return };
         match now {
-            Some(Wish::Start) => {
+            Some(StartIntent::Start) => {
                 let (robot, record) = (self.chosen_id(), self.records.get_untracked());
-                self.tab.ask_or_say(Request::Start { behaviour, robot, record, session: Session::default() }, |_| {})
+                self.tab.ask_or_say(
+                    Request::Start { behaviour, robot, record, session: RecordedSession::default() },
+                    |_| {},
+                )
             }
-            Some(Wish::Apply) => self.ask_to_apply(behaviour),
+            Some(StartIntent::Apply) => self.ask_to_apply(behaviour),
             None => {}
         }
     }

@@ -1,6 +1,6 @@
 //! Whose changes the run does not have yet, and which of them somebody is still at.
 
-use super::Robots;
+use super::RobotsPanel;
 use super::unused::is_another;
 use crate::layout;
 use crate::words;
@@ -21,7 +21,7 @@ pub(crate) struct Unused {
     pub(crate) is: Option<Record>,
 }
 
-impl Robots {
+impl RobotsPanel {
     /// Remembers who made these changes.
     pub(super) fn note_authors(&self, changes: &[Accepted]) {
         let mut state = self.state();

@@ -1,22 +1,22 @@
 //! The difference between the run and what was changed since it began, so that the page can tell what the robot does
 //! not use yet.
 
-use super::Robots;
+use super::RobotsPanel;
 use crate::desk::tab::set_if_new;
 use crate::link;
 use crate::live::LiveConnector;
-use behaviour::{Accepted, Behaviour, Connector, Filled, Helper, Id, Kind, Procedure, Record, RecordId, Stream};
+use behaviour::{Accepted, Behaviour, Connector, FillFrom, Helper, Id, Kind, Procedure, Record, RecordId, Stream};
 use leptos::prelude::*;
 use protocol::{Reply, Request};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Records as they were at some revision; none for one that was not there.
-pub(super) type Before = BTreeMap<RecordId, Option<Record>>;
+pub(super) type RecordsBefore = BTreeMap<RecordId, Option<Record>>;
 
 /// The mark that tells one version on the robot from another: the run, its revision and its fingerprint.
-pub(super) type Version = (u64, u64, u32);
+pub(super) type RobotVersion = (u64, u64, u32);
 
-impl Robots {
+impl RobotsPanel {
     /// Begins anew when the robot runs another version of the open program, or none.
     pub(super) fn follow_version(&self) {
         let run = self.run_of_open();
@@ -98,8 +98,8 @@ impl Robots {
 }
 
 /// Returns the records that were there before these changes.
-fn before(changes: &[Accepted]) -> Before {
-    let mut before = Before::new();
+fn before(changes: &[Accepted]) -> RecordsBefore {
+    let mut before = RecordsBefore::new();
     for edit in changes.iter().flat_map(|accepted| &accepted.change.edits) {
         if matches!(edit.id.kind, Kind::Connector | Kind::Stream | Kind::Helper) {
             before.entry(edit.id.clone()).or_insert_with(|| edit.before.clone());
@@ -110,7 +110,7 @@ fn before(changes: &[Accepted]) -> Before {
 
 /// The connectors of the open behaviour that the run does not have as they are now, or whose helper it has otherwise, and
 /// the streams whose sense or action it has with other settings.
-fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id> {
+fn unused(before: &RecordsBefore, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id> {
     let helpers = unused_helpers(before, library);
     let differs = |id: &Id, now: &Connector| match before.get(&RecordId::new(Kind::Connector, id)) {
         Some(Some(Record::Connector(ran))) => !runs_alike(ran, now),
@@ -145,7 +145,7 @@ fn is_set_alike(one: &Stream, other: &Stream) -> bool {
         == (&other.device, &other.params, &other.resources, other.priority, other.hold_ms)
 }
 
-fn unused_helpers<'a>(before: &'a Before, library: &Behaviour) -> BTreeSet<&'a str> {
+fn unused_helpers<'a>(before: &'a RecordsBefore, library: &Behaviour) -> BTreeSet<&'a str> {
     let changed = before.iter().filter_map(|(id, was)| match was {
         Some(Record::Helper(was)) => {
             let alike = matches!(library.records.get(id), Some(Record::Helper(now)) if works_alike(was, now));

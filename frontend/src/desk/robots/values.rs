@@ -1,6 +1,6 @@
 //! Live values and runs, put into the signals of their streams and connectors.
 
-use super::Robots;
+use super::RobotsPanel;
 use crate::browser;
 use crate::desk::document::ConnectorSignals;
 use crate::desk::tab::set_if_new;
@@ -12,7 +12,7 @@ use protocol::{ConnectorSample, RunState, StreamSample, Values};
 /// Between two changes of what is shown to who wants little motion, in milliseconds.
 const CALM_MS: i32 = 500;
 
-impl Robots {
+impl RobotsPanel {
     pub(in crate::desk) fn hear_runs(&self, runs: Vec<RunState>) {
         set_if_new(&self.runs, runs);
         self.clock.set(browser::now_ms());

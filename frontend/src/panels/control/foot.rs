@@ -5,7 +5,7 @@ use super::test::tests;
 use super::{Turned, now};
 use crate::desk::Selected;
 use crate::live::short_value;
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use crate::panels::inspector::edit_dialog;
 use crate::panels::may::may_edit;
 use crate::panels::remove::RemoveButton;
@@ -23,13 +23,13 @@ pub(super) fn passes(turned: Turned, record: Memo<Connector>) -> Option<bool> {
 /// What becomes of the values now, in words. Reactive.
 pub(super) fn becomes(turned: Turned, record: Memo<Connector>) -> Option<String> {
     let tests = tests(&turned.body(record))?;
-    let all: Vec<now::Measured> =
+    let all: Vec<now::ComparedNow> =
         tests.all.iter().map(|test| measured(turned.desk, &record.read(), test, 0.0)).collect();
     let values = all.iter().map(|of| of.now).collect::<Option<Vec<f64>>>()?;
     let passes = tests.passes(&values)?;
     let mut given: Vec<String> =
         all.iter().zip(&values).map(|(of, value)| words::with_unit(shown(*value), of.unit)).collect();
-    let subject = |test: Option<&super::test::Test>| test.map(|test| test.subject.clone());
+    let subject = |test: Option<&super::test::NumberTest>| test.map(|test| test.subject.clone());
     if given.len() > 1 && subject(tests.all.first()) == subject(tests.all.last()) {
         given.truncate(1);
     }
@@ -42,7 +42,7 @@ pub(super) fn becomes(turned: Turned, record: Memo<Connector>) -> Option<String>
 }
 
 /// What the robot still uses in the place of what is here now. Reactive.
-pub(super) fn still_used(desk: Hold, id: &Id, record: Memo<Connector>) -> Option<String> {
+pub(super) fn still_used(desk: DeskHold, id: &Id, record: Memo<Connector>) -> Option<String> {
     let desk = desk.desk();
     desk.robots.unused.track();
     let (ran, record) = (desk.robots.ran(id)?, record.read());

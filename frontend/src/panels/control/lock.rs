@@ -2,10 +2,10 @@
 
 use super::test::tests;
 use crate::browser;
-use crate::desk::Editor;
+use crate::desk::OtherEditor;
 use crate::icons::Icon;
-use crate::panels::dialogs::held::{Held, Holding};
-use crate::panels::hold::{Hold, hold};
+use crate::panels::dialogs::held::{DialogLock, Holding};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Connector, Procedure, RecordId};
 use leptos::prelude::*;
@@ -14,7 +14,7 @@ use leptos::prelude::*;
 #[component]
 pub(super) fn Lock(
     key: RecordId,
-    editor: Memo<Option<Editor>>,
+    editor: Memo<Option<OtherEditor>>,
     /// Set while one waits to be let in.
     waits: RwSignal<bool>,
     record: Memo<Connector>,
@@ -44,7 +44,7 @@ pub(super) fn Lock(
 /// Who is editing, and what holds until they save.
 #[component]
 fn Meanwhile(
-    editor: Editor,
+    editor: OtherEditor,
     record: Memo<Connector>,
     written: Signal<String>,
     ask: Option<RwSignal<bool>>,
@@ -79,7 +79,7 @@ fn Meanwhile(
 #[component]
 fn Asked(key: RecordId, waits: RwSignal<bool>, written: Signal<String>) -> impl IntoView {
     let desk = hold();
-    let held = Held::of(desk, Some(key));
+    let held = DialogLock::of(desk, Some(key));
     Effect::new(move |_| {
         waits.set(held.reads.get());
     });
@@ -100,7 +100,7 @@ fn written(connector: &Connector) -> String {
 }
 
 /// Its number with its unit, if it has one only.
-fn number(desk: Hold, connector: &Connector) -> Option<String> {
+fn number(desk: DeskHold, connector: &Connector) -> Option<String> {
     let tests = tests(&written(connector));
     let [test] = tests.as_ref().map(|tests| &tests.all[..])? else { return None };
     let unit = super::now::measured(desk, connector, test, test.number).unit;

@@ -1,8 +1,8 @@
 //! What a comparison reads: of which stream, in which unit and within what range, and what it is now.
 
-use super::test::Test;
+use super::test::NumberTest;
 use crate::live::short_value;
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use behaviour::{Connector, Id, Procedure, Value};
 use leptos::prelude::*;
 
@@ -11,14 +11,14 @@ const BEYOND: f64 = 0.25;
 
 /// Where a name in a body comes from: an input, and the fields that lead to the value.
 #[derive(Clone, Debug, PartialEq)]
-struct Source {
+struct NameSource {
     stream: Id,
     path: Vec<String>,
 }
 
 /// What is known of what a comparison reads.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Measured {
+pub(super) struct ComparedNow {
     pub(super) unit: &'static str,
     /// The value now: while the robot runs, is heard, and values come.
     pub(super) now: Option<f64>,
@@ -27,18 +27,18 @@ pub(super) struct Measured {
 }
 
 /// What is known of what a comparison reads; `number` is the one that it had first. Reactive.
-pub(super) fn measured(desk: Hold, connector: &Connector, test: &Test, number: f64) -> Measured {
+pub(super) fn measured(desk: DeskHold, connector: &Connector, test: &NumberTest, number: f64) -> ComparedNow {
     let Some(source) = source_of(desk, connector, &test.subject) else {
         let range = range_of(None, &[], number);
-        return Measured { range: widened(range, test.number), ..Measured::default() };
+        return ComparedNow { range: widened(range, test.number), ..ComparedNow::default() };
     };
     let path: Vec<&str> = source.path.iter().map(String::as_str).collect();
     let (unit, known) = desk.desk().document.measure(&source.stream, &path);
     let range = range_of(known, &seen(desk, &source), number);
-    Measured { unit, now: now(desk, &source), range: widened(range, test.number) }
+    ComparedNow { unit, now: now(desk, &source), range: widened(range, test.number) }
 }
 
-impl Measured {
+impl ComparedNow {
     /// The ends that a slider had stay where they are, however the values go: what is dragged or aimed at does not move away.
     pub(super) fn staying(self, before: Option<&Self>, number: f64) -> Self {
         match before {
@@ -49,13 +49,13 @@ impl Measured {
 }
 
 /// Where the subject of a comparison comes from; nothing if that is what the connector itself remembers. Reactive.
-fn source_of(desk: Hold, connector: &Connector, subject: &str) -> Option<Source> {
+fn source_of(desk: DeskHold, connector: &Connector, subject: &str) -> Option<NameSource> {
     let document = desk.desk().document;
     let names = connector.inputs.iter().map(|id| Some(document.stream(id)?.record.read().name.clone()));
     source(connector, &names.collect::<Option<Vec<String>>>()?, subject)
 }
 
-fn source(connector: &Connector, names: &[String], subject: &str) -> Option<Source> {
+fn source(connector: &Connector, names: &[String], subject: &str) -> Option<NameSource> {
     let spec = connector.operation.spec();
     let arguments = match connector.operation.procedure()? {
         Procedure::Body { args: Some(args), .. } => args.clone(),
@@ -66,10 +66,10 @@ fn source(connector: &Connector, names: &[String], subject: &str) -> Option<Sour
     let root = parts.next()?;
     let at = arguments.iter().position(|argument| *argument == root)?;
     let stream = connector.inputs.get(at.checked_sub(spec.argument_count(0))?)?.clone();
-    Some(Source { stream, path: parts.collect() })
+    Some(NameSource { stream, path: parts.collect() })
 }
 
-fn now(desk: Hold, source: &Source) -> Option<f64> {
+fn now(desk: DeskHold, source: &NameSource) -> Option<f64> {
     let desk = desk.desk();
     if desk.robots.running().is_none() || desk.unheard.get().is_some() {
         return None;
@@ -90,7 +90,7 @@ fn field(value: &Value, path: &[String]) -> Option<f64> {
 }
 
 /// The numbers that came lately.
-fn seen(desk: Hold, source: &Source) -> Vec<f64> {
+fn seen(desk: DeskHold, source: &NameSource) -> Vec<f64> {
     let Some(signals) = desk.desk().document.stream(&source.stream) else { return Vec::new() };
     let live = signals.live.read();
     if source.path.is_empty() {
@@ -125,7 +125,7 @@ pub(super) fn shown(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Measured, field, range_of, source, widened};
+    use super::{ComparedNow, field, range_of, source, widened};
     use behaviour::{Connector, Id, Operation, Procedure, Value, connectors};
 
     fn connector(operation: Operation, inputs: &[&str]) -> Connector {
@@ -171,10 +171,10 @@ mod tests {
         assert_eq!(range_of(None, &[56.5, 30.0], 40.0), (0.0, 100.0));
         assert_eq!(range_of(None, &[-2.0], 1.0), (-2.5, 2.5));
         assert_eq!(widened((0.0, 1.0), 3.0), (0.0, 3.0));
-        let ends = |range, before: Option<&Measured>, number| {
-            Measured { range, ..Measured::default() }.staying(before, number).range
+        let ends = |range, before: Option<&ComparedNow>, number| {
+            ComparedNow { range, ..ComparedNow::default() }.staying(before, number).range
         };
-        let before = Measured { range: (0.0, 100.0), ..Measured::default() };
+        let before = ComparedNow { range: (0.0, 100.0), ..ComparedNow::default() };
         assert_eq!(ends((0.0, 250.0), Some(&before), 40.0), (0.0, 100.0), "a far value moves no end");
         assert_eq!(ends((0.0, 250.0), Some(&before), 120.0), (0.0, 120.0));
         assert_eq!(ends((0.0, 250.0), None, 40.0), (0.0, 250.0));

@@ -1,9 +1,9 @@
 //! What can be changed of a connector, a row each: a comparison, a duration, a helper.
 
 use super::foot::passes;
-use super::now::{Measured, measured};
+use super::now::{ComparedNow, measured};
 use super::slider::{Slider, Stepper};
-use super::test::{Test, replaced, tests};
+use super::test::{NumberTest, replaced, tests};
 use super::turned::Turned;
 use crate::icons::Icon;
 use crate::words;
@@ -17,8 +17,8 @@ pub(super) fn TestRow(record: Memo<Connector>, turned: Turned, at: usize) -> imp
     let test = Memo::new(move |_| tests(&turned.body(record)).and_then(|tests| tests.all.get(at).cloned()));
     // The slider does not grow under the hand.
     let first = test.with_untracked(|test| test.as_ref().map_or(0.0, |test| test.number));
-    let of = Memo::new(move |before: Option<&Measured>| {
-        let of = |test: &Test| measured(desk, &record.read(), test, first).staying(before, test.number);
+    let of = Memo::new(move |before: Option<&ComparedNow>| {
+        let of = |test: &NumberTest| measured(desk, &record.read(), test, first).staying(before, test.number);
         test.read().as_ref().map(of).unwrap_or_default()
     });
     let verdict = Memo::new(move |_| passes(turned, record));

@@ -1,11 +1,11 @@
 //! A number that is turned: by keys and a field, or along a slider with a tick where the value is now.
 
-use super::now::{Measured, shown};
-use super::test::Test;
+use super::now::{ComparedNow, shown};
+use super::test::NumberTest;
 use super::turned::Turned;
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::hold::hold;
 use crate::words;
 use behaviour::TypedNumber;
@@ -16,8 +16,8 @@ use web_sys::Element;
 /// A slider from what is least to what is most, with a tick where the value is now.
 #[component]
 pub(super) fn Slider(
-    test: Memo<Option<Test>>,
-    of: Memo<Measured>,
+    test: Memo<Option<NumberTest>>,
+    of: Memo<ComparedNow>,
     /// Whether the whole test passes now, if that can be told.
     verdict: Memo<Option<bool>>,
     reads: Memo<bool>,

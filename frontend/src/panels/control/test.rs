@@ -10,7 +10,7 @@ const TESTS_MAX: usize = 2;
 
 /// One comparison with a number.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Test {
+pub(crate) struct NumberTest {
     /// What is compared: an argument, or a field of one.
     pub(crate) subject: String,
     pub(crate) sign: &'static str,
@@ -25,7 +25,7 @@ pub(crate) struct Test {
 /// The comparisons of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tests {
-    pub(crate) all: Vec<Test>,
+    pub(crate) all: Vec<NumberTest>,
     /// Whether one that is true is enough.
     any: bool,
 }
@@ -52,7 +52,7 @@ pub(crate) fn tests(body: &str) -> Option<Tests> {
     (found.len() <= TESTS_MAX).then_some(Tests { all: found, any })
 }
 
-fn test(part: &str, start: usize) -> Option<Test> {
+fn test(part: &str, start: usize) -> Option<NumberTest> {
     let (at, sign) = SIGNS
         .iter()
         .filter_map(|sign| Some((part.find(sign)?, *sign)))
@@ -68,7 +68,7 @@ fn test(part: &str, start: usize) -> Option<Test> {
         return None;
     }
     let number_start = start + at + sign.len() + (rest.len() - rest.trim_start().len());
-    Some(Test {
+    Some(NumberTest {
         subject: subject.to_owned(),
         sign,
         sign_at: start + at..start + at + sign.len(),
@@ -78,7 +78,7 @@ fn test(part: &str, start: usize) -> Option<Test> {
     })
 }
 
-impl Test {
+impl NumberTest {
     /// How far one press of a stepper goes: about a fiftieth of what the number may be, round.
     pub(crate) fn step(&self) -> f64 {
         let size = self.number.abs();

@@ -3,7 +3,7 @@
 use crate::browser;
 use crate::desk::{Desk, EditSession};
 use crate::panels::focus;
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId};
 use leptos::html::Div;
 use leptos::prelude::*;
@@ -18,7 +18,7 @@ const TURNS: &str = ".control-row, .slider";
 /// What was turned and is not saved yet. A copy is the same.
 #[derive(Clone, Copy)]
 pub(super) struct Turned {
-    pub(super) desk: Hold,
+    pub(super) desk: DeskHold,
     id: StoredValue<Id>,
     root: NodeRef<Div>,
     operation: RwSignal<Option<Operation>>,
@@ -30,7 +30,7 @@ pub(super) struct Turned {
 
 impl Turned {
     pub(super) fn new(
-        desk: Hold,
+        desk: DeskHold,
         (id, root): (Id, NodeRef<Div>),
         reads: impl Fn() -> bool + Send + Sync + 'static,
     ) -> Self {

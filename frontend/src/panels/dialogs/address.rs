@@ -6,7 +6,7 @@ use crate::fields::TextField;
 use crate::panels::hold::hold;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{ADDRESS_MAX_CHARS, Checked, LOGIN_MAX_CHARS, RealRobot};
+use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, RealRobot, RobotFindings};
 
 /// Change the address of the robot that this tab looked at when the dialog opened. The button looks first; after a step that
 /// failed it changes the address anyway, as a robot may be off just now.
@@ -18,14 +18,14 @@ pub(super) fn ChangeAddress() -> impl IntoView {
     let (user, password) = (RwSignal::new(String::new()), RwSignal::new(String::new()));
     let (busy, refusal) = (RwSignal::new(false), RwSignal::new(None::<String>));
     // What was looked at, and what was found.
-    let seen = RwSignal::new(None::<(RealRobot, Checked)>);
+    let seen = RwSignal::new(None::<(RealRobot, RobotFindings)>);
     let id = StoredValue::new(robot.robot);
     let real = move || {
         let some = |field: RwSignal<String>| Some(field.get_untracked()).filter(|text| !text.is_empty());
         let address = address.get_untracked().trim().to_owned();
         RealRobot { address, user: some(user), password: some(password), fingerprint: None, identity: None }
     };
-    let change = move |real: RealRobot, checked: &Checked| {
+    let change = move |real: RealRobot, checked: &RobotFindings| {
         desk.desk().robots.reach(&id.get_value(), RealRobot { fingerprint: checked.fingerprint.clone(), ..real });
         close(desk);
     };

@@ -1,11 +1,11 @@
 //! Choosing from a list what the canvas lets the hand choose in place: what comes next, and where a stream leads to.
 
 use super::frame::{Frame, close};
-use crate::desk::{Choice, Joining, Spot, WireEnd, wire_ends};
+use crate::desk::{GraphChoice, Joining, NewSpot, WireEnd, wire_ends};
 use crate::icons::Icon;
 use crate::layout::chip_words;
 use crate::panels::finder::Finder;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::steps::{Offer, Step, actions, everything, take};
 use crate::words;
 use behaviour::Id;
@@ -13,7 +13,7 @@ use leptos::prelude::*;
 
 /// One wire that may be drawn: from where, to where, and what is said of it.
 #[derive(Clone)]
-struct Way {
+struct WireChoice {
     from: Id,
     end: WireEnd,
     title: String,
@@ -22,24 +22,25 @@ struct Way {
 
 /// A choice as a dialog.
 #[component]
-pub(super) fn Choose(choice: Choice) -> impl IntoView {
+pub(super) fn Choose(choice: GraphChoice) -> impl IntoView {
     let desk = hold();
     match choice {
-        Choice::Action(id) => {
+        GraphChoice::Action(id) => {
             let offers = untrack(|| actions(&desk.desk(), &id));
-            view! { <Steps title=words::add_an_action().to_owned() offers input=id spot=Spot::default() /> }.into_any()
+            view! { <Steps title=words::add_an_action().to_owned() offers input=id spot=NewSpot::default() /> }
+                .into_any()
         }
-        Choice::Into(gap) => {
+        GraphChoice::Into(gap) => {
             let offers = untrack(|| everything(&desk.desk(), &gap.input, true));
-            let (input, spot) = (gap.input.clone(), Spot::Into(gap));
+            let (input, spot) = (gap.input.clone(), NewSpot::Into(gap));
             view! { <Steps title=words::insert_here().to_owned() offers input spot /> }.into_any()
         }
-        Choice::Ends(id) => {
+        GraphChoice::Ends(id) => {
             let name = name_of(desk, &id);
             let none = words::leads_everywhere(&name);
             view! { <Ways title=words::connect_named(&name) ways=ends(desk, &id) none /> }.into_any()
         }
-        Choice::Sources(id) => {
+        GraphChoice::Sources(id) => {
             let title = words::connect_to(&name_of(desk, &id));
             view! { <Ways title ways=sources(desk, &id) none=words::no_source_yet().to_owned() /> }.into_any()
         }
@@ -47,7 +48,7 @@ pub(super) fn Choose(choice: Choice) -> impl IntoView {
 }
 
 #[component]
-fn Steps(title: String, offers: Vec<Offer>, input: Id, spot: Spot) -> impl IntoView {
+fn Steps(title: String, offers: Vec<Offer>, input: Id, spot: NewSpot) -> impl IntoView {
     let desk = hold();
     let choose = Callback::new(move |step: Step| {
         close(desk);
@@ -61,10 +62,10 @@ fn Steps(title: String, offers: Vec<Offer>, input: Id, spot: Spot) -> impl IntoV
 }
 
 #[component]
-fn Ways(title: String, ways: Vec<Way>, none: String) -> impl IntoView {
+fn Ways(title: String, ways: Vec<WireChoice>, none: String) -> impl IntoView {
     let desk = hold();
     let is_empty = ways.is_empty();
-    let item = move |way: Way| {
+    let item = move |way: WireChoice| {
         let icon = if matches!(way.end, WireEnd::Connector(_)) { "bolt" } else { "connect" };
         let (title, says) = (way.title.clone(), way.says.clone());
         let draw = move |_| {
@@ -89,13 +90,13 @@ fn Ways(title: String, ways: Vec<Way>, none: String) -> impl IntoView {
 }
 
 /// Where a stream may be led to.
-fn ends(desk: Hold, from: &Id) -> Vec<Way> {
+fn ends(desk: DeskHold, from: &Id) -> Vec<WireChoice> {
     let all = wire_ends(&desk.desk().document.behaviour(), from);
     all.into_iter().map(|(end, joining)| way(desk, from, end, joining, None)).collect()
 }
 
 /// The streams that may be led to one.
-fn sources(desk: Hold, to: &Id) -> Vec<Way> {
+fn sources(desk: DeskHold, to: &Id) -> Vec<WireChoice> {
     let behaviour = desk.desk().document.behaviour();
     let end = WireEnd::Stream(to.clone());
     let from = |id: &Id| {
@@ -105,7 +106,7 @@ fn sources(desk: Hold, to: &Id) -> Vec<Way> {
     behaviour.streams_in_order().into_iter().filter_map(|(id, _)| from(id)).collect()
 }
 
-fn way(desk: Hold, from: &Id, end: WireEnd, joining: Joining, title: Option<String>) -> Way {
+fn way(desk: DeskHold, from: &Id, end: WireEnd, joining: Joining, title: Option<String>) -> WireChoice {
     let target = match &end {
         WireEnd::Stream(id) => name_of(desk, id),
         WireEnd::Connector(id) => {
@@ -114,10 +115,10 @@ fn way(desk: Hold, from: &Id, end: WireEnd, joining: Joining, title: Option<Stri
         }
     };
     let says = words::joining(joining, &target);
-    Way { from: from.clone(), end, title: title.unwrap_or(target), says }
+    WireChoice { from: from.clone(), end, title: title.unwrap_or(target), says }
 }
 
-fn name_of(desk: Hold, id: &Id) -> String {
+fn name_of(desk: DeskHold, id: &Id) -> String {
     let signals = desk.desk().document.stream(id);
     signals.map(|signals| signals.record.with_untracked(|stream| stream.name.clone())).unwrap_or_default()
 }

@@ -2,10 +2,10 @@
 
 use super::frame::{Frame, close};
 use crate::browser;
-use crate::commands::{ALL, Command, Group};
+use crate::commands::{ALL, CommandGroup, PageCommand};
 use crate::desk::{Desk, Selected};
-use crate::keys::Pressed;
-use crate::panels::hold::{Hold, hold};
+use crate::keys::PressedKey;
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -33,8 +33,9 @@ pub(super) fn Commands() -> impl IntoView {
             (None, None) => {}
         }
     });
-    let groups = [Group::Robot, Group::Program, Group::Graph, Group::View, Group::People];
-    let rows = move |group: Group| {
+    let groups =
+        [CommandGroup::Robot, CommandGroup::Program, CommandGroup::Graph, CommandGroup::View, CommandGroup::People];
+    let rows = move |group: CommandGroup| {
         let mine: Vec<usize> = found.get().into_iter().filter(|at| ALL[*at].group == group).collect();
         (!mine.is_empty()).then(|| {
             view! {
@@ -100,14 +101,14 @@ fn Row(at: usize) -> impl IntoView {
 }
 
 /// The commands that are meant, by their places.
-fn indices(desk: Hold, search: &str) -> Vec<usize> {
+fn indices(desk: DeskHold, search: &str) -> Vec<usize> {
     let host = desk.desk().role.get() == Some(protocol::Role::Host);
-    let shown = |command: &Command| host || command.role != protocol::Role::Host;
+    let shown = |command: &PageCommand| host || command.role != protocol::Role::Host;
     (0..ALL.len()).filter(|at| shown(&ALL[*at]) && ALL[*at].is_here() && ALL[*at].is_meant(search)).collect()
 }
 
 /// The streams of the open program that are meant.
-fn streams(desk: Hold, search: &str) -> Vec<(Id, String)> {
+fn streams(desk: DeskHold, search: &str) -> Vec<(Id, String)> {
     let wanted = search.trim().to_lowercase();
     if wanted.is_empty() {
         return Vec::new();
@@ -120,7 +121,7 @@ fn streams(desk: Hold, search: &str) -> Vec<(Id, String)> {
     desk.document.stream_ids.get().into_iter().filter_map(name).take(STREAMS_MAX).collect()
 }
 
-fn run(desk: Hold, command: &'static Command) {
+fn run(desk: DeskHold, command: &'static PageCommand) {
     if untrack(|| desk.desk().may_not(command.role)).is_some() {
         return;
     }
@@ -129,7 +130,7 @@ fn run(desk: Hold, command: &'static Command) {
     browser::after(GONE_MS, move || command.run(&desk));
 }
 
-fn go(desk: Hold, id: &Id) {
+fn go(desk: DeskHold, id: &Id) {
     close(desk);
     desk.desk().document.choose([Selected::Stream(id.clone())].into());
 }

@@ -7,11 +7,11 @@ use super::frame::{Frame, Refused, close};
 use crate::browser;
 use crate::desk::{Conflict, initials, wording};
 use crate::icons::Icon;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Behaviour, Change, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
-use rows::{Pieces, Row, procedure_text, rows};
+use rows::{ConflictRow, DifferingPieces, procedure_text, rows};
 use values::{Values, questions};
 
 /// So much of a text stands for it, in characters.
@@ -20,7 +20,7 @@ const SUBJECT_CHARS: usize = 40;
 /// What is compared. A copy is the same comparison.
 #[derive(Clone, Copy)]
 struct Both {
-    desk: Hold,
+    desk: DeskHold,
     op: StoredValue<Id>,
     conflict: Memo<Option<Conflict>>,
     now: Memo<Behaviour>,
@@ -227,7 +227,7 @@ fn Sign(name: String, color: u8) -> impl IntoView {
     view! { <span class="avatar" aria-hidden="true" style=("--person", color)>{initials(&name)}</span> }
 }
 
-fn row(row: Row) -> impl IntoView {
+fn row(row: ConflictRow) -> impl IntoView {
     let (mine, theirs) = (cell(row.mine, row.code), cell(row.theirs, row.code));
     view! {
         <tr>
@@ -238,7 +238,7 @@ fn row(row: Row) -> impl IntoView {
     }
 }
 
-fn cell([head, middle, tail]: Pieces, code: bool) -> impl IntoView {
+fn cell([head, middle, tail]: DifferingPieces, code: bool) -> impl IntoView {
     let middle = (!middle.is_empty()).then(|| view! { <mark>{middle}</mark> });
     view! { <span class:code-text=code>{head}{middle}{tail}</span> }
 }

@@ -4,11 +4,11 @@
 use super::frame::{Frame, close};
 use crate::desk::Dialog;
 use crate::icons::Icon;
-use crate::keys::Pressed;
-use crate::panels::hold::{Hold, hold};
+use crate::keys::PressedKey;
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::may::may_edit;
 use crate::panels::palette::{Actions, AlsoFound, Heading, Helpers, Here, is_found};
-use crate::panels::typed::{Typed, Typing};
+use crate::panels::typed::{SentenceField, Typed};
 use crate::words;
 use behaviour::Params;
 use leptos::prelude::*;
@@ -20,7 +20,7 @@ use web_sys::{Element, KeyboardEvent, MouseEvent};
 #[component]
 pub(super) fn Find(title: &'static str) -> impl IntoView {
     let desk = hold();
-    let typing = Typing::new();
+    let typing = SentenceField::new();
     let search = typing.text;
     let key = move |event: KeyboardEvent| {
         if event.pressed() == "Enter" {
@@ -70,7 +70,7 @@ pub(super) fn Find(title: &'static str) -> impl IntoView {
 }
 
 #[component]
-fn Sense(desk: Hold, device: &'static Device) -> impl IntoView {
+fn Sense(desk: DeskHold, device: &'static Device) -> impl IntoView {
     let none = move || desk.desk().document.open.read().is_none() || !may_edit(desk);
     let add = move |_| {
         desk.desk().document.add_sensor(device, Params::new());
@@ -87,7 +87,7 @@ fn Sense(desk: Hold, device: &'static Device) -> impl IntoView {
 }
 
 /// Something of the list was chosen: the dialog has done its part, unless it opened another one.
-fn ends(desk: Hold, event: &MouseEvent) {
+fn ends(desk: DeskHold, event: &MouseEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let item = target.and_then(|target| target.closest(".item").ok().flatten());
     let done = item.is_some_and(|item| item.get_attribute("aria-disabled").as_deref() != Some("true"));

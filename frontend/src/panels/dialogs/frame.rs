@@ -2,9 +2,9 @@
 
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::focus;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
@@ -126,7 +126,7 @@ pub(super) fn Refused(why: RwSignal<Option<String>>) -> impl IntoView {
 }
 
 /// Closes the open dialog.
-pub(super) fn close(desk: Hold) {
+pub(super) fn close(desk: DeskHold) {
     desk.desk().dialog.set(None);
 }
 
@@ -181,7 +181,7 @@ fn give_focus(dialog: &HtmlElement) {
 }
 
 /// Keys while Stop or nothing has the keyboard.
-fn watch_keys_outside(desk: Hold, dialog: NodeRef<Div>) {
+fn watch_keys_outside(desk: DeskHold, dialog: NodeRef<Div>) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
         let inside = event.target().and_then(|target| target.dyn_into::<web_sys::Node>().ok());
         let inside = dialog.get_untracked().is_some_and(|dialog| dialog.contains(inside.as_ref()));
@@ -192,7 +192,7 @@ fn watch_keys_outside(desk: Hold, dialog: NodeRef<Div>) {
     on_cleanup(move || handle.remove());
 }
 
-fn trap(event: &KeyboardEvent, desk: Hold, dialog: NodeRef<Div>) {
+fn trap(event: &KeyboardEvent, desk: DeskHold, dialog: NodeRef<Div>) {
     escape::ends(event, || {
         if !step_back(event, dialog) {
             close(desk);

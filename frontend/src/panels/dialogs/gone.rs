@@ -1,14 +1,18 @@
 //! What a dialog says when somebody removed what it is about: who it was, and that nothing of what was written is lost.
 
 use crate::browser;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Id, RecordId, Refusal};
 use leptos::prelude::*;
 use protocol::Refused;
 
 /// Who removed something that is not there any more, in a sentence; none while it is there. Reactive.
-pub(super) fn gone(desk: Hold, id: Id, is_there: impl Fn() -> bool + Send + Sync + 'static) -> Memo<Option<String>> {
+pub(super) fn gone(
+    desk: DeskHold,
+    id: Id,
+    is_there: impl Fn() -> bool + Send + Sync + 'static,
+) -> Memo<Option<String>> {
     let looked_up = StoredValue::new(false);
     Memo::new(move |_| {
         let desk = desk.desk();
@@ -31,12 +35,12 @@ pub(super) fn gone(desk: Hold, id: Id, is_there: impl Fn() -> bool + Send + Sync
 }
 
 /// Whether the open behaviour has this stream. Reactive.
-pub(super) fn has_stream(desk: Hold, id: &Id) -> bool {
+pub(super) fn has_stream(desk: DeskHold, id: &Id) -> bool {
     desk.desk().document.stream_ids.read().contains(id)
 }
 
 /// Whether the open behaviour has this connector. Reactive.
-pub(super) fn has_connector(desk: Hold, id: &Id) -> bool {
+pub(super) fn has_connector(desk: DeskHold, id: &Id) -> bool {
     desk.desk().document.connector_ids.read().contains(id)
 }
 
@@ -54,7 +58,7 @@ impl Back {
         Self { record: StoredValue::new(record), save, refusal: RwSignal::new(None) }
     }
 
-    fn bring(self, desk: Hold) {
+    fn bring(self, desk: DeskHold) {
         self.refusal.set(None);
         desk.desk().document.bring_back(self.record.get_value(), move |answer| match answer {
             // A moment later, when the dialog has noticed that it is there again.

@@ -3,10 +3,10 @@
 
 use super::frame::focus_again;
 use crate::browser;
-use crate::desk::{Asking, Own, Reading, Writing};
+use crate::desk::{Asking, EditReading, OwnLock, WriteRight};
 use crate::icons::Icon;
 use crate::panels::focus;
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use crate::panels::may::{MayNot, may_edit};
 use crate::words;
 use behaviour::RecordId;
@@ -16,20 +16,20 @@ use wasm_bindgen::JsCast;
 
 /// The lock of what a dialog edits, taken for as long as the dialog is open. A copy is the same one.
 #[derive(Clone, Copy)]
-pub(in crate::panels) struct Held {
-    desk: Hold,
+pub(in crate::panels) struct DialogLock {
+    desk: DeskHold,
     /// Whether this person may edit at all.
     may: bool,
-    writing: Memo<Option<Writing>>,
+    writing: Memo<Option<WriteRight>>,
     /// Somebody else may write, so this one only reads.
     pub(in crate::panels) reads: Memo<bool>,
     /// What is saved is shown as it changes; what was one's own until now stays instead.
     pub(super) follows: Memo<bool>,
 }
 
-impl Held {
+impl DialogLock {
     /// Takes the lock; what is new has none.
-    pub(in crate::panels) fn of(desk: Hold, record: Option<RecordId>) -> Self {
+    pub(in crate::panels) fn of(desk: DeskHold, record: Option<RecordId>) -> Self {
         let document = desk.desk().document;
         let may = untrack(|| may_edit(desk));
         let number = record.filter(|_| may).map(|record| document.open_editor(record));
@@ -42,9 +42,9 @@ impl Held {
             let editing = editing.get()?;
             (Some(editing.number) == number).then_some(editing.writing)
         });
-        let reads = Memo::new(move |_| !may || matches!(writing.get(), Some(Writing::No(_))));
+        let reads = Memo::new(move |_| !may || matches!(writing.get(), Some(WriteRight::No(_))));
         let follows =
-            Memo::new(move |_| !may || matches!(writing.get(), Some(Writing::No(reading)) if !reading.was_own));
+            Memo::new(move |_| !may || matches!(writing.get(), Some(WriteRight::No(reading)) if !reading.was_own));
         Effect::new(move |before: Option<bool>| {
             let now = reads.get();
             if before.is_some_and(|before| before != now) {
@@ -55,9 +55,9 @@ impl Held {
         Self { desk, may, writing, reads, follows }
     }
 
-    fn reading(self) -> Option<Reading> {
+    fn reading(self) -> Option<EditReading> {
         match self.writing.get() {
-            Some(Writing::No(reading)) => Some(reading),
+            Some(WriteRight::No(reading)) => Some(reading),
             _ => None,
         }
     }
@@ -67,9 +67,9 @@ impl Held {
         self.reading().is_some_and(|reading| matches!(reading.asking, Asking::Waits { .. } | Asking::Queued))
     }
 
-    fn own(self) -> Option<Own> {
+    fn own(self) -> Option<OwnLock> {
         match self.writing.get() {
-            Some(Writing::Own(own)) => Some(own),
+            Some(WriteRight::Own(own)) => Some(own),
             _ => None,
         }
     }
@@ -83,13 +83,13 @@ impl Held {
 
 /// Everything that is said about who may write, above the fields.
 #[component]
-pub(in crate::panels) fn Holding(held: Held, #[prop(into)] written: Signal<String>) -> impl IntoView {
+pub(in crate::panels) fn Holding(held: DialogLock, #[prop(into)] written: Signal<String>) -> impl IntoView {
     let asker = Memo::new(move |_| held.own().and_then(|own| own.asker));
     let free = Memo::new(move |_| held.own().and_then(|own| own.free_ms));
     let said = said(held);
     // Who only read may write now: it is said where they asked, and nothing moves under their hand.
     let has_read = Memo::new(move |before: Option<&bool>| {
-        before.copied().unwrap_or_default() || (held.may && matches!(held.writing.get(), Some(Writing::No(_))))
+        before.copied().unwrap_or_default() || (held.may && matches!(held.writing.get(), Some(WriteRight::No(_))))
     });
     view! {
         <Show when=move || has_read.get()><ReadOnly held written /></Show>
@@ -102,7 +102,7 @@ pub(in crate::panels) fn Holding(held: Held, #[prop(into)] written: Signal<Strin
 
 /// Who is editing, what one sees meanwhile, and the way to ask for it.
 #[component]
-fn ReadOnly(held: Held, written: Signal<String>) -> impl IntoView {
+fn ReadOnly(held: DialogLock, written: Signal<String>) -> impl IntoView {
     let copied = RwSignal::new(false);
     let copy = move |_| copied.set(browser::copy(&written.get_untracked()));
     let name = Memo::new(move |_| held.reading().and_then(|reading| reading.by));
@@ -129,7 +129,7 @@ fn ReadOnly(held: Held, written: Signal<String>) -> impl IntoView {
 
 /// For the person at the server's computer: takes it from who is editing, asking once.
 #[component]
-fn TakeOver(held: Held, name: Memo<Option<String>>) -> impl IntoView {
+fn TakeOver(held: DialogLock, name: Memo<Option<String>>) -> impl IntoView {
     let asked = RwSignal::new(false);
     let may = move || held.desk.desk().role.get() == Some(Role::Host) && name.read().is_some();
     let take = move |_| {
@@ -155,7 +155,7 @@ fn TakeOver(held: Held, name: Memo<Option<String>>) -> impl IntoView {
 
 /// The name of who is editing, in their colour.
 #[component]
-fn EditedBy(held: Held, name: String) -> impl IntoView {
+fn EditedBy(held: DialogLock, name: String) -> impl IntoView {
     let color = {
         let name = name.clone();
         move || {
@@ -172,7 +172,7 @@ fn EditedBy(held: Held, name: String) -> impl IntoView {
 
 /// Asks, counts down, or begins to edit what is free again. It stays one button, so that it keeps the keyboard.
 #[component]
-fn AskButton(held: Held) -> impl IntoView {
+fn AskButton(held: DialogLock) -> impl IntoView {
     let is_free = move || held.reading().is_some_and(|reading| reading.by.is_none());
     let rests = move || held.reading().is_some_and(|reading| reading.by.is_some() && reading.asking != Asking::No);
     let press = move |_| {
@@ -192,7 +192,7 @@ fn AskButton(held: Held) -> impl IntoView {
 
 /// Takes the question back. Its place is kept, so that nothing moves when it comes.
 #[component]
-fn AskNoMore(held: Held) -> impl IntoView {
+fn AskNoMore(held: DialogLock) -> impl IntoView {
     let press = move |event: web_sys::MouseEvent| {
         // It goes, and what it takes back can be asked again beside it.
         let ask =
@@ -209,7 +209,7 @@ fn AskNoMore(held: Held) -> impl IntoView {
 
 /// Somebody asks for what is edited here.
 #[component]
-fn Wanted(held: Held, asker: Memo<Option<String>>) -> impl IntoView {
+fn Wanted(held: DialogLock, asker: Memo<Option<String>>) -> impl IntoView {
     let answer = move |yes: bool| held.desk.desk().document.hand_over(yes);
     let is_last = Memo::new(move |_| held.own().is_some_and(|own| own.is_last));
     let meaning = move || if is_last.get() { words::last_moment() } else { words::silence_means_yes() };
@@ -228,7 +228,7 @@ fn Wanted(held: Held, asker: Memo<Option<String>>) -> impl IntoView {
 
 /// Nothing was typed for long.
 #[component]
-fn Idle(held: Held, free: Memo<Option<f64>>) -> impl IntoView {
+fn Idle(held: DialogLock, free: Memo<Option<f64>>) -> impl IntoView {
     let stay = move |_| held.desk.desk().document.typing();
     view! {
         <div class="held">
@@ -240,7 +240,7 @@ fn Idle(held: Held, free: Memo<Option<f64>>) -> impl IntoView {
     }
 }
 
-fn meanwhile(reading: &Reading) -> String {
+fn meanwhile(reading: &EditReading) -> String {
     match (&reading.by, reading.was_own) {
         (Some(name), false) => words::until_saved(name),
         (Some(_), true) => words::text_stays().to_owned(),
@@ -250,7 +250,7 @@ fn meanwhile(reading: &Reading) -> String {
 }
 
 /// What the button says. Reactive.
-fn label(held: Held, reading: &Reading) -> String {
+fn label(held: DialogLock, reading: &EditReading) -> String {
     match (&reading.by, reading.asking) {
         (Some(_), Asking::Waits { until_ms }) => words::asked_yours_in(held.left(until_ms)),
         (Some(_), Asking::Queued) => words::asked_before().to_owned(),
@@ -261,7 +261,7 @@ fn label(held: Held, reading: &Reading) -> String {
 }
 
 /// What stands beside the button. Reactive.
-fn beside(held: Held, reading: &Reading) -> Option<String> {
+fn beside(held: DialogLock, reading: &EditReading) -> Option<String> {
     let name = reading.by.as_ref()?;
     match reading.asking {
         Asking::No | Asking::Waits { .. } => Some(words::silence_means_yes().to_owned()),
@@ -274,15 +274,15 @@ fn beside(held: Held, reading: &Reading) -> Option<String> {
 }
 
 /// Whether one only read, and what is said aloud, once each: no numbers that count down.
-fn said(held: Held) -> Memo<(bool, String)> {
+fn said(held: DialogLock) -> Memo<(bool, String)> {
     Memo::new(move |before: Option<&(bool, String)>| match held.writing.get() {
-        Some(Writing::No(reading)) => (true, said_to_reader(&reading)),
-        Some(Writing::Own(own)) => (false, said_to_owner(&own, before.is_some_and(|before| before.0))),
-        Some(Writing::Opening | Writing::Free) | None => (false, String::new()),
+        Some(WriteRight::No(reading)) => (true, said_to_reader(&reading)),
+        Some(WriteRight::Own(own)) => (false, said_to_owner(&own, before.is_some_and(|before| before.0))),
+        Some(WriteRight::Opening | WriteRight::Free) | None => (false, String::new()),
     })
 }
 
-fn said_to_owner(own: &Own, only_read: bool) -> String {
+fn said_to_owner(own: &OwnLock, only_read: bool) -> String {
     match &own.asker {
         Some(name) => words::would_like_to_edit(name),
         None if own.free_ms.is_some() => words::idle_free().to_owned(),
@@ -291,7 +291,7 @@ fn said_to_owner(own: &Own, only_read: bool) -> String {
     }
 }
 
-fn said_to_reader(reading: &Reading) -> String {
+fn said_to_reader(reading: &EditReading) -> String {
     match (&reading.by, reading.asking) {
         (Some(_), Asking::Waits { .. } | Asking::Queued) => words::silence_means_yes().to_owned(),
         (Some(name), Asking::Kept { .. }) => words::keeps_for_now(name),

@@ -10,7 +10,7 @@ use super::gone::{Gone, gone};
 use super::operation::{LooksRight, Meant};
 use super::stream::answered;
 use crate::fields::{CodeField, TextField};
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::may::{MayNot, may_edit};
 use crate::words;
 use behaviour::{Helper, Id, Refusal};
@@ -21,7 +21,7 @@ use trying::TryIt;
 use used_in::UsedIn;
 
 #[derive(Clone, Copy)]
-struct Fields {
+struct HelperFields {
     /// The helper as it was when the dialog was opened; none for a new one.
     seen: RwSignal<Option<(Id, Helper)>>,
     name: RwSignal<String>,
@@ -40,7 +40,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
     let all = desk.desk().library.helpers.get_untracked();
     let found = all.into_iter().find(|(other, _)| Some(other) == id.as_ref()).map(|(_, helper)| helper);
     let is_there = found.is_some();
-    let fields = Fields::of(id.zip(found));
+    let fields = HelperFields::of(id.zip(found));
     let arguments = Signal::derive(move || params(&fields.params.read()));
     // Why the body cannot run, said while it is typed.
     let error = RwSignal::new(None::<String>);
@@ -83,7 +83,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
     }
 }
 
-impl Fields {
+impl HelperFields {
     fn of(seen: Option<(Id, Helper)>) -> Self {
         let empty = || Helper {
             name: String::new(),
@@ -131,7 +131,7 @@ fn params(text: &str) -> Vec<String> {
     text.split(',').map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
-fn save(desk: Hold, fields: Fields) {
+fn save(desk: DeskHold, fields: HelperFields) {
     fields.refusal.set(None);
     let helper = untrack(|| fields.helper());
     if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !behaviour::is_identifier(name))
@@ -154,7 +154,7 @@ fn save(desk: Hold, fields: Fields) {
 }
 
 /// Who else saved the helper since it was opened here, and how it is by now. Reactive.
-fn theirs(desk: Hold, fields: Fields) -> Option<(String, Helper)> {
+fn theirs(desk: DeskHold, fields: HelperFields) -> Option<(String, Helper)> {
     let library = desk.desk().library;
     let (id, seen) = fields.seen.get()?;
     let (_, now) = library.helpers.get().into_iter().find(|(other, _)| *other == id)?;
@@ -164,7 +164,7 @@ fn theirs(desk: Hold, fields: Fields) -> Option<(String, Helper)> {
 
 /// What somebody else saved meanwhile: one's own goes on top of that, or gives way to it.
 #[component]
-fn Theirs(fields: Fields, save: Callback<()>) -> impl IntoView {
+fn Theirs(fields: HelperFields, save: Callback<()>) -> impl IntoView {
     let desk = hold();
     let theirs = Memo::new(move |_| theirs(desk, fields));
     let seen_now = move || {
@@ -199,7 +199,7 @@ fn Theirs(fields: Fields, save: Callback<()>) -> impl IntoView {
 
 /// Who removed the helper meanwhile; saved again, it is a new one.
 #[component]
-fn Removed(fields: Fields, id: Id) -> impl IntoView {
+fn Removed(fields: HelperFields, id: Id) -> impl IntoView {
     let desk = hold();
     let known = id.clone();
     let who = gone(desk, id, move || desk.desk().library.helpers.read().iter().any(|(other, _)| *other == known));
@@ -212,7 +212,7 @@ fn Removed(fields: Fields, id: Id) -> impl IntoView {
 }
 
 #[component]
-fn Remove(fields: Fields) -> impl IntoView {
+fn Remove(fields: HelperFields) -> impl IntoView {
     let desk = hold();
     let remove = move |_| {
         let Some(id) = fields.seen.with_untracked(|seen| seen.as_ref().map(|(id, _)| id.clone())) else { return };

@@ -6,7 +6,7 @@ mod making;
 mod warning;
 
 use super::frame::{Frame, close};
-use crate::desk::Invited;
+use crate::desk::NewInvitation;
 use crate::link::NoAnswer;
 use crate::panels::hold::hold;
 use crate::words;
@@ -18,7 +18,7 @@ use protocol::Refused;
 pub(super) fn Invite() -> impl IntoView {
     let desk = hold();
     let no = RwSignal::new(None::<NoAnswer>);
-    let made = RwSignal::new(None::<Invited>);
+    let made = RwSignal::new(None::<NewInvitation>);
     desk.desk().list_invitations(move |why| {
         no.try_set(Some(why));
     });

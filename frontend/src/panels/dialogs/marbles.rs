@@ -21,7 +21,7 @@ const LETTER: f64 = 7.5;
 
 /// How marbles look: on their way in, on their way out, or as commands to an action.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Look {
+pub(super) enum MarbleLook {
     In,
     Out,
     Act,
@@ -37,7 +37,7 @@ pub(super) struct Bead {
 }
 
 /// One lane with its name, line and marbles.
-pub(super) fn lane(name: String, beads: impl Iterator<Item = Bead>, top: f64, look: Look) -> impl IntoView {
+pub(super) fn lane(name: String, beads: impl Iterator<Item = Bead>, top: f64, look: MarbleLook) -> impl IntoView {
     let line = top + LINE;
     let end = WIDTH - 4.0;
     let beads = beads.map(|bead| shown(bead, line, look)).collect_view();
@@ -48,15 +48,15 @@ pub(super) fn lane(name: String, beads: impl Iterator<Item = Bead>, top: f64, lo
     }
 }
 
-fn shown(bead: Bead, line: f64, look: Look) -> impl IntoView {
+fn shown(bead: Bead, line: f64, look: MarbleLook) -> impl IntoView {
     let middle = bead.x;
     let half = (bead.text.chars().count() as f64 * LETTER / 2.0 + 7.0).max(HALF);
     let class = match look {
-        Look::In => "marble",
-        Look::Out => "marble out",
-        Look::Act => "marble act",
+        MarbleLook::In => "marble",
+        MarbleLook::Out => "marble out",
+        MarbleLook::Act => "marble act",
     };
-    let round = if look == Look::Act { 5.0 } else { HALF };
+    let round = if look == MarbleLook::Act { 5.0 } else { HALF };
     let under = bead.under.map(|text| view! { <text class="marble-time" x=middle y=line + HALF + UNDER>{text}</text> });
     view! {
         <g class=class>

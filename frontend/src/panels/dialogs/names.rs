@@ -1,7 +1,7 @@
 //! Dialogs about names: Add a program, Remove program, rename it, add and remove a robot, and one's own name.
 
 use super::frame::{Feet, Frame, close};
-use super::held::{Held, Holding};
+use super::held::{DialogLock, Holding};
 use crate::fields::TextField;
 use crate::panels::empty::just_made;
 use crate::panels::hold::hold;
@@ -26,7 +26,7 @@ fn OneName(
     done: Callback<String>,
     /// The lock of what is named, if it has one.
     #[prop(optional)]
-    held: Option<Held>,
+    held: Option<DialogLock>,
 ) -> impl IntoView {
     let desk = hold();
     let reads = Signal::derive(move || held.is_some_and(|held| held.reads.get()));
@@ -104,7 +104,7 @@ pub(super) fn RemoveProgram() -> impl IntoView {
 pub(super) fn RenameProgram() -> impl IntoView {
     let desk = hold();
     let now = desk.desk().document.name.get_untracked();
-    let held = Held::of(desk, Some(RecordId::settings()));
+    let held = DialogLock::of(desk, Some(RecordId::settings()));
     let seen = StoredValue::new(desk.desk().document.settings());
     let done = Callback::new(move |name: String| {
         if let Some(seen) = seen.get_value() {

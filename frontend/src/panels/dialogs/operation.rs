@@ -14,16 +14,16 @@ pub(super) use procedure::{LooksRight, Meant};
 
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{self, Back, Gone};
-use super::held::{Held, Holding};
+use super::held::{DialogLock, Holding};
 use super::stream::EditStream;
-use crate::desk::Spot;
+use crate::desk::NewSpot;
 use crate::fields::{NumberField, TextField};
 use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
 use behaviour::connectors::{self, Spec};
 use behaviour::{Id, Kind, RATE_MS, RecordId};
-use form::Form;
+use form::OperationForm;
 use leptos::prelude::*;
 
 /// Where the name of the output is typed.
@@ -31,7 +31,7 @@ const NAME: &str = "output-name";
 
 /// The dialog. A subscribe that is there has nothing of its own to choose, so its actuator is shown.
 #[component]
-pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec, spot: Spot) -> impl IntoView {
+pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec, spot: NewSpot) -> impl IntoView {
     let desk = hold();
     let record = connector
         .as_ref()
@@ -40,17 +40,17 @@ pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec, s
     match record {
         Some(record) if record.operation.spec().acts() => view! { <EditStream id=record.output /> }.into_any(),
         record => {
-            let form = Form::new(desk, input, connector.zip(record), (kind, spot));
+            let form = OperationForm::new(desk, input, connector.zip(record), (kind, spot));
             view! { <OperationForm form /> }.into_any()
         }
     }
 }
 
 #[component]
-fn OperationForm(form: Form) -> impl IntoView {
+fn OperationForm(form: OperationForm) -> impl IntoView {
     let desk = hold();
     let edited = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| RecordId::new(Kind::Connector, id)));
-    let held = Held::of(desk, edited);
+    let held = DialogLock::of(desk, edited);
     draft::keep(form, held);
     follow_saved(form, held);
     let gone = gone_memo(form);
@@ -105,7 +105,7 @@ fn OperationForm(form: Form) -> impl IntoView {
 }
 
 /// While somebody else is editing the connector, what is saved of it is shown.
-fn follow_saved(form: Form, held: Held) {
+fn follow_saved(form: OperationForm, held: DialogLock) {
     let desk = form.desk;
     Effect::new(move |_| {
         let edited = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| id.clone()));
@@ -118,7 +118,7 @@ fn follow_saved(form: Form, held: Held) {
 }
 
 /// What has to be there: the edited connector, or the stream that a new one comes out of.
-fn about(form: Form) -> RecordId {
+fn about(form: OperationForm) -> RecordId {
     match form.edits.get_value() {
         Some((id, _)) => RecordId::new(Kind::Connector, &id),
         None => RecordId::new(Kind::Stream, &form.source.get_value()),
@@ -126,7 +126,7 @@ fn about(form: Form) -> RecordId {
 }
 
 /// Who removed the edited connector, or the stream that a new one was to come out of.
-fn gone_memo(form: Form) -> Memo<Option<String>> {
+fn gone_memo(form: OperationForm) -> Memo<Option<String>> {
     let desk = form.desk;
     match form.edits.get_value() {
         Some((id, _)) => gone::gone(desk, id.clone(), move || gone::has_connector(desk, &id)),
@@ -139,7 +139,7 @@ fn gone_memo(form: Form) -> Memo<Option<String>> {
 
 /// The connectors as cards.
 #[component]
-fn Picker(form: Form) -> impl IntoView {
+fn Picker(form: OperationForm) -> impl IntoView {
     let is_edit = form.is_edit();
     let card = move |kind: &'static Spec| {
         view! {

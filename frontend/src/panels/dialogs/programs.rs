@@ -16,16 +16,16 @@ use bar::Bar;
 use details::Details;
 use leptos::prelude::*;
 use list::List;
-use shelf::{Place, Shown};
+use shelf::{ShelfPlace, ShownShelf};
 
 /// Programs, templates and the bin.
 #[component]
 pub(super) fn Programs() -> impl IntoView {
     let desk = hold();
-    let shown = Shown::of(desk);
+    let shown = ShownShelf::of(desk);
     let add = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::AddProgram)));
-    let templates = move || shown.place.get() == Place::Templates;
-    let details = move || shown.details.get().filter(|_| shown.place.get() == Place::Programs);
+    let templates = move || shown.place.get() == ShelfPlace::Templates;
+    let details = move || shown.details.get().filter(|_| shown.place.get() == ShelfPlace::Programs);
     let body = move || match details() {
         Some(program) => view! { <Details shown program /> }.into_any(),
         None if templates() => view! { <Templates /> }.into_any(),

@@ -6,18 +6,20 @@ use crate::panels::hold::hold;
 use crate::words;
 use leptos::html;
 use leptos::prelude::*;
-use protocol::{ADDRESS_MAX_CHARS, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, ROBOT_NAME_MAX_CHARS, RealRobot};
+use protocol::{
+    ADDRESS_MAX_CHARS, CheckStep, FoundRobot, LOGIN_MAX_CHARS, ROBOT_NAME_MAX_CHARS, RealRobot, RobotFindings,
+};
 
 /// What stands in the fields.
 #[derive(Clone, Copy)]
-struct Form {
+struct RobotForm {
     address: RwSignal<String>,
     user: RwSignal<String>,
     password: RwSignal<String>,
     name: RwSignal<String>,
 }
 
-impl Form {
+impl RobotForm {
     fn real(&self) -> RealRobot {
         let some = |field: RwSignal<String>| Some(field.get_untracked()).filter(|text| !text.is_empty());
         let address = self.address.get_untracked().trim().to_owned();
@@ -30,13 +32,13 @@ impl Form {
 pub(super) fn AddReal() -> impl IntoView {
     let desk = hold();
     let text = || RwSignal::new(String::new());
-    let form = Form { address: text(), user: text(), password: text(), name: text() };
+    let form = RobotForm { address: text(), user: text(), password: text(), name: text() };
     let (busy, refusal) = (RwSignal::new(false), RwSignal::new(None::<String>));
     // What was looked at, and what was found.
-    let seen = RwSignal::new(None::<(RealRobot, Checked)>);
+    let seen = RwSignal::new(None::<(RealRobot, RobotFindings)>);
     // What is here already, under another name.
-    let twin = RwSignal::new(None::<(RealRobot, Checked)>);
-    let add = move |real: &RealRobot, checked: &Checked| {
+    let twin = RwSignal::new(None::<(RealRobot, RobotFindings)>);
+    let add = move |real: &RealRobot, checked: &RobotFindings| {
         let name = [form.name.get_untracked(), checked.name.clone(), real.address.clone()];
         let name = name.iter().map(|name| name.trim()).find(|name| !name.is_empty()).unwrap_or_default();
         let name: String = name.chars().take(ROBOT_NAME_MAX_CHARS).collect();
@@ -126,7 +128,7 @@ pub(super) fn Steps(steps: Vec<CheckStep>) -> impl IntoView {
 
 /// That it is here already, and the way to give it this address.
 #[component]
-fn Twin(real: RealRobot, checked: Checked) -> impl IntoView {
+fn Twin(real: RealRobot, checked: RobotFindings) -> impl IntoView {
     let desk = hold();
     let name = checked.known_as.clone().unwrap_or_default();
     let known = desk.desk().robots.all.with_untracked(|all| all.iter().find(|robot| robot.name == name).cloned());

@@ -44,7 +44,7 @@ pub(super) fn SaveFile() -> impl IntoView {
 
 /// How making the picture goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Making {
+enum PictureMaking {
     Rests,
     Goes,
     Done,
@@ -54,30 +54,30 @@ enum Making {
 /// The drawing as a picture, which this browser makes.
 #[component]
 fn Png(id: Id) -> impl IntoView {
-    let making = RwSignal::new(Making::Rests);
+    let making = RwSignal::new(PictureMaking::Rests);
     let make = move |_| {
-        if making.get_untracked() == Making::Goes {
+        if making.get_untracked() == PictureMaking::Goes {
             return;
         }
-        making.set(Making::Goes);
+        making.set(PictureMaking::Goes);
         let id = id.clone();
         leptos::task::spawn_local(async move {
             let made = save_png(&id).await;
             // The dialog may be closed meanwhile.
-            making.try_set(made.map_or_else(Making::Failed, |()| Making::Done));
+            making.try_set(made.map_or_else(PictureMaking::Failed, |()| PictureMaking::Done));
         });
     };
     let said = move || match making.get() {
-        Making::Rests | Making::Failed(_) => words::file_png_says(),
-        Making::Goes => words::png_goes(),
-        Making::Done => words::png_done(),
+        PictureMaking::Rests | PictureMaking::Failed(_) => words::file_png_says(),
+        PictureMaking::Goes => words::png_goes(),
+        PictureMaking::Done => words::png_done(),
     };
     let failed = move || match making.get() {
-        Making::Failed(why) => Some(words::no_png(why)),
-        Making::Rests | Making::Goes | Making::Done => None,
+        PictureMaking::Failed(why) => Some(words::no_png(why)),
+        PictureMaking::Rests | PictureMaking::Goes | PictureMaking::Done => None,
     };
     view! {
-        <button class="menu-item" type="button" aria-disabled=move || (making.get() == Making::Goes).to_string() on:click=make>
+        <button class="menu-item" type="button" aria-disabled=move || (making.get() == PictureMaking::Goes).to_string() on:click=make>
             <span class="kind plain"><Icon name="save" /></span>
             <span class="two"><b>{words::file_png()}</b><span class="second" role="status">{said}</span></span>
         </button>

@@ -9,16 +9,16 @@ use crate::panels::hold::hold;
 use crate::words;
 use behaviour::{Id, Unit, Value};
 use leptos::prelude::*;
-use parts::{Kind, Part, number, of_part, parts, pretended, with_part};
+use parts::{ValuePart, ValuePartKind, number, of_part, parts, pretended, with_part};
 
 /// What is sent: as text, and as the value that the text was last.
 #[derive(Clone, Copy)]
-struct Told {
+struct SentValue {
     text: RwSignal<String>,
     value: RwSignal<Value>,
 }
 
-impl Told {
+impl SentValue {
     fn new(example: &str) -> Self {
         let value = crate::json::read(example).unwrap_or(Value::Null);
         Self { text: RwSignal::new(example.to_owned()), value: RwSignal::new(value) }
@@ -46,7 +46,7 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
     let desk = hold();
     let stream = desk.desk().document.stream(&id).map(|signals| signals.record.get_untracked());
     let device = stream.as_ref().and_then(|stream| robot::device(stream.kind, stream.device.as_deref()?).ok());
-    let told = Told::new(device.map_or("1", |device| device.example));
+    let told = SentValue::new(device.map_or("1", |device| device.example));
     let (refusal, sent) = (RwSignal::new(None), RwSignal::new(None));
     let name = StoredValue::new(stream.as_ref().map(|stream| stream.name.clone()).unwrap_or_default());
     let send = Callback::new(move |()| {
@@ -86,7 +86,7 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
 
 /// What can be pretended at one press.
 #[component]
-fn AsIf(all: Vec<(&'static str, Value)>, told: Told, send: Callback<()>) -> impl IntoView {
+fn AsIf(all: Vec<(&'static str, Value)>, told: SentValue, send: Callback<()>) -> impl IntoView {
     let button = move |(at, (says, value)): (usize, (&'static str, Value))| {
         let press = move |_| {
             told.set(value.clone());
@@ -108,13 +108,13 @@ fn AsIf(all: Vec<(&'static str, Value)>, told: Told, send: Callback<()>) -> impl
 
 /// One part of the value.
 #[component]
-fn PartField(part: Part, told: Told) -> impl IntoView {
+fn PartField(part: ValuePart, told: SentValue) -> impl IntoView {
     let label = words::as_label(words::label_of(part.says));
     let field = part.field;
     let now = Memo::new(move |_| told.value.with(|value| of_part(value, field).cloned()).unwrap_or(Value::Null));
     match part.kind {
-        Kind::Measure(..) | Kind::Count => view! { <NumberPart label part told now /> }.into_any(),
-        Kind::Text => {
+        ValuePartKind::Measure(..) | ValuePartKind::Count => view! { <NumberPart label part told now /> }.into_any(),
+        ValuePartKind::Text => {
             let text = move || now.read().as_text().unwrap_or_default().to_owned();
             view! {
                 <label class="field">
@@ -125,7 +125,7 @@ fn PartField(part: Part, told: Told) -> impl IntoView {
             }
             .into_any()
         }
-        Kind::Truth => {
+        ValuePartKind::Truth => {
             let label = if field.is_none() { words::value_is_true().to_owned() } else { label };
             view! {
                 <label class="radio">
@@ -141,7 +141,7 @@ fn PartField(part: Part, told: Told) -> impl IntoView {
 
 /// A number: its field, and a slider where it lies between two ends.
 #[component]
-fn NumberPart(label: String, part: Part, told: Told, now: Memo<Value>) -> impl IntoView {
+fn NumberPart(label: String, part: ValuePart, told: SentValue, now: Memo<Value>) -> impl IntoView {
     let (field, step) = (part.field, part.kind.step());
     let text = RwSignal::new(String::new());
     // What is being typed stays as it is typed.
@@ -159,8 +159,8 @@ fn NumberPart(label: String, part: Part, told: Told, now: Memo<Value>) -> impl I
         }
     };
     let (slider, unit) = match part.kind {
-        Kind::Measure(unit, ends) => (Some(ends), Some(unit).filter(|unit| *unit != Unit::Fraction)),
-        Kind::Count | Kind::Text | Kind::Truth => (None, None),
+        ValuePartKind::Measure(unit, ends) => (Some(ends), Some(unit).filter(|unit| *unit != Unit::Fraction)),
+        ValuePartKind::Count | ValuePartKind::Text | ValuePartKind::Truth => (None, None),
     };
     let name = StoredValue::new(label.clone());
     view! {
@@ -190,7 +190,7 @@ fn NumberPart(label: String, part: Part, told: Told, now: Memo<Value>) -> impl I
 
 /// The value as it is written.
 #[component]
-fn Written(told: Told) -> impl IntoView {
+fn Written(told: SentValue) -> impl IntoView {
     Effect::new(move |_| {
         told.text.track();
         if let Some(value) = told.read().filter(|value| *value != told.value.get_untracked()) {

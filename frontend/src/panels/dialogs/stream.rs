@@ -2,10 +2,10 @@
 
 use super::frame::{Feet, Frame, Refused, close};
 use super::gone::{self, Back, Gone};
-use super::held::{Held, Holding};
+use super::held::{DialogLock, Holding};
 use crate::desk::Desk;
-use crate::fields::{Options, ParamFields, ParamForm, Select, TextField, Unfilled};
-use crate::panels::hold::{Hold, hold};
+use crate::fields::{ChoiceOptions, ParamFields, ParamForm, Select, TextField, Unfilled};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Id, Kind, RecordId, Stream, StreamKind};
 use leptos::prelude::*;
@@ -27,7 +27,7 @@ pub(super) fn EditStream(id: Id) -> impl IntoView {
 }
 
 #[derive(Clone, Copy)]
-struct Fields {
+struct StreamDialogFields {
     id: StoredValue<Id>,
     stream: StoredValue<Stream>,
     device: RwSignal<String>,
@@ -42,7 +42,7 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
     let desk = hold();
     let (kind, has_device) = (stream.kind, stream.device.is_some());
     let opened = stream.device.clone();
-    let fields = Fields {
+    let fields = StreamDialogFields {
         id: StoredValue::new(id),
         device: RwSignal::new(stream.device.clone().unwrap_or_default()),
         name: RwSignal::new(stream.name.clone()),
@@ -53,7 +53,7 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
     };
     Effect::new(move |_| fields.params.set(form_of(fields, kind)));
     let id = fields.id.get_value();
-    let held = Held::of(desk, Some(RecordId::new(Kind::Stream, &id)));
+    let held = DialogLock::of(desk, Some(RecordId::new(Kind::Stream, &id)));
     follow_saved(desk, fields, held);
     let gone = gone::gone(desk, id.clone(), move || gone::has_stream(desk, &id));
     let save = Callback::new(move |()| {
@@ -86,7 +86,7 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
 }
 
 /// While somebody else is editing the stream, what is saved of it is shown.
-fn follow_saved(desk: Hold, fields: Fields, held: Held) {
+fn follow_saved(desk: DeskHold, fields: StreamDialogFields, held: DialogLock) {
     Effect::new(move |_| {
         let signals = desk.desk().document.stream(&fields.id.get_value()).filter(|_| held.follows.get());
         if let Some(signals) = signals {
@@ -106,17 +106,17 @@ fn title(kind: StreamKind, device: Option<&str>) -> String {
 }
 
 /// Devices as `(name in files, name in the thesis)`.
-fn types(kind: StreamKind) -> Options {
+fn types(kind: StreamKind) -> ChoiceOptions {
     let option = |device: &'static robot::Device| (device.name.to_owned(), words::device(device).to_owned());
     match kind {
         StreamKind::Sensor => robot::sensors().map(option).collect(),
         StreamKind::Actuator => robot::actuators().map(option).collect(),
-        StreamKind::Ordinary => Options::new(),
+        StreamKind::Ordinary => ChoiceOptions::new(),
     }
 }
 
 /// The parameters of the chosen device; those of the stream while it is the same device. Reactive.
-fn form_of(fields: Fields, kind: StreamKind) -> Option<ParamForm> {
+fn form_of(fields: StreamDialogFields, kind: StreamKind) -> Option<ParamForm> {
     let name = fields.device.get();
     let device = robot::device(kind, &name).ok()?;
     let stream = fields.stream.get_value();
@@ -124,7 +124,7 @@ fn form_of(fields: Fields, kind: StreamKind) -> Option<ParamForm> {
     Some(ParamForm::new(device, &given))
 }
 
-fn edited(fields: Fields) -> Result<Stream, Unfilled> {
+fn edited(fields: StreamDialogFields) -> Result<Stream, Unfilled> {
     let name = fields.name.get_untracked().trim().to_owned();
     if name.is_empty() {
         return Err(Unfilled::Name);
@@ -137,7 +137,7 @@ fn edited(fields: Fields) -> Result<Stream, Unfilled> {
     Ok(stream)
 }
 
-fn save(desk: Hold, fields: Fields) {
+fn save(desk: DeskHold, fields: StreamDialogFields) {
     fields.refusal.set(None);
     match edited(fields) {
         Ok(stream) => {

@@ -2,7 +2,7 @@
 
 use behaviour::StreamKind;
 use leptos::prelude::*;
-use protocol::{Picture, PictureStream};
+use protocol::{GraphOutline, PictureStream};
 
 /// A stream in the picture, in canvas units.
 const WIDTH: f32 = 104.0;
@@ -14,13 +14,13 @@ const HEIGHT_MIN: f32 = 380.0;
 
 /// The picture.
 #[component]
-pub(super) fn Sketch(picture: Picture) -> impl IntoView {
+pub(super) fn Sketch(picture: GraphOutline) -> impl IntoView {
     let line = |[from, to]: &[u16; 2]| {
         let ends = (picture.streams.get(usize::from(*from))?, picture.streams.get(usize::from(*to))?);
         Some(view! { <path d=curve(ends.0, ends.1) /> })
     };
     let lines: Vec<_> = picture.lines.iter().filter_map(line).collect();
-    let streams: Vec<_> = picture.streams.iter().take(Picture::STREAMS_MAX).map(shape).collect();
+    let streams: Vec<_> = picture.streams.iter().take(GraphOutline::STREAMS_MAX).map(shape).collect();
     view! {
         <svg class="picture" viewBox=view_box(&picture.streams) aria-hidden="true" focusable="false">{lines}{streams}</svg>
     }

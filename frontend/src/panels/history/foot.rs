@@ -1,13 +1,13 @@
 //! The foot of the history while versions are compared: what differs, as counts and as a table, and the way back.
 
 use super::may_change;
-use super::sittings::Here;
+use super::sittings::ReaderClock;
 use crate::browser;
-use crate::desk::{Compared, LinkState, Version};
+use crate::desk::{ComparedVersions, LinkState, OpenVersion};
 use crate::layout::{called, whole};
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
-use behaviour::{Difference, Filled, RecordId};
+use behaviour::{Difference, FillFrom, RecordId};
 use leptos::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -45,7 +45,7 @@ fn Comparison(was: u64) -> impl IntoView {
 }
 
 /// A version in words: its name, else when it was made. Reactive.
-fn name_of(desk: Hold, revision: u64) -> String {
+fn name_of(desk: DeskHold, revision: u64) -> String {
     let document = &desk.desk().document;
     let named = document
         .versions
@@ -57,7 +57,7 @@ fn name_of(desk: Hold, revision: u64) -> String {
 }
 
 fn moment(at_ms: u64) -> String {
-    let here = Here {
+    let here = ReaderClock {
         now_ms: browser::today_ms(),
         me: None,
         my_name: "",
@@ -71,13 +71,13 @@ fn moment(at_ms: u64) -> String {
 #[component]
 fn With(was: u64) -> impl IntoView {
     let desk = hold();
-    let with = move || desk.desk().document.comparing.with(|now| now.as_ref().map_or(Version::Now, |now| now.with));
+    let with = move || desk.desk().document.comparing.with(|now| now.as_ref().map_or(OpenVersion::Now, |now| now.with));
     let choose = move |event: leptos::ev::Event| {
-        let chosen = event_target_value(&event).parse().map_or(Version::Now, Version::At);
+        let chosen = event_target_value(&event).parse().map_or(OpenVersion::Now, OpenVersion::At);
         desk.desk().document.compare(was, chosen);
     };
     let option = move |revision: u64, name: String| {
-        view! { <option value=revision.to_string() selected=move || with() == Version::At(revision)>{name}</option> }
+        view! { <option value=revision.to_string() selected=move || with() == OpenVersion::At(revision)>{name}</option> }
     };
     let named = move || {
         let versions = desk.desk().document.versions.get();
@@ -97,7 +97,7 @@ fn With(was: u64) -> impl IntoView {
     };
     view! {
         <select class="input compare-with" aria-label=words::compare_with() on:change=choose>
-            <option value="" selected=move || with() == Version::Now>{words::now_version()}</option>
+            <option value="" selected=move || with() == OpenVersion::Now>{words::now_version()}</option>
             {named}
             {others}
         </select>
@@ -143,10 +143,10 @@ fn Differences(was: u64) -> impl IntoView {
     let desk = hold();
     let compared = Memo::new(move |_| desk.desk().document.compared.get().map(ById));
     let with = move || {
-        let with = desk.desk().document.comparing.with(|now| now.as_ref().map_or(Version::Now, |now| now.with));
+        let with = desk.desk().document.comparing.with(|now| now.as_ref().map_or(OpenVersion::Now, |now| now.with));
         match with {
-            Version::Now => words::now_version().to_owned(),
-            Version::At(revision) => name_of(desk, revision),
+            OpenVersion::Now => words::now_version().to_owned(),
+            OpenVersion::At(revision) => name_of(desk, revision),
         }
     };
     move || {
@@ -179,7 +179,7 @@ fn Differences(was: u64) -> impl IntoView {
 
 /// The same as long as it is the same one.
 #[derive(Clone)]
-struct ById(Arc<Compared>);
+struct ById(Arc<ComparedVersions>);
 
 impl PartialEq for ById {
     fn eq(&self, other: &Self) -> bool {
@@ -187,8 +187,8 @@ impl PartialEq for ById {
     }
 }
 
-fn rows(compared: &Compared) -> Vec<[String; 3]> {
-    let Compared { was, is, difference, .. } = compared;
+fn rows(compared: &ComparedVersions) -> Vec<[String; 3]> {
+    let ComparedVersions { was, is, difference, .. } = compared;
     let all = difference.new.iter().chain(&difference.changed).chain(&difference.removed);
     let row = |id: &RecordId| {
         let named_in = if difference.of(id) == Some(Difference::Removed) { was } else { is };

@@ -1,11 +1,11 @@
 //! The lines of the history: a sitting's head, a gesture, a version with a name, a folded sitting.
 
-use super::sittings::{Entry, Gesture};
+use super::sittings::{HistoryGesture, SittingEntry};
 use super::{choose, may_change};
 use crate::desk::initials;
 use crate::icons::Icon;
 use crate::layout::called;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Behaviour, Id};
 use leptos::prelude::*;
@@ -13,14 +13,14 @@ use std::collections::BTreeSet;
 
 /// One line.
 #[component]
-pub(super) fn Row(entry: Entry, unfolded: RwSignal<BTreeSet<u64>>) -> impl IntoView {
+pub(super) fn Row(entry: SittingEntry, unfolded: RwSignal<BTreeSet<u64>>) -> impl IntoView {
     match entry {
-        Entry::Head { when, who } => {
+        SittingEntry::Head { when, who } => {
             view! { <li class="sitting"><h3>{when}" "<span class="second">{who}</span></h3></li> }.into_any()
         }
-        Entry::Gesture(gesture) => view! { <GestureRow gesture /> }.into_any(),
-        Entry::Named { revision, name, about } => view! { <NamedRow revision name about /> }.into_any(),
-        Entry::Folded { revision, author, by, says, open } => {
+        SittingEntry::Gesture(gesture) => view! { <GestureRow gesture /> }.into_any(),
+        SittingEntry::Named { revision, name, about } => view! { <NamedRow revision name about /> }.into_any(),
+        SittingEntry::Folded { revision, author, by, says, open } => {
             let press = move |_| {
                 unfolded.update(|unfolded| {
                     if !unfolded.remove(&revision) {
@@ -44,21 +44,21 @@ pub(super) fn Row(entry: Entry, unfolded: RwSignal<BTreeSet<u64>>) -> impl IntoV
 }
 
 /// Whether this is the version that is looked at. Reactive.
-fn is_chosen(desk: Hold, revision: u64) -> bool {
+fn is_chosen(desk: DeskHold, revision: u64) -> bool {
     desk.desk().document.comparing.with(|now| now.as_ref().is_some_and(|now| now.was == revision))
 }
 
 /// The newest line is the one that Tab comes to first.
-fn tab_index(desk: Hold, revision: u64) -> &'static str {
+fn tab_index(desk: DeskHold, revision: u64) -> &'static str {
     let newest =
         desk.desk().document.history.with_untracked(|history| history.newest_first().next().map(|line| line.revision));
     if newest == Some(revision) { "0" } else { "-1" }
 }
 
 #[component]
-fn GestureRow(gesture: Gesture) -> impl IntoView {
+fn GestureRow(gesture: HistoryGesture) -> impl IntoView {
     let desk = hold();
-    let Gesture { revision, author, by, mine, deed, at, removes } = gesture;
+    let HistoryGesture { revision, author, by, mine, deed, at, removes } = gesture;
     let cannot = move || !may_change(desk);
     let who = words::who_did(&author, mine);
     let bring_back = move |_| desk.desk().document.bring_back_removed(revision);
@@ -123,7 +123,7 @@ pub(super) fn EditingNow() -> impl IntoView {
         desk.document.revision.track();
         let edited = desk.document.edited_by_others();
         let behaviour = if edited.is_empty() { Behaviour::default() } else { desk.document.behaviour() };
-        let line = move |(record, editor): (behaviour::RecordId, crate::desk::Editor)| {
+        let line = move |(record, editor): (behaviour::RecordId, crate::desk::OtherEditor)| {
             let color = format!("var(--people-{})", editor.color % 8);
             let (letters, what) = (initials(&editor.name), called(&behaviour, &record));
             view! {

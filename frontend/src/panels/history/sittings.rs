@@ -1,6 +1,6 @@
 //! A history as people tell it: sittings, each with its time and its people, older ones folded into a line.
 
-use crate::words::{self, Deed};
+use crate::words::{self, HistoryWords};
 use behaviour::{Checkpoint, Id};
 use protocol::HistoryLine;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,11 +12,11 @@ const DEEDS_MAX: usize = 3;
 
 /// One line of the panel.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Entry {
+pub(super) enum SittingEntry {
     /// When a sitting was, and who was there.
     Head { when: String, who: String },
     /// One gesture.
-    Gesture(Gesture),
+    Gesture(HistoryGesture),
     /// A version with a name.
     Named { revision: u64, name: String, about: String },
     /// A sitting of which only the sum is shown, and its newest revision.
@@ -25,18 +25,18 @@ pub(super) enum Entry {
 
 /// What somebody did.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Gesture {
+pub(super) struct HistoryGesture {
     pub(super) revision: u64,
     pub(super) author: String,
     pub(super) by: Option<Id>,
     pub(super) mine: bool,
-    pub(super) deed: Deed,
+    pub(super) deed: HistoryWords,
     pub(super) at: String,
     pub(super) removes: bool,
 }
 
 /// The clock and the calendar of who looks.
-pub(super) struct Here<'a> {
+pub(super) struct ReaderClock<'a> {
     pub(super) now_ms: f64,
     pub(super) me: Option<&'a Id>,
     pub(super) my_name: &'a str,
@@ -47,21 +47,21 @@ pub(super) struct Here<'a> {
 }
 
 /// What a history speaks of.
-pub(super) struct Known<'a> {
+pub(super) struct HistoryScope<'a> {
     /// The people who are here, as they are called now.
     pub(super) names: BTreeMap<Id, String>,
     /// What somebody did with a line.
-    pub(super) done: &'a dyn Fn(&HistoryLine) -> Deed,
+    pub(super) done: &'a dyn Fn(&HistoryLine) -> HistoryWords,
 }
 
-impl Known<'_> {
+impl HistoryScope<'_> {
     /// Who made a change, as they were called last: whoever renamed themselves is one person.
     fn author(&self, line: &HistoryLine) -> String {
         line.by.as_ref().and_then(|by| self.names.get(by)).unwrap_or(&line.author).clone()
     }
 }
 
-impl Here<'_> {
+impl ReaderClock<'_> {
     /// The day, counted from 1970, and the minute of it.
     fn local(&self, ms: f64) -> (i64, i64) {
         let minutes = ((ms + (self.ahead_ms)(ms)) / 60_000.0).floor() as i64;
@@ -98,9 +98,9 @@ pub(super) fn entries(
     lines: &[HistoryLine],
     versions: &[Checkpoint],
     unfolded: &BTreeSet<u64>,
-    here: &Here,
-    mut known: Known,
-) -> Vec<Entry> {
+    here: &ReaderClock,
+    mut known: HistoryScope,
+) -> Vec<SittingEntry> {
     for line in lines {
         if let Some(by) = &line.by {
             known.names.entry(by.clone()).or_insert_with(|| line.author.clone());
@@ -120,7 +120,7 @@ pub(super) fn entries(
                 versions.iter().filter(|named| named.revision == line.revision).map(|it| named(it, Some(line), here)),
             );
             if open || sitting.len() == 1 {
-                made.push(Entry::Gesture(gesture(line, here, known)));
+                made.push(SittingEntry::Gesture(gesture(line, here, known)));
             }
         }
     }
@@ -129,7 +129,7 @@ pub(super) fn entries(
     made
 }
 
-fn head(sitting: &[HistoryLine], newest: bool, here: &Here, known: &Known) -> Entry {
+fn head(sitting: &[HistoryLine], newest: bool, here: &ReaderClock, known: &HistoryScope) -> SittingEntry {
     let (last, first) = (sitting[0].at_ms, sitting[sitting.len() - 1].at_ms);
     let lasts = newest && here.now_ms - (last as f64) <= PAUSE_MS as f64;
     let to = if lasts { words::now_version().to_owned() } else { here.clock(last) };
@@ -141,13 +141,13 @@ fn head(sitting: &[HistoryLine], newest: bool, here: &Here, known: &Known) -> En
         }
     }
     let you = sitting.iter().any(|line| here.is_mine(line));
-    Entry::Head {
+    SittingEntry::Head {
         when: words::from_to(&here.day(first), &here.clock(first), Some(&to)),
         who: words::people_and_you(&others, you),
     }
 }
 
-fn fold(sitting: &[HistoryLine], open: bool, known: &Known) -> Entry {
+fn fold(sitting: &[HistoryLine], open: bool, known: &HistoryScope) -> SittingEntry {
     let mut deeds: Vec<String> = Vec::new();
     for line in sitting.iter().rev() {
         let deed = (known.done)(line).whole();
@@ -159,17 +159,17 @@ fn fold(sitting: &[HistoryLine], open: bool, known: &Known) -> Entry {
     deeds.truncate(DEEDS_MAX);
     let says = words::folded(sitting.len(), &format!("{}{more}", words::listed(deeds)));
     let newest = &sitting[0];
-    Entry::Folded { revision: newest.revision, author: known.author(newest), by: newest.by.clone(), says, open }
+    SittingEntry::Folded { revision: newest.revision, author: known.author(newest), by: newest.by.clone(), says, open }
 }
 
-fn named(version: &Checkpoint, line: Option<&HistoryLine>, here: &Here) -> Entry {
+fn named(version: &Checkpoint, line: Option<&HistoryLine>, here: &ReaderClock) -> SittingEntry {
     let when = here.moment(line.map_or(version.at_ms, |line| line.at_ms));
     let about = words::named_by(&when, &version.by, version.by == here.my_name);
-    Entry::Named { revision: version.revision, name: version.name.clone(), about }
+    SittingEntry::Named { revision: version.revision, name: version.name.clone(), about }
 }
 
-fn gesture(line: &HistoryLine, here: &Here, known: &Known) -> Gesture {
-    Gesture {
+fn gesture(line: &HistoryLine, here: &ReaderClock, known: &HistoryScope) -> HistoryGesture {
+    HistoryGesture {
         revision: line.revision,
         author: known.author(line),
         by: line.by.clone(),
@@ -182,7 +182,7 @@ fn gesture(line: &HistoryLine, here: &Here, known: &Known) -> Gesture {
 
 #[cfg(test)]
 mod tests {
-    use super::{Entry, Here, Known, entries};
+    use super::{HistoryScope, ReaderClock, SittingEntry, entries};
     use crate::words;
     use behaviour::{Checkpoint, Id};
     use protocol::HistoryLine;
@@ -201,7 +201,7 @@ mod tests {
 
     fn said(lines: &[HistoryLine], versions: &[Checkpoint], unfolded: &[u64]) -> Vec<String> {
         let me = Id::new("Aiko").unwrap();
-        let here = Here {
+        let here = ReaderClock {
             now_ms: NOON as f64,
             me: Some(&me),
             my_name: "Aiko",
@@ -210,12 +210,12 @@ mod tests {
         };
         let unfolded: BTreeSet<u64> = unfolded.iter().copied().collect();
         let say = |entry| match entry {
-            Entry::Head { when, who } => format!("{when} | {who}"),
-            Entry::Gesture(gesture) => format!("{} {}", gesture.at, gesture.deed.whole()),
-            Entry::Named { name, about, .. } => format!("{name}: {about}"),
-            Entry::Folded { says, open, .. } => format!("{} {says}", if open { "-" } else { "+" }),
+            SittingEntry::Head { when, who } => format!("{when} | {who}"),
+            SittingEntry::Gesture(gesture) => format!("{} {}", gesture.at, gesture.deed.whole()),
+            SittingEntry::Named { name, about, .. } => format!("{name}: {about}"),
+            SittingEntry::Folded { says, open, .. } => format!("{} {says}", if open { "-" } else { "+" }),
         };
-        let known = Known { names: BTreeMap::new(), done: &|line| words::deed(&line.label) };
+        let known = HistoryScope { names: BTreeMap::new(), done: &|line| words::deed(&line.label) };
         entries(lines, versions, &unfolded, &here, known).into_iter().map(say).collect()
     }
 

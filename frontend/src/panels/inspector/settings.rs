@@ -4,7 +4,7 @@ use crate::desk::{Dialog, EditSession};
 use crate::escape;
 use crate::fields::{ParamFields, ParamForm, TextField, Unfilled};
 use crate::icons::Icon;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::may::may_edit;
 use crate::words;
 use behaviour::{Id, Kind, NAME_MAX_CHARS, Record, RecordId, Stream};
@@ -14,8 +14,8 @@ use web_sys::{FocusEvent, KeyboardEvent, Node};
 
 /// The fields of one stream. A copy is the same.
 #[derive(Clone, Copy)]
-struct Fields {
-    desk: Hold,
+struct StreamFields {
+    desk: DeskHold,
     id: StoredValue<Id>,
     record: Memo<Stream>,
     name: RwSignal<String>,
@@ -41,7 +41,7 @@ pub(super) fn Settings(id: Id, record: Memo<Stream>) -> impl IntoView {
     let editor = Memo::new(move |_| desk.desk().document.editor_of(&key));
     let dialog = Dialog::EditStream(id.clone());
     let elsewhere = Memo::new(move |_| desk.desk().dialog.read().as_ref() == Some(&dialog));
-    let fields = Fields {
+    let fields = StreamFields {
         desk,
         id: StoredValue::new(id),
         record,
@@ -88,7 +88,7 @@ pub(super) fn Settings(id: Id, record: Memo<Stream>) -> impl IntoView {
 }
 
 /// Shows what is saved, from whoever it comes, wherever nobody has written anything else.
-fn follow(fields: Fields) {
+fn follow(fields: StreamFields) {
     let device = Memo::new(move |_| fields.record.with(|stream| (stream.kind, stream.device.clone())));
     // Either may still run when the panel has just gone.
     Effect::new(move |_| {
@@ -124,7 +124,7 @@ fn follow(fields: Fields) {
     });
 }
 
-impl Fields {
+impl StreamFields {
     fn show_saved(self) {
         let Some(stream) = self.record.try_get_untracked() else { return };
         self.named.set_value(stream.name);

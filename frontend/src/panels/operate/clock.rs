@@ -1,6 +1,6 @@
 //! The time of the run, and times in words. It is right after a tablet slept: it goes by the wall, not by what was counted here.
 
-use super::Op;
+use super::OperateShared;
 use leptos::prelude::*;
 
 /// A length of time: "9:41", "1:02:07". Pure.
@@ -30,7 +30,7 @@ pub(super) fn began(known: Option<(u64, f64)>, run: u64, at_ms: u64, now_ms: f64
 /// A message that is later than this is not only late, in milliseconds.
 const LATE_MS: f64 = 2_000.0;
 
-impl Op {
+impl OperateShared {
     /// The time of the run, in milliseconds; none where none runs or that is not known yet. Reactive.
     pub(super) fn run_ms(self) -> Option<f64> {
         let run = self.run()?.run;

@@ -1,7 +1,7 @@
 //! The header: the robot, its state and its link in words, the program and its version, what is kept, who is here, the time of the
 //! run, and the way out.
 
-use super::Op;
+use super::OperateShared;
 use super::clock::length;
 use super::starting::Kept;
 use crate::desk::{LinkState, Sign};
@@ -10,7 +10,7 @@ use crate::link::NoAnswer;
 use crate::panels::people::in_color;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{Records, Request, Session};
+use protocol::{RecordedSession, Records, Request};
 use robot::{Health, Network};
 
 /// So many people have a sign; of the rest there is the number.
@@ -19,7 +19,7 @@ const SIGNS_MAX: usize = 4;
 const PROGRAMS_MAX: usize = 12;
 
 #[component]
-pub(super) fn Head(op: Op) -> impl IntoView {
+pub(super) fn Head(op: OperateShared) -> impl IntoView {
     let desk = op.desk;
     let time = move || match op.run_ms() {
         Some(ms) => length(ms),
@@ -72,7 +72,7 @@ fn Mark() -> impl IntoView {
 
 /// The lamp and what it says, the robot's name, and its state.
 #[component]
-fn Robot(op: Op) -> impl IntoView {
+fn Robot(op: OperateShared) -> impl IntoView {
     let desk = op.desk;
     let lamp = move || {
         let desk = desk.desk();
@@ -109,7 +109,7 @@ fn Robot(op: Op) -> impl IntoView {
 }
 
 /// The state of the robot in words. Reactive.
-fn state(op: Op) -> String {
+fn state(op: OperateShared) -> String {
     let desk = op.desk.desk();
     if let Some(seconds) = desk.unheard.get() {
         return words::heard_ago(seconds);
@@ -128,7 +128,7 @@ fn state(op: Op) -> String {
 
 /// The program, and which version of it.
 #[component]
-fn Program(op: Op) -> impl IntoView {
+fn Program(op: OperateShared) -> impl IntoView {
     let desk = op.desk;
     let some = Memo::new(move |_| desk.desk().document.open.read().is_some());
     let version = move || {
@@ -148,7 +148,7 @@ fn Program(op: Op) -> impl IntoView {
 
 /// The programs to choose from, while none runs: in the place of what one does if none is open.
 #[component]
-pub(super) fn Programs(op: Op) -> impl IntoView {
+pub(super) fn Programs(op: OperateShared) -> impl IntoView {
     let desk = op.desk;
     let none = Memo::new(move |_| desk.desk().document.open.read().is_none());
     let idle = Memo::new(move |_| op.run().is_none() && !none.get());
@@ -190,7 +190,7 @@ pub(super) fn Programs(op: Op) -> impl IntoView {
 
 /// Whether the run is recorded, and for which code; opens what is kept.
 #[component]
-fn Recorded(op: Op) -> impl IntoView {
+fn Recorded(op: OperateShared) -> impl IntoView {
     let desk = op.desk;
     let open = RwSignal::new(false);
     let run = Memo::new(move |_| {
@@ -227,7 +227,7 @@ fn Recorded(op: Op) -> impl IntoView {
     };
     let begin = move |_| {
         if let Some((behaviour, robot)) = of_run() {
-            let session = Session { records: kept.get_untracked(), ..Session::default() };
+            let session = RecordedSession { records: kept.get_untracked(), ..RecordedSession::default() };
             ask(Request::Record { behaviour, robot, session });
         }
     };
@@ -258,7 +258,7 @@ fn Recorded(op: Op) -> impl IntoView {
 }
 
 #[component]
-fn Charge(op: Op) -> impl IntoView {
+fn Charge(op: OperateShared) -> impl IntoView {
     let percent = move || op.desk.desk().robots.chosen.read().as_ref().and_then(|robot| robot.condition.battery);
     move || {
         percent().map(|percent| {
@@ -273,7 +273,7 @@ fn Charge(op: Op) -> impl IntoView {
 
 /// The link in words: that of the robot to the network where it is known, else whether the server is heard.
 #[component]
-fn Link(op: Op) -> impl IntoView {
+fn Link(op: OperateShared) -> impl IntoView {
     let words = move || {
         let desk = op.desk.desk();
         if let Some(seconds) = desk.unheard.get() {
@@ -293,7 +293,7 @@ fn Link(op: Op) -> impl IntoView {
 
 /// Everyone who is here.
 #[component]
-fn People(op: Op) -> impl IntoView {
+fn People(op: OperateShared) -> impl IntoView {
     let signs = Memo::new(move |_| {
         let signs = op.desk.desk().document.signs();
         let me = op.desk.desk().me.get();

@@ -1,13 +1,13 @@
 //! What the server tells and only this page shows: the time of the run, what people press, marks.
 
-use super::Op;
+use super::OperateShared;
 use super::clock;
 use crate::{browser, link};
 use leptos::prelude::*;
 use protocol::Reply;
 
 /// Hears it for as long as the page lives.
-pub(super) fn overhear(op: Op) {
+pub(super) fn overhear(op: OperateShared) {
     link::overhear(move |reply| match reply {
         Reply::Values { values } if values.run == op.run_now() => {
             let told = clock::began(op.began.get_untracked(), values.run, values.at_ms, browser::today_ms());
@@ -30,7 +30,7 @@ pub(super) fn overhear(op: Op) {
     });
 }
 
-impl Op {
+impl OperateShared {
     /// The number of the run; none is 0.
     fn run_now(self) -> u64 {
         untrack(|| self.run()).map_or(0, |run| run.run)

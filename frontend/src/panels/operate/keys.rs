@@ -1,13 +1,13 @@
 //! The keys of this page: 1 to 9 press tiles, M marks, N writes the note of the newest mark. A key that is held counts once.
 
-use super::Op;
-use crate::keys::Pressed;
+use super::OperateShared;
+use crate::keys::PressedKey;
 use crate::panels::buttons::is_plain;
 use crate::panels::focus;
 use leptos::prelude::*;
 
 /// Listens for as long as the page lives.
-pub(super) fn listen(op: Op) {
+pub(super) fn listen(op: OperateShared) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
         if !is_plain(&event) || op.asks.get_untracked() {
             return;
@@ -32,7 +32,7 @@ pub(super) fn listen(op: Op) {
 }
 
 /// Opens the note of the newest mark, which gets the keyboard; whether there is one.
-fn write_note(op: Op) -> bool {
+fn write_note(op: OperateShared) -> bool {
     let is_one = op.open_note();
     if is_one {
         focus::soon(0, "#op-note", |field| focus::focus(field));

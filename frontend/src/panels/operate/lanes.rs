@@ -1,6 +1,6 @@
 //! The last two minutes: when senses told something, when actions were fed, what was pressed by hand, and the marks.
 
-use super::Op;
+use super::OperateShared;
 use super::clock::time_of_day;
 use super::seen::KEPT_MS;
 use crate::browser;
@@ -24,10 +24,10 @@ const WIDTH: f64 = 1_000.0;
 const TIMES_MS: f64 = 30_000.0;
 
 /// When a stream told something: from and until, by this computer's clock.
-type Bars = VecDeque<(f64, f64)>;
+type LaneBars = VecDeque<(f64, f64)>;
 
 /// A value that came then. Pure.
-fn join(bars: &mut Bars, from: f64, at: f64) {
+fn join(bars: &mut LaneBars, from: f64, at: f64) {
     match bars.back_mut() {
         Some((_, until)) if from - *until <= JOINED_MS => *until = at.max(*until),
         _ => bars.push_back((from, at)),
@@ -43,11 +43,11 @@ fn place(at: f64, now: f64) -> f64 {
 }
 
 /// A row: its stream, what it is called, and whether it is an action.
-type Row = (Id, String, bool);
+type LaneRow = (Id, String, bool);
 
 #[component]
-pub(super) fn Lanes(op: Op) -> impl IntoView {
-    let bars = RwSignal::new(BTreeMap::<Id, (u64, Bars)>::new());
+pub(super) fn Lanes(op: OperateShared) -> impl IntoView {
+    let bars = RwSignal::new(BTreeMap::<Id, (u64, LaneBars)>::new());
     let busy = Memo::new(move |_| {
         let all = bars.read();
         all.iter().filter(|(_, (_, bars))| !bars.is_empty()).map(|(id, _)| id.clone()).collect::<Vec<_>>()
@@ -74,7 +74,7 @@ pub(super) fn Lanes(op: Op) -> impl IntoView {
         all.map(time).collect_view()
     };
     let end = move || if op.is_quiet() { words::no_connection_now() } else { words::happens_now() };
-    let lane = move |(id, name, acts): Row| {
+    let lane = move |(id, name, acts): LaneRow| {
         let title = name.clone();
         let shapes = move || {
             let now = now.get();
@@ -95,7 +95,7 @@ pub(super) fn Lanes(op: Op) -> impl IntoView {
     let dots = move || {
         let now = now.get();
         let seen: Vec<_> = op.seen.get().into_iter().filter(|seen| now - seen.at < KEPT_MS).collect();
-        let dot = move |seen: super::seen::Seen| {
+        let dot = move |seen: super::seen::SeenPress| {
             let left = format!("{:.2}%", place(seen.at, now) / 10.0);
             view! { <i class:not=!seen.done title=seen.by style=("--at", left) style=("--person", op.color_of(&seen.client))></i> }
         };
@@ -136,7 +136,7 @@ pub(super) fn Lanes(op: Op) -> impl IntoView {
 }
 
 /// The senses and the actions that a connector leads to which have a row: those that told something first. Reactive.
-fn rows(op: Op, is_busy: &dyn Fn(&Id) -> bool) -> Vec<Row> {
+fn rows(op: OperateShared, is_busy: &dyn Fn(&Id) -> bool) -> Vec<LaneRow> {
     let document = &op.desk.desk().document;
     document.edited.track();
     let ends: Vec<Id> = document
@@ -144,7 +144,7 @@ fn rows(op: Op, is_busy: &dyn Fn(&Id) -> bool) -> Vec<Row> {
         .iter()
         .map(|(_, signals)| signals.record.with_untracked(|one| one.output.clone()))
         .collect();
-    let all: Vec<Row> = document
+    let all: Vec<LaneRow> = document
         .stream_ids
         .get()
         .into_iter()
@@ -161,13 +161,13 @@ fn rows(op: Op, is_busy: &dyn Fn(&Id) -> bool) -> Vec<Row> {
     };
     let chosen = [chosen(false, SENSES_MAX), chosen(true, ACTIONS_MAX)].concat();
     // They stand in the order of the program, whichever came first.
-    let (senses, actions): (Vec<Row>, Vec<Row>) =
+    let (senses, actions): (Vec<LaneRow>, Vec<LaneRow>) =
         all.into_iter().filter(|row| chosen.contains(&row.0)).partition(|row| !row.2);
     senses.into_iter().chain(actions).collect()
 }
 
 /// Looks again and again what told something since.
-fn look(op: Op, bars: RwSignal<BTreeMap<Id, (u64, Bars)>>) {
+fn look(op: OperateShared, bars: RwSignal<BTreeMap<Id, (u64, LaneBars)>>) {
     browser::every(LOOK_MS, move || {
         if untrack(|| op.run()).is_none() || untrack(|| op.is_quiet()) {
             return;
@@ -194,7 +194,7 @@ fn look(op: Op, bars: RwSignal<BTreeMap<Id, (u64, Bars)>>) {
         bars.try_update(|bars| {
             bars.retain(|id, _| told.iter().any(|(known, _)| known == id));
             for (id, count) in told {
-                let (known, bars) = bars.entry(id).or_insert_with(|| (count, Bars::new()));
+                let (known, bars) = bars.entry(id).or_insert_with(|| (count, LaneBars::new()));
                 if count > *known {
                     join(bars, now - f64::from(LOOK_MS), now);
                 }
@@ -206,11 +206,11 @@ fn look(op: Op, bars: RwSignal<BTreeMap<Id, (u64, Bars)>>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{BARS_MAX, Bars, WIDTH, join, place};
+    use super::{BARS_MAX, LaneBars, WIDTH, join, place};
 
     #[test]
     fn values_near_each_other_are_one_bar_and_gaps_stay() {
-        let mut bars = Bars::new();
+        let mut bars = LaneBars::new();
         for at in [1_000.0, 1_250.0, 2_200.0, 5_000.0] {
             join(&mut bars, at - 250.0, at);
         }

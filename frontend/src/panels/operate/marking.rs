@@ -1,9 +1,9 @@
 //! Marking: the button, the words, the newest mark with its note and *Undo*, and the list of all.
 
-use super::Op;
+use super::OperateShared;
 use super::clock::{length, time_of_day};
 use super::marks::Mark;
-use super::pad::Does;
+use super::pad::TileWork;
 use super::seen::Face;
 use crate::escape;
 use crate::icons::Icon;
@@ -19,13 +19,13 @@ const LISTED_MAX: usize = 30;
 const WORDS_MAX: usize = 2;
 
 #[component]
-pub(super) fn Marking(op: Op) -> impl IntoView {
+pub(super) fn Marking(op: OperateShared) -> impl IntoView {
     let can = Memo::new(move |_| op.can_mark());
     let types = RwSignal::new(false);
     let typed = RwSignal::new(String::new());
     let words = Memo::new(move |_| {
         let has = |word: &String| {
-            op.pad.read().iter().any(|tile| matches!(&tile.does, Does::Word { word: known, .. } if known == word))
+            op.pad.read().iter().any(|tile| matches!(&tile.does, TileWork::Word { word: known, .. } if known == word))
         };
         op.marks.words.get().into_iter().filter(|word| !has(word)).take(WORDS_MAX).collect::<Vec<_>>()
     });
@@ -73,7 +73,7 @@ pub(super) fn Marking(op: Op) -> impl IntoView {
 
 /// The newest one of one's own.
 #[component]
-fn Newest(op: Op) -> impl IntoView {
+fn Newest(op: OperateShared) -> impl IntoView {
     let id = Memo::new(move |_| op.newest_mark().map(|(mark, _)| (mark.id, mark.word, mark.at)));
     let left = Memo::new(move |_| op.newest_mark().map_or(0, |(_, left)| left));
     let note = Memo::new(move |_| op.newest_mark().map(|(mark, _)| mark.note).unwrap_or_default());
@@ -119,7 +119,7 @@ fn Newest(op: Op) -> impl IntoView {
 }
 
 #[component]
-fn List(op: Op) -> impl IntoView {
+fn List(op: OperateShared) -> impl IntoView {
     let shown = Memo::new(move |_| {
         let newest = op.marks.mine.get();
         let all = op.marks.all.read();
@@ -137,7 +137,7 @@ fn List(op: Op) -> impl IntoView {
 }
 
 #[component]
-fn Row(op: Op, mark: Mark) -> impl IntoView {
+fn Row(op: OperateShared, mark: Mark) -> impl IntoView {
     let (at, open, until) = (mark.at, mark.open, mark.until);
     let lasts = move || match until {
         Some(until) => Some(length(until - at)),

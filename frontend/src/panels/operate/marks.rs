@@ -1,7 +1,7 @@
 //! The marks of the run: those that everybody made, as the server tells them, and one's own that wait for it. The moment of a mark
 //! is the press; it is sent with its age, so that a link that is lost for a while moves none.
 
-use super::Op;
+use super::OperateShared;
 use crate::link::{self, NoAnswer};
 use crate::{browser, words};
 use behaviour::Id;
@@ -37,7 +37,7 @@ pub(super) struct Mark {
 
 /// Something that the server has to be told of a mark; it goes with the time of its press.
 #[derive(Clone, Debug, PartialEq)]
-struct Waiting {
+struct WaitingMark {
     run: u64,
     behaviour: Id,
     robot: Option<Id>,
@@ -54,12 +54,12 @@ enum What {
 
 /// The marks.
 #[derive(Clone, Copy)]
-pub(super) struct Marks {
+pub(super) struct SessionMarks {
     /// The run that they are of; 0 before any.
     run: RwSignal<u64>,
     /// By time.
     pub(super) all: RwSignal<Vec<Mark>>,
-    waiting: RwSignal<VecDeque<Waiting>>,
+    waiting: RwSignal<VecDeque<WaitingMark>>,
     /// True while one is on its way: they go one after the other.
     goes: RwSignal<bool>,
     /// The newest one of one's own, which can be taken back and have a note.
@@ -70,7 +70,7 @@ pub(super) struct Marks {
     pub(super) words: RwSignal<Vec<String>>,
 }
 
-impl Marks {
+impl SessionMarks {
     /// None yet.
     pub(super) fn new() -> Self {
         let (run, all, waiting) = (RwSignal::new(0), RwSignal::default(), RwSignal::default());
@@ -79,7 +79,7 @@ impl Marks {
     }
 }
 
-impl Op {
+impl OperateShared {
     /// Marks this moment, with a word or without. Not reactive.
     pub(super) fn mark(self, word: &str) {
         self.begin(word, false);
@@ -128,7 +128,7 @@ impl Op {
         self.marks.writes.set(false);
         self.whisper(&words::marked_as(word));
         let what = What::Mark { word: word.to_owned(), sort: MarkSort::Note, span };
-        self.wait(Waiting { run: run.run, behaviour: run.behaviour, robot: Some(run.robot), id, at, what });
+        self.wait(WaitingMark { run: run.run, behaviour: run.behaviour, robot: Some(run.robot), id, at, what });
     }
 
     fn edit(self, id: &Id, edit: MarkEdit) {
@@ -145,7 +145,7 @@ impl Op {
             }),
         });
         let (behaviour, robot, what) = (last.behaviour, Some(last.robot), What::Edit(edit));
-        self.wait(Waiting { run: last.run, behaviour, robot, id: id.clone(), at, what });
+        self.wait(WaitingMark { run: last.run, behaviour, robot, id: id.clone(), at, what });
     }
 
     /// Takes the newest one of one's own back.
@@ -255,7 +255,7 @@ impl Op {
         }
     }
 
-    fn wait(self, waiting: Waiting) {
+    fn wait(self, waiting: WaitingMark) {
         self.marks.waiting.update(|all| all.push_back(waiting));
         self.send_marks();
     }
@@ -320,7 +320,7 @@ impl Op {
 }
 
 /// Tries at once when the server greets again.
-pub(super) fn when_back(op: Op) {
+pub(super) fn when_back(op: OperateShared) {
     Effect::new(move |_| {
         if op.desk.desk().online.get() == crate::desk::LinkState::Online && link::is_up() {
             op.send_marks();

@@ -1,7 +1,7 @@
 //! What the robot does now: in large words, and as the sentences of the program, of which those that happen say *now*. What went
 //! wrong stands in the place of the title.
 
-use super::Op;
+use super::OperateShared;
 use super::trouble::Trouble;
 use crate::browser;
 use crate::panels::hold::Soon;
@@ -19,20 +19,20 @@ const SOON_MS: i32 = 60;
 const SENTENCES_MAX: usize = 6;
 
 /// A sentence, and when its action was fed last (`performance.now()`), if it was.
-type Told = (Sentence, Option<f64>);
+type FedSentence = (Sentence, Option<f64>);
 
 #[component]
-pub(super) fn Now(op: Op) -> impl IntoView {
+pub(super) fn Now(op: OperateShared) -> impl IntoView {
     let told = told(op);
     let times = Memo::new(move |_| {
-        told.read().iter().map(|sentence| (sentence.clone(), fed(op, sentence))).collect::<Vec<Told>>()
+        told.read().iter().map(|sentence| (sentence.clone(), fed(op, sentence))).collect::<Vec<FedSentence>>()
     });
     let quiet = Memo::new(move |_| op.is_quiet());
     let runs = Memo::new(move |_| op.run().is_some());
     let rows = Memo::new(move |_| {
         let all = times.get();
         let newest = newest(&all).map(|(sentence, _)| sentence.clone());
-        let row = |(sentence, at): &Told| {
+        let row = |(sentence, at): &FedSentence| {
             let text = words::without_code(&sentence.to_string());
             let is_last = quiet.get() && newest.as_ref() == Some(sentence);
             (text, !quiet.get() && runs.get() && is_now(*at), is_last)
@@ -73,7 +73,7 @@ pub(super) fn Now(op: Op) -> impl IntoView {
 }
 
 /// The sentences, made again soon after each change of the program or of a helper.
-fn told(op: Op) -> RwSignal<Vec<Sentence>> {
+fn told(op: OperateShared) -> RwSignal<Vec<Sentence>> {
     let told = RwSignal::new(Vec::new());
     let make = move || {
         let desk = op.desk.desk();
@@ -101,7 +101,7 @@ fn told(op: Op) -> RwSignal<Vec<Sentence>> {
 }
 
 /// When what leads to the action of a sentence passed something on. Reactive, and renewed twice a second.
-fn fed(op: Op, sentence: &Sentence) -> Option<f64> {
+fn fed(op: OperateShared, sentence: &Sentence) -> Option<f64> {
     let desk = op.desk.desk();
     desk.robots.clock.track();
     let connector = sentence.phrases.last()?.connectors.first()?.clone();
@@ -114,14 +114,14 @@ fn is_now(fed: Option<f64>) -> bool {
 }
 
 /// The one that happened last.
-fn newest(all: &[Told]) -> Option<&Told> {
+fn newest(all: &[FedSentence]) -> Option<&FedSentence> {
     all.iter()
         .filter(|(_, at)| at.is_some())
         .max_by(|(_, one), (_, other)| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal))
 }
 
 /// What the robot does, in few large words. Reactive.
-fn title(op: Op, all: &[Told]) -> String {
+fn title(op: OperateShared, all: &[FedSentence]) -> String {
     let desk = op.desk.desk();
     if desk.document.open.read().is_none() {
         return words::choose_program().to_owned();
@@ -145,7 +145,7 @@ fn action_words(sentence: &Sentence) -> String {
 }
 
 /// When it does that, or how it stands. Reactive.
-fn under(op: Op, all: &[Told]) -> String {
+fn under(op: OperateShared, all: &[FedSentence]) -> String {
     let desk = op.desk.desk();
     if desk.document.open.read().is_none() {
         return words::choose_program_says().to_owned();

@@ -1,6 +1,6 @@
 //! The nine tiles: those of the program's pad, else the usual ones of what is in it.
 
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use crate::words;
 use behaviour::{Behaviour, Id, Params, StreamKind, TileAction, Value};
 use leptos::prelude::*;
@@ -9,18 +9,18 @@ use robot::{Resource, Resources};
 
 /// A tile.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tile {
+pub(super) struct PadTile {
     /// Its key, 1 to 9.
     pub(super) key: usize,
     pub(super) label: String,
     /// The name of its picture.
     pub(super) icon: &'static str,
-    pub(super) does: Does,
+    pub(super) does: TileWork,
 }
 
 /// What a tile does.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Does {
+pub(super) enum TileWork {
     /// Has the robot do an action by hand.
     Hand { device: String, params: Params, value: Value },
     /// Lets a sense give a value, as if the robot had sensed it.
@@ -29,7 +29,7 @@ pub(super) enum Does {
     Word { word: String, span: bool },
 }
 
-impl Does {
+impl TileWork {
     /// True if this press is one of this tile.
     pub(super) fn is_of(&self, press: &Press) -> bool {
         match self {
@@ -52,7 +52,7 @@ impl Does {
 }
 
 /// The tiles of the open program, renewed as it changes.
-pub(super) fn pad(desk: Hold) -> Memo<Vec<Tile>> {
+pub(super) fn pad(desk: DeskHold) -> Memo<Vec<PadTile>> {
     Memo::new(move |_| {
         let document = &desk.desk().document;
         document.edited.track();
@@ -62,7 +62,7 @@ pub(super) fn pad(desk: Hold) -> Memo<Vec<Tile>> {
 }
 
 /// The tiles of a program: its own, in their own words, or the usual ones. Pure.
-fn tiles(behaviour: &Behaviour) -> Vec<Tile> {
+fn tiles(behaviour: &Behaviour) -> Vec<PadTile> {
     let own = behaviour.pad().cloned();
     let is_own = own.is_some();
     let pad = own.unwrap_or_else(|| robot::usual_pad(behaviour));
@@ -70,11 +70,11 @@ fn tiles(behaviour: &Behaviour) -> Vec<Tile> {
         let (icon, button) = pictured(behaviour, &tile.does);
         let label = if is_own { tile.label } else { usual_words(&tile.does, &tile.label, button) };
         let does = match tile.does {
-            TileAction::Hand { device, params, value } => Does::Hand { device, params, value },
-            TileAction::Pretend { stream, value } => Does::Pretend { stream, value },
-            TileAction::Word { word, span } => Does::Word { word, span },
+            TileAction::Hand { device, params, value } => TileWork::Hand { device, params, value },
+            TileAction::Pretend { stream, value } => TileWork::Pretend { stream, value },
+            TileAction::Word { word, span } => TileWork::Word { word, span },
         };
-        Tile { key: usize::from(key), label, icon, does }
+        PadTile { key: usize::from(key), label, icon, does }
     };
     pad.tiles.into_iter().map(tile).collect()
 }
@@ -110,7 +110,7 @@ pub(super) fn speaks(device: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Does, tiles};
+    use super::{TileWork, tiles};
     use behaviour::{Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, Value};
     use protocol::Press;
 
@@ -161,10 +161,10 @@ mod tests {
             value: Value::Bool(true),
             why: None,
         };
-        let button = Does::Pretend { stream: Id::new("go").unwrap(), value: Value::Bool(true) };
+        let button = TileWork::Pretend { stream: Id::new("go").unwrap(), value: Value::Bool(true) };
         assert!(button.is_of(&press("go", true)) && !button.is_of(&press("go", false)));
         assert!(!button.is_of(&press("on", true)));
-        let hand = Does::Hand { device: "Animation".into(), params: Params::default(), value: Value::Bool(true) };
+        let hand = TileWork::Hand { device: "Animation".into(), params: Params::default(), value: Value::Bool(true) };
         assert!(hand.is_of(&press("Animation", false)) && !hand.is_of(&press("Animation", true)));
     }
 }

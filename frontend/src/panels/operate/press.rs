@@ -1,9 +1,9 @@
 //! Pressing a tile, and what becomes of it. What cannot be sent now is never sent later: a robot must not begin to move when a
 //! lost link comes back.
 
-use super::Op;
-use super::pad::{Does, Tile, speaks};
-use super::seen::Seen;
+use super::OperateShared;
+use super::pad::{PadTile, TileWork, speaks};
+use super::seen::SeenPress;
 use crate::desk::LinkState;
 use crate::link::NoAnswer;
 use crate::panels::may::may_operate;
@@ -27,8 +27,8 @@ const SPEECH_MIN_MS: f64 = 900.0;
 
 /// The newest press of a tile.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Pressed {
-    does: Does,
+pub(super) struct PressedTile {
+    does: TileWork,
     at: f64,
     /// The person, if it was somebody else.
     by: Option<Id>,
@@ -49,7 +49,7 @@ enum Became {
 
 /// What a tile shows.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Shows {
+pub(super) enum TileState {
     /// It can be pressed.
     Ready,
     /// It goes on: what is said of it, and how far it is, from 0 to 100.
@@ -66,7 +66,7 @@ pub(super) enum Shows {
     On(f64),
 }
 
-impl Op {
+impl OperateShared {
     /// Why none of the tiles that act can be pressed, as the link is. Reactive.
     pub(super) fn rests(self) -> bool {
         let desk = self.desk.desk();
@@ -74,12 +74,12 @@ impl Op {
     }
 
     /// Why a tile cannot be pressed. Reactive.
-    pub(super) fn cannot(self, does: &Does) -> Option<String> {
+    pub(super) fn cannot(self, does: &TileWork) -> Option<String> {
         let desk = self.desk.desk();
         if let Some(why) = desk.may_not(protocol::Role::Operator) {
             return Some(why.to_owned());
         }
-        if let Does::Word { .. } = does {
+        if let TileWork::Word { .. } = does {
             return self.run().is_none().then(|| words::marks_begin_with_run().to_owned());
         }
         if self.rests() {
@@ -89,12 +89,12 @@ impl Op {
             return Some(words::robot_not_there().to_owned());
         }
         match does {
-            Does::Hand { device, .. } => {
+            TileWork::Hand { device, .. } => {
                 let chosen = desk.robots.chosen.read();
                 let lacks = chosen.as_ref()?.lacking.iter().find(|lacking| lacking.device == *device)?;
                 Some(words::translated(&lacks.why))
             }
-            Does::Pretend { stream, .. } if desk.document.stream(stream).is_none() => {
+            TileWork::Pretend { stream, .. } if desk.document.stream(stream).is_none() => {
                 Some(words::its_sense_is_gone().to_owned())
             }
             _ => self.run().is_none().then(|| words::only_while_it_runs().to_owned()),
@@ -110,32 +110,32 @@ impl Op {
             return true;
         }
         let now = browser::today_ms();
-        let rests = |pressed: &&Pressed| pressed.does == tile.does && pressed.by.is_none();
+        let rests = |pressed: &&PressedTile| pressed.does == tile.does && pressed.by.is_none();
         let before = self.presses.with_untracked(|all| all.iter().find(rests).map(|pressed| pressed.at));
         if before.is_some_and(|before| (0.0..RESTS_MS).contains(&(now - before))) {
             return true;
         }
         let became = match tile.does {
             // A mark is there at once, whatever the link does.
-            Does::Word { .. } => Became::Done { from: now, until: now + PRETENDED_MS },
-            Does::Hand { .. } | Does::Pretend { .. } => Became::Asked,
+            TileWork::Word { .. } => Became::Done { from: now, until: now + PRETENDED_MS },
+            TileWork::Hand { .. } | TileWork::Pretend { .. } => Became::Asked,
         };
-        self.put(Pressed { does: tile.does.clone(), at: now, by: None, name: String::new(), became });
+        self.put(PressedTile { does: tile.does.clone(), at: now, by: None, name: String::new(), became });
         match tile.does {
-            Does::Word { ref word, span } => self.mark_word(word, span),
+            TileWork::Word { ref word, span } => self.mark_word(word, span),
             _ => self.ask(tile, now),
         }
         true
     }
 
-    fn ask(self, tile: Tile, at: f64) {
+    fn ask(self, tile: PadTile, at: f64) {
         let desk = self.desk.desk();
         let (robot, open) = (desk.robots.chosen_id(), desk.document.open.get_untracked());
         let request = match (&tile.does, open) {
-            (Does::Hand { device, params, value }, _) => {
+            (TileWork::Hand { device, params, value }, _) => {
                 Request::Hand { robot, device: device.clone(), params: params.clone(), value: value.clone() }
             }
-            (Does::Pretend { stream, value }, Some(behaviour)) => {
+            (TileWork::Pretend { stream, value }, Some(behaviour)) => {
                 Request::Stimulate { behaviour, robot, stream: stream.clone(), value: value.clone() }
             }
             _ => return,
@@ -150,15 +150,15 @@ impl Op {
             if let Became::Not(why) = &became {
                 self.whisper(&words::titled(&tile.label, why));
             }
-            self.put(Pressed { does: tile.does, at, by: None, name: String::new(), became });
+            self.put(PressedTile { does: tile.does, at, by: None, name: String::new(), became });
         });
     }
 
     /// It was done: it begins now, or after what uses the same part of the robot.
-    fn done(self, does: &Does) -> Became {
+    fn done(self, does: &TileWork) -> Became {
         let now = browser::today_ms();
         let lasts = lasts_ms(does);
-        let busy = |pressed: &Pressed| match pressed.became {
+        let busy = |pressed: &PressedTile| match pressed.became {
             Became::Done { until, .. } if same_part(&pressed.does, does) => Some(until),
             _ => None,
         };
@@ -167,7 +167,7 @@ impl Op {
     }
 
     /// Keeps the newest press of its tile.
-    fn put(self, pressed: Pressed) {
+    fn put(self, pressed: PressedTile) {
         self.presses.try_update(|all| {
             all.retain(|known| known.does != pressed.does);
             all.push(pressed);
@@ -182,41 +182,48 @@ impl Op {
             return;
         }
         let now = browser::today_ms();
-        self.saw(Seen { at: now, client: press.client.clone(), by: press.by.clone(), done: press.why.is_none() });
+        self.saw(SeenPress { at: now, client: press.client.clone(), by: press.by.clone(), done: press.why.is_none() });
         let mine = desk.me.with_untracked(|me| me.as_ref().is_some_and(|me| me.client == press.client));
         let tile = self.pad.with_untracked(|pad| pad.iter().find(|tile| tile.does.is_of(press)).cloned());
         let Some(tile) = tile.filter(|_| !mine && press.why.is_none()) else { return };
         let became = self.done(&tile.does);
         self.whisper(&words::titled(&tile.label, &words::just_now(&press.by)));
-        self.put(Pressed { does: tile.does, at: now, by: Some(press.client.clone()), name: press.by.clone(), became });
+        self.put(PressedTile {
+            does: tile.does,
+            at: now,
+            by: Some(press.client.clone()),
+            name: press.by.clone(),
+            became,
+        });
     }
 
     /// What a tile shows now. Reactive.
-    pub(super) fn shows(self, tile: &Tile) -> Shows {
-        if let (Does::Word { word, span: true }, None) =
+    pub(super) fn shows(self, tile: &PadTile) -> TileState {
+        if let (TileWork::Word { word, span: true }, None) =
             (&tile.does, self.desk.desk().may_not(protocol::Role::Operator))
             && let Some(since) = self.span_since(word)
         {
-            return Shows::On(self.now.get() - since);
+            return TileState::On(self.now.get() - since);
         }
         if let Some(why) = self.cannot(&tile.does) {
-            return Shows::Cannot(why);
+            return TileState::Cannot(why);
         }
         // A press shows at once; that it is over, with the next tick.
         let now = self.now.get().max(browser::today_ms());
         let pressed = self.presses.with(|all| all.iter().find(|known| known.does == tile.does).cloned());
-        let Some(pressed) = pressed else { return Shows::Ready };
+        let Some(pressed) = pressed else { return TileState::Ready };
         match pressed.became {
             _ if pressed.by.is_some() && now - pressed.at < OTHER_MS => {
-                Shows::By(pressed.by.unwrap_or_else(crate::desk::new_id), pressed.name)
+                TileState::By(pressed.by.unwrap_or_else(crate::desk::new_id), pressed.name)
             }
-            Became::Asked => Shows::Going(words::sent_just_now(), 0),
-            Became::Not(why) if now - pressed.at < WHY_MS => Shows::Refused(why),
-            Became::Done { from, .. } if now < from => Shows::Next,
-            Became::Done { from, until } if now < until => {
-                Shows::Going(going_words(&tile.does), (100.0 * (now - from) / (until - from)).clamp(0.0, 100.0) as u8)
-            }
-            Became::Done { .. } | Became::Not(_) => Shows::Ready,
+            Became::Asked => TileState::Going(words::sent_just_now(), 0),
+            Became::Not(why) if now - pressed.at < WHY_MS => TileState::Refused(why),
+            Became::Done { from, .. } if now < from => TileState::Next,
+            Became::Done { from, until } if now < until => TileState::Going(
+                going_words(&tile.does),
+                (100.0 * (now - from) / (until - from)).clamp(0.0, 100.0) as u8,
+            ),
+            Became::Done { .. } | Became::Not(_) => TileState::Ready,
         }
     }
 
@@ -232,29 +239,29 @@ impl Op {
 }
 
 /// About how long it goes on, in milliseconds.
-fn lasts_ms(does: &Does) -> f64 {
+fn lasts_ms(does: &TileWork) -> f64 {
     match does {
-        Does::Hand { device, params, .. } if speaks(device) => {
+        TileWork::Hand { device, params, .. } if speaks(device) => {
             let letters = params.get("text").and_then(Value::as_text).map_or(5, |text| text.chars().count());
             SPEECH_MIN_MS.max(letters as f64 * LETTER_MS)
         }
-        Does::Hand { .. } => GESTURE_MS,
-        Does::Pretend { .. } | Does::Word { .. } => PRETENDED_MS,
+        TileWork::Hand { .. } => GESTURE_MS,
+        TileWork::Pretend { .. } | TileWork::Word { .. } => PRETENDED_MS,
     }
 }
 
-fn going_words(does: &Does) -> &'static str {
+fn going_words(does: &TileWork) -> &'static str {
     match does {
-        Does::Hand { device, .. } if speaks(device) => words::speaking_now(),
-        Does::Hand { .. } => words::moving_now(),
-        Does::Pretend { .. } | Does::Word { .. } => words::done_just_now(),
+        TileWork::Hand { device, .. } if speaks(device) => words::speaking_now(),
+        TileWork::Hand { .. } => words::moving_now(),
+        TileWork::Pretend { .. } | TileWork::Word { .. } => words::done_just_now(),
     }
 }
 
 /// True if one waits for the other: two things that are said, or two gestures.
-fn same_part(one: &Does, other: &Does) -> bool {
+fn same_part(one: &TileWork, other: &TileWork) -> bool {
     match (one, other) {
-        (Does::Hand { device, .. }, Does::Hand { device: other, .. }) => device == other,
+        (TileWork::Hand { device, .. }, TileWork::Hand { device: other, .. }) => device == other,
         _ => false,
     }
 }

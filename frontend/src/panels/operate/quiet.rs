@@ -1,6 +1,6 @@
 //! What is heard and not seen, what is said in passing, and a screen that stays on.
 
-use super::Op;
+use super::OperateShared;
 use crate::browser;
 use crate::words;
 use js_sys::{Function, Reflect};
@@ -13,7 +13,7 @@ const REFUSAL_STAYS_MS: i32 = 12_000;
 
 /// The last sentence for the person.
 #[component]
-pub(super) fn Said(op: Op) -> impl IntoView {
+pub(super) fn Said(op: OperateShared) -> impl IntoView {
     let desk = op.desk;
     let notice = Memo::new(move |_| desk.desk().notice.get());
     Effect::new(move |_| {
@@ -40,7 +40,7 @@ pub(super) fn Said(op: Op) -> impl IntoView {
 }
 
 /// Keeps the screen on for as long as the page is seen: a lock ends whenever the page is hidden.
-pub(super) fn stay_awake(_: Op) {
+pub(super) fn stay_awake(_: OperateShared) {
     keep_on();
     if let Some(document) = browser::window().and_then(|window| window.document()) {
         browser::hear(&document, "visibilitychange", |_| {

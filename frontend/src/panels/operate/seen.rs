@@ -1,6 +1,6 @@
 //! What is seen of the others and of the room: their presses and faces, the room from above, the camera.
 
-use super::Op;
+use super::OperateShared;
 use crate::desk::{Sign, initials};
 use crate::panels::people::in_color;
 use crate::panels::room::{CameraPicture, RoomPicture};
@@ -14,7 +14,7 @@ const KEPT_MAX: usize = 240;
 
 /// A press of somebody.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Seen {
+pub(super) struct SeenPress {
     pub(super) at: f64,
     pub(super) client: Id,
     pub(super) by: String,
@@ -22,9 +22,9 @@ pub(super) struct Seen {
     pub(super) done: bool,
 }
 
-impl Op {
+impl OperateShared {
     /// Keeps what somebody pressed.
-    pub(super) fn saw(self, seen: Seen) {
+    pub(super) fn saw(self, seen: SeenPress) {
         self.seen.try_update(|all| {
             let now = seen.at;
             all.push_back(seen);
@@ -52,7 +52,7 @@ impl Op {
 
 /// Somebody's avatar.
 #[component]
-pub(super) fn Face(op: Op, client: Id, name: String) -> impl IntoView {
+pub(super) fn Face(op: OperateShared, client: Id, name: String) -> impl IntoView {
     let sign = op.sign(&client).or_else(|| op.sign_of(&name));
     let color = sign.as_ref().map_or_else(|| "var(--line-strong)".to_owned(), in_color);
     let letters = sign.map_or_else(|| initials(&name), |sign| sign.letters);
@@ -61,7 +61,7 @@ pub(super) fn Face(op: Op, client: Id, name: String) -> impl IntoView {
 
 /// The room from above, or what the camera sees.
 #[component]
-pub(super) fn Room(op: Op) -> impl IntoView {
+pub(super) fn Room(op: OperateShared) -> impl IntoView {
     let camera = Memo::new(move |_| op.desk.desk().robots.with_camera().filter(|_| op.may()));
     let looks = RwSignal::new(false);
     let shown = Memo::new(move |_| camera.get().filter(|_| looks.get()));

@@ -1,8 +1,8 @@
 //! Start, which asks once for the participant's code and what is kept, and the place of Stop. What is asked stands beside the
 //! button and never at its place, so that a double tap starts nothing.
 
-use super::Op;
-use crate::browser::Keep;
+use super::OperateShared;
+use crate::browser::Drawer;
 use crate::desk::LinkState;
 use crate::escape;
 use crate::icons::Icon;
@@ -11,7 +11,7 @@ use crate::panels::focus;
 use crate::panels::to_stop::tab_to_stop;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{CODE_MAX_CHARS, Records, Request, Role, Session};
+use protocol::{CODE_MAX_CHARS, RecordedSession, Records, Request, Role};
 use robot::Health;
 use web_sys::SubmitEvent;
 
@@ -23,7 +23,7 @@ const MARKS_ONLY: &str = "rrp.marks-only";
 
 /// Marking on a phone, Start, and the gap where Stop stands.
 #[component]
-pub(super) fn Foot(op: Op) -> impl IntoView {
+pub(super) fn Foot(op: OperateShared) -> impl IntoView {
     let quiet = Memo::new(move |_| op.is_quiet());
     let runs = Memo::new(move |_| op.run().is_some());
     let paused = Memo::new(move |_| op.is_paused());
@@ -36,7 +36,7 @@ pub(super) fn Foot(op: Op) -> impl IntoView {
     };
     let press = move |_| {
         if untrack(|| op.is_paused()) {
-            op.start(Session::default(), false);
+            op.start(RecordedSession::default(), false);
         } else {
             op.asks.update(|asks| *asks = !*asks);
         }
@@ -61,7 +61,7 @@ pub(super) fn Foot(op: Op) -> impl IntoView {
 
 /// What is asked before Start.
 #[component]
-pub(super) fn Card(op: Op) -> impl IntoView {
+pub(super) fn Card(op: OperateShared) -> impl IntoView {
     let shown = Memo::new(move |_| op.asks.get() && op.run().is_none() && op.why_not_start().is_none());
     Effect::new(move |_| {
         if op.run().is_some() {
@@ -75,10 +75,10 @@ pub(super) fn Card(op: Op) -> impl IntoView {
 }
 
 #[component]
-fn Asked(op: Op) -> impl IntoView {
+fn Asked(op: OperateShared) -> impl IntoView {
     let codes = codes();
     let code = RwSignal::new(codes.first().cloned().unwrap_or_default());
-    let kept = RwSignal::new(if Keep::Browser.get(MARKS_ONLY).is_some() { Records::Marks } else { Records::All });
+    let kept = RwSignal::new(if Drawer::Browser.get(MARKS_ONLY).is_some() { Records::Marks } else { Records::All });
     let wrong = Memo::new(move |_| !is_code(&code.read()));
     let name = move || words::start_this(&op.desk.desk().document.name.get());
     let send = move |event: SubmitEvent| {
@@ -90,7 +90,7 @@ fn Asked(op: Op) -> impl IntoView {
         keep(&code, records);
         let participant = Some(code).filter(|code| !code.is_empty());
         op.asks.set(false);
-        op.start(Session { participant, session: None, records }, true);
+        op.start(RecordedSession { participant, session: None, records }, true);
     };
     let chip = move |text: String| {
         let (value, same) = (text.clone(), text.clone());
@@ -157,7 +157,7 @@ fn is_code(code: &str) -> bool {
 
 /// The codes of the last runs here.
 fn codes() -> Vec<String> {
-    let kept = Keep::Browser.get(CODES).unwrap_or_default();
+    let kept = Drawer::Browser.get(CODES).unwrap_or_default();
     kept.split(' ').filter(|code| !code.is_empty() && is_code(code)).take(CODES_MAX).map(str::to_owned).collect()
 }
 
@@ -167,14 +167,14 @@ fn keep(code: &str, records: Records) {
         all.retain(|known| known != code);
         all.insert(0, code.to_owned());
         all.truncate(CODES_MAX);
-        Keep::Browser.put(CODES, &all.join(" "));
+        Drawer::Browser.put(CODES, &all.join(" "));
     }
-    if records == Records::Marks { Keep::Browser.put(MARKS_ONLY, "1") } else { Keep::Browser.drop(MARKS_ONLY) }
+    if records == Records::Marks { Drawer::Browser.put(MARKS_ONLY, "1") } else { Drawer::Browser.drop(MARKS_ONLY) }
 }
 
-impl Op {
+impl OperateShared {
     /// Starts the open program, or lets it go on. Never later than now: without a link nothing is asked.
-    fn start(self, session: Session, record: bool) {
+    fn start(self, session: RecordedSession, record: bool) {
         let desk = self.desk.desk();
         let (Some(behaviour), robot) = (desk.document.open.get_untracked(), desk.robots.chosen_id()) else { return };
         let told = desk.clone();

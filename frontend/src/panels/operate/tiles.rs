@@ -1,8 +1,8 @@
 //! The nine tiles as they are seen: each says within a tenth of a second what became of a press, or why it cannot be pressed.
 
-use super::Op;
-use super::pad::{Does, Tile};
-use super::press::Shows;
+use super::OperateShared;
+use super::pad::{PadTile, TileWork};
+use super::press::TileState;
 use super::seen::Face;
 use crate::icons::Icon;
 use crate::words;
@@ -10,7 +10,7 @@ use leptos::prelude::*;
 
 /// All of them.
 #[component]
-pub(super) fn Tiles(op: Op) -> impl IntoView {
+pub(super) fn Tiles(op: OperateShared) -> impl IntoView {
     let rests = Memo::new(move |_| op.rests());
     let some = Memo::new(move |_| !op.pad.read().is_empty());
     let opened = Memo::new(move |_| op.desk.desk().document.open.read().is_some());
@@ -25,44 +25,44 @@ pub(super) fn Tiles(op: Op) -> impl IntoView {
 }
 
 #[component]
-fn One(op: Op, tile: Tile) -> impl IntoView {
+fn One(op: OperateShared, tile: PadTile) -> impl IntoView {
     let number = tile.key;
     let (label, icon, does) = (tile.label.clone(), tile.icon, tile.does.clone());
     let shows = Memo::new(move |_| op.shows(&tile));
     let state = move || match &*shows.read() {
-        Shows::Ready => "ready",
-        Shows::Going(..) => "going",
-        Shows::Next => "next",
-        Shows::Refused(_) => "refused",
-        Shows::Cannot(_) => "cannot",
-        Shows::By(..) => "by",
-        Shows::On(_) => "on",
+        TileState::Ready => "ready",
+        TileState::Going(..) => "going",
+        TileState::Next => "next",
+        TileState::Refused(_) => "refused",
+        TileState::Cannot(_) => "cannot",
+        TileState::By(..) => "by",
+        TileState::On(_) => "on",
     };
-    let disabled = Memo::new(move |_| matches!(*shows.read(), Shows::Cannot(_)));
+    let disabled = Memo::new(move |_| matches!(*shows.read(), TileState::Cannot(_)));
     // The reason that all of them have stands above them.
     let all_rest = Memo::new(move |_| op.rests());
     let line = move || match shows.get() {
-        Shows::Ready => None,
-        Shows::Cannot(_) if all_rest.get() && op.may() => None,
-        Shows::Going(words, _) => Some(view! { <span>{words}</span> }.into_any()),
-        Shows::Next => {
+        TileState::Ready => None,
+        TileState::Cannot(_) if all_rest.get() && op.may() => None,
+        TileState::Going(words, _) => Some(view! { <span>{words}</span> }.into_any()),
+        TileState::Next => {
             Some(view! { <i class="op-next" aria-hidden="true"></i><span>{words::comes_next()}</span> }.into_any())
         }
-        Shows::Refused(why) | Shows::Cannot(why) => Some(view! { <span>{why}</span> }.into_any()),
-        Shows::By(client, name) => {
+        TileState::Refused(why) | TileState::Cannot(why) => Some(view! { <span>{why}</span> }.into_any()),
+        TileState::By(client, name) => {
             Some(view! { <Face op client name=name.clone() /><span>{words::just_now(&name)}</span> }.into_any())
         }
-        Shows::On(ms) => Some(view! { <span>{words::again_ends_it(&super::clock::length(ms))}</span> }.into_any()),
+        TileState::On(ms) => Some(view! { <span>{words::again_ends_it(&super::clock::length(ms))}</span> }.into_any()),
     };
     let share = move || match *shows.read() {
-        Shows::Going(_, percent) => format!("{percent}%"),
+        TileState::Going(_, percent) => format!("{percent}%"),
         _ => "0%".to_owned(),
     };
-    let span = matches!(does, Does::Word { span: true, .. });
+    let span = matches!(does, TileWork::Word { span: true, .. });
     view! {
         <button class="op-tile" type="button" data-look=does.look() data-state=state disabled=move || disabled.get()
             aria-keyshortcuts=number.to_string() style=("--share", share)
-            aria-pressed=move || span.then(|| matches!(*shows.read(), Shows::On(_)).to_string())
+            aria-pressed=move || span.then(|| matches!(*shows.read(), TileState::On(_)).to_string())
             on:keydown=|event| if event.repeat() { event.prevent_default() }
             on:click=move |_| { op.press(number); }>
             <span class="op-kind"><Icon name=icon /></span>

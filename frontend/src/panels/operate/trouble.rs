@@ -1,6 +1,6 @@
 //! What is the matter, in large words with what to do, in the place of the title. One thing at a time: the worst first.
 
-use super::Op;
+use super::OperateShared;
 use crate::desk::LinkState;
 use crate::icons::Icon;
 use crate::words;
@@ -34,7 +34,7 @@ pub(super) enum Matter {
     Empty(u8),
 }
 
-impl Op {
+impl OperateShared {
     /// The worst that is the matter now. Reactive.
     pub(super) fn trouble(self) -> Option<Matter> {
         let desk = self.desk.desk();
@@ -74,7 +74,7 @@ impl Op {
 }
 
 /// What is said of it: its title, a sentence, and what to do, step by step.
-struct Says {
+struct TroubleWords {
     icon: &'static str,
     title: String,
     lead: String,
@@ -82,11 +82,11 @@ struct Says {
 }
 
 /// Reactive.
-fn says(op: Op, matter: &Matter) -> Says {
+fn says(op: OperateShared, matter: &Matter) -> TroubleWords {
     let runs = op.last().is_some_and(|run| run.phase == RunPhase::Running);
     let if_it_goes_on = words::if_it_goes_on(&op.by_body());
     let moving = |otherwise: &'static str| if runs { words::goes_on_by_itself() } else { otherwise }.to_owned();
-    let says = |icon, title: String, lead: String, steps: Vec<String>| Says { icon, title, lead, steps };
+    let says = |icon, title: String, lead: String, steps: Vec<String>| TroubleWords { icon, title, lead, steps };
     match matter {
         Matter::NoServer(seconds) => says(
             "offline",
@@ -141,7 +141,7 @@ fn says(op: Op, matter: &Matter) -> Says {
 
 /// The card.
 #[component]
-pub(super) fn Trouble(op: Op) -> impl IntoView {
+pub(super) fn Trouble(op: OperateShared) -> impl IntoView {
     let matter = Memo::new(move |_| op.trouble());
     // Of a silence only the seconds change, which are seen and not said.
     let kind = Memo::new(move |_| matter.get().map(|matter| std::mem::discriminant(&matter)));
@@ -151,7 +151,7 @@ pub(super) fn Trouble(op: Op) -> impl IntoView {
     let card = move || {
         kind.get()?;
         let matter_now = matter.get_untracked()?;
-        let Says { icon, lead, steps, .. } = untrack(|| says(op, &matter_now));
+        let TroubleWords { icon, lead, steps, .. } = untrack(|| says(op, &matter_now));
         let title = move || matter.get().map(|matter| says(op, &matter).title);
         let said = untrack(title).unwrap_or_default();
         let steps = steps.into_iter().map(|step| view! { <li>{step}</li> }).collect_view();

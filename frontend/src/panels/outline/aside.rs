@@ -3,7 +3,7 @@
 use crate::desk::{EditSession, GroupSignals, NoteSignals, Selected};
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::hold::hold;
 use crate::panels::may::may_edit;
 use crate::panels::note_field::{NoteField, author_color, written_by};

@@ -3,7 +3,7 @@
 use crate::canvas::edit;
 use crate::desk::{Desk, Dialog, Selected};
 use crate::escape;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::later::SecondPiece;
 use crate::panels::focus;
 use leptos::prelude::*;

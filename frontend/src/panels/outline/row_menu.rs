@@ -2,7 +2,7 @@
 //! there is no room for as buttons.
 
 use crate::browser;
-use crate::commands::{ALL, Command, On};
+use crate::commands::{ALL, On, PageCommand};
 use crate::panels::hold::hold;
 use crate::panels::menu::MenuItem;
 use leptos::prelude::*;
@@ -15,13 +15,13 @@ const GONE_MS: i32 = 40;
 /// there for others.
 pub(crate) fn row_menu(on: On) -> AnyView {
     let desk = hold();
-    let is_shown = |command: &&'static Command| {
+    let is_shown = |command: &&'static PageCommand| {
         command.on.contains(&on)
             && command.is_here()
             && (command.role != Role::Host || untrack(|| desk.desk().may(command.role)))
     };
     let mut before = None;
-    let item = move |command: &'static Command| {
+    let item = move |command: &'static PageCommand| {
         let no = untrack(|| !command.can_be_done(&desk.desk()));
         let run = Callback::new(move |()| {
             let desk = desk.desk();

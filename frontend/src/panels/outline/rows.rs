@@ -2,12 +2,12 @@
 
 use super::strip::Strip;
 use crate::browser;
-use crate::desk::{Mark, Selected};
+use crate::desk::{Selected, UnsavedMark};
 use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
 use crate::live::rate_words;
 use crate::panels::focus;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::inspector::{device_icon, kind_class};
 use crate::words;
 use behaviour::Id;
@@ -99,8 +99,8 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
                 <span class="not-used"><span class="unused" aria-hidden="true"></span>{words::not_used_yet()}</span>
             })}
             {move || mark.get().map(|mark| match mark {
-                Mark::Waits => view! { <span class="waits-ring" role="img" aria-label=words::waits_here()></span> }.into_any(),
-                Mark::Undecided => view! {
+                UnsavedMark::Waits => view! { <span class="waits-ring" role="img" aria-label=words::waits_here()></span> }.into_any(),
+                UnsavedMark::Undecided => view! {
                     <span class="undecided-tag" role="img" aria-label=words::yours_waits() title=words::yours_waits()>
                         <Icon name="pencil" />
                     </span>
@@ -114,7 +114,7 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
 }
 
 /// Somebody else who is editing it or has chosen it, in words and with a sign and a colour. Reactive.
-fn other_person(desk: Hold, what: &Selected) -> Option<(&'static str, String, u8)> {
+fn other_person(desk: DeskHold, what: &Selected) -> Option<(&'static str, String, u8)> {
     let desk = desk.desk();
     if let Some(editor) = desk.document.editor_of(&what.record()) {
         return Some(("lock", words::is_editing(&editor.name), editor.color));
@@ -127,7 +127,7 @@ fn other_person(desk: Hold, what: &Selected) -> Option<(&'static str, String, u8
     other.map(|person| ("user", person.name, person.color % 8))
 }
 
-fn problem_of(desk: Hold, what: &Selected) -> Option<String> {
+fn problem_of(desk: DeskHold, what: &Selected) -> Option<String> {
     let desk = desk.desk();
     if desk.robots.fails_now() > 0
         && let Some(failing) = desk.robots.failing.read().iter().find(|failing| failing.connector == *what.id())

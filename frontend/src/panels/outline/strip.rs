@@ -2,11 +2,11 @@
 
 use crate::browser;
 use crate::commands::On;
-use crate::desk::{Choice, Dialog, Gap, Selected, Spot};
+use crate::desk::{Dialog, Gap, GraphChoice, NewSpot, Selected};
 use crate::icons::Icon;
 use crate::later::Later;
 use crate::layout::chip_words;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::inspector::edit_dialog;
 use crate::panels::may::{MayNot, may_edit};
 use crate::panels::menu::Menu;
@@ -145,8 +145,8 @@ fn Sheet(id: Id, children: Children) -> impl IntoView {
 #[component]
 fn Ways(what: Selected) -> impl IntoView {
     let desk = hold();
-    let choose = move |choice: &Choice| desk.desk().dialog.set(Some(Dialog::Choose(choice.clone())));
-    let button = move |(label, icon, choice): (String, &'static str, Choice)| {
+    let choose = move |choice: &GraphChoice| desk.desk().dialog.set(Some(Dialog::Choose(choice.clone())));
+    let button = move |(label, icon, choice): (String, &'static str, GraphChoice)| {
         view! {
             <button class="tool icon" type="button" title=label.clone() aria-label=label on:click=move |_| choose(&choice)>
                 <Icon name=icon />
@@ -155,7 +155,7 @@ fn Ways(what: Selected) -> impl IntoView {
     };
     let all = match what {
         Selected::Stream(id) => {
-            let connects = gives(desk, &id).then(|| (words::connect().to_owned(), "connect", Choice::Ends(id)));
+            let connects = gives(desk, &id).then(|| (words::connect().to_owned(), "connect", GraphChoice::Ends(id)));
             connects.into_iter().collect()
         }
         Selected::Connector(id) => into_edges(desk, &id),
@@ -164,7 +164,7 @@ fn Ways(what: Selected) -> impl IntoView {
     all.into_iter().map(button).collect_view()
 }
 
-fn into_edges(desk: Hold, id: &Id) -> Vec<(String, &'static str, Choice)> {
+fn into_edges(desk: DeskHold, id: &Id) -> Vec<(String, &'static str, GraphChoice)> {
     let document = desk.desk().document.clone();
     let Some(connector) = document.connector(id).map(|signals| signals.record.get_untracked()) else {
         return Vec::new();
@@ -173,17 +173,17 @@ fn into_edges(desk: Hold, id: &Id) -> Vec<(String, &'static str, Choice)> {
     let name = |id: &Id| document.stream(id).map(|signals| signals.record.with_untracked(|stream| stream.name.clone()));
     let into = |input: &Id| {
         let gap = Gap { connector: id.clone(), input: input.clone() };
-        (words::insert_between(&name(input).unwrap_or_default(), &words), "plus", Choice::Into(gap))
+        (words::insert_between(&name(input).unwrap_or_default(), &words), "plus", GraphChoice::Into(gap))
     };
     connector.inputs.iter().map(into).collect()
 }
 
 /// Whether something can come out of a stream.
-fn gives(desk: Hold, id: &Id) -> bool {
+fn gives(desk: DeskHold, id: &Id) -> bool {
     desk.desk().document.stream(id).is_some_and(|signals| signals.record.read_untracked().kind != StreamKind::Actuator)
 }
 
-fn dialog_of(desk: Hold, what: &Selected) -> Option<Dialog> {
+fn dialog_of(desk: DeskHold, what: &Selected) -> Option<Dialog> {
     match what {
         Selected::Stream(id) => Some(Dialog::EditStream(id.clone())),
         Selected::Note(_) | Selected::Group(_) => None,
@@ -206,7 +206,7 @@ fn Next(
     let id = StoredValue::new(id);
     let all = move |_| {
         let kind = connectors::to_action();
-        let dialog = Dialog::Operation { input: id.get_value(), connector: None, kind, spot: Spot::default() };
+        let dialog = Dialog::Operation { input: id.get_value(), connector: None, kind, spot: NewSpot::default() };
         desk.desk().dialog.set(Some(dialog));
     };
     let button = move |(at, offer): (usize, Offer)| {
@@ -214,7 +214,7 @@ fn Next(
         let Offer { step, icon, label } = offer;
         view! {
             <button class="tool" class:likely=at == 0 type="button" title=says
-                on:click=move |_| take(&desk.desk(), &id.get_value(), &step, Spot::default())>
+                on:click=move |_| take(&desk.desk(), &id.get_value(), &step, NewSpot::default())>
                 <Icon name=icon />
                 <span>{label}</span>
             </button>

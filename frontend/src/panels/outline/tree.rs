@@ -5,8 +5,8 @@ use std::collections::{BTreeSet, HashMap};
 
 /// One row.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Node {
-    pub(super) what: What,
+pub(super) struct OutlineNode {
+    pub(super) what: OutlineRowKind,
     pub(super) depth: usize,
     /// Whether the stream stands above already; then nothing follows below it.
     pub(super) again: bool,
@@ -16,7 +16,7 @@ pub(super) struct Node {
 
 /// What a row shows.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum What {
+pub(super) enum OutlineRowKind {
     Stream(Id),
     Connector(Id),
     /// The heading of a group, before the first of its streams.
@@ -25,9 +25,9 @@ pub(super) enum What {
 }
 
 /// All rows from top to bottom.
-pub(super) fn nodes(behaviour: &Behaviour) -> Vec<Node> {
+pub(super) fn nodes(behaviour: &Behaviour) -> Vec<OutlineNode> {
     let graph = Graph::of(behaviour);
-    let mut walk = Walk { graph: &graph, seen: BTreeSet::new(), rows: Vec::new() };
+    let mut walk = OutlineWalk { graph: &graph, seen: BTreeSet::new(), rows: Vec::new() };
     let streams = behaviour.streams_in_order();
     let is_root = |id: &Id, kind| kind == StreamKind::Sensor || graph.into_stream(id).is_empty();
     for (id, _) in streams.iter().filter(|(id, stream)| is_root(id, stream.kind)) {
@@ -42,47 +42,47 @@ pub(super) fn nodes(behaviour: &Behaviour) -> Vec<Node> {
 }
 
 /// The same with groups and notes: what is in a folded group is left out.
-pub(super) fn with_asides(behaviour: &Behaviour, is_folded: impl Fn(&Id) -> bool) -> Vec<Node> {
+pub(super) fn with_asides(behaviour: &Behaviour, is_folded: impl Fn(&Id) -> bool) -> Vec<OutlineNode> {
     let mut seen = BTreeSet::new();
     let mut rows = Vec::new();
-    let alone = |what, depth| Node { what, depth, again: false, under: None };
+    let alone = |what, depth| OutlineNode { what, depth, again: false, under: None };
     let groups: HashMap<&Id, &Id> =
         behaviour.groups().flat_map(|(id, group)| group.streams.iter().map(move |stream| (stream, id))).collect();
     for node in nodes(behaviour) {
         let stream = match &node.what {
-            What::Stream(id) => Some(id),
-            What::Connector(id) => behaviour.connector(id).map(|connector| &connector.output),
-            What::Group(_) | What::Note(_) => None,
+            OutlineRowKind::Stream(id) => Some(id),
+            OutlineRowKind::Connector(id) => behaviour.connector(id).map(|connector| &connector.output),
+            OutlineRowKind::Group(_) | OutlineRowKind::Note(_) => None,
         };
         let group = stream.and_then(|stream| groups.get(stream)).copied();
         if let Some(group) = group.filter(|group| seen.insert((*group).clone())) {
-            rows.push(alone(What::Group(group.clone()), node.depth));
+            rows.push(alone(OutlineRowKind::Group(group.clone()), node.depth));
         }
         if !group.is_some_and(&is_folded) {
             rows.push(node);
         }
     }
-    rows.extend(behaviour.notes().map(|(id, _)| alone(What::Note(id.clone()), 0)));
+    rows.extend(behaviour.notes().map(|(id, _)| alone(OutlineRowKind::Note(id.clone()), 0)));
     rows
 }
 
-struct Walk<'a> {
+struct OutlineWalk<'a> {
     graph: &'a Graph<'a>,
     seen: BTreeSet<Id>,
-    rows: Vec<Node>,
+    rows: Vec<OutlineNode>,
 }
 
-impl Walk<'_> {
+impl OutlineWalk<'_> {
     fn stream(&mut self, id: &Id, depth: usize, under: Option<&Id>) {
         let again = !self.seen.insert(id.clone());
-        self.rows.push(Node { what: What::Stream(id.clone()), depth, again, under: under.cloned() });
+        self.rows.push(OutlineNode { what: OutlineRowKind::Stream(id.clone()), depth, again, under: under.cloned() });
         if again {
             return;
         }
         let graph = self.graph;
         for (connector, record) in graph.out_of_stream(id) {
-            let what = What::Connector((*connector).clone());
-            self.rows.push(Node { what, depth: depth + 1, again: false, under: Some(id.clone()) });
+            let what = OutlineRowKind::Connector((*connector).clone());
+            self.rows.push(OutlineNode { what, depth: depth + 1, again: false, under: Some(id.clone()) });
             self.stream(&record.output, depth + 1, Some(connector));
         }
     }
@@ -90,7 +90,7 @@ impl Walk<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{What, nodes, with_asides};
+    use super::{OutlineRowKind, nodes, with_asides};
     use behaviour::{Behaviour, Connector, Group, Id, Kind, Note, Record, RecordId, Stream, StreamKind, connectors};
 
     fn put(behaviour: &mut Behaviour, kind: Kind, id: &str, record: Record) {
@@ -135,9 +135,9 @@ mod tests {
         put(&mut behaviour, Kind::Note, "n", Record::Note(Note::default()));
         let shown = |folded: bool| {
             let told = with_asides(&behaviour, |_| folded).into_iter().map(|row| match row.what {
-                What::Stream(id) | What::Connector(id) => id.to_string(),
-                What::Group(id) => format!("[{id}]"),
-                What::Note(id) => format!("({id})"),
+                OutlineRowKind::Stream(id) | OutlineRowKind::Connector(id) => id.to_string(),
+                OutlineRowKind::Group(id) => format!("[{id}]"),
+                OutlineRowKind::Note(id) => format!("({id})"),
             });
             told.collect::<Vec<_>>().join(" ")
         };
@@ -154,9 +154,9 @@ mod tests {
         merge(&mut behaviour, "m", &["a", "b"], "both");
         let rows = nodes(&behaviour);
         let shown = rows.iter().map(|row| match &row.what {
-            What::Stream(id) => format!("{}{id}{}", " ".repeat(row.depth), if row.again { "…" } else { "" }),
-            What::Connector(id) => format!("{}({id})", " ".repeat(row.depth)),
-            What::Group(_) | What::Note(_) => String::new(),
+            OutlineRowKind::Stream(id) => format!("{}{id}{}", " ".repeat(row.depth), if row.again { "…" } else { "" }),
+            OutlineRowKind::Connector(id) => format!("{}({id})", " ".repeat(row.depth)),
+            OutlineRowKind::Group(_) | OutlineRowKind::Note(_) => String::new(),
         });
         assert_eq!(shown.collect::<Vec<_>>(), ["a", " (m)", " both", "b", " (m)", " both…"]);
     }

@@ -3,7 +3,7 @@
 
 use crate::browser;
 use crate::icons::Icon;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::may::may_operate;
 use crate::words;
 use behaviour::Id;
@@ -56,7 +56,7 @@ fn Camera() -> impl IntoView {
 /// The newest picture, again and again.
 #[component]
 pub(crate) fn CameraPicture(robot: Id) -> impl IntoView {
-    let desk: Hold = hold();
+    let desk: DeskHold = hold();
     let (turn, comes) = (RwSignal::new(0_u32), RwSignal::new(false));
     let next = move || {
         turn.try_update(|turn| *turn = turn.wrapping_add(1));

@@ -18,12 +18,12 @@ const MARGIN: f32 = 0.12;
 
 /// Which part of the room is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Map {
+pub(super) struct RoomMap {
     /// Units in a metre.
     pub(super) scale: f32,
 }
 
-impl Map {
+impl RoomMap {
     /// The closest map that shows everything in the room.
     pub(super) fn of(scene: &Scene) -> Self {
         let balls = scene.balls.iter().map(|ball| [ball.at[0], ball.at[1]]);
@@ -72,7 +72,7 @@ pub(super) fn point(client: (f32, f32), corner: (f32, f32), size: (f32, f32)) ->
 
 #[cfg(test)]
 mod tests {
-    use super::{Map, point};
+    use super::{RoomMap, point};
     use robot::{Ball, Scene};
 
     fn ball(x: f32, y: f32) -> Ball {
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn a_place_and_its_point_belong_together() {
-        let map = Map { scale: 100.0 };
+        let map = RoomMap { scale: 100.0 };
         let (right, down) = map.at(0.7, -0.3);
         let (x, y) = map.place(right, down);
         assert!((x - 0.7).abs() < 1e-5 && (y + 0.3).abs() < 1e-5);
@@ -90,8 +90,8 @@ mod tests {
 
     #[test]
     fn the_map_widens_for_what_is_far() {
-        let near = Map::of(&Scene { balls: vec![ball(0.5, 0.0)], ..Scene::default() });
-        let far = Map::of(&Scene { balls: vec![ball(2.0, 0.0)], ..Scene::default() });
+        let near = RoomMap::of(&Scene { balls: vec![ball(0.5, 0.0)], ..Scene::default() });
+        let far = RoomMap::of(&Scene { balls: vec![ball(2.0, 0.0)], ..Scene::default() });
         assert!(far.scale < near.scale);
     }
 }

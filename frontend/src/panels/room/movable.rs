@@ -1,10 +1,10 @@
 //! Something in the room that a hand, a pen, a mouse or the arrow keys move.
 
-use super::Held;
-use super::map::{self, Map};
+use super::HeldThing;
+use super::map::{self, RoomMap};
 use crate::browser;
-use crate::keys::Pressed;
-use crate::panels::hold::{Hold, Soon, hold};
+use crate::keys::PressedKey;
+use crate::panels::hold::{DeskHold, Soon, hold};
 use crate::panels::may::may_operate;
 use crate::words;
 use leptos::prelude::*;
@@ -26,8 +26,8 @@ pub(super) fn Movable(
     label: &'static str,
     /// Names it among the things that are held.
     key: String,
-    map: Memo<Map>,
-    held: Held,
+    map: Memo<RoomMap>,
+    held: HeldThing,
     svg: NodeRef<Svg>,
     /// Where the room says it is.
     at: Signal<[f32; 3]>,
@@ -36,7 +36,7 @@ pub(super) fn Movable(
     children: Children,
 ) -> impl IntoView {
     let desk = hold();
-    let grip = Grip::new(key, held, at, edit);
+    let grip = RoomGrip::new(key, held, at, edit);
     let shown = {
         let grip = grip.clone();
         Memo::new(move |_| grip.shown())
@@ -89,16 +89,16 @@ pub(super) fn Movable(
 
 /// What is known while something is held.
 #[derive(Clone)]
-struct Grip {
+struct RoomGrip {
     key: StoredValue<String>,
-    held: Held,
+    held: HeldThing,
     at: Signal<[f32; 3]>,
     tell: StoredValue<Soon, LocalStorage>,
     moves: StoredValue<u32>,
 }
 
-impl Grip {
-    fn new(key: String, held: Held, at: Signal<[f32; 3]>, edit: Callback<[f32; 3], String>) -> Self {
+impl RoomGrip {
+    fn new(key: String, held: HeldThing, at: Signal<[f32; 3]>, edit: Callback<[f32; 3], String>) -> Self {
         let tell = Soon::new(move || {
             if let Some(Some((_, at))) = held.try_get_untracked() {
                 edit.try_run(at);
@@ -144,7 +144,7 @@ fn capture(event: &PointerEvent) {
     }
 }
 
-fn place(event: &PointerEvent, svg: NodeRef<Svg>, map: Map) -> Option<(f32, f32)> {
+fn place(event: &PointerEvent, svg: NodeRef<Svg>, map: RoomMap) -> Option<(f32, f32)> {
     let bounds = svg.get_untracked()?.get_bounding_client_rect();
     let client = (event.client_x() as f32, event.client_y() as f32);
     let corner = (bounds.left() as f32, bounds.top() as f32);
@@ -152,7 +152,7 @@ fn place(event: &PointerEvent, svg: NodeRef<Svg>, map: Map) -> Option<(f32, f32)
     Some(map.place(right, down))
 }
 
-fn step(event: &KeyboardEvent, grip: &Grip, [x, y, z]: [f32; 3]) {
+fn step(event: &KeyboardEvent, grip: &RoomGrip, [x, y, z]: [f32; 3]) {
     let to = match event.pressed().as_str() {
         "ArrowUp" => [x + STEP, y, z],
         "ArrowDown" => [x - STEP, y, z],
@@ -169,7 +169,7 @@ fn step(event: &KeyboardEvent, grip: &Grip, [x, y, z]: [f32; 3]) {
 }
 
 /// How far it is from the robot's camera.
-fn distance(desk: Hold, [x, y, z]: [f32; 3]) -> String {
+fn distance(desk: DeskHold, [x, y, z]: [f32; 3]) -> String {
     let desk = desk.desk();
     let body = &desk.robots.scene.read().body;
     let [from_x, from_y, from_z, _, _] = body.gaze;

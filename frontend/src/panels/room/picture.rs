@@ -1,7 +1,7 @@
 //! The floor with its grid, and the robot: body, arms, head, eyes and what its camera sees.
 
-use super::map::{HEIGHT, Map, WIDTH};
-use crate::panels::hold::{Hold, hold};
+use super::map::{HEIGHT, RoomMap, WIDTH};
+use crate::panels::hold::{DeskHold, hold};
 use leptos::prelude::*;
 
 /// Half the width across the shoulders and half the depth, the head's radius, and how far the view is drawn; in metres.
@@ -18,7 +18,7 @@ const SIGHT: f32 = 1.6;
 
 /// The floor.
 #[component]
-pub(super) fn Floor(map: Memo<Map>) -> impl IntoView {
+pub(super) fn Floor(map: Memo<RoomMap>) -> impl IntoView {
     let lines = move || {
         let (across, along) = map.get().grid();
         let across = across.into_iter().map(|at| view! { <line class="grid-line" x1="0" x2=WIDTH y1=at y2=at /> });
@@ -30,7 +30,7 @@ pub(super) fn Floor(map: Memo<Map>) -> impl IntoView {
 
 /// The robot.
 #[component]
-pub(super) fn Robot(map: Memo<Map>) -> impl IntoView {
+pub(super) fn Robot(map: Memo<RoomMap>) -> impl IntoView {
     let desk = hold();
     let length = move |metres| move || map.get().length(metres);
     let touched = move || !desk.desk().robots.scene.read().body.touched.is_empty();
@@ -62,27 +62,27 @@ pub(super) fn Robot(map: Memo<Map>) -> impl IntoView {
     }
 }
 
-fn stands(desk: Hold, map: Map) -> String {
+fn stands(desk: DeskHold, map: RoomMap) -> String {
     let [x, y, heading] = desk.desk().robots.scene.read().body.base;
     let (right, down) = map.at(x, y);
     format!("translate({right:.1} {down:.1}) rotate({:.1})", -heading.to_degrees())
 }
 
 /// Where the head is and where it looks: x, y and direction.
-fn head(desk: Hold) -> [f32; 3] {
+fn head(desk: DeskHold) -> [f32; 3] {
     let desk = desk.desk();
     let body = &desk.robots.scene.read().body;
     let [x, y, _, yaw, _] = body.gaze;
     if body.gaze == [0.0; 5] { body.base } else { [x, y, yaw] }
 }
 
-fn looks(desk: Hold, map: Map) -> String {
+fn looks(desk: DeskHold, map: RoomMap) -> String {
     let [x, y, yaw] = head(desk);
     let (right, down) = map.at(x - 0.03 * yaw.cos(), y - 0.03 * yaw.sin());
     format!("translate({right:.1} {down:.1}) rotate({:.1})", -yaw.to_degrees())
 }
 
-fn cone(desk: Hold, map: Map) -> String {
+fn cone(desk: DeskHold, map: RoomMap) -> String {
     let [x, y, yaw] = head(desk);
     let half = match desk.desk().robots.scene.read().body.gaze_half {
         0.0 => 0.49,
@@ -99,7 +99,7 @@ fn cone(desk: Hold, map: Map) -> String {
 }
 
 /// One arm: 0 left, 1 right.
-fn arm(desk: Hold, map: Memo<Map>, side: usize) -> impl IntoView {
+fn arm(desk: DeskHold, map: Memo<RoomMap>, side: usize) -> impl IntoView {
     let sign = if side == 0 { 1.0 } else { -1.0 };
     let ends = Memo::new(move |_| {
         let desk = desk.desk();

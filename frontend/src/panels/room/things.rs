@@ -1,7 +1,7 @@
 //! What else stands in the room: boxes in the way, and printed marks.
 
-use super::Held;
-use super::map::Map;
+use super::HeldThing;
+use super::map::RoomMap;
 use super::movable::Movable;
 use crate::panels::hold::hold;
 use crate::words;
@@ -14,7 +14,7 @@ const MARK_MIN: f32 = 7.0;
 
 /// The boxes.
 #[component]
-pub(super) fn Obstacles(map: Memo<Map>, held: Held, svg: NodeRef<Svg>) -> impl IntoView {
+pub(super) fn Obstacles(map: Memo<RoomMap>, held: HeldThing, svg: NodeRef<Svg>) -> impl IntoView {
     let desk = hold();
     let ids = Memo::new(move |_| {
         let desk = desk.desk();
@@ -48,7 +48,7 @@ pub(super) fn Obstacles(map: Memo<Map>, held: Held, svg: NodeRef<Svg>) -> impl I
 
 /// The marks, with a line where their front is.
 #[component]
-pub(super) fn Landmarks(map: Memo<Map>, held: Held, svg: NodeRef<Svg>) -> impl IntoView {
+pub(super) fn Landmarks(map: Memo<RoomMap>, held: HeldThing, svg: NodeRef<Svg>) -> impl IntoView {
     let desk = hold();
     let ids = Memo::new(move |_| {
         let desk = desk.desk();

@@ -2,7 +2,7 @@
 
 use crate::desk::Desk;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::live::short_value;
 use crate::panels::hold::hold;
 use crate::panels::may::{MayNot, may_operate};
@@ -25,7 +25,7 @@ const PERSON: &str = "person";
 #[component]
 pub(super) fn Tools() -> impl IntoView {
     let desk = hold();
-    let is_here = |person: &robot::Person| person.present && person.id == PERSON;
+    let is_here = |person: &robot::ScenePerson| person.present && person.id == PERSON;
     let present = Memo::new(move |_| desk.desk().robots.scene.read().people.iter().any(is_here));
     let walk = move |_| {
         let edit = SceneEdit::SetPresent { id: PERSON.to_owned(), present: !present.get_untracked() };

@@ -5,7 +5,7 @@ use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{Exercise, ExerciseQuestion, Tried};
+use protocol::{Exercise, ExerciseQuestion, RehearsalResult};
 use web_sys::HtmlElement;
 
 /// A moment for what is said to be in the page, in milliseconds.
@@ -160,17 +160,19 @@ fn Asked(
     }
 }
 
-fn judged(tried: Tried) -> Verdict {
+fn judged(tried: RehearsalResult) -> Verdict {
     let missed = |says: String| Verdict { says, good: false };
     match tried {
-        Tried::Reached(says) => Verdict { says: words::goal_reached(&words::translated(&says)), good: true },
-        Tried::Missed { says, fault: None } => missed(words::translated(&says)),
-        Tried::Missed { says, fault: Some(why) } => {
+        RehearsalResult::Reached(says) => Verdict { says: words::goal_reached(&words::translated(&says)), good: true },
+        RehearsalResult::Missed { says, fault: None } => missed(words::translated(&says)),
+        RehearsalResult::Missed { says, fault: Some(why) } => {
             missed(words::goal_missed_by(&words::translated(&says), &words::translated(&why)))
         }
-        Tried::Empty => missed(words::goal_of_empty().to_owned()),
-        Tried::TooLarge => missed(words::goal_too_large().to_owned()),
-        Tried::CannotRun(why) => missed(words::goal_cannot_run(words::translated(&why).trim_end_matches('.'))),
-        Tried::TooLong => missed(words::goal_too_long().to_owned()),
+        RehearsalResult::Empty => missed(words::goal_of_empty().to_owned()),
+        RehearsalResult::TooLarge => missed(words::goal_too_large().to_owned()),
+        RehearsalResult::CannotRun(why) => {
+            missed(words::goal_cannot_run(words::translated(&why).trim_end_matches('.')))
+        }
+        RehearsalResult::TooLong => missed(words::goal_too_long().to_owned()),
     }
 }

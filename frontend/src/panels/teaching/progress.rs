@@ -1,6 +1,6 @@
 //! How far somebody is in the tour, kept in this browser.
 
-use crate::browser::Keep;
+use crate::browser::Drawer;
 use crate::desk::Desk;
 use leptos::prelude::*;
 
@@ -10,7 +10,7 @@ const UNDER_WAY: &str = " on";
 
 /// The step that is kept, and whether the tour is under way there.
 fn kept() -> Option<(usize, bool)> {
-    read(&Keep::Browser.get(KEY)?)
+    read(&Drawer::Browser.get(KEY)?)
 }
 
 fn read(text: &str) -> Option<(usize, bool)> {
@@ -37,21 +37,21 @@ pub(crate) fn take_tour(desk: &Desk) {
 
 /// To another step.
 pub(super) fn go(desk: &Desk, step: usize) {
-    Keep::Browser.put(KEY, &format!("{step}{UNDER_WAY}"));
+    Drawer::Browser.put(KEY, &format!("{step}{UNDER_WAY}"));
     desk.tour.set(Some(step));
 }
 
 /// Leaves the tour; it can be taken up again.
 pub(super) fn leave(desk: &Desk) {
     if let Some(step) = desk.tour.get_untracked() {
-        Keep::Browser.put(KEY, &step.to_string());
+        Drawer::Browser.put(KEY, &step.to_string());
     }
     desk.tour.set(None);
 }
 
 /// The tour is over.
 pub(super) fn finish(desk: &Desk) {
-    Keep::Browser.drop(KEY);
+    Drawer::Browser.drop(KEY);
     desk.tour.set(None);
 }
 

@@ -2,7 +2,7 @@
 
 /// A part of the window, in pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Area {
+pub(super) struct WindowArea {
     pub(super) x: f64,
     pub(super) y: f64,
     pub(super) width: f64,
@@ -14,7 +14,7 @@ const GAP: f64 = 14.0;
 /// Between the card and the edge of the window.
 const EDGE: f64 = 12.0;
 
-impl Area {
+impl WindowArea {
     fn right(self) -> f64 {
         self.x + self.width
     }
@@ -36,14 +36,14 @@ impl Area {
 pub(super) fn spot(
     card: (f64, f64),
     window: (f64, f64),
-    points_at: Option<Area>,
-    never: &[Area],
-    rather_not: &[Area],
+    points_at: Option<WindowArea>,
+    never: &[WindowArea],
+    rather_not: &[WindowArea],
 ) -> (f64, f64) {
     let (most_x, most_y) = ((window.0 - card.0 - EDGE).max(EDGE), (window.1 - card.1 - EDGE).max(EDGE));
     let inside = |(x, y): (f64, f64)| (x.clamp(EDGE, most_x), y.clamp(EDGE, most_y));
-    let area = |(x, y): (f64, f64)| Area { x, y, width: card.0, height: card.1 };
-    let covers = |all: &[Area], at| all.iter().map(|one| area(at).shared(*one)).sum::<f64>();
+    let area = |(x, y): (f64, f64)| WindowArea { x, y, width: card.0, height: card.1 };
+    let covers = |all: &[WindowArea], at| all.iter().map(|one| area(at).shared(*one)).sum::<f64>();
     let far = |at: (f64, f64)| points_at.map_or(0.0, |to| (at.0 - to.x).abs() + (at.1 - to.y).abs());
     let middle = |from: f64, long: f64, card: f64| from + (long - card) / 2.0;
     let beside = points_at.into_iter().flat_map(|to| {
@@ -64,14 +64,14 @@ pub(super) fn spot(
 
 #[cfg(test)]
 mod tests {
-    use super::{Area, GAP, spot};
+    use super::{GAP, WindowArea, spot};
 
     const CARD: (f64, f64) = (320.0, 150.0);
-    const STOP: Area = Area { x: 1_280.0, y: 103.0, width: 140.0, height: 56.0 };
+    const STOP: WindowArea = WindowArea { x: 1_280.0, y: 103.0, width: 140.0, height: 56.0 };
 
-    fn placed(window: (f64, f64), points_at: Area, rather_not: &[Area]) -> Area {
+    fn placed(window: (f64, f64), points_at: WindowArea, rather_not: &[WindowArea]) -> WindowArea {
         let (x, y) = spot(CARD, window, Some(points_at), &[points_at, STOP], rather_not);
-        Area { x, y, width: CARD.0, height: CARD.1 }
+        WindowArea { x, y, width: CARD.0, height: CARD.1 }
     }
 
     #[test]
@@ -79,7 +79,7 @@ mod tests {
         for (width, height) in [(1440.0, 900.0), (1180.0, 820.0), (390.0, 844.0)] {
             for x in (0..width as u32).step_by(60) {
                 for y in (0..height as u32).step_by(60) {
-                    let target = Area { x: f64::from(x), y: f64::from(y), width: 120.0, height: 44.0 };
+                    let target = WindowArea { x: f64::from(x), y: f64::from(y), width: 120.0, height: 44.0 };
                     let card = placed((width, height), target, &[]);
                     assert_eq!(card.shared(target), 0.0, "{target:?} in {width}");
                     assert_eq!(card.shared(STOP), 0.0, "{target:?} in {width}");
@@ -91,12 +91,12 @@ mod tests {
 
     #[test]
     fn it_stands_near_what_it_points_at_and_beside_an_open_dialog() {
-        let button = Area { x: 700.0, y: 400.0, width: 120.0, height: 44.0 };
+        let button = WindowArea { x: 700.0, y: 400.0, width: 120.0, height: 44.0 };
         let near = placed((1440.0, 900.0), button, &[]);
         let (below, above) = (near.y - button.bottom(), button.y - near.bottom());
         let (right, left) = (near.x - button.right(), button.x - near.right());
         assert!([below, above, right, left].iter().any(|gap| (gap - GAP).abs() < 1.0), "{near:?}");
-        let dialog = Area { x: 340.0, y: 150.0, width: 672.0, height: 600.0 };
+        let dialog = WindowArea { x: 340.0, y: 150.0, width: 672.0, height: 600.0 };
         let beside = placed((1440.0, 900.0), button, &[dialog]);
         assert_eq!(beside.shared(dialog), 0.0, "{beside:?}");
     }

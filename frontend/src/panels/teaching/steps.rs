@@ -9,20 +9,24 @@ use leptos::prelude::*;
 const MOVED: f32 = 0.05;
 
 /// One step.
-pub(super) struct Step {
+pub(super) struct TourStep {
     pub(super) says: fn() -> &'static str,
     /// Where to look: the first of these that is seen.
     pub(super) at: &'static [&'static str],
     /// Whether it is done. Reactive.
-    pub(super) done: fn(&Desk, &Before) -> bool,
+    pub(super) done: fn(&Desk, &StepBefore) -> bool,
 }
 
-const fn step(says: fn() -> &'static str, at: &'static [&'static str], done: fn(&Desk, &Before) -> bool) -> Step {
-    Step { says, at, done }
+const fn step(
+    says: fn() -> &'static str,
+    at: &'static [&'static str],
+    done: fn(&Desk, &StepBefore) -> bool,
+) -> TourStep {
+    TourStep { says, at, done }
 }
 
 /// All of them. The last one only says goodbye.
-pub(super) const STEPS: [Step; 10] = [
+pub(super) const STEPS: [TourStep; 10] = [
     step(words::tour_program, &[SAVE, ".library .button.primary"], |desk, _| desk.document.open.read().is_some()),
     step(words::tour_sense, &[".sense-card", SAVE], |desk, _| has(desk, StreamKind::Sensor)),
     step(words::tour_helper, &[SAVE, NEXT, INLINE, ".stream.sensor", ROW], |desk, _| count(desk) > 0),
@@ -49,12 +53,12 @@ const ROW: &str = ".twig";
 
 /// How things were when a step began.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Before {
+pub(super) struct StepBefore {
     connectors: Vec<(Id, Connector)>,
     balls: Vec<[f32; 3]>,
 }
 
-impl Before {
+impl StepBefore {
     /// How things are.
     pub(super) fn now(desk: &Desk) -> Self {
         untrack(|| Self { connectors: connectors(desk), balls: balls(desk) })
@@ -83,14 +87,14 @@ fn tests(desk: &Desk) -> bool {
     connectors(desk).iter().any(|(_, connector)| connector.operation.spec().is_test())
 }
 
-fn another_value(desk: &Desk, before: &Before) -> bool {
+fn another_value(desk: &Desk, before: &StepBefore) -> bool {
     let is_other = |(id, now): &(Id, Connector)| {
         before.connectors.iter().any(|(known, old)| known == id && old.operation != now.operation)
     };
     connectors(desk).iter().any(is_other)
 }
 
-fn moved(desk: &Desk, before: &Before) -> bool {
+fn moved(desk: &Desk, before: &StepBefore) -> bool {
     let far = |(now, old): (&[f32; 3], &[f32; 3])| now.iter().zip(old).any(|(now, old)| (now - old).abs() > MOVED);
     balls(desk).iter().zip(&before.balls).any(far)
 }

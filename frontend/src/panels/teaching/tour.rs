@@ -1,12 +1,12 @@
 //! The tour: a card that points at the real thing and waits until the real step is done.
 
 use super::progress::{finish, go, leave};
-use super::spot::{Area, spot};
-use super::steps::{Before, STEPS, Step};
+use super::spot::{WindowArea, spot};
+use super::steps::{STEPS, StepBefore, TourStep};
 use crate::browser;
 use crate::escape;
 use crate::panels::focus;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use leptos::html::Aside;
 use leptos::prelude::*;
@@ -33,7 +33,7 @@ fn Tour() -> impl IntoView {
     let is_last = Memo::new(move |_| at.get() + 1 == STEPS.len());
     advance(desk, at);
     let card = NodeRef::<Aside>::new();
-    let (stands, ring) = (RwSignal::new((0.0, 0.0)), RwSignal::new(None::<Area>));
+    let (stands, ring) = (RwSignal::new((0.0, 0.0)), RwSignal::new(None::<WindowArea>));
     let look = move || look(card, at, stands, ring);
     if let Ok(again) = set_interval(look, Duration::from_millis(LOOK_MS)) {
         on_cleanup(move || again.clear());
@@ -72,7 +72,7 @@ fn Tour() -> impl IntoView {
                 </Show>
             </div>
         </aside>
-        {move || ring.get().map(|Area { x, y, width, height }| view! {
+        {move || ring.get().map(|WindowArea { x, y, width, height }| view! {
             <div class="tour-ring" aria-hidden="true" style:left=format!("{x:.0}px") style:top=format!("{y:.0}px")
                 style:width=format!("{width:.0}px") style:height=format!("{height:.0}px")></div>
         })}
@@ -80,9 +80,9 @@ fn Tour() -> impl IntoView {
 }
 
 /// Goes on soon after a step is done.
-fn advance(desk: Hold, at: Memo<usize>) {
-    let before = RwSignal::new((usize::MAX, Before::default()));
-    Effect::new(move |_| before.set((at.get(), Before::now(&desk.desk()))));
+fn advance(desk: DeskHold, at: Memo<usize>) {
+    let before = RwSignal::new((usize::MAX, StepBefore::default()));
+    Effect::new(move |_| before.set((at.get(), StepBefore::now(&desk.desk()))));
     let done = Memo::new(move |_| {
         let (step, before) = before.get();
         (step == at.get() && (STEPS[step].done)(&desk.desk(), &before)).then_some(step)
@@ -100,7 +100,7 @@ fn advance(desk: Hold, at: Memo<usize>) {
 }
 
 /// Escape leaves while the card or nothing has the keyboard; in a dialog, a menu or on the graph it means something else.
-fn leave_with_escape(desk: Hold, card: NodeRef<Aside>) {
+fn leave_with_escape(desk: DeskHold, card: NodeRef<Aside>) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
         let Some(desk) = desk.if_there() else { return };
         escape::may_end(&event, || {
@@ -117,7 +117,7 @@ fn leave_with_escape(desk: Hold, card: NodeRef<Aside>) {
 }
 
 /// Puts the card beside what it points at, and a ring around that.
-fn look(card: NodeRef<Aside>, at: Memo<usize>, stands: RwSignal<(f64, f64)>, ring: RwSignal<Option<Area>>) {
+fn look(card: NodeRef<Aside>, at: Memo<usize>, stands: RwSignal<(f64, f64)>, ring: RwSignal<Option<WindowArea>>) {
     let (Some(Some(card)), Some(at)) = (card.try_get_untracked(), at.try_get_untracked()) else { return };
     let size = (f64::from(card.offset_width()), f64::from(card.offset_height()));
     let length = |length: Result<wasm_bindgen::JsValue, _>| length.ok().and_then(|length| length.as_f64());
@@ -130,8 +130,8 @@ fn look(card: NodeRef<Aside>, at: Memo<usize>, stands: RwSignal<(f64, f64)>, rin
     };
     let target = STEPS[at].at.iter().find_map(seen);
     let stop = focus::by_id("stop").map(|stop| area_of(&stop));
-    let never: Vec<Area> = target.into_iter().chain(stop).collect();
-    let rather_not: Vec<Area> = document().body().map(|body| focus_all(&body, RATHER_NOT)).unwrap_or_default();
+    let never: Vec<WindowArea> = target.into_iter().chain(stop).collect();
+    let rather_not: Vec<WindowArea> = document().body().map(|body| focus_all(&body, RATHER_NOT)).unwrap_or_default();
     let here = spot(size, (width, height), target, &never, &rather_not);
     if stands.get_untracked() != here {
         stands.set(here);
@@ -142,20 +142,20 @@ fn look(card: NodeRef<Aside>, at: Memo<usize>, stands: RwSignal<(f64, f64)>, rin
 }
 
 /// Scrolls the library to what a step points at there.
-fn scroll_to(step: &Step) {
+fn scroll_to(step: &TourStep) {
     let found = step.at.iter().find_map(|selector| document().query_selector(selector).ok().flatten());
     if let Some(found) = found.filter(|found| matches!(found.closest(".library"), Ok(Some(_)))) {
         found.scroll_into_view_with_bool(false);
     }
 }
 
-fn focus_all(body: &HtmlElement, selector: &str) -> Vec<Area> {
+fn focus_all(body: &HtmlElement, selector: &str) -> Vec<WindowArea> {
     let Ok(found) = body.query_selector_all(selector) else { return Vec::new() };
     let elements = (0..found.length()).filter_map(|at| wasm_bindgen::JsCast::dyn_into::<Element>(found.item(at)?).ok());
     elements.map(|element| area_of(&element)).collect()
 }
 
-fn area_of(element: &Element) -> Area {
+fn area_of(element: &Element) -> WindowArea {
     let rect = element.get_bounding_client_rect();
-    Area { x: rect.x(), y: rect.y(), width: rect.width(), height: rect.height() }
+    WindowArea { x: rect.x(), y: rect.y(), width: rect.width(), height: rect.height() }
 }

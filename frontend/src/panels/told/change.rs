@@ -3,7 +3,7 @@
 use crate::desk::Desk;
 use crate::panels::control::{replaced, written_like};
 use behaviour::{Kind, Operation, Parameters, Procedure, RATE_MS, Record, RecordId, Value};
-use sentences::Literal;
+use sentences::LiteralPlace;
 
 /// What takes the place of something.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,25 +14,27 @@ pub(super) enum New {
 }
 
 /// The record that a literal stands in.
-pub(super) fn record_of(at: &Literal) -> RecordId {
+pub(super) fn record_of(at: &LiteralPlace) -> RecordId {
     match at {
-        Literal::Body { connector, .. } | Literal::Period { connector } => RecordId::new(Kind::Connector, connector),
-        Literal::Param { stream, .. } => RecordId::new(Kind::Stream, stream),
+        LiteralPlace::Body { connector, .. } | LiteralPlace::Period { connector } => {
+            RecordId::new(Kind::Connector, connector)
+        }
+        LiteralPlace::Param { stream, .. } => RecordId::new(Kind::Stream, stream),
     }
 }
 
 /// Puts something new where a sentence had its number or choice, as one change of what its author saw; whoever is told
 /// that it is not possible is told why.
-pub(super) fn put(desk: &Desk, at: &Literal, seen: Option<Record>, new: New) {
+pub(super) fn put(desk: &Desk, at: &LiteralPlace, seen: Option<Record>, new: New) {
     let after = desk.clone();
     let said = move |answer| after.say_refusal(answer);
     match (at, seen) {
-        (Literal::Param { stream, param }, Some(Record::Stream(seen))) => {
+        (LiteralPlace::Param { stream, param }, Some(Record::Stream(seen))) => {
             let mut stream_new = seen.clone();
             stream_new.params.insert(param.clone(), value(new, seen.params.get(param)));
             desk.document.edit_stream((stream, seen), stream_new, said);
         }
-        (Literal::Body { connector, .. } | Literal::Period { connector }, Some(Record::Connector(seen))) => {
+        (LiteralPlace::Body { connector, .. } | LiteralPlace::Period { connector }, Some(Record::Connector(seen))) => {
             let Some(operation) = with(&seen.operation, at, &new) else { return };
             let inputs = seen.inputs.clone();
             desk.document.edit_connector((connector, seen), operation, inputs, None, said);
@@ -42,9 +44,9 @@ pub(super) fn put(desk: &Desk, at: &Literal, seen: Option<Record>, new: New) {
 }
 
 /// An operation with something new at a place; none if that place is gone.
-fn with(operation: &Operation, at: &Literal, new: &New) -> Option<Operation> {
+fn with(operation: &Operation, at: &LiteralPlace, new: &New) -> Option<Operation> {
     match (at, new) {
-        (Literal::Body { start, end, .. }, new) => {
+        (LiteralPlace::Body { start, end, .. }, new) => {
             let mut operation = operation.clone();
             let Procedure::Body { body, .. } = operation.procedure_mut()? else { return None };
             let old = body.get(*start..*end)?;
@@ -55,7 +57,7 @@ fn with(operation: &Operation, at: &Literal, new: &New) -> Option<Operation> {
             *body = replaced(body, &(*start..*end), &text);
             Some(operation)
         }
-        (Literal::Period { .. }, New::Number(ms)) => {
+        (LiteralPlace::Period { .. }, New::Number(ms)) => {
             let parameters = Parameters {
                 period_ms: Some((ms.round().max(0.0) as u64).clamp(*RATE_MS.start(), *RATE_MS.end())),
                 procedure: operation.procedure().cloned(),
@@ -63,7 +65,7 @@ fn with(operation: &Operation, at: &Literal, new: &New) -> Option<Operation> {
             };
             Some(operation.spec().with(parameters))
         }
-        (Literal::Period { .. } | Literal::Param { .. }, _) => None,
+        (LiteralPlace::Period { .. } | LiteralPlace::Param { .. }, _) => None,
     }
 }
 
@@ -80,22 +82,22 @@ fn value(new: New, old: Option<&Value>) -> Value {
 mod tests {
     use super::{New, value, with};
     use behaviour::{Id, Parameters, Procedure, Value, connectors};
-    use sentences::Literal;
+    use sentences::LiteralPlace;
 
     #[test]
     fn what_is_changed_stands_where_it_stood() {
         let connector = Id::new("c").unwrap();
         let filter = connectors::filter::SPEC.with(Procedure::body("distance < 40"));
-        let at = Literal::Body { connector: connector.clone(), start: 11, end: 13 };
+        let at = LiteralPlace::Body { connector: connector.clone(), start: 11, end: 13 };
         let made = with(&filter, &at, &New::Number(45.0)).unwrap();
         assert_eq!(made.procedure(), Some(&Procedure::body("distance < 45")));
-        let sign = Literal::Body { connector: connector.clone(), start: 9, end: 10 };
+        let sign = LiteralPlace::Body { connector: connector.clone(), start: 9, end: 10 };
         let made = with(&filter, &sign, &New::Text(">=".to_owned())).unwrap();
         assert_eq!(made.procedure(), Some(&Procedure::body("distance >= 40")));
-        let gone = Literal::Body { connector: connector.clone(), start: 90, end: 99 };
+        let gone = LiteralPlace::Body { connector: connector.clone(), start: 90, end: 99 };
         assert_eq!(with(&filter, &gone, &New::Number(1.0)), None);
         let sample = connectors::sample::SPEC.with(Parameters::period(1_000));
-        let made = with(&sample, &Literal::Period { connector }, &New::Number(2_000.0)).unwrap();
+        let made = with(&sample, &LiteralPlace::Period { connector }, &New::Number(2_000.0)).unwrap();
         assert_eq!(made.period_ms(), Some(2_000));
         assert_eq!(value(New::Number(2.0), Some(&Value::Int(1))), Value::Int(2));
         assert_eq!(value(New::Number(0.5), Some(&Value::Float(1.0))), Value::Float(0.5));

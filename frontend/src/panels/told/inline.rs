@@ -1,18 +1,18 @@
 //! What can be changed in a sentence: a number becomes a field with keys in place, a choice is a menu.
 
-use super::Typing;
+use super::OpenFields;
 use super::change::{New, put, record_of};
 use crate::browser;
-use crate::desk::{EditSession, Editor};
+use crate::desk::{EditSession, OtherEditor};
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::focus;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::may::may_edit;
 use crate::words;
 use leptos::prelude::*;
-use sentences::{Choice, Literal, Number, Piece};
+use sentences::{LiteralPlace, Number, Piece, SentenceChoice};
 use wasm_bindgen::JsCast;
 use web_sys::{Event, FocusEvent, HtmlElement, HtmlInputElement, KeyboardEvent};
 
@@ -20,13 +20,13 @@ use web_sys::{Event, FocusEvent, HtmlElement, HtmlInputElement, KeyboardEvent};
 const BACK_MS: i32 = 30;
 
 /// Who else is editing what a literal stands in. Reactive.
-fn editor_of(desk: Hold, at: &Literal) -> Option<Editor> {
+fn editor_of(desk: DeskHold, at: &LiteralPlace) -> Option<OtherEditor> {
     let key = record_of(at);
     desk.desk().document.editor_of(&key)
 }
 
 /// The name of what can be changed, or of what somebody else is editing.
-fn label(text: &str, editor: Option<Editor>) -> String {
+fn label(text: &str, editor: Option<OtherEditor>) -> String {
     match editor {
         Some(editor) => words::with_editor(text.to_owned(), Some(&editor.name)),
         None => words::change_it(text),
@@ -34,11 +34,11 @@ fn label(text: &str, editor: Option<Editor>) -> String {
 }
 
 /// The padlock of what somebody else is editing.
-fn padlock(editor: Memo<Option<Editor>>) -> impl IntoView {
+fn padlock(editor: Memo<Option<OtherEditor>>) -> impl IntoView {
     move || editor.read().is_some().then(|| view! { <Icon name="lock" /> })
 }
 
-fn person(editor: Memo<Option<Editor>>) -> Option<String> {
+fn person(editor: Memo<Option<OtherEditor>>) -> Option<String> {
     editor.read().as_ref().map(|editor| format!("var(--people-{})", editor.color))
 }
 
@@ -51,7 +51,7 @@ pub(super) fn InlineNumber(piece: Memo<Option<Piece>>) -> impl IntoView {
         _ => None,
     });
     let typed = RwSignal::new(None::<String>);
-    let opened = StoredValue::new(None::<Opened>);
+    let opened = StoredValue::new(None::<OpenedNumber>);
     let editor = Memo::new(move |_| editor_of(desk, &number.read().as_ref()?.at));
     let reads = move || !may_edit(desk) || editor.read().is_some();
     let open = move |steps: f64| {
@@ -59,7 +59,7 @@ pub(super) fn InlineNumber(piece: Memo<Option<Piece>>) -> impl IntoView {
             let first = shown(stepped(&number, number.value, steps));
             let session = desk.desk().document.session(record_of(&number.at));
             session.begin();
-            opened.set_value(Some(Opened { number, session }));
+            opened.set_value(Some(OpenedNumber { number, session }));
             typed.set(Some(first));
         }
     };
@@ -91,19 +91,19 @@ pub(super) fn InlineNumber(piece: Memo<Option<Piece>>) -> impl IntoView {
 
 /// A number as it was when its field was opened, and the place where it is typed.
 #[derive(Clone)]
-struct Opened {
+struct OpenedNumber {
     number: Number,
     session: EditSession,
 }
 
 /// The field in the place of a number.
 #[component]
-fn NumberField(opened: Opened, typed: RwSignal<Option<String>>) -> impl IntoView {
+fn NumberField(opened: OpenedNumber, typed: RwSignal<Option<String>>) -> impl IntoView {
     let desk = hold();
-    let Opened { number, session } = opened;
+    let OpenedNumber { number, session } = opened;
     let (unit, number) = (number.unit.clone(), StoredValue::new(number));
     let session = StoredValue::new(session);
-    let typing = expect_context::<Typing>();
+    let typing = expect_context::<OpenFields>();
     typing.begins();
     let by = move |steps: f64| {
         let now = typed.get_untracked().as_deref().and_then(parsed);
@@ -210,12 +210,12 @@ pub(super) fn InlineChoice(piece: Memo<Option<Piece>>) -> impl IntoView {
     let editor = Memo::new(move |_| editor_of(desk, &choice.read().as_ref()?.at));
     let reads = move || !may_edit(desk) || editor.read().is_some();
     let session = StoredValue::new(None::<EditSession>);
-    let begun = move |at: &Literal| {
+    let begun = move |at: &LiteralPlace| {
         let new = || desk.desk().document.session(record_of(at));
         session.get_value().unwrap_or_else(new)
     };
     let choose = move |value: String| {
-        if let Some(Choice { at, chosen, .. }) = choice.get_untracked().filter(|_| !untrack(reads))
+        if let Some(SentenceChoice { at, chosen, .. }) = choice.get_untracked().filter(|_| !untrack(reads))
             && chosen != value
         {
             put(&desk.desk(), &at, begun(&at).seen(), New::Text(value));
@@ -265,11 +265,11 @@ fn shown(value: f64) -> String {
 mod tests {
     use super::{parsed, shown, stepped};
     use behaviour::Id;
-    use sentences::{Literal, Number};
+    use sentences::{LiteralPlace, Number};
 
     #[test]
     fn a_press_goes_to_the_next_step_and_not_past_the_end() {
-        let at = Literal::Period { connector: Id::new("c").unwrap() };
+        let at = LiteralPlace::Period { connector: Id::new("c").unwrap() };
         let (text, unit) = ("0.5 m".to_owned(), "m".to_owned());
         let number = Number { text, value: 0.5, unit, min: 0.0, max: 2.0, step: 0.05, at, scale: 1.0 };
         assert_eq!((stepped(&number, 0.5, 1.0), stepped(&number, 0.5, -10.0)), (0.55, 0.0));

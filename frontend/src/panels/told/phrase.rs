@@ -6,9 +6,9 @@ use super::warned::{Warned, problem_of};
 use crate::browser;
 use crate::canvas::Stage;
 use crate::desk::{Desk, Lit, Selected};
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::focus;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::Problem;
 use leptos::prelude::*;
@@ -20,17 +20,17 @@ const NOW_MS: f64 = 1_000.0;
 
 /// What the pieces of a sentence are; while it stays the same, only words change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum PhraseKind {
     Text,
     Number,
     Choice,
 }
 
-fn kind(piece: &Piece) -> Kind {
+fn kind(piece: &Piece) -> PhraseKind {
     match piece {
-        Piece::Text(_) => Kind::Text,
-        Piece::Number(_) => Kind::Number,
-        Piece::Choice(_) => Kind::Choice,
+        Piece::Text(_) => PhraseKind::Text,
+        Piece::Number(_) => PhraseKind::Number,
+        Piece::Choice(_) => PhraseKind::Choice,
     }
 }
 
@@ -89,7 +89,7 @@ fn is_now(desk: &Desk, sentence: &Sentence) -> bool {
 
 /// A phrase: words that lead to its part, and beside them what can be changed.
 #[component]
-fn PhrasePart(sentence: Memo<Option<Sentence>>, which: usize, kinds: Vec<Kind>, first: bool) -> impl IntoView {
+fn PhrasePart(sentence: Memo<Option<Sentence>>, which: usize, kinds: Vec<PhraseKind>, first: bool) -> impl IntoView {
     let desk = hold();
     let phrase = Memo::new(move |_| {
         sentence.read().as_ref().and_then(|sentence| sentence.phrases.get(which).cloned()).unwrap_or_default()
@@ -103,21 +103,21 @@ fn PhrasePart(sentence: Memo<Option<Sentence>>, which: usize, kinds: Vec<Kind>, 
     let dark = move || {
         desk.desk().document.lit.try_set(Lit::default());
     };
-    let pieces = if kinds.iter().all(|kind| *kind == Kind::Text) {
+    let pieces = if kinds.iter().all(|kind| *kind == PhraseKind::Text) {
         view! { <Words phrase means stop=first problem /> }.into_any()
     } else {
-        let one = move |(at, kind): (usize, Kind)| {
+        let one = move |(at, kind): (usize, PhraseKind)| {
             let piece = Memo::new(move |_| phrase.read().pieces.get(at).cloned());
             match kind {
-                Kind::Text => {
+                PhraseKind::Text => {
                     let text = move || piece.read().as_ref().map(|piece| words::without_code(piece.text()));
                     let code = move || {
                         piece.read().as_ref().map(|piece| piece.text().to_owned()).filter(|text| text.contains('`'))
                     };
                     view! { <span class="words" title=code>{text}</span> }.into_any()
                 }
-                Kind::Number => view! { <InlineNumber piece /> }.into_any(),
-                Kind::Choice => view! { <InlineChoice piece /> }.into_any(),
+                PhraseKind::Number => view! { <InlineNumber piece /> }.into_any(),
+                PhraseKind::Choice => view! { <InlineChoice piece /> }.into_any(),
             }
         };
         kinds.into_iter().enumerate().map(one).collect_view().into_any()
@@ -191,7 +191,7 @@ fn lit_of(phrase: &Phrase) -> Lit {
 }
 
 /// The names of what a phrase means. Reactive.
-fn names(desk: Hold, phrase: &Phrase) -> String {
+fn names(desk: DeskHold, phrase: &Phrase) -> String {
     let desk = desk.desk();
     let connectors = phrase.connectors.iter().cloned().map(Selected::Connector);
     let all = phrase.streams.iter().cloned().map(Selected::Stream).chain(connectors);
@@ -199,7 +199,7 @@ fn names(desk: Hold, phrase: &Phrase) -> String {
 }
 
 /// Whether the selected connector, or the selected stream of a phrase without connectors, is of this phrase. Reactive.
-fn is_selected(desk: Hold, phrase: &Phrase) -> bool {
+fn is_selected(desk: DeskHold, phrase: &Phrase) -> bool {
     desk.desk().document.selected.with(|selected| match selected {
         Some(Selected::Connector(id)) => phrase.connectors.contains(id),
         Some(Selected::Stream(id)) => phrase.connectors.is_empty() && phrase.streams.contains(id),

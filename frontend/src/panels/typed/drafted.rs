@@ -2,8 +2,8 @@
 
 use crate::desk::{Ghost, GhostConnector, GhostStream};
 use crate::layout::{self, GAP, LEVEL, STREAM_HEIGHT, snapped, stream_width};
-use behaviour::{Behaviour, Connector, Filled, Id, Kind, Place, Record, RecordId, Stream};
-use protocol::Area;
+use behaviour::{Behaviour, Connector, FillFrom, Id, Kind, Place, Record, RecordId, Stream};
+use protocol::CanvasArea;
 use sentences::{Draft, DraftStream};
 use std::collections::BTreeMap;
 
@@ -55,7 +55,12 @@ impl Box {
 }
 
 /// A draft as a part of a graph. What is new stands together in a free place: near what it takes from, else in view.
-pub(super) fn ghost(draft: &Draft, behaviour: &Behaviour, places: &BTreeMap<Id, Place>, view: Option<Area>) -> Ghost {
+pub(super) fn ghost(
+    draft: &Draft,
+    behaviour: &Behaviour,
+    places: &BTreeMap<Id, Place>,
+    view: Option<CanvasArea>,
+) -> Ghost {
     let ids: Vec<Id> = (0..).zip(&draft.streams).filter_map(|(at, stream)| id_of(at, stream)).collect();
     if ids.len() != draft.streams.len() {
         return Ghost::default();
@@ -133,7 +138,7 @@ fn local_places(new: &[(&Id, Stream, bool)], connectors: &[(Connector, bool)]) -
 }
 
 /// How far the part moves to a free place: the nearest to where it is wanted, seen if that is possible.
-fn free_shift(own: Box, taken: &[Box], source: Option<Place>, view: Option<Area>) -> (f64, f64) {
+fn free_shift(own: Box, taken: &[Box], source: Option<Place>, view: Option<CanvasArea>) -> (f64, f64) {
     let middle = (own.left + own.right - BESIDE) / 2.0;
     let bottom = taken.iter().map(|other| other.bottom).fold(0.0, f64::max);
     let wanted = match (source, view) {
@@ -171,11 +176,11 @@ fn free_shift(own: Box, taken: &[Box], source: Option<Place>, view: Option<Area>
 mod tests {
     use super::ghost;
     use behaviour::{Behaviour, Id, Kind, Params, Place, Record, RecordId, Stream, StreamKind};
-    use protocol::Area;
+    use protocol::CanvasArea;
     use sentences::{Language, read};
     use std::collections::BTreeMap;
 
-    const VIEW: Area = Area { x: 0.0, y: 0.0, width: 1_400.0, height: 900.0 };
+    const VIEW: CanvasArea = CanvasArea { x: 0.0, y: 0.0, width: 1_400.0, height: 900.0 };
 
     fn with_ball() -> (Behaviour, BTreeMap<Id, Place>, Id) {
         let id = Id::new("ball").unwrap();

@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 /// How it goes with the words of a language.
 #[derive(Clone, Copy)]
-pub(super) enum Words {
+pub(super) enum LexiconState {
     /// They are on their way.
     Come,
     Here(&'static Lexicon),
@@ -17,13 +17,13 @@ pub(super) enum Words {
 }
 
 #[derive(Clone, Default)]
-struct Shelf {
-    words: ArcRwSignal<Option<Words>>,
+struct LexiconShelf {
+    words: ArcRwSignal<Option<LexiconState>>,
     asked: Rc<Cell<bool>>,
 }
 
 thread_local! {
-    static SHELVES: [Shelf; 2] = Default::default();
+    static SHELVES: [LexiconShelf; 2] = Default::default();
 }
 
 fn address(language: Language) -> &'static str {
@@ -34,32 +34,33 @@ fn address(language: Language) -> &'static str {
 }
 
 /// The words of a language. Reactive: they come when they are here.
-pub(super) fn words(language: Language) -> Words {
+pub(super) fn words(language: Language) -> LexiconState {
     let shelf = SHELVES.with(|shelves| shelves[usize::from(language == Language::Japanese)].clone());
     if let Some(words) = shelf.words.get() {
         return words;
     }
     if browser::window().is_none() {
-        return Words::Lost;
+        return LexiconState::Lost;
     }
     if shelf.asked.replace(true) {
-        return Words::Come;
+        return LexiconState::Come;
     }
     leptos::task::spawn_local(async move {
         let text = browser::text_at(address(language)).await;
-        let words =
-            text.map_or(Words::Lost, |text| Words::Here(Box::leak(Box::new(Lexicon::read(text.leak(), language)))));
+        let words = text.map_or(LexiconState::Lost, |text| {
+            LexiconState::Here(Box::leak(Box::new(Lexicon::read(text.leak(), language))))
+        });
         shelf.asked.set(false);
         shelf.words.set(Some(words));
     });
-    Words::Come
+    LexiconState::Come
 }
 
 /// Asks again for words that could not be fetched.
 pub(super) fn retry() {
     SHELVES.with(|shelves| {
         for shelf in shelves {
-            if matches!(shelf.words.get_untracked(), Some(Words::Lost)) {
+            if matches!(shelf.words.get_untracked(), Some(LexiconState::Lost)) {
                 shelf.words.set(None);
             }
         }

@@ -1,6 +1,6 @@
 //! Changes that came too late: what both made, who was first, and what can be done.
 
-use super::history::{Deed, HOLE};
+use super::history::{HOLE, HistoryWords};
 use crate::words::copied;
 
 sentences! {
@@ -82,7 +82,7 @@ pub(crate) fn while_you(offline: bool, name: &str, did: fn(&str, &str) -> String
     } else {
         say!("While you were editing, {did}. Yours waits here.", did)
     };
-    let Deed { before, after, .. } = Deed::around(told, String::new());
+    let HistoryWords { before, after, .. } = HistoryWords::around(told, String::new());
     (before, after)
 }
 

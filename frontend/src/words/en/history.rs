@@ -71,13 +71,13 @@ pub(super) const HOLE: &str = "\u{1}";
 
 /// What somebody did: the words before what it was done to, that, and the words after.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Deed {
+pub(crate) struct HistoryWords {
     pub(crate) before: String,
     pub(crate) of: String,
     pub(crate) after: String,
 }
 
-impl Deed {
+impl HistoryWords {
     pub(super) fn around(told: String, of: String) -> Self {
         match told.split_once(HOLE) {
             Some((before, after)) => Self { before: before.to_owned(), of, after: after.to_owned() },
@@ -97,44 +97,44 @@ pub(crate) fn taken_back(label: &str) -> Option<bool> {
 }
 
 /// Taking back what is told like this, or doing it again.
-pub(crate) fn taken_back_deed(again: bool, told: &str) -> Deed {
+pub(crate) fn taken_back_deed(again: bool, told: &str) -> HistoryWords {
     let told = saying(told);
     if again {
-        Deed::around(say!("did {of} again", of = HOLE), told)
+        HistoryWords::around(say!("did {of} again", of = HOLE), told)
     } else {
-        Deed::around(say!("took back {of}", of = HOLE), told)
+        HistoryWords::around(say!("took back {of}", of = HOLE), told)
     }
 }
 
 /// `changed Close ball`
-pub(crate) fn changed(of: &str) -> Deed {
-    Deed::around(say!("changed {of}", of = HOLE), of.to_owned())
+pub(crate) fn changed(of: &str) -> HistoryWords {
+    HistoryWords::around(say!("changed {of}", of = HOLE), of.to_owned())
 }
 
 /// `changed Close ball: 40 → 60 cm`
-pub(crate) fn changed_from_to(of: &str, before: &str, after: &str) -> Deed {
+pub(crate) fn changed_from_to(of: &str, before: &str, after: &str) -> HistoryWords {
     let (before, after) = (cut(before), cut(after));
-    Deed::around(say!("changed {of}: {before} → {after}", of = HOLE, before, after), of.to_owned())
+    HistoryWords::around(say!("changed {of}: {before} → {after}", of = HOLE, before, after), of.to_owned())
 }
 
 /// `renamed Near ball to Close ball`
-pub(crate) fn renamed(before: &str, after: &str) -> Deed {
-    Deed::around(say!("renamed {of} to {new}", of = HOLE, new = after), before.to_owned())
+pub(crate) fn renamed(before: &str, after: &str) -> HistoryWords {
+    HistoryWords::around(say!("renamed {of} to {new}", of = HOLE, new = after), before.to_owned())
 }
 
 /// `added Tracker for Close ball`
-pub(crate) fn added_for(of: &str, from: &str) -> Deed {
-    Deed::around(say!("added {of} for {from}", of = HOLE, from), of.to_owned())
+pub(crate) fn added_for(of: &str, from: &str) -> HistoryWords {
+    HistoryWords::around(say!("added {of} for {from}", of = HOLE, from), of.to_owned())
 }
 
 /// `added Distance from Red ball`
-pub(crate) fn added_from(of: &str, from: &str) -> Deed {
-    Deed::around(say!("added {of} from {from}", of = HOLE, from), of.to_owned())
+pub(crate) fn added_from(of: &str, from: &str) -> HistoryWords {
+    HistoryWords::around(say!("added {of} from {from}", of = HOLE, from), of.to_owned())
 }
 
 /// `led Close ball to Tracker`
-pub(crate) fn led(from: &str, to: &str) -> Deed {
-    Deed::around(say!("led {of} to {to}", of = HOLE, to), from.to_owned())
+pub(crate) fn led(from: &str, to: &str) -> HistoryWords {
+    HistoryWords::around(say!("led {of} to {to}", of = HOLE, to), from.to_owned())
 }
 
 /// A long text with its end left out.
@@ -146,22 +146,22 @@ fn cut(text: &str) -> String {
 }
 
 /// What somebody did, of the label of a change.
-pub(crate) fn deed(label: &str) -> Deed {
+pub(crate) fn deed(label: &str) -> HistoryWords {
     if let Some(again) = taken_back(label) {
         return taken_back_deed(again, &label_said(label.split_once(": ").map_or(label, |(_, of)| of)));
     }
     match label {
-        "Move" => Deed::around(say!("moved something"), String::new()),
-        "Tidy" => Deed::around(say!("tidied up"), String::new()),
-        "Rename program" => Deed::around(say!("renamed the program"), String::new()),
+        "Move" => HistoryWords::around(say!("moved something"), String::new()),
+        "Tidy" => HistoryWords::around(say!("tidied up"), String::new()),
+        "Rename program" => HistoryWords::around(say!("renamed the program"), String::new()),
         _ => done_to(label),
     }
 }
 
-fn done_to(label: &str) -> Deed {
+fn done_to(label: &str) -> HistoryWords {
     let renamed = label.strip_prefix("Rename helper ").and_then(|names| names.split_once(" to "));
     if let Some((old, new)) = renamed {
-        return Deed::around(say!("renamed {of} to {new}", of = HOLE, new), old.to_owned());
+        return HistoryWords::around(say!("renamed {of} to {new}", of = HOLE, new), old.to_owned());
     }
     let verbs = [
         ("Go back to ", say!("went back to {of}", of = HOLE)),
@@ -175,8 +175,9 @@ fn done_to(label: &str) -> Deed {
         ("Fold ", say!("folded {of}", of = HOLE)),
         ("Unfold ", say!("unfolded {of}", of = HOLE)),
     ];
-    let found = verbs.into_iter().find_map(|(start, told)| Some(Deed::around(told, thing(label.strip_prefix(start)?))));
-    found.unwrap_or_else(|| Deed::around(say!("made a change: {of}", of = HOLE), other_label(label)))
+    let found =
+        verbs.into_iter().find_map(|(start, told)| Some(HistoryWords::around(told, thing(label.strip_prefix(start)?))));
+    found.unwrap_or_else(|| HistoryWords::around(say!("made a change: {of}", of = HOLE), other_label(label)))
 }
 
 /// What a label says that something was done to: a name, or the word of a connector.

@@ -5,14 +5,14 @@ use crate::naming::in_words;
 
 /// In which language a name is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Naming {
+pub(crate) enum NameLanguage {
     /// That of the page.
     Page,
     /// English, as somebody with another page may have made it.
     English,
 }
 
-impl Naming {
+impl NameLanguage {
     /// This text, in that language.
     pub(crate) fn said(self, text: &'static str) -> &'static str {
         if self == Self::Page { said(text) } else { text }

@@ -14,48 +14,48 @@ sentences! {
 
 /// What somebody comes with. Each warns in its own words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Device {
+pub(crate) enum WarnedDevice {
     AppleTouch,
     Android,
     Windows,
     Mac,
 }
 
-impl Device {
+impl WarnedDevice {
     /// All of them, the most common one with a robot first.
     pub(crate) const ALL: [Self; 4] = [Self::AppleTouch, Self::Android, Self::Windows, Self::Mac];
 }
 
 /// What a device is called.
-pub(crate) fn device_named(device: Device) -> &'static str {
+pub(crate) fn device_named(device: WarnedDevice) -> &'static str {
     match device {
-        Device::AppleTouch => said("iPad, iPhone"),
-        Device::Android => said("Android"),
-        Device::Windows => said("Windows"),
-        Device::Mac => said("Mac"),
+        WarnedDevice::AppleTouch => said("iPad, iPhone"),
+        WarnedDevice::Android => said("Android"),
+        WarnedDevice::Windows => said("Windows"),
+        WarnedDevice::Mac => said("Mac"),
     }
 }
 
 /// What to press there, in order.
-pub(crate) fn warning_steps(device: Device, host: &str) -> Vec<String> {
+pub(crate) fn warning_steps(device: WarnedDevice, host: &str) -> Vec<String> {
     let open = said("Open the link. A warning comes that the connection is not private.").to_owned();
     let compare = match device {
-        Device::AppleTouch => said(
+        WarnedDevice::AppleTouch => said(
             "Press “Show Details”, then “view the certificate”, then “More Details”. Compare the fingerprint below, and press “Done”.",
         ),
-        Device::Mac => said(
+        WarnedDevice::Mac => said(
             "In Safari press “Show Details”, then “view the certificate”. Compare the fingerprint below, and press “OK”.",
         ),
-        Device::Android | Device::Windows => said(
+        WarnedDevice::Android | WarnedDevice::Windows => said(
             "Press the sign left of the address, then the line that says the connection is not secure, then the certificate. Compare the fingerprint below.",
         ),
     };
     let go_on = match device {
-        Device::AppleTouch | Device::Mac => {
+        WarnedDevice::AppleTouch | WarnedDevice::Mac => {
             said("Press “visit this website”, and “Visit Website” once more.").to_owned()
         }
-        Device::Android => say!("Press “Advanced”, then “Proceed to {host} (unsafe)”.", host),
-        Device::Windows => {
+        WarnedDevice::Android => say!("Press “Advanced”, then “Proceed to {host} (unsafe)”.", host),
+        WarnedDevice::Windows => {
             say!("Press “Advanced”, then “Continue to {host} (unsafe)”; Chrome says “Proceed to”.", host)
         }
     };
@@ -68,7 +68,7 @@ pub(crate) fn warning_steps(device: Device, host: &str) -> Vec<String> {
 }
 
 /// The link with its steps, as a text to send.
-pub(crate) fn warning_message(device: Device, link: &str, host: &str, fingerprint: &str) -> String {
+pub(crate) fn warning_message(device: WarnedDevice, link: &str, host: &str, fingerprint: &str) -> String {
     let mut message = format!(
         "{link}\n\n{}\n",
         said("Your browser warns once, because this server made its certificate itself. What to press:")

@@ -11,14 +11,14 @@ use crate::{
 const LEVEL: f64 = 140.0;
 
 /// A change of a behaviour.
-pub(super) struct Draft<'a> {
+pub(super) struct FixDraft<'a> {
     behaviour: &'a Behaviour,
     new_id: &'a mut dyn FnMut() -> Id,
     next_order: i64,
     edits: Vec<Edit>,
 }
 
-impl<'a> Draft<'a> {
+impl<'a> FixDraft<'a> {
     pub(super) fn of(behaviour: &'a Behaviour, new_id: &'a mut dyn FnMut() -> Id) -> Self {
         Self { behaviour, new_id, next_order: behaviour.next_order(), edits: Vec::new() }
     }

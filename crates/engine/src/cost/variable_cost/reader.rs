@@ -1,7 +1,7 @@
 //! Reading a procedure for how it uses its variables.
 
 use super::{
-    CATCH_QUARTERS, CLOSURE_QUARTERS, NAMED_QUARTERS, PLAIN_QUARTERS, SMALL_CLOSURE_QUARTERS, Use, VariableCost,
+    CATCH_QUARTERS, CLOSURE_QUARTERS, NAMED_QUARTERS, PLAIN_QUARTERS, SMALL_CLOSURE_QUARTERS, VariableCost, VariableUse,
 };
 use crate::cost::callers::is_caller;
 use crate::cost::meter;
@@ -21,7 +21,7 @@ impl VariableCost {
     pub(crate) fn of(ast: &AST, is_helper: bool) -> Self {
         let cost = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: Vec::new() };
         let (body, owned) = (ast.statements(), copied_when_handed_over(ast));
-        let mut reader = Reader { body, is_helper, owned, cost, constant: 0, once: Vec::new(), parts: Vec::new() };
+        let mut reader = CostReader { body, is_helper, owned, cost, constant: 0, once: Vec::new(), parts: Vec::new() };
         each_node(ast, &mut |path: &[ASTNode]| {
             reader.look(path);
             true
@@ -30,7 +30,7 @@ impl VariableCost {
     }
 }
 
-struct Reader<'a> {
+struct CostReader<'a> {
     body: &'a [Stmt],
     is_helper: bool,
     owned: LookupSet<String>,
@@ -43,9 +43,9 @@ struct Reader<'a> {
     parts: Vec<usize>,
 }
 
-impl Reader<'_> {
+impl CostReader<'_> {
     fn done(mut self) -> VariableCost {
-        let kind = if self.once.len() > ONCE_MAX { Use::Copy } else { Use::Once };
+        let kind = if self.once.len() > ONCE_MAX { VariableUse::Copy } else { VariableUse::Once };
         for name in std::mem::take(&mut self.once) {
             self.cost.used(&name, kind);
         }
@@ -86,10 +86,10 @@ impl Reader<'_> {
             }
             [.., ASTNode::Expr(used @ Expr::Variable(variable, ..))] => {
                 let Some(mut kind) = kind_of_use(path, used) else { return };
-                if kind == Use::Touch && self.owned.contains(variable.1.as_str()) {
-                    kind = Use::Copy;
+                if kind == VariableUse::Touch && self.owned.contains(variable.1.as_str()) {
+                    kind = VariableUse::Copy;
                 }
-                if kind >= Use::Copy && !self.repeats(path) {
+                if kind >= VariableUse::Copy && !self.repeats(path) {
                     self.once.push(variable.1.clone());
                 } else {
                     self.cost.used(&variable.1, kind);
@@ -120,37 +120,37 @@ impl Reader<'_> {
 }
 
 /// Returns the use of the variable at the end of a path; none if it only gets another value.
-fn kind_of_use(path: &[ASTNode], used: &Expr) -> Option<Use> {
+fn kind_of_use(path: &[ASTNode], used: &Expr) -> Option<VariableUse> {
     if path.iter().any(takes_out) || path.windows(2).any(|pair| is_gone_through(pair[0], pair[1])) {
-        return Some(Use::Through);
+        return Some(VariableUse::Through);
     }
-    let [.., parent, _] = path else { return Some(Use::Copy) };
+    let [.., parent, _] = path else { return Some(VariableUse::Copy) };
     match parent {
         ASTNode::Expr(root @ (Expr::Dot(pair, ..) | Expr::Index(pair, ..))) if std::ptr::eq(&pair.lhs, used) => {
             let is_put = path.iter().any(|node| is_target(node, root));
             Some(match is_put {
-                true if takes_item(&pair.rhs) => Use::Letter,
-                true => Use::Put,
+                true if takes_item(&pair.rhs) => VariableUse::Letter,
+                true => VariableUse::Put,
                 false => kind_of_part(&pair.rhs),
             })
         }
         ASTNode::Expr(Expr::FnCall(call, _)) | ASTNode::Stmt(Stmt::FnCall(call, _)) if is_first(call, used) => {
-            Some(Use::Touch)
+            Some(VariableUse::Touch)
         }
         ASTNode::Stmt(Stmt::Assignment(parts)) if std::ptr::eq(&parts.1.lhs, used) => {
-            parts.0.get_op_assignment_info().map(|_| Use::Grow)
+            parts.0.get_op_assignment_info().map(|_| VariableUse::Grow)
         }
-        _ => Some(Use::Copy),
+        _ => Some(VariableUse::Copy),
     }
 }
 
-fn kind_of_part(rest: &Expr) -> Use {
+fn kind_of_part(rest: &Expr) -> VariableUse {
     if is_range(rest) {
-        Use::Through
+        VariableUse::Through
     } else if calls_method(rest) {
-        Use::Touch
+        VariableUse::Touch
     } else {
-        Use::Part
+        VariableUse::Part
     }
 }
 

@@ -6,7 +6,7 @@ use behaviour::Value;
 
 /// The bounds that hold while a procedure runs.
 #[derive(Clone, Copy)]
-pub(super) struct Bounds {
+pub(super) struct ProcedureBounds {
     pub(super) text_bytes: usize,
     list_items: usize,
     map_fields: usize,
@@ -14,27 +14,27 @@ pub(super) struct Bounds {
 
 /// Items, fields and bytes in a value.
 #[derive(Default)]
-struct Size {
+struct ValueSize {
     items: usize,
     fields: usize,
     bytes: usize,
 }
 
-impl Bounds {
+impl ProcedureBounds {
     pub(super) fn of(limits: &Limits) -> Self {
         Self { text_bytes: limits.text_bytes, list_items: limits.list_items, map_fields: limits.map_fields }
     }
 
     /// Gives a new list or object back if it is within the bounds.
     pub(super) fn check(&self, value: Value) -> Result<Value, Unsure> {
-        let mut size = Size::default();
+        let mut size = ValueSize::default();
         size.add(&value);
         let fits = size.items <= self.list_items && size.fields <= self.map_fields && size.bytes <= self.text_bytes;
         if fits { Ok(value) } else { Err(Unsure) }
     }
 }
 
-impl Size {
+impl ValueSize {
     fn add(&mut self, value: &Value) {
         match value {
             Value::Text(text) => self.bytes += text.len(),

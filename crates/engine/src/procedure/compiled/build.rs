@@ -1,10 +1,10 @@
 //! From what Rhai has read to our tree; nothing for a procedure with any part that is not known here.
 
 use super::functions::Function;
-use super::helpers::{CompiledHelpers, Piece};
+use super::helpers::{CompiledHelper, CompiledHelpers};
 use super::literals::{constant, operation};
-use super::node::Node;
-use behaviour::{Names, Value};
+use super::node::ProcedureNode;
+use behaviour::{FieldNames, Value};
 use rhai::{AST, ASTFlags, Expr, FnCallExpr, Stmt};
 use std::rc::Rc;
 
@@ -14,7 +14,7 @@ const STEPS_PER_PART: u64 = 8;
 const DEPTH_MAX: usize = 96;
 
 /// Builds the tree of one body.
-pub(super) struct Builder<'h> {
+pub(super) struct TreeBuilder<'h> {
     pub(super) helpers: &'h CompiledHelpers,
     /// The names in sight, newest last.
     names: Vec<String>,
@@ -27,22 +27,22 @@ pub(super) struct Builder<'h> {
 }
 
 /// The tree of a body with inputs of these names.
-pub(super) fn body(ast: &AST, names: &[String], helpers: &CompiledHelpers) -> Option<Node> {
-    let mut builder = Builder::of(names, names.len(), helpers);
+pub(super) fn body(ast: &AST, names: &[String], helpers: &CompiledHelpers) -> Option<ProcedureNode> {
+    let mut builder = TreeBuilder::of(names, names.len(), helpers);
     let root = builder.sequence(ast.statements())?;
     builder.is_bounded().then_some(root)
 }
 
 /// The tree of a helper with these parameters.
-pub(super) fn helper(ast: &AST, params: &[String], helpers: &CompiledHelpers) -> Option<Piece> {
-    let mut builder = Builder::of(params, 0, helpers);
+pub(super) fn helper(ast: &AST, params: &[String], helpers: &CompiledHelpers) -> Option<CompiledHelper> {
+    let mut builder = TreeBuilder::of(params, 0, helpers);
     let root = builder.sequence(ast.statements())?;
-    let Builder { steps, deepest, levels, .. } = builder;
-    let piece = || Piece { root: Rc::new(root), steps, depth: deepest + params.len() + 1, levels: levels + 1 };
+    let TreeBuilder { steps, deepest, levels, .. } = builder;
+    let piece = || CompiledHelper { root: Rc::new(root), steps, depth: deepest + params.len() + 1, levels: levels + 1 };
     builder.is_bounded().then(piece)
 }
 
-impl<'h> Builder<'h> {
+impl<'h> TreeBuilder<'h> {
     fn of(names: &[String], inputs: usize, helpers: &'h CompiledHelpers) -> Self {
         Self { helpers, names: names.to_vec(), inputs, steps: 0, depth: 0, deepest: 0, levels: 0 }
     }
@@ -52,16 +52,16 @@ impl<'h> Builder<'h> {
         self.steps <= self.helpers.limits().operations && self.levels < self.helpers.limits().levels
     }
 
-    fn block(&mut self, statements: &[Stmt]) -> Option<Node> {
+    fn block(&mut self, statements: &[Stmt]) -> Option<ProcedureNode> {
         let seen = self.names.len();
         let node = self.sequence(statements);
         self.names.truncate(seen);
         node
     }
 
-    fn sequence(&mut self, statements: &[Stmt]) -> Option<Node> {
+    fn sequence(&mut self, statements: &[Stmt]) -> Option<ProcedureNode> {
         match statements {
-            [] => Some(Node::Constant(Value::Null)),
+            [] => Some(ProcedureNode::Constant(Value::Null)),
             [Stmt::Var(variable, options, _), rest @ ..] => {
                 if options.intersects(ASTFlags::EXPORTED) || self.names.len() >= self.helpers.limits().variables {
                     return None;
@@ -69,20 +69,20 @@ impl<'h> Builder<'h> {
                 let value = self.part(&variable.1)?;
                 self.names.push(variable.0.name.to_string());
                 let rest = self.deeper(|deeper| deeper.sequence(rest))?;
-                Some(Node::Let(Box::new((value, rest))))
+                Some(ProcedureNode::Let(Box::new((value, rest))))
             }
             [only] => self.statement(only),
             [first, rest @ ..] => {
                 let first = self.statement(first)?;
                 let rest = self.deeper(|deeper| deeper.sequence(rest))?;
-                Some(Node::Then(Box::new((first, rest))))
+                Some(ProcedureNode::Then(Box::new((first, rest))))
             }
         }
     }
 
-    fn statement(&mut self, statement: &Stmt) -> Option<Node> {
+    fn statement(&mut self, statement: &Stmt) -> Option<ProcedureNode> {
         match statement {
-            Stmt::Noop(_) => Some(Node::Constant(Value::Null)),
+            Stmt::Noop(_) => Some(ProcedureNode::Constant(Value::Null)),
             Stmt::Expr(expression) => self.part(expression),
             Stmt::FnCall(call, _) => self.deeper(|deeper| deeper.call(call)),
             Stmt::Block(block) => self.deeper(|deeper| deeper.block(block.statements())),
@@ -90,7 +90,7 @@ impl<'h> Builder<'h> {
                 let condition = deeper.part(&flow.expr)?;
                 let then = deeper.block(flow.body.statements())?;
                 let other = deeper.block(flow.branch.statements())?;
-                Some(Node::If(Box::new([condition, then, other])))
+                Some(ProcedureNode::If(Box::new([condition, then, other])))
             }),
             _ => None,
         }
@@ -113,43 +113,43 @@ impl<'h> Builder<'h> {
         (self.deepest <= DEPTH_MAX).then_some(())
     }
 
-    pub(super) fn part(&mut self, expression: &Expr) -> Option<Node> {
+    pub(super) fn part(&mut self, expression: &Expr) -> Option<ProcedureNode> {
         self.deeper(|deeper| match expression {
             Expr::Variable(variable, ..) => deeper.variable(&variable.1),
             Expr::FnCall(call, _) => deeper.call(call),
             Expr::Dot(..) | Expr::Index(..) => deeper.chain(expression),
-            Expr::And(parts, _) => deeper.parts(parts).map(|parts| Node::All(parts.into())),
-            Expr::Or(parts, _) => deeper.parts(parts).map(|parts| Node::Any(parts.into())),
-            Expr::Array(items, _) => deeper.parts(items).map(|items| Node::List(items.into())),
+            Expr::And(parts, _) => deeper.parts(parts).map(|parts| ProcedureNode::All(parts.into())),
+            Expr::Or(parts, _) => deeper.parts(parts).map(|parts| ProcedureNode::Any(parts.into())),
+            Expr::Array(items, _) => deeper.parts(items).map(|items| ProcedureNode::List(items.into())),
             Expr::Map(fields, _) if fields.0.len() == fields.1.len() => {
                 let mut made = Vec::new();
                 for (name, field) in &fields.0 {
                     made.push((name.name.as_str(), deeper.part(field)?));
                 }
                 made.sort_unstable_by_key(|(name, _)| *name);
-                let names = Names::of(&made.iter().map(|(name, _)| *name).collect::<Vec<_>>());
-                let fields: Box<[Node]> = made.into_iter().map(|(_, field)| field).collect();
-                (names.len() == fields.len()).then(|| Node::Object(Box::new((names, fields))))
+                let names = FieldNames::of(&made.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+                let fields: Box<[ProcedureNode]> = made.into_iter().map(|(_, field)| field).collect();
+                (names.len() == fields.len()).then(|| ProcedureNode::Object(Box::new((names, fields))))
             }
             Expr::Stmt(block) => deeper.block(block.statements()),
-            other => constant(other).map(Node::Constant),
+            other => constant(other).map(ProcedureNode::Constant),
         })
     }
 
-    pub(super) fn parts(&mut self, expressions: &[Expr]) -> Option<Vec<Node>> {
+    pub(super) fn parts(&mut self, expressions: &[Expr]) -> Option<Vec<ProcedureNode>> {
         expressions.iter().map(|expression| self.part(expression)).collect()
     }
 
-    fn variable(&self, name: &str) -> Option<Node> {
+    fn variable(&self, name: &str) -> Option<ProcedureNode> {
         let at = self.names.iter().rposition(|known| known == name)?;
         Some(if at < self.inputs {
-            Node::Input(u32::try_from(at).ok()?)
+            ProcedureNode::Input(u32::try_from(at).ok()?)
         } else {
-            Node::Local(self.names.len() - 1 - at)
+            ProcedureNode::Local(self.names.len() - 1 - at)
         })
     }
 
-    fn call(&mut self, call: &FnCallExpr) -> Option<Node> {
+    fn call(&mut self, call: &FnCallExpr) -> Option<ProcedureNode> {
         if call.capture_parent_scope {
             return None;
         }
@@ -159,12 +159,12 @@ impl<'h> Builder<'h> {
         }
         if !self.helpers.has(&call.name, arguments.len()) {
             let function = Function::of(&call.name, arguments.len())?;
-            return Some(Node::Function(Box::new((function, arguments.into()))));
+            return Some(ProcedureNode::Function(Box::new((function, arguments.into()))));
         }
         let piece = self.helpers.piece(&call.name, arguments.len())?;
         self.steps = self.steps.saturating_add(piece.steps);
         self.levels = self.levels.max(piece.levels);
         self.deepest = self.deepest.max(self.depth + piece.depth);
-        (self.deepest <= DEPTH_MAX).then(|| Node::Helper(Box::new((piece.root.clone(), arguments.into()))))
+        (self.deepest <= DEPTH_MAX).then(|| ProcedureNode::Helper(Box::new((piece.root.clone(), arguments.into()))))
     }
 }

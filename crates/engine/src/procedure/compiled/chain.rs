@@ -1,19 +1,19 @@
 //! Chains such as `ball.speed.x`, `faces[0].label` and `x.abs()`.
 
-use super::build::Builder;
+use super::build::TreeBuilder;
 use super::functions::Function;
 use super::name::Name;
-use super::node::Node;
+use super::node::ProcedureNode;
 use rhai::{ASTFlags, BinaryExpr, Expr};
 
 /// A link of a chain: what comes after a dot, or between brackets.
-struct Link<'e> {
+struct ChainLink<'e> {
     pair: &'e BinaryExpr,
     options: ASTFlags,
     dot: bool,
 }
 
-impl<'e> Link<'e> {
+impl<'e> ChainLink<'e> {
     fn of(expression: &'e Expr) -> Option<Self> {
         match expression {
             Expr::Dot(pair, options, _) => Some(Self { pair, options: *options, dot: true }),
@@ -32,9 +32,9 @@ impl<'e> Link<'e> {
     }
 }
 
-impl Builder<'_> {
-    pub(super) fn chain(&mut self, expression: &Expr) -> Option<Node> {
-        let mut link = Link::of(expression)?;
+impl TreeBuilder<'_> {
+    pub(super) fn chain(&mut self, expression: &Expr) -> Option<ProcedureNode> {
+        let mut link = ChainLink::of(expression)?;
         let mut node = self.part(&link.pair.lhs)?;
         let mut links = 0;
         loop {
@@ -49,7 +49,7 @@ impl Builder<'_> {
         }
     }
 
-    fn linked(&mut self, of: Node, link: &Link, says: &Expr) -> Option<Node> {
+    fn linked(&mut self, of: ProcedureNode, link: &ChainLink, says: &Expr) -> Option<ProcedureNode> {
         if link.options.intersects(ASTFlags::NEGATED) {
             return None;
         }
@@ -57,8 +57,8 @@ impl Builder<'_> {
             Expr::Property(property, _) if link.dot => {
                 let name = Name::of(property.2.as_str());
                 Some(match of {
-                    Node::Input(at) => Node::InputField(at, name),
-                    of => Node::Field(Box::new((of, name))),
+                    ProcedureNode::Input(at) => ProcedureNode::InputField(at, name),
+                    of => ProcedureNode::Field(Box::new((of, name))),
                 })
             }
             Expr::MethodCall(call, _) if link.dot => {
@@ -69,10 +69,10 @@ impl Builder<'_> {
                 }
                 let function = Function::of(&call.name, parameters)?;
                 let arguments = std::iter::once(of).chain(self.parts(&call.args)?).collect();
-                Some(Node::Function(Box::new((function, arguments))))
+                Some(ProcedureNode::Function(Box::new((function, arguments))))
             }
             _ if link.dot => None,
-            at => Some(Node::Item(Box::new((of, self.part(at)?)))),
+            at => Some(ProcedureNode::Item(Box::new((of, self.part(at)?)))),
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Comparisons as Rhai makes them: measured numbers within a tolerance, different kinds never equal.
 
 use super::Unsure;
-use super::numbers::Number;
+use super::numbers::ComputedNumber;
 use behaviour::Value;
 use std::cmp::Ordering;
 
 /// A comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Comparison {
+pub(crate) enum CompiledComparison {
     Equal,
     NotEqual,
     Less,
@@ -16,7 +16,7 @@ pub(crate) enum Comparison {
     GreaterEqual,
 }
 
-impl Comparison {
+impl CompiledComparison {
     #[inline]
     pub(super) fn holds(self, left: &Value, right: &Value) -> Result<bool, Unsure> {
         match (left, right) {
@@ -30,11 +30,11 @@ impl Comparison {
 
     /// True if it holds with a number on the right: no other kind is equal to it, smaller or larger.
     #[inline(always)]
-    pub(crate) fn holds_number(self, left: &Value, right: Number) -> bool {
+    pub(crate) fn holds_number(self, left: &Value, right: ComputedNumber) -> bool {
         match (left, right) {
-            (Value::Int(left), Number::Int(right)) => self.allows(left.cmp(&right)),
+            (Value::Int(left), ComputedNumber::Int(right)) => self.allows(left.cmp(&right)),
             (Value::Float(left), right) => self.measured(*left, right.float()),
-            (Value::Int(left), Number::Float(right)) => self.measured(*left as f64, right),
+            (Value::Int(left), ComputedNumber::Float(right)) => self.measured(*left as f64, right),
             _ => self == Self::NotEqual,
         }
     }

@@ -1,7 +1,7 @@
 //! The functions of numbers that are known here; each answers only for the kinds of numbers that Rhai has it for.
 
 use super::Unsure;
-use super::numbers::Number;
+use super::numbers::ComputedNumber;
 use crate::rhai::maths::{self, Unary};
 
 /// A function of one or two numbers.
@@ -12,9 +12,9 @@ pub(super) enum Function {
     /// A function of two measured numbers.
     Measured2(fn(f64, f64) -> f64),
     /// A function of one number.
-    One(fn(Number) -> Result<Number, Unsure>),
+    One(fn(ComputedNumber) -> Result<ComputedNumber, Unsure>),
     /// A function of two numbers.
-    Two(fn(Number, Number) -> Number),
+    Two(fn(ComputedNumber, ComputedNumber) -> ComputedNumber),
 }
 
 /// Rhai's own, the same on every machine.
@@ -60,40 +60,40 @@ fn two(name: &str) -> Option<Function> {
     known.map(|(_, function)| Function::Measured2(*function))
 }
 
-fn abs(x: Number) -> Result<Number, Unsure> {
+fn abs(x: ComputedNumber) -> Result<ComputedNumber, Unsure> {
     match x {
-        Number::Int(whole) => whole.checked_abs().map(Number::Int).ok_or(Unsure),
-        Number::Float(number) => Ok(Number::Float(number.abs())),
+        ComputedNumber::Int(whole) => whole.checked_abs().map(ComputedNumber::Int).ok_or(Unsure),
+        ComputedNumber::Float(number) => Ok(ComputedNumber::Float(number.abs())),
     }
 }
 
-fn to_float(x: Number) -> Result<Number, Unsure> {
-    if let Number::Int(whole) = x { Ok(Number::Float(whole as f64)) } else { Err(Unsure) }
+fn to_float(x: ComputedNumber) -> Result<ComputedNumber, Unsure> {
+    if let ComputedNumber::Int(whole) = x { Ok(ComputedNumber::Float(whole as f64)) } else { Err(Unsure) }
 }
 
-fn to_int(x: Number) -> Result<Number, Unsure> {
+fn to_int(x: ComputedNumber) -> Result<ComputedNumber, Unsure> {
     match x {
-        Number::Float(number) if number.abs() < 9.0e18 => Ok(Number::Int(number.trunc() as i64)),
-        Number::Float(_) | Number::Int(_) => Err(Unsure),
+        ComputedNumber::Float(number) if number.abs() < 9.0e18 => Ok(ComputedNumber::Int(number.trunc() as i64)),
+        ComputedNumber::Float(_) | ComputedNumber::Int(_) => Err(Unsure),
     }
 }
 
-fn min(x: Number, y: Number) -> Number {
+fn min(x: ComputedNumber, y: ComputedNumber) -> ComputedNumber {
     match (x, y) {
-        (Number::Int(x), Number::Int(y)) => Number::Int(x.min(y)),
+        (ComputedNumber::Int(x), ComputedNumber::Int(y)) => ComputedNumber::Int(x.min(y)),
         (x, y) => {
             let (x, y) = (x.float(), y.float());
-            Number::Float(if x <= y { x } else { y })
+            ComputedNumber::Float(if x <= y { x } else { y })
         }
     }
 }
 
-fn max(x: Number, y: Number) -> Number {
+fn max(x: ComputedNumber, y: ComputedNumber) -> ComputedNumber {
     match (x, y) {
-        (Number::Int(x), Number::Int(y)) => Number::Int(x.max(y)),
+        (ComputedNumber::Int(x), ComputedNumber::Int(y)) => ComputedNumber::Int(x.max(y)),
         (x, y) => {
             let (x, y) = (x.float(), y.float());
-            Number::Float(if x >= y { x } else { y })
+            ComputedNumber::Float(if x >= y { x } else { y })
         }
     }
 }

@@ -1,16 +1,16 @@
 //! The compiled helpers, each once, for every body that calls them.
 
-use super::bounds::Bounds;
+use super::bounds::ProcedureBounds;
 use super::build;
-use super::node::Node;
+use super::node::ProcedureNode;
 use crate::cost::Limits;
 use behaviour::Lookup;
 use rhai::AST;
 use std::rc::Rc;
 
 /// A compiled helper.
-pub(super) struct Piece {
-    pub(super) root: Rc<Node>,
+pub(super) struct CompiledHelper {
+    pub(super) root: Rc<ProcedureNode>,
     /// At least the steps that Rhai counts for one call.
     pub(super) steps: u64,
     /// The depth to which one call nests.
@@ -21,15 +21,15 @@ pub(super) struct Piece {
 
 /// All helpers by name and number of parameters; nothing for one that only Rhai can run.
 pub(crate) struct CompiledHelpers {
-    pieces: Lookup<(String, usize), Option<Piece>>,
+    pieces: Lookup<(String, usize), Option<CompiledHelper>>,
     limits: Limits,
-    bounds: Rc<Bounds>,
+    bounds: Rc<ProcedureBounds>,
 }
 
 impl CompiledHelpers {
     /// None yet.
     pub(crate) fn of(limits: &Limits) -> Self {
-        Self { pieces: Lookup::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
+        Self { pieces: Lookup::new(), limits: limits.clone(), bounds: Rc::new(ProcedureBounds::of(limits)) }
     }
 
     /// Adds a helper. The ones it calls must be here before it.
@@ -42,7 +42,7 @@ impl CompiledHelpers {
         self.pieces.contains_key(&(name.to_owned(), parameters))
     }
 
-    pub(super) fn piece(&self, name: &str, parameters: usize) -> Option<&Piece> {
+    pub(super) fn piece(&self, name: &str, parameters: usize) -> Option<&CompiledHelper> {
         self.pieces.get(&(name.to_owned(), parameters))?.as_ref()
     }
 
@@ -50,7 +50,7 @@ impl CompiledHelpers {
         &self.limits
     }
 
-    pub(super) fn bounds(&self) -> Rc<Bounds> {
+    pub(super) fn bounds(&self) -> Rc<ProcedureBounds> {
         self.bounds.clone()
     }
 }

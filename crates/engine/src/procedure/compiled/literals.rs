@@ -1,21 +1,21 @@
 //! The translation of Rhai's literals and operators into our tree.
 
-use super::compare::Comparison;
-use super::node::Node;
+use super::compare::CompiledComparison;
+use super::node::ProcedureNode;
 use super::numbers::Operator;
 use behaviour::{Fields, Value};
 use rhai::{Dynamic, Expr, Token};
 
-pub(super) fn operation(token: &Token, arguments: Vec<Node>) -> Option<Node> {
+pub(super) fn operation(token: &Token, arguments: Vec<ProcedureNode>) -> Option<ProcedureNode> {
     let mut arguments = arguments.into_iter();
     match (token, arguments.next(), arguments.next(), arguments.next()) {
-        (Token::Bang, Some(of), None, None) => Some(Node::Not(Box::new(of))),
-        (Token::UnaryMinus | Token::Minus, Some(of), None, None) => Some(Node::Negative(Box::new(of))),
+        (Token::Bang, Some(of), None, None) => Some(ProcedureNode::Not(Box::new(of))),
+        (Token::UnaryMinus | Token::Minus, Some(of), None, None) => Some(ProcedureNode::Negative(Box::new(of))),
         (token, Some(left), Some(right), None) => {
             let pair = Box::new((left, right));
             match operator(token) {
-                Some(operator) => Some(Node::Arithmetic(operator, pair)),
-                None => comparison(token).map(|comparison| Node::Compare(comparison, pair)),
+                Some(operator) => Some(ProcedureNode::Arithmetic(operator, pair)),
+                None => comparison(token).map(|comparison| ProcedureNode::Compare(comparison, pair)),
             }
         }
         _ => None,
@@ -33,14 +33,14 @@ fn operator(token: &Token) -> Option<Operator> {
     })
 }
 
-fn comparison(token: &Token) -> Option<Comparison> {
+fn comparison(token: &Token) -> Option<CompiledComparison> {
     Some(match token {
-        Token::EqualsTo => Comparison::Equal,
-        Token::NotEqualsTo => Comparison::NotEqual,
-        Token::LessThan => Comparison::Less,
-        Token::LessThanEqualsTo => Comparison::LessEqual,
-        Token::GreaterThan => Comparison::Greater,
-        Token::GreaterThanEqualsTo => Comparison::GreaterEqual,
+        Token::EqualsTo => CompiledComparison::Equal,
+        Token::NotEqualsTo => CompiledComparison::NotEqual,
+        Token::LessThan => CompiledComparison::Less,
+        Token::LessThanEqualsTo => CompiledComparison::LessEqual,
+        Token::GreaterThan => CompiledComparison::Greater,
+        Token::GreaterThanEqualsTo => CompiledComparison::GreaterEqual,
         _ => return None,
     })
 }

@@ -1,15 +1,15 @@
 //! The parts of a procedure that make values other than numbers.
 
 use super::Unsure;
-use super::bounds::Bounds;
+use super::bounds::ProcedureBounds;
 use super::name::Name;
-use super::node::{Env, Local, Made, Node};
-use super::numbers::{Number, Operator};
-use behaviour::{Fields, Names, Value};
+use super::node::{Env, Local, NodeValue, ProcedureNode};
+use super::numbers::{ComputedNumber, Operator};
+use behaviour::{FieldNames, Fields, Value};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-pub(super) fn field<'a>(of: Cow<'a, Value>, name: &Name) -> Made<'a> {
+pub(super) fn field<'a>(of: Cow<'a, Value>, name: &Name) -> NodeValue<'a> {
     match of {
         Cow::Borrowed(of) => name.of_value(of).map(Cow::Borrowed),
         Cow::Owned(of) => name.of_value(&of).cloned().map(Cow::Owned),
@@ -17,7 +17,7 @@ pub(super) fn field<'a>(of: Cow<'a, Value>, name: &Name) -> Made<'a> {
     .ok_or(Unsure)
 }
 
-pub(super) fn item<'a>(of: Cow<'a, Value>, at: &Value) -> Made<'a> {
+pub(super) fn item<'a>(of: Cow<'a, Value>, at: &Value) -> NodeValue<'a> {
     match of {
         Cow::Borrowed(of) => item_of(of, at).map(Cow::Borrowed),
         Cow::Owned(of) => item_of(&of, at).cloned().map(Cow::Owned),
@@ -38,24 +38,29 @@ fn item_of<'v>(of: &'v Value, at: &Value) -> Option<&'v Value> {
 }
 
 /// Adds numbers, joins texts.
-pub(super) fn plus<'a>(left: &Value, right: &Value, bounds: &Bounds) -> Made<'a> {
+pub(super) fn plus<'a>(left: &Value, right: &Value, bounds: &ProcedureBounds) -> NodeValue<'a> {
     if let (Value::Text(left), Value::Text(right)) = (left, right) {
         if left.len() + right.len() > bounds.text_bytes {
             return Err(Unsure);
         }
         return Ok(Cow::Owned(Value::Text([left.as_ref(), right.as_ref()].concat().into())));
     }
-    Ok(Cow::Owned(Operator::Plus.apply(Number::of(left)?, Number::of(right)?)?.value()))
+    Ok(Cow::Owned(Operator::Plus.apply(ComputedNumber::of(left)?, ComputedNumber::of(right)?)?.value()))
 }
 
-pub(super) fn with_local<'a>(pair: &'a (Node, Node), env: &Env<'a>) -> Made<'a> {
+pub(super) fn with_local<'a>(pair: &'a (ProcedureNode, ProcedureNode), env: &Env<'a>) -> NodeValue<'a> {
     let local = Local { value: pair.0.value(env)?, older: env.locals };
     let inner = Env { locals: Some(&local), ..*env };
     pair.1.value(&inner).map(|made| Cow::Owned(made.into_owned()))
 }
 
 /// Makes the arguments one after the other, each on the stack below the next, then runs the body with them alone.
-pub(super) fn helper<'a>(body: &'a Node, arguments: &'a [Node], env: &Env<'a>, made: Option<&Local<'_>>) -> Made<'a> {
+pub(super) fn helper<'a>(
+    body: &'a ProcedureNode,
+    arguments: &'a [ProcedureNode],
+    env: &Env<'a>,
+    made: Option<&Local<'_>>,
+) -> NodeValue<'a> {
     let Some((first, rest)) = arguments.split_first() else {
         let inner = Env { inputs: &[], locals: made, bounds: env.bounds };
         return body.value(&inner).map(|made| Cow::Owned(made.into_owned()));
@@ -64,7 +69,7 @@ pub(super) fn helper<'a>(body: &'a Node, arguments: &'a [Node], env: &Env<'a>, m
     helper(body, rest, env, Some(&local))
 }
 
-pub(super) fn list<'a>(items: &[Node], env: &Env) -> Made<'a> {
+pub(super) fn list<'a>(items: &[ProcedureNode], env: &Env) -> NodeValue<'a> {
     let mut made = Vec::with_capacity(items.len());
     for item in items {
         made.push(item.value(env)?.into_owned());
@@ -72,7 +77,7 @@ pub(super) fn list<'a>(items: &[Node], env: &Env) -> Made<'a> {
     env.bounds.check(Value::List(Arc::new(made))).map(Cow::Owned)
 }
 
-pub(super) fn object<'a>(names: &Names, fields: &[Node], env: &Env) -> Made<'a> {
+pub(super) fn object<'a>(names: &FieldNames, fields: &[ProcedureNode], env: &Env) -> NodeValue<'a> {
     let mut made = Vec::with_capacity(fields.len());
     for field in fields {
         made.push(field.value(env)?.into_owned());

@@ -1,19 +1,19 @@
 //! The tree of a compiled procedure, and what it computes.
 
 use super::Unsure;
-use super::bounds::Bounds;
-use super::compare::Comparison;
+use super::bounds::ProcedureBounds;
+use super::compare::CompiledComparison;
 use super::functions::Function;
 use super::make::{field, helper, item, list, object, plus, with_local};
 use super::name::Name;
-use super::numbers::{Number, Operator};
+use super::numbers::{ComputedNumber, Operator};
 use crate::values::in_place::{own_values, put_number};
-use behaviour::{Names, Value};
+use behaviour::{FieldNames, Value};
 use std::borrow::Cow;
 use std::rc::Rc;
 
 /// A part of a procedure. Small, since a thousand behaviours have many.
-pub(super) enum Node {
+pub(super) enum ProcedureNode {
     Constant(Value),
     /// An input of the procedure.
     Input(u32),
@@ -21,42 +21,42 @@ pub(super) enum Node {
     Local(usize),
     /// A field of an input.
     InputField(u32, Name),
-    Field(Box<(Node, Name)>),
+    Field(Box<(ProcedureNode, Name)>),
     /// An item of a list, or a field by a computed name.
     Item(Pair),
     Arithmetic(Operator, Pair),
-    Compare(Comparison, Pair),
-    Negative(Box<Node>),
-    Not(Box<Node>),
-    All(Box<[Node]>),
-    Any(Box<[Node]>),
+    Compare(CompiledComparison, Pair),
+    Negative(Box<ProcedureNode>),
+    Not(Box<ProcedureNode>),
+    All(Box<[ProcedureNode]>),
+    Any(Box<[ProcedureNode]>),
     /// Condition, then, else.
-    If(Box<[Node; 3]>),
+    If(Box<[ProcedureNode; 3]>),
     /// One after the other; the value is that of the second.
     Then(Pair),
     /// A variable, and what follows it.
     Let(Pair),
-    List(Box<[Node]>),
+    List(Box<[ProcedureNode]>),
     /// Fields in the order of their names.
-    Object(Box<(Names, Box<[Node]>)>),
-    Function(Box<(Function, Box<[Node]>)>),
+    Object(Box<(FieldNames, Box<[ProcedureNode]>)>),
+    Function(Box<(Function, Box<[ProcedureNode]>)>),
     /// A helper: its parameters are its first variables.
-    Helper(Box<(Rc<Node>, Box<[Node]>)>),
+    Helper(Box<(Rc<ProcedureNode>, Box<[ProcedureNode]>)>),
 }
 
-const _: () = assert!(size_of::<Node>() <= 32);
+const _: () = assert!(size_of::<ProcedureNode>() <= 32);
 
 /// Two parts.
-pub(super) type Pair = Box<(Node, Node)>;
+pub(super) type Pair = Box<(ProcedureNode, ProcedureNode)>;
 /// A value of the inputs or the text, or a new one.
-pub(super) type Made<'a> = Result<Cow<'a, Value>, Unsure>;
+pub(super) type NodeValue<'a> = Result<Cow<'a, Value>, Unsure>;
 
 /// The surroundings that a part sees.
 #[derive(Clone, Copy)]
 pub(super) struct Env<'a> {
     pub(super) inputs: &'a [&'a Value],
     pub(super) locals: Option<&'a Local<'a>>,
-    pub(super) bounds: &'a Bounds,
+    pub(super) bounds: &'a ProcedureBounds,
 }
 
 /// A variable and the ones before it; they live on the machine's stack, as long as they are seen.
@@ -75,11 +75,11 @@ impl<'a> Env<'a> {
     }
 }
 
-impl Node {
+impl ProcedureNode {
     /// True if it makes a number, or most likely one: a field, or a sum of what may be texts.
     pub(super) fn is_numeric(&self) -> bool {
         match self {
-            Self::Constant(value) => Number::of(value).is_ok(),
+            Self::Constant(value) => ComputedNumber::of(value).is_ok(),
             Self::Arithmetic(..) | Self::Negative(_) | Self::Function(_) => true,
             Self::InputField(..) | Self::Field(_) => true,
             Self::If(parts) => parts[1].is_numeric() && parts[2].is_numeric(),
@@ -99,7 +99,7 @@ impl Node {
     }
 
     /// Returns the value that it makes, whatever kind it is.
-    pub(super) fn value<'a>(&'a self, env: &Env<'a>) -> Made<'a> {
+    pub(super) fn value<'a>(&'a self, env: &Env<'a>) -> NodeValue<'a> {
         match self {
             Self::Constant(_) | Self::Input(_) | Self::InputField(..) => {
                 self.place(env).map(Cow::Borrowed).ok_or(Unsure)
@@ -132,23 +132,23 @@ impl Node {
     }
 
     /// Returns the number that it makes, if it is one.
-    pub(super) fn number(&self, env: &Env) -> Result<Number, Unsure> {
+    pub(super) fn number(&self, env: &Env) -> Result<ComputedNumber, Unsure> {
         match self {
             Self::Arithmetic(operator, pair) => operator.apply(pair.0.operand(env)?, pair.1.operand(env)?),
             Self::Constant(_) | Self::Input(_) | Self::InputField(..) => {
-                self.place(env).ok_or(Unsure).and_then(Number::of)
+                self.place(env).ok_or(Unsure).and_then(ComputedNumber::of)
             }
             Self::Negative(of) => of.number(env)?.negative(),
             Self::Function(call) => call.0.call(&call.1, env),
             Self::If(parts) => parts[if parts[0].short_truth(env)? { 1 } else { 2 }].number(env),
-            _ => Number::of(&*self.value(env)?),
+            _ => ComputedNumber::of(&*self.value(env)?),
         }
     }
 
     /// Returns the number that it makes, if it is one, without a call for a procedure of one operation: `x + 1`,
     /// `ball.size`.
     #[inline]
-    pub(super) fn short_number(&self, env: &Env) -> Result<Number, Unsure> {
+    pub(super) fn short_number(&self, env: &Env) -> Result<ComputedNumber, Unsure> {
         match self {
             Self::Arithmetic(operator, pair) => operator.apply(pair.0.operand(env)?, pair.1.operand(env)?),
             other => other.operand(env),
@@ -170,9 +170,9 @@ impl Node {
 
     /// Returns the number that it makes, if it is one, without a call where nothing needs to be computed.
     #[inline]
-    pub(super) fn operand(&self, env: &Env) -> Result<Number, Unsure> {
+    pub(super) fn operand(&self, env: &Env) -> Result<ComputedNumber, Unsure> {
         match self.place(env) {
-            Some(value) => Number::of(value),
+            Some(value) => ComputedNumber::of(value),
             None => self.number(env),
         }
     }
@@ -193,19 +193,19 @@ impl Node {
 }
 
 impl Function {
-    fn call(self, arguments: &[Node], env: &Env) -> Result<Number, Unsure> {
+    fn call(self, arguments: &[ProcedureNode], env: &Env) -> Result<ComputedNumber, Unsure> {
         let number = |at: usize| arguments.get(at).ok_or(Unsure)?.number(env);
-        let measured = |at| if let Number::Float(number) = number(at)? { Ok(number) } else { Err(Unsure) };
+        let measured = |at| if let ComputedNumber::Float(number) = number(at)? { Ok(number) } else { Err(Unsure) };
         Ok(match self {
-            Self::Measured(function) => Number::Float(function(measured(0)?)),
-            Self::Measured2(function) => Number::Float(function(measured(0)?, measured(1)?)),
+            Self::Measured(function) => ComputedNumber::Float(function(measured(0)?)),
+            Self::Measured2(function) => ComputedNumber::Float(function(measured(0)?, measured(1)?)),
             Self::One(function) => function(number(0)?)?,
             Self::Two(function) => function(number(0)?, number(1)?),
         })
     }
 }
 
-fn all(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
+fn all(parts: &[ProcedureNode], env: &Env) -> Result<bool, Unsure> {
     for part in parts {
         if !part.short_truth(env)? {
             return Ok(false);
@@ -214,7 +214,7 @@ fn all(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
     Ok(true)
 }
 
-fn any(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
+fn any(parts: &[ProcedureNode], env: &Env) -> Result<bool, Unsure> {
     for part in parts {
         if part.short_truth(env)? {
             return Ok(true);

@@ -3,7 +3,7 @@
 use super::Unsure;
 use behaviour::Value;
 
-pub(super) use crate::values::in_place::Number;
+pub(super) use crate::values::in_place::ComputedNumber;
 
 /// An operator between numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub(crate) enum Operator {
     Rest,
 }
 
-impl Number {
+impl ComputedNumber {
     #[inline]
     pub(crate) fn of(value: &Value) -> Result<Self, Unsure> {
         match value {
@@ -44,10 +44,12 @@ impl Number {
 
 impl Operator {
     #[inline]
-    pub(crate) fn apply(self, left: Number, right: Number) -> Result<Number, Unsure> {
+    pub(crate) fn apply(self, left: ComputedNumber, right: ComputedNumber) -> Result<ComputedNumber, Unsure> {
         match (left, right) {
-            (Number::Int(left), Number::Int(right)) => self.whole(left, right).map(Number::Int).ok_or(Unsure),
-            (left, right) => Ok(Number::Float(self.measured(left.float(), right.float()))),
+            (ComputedNumber::Int(left), ComputedNumber::Int(right)) => {
+                self.whole(left, right).map(ComputedNumber::Int).ok_or(Unsure)
+            }
+            (left, right) => Ok(ComputedNumber::Float(self.measured(left.float(), right.float()))),
         }
     }
 

@@ -8,11 +8,11 @@ use self::values::inputs;
 use super::{Compiled, CompiledHelpers, Short};
 use crate::cost::Limits;
 use crate::faults::{CallFault, TrialFault};
-use crate::procedure::Procedure;
-use crate::procedure::helpers::Helpers;
+use crate::procedure::ConnectorProcedure;
+use crate::procedure::helpers::HelperPrograms;
 use crate::procedure::parse::compile;
 use crate::rhai::sandbox::hardened_engine;
-use crate::values::in_place::Number;
+use crate::values::in_place::ComputedNumber;
 use behaviour::{FileHelper, Value};
 use rhai::Engine;
 
@@ -23,7 +23,7 @@ const CALLS: u64 = 5;
 
 struct Bench {
     engine: Engine,
-    helpers: Helpers,
+    helpers: HelperPrograms,
     names: Vec<String>,
 }
 
@@ -36,7 +36,7 @@ impl Bench {
             ..FileHelper::default()
         };
         let engine = hardened_engine(limits);
-        let helpers = Helpers::compile(&engine, &HELPERS.map(helper), limits).ok().unwrap();
+        let helpers = HelperPrograms::compile(&engine, &HELPERS.map(helper), limits).ok().unwrap();
         Self { engine, helpers, names: NAMES.map(str::to_owned).to_vec() }
     }
 
@@ -77,8 +77,8 @@ struct Counts {
 fn one_operation(short: Short, input: &Value) -> Option<Value> {
     match short {
         Short::Compute(operator, number) => {
-            let made = operator.apply(Number::of(input).ok()?, number).ok();
-            made.filter(|made| made.is_finite()).map(Number::value)
+            let made = operator.apply(ComputedNumber::of(input).ok()?, number).ok();
+            made.filter(|made| made.is_finite()).map(ComputedNumber::value)
         }
         Short::Compare(comparison, number) => Some(Value::Bool(comparison.holds_number(input, number))),
     }
@@ -98,7 +98,7 @@ impl Counts {
         &mut self,
         bench: &Bench,
         compiled: &Compiled,
-        interpreted: &mut Procedure,
+        interpreted: &mut ConnectorProcedure,
         inputs: &[&Value],
         about: &str,
     ) {
@@ -127,7 +127,8 @@ fn the_first_tier_is_right_wherever_it_answers() {
     for seed in 0..BODIES {
         let mut chance = Chance(seed.wrapping_mul(0x5DEE_CE66_D1CE_4E5B));
         let body = procedure(&mut chance);
-        let Ok(mut interpreted) = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, &body) else {
+        let Ok(mut interpreted) = ConnectorProcedure::compile(&bench.engine, &bench.helpers, &bench.names, &body)
+        else {
             counts.refused += 1;
             continue;
         };
@@ -187,7 +188,7 @@ fn what_grows_too_large_is_left_to_rhai() {
         ("d", true),
         ("[d * 2]", false),
     ] {
-        let mut interpreted = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, body).unwrap();
+        let mut interpreted = ConnectorProcedure::compile(&bench.engine, &bench.helpers, &bench.names, body).unwrap();
         assert_eq!(bench.compiled(body).unwrap().call(&inputs).is_some(), fits, "{body}");
         assert_eq!(interpreted.interpret(&bench.engine, &inputs).is_ok(), fits, "{body}");
     }
@@ -228,7 +229,7 @@ fn every_operator_and_function_is_right_on_every_pair_of_edges() {
     let mut counts = Counts::default();
     for body in operators.chain(endless).chain(functions).chain(beyond).chain(single).chain(one) {
         let compiled = bench.compiled(&body).unwrap();
-        let mut interpreted = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, &body).unwrap();
+        let mut interpreted = ConnectorProcedure::compile(&bench.engine, &bench.helpers, &bench.names, &body).unwrap();
         for (one, other) in edges().iter().flat_map(|one| edges().into_iter().map(move |other| (one.clone(), other))) {
             counts.call(&bench, &compiled, &mut interpreted, &[&one, &other, &Value::Null, &Value::Null], &body);
         }

@@ -8,7 +8,7 @@ use rhai::AST;
 
 /// The helpers by name, those that are called before those that call them.
 #[derive(Default)]
-pub(super) struct Reach {
+pub(super) struct HelperReach {
     names: Lookup<String, usize>,
     lengths: Vec<Length>,
 }
@@ -29,7 +29,7 @@ pub(super) struct Length {
     names_others: bool,
 }
 
-impl Reach {
+impl HelperReach {
     /// Adds a helper. The ones that it calls must be here before it.
     pub(super) fn add(&mut self, name: &str, params: usize, body: &AST, called: &[String], search: Search) {
         let length = Length {

@@ -6,7 +6,7 @@ use crate::faults::BodyFault;
 use crate::procedure::helpers::check_distinct;
 use crate::procedure::parse::compile;
 use crate::rhai::sandbox::hardened_engine;
-use behaviour::{Filled, Lookup};
+use behaviour::{FillFrom, Lookup};
 use rhai::AST;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -17,33 +17,33 @@ const KEPT_MAX_BYTES: usize = 512 << 10;
 const KEPT_MAX: usize = 8_192;
 
 /// A procedure that was read, or why it is none.
-type Read = Result<Rc<AST>, BodyFault>;
+type ReadKinds = Result<Rc<AST>, BodyFault>;
 
 #[derive(Default)]
-struct Kept {
-    read: Lookup<(Vec<String>, String), Read>,
+struct KindCache {
+    read: Lookup<(Vec<String>, String), ReadKinds>,
     bytes: usize,
 }
 
 thread_local! {
     static READING: rhai::Engine = hardened_engine(&Limits::default());
-    static KEPT: RefCell<Kept> = RefCell::default();
+    static KEPT: RefCell<KindCache> = RefCell::default();
     /// Making an engine's list takes longer than reading a body.
     static FUNCTIONS: Vec<String> = names_of_functions();
 }
 
 /// A body as Rhai reads it, kept for the next time.
-pub(super) fn parsed(names: &[String], body: &str) -> Read {
+pub(super) fn parsed(names: &[String], body: &str) -> ReadKinds {
     let question = (names.to_vec(), body.to_owned());
     KEPT.with(|kept| {
         if let Some(read) = kept.borrow().read.get(&question) {
             return read.clone();
         }
         let compiled = || READING.with(|engine| compile(engine, names, body).map(Rc::new));
-        let read: Read = check_distinct(names).and_then(|()| compiled());
+        let read: ReadKinds = check_distinct(names).and_then(|()| compiled());
         let mut kept = kept.borrow_mut();
         if kept.bytes + body.len() > KEPT_MAX_BYTES || kept.read.len() >= KEPT_MAX {
-            *kept = Kept::default();
+            *kept = KindCache::default();
         }
         kept.bytes += body.len();
         kept.read.insert(question, read.clone());

@@ -1,16 +1,16 @@
 //! Objects in a procedure that are compared with a number or reckoned with: that is false for ever, or fails.
 
-use super::Reader;
+use super::KindReader;
 use super::known::parsed;
 use super::operators::wants_numbers;
 use crate::cost::nodes::each_node;
-use behaviour::{Call, ValueType};
+use behaviour::{HelperCall, ValueType};
 use rhai::{ASTNode, Expr, FnCallExpr, Stmt};
 
 /// The first argument of these kinds that is an object and stands beside a number in an operator of numbers, and how often
 /// such arguments do; nothing at every doubt.
 #[must_use]
-pub fn misused(arguments: &[(String, ValueType)], body: &str, helper: Call) -> Option<(String, usize)> {
+pub fn misused(arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> Option<(String, usize)> {
     let names: Vec<String> = arguments.iter().map(|(name, _)| name.clone()).collect();
     let ast = parsed(&names, body).ok().filter(|ast| !ast.has_functions())?;
     let (mut found, mut declares) = (Vec::new(), false);
@@ -30,7 +30,11 @@ pub fn misused(arguments: &[(String, ValueType)], body: &str, helper: Call) -> O
     Some(((*first).to_owned(), times))
 }
 
-fn object_beside_number<'a>(call: &FnCallExpr, arguments: &'a [(String, ValueType)], helper: Call) -> Option<&'a str> {
+fn object_beside_number<'a>(
+    call: &FnCallExpr,
+    arguments: &'a [(String, ValueType)],
+    helper: HelperCall,
+) -> Option<&'a str> {
     let [one, other] = &call.args[..] else { return None };
     if !call.op_token.as_ref().is_some_and(wants_numbers) {
         return None;
@@ -43,7 +47,7 @@ fn object_beside_number<'a>(call: &FnCallExpr, arguments: &'a [(String, ValueTyp
         _ => None,
     };
     let is_number = |of: &Expr| {
-        let mut reader = Reader { names: arguments.to_vec(), helper, depth: 0, parts: 0 };
+        let mut reader = KindReader { names: arguments.to_vec(), helper, depth: 0, parts: 0 };
         matches!(reader.part(of), Some(ValueType::Number { .. }))
     };
     match (object(one), object(other)) {

@@ -1,9 +1,9 @@
 //! What is measured: distances, numbers of people, charge and angles.
 
 use super::{Bag, agent, seen::color};
-use crate::speech::atoms::{Atom, Measure, Value};
-use crate::speech::lexicon::End;
-use crate::speech::meaning::{Bound, Event, Of};
+use crate::speech::atoms::{Atom, AtomValue, CountedNumber};
+use crate::speech::lexicon::FormEnd;
+use crate::speech::meaning::{MeasuredBound, Of, SensedEvent};
 use crate::test::Comparison;
 
 /// A full battery is so full at least, in per cent.
@@ -12,9 +12,9 @@ const FULL: f64 = 95.0;
 /// A number of comparisons of what is measured, near and far without a number with these.
 fn bounds(
     bag: &mut Bag,
-    vague: Option<[Bound; 2]>,
-    made: &dyn Fn(Measure) -> Option<(f64, &'static str)>,
-) -> Vec<Bound> {
+    vague: Option<[MeasuredBound; 2]>,
+    made: &dyn Fn(CountedNumber) -> Option<(f64, &'static str)>,
+) -> Vec<MeasuredBound> {
     let first = bag.measure(made);
     let Some(((value, unit), _)) = first else {
         let Some([near, far]) = vague else { return Vec::new() };
@@ -28,7 +28,7 @@ fn bounds(
         return Vec::new();
     };
     let plain = |measure| match measure {
-        Measure::Number(value) => Some((value, unit)),
+        CountedNumber::Number(value) => Some((value, unit)),
         _ => None,
     };
     let pair = bag.has("cmp", "between") || bag.has("cmp", "to");
@@ -82,13 +82,13 @@ fn scale(unit: &str) -> f64 {
     if unit == "m" { 100.0 } else { 1.0 }
 }
 
-fn length(measure: Measure) -> Option<(f64, &'static str)> {
-    if let Measure::Length(value, unit) = measure { Some((value, unit)) } else { None }
+fn length(measure: CountedNumber) -> Option<(f64, &'static str)> {
+    if let CountedNumber::Length(value, unit) = measure { Some((value, unit)) } else { None }
 }
 
 /// Distances, numbers of people, charge, angles.
-pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
-    let has_length = bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))));
+pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
+    let has_length = bag.atoms.iter().any(|atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Length(..))));
     if let Some(event) = share_alone(bag, not) {
         return Some(event);
     }
@@ -112,7 +112,10 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     // *Close them* is an order and tells of nothing near.
     let tells = |atom: &Atom| {
         atom.is("aux", "")
-            || atom.senses.iter().any(|sense| sense.kind == "v" && sense.arg != "close" || sense.form.end != End::Plain)
+            || atom
+                .senses
+                .iter()
+                .any(|sense| sense.kind == "v" && sense.arg != "close" || sense.form.end != FormEnd::Plain)
     };
     if !has_length && bag.has("v", "close") && !bag.atoms.iter().any(tells) {
         return None;
@@ -135,7 +138,7 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     if let Some(at) = approach {
         bag.use_up(at);
         bag.took(Some(at), vague[0], true);
-        return Some(Event::Far(of, negated(vec![vague[0]], not)?));
+        return Some(SensedEvent::Far(of, negated(vec![vague[0]], not)?));
     }
     for verb in ["exist", "come", "go", "fall", "see", "enter", "turn"] {
         bag.take_all("v", verb);
@@ -144,12 +147,12 @@ pub(super) fn measured(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     if found.is_empty() {
         return None;
     }
-    Some(Event::Far(of, negated(found, not)?))
+    Some(SensedEvent::Far(of, negated(found, not)?))
 }
 
 /// *There is something in front of you*: so near that it stands in the way. *30 cm in front of you* is no farther than
 /// that.
-fn in_the_way(bag: &mut Bag, measures: bool, not: &mut bool) -> Option<Event> {
+fn in_the_way(bag: &mut Bag, measures: bool, not: &mut bool) -> Option<SensedEvent> {
     let other = |atom: &Atom| {
         ["color", "who", "whom", "cmp", "part"].iter().any(|kind| atom.is(kind, ""))
             || ["ball", "face", "mark"].iter().any(|noun| atom.is("noun", noun))
@@ -168,7 +171,7 @@ fn in_the_way(bag: &mut Bag, measures: bool, not: &mut bool) -> Option<Event> {
     blocked(bag, bound, not)
 }
 
-fn blocked(bag: &mut Bag, bound: Bound, not: &mut bool) -> Option<Event> {
+fn blocked(bag: &mut Bag, bound: MeasuredBound, not: &mut bool) -> Option<SensedEvent> {
     for noun in ["ahead", "thing", "wall", "view"] {
         bag.take_all("noun", noun);
     }
@@ -177,27 +180,27 @@ fn blocked(bag: &mut Bag, bound: Bound, not: &mut bool) -> Option<Event> {
     for verb in ["exist", "come", "see", "appear", "find"] {
         bag.take_all("v", verb);
     }
-    Some(Event::Far(Of::Ahead("nearest"), negated(vec![bound], not)?))
+    Some(SensedEvent::Far(Of::Ahead("nearest"), negated(vec![bound], not)?))
 }
 
 /// 90％を超えたら: of what was said before.
-fn share_alone(bag: &mut Bag, not: &mut bool) -> Option<Event> {
-    let is_share = |atom: &Atom| matches!(atom.value, Value::Measure(Measure::Share(_)));
+fn share_alone(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
+    let is_share = |atom: &Atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Share(_)));
     let names = |atom: &Atom| ["noun", "who", "part"].iter().any(|kind| atom.is(kind, ""));
     if !bag.atoms.iter().any(is_share) || bag.atoms.iter().any(|atom| names(atom) && !atom.is("noun", "level")) {
         return None;
     }
     bag.take("it", "");
     match charge(bag, not)? {
-        Event::Charge(bounds) => Some(Event::ItCharge(bounds)),
+        SensedEvent::Charge(bounds) => Some(SensedEvent::ItCharge(bounds)),
         _ => None,
     }
 }
 
 /// How full the battery is.
-fn charge(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+fn charge(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
     let share = |measure| match measure {
-        Measure::Share(value) | Measure::Number(value) => Some((value, "%")),
+        CountedNumber::Share(value) | CountedNumber::Number(value) => Some((value, "%")),
         _ => None,
     };
     bag.take("noun", "level");
@@ -232,21 +235,21 @@ fn charge(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     } else {
         bag.take_all("adj", "low");
     }
-    (!found.is_empty()).then_some(Event::Charge(negated(found, not)?))
+    (!found.is_empty()).then_some(SensedEvent::Charge(negated(found, not)?))
 }
 
 /// How far the head is turned.
-fn angle(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+fn angle(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
     // *The head is turned 30 degrees to the left*
     if bag.has("part", "head")
         && bag.has("v", "turn")
-        && bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Angle(_))))
+        && bag.atoms.iter().any(|atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Angle(_))))
     {
         bag.take("part", "head");
         bag.take_all("v", "turn");
         agent(bag);
         bag.take_all("robot", "");
-        let angle = |measure| if let Measure::Angle(value) = measure { Some(value) } else { None };
+        let angle = |measure| if let CountedNumber::Angle(value) = measure { Some(value) } else { None };
         let (value, _) = bag.measure(angle)?;
         let at_least = bag.take("cmp", "atleast").is_some();
         bag.take("cmp", "more");
@@ -260,20 +263,20 @@ fn angle(bag: &mut Bag, not: &mut bool) -> Option<Event> {
             (_, false) => (Comparison::Less, -value),
             (_, true) => (Comparison::AtMost, -value),
         };
-        return Some(Event::Joint("HeadYaw", negated(vec![(comparison, value, "rad")], not)?));
+        return Some(SensedEvent::Joint("HeadYaw", negated(vec![(comparison, value, "rad")], not)?));
     }
     None
 }
 
 /// How many people there are.
-fn people(bag: &mut Bag, not: &mut bool) -> Option<Option<Event>> {
+fn people(bag: &mut Bag, not: &mut bool) -> Option<Option<SensedEvent>> {
     let counts = |measure| match measure {
-        Measure::People(value) | Measure::Number(value) => Some((value, "")),
+        CountedNumber::People(value) | CountedNumber::Number(value) => Some((value, "")),
         _ => None,
     };
     let has_count = bag.atoms.iter().any(|atom| {
-        matches!(atom.value, Value::Measure(Measure::People(_)))
-            || (matches!(atom.value, Value::Measure(Measure::Number(_)))
+        matches!(atom.value, AtomValue::Measure(CountedNumber::People(_)))
+            || (matches!(atom.value, AtomValue::Measure(CountedNumber::Number(_)))
                 && bag.left().contains(&atom.span)
                 && bag.atoms.iter().any(|atom| atom.is("who", "") || atom.is("noun", "people"))
                 && !bag.has("noun", "mark"))
@@ -287,7 +290,7 @@ fn people(bag: &mut Bag, not: &mut bool) -> Option<Option<Event>> {
         if found.is_empty() {
             // The number stands alone: so many, no more and no fewer.
             let number = bag.atoms.iter().find_map(|atom| match atom.value {
-                Value::Measure(Measure::People(value) | Measure::Number(value)) => Some(value),
+                AtomValue::Measure(CountedNumber::People(value) | CountedNumber::Number(value)) => Some(value),
                 _ => None,
             });
             let Some(number) = number else { return Some(None) };
@@ -299,13 +302,13 @@ fn people(bag: &mut Bag, not: &mut bool) -> Option<Option<Event>> {
         bag.take_all("noun", "view");
         bag.take_all("noun", "ahead");
         bag.take_all("noun", "people");
-        return Some(negated(found, not).map(Event::People));
+        return Some(negated(found, not).map(SensedEvent::People));
     }
     None
 }
 
 /// Comparisons that are not so.
-fn negated(bounds: Vec<Bound>, not: &mut bool) -> Option<Vec<Bound>> {
+fn negated(bounds: Vec<MeasuredBound>, not: &mut bool) -> Option<Vec<MeasuredBound>> {
     if !*not {
         return Some(bounds);
     }

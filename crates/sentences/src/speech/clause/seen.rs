@@ -1,12 +1,12 @@
 //! What is seen and heard.
 
 use super::{Bag, agent};
-use crate::speech::atoms::{Atom, Measure, form};
-use crate::speech::lexicon::End;
-use crate::speech::meaning::{Event, Who};
+use crate::speech::atoms::{Atom, CountedNumber, form};
+use crate::speech::lexicon::FormEnd;
+use crate::speech::meaning::{SensedEvent, WhichFace};
 
 /// What is heard: words, a sound, or none.
-pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
     let speaks = bag.find("v", "say").or_else(|| bag.find("v", "hear").filter(|_| !bag.has("noun", "sound")));
     // *On the word “start”*
     let acts = |atom: &Atom| ["v", "do", "pose", "who"].iter().any(|kind| atom.is(kind, ""));
@@ -17,7 +17,7 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         }
         bag.take_all("noun", "word");
         bag.take_all("or", "");
-        return Some(Event::Words(words));
+        return Some(SensedEvent::Words(words));
     }
     if let Some(at) = speaks
         && let Some(words) = words(bag, at)
@@ -28,7 +28,7 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         for verb in ["hear", "say", "make"] {
             bag.take("v", verb);
         }
-        return Some(Event::Words(words));
+        return Some(SensedEvent::Words(words));
     }
     if bag.take("noun", "quiet").is_some() {
         *not = true;
@@ -36,7 +36,7 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
             bag.take_all("v", verb);
         }
         bag.take_all("it", "");
-        return Some(Event::Noise);
+        return Some(SensedEvent::Noise);
     }
     if let Some(at) = bag.find("noun", "sound").or_else(|| bag.find("v", "clap")) {
         bag.use_up(at);
@@ -49,7 +49,7 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         bag.take_all("adj", "loud");
         bag.take_all("poss", "own");
         // *It hears …*: the robot.
-        let hears = bag.find("v", "hear").filter(|at| form(&bag.atoms[*at], "v").end == End::Third);
+        let hears = bag.find("v", "hear").filter(|at| form(&bag.atoms[*at], "v").end == FormEnd::Third);
         if let Some(it) = bag.find("it", "").filter(|it| hears.is_some_and(|at| *it < at)) {
             bag.use_up(it);
         }
@@ -58,7 +58,7 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         for verb in ["hear", "exist", "make", "come"] {
             bag.take("v", verb);
         }
-        return Some(Event::Noise);
+        return Some(SensedEvent::Noise);
     }
     None
 }
@@ -66,9 +66,9 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<Event> {
 /// The words that are heard.
 fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
     // Nobody but the robot hears: *the child hears you* is none of its senses.
-    let hears = bag.atoms[verb].is("v", "hear") && form(&bag.atoms[verb], "v").end != End::Plain;
+    let hears = bag.atoms[verb].is("v", "hear") && form(&bag.atoms[verb], "v").end != FormEnd::Plain;
     let others = bag.atoms[..verb].iter().any(|atom| atom.is("who", "") && !atom.is("robot", ""));
-    let english = matches!(form(&bag.atoms[verb], "v").end, End::Third | End::Past | End::Ing);
+    let english = matches!(form(&bag.atoms[verb], "v").end, FormEnd::Third | FormEnd::Past | FormEnd::Ing);
     if hears && english && others && !bag.atoms[..verb].iter().any(|atom| atom.is("aux", "be")) {
         return None;
     }
@@ -81,7 +81,7 @@ fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
     {
         return None;
     }
-    let orders = bag.atoms[verb].of("v").is_some_and(|sense| sense.form.end == End::Plain && sense.arg == "say");
+    let orders = bag.atoms[verb].of("v").is_some_and(|sense| sense.form.end == FormEnd::Plain && sense.arg == "say");
     if orders && !bag.atoms[..verb].iter().any(|atom| atom.is("who", "") || atom.is("none", "who")) {
         return None;
     }
@@ -101,7 +101,7 @@ fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
 }
 
 /// What is seen.
-pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -> Option<Event> {
+pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -> Option<SensedEvent> {
     const VERBS: [&str; 9] = ["see", "exist", "come", "appear", "enter", "find", "leave", "know", "show"];
     let mut found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
     let is_be = bag.atoms.iter().any(|atom| atom.is("aux", "be"));
@@ -128,9 +128,9 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     if let (Some(at), Some(who)) = (bag.find("v", "see").or_else(|| bag.find("v", "find")), bag.find("who", "")) {
         let active = !form(&bag.atoms[at], "v").passive;
         let end = form(&bag.atoms[at], "v").end;
-        let english = matches!(end, End::Plain | End::Third | End::Ing | End::Past);
+        let english = matches!(end, FormEnd::Plain | FormEnd::Third | FormEnd::Ing | FormEnd::Past);
         let robot_before = bag.find("robot", "").is_some_and(|robot| robot < at);
-        let is_passive = bag.atoms[..at].iter().any(|atom| atom.is("aux", "be")) && end == End::Past;
+        let is_passive = bag.atoms[..at].iter().any(|atom| atom.is("aux", "be")) && end == FormEnd::Past;
         if english && active && who < at && !robot_before && !is_passive {
             return None;
         }
@@ -138,7 +138,7 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     // *It sees …*: the robot.
     if let Some(at) = bag.find("v", "see")
         && let Some(it) = bag.find("it", "").filter(|it| *it < at && bag.atoms[*it].is("robot", ""))
-        && form(&bag.atoms[at], "v").end == End::Third
+        && form(&bag.atoms[at], "v").end == FormEnd::Third
     {
         bag.use_up(it);
     }
@@ -176,19 +176,19 @@ pub(super) fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -
     if bag.has("color", "") && !bag.has("part", "") {
         bag.take_all("noun", "thing");
         bag.take_all("noun", "colored");
-        return Some(Event::Thing(color(bag)));
+        return Some(SensedEvent::Thing(color(bag)));
     }
     // *It is somebody new*
     let of_somebody = bag.has("whom", "") || bag.has("who", "") && (bag.has("adj", "new") || bag.has("adj", "known"));
     if bag.take("it", "").is_some() && !(of_somebody && is_be) {
-        return Some(Event::ItSeen);
+        return Some(SensedEvent::ItSeen);
     }
     if let Some(person) = person(bag, nobody, has("know")) {
         return person;
     }
     // Japanese leaves out what was said before.
     let says_nothing = !bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "") || atom.is("color", ""));
-    (says_nothing && (has("see") || has("leave"))).then_some(Event::ItSeen)
+    (says_nothing && (has("see") || has("leave"))).then_some(SensedEvent::ItSeen)
 }
 
 /// True if somebody is named and nothing is said of them: *the child is*.
@@ -208,14 +208,14 @@ fn shown(bag: &mut Bag) {
 }
 
 /// A ball, or one of several.
-fn ball(bag: &mut Bag) -> Option<Event> {
+fn ball(bag: &mut Bag) -> Option<SensedEvent> {
     // *A ball of any colour*: the robot looks for one.
     if bag.take("noun", "colored").is_some() && !bag.has("color", "") {
         return None;
     }
     // *It is the ball that …*
     bag.take("it", "");
-    let mut all = vec![Event::Ball(color(bag))];
+    let mut all = vec![SensedEvent::Ball(color(bag))];
     while bag.has("or", "") && bag.has("color", "") {
         if !bag.has_sign(',') {
             bag.take("or", "");
@@ -227,24 +227,26 @@ fn ball(bag: &mut Bag) -> Option<Event> {
         if bag.is_free(at) {
             break;
         }
-        all.push(Event::Ball(next));
+        all.push(SensedEvent::Ball(next));
     }
-    if all.len() > 1 { Some(Event::Any(all)) } else { all.pop() }
+    if all.len() > 1 { Some(SensedEvent::Any(all)) } else { all.pop() }
 }
 
 /// A printed mark, or one of several.
-fn mark(bag: &mut Bag) -> Option<Event> {
+fn mark(bag: &mut Bag) -> Option<SensedEvent> {
     let number = bag.measure(|measure| match measure {
-        Measure::Number(value) | Measure::Mark(value) if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 => {
+        CountedNumber::Number(value) | CountedNumber::Mark(value)
+            if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 =>
+        {
             Some(value as u32)
         }
         _ => None,
     });
     bag.take("noun", "count");
-    let mut all = vec![Event::Mark(number.map(|(number, _)| number))];
+    let mut all = vec![SensedEvent::Mark(number.map(|(number, _)| number))];
     while bag.has("or", "") {
         let more = bag.measure(|measure| match measure {
-            Measure::Number(value) | Measure::Mark(value)
+            CountedNumber::Number(value) | CountedNumber::Mark(value)
                 if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 =>
             {
                 Some(value as u32)
@@ -257,13 +259,13 @@ fn mark(bag: &mut Bag) -> Option<Event> {
         }
         bag.take_sign(',');
         bag.take("noun", "mark");
-        all.push(Event::Mark(Some(more)));
+        all.push(SensedEvent::Mark(Some(more)));
     }
-    if all.len() > 1 { Some(Event::Any(all)) } else { all.pop() }
+    if all.len() > 1 { Some(SensedEvent::Any(all)) } else { all.pop() }
 }
 
 /// Somebody: a face.
-fn person(bag: &mut Bag, nobody: bool, knows: bool) -> Option<Option<Event>> {
+fn person(bag: &mut Bag, nobody: bool, knows: bool) -> Option<Option<SensedEvent>> {
     let new = bag.take_all("adj", "new");
     let known = bag.take_all("adj", "known") || (knows && !new);
     let another = bag.take_all("adj", "another") | bag.has("who", "else");
@@ -275,13 +277,13 @@ fn person(bag: &mut Bag, nobody: bool, knows: bool) -> Option<Option<Event>> {
         bag.take_all("robot", "");
         agent(bag);
         let who = match (new, known, another) {
-            (true, false, false) => Who::New,
-            (false, true, false) => Who::Known,
-            (false, false, true) => Who::Another,
-            (false, false, false) => Who::Anybody,
+            (true, false, false) => WhichFace::New,
+            (false, true, false) => WhichFace::Known,
+            (false, false, true) => WhichFace::Another,
+            (false, false, false) => WhichFace::Anybody,
             _ => return Some(None),
         };
-        return Some(Some(Event::Face(who)));
+        return Some(Some(SensedEvent::Face(who)));
     }
     None
 }

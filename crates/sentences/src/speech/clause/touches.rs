@@ -1,12 +1,12 @@
 //! Touches: which part is touched, pressed, held or let go.
 
 use super::{Bag, agent};
-use crate::speech::atoms::{Atom, Value, form};
-use crate::speech::lexicon::End;
-use crate::speech::meaning::{Body, Event, Phase};
+use crate::speech::atoms::{Atom, AtomValue, form};
+use crate::speech::lexicon::FormEnd;
+use crate::speech::meaning::{SensedEvent, TouchPhase, TouchedPart};
 
 /// What is touched; none if this tells of no touch, nothing inside if it tells of one that cannot be felt.
-pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Option<Event>> {
+pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Option<SensedEvent>> {
     given(bag);
     // No sense tells how gently something is touched.
     let denies = |atom: &Atom| {
@@ -40,7 +40,7 @@ fn given(bag: &mut Bag) {
     let is_touch = |at: &usize| {
         let touch = ["touch", "hold", "press", "bump"].iter().find_map(|verb| bag.atoms[*at].sense("v", verb));
         let mut before = bag.atoms[give + 1..*at].iter().rev().skip_while(|atom| atom.is("manner", "soft"));
-        touch.is_some_and(|sense| sense.form.end == End::Plain)
+        touch.is_some_and(|sense| sense.form.end == FormEnd::Plain)
             && (before.next().is_some_and(|before| before.is("void", "det")) || bag.atoms[*at].is("noun", "touch"))
     };
     if (give + 1..bag.atoms.len()).any(|at| is_touch(&at)) {
@@ -49,7 +49,7 @@ fn given(bag: &mut Bag) {
 }
 
 /// *I let go*, of what was touched.
-fn let_go(bag: &mut Bag) -> Option<Event> {
+fn let_go(bag: &mut Bag) -> Option<SensedEvent> {
     let at = bag.find("v", "release").filter(|_| !bag.has("part", "") && !bag.has("robot", ""))?;
     let denies = bag.atoms[at].sense("v", "release").is_some_and(|sense| sense.form.not);
     let left = bag.left();
@@ -64,22 +64,22 @@ fn let_go(bag: &mut Bag) -> Option<Event> {
     agent(bag);
     bag.take("it", "");
     // 離れたら: who came near may go away as well.
-    Some(if bag.atoms[at].is("adj", "far") { Event::ItGoes } else { Event::ItLetGo })
+    Some(if bag.atoms[at].is("adj", "far") { SensedEvent::ItGoes } else { SensedEvent::ItLetGo })
 }
 
-fn pressed(bag: &mut Bag) -> Option<Event> {
+fn pressed(bag: &mut Bag) -> Option<SensedEvent> {
     let at = bag.find("v", "press").filter(|_| bag.has("noun", "button"))?;
     bag.use_up(at);
     bag.take("noun", "button");
     agent(bag);
     bag.take("robot", "");
     let label =
-        bag.take("noun", "called").is_some() || bag.atoms.iter().any(|atom| matches!(atom.value, Value::Quote(_)));
-    Some(Event::Button(if label { bag.quote() } else { None }))
+        bag.take("noun", "called").is_some() || bag.atoms.iter().any(|atom| matches!(atom.value, AtomValue::Quote(_)));
+    Some(SensedEvent::Button(if label { bag.quote() } else { None }))
 }
 
 /// 手をたたいたら: it is heard.
-fn clapped(bag: &mut Bag) -> Option<Event> {
+fn clapped(bag: &mut Bag) -> Option<SensedEvent> {
     let at = (0..bag.atoms.len()).find(|at| bag.atoms[*at].is("v", "clap") && bag.atoms[*at].is("v", "touch"))?;
     let parts = bag.atoms.iter().filter(|atom| atom.is("part", "")).count();
     if form(&bag.atoms[at], "v").passive || !bag.has("part", "hand") || bag.has("side", "") || parts != 1 {
@@ -88,10 +88,10 @@ fn clapped(bag: &mut Bag) -> Option<Event> {
     bag.use_up(at);
     bag.take("part", "hand");
     agent(bag);
-    Some(Event::Noise)
+    Some(SensedEvent::Noise)
 }
 
-fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -> Option<Event> {
+fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -> Option<SensedEvent> {
     let form = form(&bag.atoms[at], "v");
     bag.use_up(at);
     bag.take_all("v", verb);
@@ -111,7 +111,7 @@ fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -
     *lasts |= form.lasts;
     if bag.has("part", "") {
         // Somebody's own head is no robot's.
-        let english = matches!(form.end, End::Plain | End::Third | End::Past | End::Ing);
+        let english = matches!(form.end, FormEnd::Plain | FormEnd::Third | FormEnd::Past | FormEnd::Ing);
         let whose =
             bag.atoms[at + 1..].iter().any(|atom| atom.is("who", "") && !atom.is("part", "") && !atom.is("robot", ""));
         if bag.has("poss", "own") || (english && !form.passive && whose) {
@@ -132,12 +132,12 @@ fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -
         return same(bag);
     }
     // What was said last; if it was something else, that stays in doubt.
-    Some(if verb == "release" || over { Event::ItLetGo } else { Event::ItTouched })
+    Some(if verb == "release" || over { SensedEvent::ItLetGo } else { SensedEvent::ItTouched })
 }
 
 /// A touch of the parts that the bag has.
-fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
-    let phase = if released { Phase::Ends } else { Phase::Begins };
+fn touched(bag: &mut Bag, released: bool) -> Option<SensedEvent> {
+    let phase = if released { TouchPhase::Ends } else { TouchPhase::Begins };
     let mut all = Vec::new();
     let place = bag.arg("place").map(|(place, _)| place);
     let mut side = bag.arg("side").map(|(side, _)| side);
@@ -153,7 +153,7 @@ fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
                 if side_of.is_some() {
                     return None;
                 }
-                Event::Touch(Body::Head, chosen("part", place).into_iter().collect(), phase)
+                SensedEvent::Touch(TouchedPart::Head, chosen("part", place).into_iter().collect(), phase)
             }
             "hand" => {
                 let back = place.filter(|place| *place == "rear").map(|_| "back");
@@ -162,23 +162,25 @@ fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
                 }
                 let mut params: Vec<_> = chosen("hand", side_of).into_iter().collect();
                 params.extend(chosen("part", back));
-                Event::Touch(Body::Hand, params, phase)
+                SensedEvent::Touch(TouchedPart::Hand, params, phase)
             }
-            "foot" if place.is_none() => Event::Touch(Body::Foot, chosen("foot", side_of).into_iter().collect(), phase),
+            "foot" if place.is_none() => {
+                SensedEvent::Touch(TouchedPart::Foot, chosen("foot", side_of).into_iter().collect(), phase)
+            }
             _ => return None,
         };
         if !all.contains(&event) {
             all.push(event);
         }
     }
-    if let (Some(other), [Event::Touch(device, params, phase)]) = (other_side, &all[..]) {
+    if let (Some(other), [SensedEvent::Touch(device, params, phase)]) = (other_side, &all[..]) {
         let mut params = params.clone();
         for param in &mut params {
             if Some(param.1) == side {
                 param.1 = other;
             }
         }
-        let both = Event::Touch(*device, params, *phase);
+        let both = SensedEvent::Touch(*device, params, *phase);
         all.push(both);
         side = None;
     }
@@ -187,18 +189,18 @@ fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
         // Both at once cannot be told.
         bag.take("or", "")?;
         bag.take_signs(',');
-        return Some(Event::Any(all));
+        return Some(SensedEvent::Any(all));
     }
     all.pop()
 }
 
 /// The one of the other side.
-pub(super) fn same(bag: &mut Bag) -> Option<Event> {
+pub(super) fn same(bag: &mut Bag) -> Option<SensedEvent> {
     bag.take("noun", "one");
     let side = bag.arg("side").map(|(side, _)| side);
     let place = bag.arg("place").map(|(place, _)| place);
     let mut params = Vec::new();
     params.extend(side.map(|side| ("side", side)));
     params.extend(place.map(|place| ("part", place)));
-    (!params.is_empty()).then_some(Event::Same(params, None))
+    (!params.is_empty()).then_some(SensedEvent::Same(params, None))
 }

@@ -1,11 +1,11 @@
 //! What who may invite asks about that.
 
-use super::Session;
+use super::ClientSession;
 use crate::invitations::{Invited, Terms};
 use protocol::{Refused, Reply, Request};
 use std::sync::Arc;
 
-impl Session {
+impl ClientSession {
     /// Does what is asked about letting others in, which is kept before it counts.
     pub(super) fn invitations(&self, ask: u32, request: Request) {
         let (all, made_by) = (Arc::clone(&self.state().invitations), self.me.name.clone());

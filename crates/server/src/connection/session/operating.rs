@@ -1,14 +1,14 @@
 //! The requests of a client beside a robot: to pretend, to mark, to record, and about what was recorded.
 
-use super::Session;
-use crate::robots::{ByHand, Marked, Press};
+use super::ClientSession;
+use crate::robots::{ByHand, MarkPress, PressOutcome};
 use behaviour::{Id, Params, Value};
 use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, RecordingMark, Refused, Reply, Request};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use uuid::Uuid;
 
-impl Session {
+impl ClientSession {
     /// Done at once, unless it waits for the disk.
     pub(super) fn operate(&self, ask: u32, request: Request) {
         let (robots, by) = (&self.state().robots, &self.me.name);
@@ -55,7 +55,7 @@ impl Session {
         let (robots, by) = (&self.state().robots, &self.me.name);
         let press = |ago_ms: u64| {
             let now = Instant::now();
-            Press { by, at: now.checked_sub(Duration::from_millis(ago_ms.min(AGO_MAX_MS))).unwrap_or(now) }
+            MarkPress { by, at: now.checked_sub(Duration::from_millis(ago_ms.min(AGO_MAX_MS))).unwrap_or(now) }
         };
         let marked = match request {
             Request::Mark { behaviour, robot, id, word, sort, span, note, ago_ms } => {
@@ -69,12 +69,12 @@ impl Session {
             }
             _ => Err(Refused::NotRunning),
         };
-        let answer = |Marked { mark, kept, .. }| Reply::Marked { mark: Box::new(mark), kept };
+        let answer = |PressOutcome { mark, kept, .. }| Reply::Marked { mark: Box::new(mark), kept };
         match marked {
             Ok(marked) if marked.iter().any(|one| one.later.is_some()) => {
                 let recordings = self.state().recordings.clone();
                 self.on_files(ask, move || {
-                    for Marked { mark, later, .. } in &marked {
+                    for PressOutcome { mark, later, .. } in &marked {
                         later.iter().try_for_each(|file| recordings.put_mark(file, mark.clone(), &mark.by))?;
                     }
                     marked.into_iter().next().map(answer).ok_or(Refused::NotRunning)

@@ -1,20 +1,20 @@
 //! What a client may ask, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
 
-use super::Session;
+use super::ClientSession;
 use crate::connection::clients::tidy_name;
 use crate::connection::hints;
 use crate::connection::outbox::Out;
 use crate::connection::start::{self, Starter};
-use crate::invitations::{Asked, Entry};
-use crate::library::create::{self, Wish};
-use crate::library::thumbnails::{self, Drawing};
-use crate::library::trial::{self, Trial, helpers_of};
+use crate::invitations::{AskedOperation, Identified};
+use crate::library::create::{self, CreateRequest};
+use crate::library::thumbnails::{self, DrawingShare};
+use crate::library::trial::{self, ProcedureTrial, helpers_of};
 use crate::library::{bin, insight, list, rename};
 use crate::robots::real;
-use crate::rooms::member::Answer;
-use crate::rooms::{Locking, Note, Parting, Remover, Whereabouts};
+use crate::rooms::member::AnswerTo;
+use crate::rooms::{BinRequest, LeaveReason, LockRequest, RoomCommand, Whereabouts};
 use crate::state::ServerState;
-use behaviour::{Change, Helper, Id, Token, Value};
+use behaviour::{Change, Helper, Id, LockToken, Value};
 use futures_util::future::BoxFuture;
 use protocol::{RealRobot, Refused, Reply, Request};
 use robot::Control;
@@ -22,10 +22,10 @@ use std::future::Future;
 use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
 
-impl Session {
+impl ClientSession {
     /// Does what is asked, if whoever asks may: the one way of every request of a socket.
     pub(super) fn request(&mut self, ask: u32, request: Request) {
-        match self.entry.may(Asked::Socket(&request)) {
+        match self.entry.may(AskedOperation::Socket(&request)) {
             Ok(()) => self.allowed(ask, request),
             Err(no) => self.outbox.no(ask, no),
         }
@@ -55,25 +55,25 @@ impl Session {
             | Request::BringBack { .. }
             | Request::NameVersion { .. }
             | Request::UnnameVersion { .. } => self.past(ask, request),
-            Request::Lock { behaviour, records } => self.locking(ask, &behaviour, |to| Locking::Take(records, to)),
-            Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
-            Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
-            Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| Locking::Ask(record, to)),
+            Request::Lock { behaviour, records } => self.locking(ask, &behaviour, |to| LockRequest::Take(records, to)),
+            Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| LockRequest::Release(token, to)),
+            Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| LockRequest::Touch(token)),
+            Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| LockRequest::Ask(record, to)),
             Request::TakeOver { behaviour, record } => {
-                self.locking(ask, &behaviour, |to| Locking::TakeOver(record, to))
+                self.locking(ask, &behaviour, |to| LockRequest::TakeOver(record, to))
             }
             Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => self.invitations(ask, request),
             Request::Withdraw { behaviour, record } => {
-                self.locking(ask, &behaviour, |to| Locking::Withdraw(record, to))
+                self.locking(ask, &behaviour, |to| LockRequest::Withdraw(record, to))
             }
             Request::HandOver { behaviour, token, yes } => {
-                self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
+                self.locking(ask, &behaviour, |to| LockRequest::Reply(token, yes, to))
             }
             Request::Since { behaviour, revision } => self.since(ask, &behaviour, revision),
             Request::Check { arguments, body, inputs } => self.check(ask, arguments, body, inputs),
             Request::Fixes { .. } | Request::Types { .. } | Request::TryExercise { .. } => self.hints(ask, request),
             Request::Present { pointer, selected, view } => {
-                self.tell_open(Note::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
+                self.tell_open(RoomCommand::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
             }
             Request::CallMe { name } => self.call_me(ask, &name),
             Request::Start { behaviour, robot, record, session } => {
@@ -122,8 +122,8 @@ impl Session {
     /// Answers with what changed since a revision, one answer of a connection at a time.
     fn since(&self, ask: u32, behaviour: &Id, revision: u64) {
         let Some(place) = self.budget.begin(1) else { return self.outbox.no(ask, Refused::TooFast) };
-        let answer = Answer::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
-        self.state().rooms.tell(behaviour, Note::Since(revision, answer));
+        let answer = AnswerTo::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
+        self.state().rooms.tell(behaviour, RoomCommand::Since(revision, answer));
     }
 
     pub(super) fn state(&self) -> &Arc<ServerState> {
@@ -139,9 +139,9 @@ impl Session {
         self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
     }
 
-    pub(super) fn answer(&mut self, ask: u32) -> Answer {
+    pub(super) fn answer(&mut self, ask: u32) -> AnswerTo {
         let held = self.weight.take().map(|weight| Box::new(weight) as Box<dyn Send + Sync>);
-        Answer::Client { to: Arc::new(self.outbox.clone()), ask, held }
+        AnswerTo::Client { to: Arc::new(self.outbox.clone()), ask, held }
     }
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
@@ -177,7 +177,7 @@ impl Session {
                 Request::List { query } => list::list(&*state.store, query).await,
                 Request::Pictures { of } => {
                     let (store, made, workers) = (&*state.store, &state.thumbnails, &state.workers);
-                    thumbnails::pictures(Drawing { store, made, workers, sender: outbox.sender() }, of).await
+                    thumbnails::pictures(DrawingShare { store, made, workers, sender: outbox.sender() }, of).await
                 }
                 Request::WhereUsed { helper } => insight::where_used(&*state.store, &helper).await,
                 Request::Drivers { actuator } => insight::drivers(&*state.store, &actuator).await,
@@ -214,14 +214,14 @@ impl Session {
     /// Which robots there are and who wins on them: kept before it counts, which may take its time.
     fn change_robots(&self, ask: u32, request: Request) {
         let robots = self.state().robots.clone();
-        let (entry, is_host) = (self.entry.clone(), self.entry.may(Asked::LastRobot).is_ok());
+        let (entry, is_host) = (self.entry.clone(), self.entry.may(AskedOperation::LastRobot).is_ok());
         let work = move || match request {
             Request::AddRobot { robot, name, real } => robots.add(&robot, &name, real.map(|real| *real), is_host),
             Request::RenameRobot { robot, name } => robots.rename(&robot, &name),
             Request::ReachRobot { robot, real } => robots.reach(&robot, *real),
             Request::AcceptRobot { robot, found } => robots.accept(&robot, &found),
             Request::RemoveRobot { robot } if robots.is_real(&robot) => {
-                entry.may(Asked::RemoveRealRobot).and_then(|()| robots.remove(&robot))
+                entry.may(AskedOperation::RemoveRealRobot).and_then(|()| robots.remove(&robot))
             }
             Request::RemoveRobot { robot } => robots.remove(&robot),
             Request::Place { behaviour, robot, above } => {
@@ -240,7 +240,7 @@ impl Session {
             let all = snapshot.helpers();
             let known = all.iter().map(|helper| helper.name.clone()).collect();
             let helpers = helpers_of(&body, &all);
-            trial::check(&Trial { arguments, body, inputs, helpers, known })
+            trial::check(&ProcedureTrial { arguments, body, inputs, helpers, known })
         };
         self.later(ask, async move { Ok(workers.run(sender, check).await?) });
     }
@@ -264,13 +264,13 @@ impl Session {
 
     fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
         let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
-        let wish = Wish { behaviour, name, template, by, sender: self.sender() };
+        let wish = CreateRequest { behaviour, name, template, by, sender: self.sender() };
         self.later(ask, async move { create::create(&state.library, wish).await });
     }
 
     fn rename_helper(&self, ask: u32, helper: Id, seen: Helper, after: Helper) {
         let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
-        let wish = rename::Wish { helper, seen, after, by, sender: self.sender() };
+        let wish = rename::RenameRequest { helper, seen, after, by, sender: self.sender() };
         self.later(ask, async move { rename::rename(&state.library, wish).await });
     }
 
@@ -278,19 +278,19 @@ impl Session {
         if behaviour == *self.state().rooms.library() {
             return self.outbox.no(ask, Refused::NoBehaviour);
         }
-        self.leave_open(Parting::Chosen);
+        self.leave_open(LeaveReason::Chosen);
         self.outbox.put(Out::Want(Some(behaviour.clone())));
-        self.state().rooms.tell(&behaviour, Note::Join(self.member(), ask, None));
+        self.state().rooms.tell(&behaviour, RoomCommand::Join(self.member(), ask, None));
         self.open = Some(behaviour);
     }
 
     fn leave(&mut self, ask: u32) {
-        self.leave_open(Parting::Chosen);
+        self.leave_open(LeaveReason::Chosen);
         self.outbox.put(Out::Want(None));
         self.outbox.say(Some(ask), Reply::Done);
     }
 
-    fn tell_open(&self, note: Note) {
+    fn tell_open(&self, note: RoomCommand) {
         if let Some(open) = &self.open {
             self.state().rooms.tell_open(open, note);
         }
@@ -299,25 +299,25 @@ impl Session {
     /// What was done until now keeps the old name.
     fn call_me(&mut self, ask: u32, name: &str) {
         self.me.name = tidy_name(name);
-        self.tell_open(Note::Rename(self.outbox.session, self.me.name.clone()));
-        if let Entry::Guest(guest) = &self.entry {
+        self.tell_open(RoomCommand::Rename(self.outbox.session, self.me.name.clone()));
+        if let Identified::Guest(guest) = &self.entry {
             self.state().invitations.call(guest, &self.me.name);
         }
         self.outbox.say(Some(ask), Reply::Done);
     }
 
     /// The author is who sends it, whatever the change says.
-    fn propose(&mut self, ask: u32, behaviour: &Id, change: Change, tokens: Vec<Token>) {
+    fn propose(&mut self, ask: u32, behaviour: &Id, change: Change, tokens: Vec<LockToken>) {
         let change = Change { author: self.me.name.clone(), by: Some(self.me.client.clone()), ..change };
         let answer = self.answer(ask);
-        self.state().rooms.tell(behaviour, Note::Propose(change, tokens, answer));
+        self.state().rooms.tell(behaviour, RoomCommand::Propose(change, tokens, answer));
     }
 
     /// Locks are of the behaviour that is open.
-    fn locking(&mut self, ask: u32, behaviour: &Id, wish: impl FnOnce(Answer) -> Locking) {
+    fn locking(&mut self, ask: u32, behaviour: &Id, wish: impl FnOnce(AnswerTo) -> LockRequest) {
         let locking = wish(self.answer(ask));
         if self.open.as_ref() == Some(behaviour) {
-            self.state().rooms.tell(behaviour, Note::Locking(self.outbox.session, locking));
+            self.state().rooms.tell(behaviour, RoomCommand::Locking(self.outbox.session, locking));
         } else {
             locking.refuse(Refused::NothingOpen);
         }
@@ -327,9 +327,9 @@ impl Session {
         if *behaviour == *self.state().rooms.library() {
             self.outbox.no(ask, Refused::NoBehaviour);
         } else {
-            let by = Remover { client: self.me.client.clone(), name: self.me.name.clone() };
+            let by = BinRequest { client: self.me.client.clone(), name: self.me.name.clone() };
             let answer = self.answer(ask);
-            self.state().rooms.tell(behaviour, Note::Remove(by, answer));
+            self.state().rooms.tell(behaviour, RoomCommand::Remove(by, answer));
         }
     }
 

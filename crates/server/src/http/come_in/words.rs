@@ -6,12 +6,12 @@ use protocol::Role;
 
 /// In which language a browser is answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::http) enum Language {
+pub(in crate::http) enum BrowserLanguage {
     English,
     Japanese,
 }
 
-impl Language {
+impl BrowserLanguage {
     /// What the browser asks for first.
     pub(in crate::http) fn of(headers: &HeaderMap) -> Self {
         let asked = headers.get(header::ACCEPT_LANGUAGE).and_then(|asked| asked.to_str().ok()).unwrap_or_default();
@@ -184,29 +184,31 @@ impl Language {
 
 #[cfg(test)]
 mod tests {
-    use super::Language;
+    use super::BrowserLanguage;
     use crate::invitations::NotIn;
     use axum::http::{HeaderMap, HeaderValue, header};
 
-    fn asked(text: &'static str) -> Language {
-        Language::of(&HeaderMap::from_iter([(header::ACCEPT_LANGUAGE, HeaderValue::from_static(text))]))
+    fn asked(text: &'static str) -> BrowserLanguage {
+        BrowserLanguage::of(&HeaderMap::from_iter([(header::ACCEPT_LANGUAGE, HeaderValue::from_static(text))]))
     }
 
     #[test]
     fn the_browser_says_in_which_language() {
         for text in ["ja", "ja-JP,ja;q=0.9,en;q=0.8", "JA-jp"] {
-            assert_eq!(asked(text), Language::Japanese, "{text}");
+            assert_eq!(asked(text), BrowserLanguage::Japanese, "{text}");
         }
         for text in ["", "en-GB,ja;q=0.5", "jam", "*"] {
-            assert_eq!(asked(text), Language::English, "{text}");
+            assert_eq!(asked(text), BrowserLanguage::English, "{text}");
         }
-        assert_eq!(Language::of(&HeaderMap::new()), Language::English);
+        assert_eq!(BrowserLanguage::of(&HeaderMap::new()), BrowserLanguage::English);
     }
 
     #[test]
     fn every_reason_is_said_in_japanese() {
         for why in [NotIn::Unknown, NotIn::TooMany(9), NotIn::NotKept("…".to_owned())] {
-            assert!(Language::Japanese.why(&why).contains('。') && Language::English.why(&why).contains('.'));
+            assert!(
+                BrowserLanguage::Japanese.why(&why).contains('。') && BrowserLanguage::English.why(&why).contains('.')
+            );
         }
     }
 }

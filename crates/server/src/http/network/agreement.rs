@@ -1,7 +1,7 @@
 //! How TLS is agreed on with one connection, and whose tickets it leaves with.
 
 use super::certificate::Certificate;
-use super::tickets::{Holder, Tickets};
+use super::tickets::{TicketHolder, Tickets};
 use crate::support::digest::Digest;
 use crate::support::lock;
 use rustls::server::{ClientHello, ProducesTickets, ResolvesServerCert};
@@ -19,7 +19,7 @@ const GOOD_SECONDS: u32 = 7 * 24 * 60 * 60;
 /// A ticket that somebody showed, and who that is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Proof {
-    pub(super) holder: Holder,
+    pub(super) holder: TicketHolder,
     /// The digest of a cookie that holds.
     pub(super) pass: Digest,
 }
@@ -59,7 +59,7 @@ pub(super) struct Agreeing {
     proof: Option<Proof>,
     id: Uuid,
     /// Whose ticket was opened last: the one by which it goes on, if it does so by any.
-    opened: Mutex<Option<Holder>>,
+    opened: Mutex<Option<TicketHolder>>,
     /// The server proved itself by its certificate: not by a ticket.
     signed: Arc<AtomicBool>,
     gave: AtomicBool,
@@ -71,11 +71,11 @@ impl Agreeing {
         self.gave.load(Ordering::Acquire).then_some(self.id)
     }
 
-    fn holder(&self) -> Holder {
+    fn holder(&self) -> TicketHolder {
         let went_on = if self.signed.load(Ordering::Acquire) { None } else { *lock(&self.opened) };
         match self.proof {
-            Some(proof) if went_on == Some(proof.holder) => Holder::Device(proof.pass),
-            Some(_) | None => Holder::Connection(self.id),
+            Some(proof) if went_on == Some(proof.holder) => TicketHolder::Device(proof.pass),
+            Some(_) | None => TicketHolder::Connection(self.id),
         }
     }
 }
@@ -91,7 +91,7 @@ impl ProducesTickets for Agreeing {
 
     fn encrypt(&self, plain: &[u8]) -> Option<Vec<u8>> {
         let holder = self.holder();
-        if matches!(holder, Holder::Connection(_)) {
+        if matches!(holder, TicketHolder::Connection(_)) {
             self.gave.store(true, Ordering::Release);
         }
         self.tickets.seal(holder, plain)
@@ -154,7 +154,7 @@ impl Signer for NotingSigner {
 
 #[cfg(test)]
 mod tests {
-    use super::{Agreeing, Agreement, Certificate, Digest, Holder, Proof, Tickets};
+    use super::{Agreeing, Agreement, Certificate, Digest, Proof, TicketHolder, Tickets};
     use crate::http::network::certificate::Secured;
     use crate::http::network::hello::Hello;
     use rustls::client::{ClientSessionMemoryCache, ClientSessionStore, Resumption, Tls12ClientSessionValue};
@@ -227,7 +227,7 @@ mod tests {
     }
 
     /// Whose ticket the client shows next.
-    fn shown(agreement: &Agreement, client: &Arc<ClientConfig>) -> Holder {
+    fn shown(agreement: &Agreement, client: &Arc<ClientConfig>) -> TicketHolder {
         let (mut client, mut hello) = (ClientConnection::new(Arc::clone(client), one()).unwrap(), Vec::new());
         client.write_tls(&mut hello).unwrap();
         let Hello::Again(ticket) = Hello::of(&hello) else { panic!("no ticket") };
@@ -238,15 +238,19 @@ mod tests {
     fn who_goes_on_by_a_ticket_leaves_with_more_and_who_only_shows_it_does_not() {
         let (agreement, client) = server_and_client();
         let first = agree(&agreement, &client, "localhost", None).unproven().unwrap();
-        assert_eq!(shown(&agreement, &client), Holder::Connection(first));
+        assert_eq!(shown(&agreement, &client), TicketHolder::Connection(first));
 
         let pass = Digest::of("a cookie that was shown on it");
-        let proof = Some(Proof { holder: Holder::Connection(first), pass });
+        let proof = Some(Proof { holder: TicketHolder::Connection(first), pass });
         assert_eq!(agree(&agreement, &client, "localhost", proof).unproven(), None);
-        assert_eq!(shown(&agreement, &client), Holder::Device(pass));
+        assert_eq!(shown(&agreement, &client), TicketHolder::Device(pass));
 
-        let proof = Some(Proof { holder: Holder::Device(pass), pass });
+        let proof = Some(Proof { holder: TicketHolder::Device(pass), pass });
         let stolen = agree(&agreement, &client, "10.0.0.1", proof).unproven();
-        assert_eq!(stolen.map(Holder::Connection), Some(shown(&agreement, &client)), "it goes on by the certificate");
+        assert_eq!(
+            stolen.map(TicketHolder::Connection),
+            Some(shown(&agreement, &client)),
+            "it goes on by the certificate"
+        );
     }
 }

@@ -67,7 +67,7 @@ pub(super) struct Certificate {
 /// A certificate as it is kept.
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Kept {
+struct KeptCertificate {
     /// For which names it is good.
     names: Vec<String>,
     until_ms: u64,
@@ -122,8 +122,8 @@ fn names(reached: IpAddr) -> Vec<String> {
 /// The kept certificate and its key, or new ones if there are none that fit.
 fn made(data: Option<&Path>, names: &[String]) -> Result<(CertificateDer<'static>, Vec<u8>), NoCertificate> {
     let file = data.map(|data| data.join(FILE));
-    let kept: Option<Kept> = file.as_deref().and_then(atomic_file::read);
-    let fits = |kept: &Kept| kept.until_ms > now_ms().saturating_add(ANEW_MS) && kept.names == names;
+    let kept: Option<KeptCertificate> = file.as_deref().and_then(atomic_file::read);
+    let fits = |kept: &KeptCertificate| kept.until_ms > now_ms().saturating_add(ANEW_MS) && kept.names == names;
     let read = kept.filter(fits).and_then(|kept| {
         Some((CertificateDer::from(STANDARD.decode(kept.certificate).ok()?), STANDARD.decode(kept.key).ok()?))
     });
@@ -134,7 +134,7 @@ fn made(data: Option<&Path>, names: &[String]) -> Result<(CertificateDer<'static
     let (certificate, key) = make(names, until_ms).map_err(|error| NoCertificate::NotMade(error.to_string()))?;
     if let Some(file) = file {
         let (names, certificate, key) = (names.to_vec(), STANDARD.encode(&certificate), STANDARD.encode(&key));
-        let text = serde_json::to_string_pretty(&Kept { names, until_ms, certificate, key });
+        let text = serde_json::to_string_pretty(&KeptCertificate { names, until_ms, certificate, key });
         let put = text.map_err(std::io::Error::other).and_then(|text| atomic_file::put(&file, &text));
         if let Err(error) = put {
             tracing::warn!(%error, "the certificate could not be kept: the next start makes another one");

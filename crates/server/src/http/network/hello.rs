@@ -26,15 +26,15 @@ impl Hello {
     pub(super) fn of(bytes: &[u8]) -> Self {
         match message(bytes) {
             Ok(message) => ticket(&message).map_or(Self::Unknown, |ticket| Self::Again(ticket.to_vec())),
-            Err(Missing::More) if bytes.len() < HELLO_MAX_BYTES => Self::Begun,
-            Err(Missing::More | Missing::Hello) => Self::Unknown,
+            Err(MissingHello::More) if bytes.len() < HELLO_MAX_BYTES => Self::Begun,
+            Err(MissingHello::More | MissingHello::Hello) => Self::Unknown,
         }
     }
 }
 
 /// A reason why there is no message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Missing {
+enum MissingHello {
     /// More has to come.
     More,
     /// It is no hello.
@@ -42,27 +42,27 @@ enum Missing {
 }
 
 /// The hello, put together of as many records as it came in.
-fn message(bytes: &[u8]) -> Result<Vec<u8>, Missing> {
+fn message(bytes: &[u8]) -> Result<Vec<u8>, MissingHello> {
     let (mut records, mut message) = (Bytes(bytes), Vec::new());
     loop {
         if let [kind, a, b, c, body @ ..] = &message[..] {
             let length = usize::from(*a) << 16 | usize::from(*b) << 8 | usize::from(*c);
             if *kind != CLIENT_HELLO || length > HELLO_MAX_BYTES {
-                return Err(Missing::Hello);
+                return Err(MissingHello::Hello);
             }
             if let Some(body) = body.get(..length) {
                 return Ok(body.to_vec());
             }
         }
-        let kind = records.number(1).ok_or(Missing::More)?;
-        let major = records.number(1).ok_or(Missing::More)?;
+        let kind = records.number(1).ok_or(MissingHello::More)?;
+        let major = records.number(1).ok_or(MissingHello::More)?;
         if kind != usize::from(HANDSHAKE) || major != 3 {
-            return Err(Missing::Hello);
+            return Err(MissingHello::Hello);
         }
-        records.number(1).ok_or(Missing::More)?;
-        let part = records.counted(2).ok_or(Missing::More)?;
+        records.number(1).ok_or(MissingHello::More)?;
+        let part = records.counted(2).ok_or(MissingHello::More)?;
         if part.is_empty() {
-            return Err(Missing::Hello);
+            return Err(MissingHello::Hello);
         }
         message.extend_from_slice(part);
     }

@@ -2,11 +2,11 @@
 //! them has a share of it: they are served in turn, and where there is no place the oldest of who has most gives way.
 
 use super::agreement::{Agreeing, Agreement};
-use super::sorter::{Arrival, Who};
+use super::sorter::{Arrival, Newcomer};
 use crate::http::accept::{SILENT_MAX, SILENT_MS, is_stop};
-use crate::http::door::{Came, Door};
-use crate::http::known::{Known, Mark};
-use crate::http::line::{Begun, Line};
+use crate::http::door::{EntryDoor, RequestArrival};
+use crate::http::known::{KnownBy, KnownPeople};
+use crate::http::line::{BegunConnection, ServedConnection};
 use crate::http::stop;
 use crate::robots::Robots;
 use crate::support::fair_places::FairPlaces;
@@ -27,8 +27,8 @@ const FIRST_BYTES: usize = 1_024;
 
 /// Those who wait for a lane, and those with whom it is busy.
 pub(super) struct Arrivals {
-    waiting: FairQueue<Who, (Who, Arrival)>,
-    busy: Arc<FairPlaces<Who>>,
+    waiting: FairQueue<Newcomer, (Newcomer, Arrival)>,
+    busy: Arc<FairPlaces<Newcomer>>,
 }
 
 impl Arrivals {
@@ -37,7 +37,7 @@ impl Arrivals {
     }
 
     /// Somebody comes. Who gives way for them is closed; whoever needs it comes again.
-    pub(super) fn push(&self, who: Who, arrival: Arrival) {
+    pub(super) fn push(&self, who: Newcomer, arrival: Arrival) {
         drop(self.waiting.push(who, (who, arrival)));
     }
 
@@ -48,16 +48,16 @@ impl Arrivals {
 }
 
 /// What such a thread works with.
-pub(super) struct Lane {
-    pub(super) door: Door,
-    pub(super) known: Arc<Known>,
+pub(super) struct ThreadLane {
+    pub(super) door: EntryDoor,
+    pub(super) known: Arc<KnownPeople>,
     pub(super) robots: Robots,
     /// None where a proxy agrees on TLS.
     pub(super) agreement: Option<Agreement>,
-    pub(super) others: mpsc::Sender<(Line, Came)>,
+    pub(super) others: mpsc::Sender<(ServedConnection, RequestArrival)>,
 }
 
-impl Lane {
+impl ThreadLane {
     /// Takes what arrives until `ending`.
     pub(super) async fn work(self: Arc<Self>, arrivals: Arc<Arrivals>, ending: CancellationToken) {
         while let Some((who, arrival)) = ending.run_until_cancelled(arrivals.waiting.next()).await {
@@ -84,26 +84,27 @@ impl Lane {
     }
 
     /// Agrees on TLS, and reads so much that it can tell what is wanted.
-    async fn begin(&self, Arrival { mut begun, peer, proof }: Arrival) -> io::Result<(Wants, Came)> {
+    async fn begin(&self, Arrival { mut begun, peer, proof }: Arrival) -> io::Result<(Wants, RequestArrival)> {
         begun.arrive()?;
         let Some(agreement) = &self.agreement else {
             let (is_stop, begun) = first(begun).await?;
-            let wants = if is_stop { Wants::Stop(Box::new(begun)) } else { Wants::Other(Line::read(begun)) };
-            return Ok((wants, Came { door: self.noting(peer, None), peer }));
+            let wants =
+                if is_stop { Wants::Stop(Box::new(begun)) } else { Wants::Other(ServedConnection::read(begun)) };
+            return Ok((wants, RequestArrival { door: self.noting(peer, None), peer }));
         };
         let (acceptor, agreeing) = agreement.with(proof);
         let (is_stop, begun) = first(acceptor.accept(begun).await?).await?;
-        let wants = if is_stop { Wants::Stop(Box::new(begun)) } else { Wants::Other(Line::tls(begun)) };
-        Ok((wants, Came { door: self.noting(peer, Some(agreeing)), peer }))
+        let wants = if is_stop { Wants::Stop(Box::new(begun)) } else { Wants::Other(ServedConnection::tls(begun)) };
+        Ok((wants, RequestArrival { door: self.noting(peer, Some(agreeing)), peer }))
     }
 
     /// The way in for one connection: by what it is known again who shows a cookie on it.
-    fn noting(&self, peer: IpAddr, agreeing: Option<Arc<Agreeing>>) -> Door {
+    fn noting(&self, peer: IpAddr, agreeing: Option<Arc<Agreeing>>) -> EntryDoor {
         let known = Arc::clone(&self.known);
         self.door.noting(Arc::new(move |pass| {
-            known.note(Mark::Address(peer), pass);
+            known.note(KnownBy::Address(peer), pass);
             let tickets = agreeing.as_ref().and_then(|agreeing| agreeing.unproven());
-            tickets.into_iter().for_each(|id| known.note(Mark::Tickets(id), pass));
+            tickets.into_iter().for_each(|id| known.note(KnownBy::Tickets(id), pass));
         }))
     }
 }
@@ -111,7 +112,7 @@ impl Lane {
 /// What somebody wants.
 enum Wants {
     Stop(Box<dyn Stoppable>),
-    Other(Line),
+    Other(ServedConnection),
 }
 
 trait Stoppable: AsyncRead + AsyncWrite + Send + Unpin {}
@@ -119,14 +120,14 @@ trait Stoppable: AsyncRead + AsyncWrite + Send + Unpin {}
 impl<T: AsyncRead + AsyncWrite + Send + Unpin> Stoppable for T {}
 
 /// Whether the first bytes are those of a Stop; they are read again by whoever goes on.
-async fn first<S: AsyncRead + Unpin>(mut stream: S) -> io::Result<(bool, Begun<S>)> {
+async fn first<S: AsyncRead + Unpin>(mut stream: S) -> io::Result<(bool, BegunConnection<S>)> {
     let mut first = Vec::with_capacity(FIRST_BYTES);
     loop {
         if stream.read_buf(&mut first).await? == 0 {
             return Err(io::ErrorKind::UnexpectedEof.into());
         }
         if let Some(is_stop) = is_stop(&first) {
-            return Ok((is_stop, Begun::new(stream, first)));
+            return Ok((is_stop, BegunConnection::new(stream, first)));
         }
     }
 }

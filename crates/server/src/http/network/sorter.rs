@@ -5,12 +5,12 @@
 use super::agreement::Proof;
 use super::hello::Hello;
 use super::lane::Arrivals;
-use super::tickets::{Holder, Tickets};
+use super::tickets::{TicketHolder, Tickets};
 use crate::http::accept::{REST_MS, SILENT_MS};
-use crate::http::door::Door;
-use crate::http::known::{Known, Mark};
-use crate::http::line::{Begun, Socket};
-use crate::invitations::Source;
+use crate::http::door::EntryDoor;
+use crate::http::known::{KnownBy, KnownPeople};
+use crate::http::line::{BegunConnection, WakingSocket};
+use crate::invitations::GuessSource;
 use crate::support::digest::Digest;
 use crate::support::fair_places::FairPlaces;
 use crate::support::tasks::boxed;
@@ -33,30 +33,30 @@ const LINES_MAX: usize = 64;
 
 /// Somebody who comes, as far as that can be told: those of one share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Who {
+pub(super) enum Newcomer {
     /// A device that proves that it is in, by the digest of its cookie.
     Proven(Digest),
     /// Somebody from an address from which a device came that is in.
     Known(IpAddr),
     /// Somebody from anywhere else.
-    Stranger(Source),
+    Stranger(GuessSource),
 }
 
 /// A connection of which something was read.
 pub(super) struct Arrival {
-    pub(super) begun: Begun<Socket>,
+    pub(super) begun: BegunConnection<WakingSocket>,
     pub(super) peer: IpAddr,
     pub(super) proof: Option<Proof>,
 }
 
 /// Tells who comes, and knows the lane of each kind.
 pub(super) struct Sorter {
-    door: Door,
-    known: Arc<Known>,
+    door: EntryDoor,
+    known: Arc<KnownPeople>,
     /// None where a proxy agrees on TLS.
     tickets: Option<Arc<Tickets>>,
-    may_be_known: Arc<FairPlaces<Who>>,
-    unknown: Arc<FairPlaces<Who>>,
+    may_be_known: Arc<FairPlaces<Newcomer>>,
+    unknown: Arc<FairPlaces<Newcomer>>,
     lanes: Lanes,
 }
 
@@ -68,7 +68,12 @@ pub(super) struct Lanes {
 }
 
 impl Sorter {
-    pub(super) fn new(door: Door, known: Arc<Known>, tickets: Option<Arc<Tickets>>, lanes: Lanes) -> Arc<Self> {
+    pub(super) fn new(
+        door: EntryDoor,
+        known: Arc<KnownPeople>,
+        tickets: Option<Arc<Tickets>>,
+        lanes: Lanes,
+    ) -> Arc<Self> {
         let (may_be_known, unknown) = (FairPlaces::of(SILENT_MAX), FairPlaces::of(SILENT_MAX));
         Arc::new(Self { door, known, tickets, may_be_known, unknown, lanes })
     }
@@ -94,17 +99,19 @@ impl Sorter {
     }
 
     async fn admit(self: Arc<Self>, stream: TcpStream, peer: IpAddr) {
-        let is_known = self.known.pass(Mark::Address(peer)).is_some();
+        let is_known = self.known.pass(KnownBy::Address(peer)).is_some();
         let (from, places) = if is_known {
-            (Who::Known(peer.to_canonical()), &self.may_be_known)
+            (Newcomer::Known(peer.to_canonical()), &self.may_be_known)
         } else {
-            (Who::Stranger(Source::of(peer)), &self.unknown)
+            (Newcomer::Stranger(GuessSource::of(peer)), &self.unknown)
         };
         let place = places.take(from);
-        let read = tokio::time::timeout(Duration::from_millis(SILENT_MS), self.read(Socket::new(stream)));
+        let read = tokio::time::timeout(Duration::from_millis(SILENT_MS), self.read(WakingSocket::new(stream)));
         let (mut begun, who, proof) = match place.hold(read).await {
-            Some(Ok(Ok((begun, Some(Shown::Ticket(proof)))))) => (begun, Who::Proven(proof.pass), Some(proof)),
-            Some(Ok(Ok((begun, Some(Shown::Cookie(pass)))))) => (begun, Who::Proven(pass), None),
+            Some(Ok(Ok((begun, Some(IdentityProof::Ticket(proof)))))) => {
+                (begun, Newcomer::Proven(proof.pass), Some(proof))
+            }
+            Some(Ok(Ok((begun, Some(IdentityProof::Cookie(pass)))))) => (begun, Newcomer::Proven(pass), None),
             Some(Ok(Ok((begun, None)))) => (begun, from, None),
             Some(Ok(Err(_)) | Err(_)) | None => return,
         };
@@ -114,7 +121,10 @@ impl Sorter {
     }
 
     /// Reads so much that it can be told who it is.
-    async fn read(&self, mut socket: Socket) -> io::Result<(Begun<Socket>, Option<Shown>)> {
+    async fn read(
+        &self,
+        mut socket: WakingSocket,
+    ) -> io::Result<(BegunConnection<WakingSocket>, Option<IdentityProof>)> {
         let mut first = Vec::with_capacity(FIRST_BYTES);
         loop {
             if socket.read_buf(&mut first).await? == 0 {
@@ -125,31 +135,31 @@ impl Sorter {
                 None => self.cookie(&first),
             };
             if let Some(shown) = shown {
-                return Ok((Begun::new(socket, first), shown));
+                return Ok((BegunConnection::new(socket, first), shown));
             }
         }
     }
 
     /// What the ticket in a hello proves, once enough came to tell.
-    fn ticket(&self, tickets: &Tickets, hello: &[u8]) -> Option<Option<Shown>> {
+    fn ticket(&self, tickets: &Tickets, hello: &[u8]) -> Option<Option<IdentityProof>> {
         match Hello::of(hello) {
             Hello::Begun => None,
             Hello::Unknown => Some(None),
-            Hello::Again(ticket) => Some(self.proof(tickets, &ticket).map(Shown::Ticket)),
+            Hello::Again(ticket) => Some(self.proof(tickets, &ticket).map(IdentityProof::Ticket)),
         }
     }
 
     fn proof(&self, tickets: &Tickets, ticket: &[u8]) -> Option<Proof> {
         let (holder, _) = tickets.open(ticket)?;
         let pass = match holder {
-            Holder::Device(pass) => Some(pass).filter(|pass| self.known.holds(pass)),
-            Holder::Connection(id) => self.known.pass(Mark::Tickets(id)),
+            TicketHolder::Device(pass) => Some(pass).filter(|pass| self.known.holds(pass)),
+            TicketHolder::Connection(id) => self.known.pass(KnownBy::Tickets(id)),
         }?;
         tickets.is_fresh(ticket).then_some(Proof { holder, pass })
     }
 
     /// What the cookies in a head prove, once all of it came.
-    fn cookie(&self, first: &[u8]) -> Option<Option<Shown>> {
+    fn cookie(&self, first: &[u8]) -> Option<Option<IdentityProof>> {
         let mut lines = [httparse::EMPTY_HEADER; LINES_MAX];
         let mut request = httparse::Request::new(&mut lines);
         match request.parse(first) {
@@ -158,32 +168,34 @@ impl Sorter {
             Ok(httparse::Status::Complete(_)) => {
                 let cookies = request.headers.iter().filter(|line| line.name.eq_ignore_ascii_case("cookie"));
                 let pass = self.door.pass(cookies.filter_map(|line| std::str::from_utf8(line.value).ok()));
-                Some(pass.map(Shown::Cookie))
+                Some(pass.map(IdentityProof::Cookie))
             }
         }
     }
 }
 
 /// A proof of who somebody is.
-enum Shown {
+enum IdentityProof {
     Ticket(Proof),
     /// The digest of a cookie that holds.
     Cookie(Digest),
 }
 
 impl Lanes {
-    fn of(&self, who: Who) -> &Arrivals {
+    fn of(&self, who: Newcomer) -> &Arrivals {
         match who {
-            Who::Proven(_) => &self.proven,
-            Who::Known(_) => &self.known,
-            Who::Stranger(_) => &self.strangers,
+            Newcomer::Proven(_) => &self.proven,
+            Newcomer::Known(_) => &self.known,
+            Newcomer::Stranger(_) => &self.strangers,
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Arrivals, Digest, Door, Holder, Known, Lanes, Mark, Proof, Shown, Sorter, Tickets};
+    use super::{
+        Arrivals, Digest, EntryDoor, IdentityProof, KnownBy, KnownPeople, Lanes, Proof, Sorter, TicketHolder, Tickets,
+    };
     use crate::http::known::tests::invited;
     use std::sync::Arc;
     use uuid::Uuid;
@@ -192,25 +204,26 @@ mod tests {
     fn a_ticket_or_a_cookie_that_holds_proves_who_comes_and_nothing_else_does() {
         let folder = tempfile::tempdir().unwrap();
         let (invitations, invitation, cookie) = invited(folder.path());
-        let (pass, door) = (Digest::of(&cookie), Door::proxied("https://rrp.example", Arc::clone(&invitations)));
-        let known = Known::within(None, Arc::clone(&invitations));
+        let (pass, door) = (Digest::of(&cookie), EntryDoor::proxied("https://rrp.example", Arc::clone(&invitations)));
+        let known = KnownPeople::within(None, Arc::clone(&invitations));
         let lanes = Lanes { proven: Arrivals::new(), known: Arrivals::new(), strangers: Arrivals::new() };
         let (sorter, tickets) = (Sorter::new(door, Arc::clone(&known), None, lanes), Tickets::within(None).unwrap());
         let proof = |holder| sorter.proof(&tickets, &tickets.seal(holder, b"said").unwrap());
-        let [of_device, of_connection] = [Holder::Device(pass), Holder::Connection(Uuid::from_u128(7))];
+        let [of_device, of_connection] = [TicketHolder::Device(pass), TicketHolder::Connection(Uuid::from_u128(7))];
         assert_eq!(proof(of_device), Some(Proof { holder: of_device, pass }));
         assert_eq!(proof(of_connection), None, "nobody showed a cookie on it");
-        known.note(Mark::Tickets(Uuid::from_u128(7)), pass);
+        known.note(KnownBy::Tickets(Uuid::from_u128(7)), pass);
         assert_eq!(proof(of_connection), Some(Proof { holder: of_connection, pass }));
-        assert_eq!(proof(Holder::Device(Digest::of("a guess"))), None);
+        assert_eq!(proof(TicketHolder::Device(Digest::of("a guess"))), None);
         let copied = tickets.seal(of_device, b"said").unwrap();
         let proven = (0..50).filter(|_| sorter.proof(&tickets, &copied).is_some()).count();
         assert!((1..10).contains(&proven), "a copy that is shown again and again: {proven}");
 
         let head =
             |cookie: &str| format!("POST /stop HTTP/1.1\r\nCookie: a=b; __Host-rrp={cookie}\r\n\r\n").into_bytes();
-        let shown =
-            |head: &[u8]| sorter.cookie(head).map(|shown| matches!(shown, Some(Shown::Cookie(of)) if of == pass));
+        let shown = |head: &[u8]| {
+            sorter.cookie(head).map(|shown| matches!(shown, Some(IdentityProof::Cookie(of)) if of == pass))
+        };
         assert_eq!(shown(&head(&cookie)), Some(true));
         for cut in [0, 10, head(&cookie).len() - 1] {
             assert_eq!(shown(&head(&cookie)[..cut]), None, "more may come");

@@ -33,7 +33,7 @@ const KIND: &[u8] = b"rrp ticket 1";
 
 /// The holder of a ticket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Holder {
+pub(super) enum TicketHolder {
     /// Of a device that showed the cookie of this digest.
     Device(Digest),
     /// Of whoever had this connection.
@@ -44,13 +44,13 @@ pub(super) enum Holder {
 pub(super) struct Tickets {
     /// The one that seals first.
     keys: Vec<LessSafeKey>,
-    used: Mutex<Used>,
+    used: Mutex<UsedTickets>,
 }
 
 /// A key as it is kept.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Kept {
+struct KeptKey {
     made_ms: u64,
     key: String,
 }
@@ -59,12 +59,12 @@ impl Tickets {
     /// With the keys of a data folder; without one they last as long as the server. None if there is no randomness.
     pub(super) fn within(data: Option<&Path>) -> Option<Self> {
         let file = data.map(|data| data.join(FILE));
-        let mut kept: Vec<Kept> = file.as_deref().and_then(atomic_file::read).unwrap_or_default();
+        let mut kept: Vec<KeptKey> = file.as_deref().and_then(atomic_file::read).unwrap_or_default();
         kept.retain(|kept| opener(kept).is_some());
         if kept.first().is_none_or(|newest| newest.made_ms.saturating_add(ANEW_MS) < now_ms()) {
             let mut key = [0; KEY_BYTES];
             SystemRandom::new().fill(&mut key).ok()?;
-            kept.insert(0, Kept { made_ms: now_ms(), key: STANDARD.encode(key) });
+            kept.insert(0, KeptKey { made_ms: now_ms(), key: STANDARD.encode(key) });
             kept.truncate(KEYS_MAX);
             let put =
                 |file| serde_json::to_string(&kept).map_err(Into::into).and_then(|text| atomic_file::put(file, &text));
@@ -76,13 +76,13 @@ impl Tickets {
     }
 
     /// A ticket of this holder, with what the library wants to find in it again.
-    pub(super) fn seal(&self, holder: Holder, said: &[u8]) -> Option<Vec<u8>> {
+    pub(super) fn seal(&self, holder: TicketHolder, said: &[u8]) -> Option<Vec<u8>> {
         let mut nonce = [0; NONCE_LEN];
         SystemRandom::new().fill(&mut nonce).ok()?;
         let mut ticket = nonce.to_vec();
         match holder {
-            Holder::Device(pass) => ticket.extend([&[0][..], pass.bytes()].concat()),
-            Holder::Connection(id) => ticket.extend([&[1][..], id.as_bytes()].concat()),
+            TicketHolder::Device(pass) => ticket.extend([&[0][..], pass.bytes()].concat()),
+            TicketHolder::Connection(id) => ticket.extend([&[1][..], id.as_bytes()].concat()),
         }
         ticket.extend_from_slice(said);
         let sealed = &mut ticket[NONCE_LEN..];
@@ -93,7 +93,7 @@ impl Tickets {
     }
 
     /// Opens a ticket: its holder, and what the library put into it; none if it was not made here.
-    pub(super) fn open(&self, ticket: &[u8]) -> Option<(Holder, Vec<u8>)> {
+    pub(super) fn open(&self, ticket: &[u8]) -> Option<(TicketHolder, Vec<u8>)> {
         let (nonce, sealed) = ticket.split_first_chunk()?;
         self.keys.iter().find_map(|key| {
             let mut sealed = sealed.to_vec();
@@ -101,10 +101,10 @@ impl Tickets {
             let (kind, said) = key.open_in_place(nonce, Aad::from(KIND), &mut sealed).ok()?.split_first()?;
             if *kind == 0 {
                 let (pass, said) = said.split_first_chunk()?;
-                Some((Holder::Device(Digest::from_bytes(*pass)), said.to_vec()))
+                Some((TicketHolder::Device(Digest::from_bytes(*pass)), said.to_vec()))
             } else {
                 let (id, said) = said.split_first_chunk()?;
-                Some((Holder::Connection(Uuid::from_bytes(*id)), said.to_vec()))
+                Some((TicketHolder::Connection(Uuid::from_bytes(*id)), said.to_vec()))
             }
         })
     }
@@ -116,19 +116,19 @@ impl Tickets {
 }
 
 /// What seals and opens with a key.
-fn opener(kept: &Kept) -> Option<LessSafeKey> {
+fn opener(kept: &KeptKey) -> Option<LessSafeKey> {
     let key = STANDARD.decode(&kept.key).ok()?;
     Some(LessSafeKey::new(UnboundKey::new(&CHACHA20_POLY1305, &key).ok()?))
 }
 
 /// How often tickets were shown, by the end of each, which no two have in common.
 #[derive(Default)]
-struct Used {
+struct UsedTickets {
     times: HashMap<[u8; TAG_BYTES], u8>,
     order: VecDeque<[u8; TAG_BYTES]>,
 }
 
-impl Used {
+impl UsedTickets {
     fn again(&mut self, tag: [u8; TAG_BYTES]) -> u8 {
         if let Some(times) = self.times.get_mut(&tag) {
             *times = times.saturating_add(1);
@@ -147,14 +147,14 @@ impl Used {
 
 #[cfg(test)]
 mod tests {
-    use super::{ANEW_MS, Digest, FILE, Holder, Kept, Tickets, USED_MAX, USES_MAX, lock};
+    use super::{ANEW_MS, Digest, FILE, KeptKey, TicketHolder, Tickets, USED_MAX, USES_MAX, lock};
     use uuid::Uuid;
 
     #[test]
     fn a_ticket_says_whose_it_is_after_a_restart_too_and_nowhere_else() {
         let folder = tempfile::tempdir().unwrap();
         let tickets = Tickets::within(Some(folder.path())).unwrap();
-        for holder in [Holder::Device(Digest::of("a cookie")), Holder::Connection(Uuid::new_v4())] {
+        for holder in [TicketHolder::Device(Digest::of("a cookie")), TicketHolder::Connection(Uuid::new_v4())] {
             let ticket = tickets.seal(holder, b"what the library says").unwrap();
             let again = Tickets::within(Some(folder.path())).unwrap();
             assert_eq!(again.open(&ticket), Some((holder, b"what the library says".to_vec())));
@@ -172,16 +172,17 @@ mod tests {
     fn an_old_key_is_replaced_and_opens_until_the_next() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join(FILE);
-        let ticket = Tickets::within(Some(folder.path())).unwrap().seal(Holder::Connection(Uuid::nil()), b"").unwrap();
+        let ticket =
+            Tickets::within(Some(folder.path())).unwrap().seal(TicketHolder::Connection(Uuid::nil()), b"").unwrap();
         let grow_old = || {
-            let mut kept: Vec<Kept> = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+            let mut kept: Vec<KeptKey> = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
             kept.iter_mut().for_each(|kept| kept.made_ms -= ANEW_MS + 1);
             std::fs::write(&file, serde_json::to_string(&kept).unwrap()).unwrap();
             Tickets::within(Some(folder.path())).unwrap()
         };
         let once = grow_old();
         assert!(once.open(&ticket).is_some());
-        assert!(once.open(&once.seal(Holder::Connection(Uuid::nil()), b"").unwrap()).is_some());
+        assert!(once.open(&once.seal(TicketHolder::Connection(Uuid::nil()), b"").unwrap()).is_some());
         assert!(grow_old().open(&ticket).is_none());
     }
 
@@ -192,7 +193,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join(FILE), "[{\"madeMs\":0,\"key\":\"short\"}]").unwrap();
         let tickets = Tickets::within(Some(folder.path())).unwrap();
-        assert!(tickets.seal(Holder::Connection(Uuid::nil()), b"").is_some());
+        assert!(tickets.seal(TicketHolder::Connection(Uuid::nil()), b"").is_some());
         let mode = std::fs::metadata(folder.path().join(FILE)).unwrap().permissions().mode();
         assert_eq!(mode & 0o777, 0o600);
     }

@@ -1,6 +1,6 @@
 //! The answer to a press of Stop: a page to who sends a form, a line to everybody else.
 
-use crate::http::come_in::Language;
+use crate::http::come_in::BrowserLanguage;
 use crate::http::origin::NotAllowed;
 use axum::http::{HeaderMap, HeaderName, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
@@ -10,18 +10,18 @@ const PAGE: &str = include_str!("page.html");
 const QUERY_MAX_BYTES: usize = 512;
 
 /// An answer, before it is written.
-pub(in crate::http) struct Said {
+pub(in crate::http) struct StopAnswer {
     pub(super) status: StatusCode,
     kind: &'static str,
     pub(super) body: String,
 }
 
-impl Said {
+impl StopAnswer {
     /// Says what became of a Stop that was sent to this address.
     pub(super) fn of(became: &Result<(), NotAllowed>, uri: &Uri, asked: &HeaderMap) -> Self {
         let status = if became.is_ok() { StatusCode::OK } else { StatusCode::FORBIDDEN };
         let (kind, body) = match became {
-            _ if wants_page(asked) => ("text/html; charset=utf-8", page(became, uri, Language::of(asked))),
+            _ if wants_page(asked) => ("text/html; charset=utf-8", page(became, uri, BrowserLanguage::of(asked))),
             Ok(()) => ("application/json", "{\"stopped\":true}".to_owned()),
             Err(why) => ("text/plain; charset=utf-8", format!("Refused: {why}.\n")),
         };
@@ -38,7 +38,7 @@ impl Said {
     }
 }
 
-impl IntoResponse for Said {
+impl IntoResponse for StopAnswer {
     fn into_response(self) -> Response {
         (self.status, self.headers(), self.body).into_response()
     }
@@ -50,7 +50,7 @@ fn wants_page(asked: &HeaderMap) -> bool {
     lines.flat_map(|line| line.split(',')).any(|kind| kind.trim().to_ascii_lowercase().starts_with("text/html"))
 }
 
-fn page(became: &Result<(), NotAllowed>, uri: &Uri, language: Language) -> String {
+fn page(became: &Result<(), NotAllowed>, uri: &Uri, language: BrowserLanguage) -> String {
     let [title, text] = match became {
         Ok(()) => language.stopped(),
         Err(why) => language.not_stopped(*why),
@@ -78,7 +78,7 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Said, wants_page};
+    use super::{StopAnswer, wants_page};
     use crate::http::origin::NotAllowed;
     use axum::http::{HeaderMap, HeaderValue, Uri, header};
 
@@ -96,13 +96,13 @@ mod tests {
         assert!(!wants_page(&asked("application/json", "")) && !wants_page(&asked("*/*", "")));
         assert!(!wants_page(&HeaderMap::new()));
         let uri: Uri = "/stop".parse().unwrap();
-        assert_eq!(Said::of(&Ok(()), &uri, &asked("application/json", "ja")).body, "{\"stopped\":true}");
+        assert_eq!(StopAnswer::of(&Ok(()), &uri, &asked("application/json", "ja")).body, "{\"stopped\":true}");
     }
 
     #[test]
     fn a_page_has_stop_again_for_the_robot_that_was_named() {
         let uri = Uri::from_static("/stop?robot=r1&x={title}'");
-        let page = Said::of(&Ok(()), &uri, &asked("text/html", "en")).body;
+        let page = StopAnswer::of(&Ok(()), &uri, &asked("text/html", "en")).body;
         assert!(page.contains("action=\"/stop?robot=r1&amp;x=%7Btitle}'\""), "{page}");
         assert!(!page.contains('{'), "every hole is filled");
     }
@@ -120,9 +120,9 @@ mod tests {
             NotAllowed::Forwarded,
         ];
         for why in all {
-            let english = Said::of(&Err(why), &uri, &asked("text/html", "en-GB")).body;
+            let english = StopAnswer::of(&Err(why), &uri, &asked("text/html", "en-GB")).body;
             assert!(english.contains("lang=\"en\"") && english.contains("button on its chest"), "{english}");
-            let japanese = Said::of(&Err(why), &uri, &asked("text/html", "ja")).body;
+            let japanese = StopAnswer::of(&Err(why), &uri, &asked("text/html", "ja")).body;
             assert!(japanese.contains("lang=\"ja\"") && japanese.contains("胸のボタン"), "{japanese}");
         }
     }

@@ -1,9 +1,9 @@
 //! Words of the page after a Stop, in English and in Japanese: it comes where rrp's own page cannot say it.
 
-use crate::http::come_in::Language;
+use crate::http::come_in::BrowserLanguage;
 use crate::http::origin::NotAllowed;
 
-impl Language {
+impl BrowserLanguage {
     pub(super) fn stopped(self) -> [&'static str; 2] {
         [
             self.said("Stopped", "停止しました"),

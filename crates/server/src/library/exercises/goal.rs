@@ -11,13 +11,13 @@ const SETTLE_MS: u64 = 1_000;
 /// The goal of an exercise.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub(crate) struct Goal {
+pub(crate) struct ExerciseGoal {
     /// What shall be reached, in a sentence.
     pub(crate) says: String,
     /// What was reached, in a sentence.
     pub(crate) reached: String,
     /// What is sensed, one part after the other.
-    pub(crate) trace: Vec<Part>,
+    pub(crate) trace: Vec<SensePart>,
     /// What shall come of it; the first that does not is told.
     pub(crate) expects: Vec<Expectation>,
     /// What one is asked about it; where there is something, the behaviour is explained and not changed.
@@ -42,7 +42,7 @@ pub(crate) struct GoalQuestion {
 /// A sense that reads something for a while.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub(crate) struct Part {
+pub(crate) struct SensePart {
     /// What expectations call it; parts of one name are all meant.
     pub(crate) name: String,
     /// The sense, by its name in the catalogue.
@@ -70,7 +70,7 @@ pub(crate) struct Expectation {
     #[serde(default)]
     pub(crate) with: HashMap<String, Vec<Value>>,
     /// What it shall be told.
-    pub(crate) is: Wanted,
+    pub(crate) is: WantedAction,
     /// What is said where it is not so, in a sentence.
     pub(crate) otherwise: String,
 }
@@ -78,7 +78,7 @@ pub(crate) struct Expectation {
 /// What an action shall be told.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) enum Wanted {
+pub(crate) enum WantedAction {
     /// Something, in each of the parts.
     Told,
     /// Nothing.
@@ -93,16 +93,16 @@ pub(crate) enum Wanted {
 
 /// An action of a behaviour, and what it was told.
 #[derive(Debug)]
-pub(super) struct Action {
+pub(super) struct ToldAction {
     pub(super) device: String,
     /// What is chosen for it, with what is chosen where nobody did.
     pub(super) params: Params,
     pub(super) told: Vec<(Millis, Value)>,
 }
 
-impl Goal {
+impl ExerciseGoal {
     /// The readings in order of time: which part, when, and what.
-    pub(super) fn readings(&self) -> Vec<(&Part, Millis, Value)> {
+    pub(super) fn readings(&self) -> Vec<(&SensePart, Millis, Value)> {
         self.trace.iter().zip(self.begins()).flat_map(|(part, begin)| of_part(part, begin)).collect()
     }
 
@@ -127,7 +127,7 @@ impl Goal {
     }
 
     /// What is said of the first expectation that is not met.
-    pub(super) fn missed(&self, actions: &[Action]) -> Option<&str> {
+    pub(super) fn missed(&self, actions: &[ToldAction]) -> Option<&str> {
         let windows = |name: &str| -> Vec<(u64, u64)> {
             let named = self.trace.iter().zip(self.begins()).filter(|(part, _)| part.name == name);
             named.map(|(part, begin)| (begin + SETTLE_MS.min(part.for_ms), begin + part.for_ms)).collect()
@@ -137,7 +137,7 @@ impl Goal {
     }
 }
 
-fn of_part(part: &Part, begin: u64) -> impl Iterator<Item = (&Part, Millis, Value)> {
+fn of_part(part: &SensePart, begin: u64) -> impl Iterator<Item = (&SensePart, Millis, Value)> {
     let times = (begin..begin + part.for_ms).step_by(usize::try_from(part.every_ms.max(1)).unwrap_or(usize::MAX));
     times.zip(part.values.iter().cycle()).map(move |(at, value)| (part, Millis(at), stamped(value, at)))
 }
@@ -151,7 +151,7 @@ fn stamped(value: &Value, at: u64) -> Value {
 }
 
 impl Expectation {
-    fn is_met(&self, actions: &[Action], (from, until): (u64, u64)) -> bool {
+    fn is_met(&self, actions: &[ToldAction], (from, until): (u64, u64)) -> bool {
         let during = |told: &&(Millis, Value)| (from..until).contains(&told.0.0);
         let meant = actions.iter().filter(|action| self.means(action));
         let told: Vec<&Value> = meant.flat_map(|action| &action.told).filter(during).map(|(_, value)| value).collect();
@@ -159,15 +159,15 @@ impl Expectation {
             !told.is_empty() && told.iter().all(|value| value.as_number().is_some_and(is_so))
         };
         match self.is {
-            Wanted::Told => !told.is_empty(),
-            Wanted::NotTold => told.is_empty(),
-            Wanted::Times(least, most) => (least..=most).contains(&told.len()),
-            Wanted::AtLeast(least) => all(&|number| number >= least),
-            Wanted::AtMost(most) => all(&|number| number <= most),
+            WantedAction::Told => !told.is_empty(),
+            WantedAction::NotTold => told.is_empty(),
+            WantedAction::Times(least, most) => (least..=most).contains(&told.len()),
+            WantedAction::AtLeast(least) => all(&|number| number >= least),
+            WantedAction::AtMost(most) => all(&|number| number <= most),
         }
     }
 
-    fn means(&self, action: &Action) -> bool {
+    fn means(&self, action: &ToldAction) -> bool {
         let may_be = |(name, values): (&String, &Vec<Value>)| {
             action.params.get(name).is_some_and(|chosen| values.contains(chosen))
         };

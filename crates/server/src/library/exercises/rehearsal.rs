@@ -1,10 +1,10 @@
 //! A rehearsal of an exercise: the behaviour runs in logical time on the readings of its goal, without a robot, and its actions
 //! are looked at. Done by workers, and bounded: the readings are few, and time is limited.
 
-use super::goal::{Action, Goal, Part};
+use super::goal::{ExerciseGoal, SensePart, ToldAction};
 use behaviour::{BehaviourFile, Params, StreamKind};
 use engine::{Emission, End, IndexVec, Limits, Run, StreamInfo, StreamIx};
-use protocol::Tried;
+use protocol::RehearsalResult;
 use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
 
@@ -14,33 +14,38 @@ const REHEARSAL_MS: u64 = 1_000;
 const PARTS_MAX: usize = 500;
 
 /// What becomes of a behaviour on the readings of a goal, and then, where the goal asks something, of the answers.
-pub(crate) fn rehearse(file: &BehaviourFile, goal: &Goal, answers: &[u8], token: &CancellationToken) -> Tried {
+pub(crate) fn rehearse(
+    file: &BehaviourFile,
+    goal: &ExerciseGoal,
+    answers: &[u8],
+    token: &CancellationToken,
+) -> RehearsalResult {
     match run_through(file, goal, token) {
-        Tried::Reached(says) => goal
-            .wrong(answers)
-            .map_or(Tried::Reached(says), |says| Tried::Missed { says: says.to_owned(), fault: None }),
+        RehearsalResult::Reached(says) => goal.wrong(answers).map_or(RehearsalResult::Reached(says), |says| {
+            RehearsalResult::Missed { says: says.to_owned(), fault: None }
+        }),
         other => other,
     }
 }
 
-fn run_through(file: &BehaviourFile, goal: &Goal, token: &CancellationToken) -> Tried {
+fn run_through(file: &BehaviourFile, goal: &ExerciseGoal, token: &CancellationToken) -> RehearsalResult {
     if file.streams.is_empty() {
-        return Tried::Empty;
+        return RehearsalResult::Empty;
     }
     if file.streams.len().max(file.connectors.len()) > PARTS_MAX {
-        return Tried::TooLarge;
+        return RehearsalResult::TooLarge;
     }
     let (end, token) = (Instant::now() + Duration::from_millis(REHEARSAL_MS), token.clone());
     let is_over = move || token.is_cancelled() || Instant::now() >= end;
     let limits = Limits::default().interrupted_by(is_over.clone()).stopped_by(is_over.clone());
     match Run::build(file, limits) {
         Ok(run) => on_readings(run, goal, is_over),
-        Err(faults) => Tried::CannotRun(faults.first().map(ToString::to_string).unwrap_or_default()),
+        Err(faults) => RehearsalResult::CannotRun(faults.first().map(ToString::to_string).unwrap_or_default()),
     }
 }
 
-fn on_readings(mut run: Run, goal: &Goal, is_over: impl Fn() -> bool) -> Tried {
-    let mut actions: IndexVec<StreamIx, Option<Action>> = run.streams().iter().map(action).collect();
+fn on_readings(mut run: Run, goal: &ExerciseGoal, is_over: impl Fn() -> bool) -> RehearsalResult {
+    let mut actions: IndexVec<StreamIx, Option<ToldAction>> = run.streams().iter().map(action).collect();
     let mut fault = None;
     let mut note = |emission: Emission| match emission {
         Emission::Value { at, stream, value, .. } => {
@@ -59,33 +64,33 @@ fn on_readings(mut run: Run, goal: &Goal, is_over: impl Fn() -> bool) -> Tried {
             run.feed(at, stream, value.clone(), &mut note);
         }
         if is_over() {
-            return Tried::TooLong;
+            return RehearsalResult::TooLong;
         }
     }
     run.finish(goal.ends(), &mut note);
     match run.ended() {
-        Some(End::Stopped) => Tried::TooLong,
+        Some(End::Stopped) => RehearsalResult::TooLong,
         Some(End::Multiplied { .. }) => {
-            Tried::CannotRun(run.fault().map(|fault| fault.to_string()).unwrap_or_default())
+            RehearsalResult::CannotRun(run.fault().map(|fault| fault.to_string()).unwrap_or_default())
         }
         None => {
-            let actions: Vec<Action> = actions.iter_mut().filter_map(Option::take).collect();
+            let actions: Vec<ToldAction> = actions.iter_mut().filter_map(Option::take).collect();
             match goal.missed(&actions) {
-                Some(says) => Tried::Missed { says: says.to_owned(), fault },
-                None => Tried::Reached(goal.reached.clone()),
+                Some(says) => RehearsalResult::Missed { says: says.to_owned(), fault },
+                None => RehearsalResult::Reached(goal.reached.clone()),
             }
         }
     }
 }
 
-fn action(info: &StreamInfo) -> Option<Action> {
+fn action(info: &StreamInfo) -> Option<ToldAction> {
     let device = info.device.clone().filter(|_| info.kind == StreamKind::Actuator)?;
     let params = chosen(info);
-    Some(Action { device, params, told: Vec::new() })
+    Some(ToldAction { device, params, told: Vec::new() })
 }
 
 /// Whether a part of the trace is what this stream senses.
-fn is_meant(info: &StreamInfo, part: &Part) -> bool {
+fn is_meant(info: &StreamInfo, part: &SensePart) -> bool {
     let params = || chosen(info);
     info.kind == StreamKind::Sensor
         && info.device.as_ref() == Some(&part.sense)

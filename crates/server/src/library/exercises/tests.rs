@@ -3,16 +3,16 @@
 use super::{ExerciseStart, exercise, exercises, rehearse};
 use crate::rooms::knowledge::Knowing;
 use behaviour::{BehaviourFile, Helper};
-use protocol::Tried;
+use protocol::RehearsalResult;
 use std::path::Path;
 use tokio_util::sync::CancellationToken;
 
-fn tried(file: &BehaviourFile, exercise: &ExerciseStart) -> Tried {
+fn tried(file: &BehaviourFile, exercise: &ExerciseStart) -> RehearsalResult {
     let right: Vec<u8> = exercise.goal().asks.iter().map(|question| question.right).collect();
     answered(file, exercise, &right)
 }
 
-fn answered(file: &BehaviourFile, exercise: &ExerciseStart, answers: &[u8]) -> Tried {
+fn answered(file: &BehaviourFile, exercise: &ExerciseStart, answers: &[u8]) -> RehearsalResult {
     rehearse(file, &exercise.goal(), answers, &CancellationToken::new())
 }
 
@@ -22,8 +22,8 @@ fn beside(name: &str) -> BehaviourFile {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-fn missed(says: &str) -> Tried {
-    Tried::Missed { says: says.to_owned(), fault: None }
+fn missed(says: &str) -> RehearsalResult {
+    RehearsalResult::Missed { says: says.to_owned(), fault: None }
 }
 
 #[test]
@@ -31,7 +31,7 @@ fn no_start_reaches_its_goal_and_every_solution_does() {
     let starts = [
         ("only_close", missed("The head also follows the far ball.")),
         ("brighter_when_nearer", missed("The eyes stay dark while the ball is close.")),
-        ("far_and_close", Tried::Empty),
+        ("far_and_close", RehearsalResult::Empty),
     ];
     let changed = exercises().iter().filter(|exercise| exercise.goal().asks.is_empty());
     assert_eq!(starts.len(), changed.clone().count());
@@ -39,7 +39,7 @@ fn no_start_reaches_its_goal_and_every_solution_does() {
         assert_eq!(beside(&format!("{name}.json")), exercise.template.file());
         assert_eq!(tried(&exercise.template.file(), exercise), says, "{name}");
         let solved = tried(&beside(&format!("{name}.solution.json")), exercise);
-        assert_eq!(solved, Tried::Reached(exercise.goal().reached), "{name}");
+        assert_eq!(solved, RehearsalResult::Reached(exercise.goal().reached), "{name}");
     }
 }
 
@@ -50,7 +50,7 @@ fn what_is_explained_is_reached_by_the_right_answers_only() {
     for exercise in exercises().iter().filter(|exercise| !exercise.goal().asks.is_empty()) {
         let (file, goal) = (exercise.template.file(), exercise.goal());
         let right: Vec<u8> = goal.asks.iter().map(|question| question.right).collect();
-        assert_eq!(answered(&file, exercise, &right), Tried::Reached(goal.reached.clone()), "{}", file.name);
+        assert_eq!(answered(&file, exercise, &right), RehearsalResult::Reached(goal.reached.clone()), "{}", file.name);
         assert_eq!(answered(&file, exercise, &[]), missed(&goal.asks[0].otherwise));
         for (at, question) in goal.asks.iter().enumerate() {
             asked += 1;
@@ -64,7 +64,7 @@ fn what_is_explained_is_reached_by_the_right_answers_only() {
         }
         let mut changed = file.clone();
         changed.connectors.clear();
-        assert!(matches!(answered(&changed, exercise, &right), Tried::Missed { .. }), "{}", file.name);
+        assert!(matches!(answered(&changed, exercise, &right), RehearsalResult::Missed { .. }), "{}", file.name);
     }
     assert_eq!(asked, 4);
 }
@@ -118,7 +118,7 @@ fn half_a_solution_is_told_what_it_lacks() {
     assert_eq!(tried(&turned, exercise), missed("The body also follows the far ball."));
     let mut other = whole;
     other.connectors[1].body = Some("distance.nothing > 1".into());
-    let Tried::Missed { says, fault: Some(_) } = tried(&other, exercise) else { panic!() };
+    let RehearsalResult::Missed { says, fault: Some(_) } = tried(&other, exercise) else { panic!() };
     assert_eq!(says, "Nothing follows the far ball.");
 }
 
@@ -127,8 +127,8 @@ fn what_cannot_run_or_takes_too_long_says_so() {
     let exercise = exercise("Follow only a close ball").unwrap();
     let mut file = exercise.template.file();
     file.connectors[0].helper = Some("gone".into());
-    assert!(matches!(tried(&file, exercise), Tried::CannotRun(_)));
+    assert!(matches!(tried(&file, exercise), RehearsalResult::CannotRun(_)));
     let gone = CancellationToken::new();
     gone.cancel();
-    assert_eq!(rehearse(&exercise.template.file(), &exercise.goal(), &[], &gone), Tried::TooLong);
+    assert_eq!(rehearse(&exercise.template.file(), &exercise.goal(), &[], &gone), RehearsalResult::TooLong);
 }

@@ -2,7 +2,7 @@
 
 use super::puppet::Puppet;
 use super::{filtered, id, phase, shows_until_told, stopped_by, until};
-use crate::robots::{Host, Seen, Start};
+use crate::robots::{Host, SeenLive, StartOrder};
 use behaviour::{BehaviourFile, FileConnector, StreamKind, Value};
 use engine::Limits;
 use protocol::Refused;
@@ -10,10 +10,10 @@ use protocol::{RunPhase, RunState};
 use std::sync::Arc;
 
 /// What starts, at a later revision and changed.
-fn edited(start: Start, change: impl FnOnce(&mut BehaviourFile)) -> Start {
+fn edited(start: StartOrder, change: impl FnOnce(&mut BehaviourFile)) -> StartOrder {
     let mut file = (*start.file).clone();
     change(&mut file);
-    Start { revision: start.revision + 4, file: Arc::new(file), by: "Ben".to_owned(), ..start }
+    StartOrder { revision: start.revision + 4, file: Arc::new(file), by: "Ben".to_owned(), ..start }
 }
 
 fn body(text: &str) -> impl FnOnce(&mut BehaviourFile) {
@@ -66,7 +66,7 @@ async fn a_refused_edit_leaves_what_runs_as_it_is() {
 }
 
 /// What a combineLatest of two senses knows, and how often its stream carried something.
-fn pair() -> Start {
+fn pair() -> StartOrder {
     edited(filtered("pair", "true"), |file| {
         let mut other = file.streams[0].clone();
         (other.id, other.name) = ("touch".to_owned(), "touch".to_owned());
@@ -104,7 +104,7 @@ async fn what_did_not_change_remembers_and_its_counts_go_on() {
     send("touch", 2);
     until("both actions", || puppet.told(run.run) == [11, 12, 12].map(Value::Int)).await;
     let count = |stream: &str| {
-        let values = live.since(&mut Seen::default())?;
+        let values = live.since(&mut SeenLive::default())?;
         Some(values.streams.iter().find(|sample| sample.stream == id(stream))?.count)
     };
     until("the counts go on", || count("good") == Some(2) && count("more") == Some(1)).await;

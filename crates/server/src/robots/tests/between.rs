@@ -3,10 +3,10 @@
 use super::puppet::Puppet;
 use super::{id, until};
 use crate::robots::cancel_flag::CancelFlag;
-use crate::robots::command_queue::{Command, Opening, Wanted};
-use crate::robots::mailbox::Mailbox;
-use crate::robots::order::Order;
-use crate::robots::refusal::NoRun;
+use crate::robots::command_queue::{OpeningRun, QueuedCommand, WantedDevice};
+use crate::robots::mailbox::RunMailbox;
+use crate::robots::order::RobotOrder;
+use crate::robots::refusal::StartError;
 use crate::robots::robot_thread::{Make, RobotThread, RoomRobot, keep};
 use crate::robots::shared::RobotShared;
 use crate::robots::status_feed::StatusFeed;
@@ -26,12 +26,12 @@ struct Still {
     puppet: Puppet,
     shared: Arc<RobotShared>,
     cancel: Arc<CancelFlag>,
-    mailbox: Arc<Mailbox>,
+    mailbox: Arc<RunMailbox>,
     thread: Option<JoinHandle<()>>,
 }
 
 fn shared() -> Arc<RobotShared> {
-    Arc::new(RobotShared::new(id("puppet"), Arc::new(StatusFeed::default()), Order::default()))
+    Arc::new(RobotShared::new(id("puppet"), Arc::new(StatusFeed::default()), RobotOrder::default()))
 }
 
 impl Still {
@@ -49,13 +49,13 @@ impl Still {
         }));
     }
 
-    fn open(&self) -> Receiver<Result<(), NoRun>> {
+    fn open(&self) -> Receiver<Result<(), StartError>> {
         let claim = Claim { resources: Vec::new(), priority: 0, hold_ms: 0 };
         let (name, device, params) = (String::new(), "Print".to_owned(), Params::default());
-        let devices = vec![Wanted { stream: id("page"), index: StreamIx::of(0), name, device, params, claim }];
+        let devices = vec![WantedDevice { stream: id("page"), index: StreamIx::of(0), name, device, params, claim }];
         let (answer, opened) = sync_channel(1);
         let (behaviour, cancel, mailbox) = ((id("one"), String::new()), self.cancel.clone(), self.mailbox.clone());
-        self.shared.queue.open(Opening { run: 1, behaviour, cancel, mailbox, devices, follows: false, answer });
+        self.shared.queue.open(OpeningRun { run: 1, behaviour, cancel, mailbox, devices, follows: false, answer });
         opened
     }
 
@@ -74,7 +74,7 @@ impl Still {
 
 fn command(shared: &RobotShared, cancel: &Arc<CancelFlag>, value: i64) {
     let user = Use { run: 1, stream: id("page") };
-    shared.queue.command(user, "Print", Command { cancel: cancel.clone(), value: Value::Int(value) });
+    shared.queue.command(user, "Print", QueuedCommand { cancel: cancel.clone(), value: Value::Int(value) });
 }
 
 #[tokio::test]

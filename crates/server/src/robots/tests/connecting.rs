@@ -3,14 +3,14 @@
 use super::puppet::Puppet;
 use super::{filtered, shows_until_told, until};
 use crate::robots::Host;
-use crate::robots::refusal::NoRun;
+use crate::robots::refusal::StartError;
 use engine::Limits;
 use protocol::RunState;
 use robot::Health;
 use tokio::task::JoinHandle;
 
 /// Somebody presses Start.
-fn starting(robots: &Host) -> JoinHandle<Result<RunState, NoRun>> {
+fn starting(robots: &Host) -> JoinHandle<Result<RunState, StartError>> {
     let robots = robots.clone();
     tokio::spawn(async move { robots.start(filtered("one", "true")).await })
 }

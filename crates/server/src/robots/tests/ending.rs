@@ -3,7 +3,7 @@
 use super::puppet::Puppet;
 use super::{filtered, id, phase, shows_until_told, stopped_by, until};
 use crate::recordings::Recordings;
-use crate::robots::{Robots, Start};
+use crate::robots::{Robots, StartOrder};
 use behaviour::{Params, Value};
 use engine::Limits;
 use protocol::RunPhase;
@@ -46,13 +46,13 @@ async fn what_replaces_a_behaviour_and_what_faults_disturb_nobody_else() {
 }
 
 /// A behaviour that says a text of fifty words whenever a ball comes.
-fn speaking(name: &str) -> Start {
+fn speaking(name: &str) -> StartOrder {
     let start = filtered(name, "true");
     let mut file = (*start.file).clone();
     file.streams[2].device = Some("SayParameter".to_owned());
     let text = Value::text(format!("{name} {}", "word ".repeat(50).trim()));
     file.streams[2].params = Some(Params::from([("text".to_owned(), text)]));
-    Start { file: Arc::new(file), ..start }
+    StartOrder { file: Arc::new(file), ..start }
 }
 
 #[tokio::test]

@@ -2,7 +2,7 @@
 
 use super::puppet::Puppet;
 use super::{filtered, id, phase, shows_until_told, stopped_by, until};
-use crate::robots::{Host, Start};
+use crate::robots::{Host, StartOrder};
 use behaviour::Value;
 use engine::Limits;
 use protocol::{Refused, RunPhase, RunState};
@@ -29,11 +29,11 @@ async fn everything_ends_with_the_robots_reason_and_nothing_goes_on_by_itself() 
 }
 
 /// A behaviour that shows the ball only where it is another one than before.
-fn distinct(name: &str) -> Start {
+fn distinct(name: &str) -> StartOrder {
     let start = filtered(name, "true");
     let mut file = (*start.file).clone();
     (file.connectors[0].operation, file.connectors[0].body) = ("distinct".to_owned(), None);
-    Start { file: file.into(), ..start }
+    StartOrder { file: file.into(), ..start }
 }
 
 /// What the next run of it shows of a five and a six.

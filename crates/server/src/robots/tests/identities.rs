@@ -2,7 +2,7 @@
 
 use super::{filtered, id, until};
 use crate::recordings::Recordings;
-use crate::robots::{NoRun, Robots};
+use crate::robots::{Robots, StartError};
 use behaviour::Id;
 use protocol::{RealRobot, Refused};
 use robot::Identity;
@@ -45,7 +45,7 @@ async fn the_first_body_is_kept_and_one_body_is_one_robot() {
     until("it is noticed", || same_as(&robots, &green).as_deref() == Some("Blue")).await;
     assert_eq!(same_as(&robots, &blue), None);
     let refused = robots.meant(Some(&green)).unwrap().start(filtered("greeting", "true")).await.unwrap_err();
-    assert!(matches!(&refused, NoRun::Twin(other) if other == "Blue"), "{refused}");
+    assert!(matches!(&refused, StartError::Twin(other) if other == "Blue"), "{refused}");
     let again = robots.add(&id("again"), "Again", Some(nowhere(Some(body("B1")))), true).unwrap_err();
     assert!(matches!(&again, Refused::RobotNotAdded(why) if why.contains("“Blue”")), "{again:?}");
     // With the first one gone it is that robot.

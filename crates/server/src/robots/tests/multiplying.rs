@@ -4,7 +4,7 @@ use super::puppet::Puppet;
 use super::recording::{lines, outputs, recorded, replayed, text};
 use super::{filtered, id, phase, until};
 use crate::recordings::Recordings;
-use crate::robots::Start;
+use crate::robots::StartOrder;
 use behaviour::{FileConnector, FileStream, StreamKind, Value};
 use engine::Limits;
 use protocol::RunPhase;
@@ -16,7 +16,7 @@ fn without_a_bound() -> Limits {
 }
 
 /// A ball, 60 diamonds in a row that each double its values, and a text on the page for each of them.
-fn diamonds(name: &str) -> Start {
+fn diamonds(name: &str) -> StartOrder {
     let mut start = filtered(name, "true");
     let file = Arc::make_mut(&mut start.file);
     let (stream, connector) = (file.streams[1].clone(), file.connectors[0].clone());

@@ -2,7 +2,7 @@
 
 use crate::recordings::Recordings;
 use crate::robots::Host;
-use crate::robots::order::Order;
+use crate::robots::order::RobotOrder;
 use crate::robots::robot_thread::{RoomRobot, STEP_MS};
 use crate::robots::status_feed::StatusFeed;
 use crate::support::lock;
@@ -58,7 +58,8 @@ impl Puppet {
         };
         let (robot, name) = (Id::new("puppet").unwrap(), "Puppet".to_owned());
         let state = RobotState::connecting(robot, name);
-        Host::new(state, Arc::new(StatusFeed::default()), Box::new(make), limits, recordings, Order::default()).unwrap()
+        Host::new(state, Arc::new(StatusFeed::default()), Box::new(make), limits, recordings, RobotOrder::default())
+            .unwrap()
     }
 
     /// Every open ball sees this in the next step.

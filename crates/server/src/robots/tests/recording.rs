@@ -4,16 +4,16 @@ use super::puppet::Puppet;
 use super::together::head;
 use super::{PATIENCE_S, filtered, id, until};
 use crate::recordings::Recordings;
-use crate::robots::{Host, Marked, Press, Start};
+use crate::robots::{Host, MarkPress, PressOutcome, StartOrder};
 use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Limits, Run};
-use protocol::{MarkSort, RecordingMark, Records, Refused, Session};
+use protocol::{MarkSort, RecordedSession, RecordingMark, Records, Refused};
 use robot::Millis;
 use std::sync::Arc;
 use std::time::Instant;
 
-pub(super) fn recorded(start: Start) -> Start {
-    Start { record: true, ..start }
+pub(super) fn recorded(start: StartOrder) -> StartOrder {
+    StartOrder { record: true, ..start }
 }
 
 /// The lines of the only recording, once it has its last.
@@ -70,13 +70,13 @@ fn stimulate(robots: &Host, value: i64) {
 }
 
 /// Marks a moment so long ago.
-fn mark_at(robots: &Host, note: &str, ago_ms: u64) -> Result<Marked, Refused> {
+fn mark_at(robots: &Host, note: &str, ago_ms: u64) -> Result<PressOutcome, Refused> {
     let now = Instant::now();
     let at = now.checked_sub(std::time::Duration::from_millis(ago_ms)).unwrap_or(now);
     let [word, by, at_time] = [const { String::new() }; 3];
     let (id, note, sort) = (behaviour::Id::from_uuid(uuid::Uuid::new_v4()), note.to_owned(), MarkSort::Note);
     let mark = RecordingMark { id, t: 0, until: None, word, sort, note, by, at: at_time, open: false, gone: false };
-    robots.mark(&self::id("one"), mark, Press { by: "Ben", at })
+    robots.mark(&self::id("one"), mark, MarkPress { by: "Ben", at })
 }
 
 #[tokio::test]
@@ -165,14 +165,15 @@ async fn what_runs_can_be_recorded_from_its_middle_on_and_says_who_pretended_wha
     let recordings = Recordings::within(Some(folder.path()));
     let puppet = Puppet::default();
     let robots = puppet.robots_with(Limits::default, recordings.clone());
-    let (one, session) = (id("one"), Session { participant: Some("C-07".to_owned()), ..Session::default() });
+    let (one, session) =
+        (id("one"), RecordedSession { participant: Some("C-07".to_owned()), ..RecordedSession::default() });
     assert_eq!(robots.record(&one, "Ben", &session), Err(Refused::NotRunning));
     let run = robots.start(counting("one")).await.unwrap();
     stimulate(&robots, 5);
     until("the first", || puppet.told(run.run) == [Value::Int(5)]).await;
     assert!(!mark_at(&robots, "early", 0).unwrap().kept, "nothing is recorded yet");
     robots.record(&one, "Ben", &session).unwrap();
-    robots.record(&one, "Cleo", &Session::default()).unwrap();
+    robots.record(&one, "Cleo", &RecordedSession::default()).unwrap();
     assert_eq!(recordings.list().len(), 1, "once is enough");
     assert!(mark_at(&robots, "long ago", 10_000_000).unwrap().kept);
     stimulate(&robots, 2);
@@ -194,13 +195,13 @@ async fn what_runs_can_be_recorded_from_its_middle_on_and_says_who_pretended_wha
 }
 
 /// A behaviour that shows the sum of all balls so far.
-fn counting(name: &str) -> Start {
+fn counting(name: &str) -> StartOrder {
     let start = filtered(name, "true");
     let mut file = (*start.file).clone();
     let connector = &mut file.connectors[0];
     (connector.operation, connector.start) = ("scan".to_owned(), Some(Value::Int(0)));
     connector.body = Some("soFar + ball".to_owned());
-    Start { file: file.into(), ..start }
+    StartOrder { file: file.into(), ..start }
 }
 
 #[tokio::test]
@@ -209,8 +210,8 @@ async fn a_recording_of_marks_has_nothing_of_what_was_sensed() {
     let recordings = Recordings::within(Some(folder.path()));
     let puppet = Puppet::default();
     let robots = puppet.robots_with(Limits::default, recordings.clone());
-    let session = Session { records: Records::Marks, ..Session::default() };
-    let run = robots.start(Start { record: true, session, ..filtered("one", "ball > 3") }).await.unwrap();
+    let session = RecordedSession { records: Records::Marks, ..RecordedSession::default() };
+    let run = robots.start(StartOrder { record: true, session, ..filtered("one", "ball > 3") }).await.unwrap();
     for value in [1, 5] {
         stimulate(&robots, value);
     }

@@ -5,18 +5,18 @@ use super::{PATIENCE_S, filtered, id};
 use crate::library::templates::templates;
 use crate::recordings::{About, Recordings};
 use crate::robots::ByHand;
-use crate::robots::Start;
-use crate::robots::mailbox::{Arrived, Beginning, DoneByHand, Mailbox, Post, Undone};
-use crate::robots::order::Order;
+use crate::robots::StartOrder;
+use crate::robots::mailbox::{Arrived, Beginning, DoneByHand, Post, RunMailbox, Undone};
+use crate::robots::order::RobotOrder;
 use crate::robots::refusal::RunFailure;
-use crate::robots::runner::{self, Job, Runner};
+use crate::robots::runner::{self, RunJob, Runner};
 use crate::robots::shared::RobotShared;
 use crate::robots::status_feed::StatusFeed;
 use crate::robots::successor::{self, RunHandover, Successor};
 use behaviour::{BehaviourFile, Engine, Id, StreamKind, Value};
 use engine::{Limits, Matching, Run, StreamIx};
-use protocol::{MarkSort, RecordingMark, RobotState, Session};
-use recording::{Checked, Different, Ending};
+use protocol::{MarkSort, RecordedSession, RecordingMark, RobotState};
+use recording::{CheckedRecording, Different, Ending};
 use std::cell::Cell;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -78,33 +78,33 @@ struct Course {
     recordings: Recordings,
     file: Arc<BehaviourFile>,
     revision: u64,
-    runner: Option<(Runner<'static>, &'static Job, Arc<Mailbox>)>,
-    follows: Option<(&'static Job, Receiver<RunHandover>)>,
+    runner: Option<(Runner<'static>, &'static RunJob, Arc<RunMailbox>)>,
+    follows: Option<(&'static RunJob, Receiver<RunHandover>)>,
 }
 
 impl Course {
     fn of(seed: u64, recordings: Recordings) -> Self {
         let feed = Arc::new(StatusFeed::default());
         feed.add(RobotState::connecting(id("nao"), "NAO".to_owned()));
-        let shared = Arc::new(RobotShared::new(id("nao"), feed, Order::default()));
+        let shared = Arc::new(RobotShared::new(id("nao"), feed, RobotOrder::default()));
         let mut all: Vec<BehaviourFile> = templates().iter().map(crate::library::templates::Template::file).collect();
         all.push((*filtered("fails", "100 / ball > 30").file).clone());
         let file = all.swap_remove(seed as usize % all.len()).into();
         Self { dice: Dice(seed + 1), shared, recordings, file, revision: 1, runner: None, follows: None }
     }
 
-    fn job(&self, run: u64, cancel: &Arc<crate::robots::cancel_flag::CancelFlag>, record: bool) -> &'static Job {
-        let start = Start {
+    fn job(&self, run: u64, cancel: &Arc<crate::robots::cancel_flag::CancelFlag>, record: bool) -> &'static RunJob {
+        let start = StartOrder {
             behaviour: id("b"),
             revision: self.revision,
             file: self.file.clone(),
             record,
-            session: Session::default(),
+            session: RecordedSession::default(),
             by: "Aiko".to_owned(),
             invitation: None,
         };
         let (cancel, shared, recordings) = (cancel.clone(), self.shared.clone(), self.recordings.clone());
-        Box::leak(Box::new(Job { run, start, cancel, shared, recordings, limits: Limits::default, clock: now }))
+        Box::leak(Box::new(RunJob { run, start, cancel, shared, recordings, limits: Limits::default, clock: now }))
     }
 
     /// Starts, or goes on where the robot interrupted it.
@@ -114,7 +114,7 @@ impl Course {
         let job = self.job(run, &cancel, record);
         let clock = Rc::new(Cell::new(now()));
         let built = runner::build(job, &clock).map_err(|why| why.to_string()).unwrap();
-        let (mailbox, devices) = (Arc::new(Mailbox::default()), runner::devices(&built, &job.start.file));
+        let (mailbox, devices) = (Arc::new(RunMailbox::default()), runner::devices(&built, &job.start.file));
         let begun = runner::begin(job, built, mailbox.clone(), &devices, clock);
         let (runner, _) = begun.map_err(|why| why.to_string()).unwrap();
         self.runner = Some((runner, job, mailbox));
@@ -210,7 +210,12 @@ impl Course {
         }
     }
 
-    fn followed(&mut self, (job, next): (&'static Job, &'static Job), handed: RunHandover, mailbox: Arc<Mailbox>) {
+    fn followed(
+        &mut self,
+        (job, next): (&'static RunJob, &'static RunJob),
+        handed: RunHandover,
+        mailbox: Arc<RunMailbox>,
+    ) {
         let clock = Rc::new(Cell::new(now()));
         let run = runner::build(next, &clock).map_err(|why| why.to_string()).unwrap();
         let matching = Matching::between(&job.start.file, &next.start.file);
@@ -219,8 +224,8 @@ impl Course {
         self.runner = Some((runner, next, mailbox));
     }
 
-    fn beginning(&self, job: &Job) -> Beginning {
-        let Start { behaviour, revision, file, by, session, .. } = &job.start;
+    fn beginning(&self, job: &RunJob) -> Beginning {
+        let StartOrder { behaviour, revision, file, by, session, .. } = &job.start;
         let about = About { run: job.run, robot: "NAO", behaviour, revision: *revision, by, file, session };
         Beginning {
             recorder: self.recordings.begin(&about).map_err(|why| why.to_string()).unwrap(),
@@ -285,7 +290,7 @@ fn texts(recordings: &Recordings) -> Vec<String> {
     list.iter().map(|one| std::fs::read_to_string(recordings.find(&one.file).unwrap()).unwrap()).collect()
 }
 
-fn checked(seed: u64, text: &str) -> Checked {
+fn checked(seed: u64, text: &str) -> CheckedRecording {
     recording::check(text).unwrap_or_else(|why| panic!("seed {seed}: {why}\n{text}"))
 }
 

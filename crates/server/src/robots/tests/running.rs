@@ -2,7 +2,7 @@
 
 use super::puppet::Puppet;
 use super::{filtered, id, phase, shows_until_told, stopped_by, until};
-use crate::robots::Seen;
+use crate::robots::SeenLive;
 use behaviour::Value;
 use engine::Limits;
 use protocol::{Refused, RunPhase};
@@ -77,7 +77,7 @@ async fn values_tell_what_is_new() {
     let puppet = Puppet::default();
     let robots = puppet.robots(Limits::default);
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
-    let (live, mut seen) = (robots.values(run.run).unwrap(), Seen::default());
+    let (live, mut seen) = (robots.values(run.run).unwrap(), SeenLive::default());
     assert!(robots.values(run.run + 1).is_none());
     robots.stimulate(&id("one"), &id("ball"), Value::Int(5), "Ben").unwrap();
     let mut values = None;
@@ -103,7 +103,7 @@ async fn a_fault_and_a_command_that_the_robot_drops_are_shown_on_their_connector
     let run = robots.start(filtered("one", "ball.x == () || true")).await.unwrap();
     let live = robots.values(run.run).unwrap();
     let error_of = |connector: &str| {
-        let values = live.since(&mut Seen::default())?;
+        let values = live.since(&mut SeenLive::default())?;
         values.connectors.into_iter().find(|sample| sample.connector == id(connector))?.error
     };
     robots.stimulate(&id("one"), &id("ball"), Value::Int(5), "Ben").unwrap();
@@ -112,7 +112,7 @@ async fn a_fault_and_a_command_that_the_robot_drops_are_shown_on_their_connector
     let live = robots.values(run.run).unwrap();
     robots.stimulate(&id("one"), &id("ball"), Value::Int(13), "Ben").unwrap();
     let dropped = || {
-        let values = live.since(&mut Seen::default())?;
+        let values = live.since(&mut SeenLive::default())?;
         values.connectors.into_iter().find(|sample| sample.connector == id("show"))?.error
     };
     until("the dropped command", || dropped().as_deref() == Some("this action needs a number")).await;
@@ -124,7 +124,7 @@ async fn the_rate_of_a_silent_stream_fades() {
     let robots = puppet.robots(Limits::default);
     let run = robots.start(filtered("one", "true")).await.unwrap();
     let live = robots.values(run.run).unwrap();
-    let rate = || Some(live.since(&mut Seen::default())?.streams.first()?.rate);
+    let rate = || Some(live.since(&mut SeenLive::default())?.streams.first()?.rate);
     // Told again until it is seen: on a busy machine the rate of one value may fade before anybody looks.
     let told = || robots.stimulate(&id("one"), &id("ball"), Value::Int(5), "Ben").unwrap();
     until("a rate", || {

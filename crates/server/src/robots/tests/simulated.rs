@@ -3,7 +3,7 @@
 use super::until;
 use crate::library::templates::templates;
 use crate::recordings::Recordings;
-use crate::robots::{Robots, Start};
+use crate::robots::{Robots, StartOrder};
 use behaviour::Id;
 use robot::{Health, SceneEdit};
 
@@ -13,12 +13,12 @@ async fn a_green_ball_makes_the_eyes_green() {
     let nao = robots.meant(None).unwrap();
     let file = templates()[0].file();
     let behaviour = Id::new("reflect").unwrap();
-    nao.start(Start {
+    nao.start(StartOrder {
         behaviour,
         revision: 3,
         file: file.into(),
         record: false,
-        session: protocol::Session::default(),
+        session: protocol::RecordedSession::default(),
         by: "Aiko".to_owned(),
         invitation: None,
     })

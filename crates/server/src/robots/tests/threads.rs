@@ -14,7 +14,7 @@ mod probe;
 
 use super::{filtered, id};
 use crate::robots::robot_thread::STEP_MS;
-use crate::robots::{Host, Start};
+use crate::robots::{Host, StartOrder};
 use behaviour::{BehaviourFile, FileConnector, StreamKind, Value};
 use probe::{Probe, Told};
 use std::sync::{Arc, mpsc};
@@ -72,7 +72,7 @@ fn bare() -> Vec<f64> {
 }
 
 /// Starts it and waits until it runs.
-fn started(robots: &Host, start: Start) {
+fn started(robots: &Host, start: StartOrder) {
     Runtime::new().unwrap().block_on(robots.start(start)).unwrap();
 }
 
@@ -131,7 +131,7 @@ fn ticks() -> Vec<f64> {
 }
 
 /// Every reading with its time, and beside it every tick with its time.
-fn ticking() -> Start {
+fn ticking() -> StartOrder {
     let start = filtered("one", "true");
     let mut file = (*start.file).clone();
     add_stream(&mut file, "sampled", StreamKind::Ordinary);
@@ -148,7 +148,7 @@ fn ticking() -> Start {
         let (operation, output) = (operation.to_owned(), to.to_owned());
         file.connectors.push(FileConnector { id, operation, inputs, output, period_ms, ..plain });
     }
-    Start { file: Arc::new(file), ..start }
+    StartOrder { file: Arc::new(file), ..start }
 }
 
 fn add_stream(file: &mut BehaviourFile, name: &str, kind: StreamKind) {

@@ -2,18 +2,18 @@
 
 use super::puppet::Puppet;
 use super::{filtered, id, until};
-use crate::robots::{Host, Start};
+use crate::robots::{Host, StartOrder};
 use behaviour::Value;
 use engine::Limits;
 use protocol::{HeldPart, Refused, RunState};
 use std::sync::Arc;
 
 /// A behaviour that moves the head, and holds it for longer than any test takes.
-pub(super) fn head(name: &str) -> Start {
+pub(super) fn head(name: &str) -> StartOrder {
     let start = filtered(name, "true");
     let mut file = (*start.file).clone();
     (file.streams[2].resources, file.streams[2].hold_ms) = (Some(vec!["head".to_owned()]), Some(600_000));
-    Start { file: Arc::new(file), ..start }
+    StartOrder { file: Arc::new(file), ..start }
 }
 
 fn send(robots: &Host, name: &str, value: i64) {

@@ -1,10 +1,10 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
-use super::making::{self, Made};
+use super::making::{self, MadeChange};
 use super::saving::{self, Proposal, SaveOutcome, Saved};
-use super::waiting::{Job, is_small};
+use super::waiting::{SavingJob, is_small};
 use super::{RoomTask, Stay, naming};
-use crate::rooms::member::Answer;
+use crate::rooms::member::AnswerTo;
 use crate::support::store_call;
 use behaviour::{Change, Kind, Presented, Refusal};
 use futures_util::future::BoxFuture;
@@ -19,7 +19,7 @@ const TOGETHER_MAX_CHANGES: usize = 32;
 const TOGETHER_MAX_BYTES: usize = 4 << 20;
 
 /// What a room has to do with the store just now.
-pub(super) enum Saving {
+pub(super) enum SavingStage {
     /// Nothing, and the room knows all that is saved.
     Idle,
     /// Nothing, but the store may have more than the room knows: it is asked before anything else is saved.
@@ -28,7 +28,7 @@ pub(super) enum Saving {
     UnderWay(BoxFuture<'static, Saved>),
 }
 
-impl Saving {
+impl SavingStage {
     /// Work of the store that is to be answered by then.
     fn work(by: Instant, work: impl Future<Output = Saved> + Send + 'static) -> Self {
         Self::UnderWay(Box::pin(store_call::by(by, work)))
@@ -49,7 +49,7 @@ impl Saving {
 }
 
 impl RoomTask {
-    pub(super) fn wait(&mut self, job: Job) {
+    pub(super) fn wait(&mut self, job: SavingJob) {
         if self.stay == Stay::Gone {
             job.no(Refused::NoBehaviour);
         } else if self.waiting.has_room(&job.sender()) {
@@ -79,25 +79,27 @@ impl RoomTask {
             return self.waiting.take_all().into_iter().for_each(|job| job.no(no.clone()));
         }
         let (around, id, by) = (Arc::clone(&self.around), self.id.clone(), self.answer_by());
-        if let Saving::Uncertain = self.saving {
-            self.saving = Saving::work(by, saving::catch_up(around, id, self.room.revision()));
+        if let SavingStage::Uncertain = self.saving {
+            self.saving = SavingStage::work(by, saving::catch_up(around, id, self.room.revision()));
             return;
         }
         match self.waiting.take() {
-            Some(Job::Save(proposal)) if is_small(&proposal.change) && !self.is_library() => self.start_small(proposal),
-            Some(Job::Save(proposal)) => self.start_change(proposal),
-            Some(Job::Make(wish, from)) => {
+            Some(SavingJob::Save(proposal)) if is_small(&proposal.change) && !self.is_library() => {
+                self.start_small(proposal)
+            }
+            Some(SavingJob::Save(proposal)) => self.start_change(proposal),
+            Some(SavingJob::Make(wish, from)) => {
                 let room = Arc::clone(&self.room);
-                self.saving = Saving::work(by, making::make(around, id, room, wish, from));
+                self.saving = SavingStage::work(by, making::make(around, id, room, wish, from));
             }
-            Some(Job::Name(what, from)) => {
-                self.saving = Saving::work(by, naming::name(around, id, self.room.revision(), what, from));
+            Some(SavingJob::Name(what, from)) => {
+                self.saving = SavingStage::work(by, naming::name(around, id, self.room.revision(), what, from));
             }
-            Some(Job::Remove(who, from)) => match self.locks.edited_by_others(&who.client, &self.room) {
+            Some(SavingJob::Remove(who, from)) => match self.locks.edited_by_others(&who.client, &self.room) {
                 Some(locked) => from.no(Refused::Change(locked)),
                 None => {
                     self.stay = Stay::Leaving;
-                    self.saving = Saving::work(by, saving::remove(around, id, who.name, from));
+                    self.saving = SavingStage::work(by, saving::remove(around, id, who.name, from));
                 }
             },
             None => {}
@@ -112,10 +114,10 @@ impl RoomTask {
         }
         let (around, id, by) = (Arc::clone(&self.around), self.id.clone(), self.answer_by());
         self.saving = match self.let_in(&proposal) {
-            Ok(()) => Saving::work(by, saving::decide(around, id, Arc::clone(&self.room), proposal)),
+            Ok(()) => SavingStage::work(by, saving::decide(around, id, Arc::clone(&self.room), proposal)),
             Err(locked) => {
                 let Proposal { change, from, .. } = proposal;
-                Saving::work(by, saving::refuse(around, id, change, locked, from))
+                SavingStage::work(by, saving::refuse(around, id, change, locked, from))
             }
         };
     }
@@ -131,13 +133,13 @@ impl RoomTask {
         {
             if !self.is_let_in(&proposal) {
                 // It is refused alone, when it is its turn.
-                self.waiting.put_back(Job::Save(proposal));
+                self.waiting.put_back(SavingJob::Save(proposal));
                 break;
             }
             all.push(proposal);
         }
         let (around, id, by) = (Arc::clone(&self.around), self.id.clone(), self.answer_by());
-        self.saving = Saving::work(by, saving::decide_together(around, id, Arc::clone(&self.room), all));
+        self.saving = SavingStage::work(by, saving::decide_together(around, id, Arc::clone(&self.room), all));
     }
 
     /// Whether a change belongs here and the locks let it in; then it is to be decided about.
@@ -166,32 +168,32 @@ impl RoomTask {
         match saved {
             Saved::Change { op, outcome, from } => {
                 if outcome.is_uncertain {
-                    self.saving = Saving::Uncertain;
+                    self.saving = SavingStage::Uncertain;
                 }
                 self.conclude(outcome, from);
                 self.locks.saved(&op);
                 self.tell_locks();
             }
             Saved::Made { outcome, from } => match *outcome {
-                Ok(Made::New(change, tokens)) => {
+                Ok(MadeChange::New(change, tokens)) => {
                     self.answer_by = by;
                     self.start_change(Proposal { change, tokens, from });
                 }
-                Ok(Made::Known(accepted)) => from.give(Reply::Accepted { behaviour: self.id.clone(), accepted }),
+                Ok(MadeChange::Known(accepted)) => from.give(Reply::Accepted { behaviour: self.id.clone(), accepted }),
                 Err(no) => from.no(no),
             },
             Saved::Named { outcome, from } => self.named(outcome, from),
             Saved::Together { done, left } => {
                 for (Proposal { change, from, .. }, outcome) in done {
                     if outcome.is_uncertain {
-                        self.saving = Saving::Uncertain;
+                        self.saving = SavingStage::Uncertain;
                     }
                     self.conclude(outcome, from);
                     self.locks.saved(&change.op);
                 }
                 for proposal in left.into_iter().rev() {
                     self.locks.saved(&proposal.change.op);
-                    self.waiting.put_back(Job::Save(proposal));
+                    self.waiting.put_back(SavingJob::Save(proposal));
                 }
                 self.tell_locks();
             }
@@ -200,7 +202,7 @@ impl RoomTask {
                 news.iter().for_each(|news| self.commit(news, None, None));
             }
             Saved::CaughtUp(Err(no)) => {
-                self.saving = Saving::Uncertain;
+                self.saving = SavingStage::Uncertain;
                 if let Some(job) = self.waiting.take() {
                     job.no(no);
                 }
@@ -214,11 +216,14 @@ impl RoomTask {
     }
 
     /// Tells the news; who asked gets the answer once: with the news if they are here and it is among them.
-    fn conclude(&mut self, outcome: SaveOutcome, from: Answer) {
+    fn conclude(&mut self, outcome: SaveOutcome, from: AnswerTo) {
         let SaveOutcome { news, after, answer, .. } = outcome;
         let here = from.session().filter(|session| self.members.contains_key(session));
-        let asked =
-            if let (Some(session), Answer::Client { ask, .. }) = (here, &from) { Some((session, *ask)) } else { None };
+        let asked = if let (Some(session), AnswerTo::Client { ask, .. }) = (here, &from) {
+            Some((session, *ask))
+        } else {
+            None
+        };
         let mut told = false;
         for one in &news {
             let mine = asked.filter(|_| answer.as_ref().is_ok_and(|mine| mine.revision == one.revision));
@@ -232,7 +237,7 @@ impl RoomTask {
         }
     }
 
-    fn removed(&mut self, by: &str, from: Answer) {
+    fn removed(&mut self, by: &str, from: AnswerTo) {
         tracing::info!(behaviour = %self.id, by, "a behaviour goes to the bin");
         self.stay = Stay::Gone;
         self.waiting.take_all().into_iter().for_each(|job| job.no(Refused::NoBehaviour));

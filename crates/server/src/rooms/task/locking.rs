@@ -1,12 +1,12 @@
 //! Who is editing what in a room: what links want with locks, and who is told what happened to them.
 
 use super::RoomTask;
-use crate::rooms::member::{Answer, Recipient};
-use crate::rooms::{Locking, Parting};
+use crate::rooms::member::{AnswerTo, Recipient};
+use crate::rooms::{LeaveReason, LockRequest};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{
-    Change, Denied, Grant, Held, Holder, Id, Kind, LockEvent, Locks, Presented, RecordId, Refusal, Room, Token,
+    Change, Denied, Grant, Held, Holder, Id, Kind, LockEvent, LockToken, Locks, Presented, RecordId, Refusal, Room,
 };
 use protocol::{LockShown, Refused, Reply};
 use std::time::Duration;
@@ -22,12 +22,12 @@ pub(super) struct LockBook {
     locks: Locks,
     /// When the clock was 0.
     began: Instant,
-    told: Told,
+    told: ToldLocks,
 }
 
 /// What everyone is told of the locks.
 #[derive(Default)]
-struct Told {
+struct ToldLocks {
     text: watch::Sender<Utf8Bytes>,
     /// Which version of them.
     version: u64,
@@ -35,7 +35,7 @@ struct Told {
     next_ms: u64,
 }
 
-impl Told {
+impl ToldLocks {
     /// When a newer version is to be told, if there is one.
     fn due(&self, locks: &Locks) -> Option<u64> {
         (self.version != locks.version()).then_some(self.next_ms)
@@ -57,7 +57,7 @@ impl Told {
 impl LockBook {
     /// Nothing is locked.
     pub(super) fn new(epoch: u64) -> Self {
-        Self { locks: Locks::new(epoch), began: Instant::now(), told: Told::default() }
+        Self { locks: Locks::new(epoch), began: Instant::now(), told: ToldLocks::default() }
     }
 
     fn now_ms(&self) -> u64 {
@@ -120,11 +120,11 @@ impl LockBook {
     }
 
     /// A link left.
-    pub(super) fn left(&mut self, session: u64, parting: Parting) {
+    pub(super) fn left(&mut self, session: u64, parting: LeaveReason) {
         let now_ms = self.now_ms();
-        if parting == Parting::Chosen {
+        if parting == LeaveReason::Chosen {
             let own = self.locks.held().filter(|held| held.holder.session == session);
-            let own: Vec<Token> = own.map(|held| held.token).collect();
+            let own: Vec<LockToken> = own.map(|held| held.token).collect();
             for token in own {
                 self.locks.release(now_ms, session, token);
             }
@@ -162,45 +162,45 @@ fn locked(given: Result<Grant, Denied>, room: &Room) -> Reply {
 
 impl RoomTask {
     /// Does what a link wants with the locks, if it is here; helpers are not locked.
-    pub(super) fn lock(&mut self, session: u64, locking: Locking) {
+    pub(super) fn lock(&mut self, session: u64, locking: LockRequest) {
         let Some(holder) = self.holder(session) else { return locking.refuse(Refused::NoLock) };
         let now_ms = self.locks.now_ms();
         match locking {
-            Locking::Take(records, answer) if !are_there(records.iter(), &self.room) => {
+            LockRequest::Take(records, answer) if !are_there(records.iter(), &self.room) => {
                 answer.no(Refused::NothingThere)
             }
-            Locking::TakeOver(record, answer) if !are_there([&record].into_iter(), &self.room) => {
+            LockRequest::TakeOver(record, answer) if !are_there([&record].into_iter(), &self.room) => {
                 answer.no(Refused::NothingThere)
             }
-            Locking::Take(records, answer) => {
+            LockRequest::Take(records, answer) => {
                 let taken = self.locks.locks.take(now_ms, holder, records);
                 answer.give(locked(taken, &self.room));
             }
-            Locking::TakeOver(record, answer) => {
+            LockRequest::TakeOver(record, answer) => {
                 let taken = self.locks.locks.take_over(now_ms, holder, record);
                 answer.give(locked(taken, &self.room));
             }
-            Locking::Release(token, answer) => {
+            LockRequest::Release(token, answer) => {
                 self.locks.locks.release(now_ms, session, token);
                 answer.give(Reply::Done);
             }
-            Locking::Touch(token) => {
+            LockRequest::Touch(token) => {
                 self.locks.locks.touch(now_ms, session, token);
             }
-            Locking::Ask(record, answer) => {
+            LockRequest::Ask(record, answer) => {
                 let asked = self.locks.locks.ask(now_ms, holder, record);
                 answer.give(Reply::Asked { now_ms, asked });
             }
-            Locking::Withdraw(record, answer) => {
+            LockRequest::Withdraw(record, answer) => {
                 self.locks.locks.withdraw(now_ms, session, &record);
                 answer.give(Reply::Done);
             }
-            Locking::Reply(token, yes, answer) => self.hand_over(session, token, yes, answer),
+            LockRequest::Reply(token, yes, answer) => self.hand_over(session, token, yes, answer),
         }
         self.tell_locks();
     }
 
-    fn hand_over(&mut self, session: u64, token: Token, yes: bool, answer: Answer) {
+    fn hand_over(&mut self, session: u64, token: LockToken, yes: bool, answer: AnswerTo) {
         let (now_ms, locks) = (self.locks.now_ms(), &mut self.locks.locks);
         let _had_ended_already =
             if yes { locks.say_yes(now_ms, session, token) } else { locks.say_not_yet(now_ms, session, token) };

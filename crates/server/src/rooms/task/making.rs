@@ -4,10 +4,10 @@
 use super::replay::{newest, one};
 use super::saving::{Saved, known};
 use crate::rooms::Surroundings;
-use crate::rooms::member::Answer;
-use crate::rooms::past::{Wanted, Was, Wish};
+use crate::rooms::member::AnswerTo;
+use crate::rooms::past::{RevertRequest, WantedChange, Was};
 use crate::support::identity::Sender;
-use behaviour::{Accepted, Change, Id, NAME_MAX_CHARS, Refusal, Room, Token, UndoLog, what_went};
+use behaviour::{Accepted, Change, Id, LockToken, NAME_MAX_CHARS, Refusal, Room, UndoLog, what_went};
 use protocol::{Person, Refused};
 use std::sync::Arc;
 
@@ -19,18 +19,24 @@ const UNDO_MAX_BYTES: usize = 2 << 20;
 const GO_BACK_MAX_BYTES: usize = 1 << 20;
 
 /// What came of a wish.
-pub(super) enum Made {
+pub(super) enum MadeChange {
     /// A change to decide about, with the tokens of who wants it.
-    New(Change, Vec<Token>),
+    New(Change, Vec<LockToken>),
     /// It was made before.
     Known(Accepted),
 }
 
 /// Makes the change that somebody wishes.
-pub(super) async fn make(around: Arc<Surroundings>, id: Id, room: Arc<Room>, wish: Wish, from: Answer) -> Saved {
+pub(super) async fn make(
+    around: Arc<Surroundings>,
+    id: Id,
+    room: Arc<Room>,
+    wish: RevertRequest,
+    from: AnswerTo,
+) -> Saved {
     let outcome = match known(&around, &id, &room, &wish.op).await {
         Ok(None) => new(&around, &id, room, wish, &from).await,
-        Ok(Some(accepted)) if is_answer(&wish, &accepted.change) => Ok(Made::Known(accepted)),
+        Ok(Some(accepted)) if is_answer(&wish, &accepted.change) => Ok(MadeChange::Known(accepted)),
         Ok(Some(_)) => Err(Refused::Change(Refusal::Reused)),
         Err(no) => Err(no),
     };
@@ -38,23 +44,29 @@ pub(super) async fn make(around: Arc<Surroundings>, id: Id, room: Arc<Room>, wis
 }
 
 /// Whether a change that has the op id of a wish can have come of it.
-fn is_answer(wish: &Wish, made: &Change) -> bool {
-    matches!(wish.what, Wanted::Undo | Wanted::Redo) == made.undoes.is_some()
+fn is_answer(wish: &RevertRequest, made: &Change) -> bool {
+    matches!(wish.what, WantedChange::Undo | WantedChange::Redo) == made.undoes.is_some()
 }
 
-async fn new(around: &Surroundings, id: &Id, room: Arc<Room>, wish: Wish, from: &Answer) -> Result<Made, Refused> {
-    let Wish { op, who, tokens, what } = wish;
+async fn new(
+    around: &Surroundings,
+    id: &Id,
+    room: Arc<Room>,
+    wish: RevertRequest,
+    from: &AnswerTo,
+) -> Result<MadeChange, Refused> {
+    let RevertRequest { op, who, tokens, what } = wish;
     let (sender, mine) = (from.sender(), who.clone());
     let change = match what {
-        Wanted::Undo | Wanted::Redo => {
-            undo(around, id, room, (op, mine.client, matches!(what, Wanted::Redo)), sender).await
+        WantedChange::Undo | WantedChange::Redo => {
+            undo(around, id, room, (op, mine.client, matches!(what, WantedChange::Redo)), sender).await
         }
-        Wanted::Again(was) => go_back(around, room, start(op, &mine), was, sender).await,
-        Wanted::BringBack(revision) => bring_back(around, id, room, (start(op, &mine), revision), sender).await,
-        Wanted::GoBack(..) => Err(Refused::NoVersion),
+        WantedChange::Again(was) => go_back(around, room, start(op, &mine), was, sender).await,
+        WantedChange::BringBack(revision) => bring_back(around, id, room, (start(op, &mine), revision), sender).await,
+        WantedChange::GoBack(..) => Err(Refused::NoVersion),
     }?;
     let change = Change { author: who.name, by: Some(who.client), ..change };
-    Ok(Made::New(change, tokens))
+    Ok(MadeChange::New(change, tokens))
 }
 
 fn start(op: Id, who: &Person) -> Change {

@@ -2,14 +2,14 @@
 
 use super::change_log::page;
 use super::{RoomTask, Stay};
-use crate::rooms::member::{Answer, Member, Whole};
-use crate::rooms::shown::Shown;
-use crate::rooms::{Entering, Parting, Whereabouts};
-use crate::support::identity::Group;
+use crate::rooms::member::{AnswerTo, Member, WholeBehaviour};
+use crate::rooms::shown::ShownBehaviour;
+use crate::rooms::{Entering, LeaveReason, Whereabouts};
+use crate::support::identity::ShareGroup;
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
-use protocol::{Area, CANVAS_MAX, Person, Refused, Reply};
+use protocol::{CANVAS_MAX, CanvasArea, Person, Refused, Reply};
 use std::sync::Arc;
 
 /// Who missed more changes than this opens again.
@@ -38,7 +38,7 @@ impl RoomTask {
         }
     }
 
-    fn welcome(&mut self, you: &Person, Entering { secret, role }: Entering, to: &Group) -> Whole {
+    fn welcome(&mut self, you: &Person, Entering { secret, role }: Entering, to: &ShareGroup) -> WholeBehaviour {
         let reply = Reply::Welcome {
             version: protocol::VERSION,
             epoch: self.around.epoch,
@@ -51,17 +51,17 @@ impl RoomTask {
             templates: self.around.templates.clone(),
             exercises: self.around.exercises.clone(),
         };
-        Whole { reply, shown: self.shown(to) }
+        WholeBehaviour { reply, shown: self.shown(to) }
     }
 
     /// The room as it is now, for who opens it.
-    fn shown(&mut self, to: &Group) -> Arc<Shown> {
+    fn shown(&mut self, to: &ShareGroup) -> Arc<ShownBehaviour> {
         let shown = self.around.shown.show(&self.room, &self.shown, to);
         self.shown = Arc::downgrade(&shown);
         shown
     }
 
-    fn opened(&mut self, to: &Group) -> Whole {
+    fn opened(&mut self, to: &ShareGroup) -> WholeBehaviour {
         let reply = Reply::Opened {
             behaviour: self.id.clone(),
             revision: self.room.revision(),
@@ -71,10 +71,10 @@ impl RoomTask {
             fingerprint: self.found.fingerprint,
             people: self.people(),
         };
-        Whole { reply, shown: self.shown(to) }
+        WholeBehaviour { reply, shown: self.shown(to) }
     }
 
-    pub(super) fn leave(&mut self, session: u64, parting: Parting) {
+    pub(super) fn leave(&mut self, session: u64, parting: LeaveReason) {
         let Some(gone) = self.members.remove(&session).filter(|_| !self.is_library()) else { return };
         self.tell_people();
         self.locks.left(session, parting);
@@ -117,7 +117,7 @@ impl RoomTask {
     }
 
     /// The first of the changes that somebody missed: from memory, else from the store.
-    pub(super) fn since(&mut self, revision: u64, answer: Answer) {
+    pub(super) fn since(&mut self, revision: u64, answer: AnswerTo) {
         let here = self.room.revision();
         let wanted = here.saturating_sub(revision);
         if wanted > MISSED_MAX_CHANGES && !self.is_library() {
@@ -158,7 +158,7 @@ fn is_on_canvas(at: [f64; 2]) -> bool {
     at.into_iter().all(|side| side.abs() <= CANVAS_MAX)
 }
 
-fn is_seen(view: &Area) -> bool {
+fn is_seen(view: &CanvasArea) -> bool {
     let sides = [view.width, view.height];
     is_on_canvas([view.x, view.y]) && is_on_canvas(sides) && sides.into_iter().all(|side| side > 0.0)
 }

@@ -3,8 +3,8 @@
 use super::RoomTask;
 use super::saving::Saved;
 use crate::rooms::Surroundings;
-use crate::rooms::member::Answer;
-use crate::rooms::past::Naming;
+use crate::rooms::member::AnswerTo;
+use crate::rooms::past::VersionNaming;
 use crate::support::message::encode;
 use crate::support::now_ms;
 use crate::support::store_call::{bounded, store_no};
@@ -21,22 +21,28 @@ pub(super) async fn kept(store: &dyn Store, id: &Id) -> Result<Checkpoints, Stor
 
 /// Gives a version a name or takes it away, when so many revisions there are. Another server may have named some, so
 /// that the store is asked first.
-pub(super) async fn name(around: Arc<Surroundings>, id: Id, newest: u64, naming: Naming, from: Answer) -> Saved {
+pub(super) async fn name(
+    around: Arc<Surroundings>,
+    id: Id,
+    newest: u64,
+    naming: VersionNaming,
+    from: AnswerTo,
+) -> Saved {
     let outcome = named(&around, &id, newest, naming).await;
     Saved::Named { outcome, from }
 }
 
-async fn named(around: &Surroundings, id: &Id, newest: u64, naming: Naming) -> Result<Checkpoints, Refused> {
+async fn named(around: &Surroundings, id: &Id, newest: u64, naming: VersionNaming) -> Result<Checkpoints, Refused> {
     let mut all = kept(&*around.store, id).await.map_err(|error| store_no(&error))?;
     match naming {
-        Naming::Name { revision, name, by } => {
+        VersionNaming::Name { revision, name, by } => {
             // Said twice, it is done once.
             let is_same = |one: &Checkpoint| one.revision == revision && one.name == name.trim() && one.by == by;
             if !all.all().iter().any(is_same) {
                 give(around, id, newest, &mut all, Checkpoint { revision, name, by, at_ms: now_ms() }).await?;
             }
         }
-        Naming::Unname(name) => {
+        VersionNaming::Unname(name) => {
             all.remove(&name);
             let mut gone = bounded(around.store.drop_checkpoint(id, &name)).await;
             if gone.as_ref().is_err_and(StoreError::is_open) {
@@ -79,7 +85,7 @@ pub(super) fn text(behaviour: &Id, versions: &Checkpoints) -> Utf8Bytes {
 
 impl RoomTask {
     /// The store answered.
-    pub(super) fn named(&mut self, outcome: Result<Checkpoints, Refused>, from: Answer) {
+    pub(super) fn named(&mut self, outcome: Result<Checkpoints, Refused>, from: AnswerTo) {
         match outcome {
             Ok(versions) => {
                 self.versions = versions;

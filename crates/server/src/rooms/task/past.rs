@@ -2,11 +2,11 @@
 
 use super::making::label;
 use super::replay::{PAGE_MAX_CHANGES, page, replay};
-use super::waiting::Job;
+use super::waiting::SavingJob;
 use super::{RoomTask, Stay};
-use crate::rooms::member::{Answer, Whole};
-use crate::rooms::past::{Past, Wanted, Was, Wish};
-use crate::rooms::{Note, Surroundings};
+use crate::rooms::member::{AnswerTo, WholeBehaviour};
+use crate::rooms::past::{PastRequest, RevertRequest, WantedChange, Was};
+use crate::rooms::{RoomCommand, Surroundings};
 use behaviour::{Id, Room, without_unseen};
 use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, Reply};
 use std::sync::{Arc, Weak};
@@ -16,24 +16,29 @@ const LINES_MAX_BYTES: usize = 128 << 10;
 
 impl RoomTask {
     /// Does what somebody wants of the past.
-    pub(super) fn past(&mut self, past: Past, answer: Answer) {
+    pub(super) fn past(&mut self, past: PastRequest, answer: AnswerTo) {
         if self.stay == Stay::Gone {
             return answer.no(Refused::NoBehaviour);
         }
         match past {
-            Past::History(before) => self.history(before, answer),
-            Past::At(revision) => self.at(revision, answer),
-            Past::Wish(Wish { op, who, tokens, what: Wanted::GoBack(revision, called) }) => {
+            PastRequest::History(before) => self.history(before, answer),
+            PastRequest::At(revision) => self.at(revision, answer),
+            PastRequest::Wish(RevertRequest { op, who, tokens, what: WantedChange::GoBack(revision, called) }) => {
                 let label = self.back_to(revision, &called);
-                self.find_was(revision, label, move |was| Wish { op, who, tokens, what: Wanted::Again(was) }, answer);
+                self.find_was(
+                    revision,
+                    label,
+                    move |was| RevertRequest { op, who, tokens, what: WantedChange::Again(was) },
+                    answer,
+                );
             }
-            Past::Wish(wish) => self.wait(Job::Make(wish, answer)),
-            Past::Name(_) if self.is_library() => answer.no(Refused::NoBehaviour),
-            Past::Name(naming) => self.wait(Job::Name(naming, answer)),
+            PastRequest::Wish(wish) => self.wait(SavingJob::Make(wish, answer)),
+            PastRequest::Name(_) if self.is_library() => answer.no(Refused::NoBehaviour),
+            PastRequest::Name(naming) => self.wait(SavingJob::Name(naming, answer)),
         }
     }
 
-    fn history(&self, before: Option<u64>, answer: Answer) {
+    fn history(&self, before: Option<u64>, answer: AnswerTo) {
         let (around, id, now) = (Arc::clone(&self.around), self.id.clone(), self.room.revision());
         let to = before.map_or(now, |before| now.min(before.saturating_sub(1)));
         self.around.tasks.spawn(async move {
@@ -49,7 +54,7 @@ impl RoomTask {
     }
 
     /// One after the other: each takes as much memory as the behaviour until it is shown.
-    fn at(&self, revision: u64, answer: Answer) {
+    fn at(&self, revision: u64, answer: AnswerTo) {
         let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
         self.around.tasks.spawn(async move {
             let Some(_turn) = around.replays.turn(&answer.sender()).await else { return answer.no(Refused::TooFast) };
@@ -68,8 +73,8 @@ impl RoomTask {
         &self,
         revision: u64,
         label: String,
-        wish: impl FnOnce(Box<Was>) -> Wish + Send + 'static,
-        answer: Answer,
+        wish: impl FnOnce(Box<Was>) -> RevertRequest + Send + 'static,
+        answer: AnswerTo,
     ) {
         let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
         let rooms = self.rooms.clone();
@@ -78,7 +83,7 @@ impl RoomTask {
             match replay(&around, &id, room, revision, &answer.sender(), || answer.is_unwanted()).await {
                 Ok(behaviour) => {
                     let was = Box::new(Was { behaviour, label, _turn: Some(turn) });
-                    rooms.tell(&id, Note::Past(Past::Wish(wish(was)), answer));
+                    rooms.tell(&id, RoomCommand::Past(PastRequest::Wish(wish(was)), answer));
                 }
                 Err(no) => answer.no(no),
             }
@@ -97,12 +102,18 @@ impl RoomTask {
     }
 }
 
-async fn at(around: &Surroundings, id: &Id, room: Arc<Room>, revision: u64, answer: &Answer) -> Result<Whole, Refused> {
+async fn at(
+    around: &Surroundings,
+    id: &Id,
+    room: Arc<Room>,
+    revision: u64,
+    answer: &AnswerTo,
+) -> Result<WholeBehaviour, Refused> {
     let sender = answer.sender();
     let was = replay(around, id, room, revision, &sender, || answer.is_unwanted()).await?;
     let room = around.workers.run(sender, move |_| Arc::new(Room::open(was, revision))).await?;
     let reply = Reply::At { behaviour: id.clone(), revision, records: Box::default(), more: false };
-    Ok(Whole { reply, shown: around.past_shown.show(&room, &Weak::new(), &answer.group()) })
+    Ok(WholeBehaviour { reply, shown: around.past_shown.show(&room, &Weak::new(), &answer.group()) })
 }
 
 /// A page of lines up to a revision, newest first, and whether there are older ones.

@@ -4,7 +4,7 @@
 use super::RoomTask;
 use crate::support::identity::Sender;
 use crate::support::message::encode;
-use crate::support::workers::NotDone;
+use crate::support::workers::WorkNotDone;
 use behaviour::{BehaviourFile, Problem};
 use futures_util::future::BoxFuture;
 use protocol::Reply;
@@ -13,7 +13,7 @@ use tokio_util::sync::CancellationToken;
 
 /// What was found out about one revision.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Found {
+pub(super) struct FoundProblems {
     revision: u64,
     /// Its problems.
     pub(super) problems: Vec<Problem>,
@@ -28,9 +28,9 @@ pub(super) enum Finding {
     /// They have to be looked for.
     Due,
     /// They are being looked for.
-    UnderWay(BoxFuture<'static, Result<Found, NotDone>>),
+    UnderWay(BoxFuture<'static, Result<FoundProblems, WorkNotDone>>),
     /// They are being looked for, and something changed since that began.
-    Overtaken(BoxFuture<'static, Result<Found, NotDone>>),
+    Overtaken(BoxFuture<'static, Result<FoundProblems, WorkNotDone>>),
 }
 
 impl Finding {
@@ -43,7 +43,7 @@ impl Finding {
     }
 
     /// Waits for what is being looked for, else for ever.
-    pub(super) async fn answer(&mut self) -> Result<Found, NotDone> {
+    pub(super) async fn answer(&mut self) -> Result<FoundProblems, WorkNotDone> {
         let (found, next) = match self {
             Self::UnderWay(work) => (work.await, Self::Current),
             Self::Overtaken(work) => (work.await, Self::Due),
@@ -74,24 +74,24 @@ impl RoomTask {
             let (behaviour, helpers) = (room.behaviour(), snapshot.helpers());
             let problems = behaviour::problems(behaviour, &helpers, &*knowing);
             let fingerprint = BehaviourFile::of(behaviour, &helpers).fingerprint();
-            Found { revision: room.revision(), problems, fingerprint }
+            FoundProblems { revision: room.revision(), problems, fingerprint }
         };
         let (workers, sender) = (self.around.workers.clone(), Sender::Room(self.id.clone()));
         self.finding = Finding::UnderWay(Box::pin(async move { workers.run(sender, find).await }));
     }
 
     /// They are found.
-    pub(super) fn found_problems(&mut self, found: Result<Found, NotDone>) {
+    pub(super) fn found_problems(&mut self, found: Result<FoundProblems, WorkNotDone>) {
         match found {
             Ok(found) => {
-                let Found { revision, problems, fingerprint } = found.clone();
+                let FoundProblems { revision, problems, fingerprint } = found.clone();
                 self.found = found;
                 let reply = Reply::Problems { behaviour: self.id.clone(), revision, problems, fingerprint };
                 self.problems_text.send_replace(encode(None, reply));
             }
             // When it is the turn of something else, it is tried again.
-            Err(NotDone::TooMuch) => self.finding.mark_due(),
-            Err(NotDone::Failed) => tracing::error!(behaviour = %self.id, "the problems could not be found"),
+            Err(WorkNotDone::TooMuch) => self.finding.mark_due(),
+            Err(WorkNotDone::Failed) => tracing::error!(behaviour = %self.id, "the problems could not be found"),
         }
     }
 }

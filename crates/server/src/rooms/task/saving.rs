@@ -3,13 +3,13 @@
 //! Moves, notes and groups that wait together are decided one after another, each as if those before it were saved, and saved
 //! in one transaction. The first that cannot be saved is settled alone, and those after it are decided again.
 
-use super::making::Made;
+use super::making::MadeChange;
 use crate::rooms::Surroundings;
-use crate::rooms::member::Answer;
+use crate::rooms::member::AnswerTo;
 use crate::support::store_call::{bounded, reason, store_no};
-use crate::support::workers::NotDone;
+use crate::support::workers::WorkNotDone;
 use behaviour::{
-    Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, Record, Refusal, Room, Token,
+    Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, LockToken, Record, Refusal, Room,
 };
 use protocol::Refused;
 use std::collections::{BTreeSet, VecDeque};
@@ -30,21 +30,21 @@ pub(super) enum Saved {
         /// What came of it.
         outcome: SaveOutcome,
         /// Who asked.
-        from: Answer,
+        from: AnswerTo,
     },
     /// A change was made out of what was.
     Made {
         /// What came of it.
-        outcome: Box<Result<Made, Refused>>,
+        outcome: Box<Result<MadeChange, Refused>>,
         /// Who asked.
-        from: Answer,
+        from: AnswerTo,
     },
     /// The store was asked to keep the name of a version, or to let it go.
     Named {
         /// All names now.
         outcome: Result<Checkpoints, Refused>,
         /// Who asked.
-        from: Answer,
+        from: AnswerTo,
     },
     /// The store was asked to keep several changes.
     Together {
@@ -60,7 +60,7 @@ pub(super) enum Saved {
         /// Whether it did.
         outcome: Result<(), Refused>,
         /// Who asked.
-        from: Answer,
+        from: AnswerTo,
         /// Who said so.
         by: String,
     },
@@ -69,8 +69,8 @@ pub(super) enum Saved {
 /// A change, with the tokens of what its sender locked and who asked.
 pub(super) struct Proposal {
     pub(super) change: Change,
-    pub(super) tokens: Vec<Token>,
-    pub(super) from: Answer,
+    pub(super) tokens: Vec<LockToken>,
+    pub(super) from: AnswerTo,
 }
 
 /// What came of keeping a change.
@@ -87,8 +87,8 @@ pub(super) struct SaveOutcome {
 
 impl SaveOutcome {
     /// It is saved.
-    fn applied(keep: Keep) -> Self {
-        let Keep { committed, after, .. } = keep;
+    fn applied(keep: SaveRequest) -> Self {
+        let SaveRequest { committed, after, .. } = keep;
         Self { news: vec![committed.clone()], after: Some(after), ..Self::nothing(Ok(committed)) }
     }
 
@@ -110,7 +110,7 @@ impl SaveOutcome {
 }
 
 /// What is to be kept, and what has to be so before.
-struct Keep {
+struct SaveRequest {
     /// The change.
     committed: Committed,
     /// The room with the change made.
@@ -121,14 +121,14 @@ struct Keep {
 
 /// What the room decided about a change.
 enum Decided {
-    Save(Box<Keep>),
+    Save(Box<SaveRequest>),
     Duplicate(u64),
     /// Not made; it may be one that was made long ago.
     Refuse(Change, Refusal),
 }
 
 /// What the store made of a change.
-enum Kept {
+enum StoreVerdict {
     /// It came to an end.
     Settled(SaveOutcome),
     /// Another server wrote first; with what it wrote.
@@ -148,14 +148,14 @@ pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, p
 async fn outcome(
     around: &Surroundings,
     id: &Id,
-    (mut room, mut decided_so): (Arc<Room>, Result<Decided, NotDone>),
+    (mut room, mut decided_so): (Arc<Room>, Result<Decided, WorkNotDone>),
     proposal: &Proposal,
 ) -> SaveOutcome {
     let mut missed = Vec::new();
     for _ in 0..TRIES {
         let more = match kept(around, id, decided_so, &proposal.change).await {
-            Kept::Settled(outcome) => return outcome.following(missed),
-            Kept::Overtaken(more) => more,
+            StoreVerdict::Settled(outcome) => return outcome.following(missed),
+            StoreVerdict::Overtaken(more) => more,
         };
         missed.extend(more.iter().cloned());
         room = match after(around, room, more, proposal).await {
@@ -167,8 +167,8 @@ async fn outcome(
     SaveOutcome::nothing(Err(stale())).following(missed)
 }
 
-async fn kept(around: &Surroundings, id: &Id, decided: Result<Decided, NotDone>, change: &Change) -> Kept {
-    Kept::Settled(match decided {
+async fn kept(around: &Surroundings, id: &Id, decided: Result<Decided, WorkNotDone>, change: &Change) -> StoreVerdict {
+    StoreVerdict::Settled(match decided {
         Ok(Decided::Save(keep)) => return save(around, id, *keep).await,
         Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(made_before(around, id, revision, change).await),
         Ok(Decided::Refuse(change, refusal)) => SaveOutcome::nothing(settle(around, id, change, refusal).await),
@@ -182,7 +182,7 @@ async fn after(
     room: Arc<Room>,
     missed: Vec<Committed>,
     proposal: &Proposal,
-) -> Result<Arc<Room>, NotDone> {
+) -> Result<Arc<Room>, WorkNotDone> {
     let follow = move |_: &_| {
         let mut room = Arc::unwrap_or_clone(room);
         missed.iter().for_each(|one| room.commit(one));
@@ -245,7 +245,7 @@ fn decided(
     around: &Surroundings,
     room: &Arc<Room>,
     proposal: &Proposal,
-) -> impl Future<Output = Result<Decided, NotDone>> + use<> {
+) -> impl Future<Output = Result<Decided, WorkNotDone>> + use<> {
     let sender = proposal.from.sender();
     let (room, change, workers) = (Arc::clone(room), proposal.change.clone(), around.workers.clone());
     let (knowing, now_ms) = (Arc::clone(&around.knowing), crate::support::now_ms());
@@ -253,7 +253,13 @@ fn decided(
 }
 
 /// Refuses a change of what somebody else is editing, unless it was made long ago and is sent again.
-pub(super) async fn refuse(around: Arc<Surroundings>, id: Id, change: Change, locked: Refusal, from: Answer) -> Saved {
+pub(super) async fn refuse(
+    around: Arc<Surroundings>,
+    id: Id,
+    change: Change,
+    locked: Refusal,
+    from: AnswerTo,
+) -> Saved {
     let op = change.op.clone();
     let outcome = SaveOutcome::nothing(settle(&around, &id, change, locked).await);
     Saved::Change { op, outcome, from }
@@ -265,7 +271,7 @@ fn judge(room: &Room, change: Change, knowledge: &dyn Knowledge, now_ms: u64) ->
             let helpers = helpers_let_go(&committed.change);
             let mut after = room.clone();
             after.commit(&committed);
-            Decided::Save(Box::new(Keep { committed, after: Arc::new(after), helpers }))
+            Decided::Save(Box::new(SaveRequest { committed, after: Arc::new(after), helpers }))
         }
         Decision::Duplicate(revision) => Decided::Duplicate(revision),
         Decision::Refuse(refusal) => Decided::Refuse(change, refusal),
@@ -282,14 +288,14 @@ fn helpers_let_go(change: &Change) -> Vec<String> {
 }
 
 /// Keeps a change.
-async fn save(around: &Surroundings, id: &Id, keep: Keep) -> Kept {
-    let Keep { committed, after, helpers } = keep;
+async fn save(around: &Surroundings, id: &Id, keep: SaveRequest) -> StoreVerdict {
+    let SaveRequest { committed, after, helpers } = keep;
     let before = committed.revision.saturating_sub(1);
     if let Err(used) = unused(around, helpers).await {
-        return Kept::Settled(SaveOutcome::nothing(Err(used)));
+        return StoreVerdict::Settled(SaveOutcome::nothing(Err(used)));
     }
-    Kept::Settled(match append(around, id, &committed, after.behaviour()).await {
-        Ok(Append::Applied) => SaveOutcome::applied(Keep { committed, after, helpers: Vec::new() }),
+    StoreVerdict::Settled(match append(around, id, &committed, after.behaviour()).await {
+        Ok(Append::Applied) => SaveOutcome::applied(SaveRequest { committed, after, helpers: Vec::new() }),
         Ok(Append::Duplicate { revision }) => {
             let answer = one(around, id, revision).await;
             with_news(around, id, before, answer).await
@@ -298,7 +304,7 @@ async fn save(around: &Surroundings, id: &Id, keep: Keep) -> Kept {
         Ok(Append::Conflict { .. }) => {
             let outcome = with_news(around, id, before, Err(stale())).await;
             if !outcome.news.is_empty() {
-                return Kept::Overtaken(outcome.news);
+                return StoreVerdict::Overtaken(outcome.news);
             }
             outcome
         }
@@ -386,7 +392,7 @@ pub(super) async fn catch_up(around: Arc<Surroundings>, id: Id, revision: u64) -
 }
 
 /// Moves the behaviour to the bin.
-pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: Answer) -> Saved {
+pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: AnswerTo) -> Saved {
     let outcome = if (around.is_running)(&id) {
         Err(Refused::Running)
     } else {

@@ -1,10 +1,10 @@
 //! What waits for saving in one room: each sender's in order, bounded, and the senders take turns.
 
 use super::saving::Proposal;
-use crate::rooms::Remover;
-use crate::rooms::member::Answer;
-use crate::rooms::past::{Naming, Wish};
-use crate::support::identity::{Group, Sender};
+use crate::rooms::BinRequest;
+use crate::rooms::member::AnswerTo;
+use crate::rooms::past::{RevertRequest, VersionNaming};
+use crate::support::identity::{Sender, ShareGroup};
 use behaviour::{Change, Edit, Kind};
 use protocol::Refused;
 use std::collections::{HashMap, VecDeque};
@@ -20,18 +20,18 @@ const WAITING_PER_GROUP_MAX_JOBS: usize = 512;
 const SMALL_MAX_BYTES: usize = 4 << 10;
 
 /// What has to be saved.
-pub(super) enum Job {
+pub(super) enum SavingJob {
     /// A change.
     Save(Proposal),
     /// A change that has to be made first, out of what was.
-    Make(Wish, Answer),
+    Make(RevertRequest, AnswerTo),
     /// A version gets a name, or loses it.
-    Name(Naming, Answer),
+    Name(VersionNaming, AnswerTo),
     /// The behaviour goes to the bin; with who says so.
-    Remove(Remover, Answer),
+    Remove(BinRequest, AnswerTo),
 }
 
-impl Job {
+impl SavingJob {
     /// For whom it is done.
     pub(super) fn sender(&self) -> Sender {
         match self {
@@ -58,25 +58,25 @@ pub(super) fn is_small(change: &Change) -> bool {
 
 /// Jobs that wait: each sender's in order, and the senders take turns.
 #[derive(Default)]
-pub(super) struct Waiting {
-    of: HashMap<Sender, VecDeque<Job>>,
+pub(super) struct WaitingJobs {
+    of: HashMap<Sender, VecDeque<SavingJob>>,
     /// Who is next.
     turns: VecDeque<Sender>,
     count: usize,
 }
 
-impl Waiting {
+impl WaitingJobs {
     /// Whether one more job of this sender finds room.
     pub(super) fn has_room(&self, sender: &Sender) -> bool {
         let mine = self.of.get(sender).map_or(0, VecDeque::len);
         let group = sender.group();
         let ours =
             || self.of.iter().filter(|(other, _)| other.group() == group).map(|(_, jobs)| jobs.len()).sum::<usize>();
-        let is_few = matches!(group, Group::Host | Group::Server) || ours() < WAITING_PER_GROUP_MAX_JOBS;
+        let is_few = matches!(group, ShareGroup::Host | ShareGroup::Server) || ours() < WAITING_PER_GROUP_MAX_JOBS;
         self.count < WAITING_MAX_JOBS && mine < WAITING_PER_SENDER_MAX_JOBS && is_few
     }
 
-    pub(super) fn put(&mut self, job: Job) {
+    pub(super) fn put(&mut self, job: SavingJob) {
         let sender = job.sender();
         let mine = self.of.entry(sender.clone()).or_default();
         if mine.is_empty() {
@@ -86,7 +86,7 @@ impl Waiting {
         self.count += 1;
     }
 
-    pub(super) fn take(&mut self) -> Option<Job> {
+    pub(super) fn take(&mut self) -> Option<SavingJob> {
         let sender = self.turns.pop_front()?;
         let jobs = self.of.get_mut(&sender)?;
         let job = jobs.pop_front()?;
@@ -102,12 +102,12 @@ impl Waiting {
     /// The next job, if it is a small change.
     pub(super) fn take_small(&mut self) -> Option<Proposal> {
         let next = self.of.get(self.turns.front()?)?.front();
-        next.filter(|job| matches!(job, Job::Save(Proposal { change, .. }) if is_small(change)))?;
-        self.take().and_then(|job| if let Job::Save(proposal) = job { Some(proposal) } else { None })
+        next.filter(|job| matches!(job, SavingJob::Save(Proposal { change, .. }) if is_small(change)))?;
+        self.take().and_then(|job| if let SavingJob::Save(proposal) = job { Some(proposal) } else { None })
     }
 
     /// Puts back what was taken last.
-    pub(super) fn put_back(&mut self, job: Job) {
+    pub(super) fn put_back(&mut self, job: SavingJob) {
         let sender = job.sender();
         let mine = self.of.entry(sender.clone()).or_default();
         if mine.is_empty() {
@@ -117,7 +117,7 @@ impl Waiting {
         self.count += 1;
     }
 
-    pub(super) fn take_all(&mut self) -> Vec<Job> {
+    pub(super) fn take_all(&mut self) -> Vec<SavingJob> {
         std::iter::from_fn(|| self.take()).collect()
     }
 
@@ -128,24 +128,24 @@ impl Waiting {
 
 #[cfg(test)]
 mod tests {
-    use super::{Job, Proposal, WAITING_PER_GROUP_MAX_JOBS, WAITING_PER_SENDER_MAX_JOBS, Waiting};
-    use crate::rooms::Remover;
-    use crate::rooms::member::{Answer, Feed, Recipient, Whole};
-    use crate::support::identity::Identity;
+    use super::{Proposal, SavingJob, WAITING_PER_GROUP_MAX_JOBS, WAITING_PER_SENDER_MAX_JOBS, WaitingJobs};
+    use crate::rooms::BinRequest;
+    use crate::rooms::member::{AnswerTo, Recipient, RoomFeed, WholeBehaviour};
+    use crate::support::identity::PersonIdentity;
     use crate::support::identity::tests::guest;
     use axum::extract::ws::Utf8Bytes;
     use behaviour::{Change, Edit, Id, Kind, RecordId};
     use std::sync::Arc;
 
     /// A link that nobody reads.
-    struct Silent(u64, Identity);
+    struct Silent(u64, PersonIdentity);
 
     impl Recipient for Silent {
         fn session(&self) -> u64 {
             self.0
         }
 
-        fn person(&self) -> &Identity {
+        fn person(&self) -> &PersonIdentity {
             &self.1
         }
 
@@ -155,26 +155,26 @@ mod tests {
 
         fn send(&self, _: Utf8Bytes) {}
 
-        fn send_whole(&self, _: u32, _: Whole) {}
+        fn send_whole(&self, _: u32, _: WholeBehaviour) {}
 
-        fn follow(&self, _: Box<Feed>) {}
+        fn follow(&self, _: Box<RoomFeed>) {}
 
         fn unfollow(&self, _: Id) {}
     }
 
-    fn answer(session: u64) -> Answer {
-        Answer::Client { to: Arc::new(Silent(session, guest("a", &session.to_string()))), ask: 1, held: None }
+    fn answer(session: u64) -> AnswerTo {
+        AnswerTo::Client { to: Arc::new(Silent(session, guest("a", &session.to_string()))), ask: 1, held: None }
     }
 
-    fn change(waiting: &mut Waiting, session: u64, op: &str, edited: Kind) {
+    fn change(waiting: &mut WaitingJobs, session: u64, op: &str, edited: Kind) {
         let edit = Edit { id: RecordId::new(edited, &Id::new("r").unwrap()), before: None, after: None };
         let change = Change { edits: vec![edit], ..Change::of(Id::new(op).unwrap(), "Ben", "Edit") };
-        waiting.put(Job::Save(Proposal { change, tokens: Vec::new(), from: answer(session) }));
+        waiting.put(SavingJob::Save(Proposal { change, tokens: Vec::new(), from: answer(session) }));
     }
 
     #[test]
     fn small_changes_that_come_next_are_taken_and_what_is_put_back_comes_first() {
-        let mut waiting = Waiting::default();
+        let mut waiting = WaitingJobs::default();
         change(&mut waiting, 1, "move", Kind::Place);
         change(&mut waiting, 1, "connect", Kind::Connector);
         change(&mut waiting, 2, "note", Kind::Note);
@@ -183,26 +183,26 @@ mod tests {
         while let Some(small) = waiting.take_small() {
             ops.push(small.change.op.to_string());
             if ops.len() == 2 {
-                waiting.put_back(Job::Save(small));
+                waiting.put_back(SavingJob::Save(small));
             }
         }
         assert_eq!(ops, ["move", "note"], "then it is the turn of a connector");
-        let rest: Vec<_> = waiting.take_all().iter().map(Job::sender).collect();
+        let rest: Vec<_> = waiting.take_all().iter().map(SavingJob::sender).collect();
         assert_eq!((rest, waiting.is_empty()), ([1, 2, 2].map(|session| answer(session).sender()).to_vec(), true));
     }
 
-    fn put(waiting: &mut Waiting, session: u64, by: &str) -> bool {
+    fn put(waiting: &mut WaitingJobs, session: u64, by: &str) -> bool {
         let has_room = waiting.has_room(&answer(session).sender());
         if has_room {
-            let by = Remover { client: Id::new("client").unwrap(), name: by.to_owned() };
-            waiting.put(Job::Remove(by, answer(session)));
+            let by = BinRequest { client: Id::new("client").unwrap(), name: by.to_owned() };
+            waiting.put(SavingJob::Remove(by, answer(session)));
         }
         has_room
     }
 
     #[test]
     fn senders_take_turns_and_each_has_its_own_bound() {
-        let mut waiting = Waiting::default();
+        let mut waiting = WaitingJobs::default();
         let mine = (0..2 * WAITING_PER_SENDER_MAX_JOBS).filter(|_| put(&mut waiting, 1, "Ben")).count();
         assert!(mine == WAITING_PER_SENDER_MAX_JOBS && put(&mut waiting, 2, "Aiko"));
         let mut next = || waiting.take().map(|job| job.sender());

@@ -11,11 +11,11 @@ pub(super) struct Gesture {
     pub(super) path: &'static str,
     /// The name for people.
     pub(super) words: &'static str,
-    pub(super) rows: &'static [Row],
+    pub(super) rows: &'static [JointKeys],
 }
 
 /// A joint and its keys; it begins and ends where it was.
-pub(super) struct Row(&'static str, &'static [(u64, f32)]);
+pub(super) struct JointKeys(&'static str, &'static [(u64, f32)]);
 
 const NOD: &[(u64, f32)] = &[(300, 0.35), (600, -0.10), (900, 0.35), (1_200, -0.10)];
 const SHAKE: &[(u64, f32)] = &[(300, 0.45), (700, -0.45), (1_100, 0.45), (1_500, -0.45)];
@@ -31,28 +31,33 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "animations/Stand/Gestures/Hey_1",
         words: "waving",
         rows: &[
-            Row("RShoulderPitch", &[(700, -0.9), (2_200, -0.9)]),
-            Row("RShoulderRoll", &[(700, -0.3), (2_200, -0.3)]),
-            Row("RElbowYaw", &[(700, 1.2), (2_200, 1.2)]),
-            Row("RElbowRoll", WAVE),
-            Row("RHand", &[(700, 0.9), (2_200, 0.9)]),
+            JointKeys("RShoulderPitch", &[(700, -0.9), (2_200, -0.9)]),
+            JointKeys("RShoulderRoll", &[(700, -0.3), (2_200, -0.3)]),
+            JointKeys("RElbowYaw", &[(700, 1.2), (2_200, 1.2)]),
+            JointKeys("RElbowRoll", WAVE),
+            JointKeys("RHand", &[(700, 0.9), (2_200, 0.9)]),
         ],
     },
-    Gesture { name: "Yes", path: "animations/Stand/Gestures/Yes_1", words: "nodding", rows: &[Row("HeadPitch", NOD)] },
+    Gesture {
+        name: "Yes",
+        path: "animations/Stand/Gestures/Yes_1",
+        words: "nodding",
+        rows: &[JointKeys("HeadPitch", NOD)],
+    },
     Gesture {
         name: "No",
         path: "animations/Stand/Gestures/No_1",
         words: "shaking the head",
-        rows: &[Row("HeadYaw", SHAKE)],
+        rows: &[JointKeys("HeadYaw", SHAKE)],
     },
     Gesture {
         name: "Bow",
         path: "animations/Stand/Gestures/BowShort_1",
         words: "bowing",
         rows: &[
-            Row("HeadPitch", &[(800, 0.5), (1_600, 0.5)]),
-            Row("LShoulderPitch", &[(800, 1.75), (1_600, 1.75)]),
-            Row("RShoulderPitch", &[(800, 1.75), (1_600, 1.75)]),
+            JointKeys("HeadPitch", &[(800, 0.5), (1_600, 0.5)]),
+            JointKeys("LShoulderPitch", &[(800, 1.75), (1_600, 1.75)]),
+            JointKeys("RShoulderPitch", &[(800, 1.75), (1_600, 1.75)]),
         ],
     },
     Gesture {
@@ -60,10 +65,10 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "animations/Stand/Gestures/Me_1",
         words: "pointing to itself",
         rows: &[
-            Row("RShoulderPitch", &[(700, 1.0), (1_700, 1.0)]),
-            Row("RShoulderRoll", &[(700, 0.2), (1_700, 0.2)]),
-            Row("RElbowYaw", &[(700, 0.3), (1_700, 0.3)]),
-            Row("RElbowRoll", &[(700, 1.5), (1_700, 1.5)]),
+            JointKeys("RShoulderPitch", &[(700, 1.0), (1_700, 1.0)]),
+            JointKeys("RShoulderRoll", &[(700, 0.2), (1_700, 0.2)]),
+            JointKeys("RElbowYaw", &[(700, 0.3), (1_700, 0.3)]),
+            JointKeys("RElbowRoll", &[(700, 1.5), (1_700, 1.5)]),
         ],
     },
     Gesture {
@@ -71,12 +76,12 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "animations/Stand/Gestures/Explain_1",
         words: "explaining",
         rows: &[
-            Row("LShoulderPitch", &[(600, 0.9), (1_200, 1.2), (1_800, 0.9)]),
-            Row("LElbowRoll", &[(600, -1.3), (1_200, -0.9), (1_800, -1.3)]),
-            Row("LHand", &[(600, 0.9), (1_800, 0.9)]),
-            Row("RShoulderPitch", &[(600, 1.2), (1_200, 0.9), (1_800, 1.2)]),
-            Row("RElbowRoll", &[(600, 0.9), (1_200, 1.3), (1_800, 0.9)]),
-            Row("RHand", &[(600, 0.9), (1_800, 0.9)]),
+            JointKeys("LShoulderPitch", &[(600, 0.9), (1_200, 1.2), (1_800, 0.9)]),
+            JointKeys("LElbowRoll", &[(600, -1.3), (1_200, -0.9), (1_800, -1.3)]),
+            JointKeys("LHand", &[(600, 0.9), (1_800, 0.9)]),
+            JointKeys("RShoulderPitch", &[(600, 1.2), (1_200, 0.9), (1_800, 1.2)]),
+            JointKeys("RElbowRoll", &[(600, 0.9), (1_200, 1.3), (1_800, 0.9)]),
+            JointKeys("RHand", &[(600, 0.9), (1_800, 0.9)]),
         ],
     },
     Gesture {
@@ -84,11 +89,11 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "animations/Stand/Emotions/Positive/Happy_4",
         words: "cheering",
         rows: &[
-            Row("HeadPitch", &[(600, -0.4), (1_800, -0.4)]),
-            Row("LShoulderPitch", &[(600, -1.2), (1_000, -0.8), (1_400, -1.2), (1_800, -0.8)]),
-            Row("RShoulderPitch", &[(600, -1.2), (1_000, -0.8), (1_400, -1.2), (1_800, -0.8)]),
-            Row("LHand", &[(600, 1.0), (1_800, 1.0)]),
-            Row("RHand", &[(600, 1.0), (1_800, 1.0)]),
+            JointKeys("HeadPitch", &[(600, -0.4), (1_800, -0.4)]),
+            JointKeys("LShoulderPitch", &[(600, -1.2), (1_000, -0.8), (1_400, -1.2), (1_800, -0.8)]),
+            JointKeys("RShoulderPitch", &[(600, -1.2), (1_000, -0.8), (1_400, -1.2), (1_800, -0.8)]),
+            JointKeys("LHand", &[(600, 1.0), (1_800, 1.0)]),
+            JointKeys("RHand", &[(600, 1.0), (1_800, 1.0)]),
         ],
     },
     Gesture {
@@ -96,11 +101,20 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "animations/Stand/Waiting/FunnyDancer_1",
         words: "dancing",
         rows: &[
-            Row("HeadYaw", &[(500, 0.4), (1_000, -0.4), (1_500, 0.4), (2_000, -0.4), (2_500, 0.4), (3_000, -0.4)]),
-            Row("LShoulderPitch", &[(500, 0.2), (1_000, 1.2), (1_500, 0.2), (2_000, 1.2), (2_500, 0.2), (3_000, 1.2)]),
-            Row("RShoulderPitch", &[(500, 1.2), (1_000, 0.2), (1_500, 1.2), (2_000, 0.2), (2_500, 1.2), (3_000, 0.2)]),
-            Row("LElbowRoll", &[(500, -1.2), (3_000, -1.2)]),
-            Row("RElbowRoll", &[(500, 1.2), (3_000, 1.2)]),
+            JointKeys(
+                "HeadYaw",
+                &[(500, 0.4), (1_000, -0.4), (1_500, 0.4), (2_000, -0.4), (2_500, 0.4), (3_000, -0.4)],
+            ),
+            JointKeys(
+                "LShoulderPitch",
+                &[(500, 0.2), (1_000, 1.2), (1_500, 0.2), (2_000, 1.2), (2_500, 0.2), (3_000, 1.2)],
+            ),
+            JointKeys(
+                "RShoulderPitch",
+                &[(500, 1.2), (1_000, 0.2), (1_500, 1.2), (2_000, 0.2), (2_500, 1.2), (3_000, 0.2)],
+            ),
+            JointKeys("LElbowRoll", &[(500, -1.2), (3_000, -1.2)]),
+            JointKeys("RElbowRoll", &[(500, 1.2), (3_000, 1.2)]),
         ],
     },
     Gesture {
@@ -108,20 +122,20 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "animations/Stand/Gestures/Applause_1",
         words: "clapping",
         rows: &[
-            Row("LShoulderPitch", &[(700, 0.6), (2_300, 0.6)]),
-            Row("RShoulderPitch", &[(700, 0.6), (2_300, 0.6)]),
-            Row("LElbowRoll", &[(700, -1.0), (2_300, -1.0)]),
-            Row("RElbowRoll", &[(700, 1.0), (2_300, 1.0)]),
-            Row(
+            JointKeys("LShoulderPitch", &[(700, 0.6), (2_300, 0.6)]),
+            JointKeys("RShoulderPitch", &[(700, 0.6), (2_300, 0.6)]),
+            JointKeys("LElbowRoll", &[(700, -1.0), (2_300, -1.0)]),
+            JointKeys("RElbowRoll", &[(700, 1.0), (2_300, 1.0)]),
+            JointKeys(
                 "LShoulderRoll",
                 &[(700, 0.3), (1_000, -0.1), (1_300, 0.3), (1_600, -0.1), (1_900, 0.3), (2_300, -0.1)],
             ),
-            Row(
+            JointKeys(
                 "RShoulderRoll",
                 &[(700, -0.3), (1_000, 0.1), (1_300, -0.3), (1_600, 0.1), (1_900, -0.3), (2_300, 0.1)],
             ),
-            Row("LHand", &[(700, 0.8), (2_300, 0.8)]),
-            Row("RHand", &[(700, 0.8), (2_300, 0.8)]),
+            JointKeys("LHand", &[(700, 0.8), (2_300, 0.8)]),
+            JointKeys("RHand", &[(700, 0.8), (2_300, 0.8)]),
         ],
     },
     Gesture {
@@ -129,13 +143,13 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "animations/Stand/Emotions/Negative/Surprise_1",
         words: "acting surprised",
         rows: &[
-            Row("HeadPitch", &[(400, -0.4), (1_600, -0.4)]),
-            Row("LShoulderPitch", &[(500, 0.5), (1_600, 0.5)]),
-            Row("RShoulderPitch", &[(500, 0.5), (1_600, 0.5)]),
-            Row("LElbowRoll", &[(500, -1.4), (1_600, -1.4)]),
-            Row("RElbowRoll", &[(500, 1.4), (1_600, 1.4)]),
-            Row("LHand", &[(400, 1.0), (1_600, 1.0)]),
-            Row("RHand", &[(400, 1.0), (1_600, 1.0)]),
+            JointKeys("HeadPitch", &[(400, -0.4), (1_600, -0.4)]),
+            JointKeys("LShoulderPitch", &[(500, 0.5), (1_600, 0.5)]),
+            JointKeys("RShoulderPitch", &[(500, 0.5), (1_600, 0.5)]),
+            JointKeys("LElbowRoll", &[(500, -1.4), (1_600, -1.4)]),
+            JointKeys("RElbowRoll", &[(500, 1.4), (1_600, 1.4)]),
+            JointKeys("LHand", &[(400, 1.0), (1_600, 1.0)]),
+            JointKeys("RHand", &[(400, 1.0), (1_600, 1.0)]),
         ],
     },
     Gesture {
@@ -143,10 +157,10 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "",
         words: "giving a high five",
         rows: &[
-            Row("RShoulderPitch", &[(800, -0.8), (3_000, -0.8)]),
-            Row("RShoulderRoll", &[(800, -0.1), (3_000, -0.1)]),
-            Row("RElbowRoll", &[(800, 0.4), (3_000, 0.4)]),
-            Row("RHand", &[(800, 1.0), (3_000, 1.0)]),
+            JointKeys("RShoulderPitch", &[(800, -0.8), (3_000, -0.8)]),
+            JointKeys("RShoulderRoll", &[(800, -0.1), (3_000, -0.1)]),
+            JointKeys("RElbowRoll", &[(800, 0.4), (3_000, 0.4)]),
+            JointKeys("RHand", &[(800, 1.0), (3_000, 1.0)]),
         ],
     },
     Gesture {
@@ -154,11 +168,11 @@ pub(super) const GESTURES: &[Gesture] = &[
         path: "",
         words: "waving the left hand",
         rows: &[
-            Row("LShoulderPitch", &[(700, -0.9), (2_200, -0.9)]),
-            Row("LShoulderRoll", &[(700, 0.3), (2_200, 0.3)]),
-            Row("LElbowYaw", &[(700, -1.2), (2_200, -1.2)]),
-            Row("LElbowRoll", WAVE_LEFT),
-            Row("LHand", &[(700, 0.9), (2_200, 0.9)]),
+            JointKeys("LShoulderPitch", &[(700, -0.9), (2_200, -0.9)]),
+            JointKeys("LShoulderRoll", &[(700, 0.3), (2_200, 0.3)]),
+            JointKeys("LElbowYaw", &[(700, -1.2), (2_200, -1.2)]),
+            JointKeys("LElbowRoll", WAVE_LEFT),
+            JointKeys("LHand", &[(700, 0.9), (2_200, 0.9)]),
         ],
     },
 ];
@@ -166,11 +180,11 @@ pub(super) const GESTURES: &[Gesture] = &[
 impl Gesture {
     /// Returns the time until all joints are back, in milliseconds.
     pub(super) fn lasts_ms(&self) -> u64 {
-        self.rows.iter().map(Row::lasts_ms).max().unwrap_or(0)
+        self.rows.iter().map(JointKeys::lasts_ms).max().unwrap_or(0)
     }
 }
 
-impl Row {
+impl JointKeys {
     pub(super) fn motor(&self) -> Option<usize> {
         motor(self.0)
     }
@@ -196,7 +210,7 @@ impl Row {
 #[cfg(test)]
 mod tests {
     use super::GESTURES;
-    use crate::model::Model;
+    use crate::model::BodyModel;
     use behaviour::StreamKind;
     use robot::ParamKind;
 
@@ -211,7 +225,7 @@ mod tests {
 
     #[test]
     fn keys_are_in_order_inside_the_limits_and_slow_enough() {
-        let motors = &Model::nao().motors;
+        let motors = &BodyModel::nao().motors;
         for row in GESTURES.iter().flat_map(|gesture| gesture.rows) {
             let motor = &motors[row.motor().expect("a joint of the robot")];
             assert!(row.1.iter().all(|key| (motor.limits[0]..=motor.limits[1]).contains(&key.1)), "{}", row.0);

@@ -1,7 +1,7 @@
 //! The work of the trackers: who asked to follow what, with which part of the body, and until when.
 
-use crate::body::Side;
-use crate::hash::{Digest, digest_use};
+use crate::body::ArmSide;
+use crate::hash::{RunningHash, digest_use};
 use robot::{TrackMode, TrackTarget, Use};
 
 /// A tracker follows for so long after a value, in milliseconds.
@@ -11,43 +11,43 @@ pub(crate) const HOLD_MS: u64 = 1_000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Effector {
     None,
-    Arm(Side),
+    Arm(ArmSide),
     Nearest,
     Value,
 }
 
 /// The camera's pictures, thirty a second, counted from a moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Pictures {
+pub(crate) struct CameraPictures {
     from: u64,
     taken: u64,
 }
 
 /// The head, and perhaps the legs, following something.
 #[derive(Clone, Debug)]
-pub(crate) struct Follow {
+pub(crate) struct FollowingBody {
     pub(crate) user: Use,
     pub(crate) target: TrackTarget,
     pub(crate) mode: TrackMode,
     pub(crate) until: u64,
-    pub(crate) pictures: Pictures,
+    pub(crate) pictures: CameraPictures,
     /// True if the whole body is turning.
     pub(crate) turning: bool,
 }
 
 /// An arm pointing at something. Without a side it takes the nearest once it sees the target.
 #[derive(Clone, Debug)]
-pub(crate) struct Point {
+pub(crate) struct PointingArm {
     pub(crate) user: Use,
     pub(crate) target: TrackTarget,
-    pub(crate) wish: Option<Side>,
+    pub(crate) wish: Option<ArmSide>,
     /// The arm that points now.
-    pub(crate) side: Option<Side>,
+    pub(crate) side: Option<ArmSide>,
     pub(crate) until: u64,
-    pub(crate) pictures: Pictures,
+    pub(crate) pictures: CameraPictures,
 }
 
-impl Pictures {
+impl CameraPictures {
     /// The first one a thirtieth of a second after `from`.
     pub(crate) fn from(from: u64) -> Self {
         Self { from, taken: 0 }
@@ -60,15 +60,15 @@ impl Pictures {
         due
     }
 
-    fn digest(self, digest: &mut Digest) {
+    fn digest(self, digest: &mut RunningHash) {
         digest.whole(self.from);
         digest.whole(self.taken);
     }
 }
 
-impl Follow {
+impl FollowingBody {
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest_use(&self.user, digest);
         digest.text(self.mode.words());
         digest.text(self.target.words());
@@ -83,11 +83,11 @@ impl Follow {
     }
 }
 
-impl Point {
+impl PointingArm {
     /// Adds the state.
-    pub(crate) fn digest(&self, digest: &mut Digest) {
+    pub(crate) fn digest(&self, digest: &mut RunningHash) {
         digest_use(&self.user, digest);
-        digest.text(self.wish.map_or("", Side::word));
+        digest.text(self.wish.map_or("", ArmSide::word));
         digest.text(&self.words());
         digest.whole(self.until);
         self.pictures.digest(digest);
@@ -95,6 +95,6 @@ impl Point {
 
     /// Returns what it does, in words.
     pub(crate) fn words(&self) -> String {
-        format!("{} with {} arm", self.target.words(), self.side.or(self.wish).map_or("nearest", Side::word))
+        format!("{} with {} arm", self.target.words(), self.side.or(self.wish).map_or("nearest", ArmSide::word))
     }
 }

@@ -1,6 +1,6 @@
 //! Which shoulder angles point an almost straight arm at a place.
 
-use crate::body::Side;
+use crate::body::ArmSide;
 use crate::math::{Vector, across};
 use crate::model::arm_motors;
 use crate::servo::Servo;
@@ -18,19 +18,19 @@ const SPEED: f32 = 0.3;
 /// Speed of an arm that goes back, as a fraction of the top speed.
 const BACK_SPEED: f32 = 0.08;
 /// Where the shoulder is in the torso's frame.
-fn shoulder(side: Side) -> Vector {
+fn shoulder(side: ArmSide) -> Vector {
     Vector::new(SHOULDER[0], SHOULDER[1] * side.sign(), SHOULDER[2])
 }
 
 /// From the shoulder to the palm in the frame of the upper arm, the elbow as straight as it gets.
-fn reach(side: Side) -> Vector {
+fn reach(side: ArmSide) -> Vector {
     let (sin, cos) = libm::sincosf(BEND);
     Vector::new(ELBOW[0] + PALM[0] * cos, (ELBOW[1] - PALM[0] * sin) * side.sign(), PALM[1])
 }
 
 /// Shoulder pitch and roll so that the line from the shoulder to the palm runs to `target` (torso's frame): the roll
 /// brings it to the right side, the pitch to the right height. Only the limits of the joints make it miss.
-fn angles(side: Side, target: Vector) -> [f32; 2] {
+fn angles(side: ArmSide, target: Vector) -> [f32; 2] {
     let (way, arm) = (target - shoulder(side), reach(side));
     let flat = across(arm);
     let part = way.y / way.length().max(1e-3) * arm.length() / flat;
@@ -41,7 +41,7 @@ fn angles(side: Side, target: Vector) -> [f32; 2] {
 }
 
 /// Sends an arm to point at `target` in the torso's frame.
-pub(crate) fn point(servo: &mut Servo, side: Side, target: Vector) {
+pub(crate) fn point(servo: &mut Servo, side: ArmSide, target: Vector) {
     let [pitch, roll] = angles(side, target);
     let goal = [pitch, roll, 0.0, -BEND * side.sign(), 0.0];
     for (motor, angle) in arm_motors(side).zip(goal) {
@@ -50,28 +50,28 @@ pub(crate) fn point(servo: &mut Servo, side: Side, target: Vector) {
 }
 
 /// Sends an arm slowly back to the standing posture.
-pub(crate) fn put_back(servo: &mut Servo, side: Side, stand: &[f32]) {
+pub(crate) fn put_back(servo: &mut Servo, side: ArmSide, stand: &[f32]) {
     for motor in arm_motors(side) {
         servo.aim(motor, stand[motor], BACK_SPEED);
     }
 }
 
 /// The arm on the side of a place in the torso's frame.
-pub(crate) fn nearest(target: Vector) -> Side {
-    if target.y >= 0.0 { Side::Left } else { Side::Right }
+pub(crate) fn nearest(target: Vector) -> ArmSide {
+    if target.y >= 0.0 { ArmSide::Left } else { ArmSide::Right }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Side, point, shoulder};
-    use crate::body::Body;
+    use super::{ArmSide, point, shoulder};
+    use crate::body::BodyPoses;
     use crate::math::Vector;
-    use crate::model::Model;
+    use crate::model::BodyModel;
     use crate::servo::Servo;
 
     /// Returns how far the line from the shoulder to the palm misses a place in the torso's frame, in radians.
-    fn miss(side: Side, target: Vector) -> f32 {
-        let (mut servo, mut body) = (Servo::new(Model::nao()), Body::new(Model::nao()));
+    fn miss(side: ArmSide, target: Vector) -> f32 {
+        let (mut servo, mut body) = (Servo::new(BodyModel::nao()), BodyPoses::new(BodyModel::nao()));
         point(&mut servo, side, target);
         (0..200).for_each(|_| servo.step());
         body.place([0.0; 3], 0.0, &servo.now);
@@ -85,8 +85,8 @@ mod tests {
         let mut misses = Vec::new();
         for (ahead, aside, up) in (0..216).map(|place| (place % 6, place / 6 % 6, place / 36)) {
             let target = Vector::new(0.4 + ahead as f32 * 0.3, aside as f32 * 0.12, up as f32 * 0.15 - 0.3);
-            misses.push(miss(Side::Left, target));
-            misses.push(miss(Side::Right, Vector::new(target.x, -target.y, target.z)));
+            misses.push(miss(ArmSide::Left, target));
+            misses.push(miss(ArmSide::Right, Vector::new(target.x, -target.y, target.z)));
         }
         let mean = misses.iter().sum::<f32>() / misses.len() as f32;
         assert!(mean < 0.5_f32.to_radians(), "{mean}");

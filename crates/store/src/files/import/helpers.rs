@@ -1,6 +1,6 @@
 //! The helpers of a file in a library that may have others of the same name.
 
-use super::Unfit;
+use super::ImportError;
 use behaviour::{
     Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Record, RecordId, called_names, numbered,
     rename_helpers,
@@ -23,7 +23,7 @@ pub(super) fn shelve(
     library: &Behaviour,
     by: &str,
     new_id: &mut impl FnMut() -> Id,
-) -> Result<Shelved, Unfit> {
+) -> Result<Shelved, ImportError> {
     let as_looks = |name: &str| behaviour::as_looks(name).into_owned();
     let mut there: HashMap<String, Helper> = library.helpers().map(|(_, h)| (as_looks(&h.name), h.clone())).collect();
     let mut change = Change::of(new_id(), by, "Import helpers");
@@ -62,7 +62,7 @@ fn name_for(wanted: &Helper, there: &HashMap<String, Helper>, in_file: &HashSet<
 }
 
 /// Every helper after those that it calls; each body is read once.
-fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, Unfit> {
+fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, ImportError> {
     let places: HashMap<&str, usize> = helpers.iter().enumerate().map(|(at, helper)| (&*helper.name, at)).collect();
     let mut callers: Vec<Vec<usize>> = vec![Vec::new(); helpers.len()];
     let mut waits = vec![0_usize; helpers.len()];
@@ -84,7 +84,7 @@ fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, Unfit> {
         }
     }
     match helpers.iter().zip(waits).find(|(_, waits)| *waits > 0) {
-        Some((helper, _)) => Err(Unfit::Circle(helper.name.clone())),
+        Some((helper, _)) => Err(ImportError::Circle(helper.name.clone())),
         None => Ok(sorted),
     }
 }

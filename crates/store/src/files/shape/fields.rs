@@ -1,24 +1,24 @@
 //! The fields of one thing: known, there, and of their kind.
 
-use super::Reader;
-use crate::files::tree::{Node, What};
+use super::ShapeReader;
+use crate::files::tree::{FileNode, NodeKind};
 use behaviour::{Params, Value, without_control};
 
 /// The fields that people write lines into. In all others a line end would break a name or a procedure.
 const LINES: [&str; 2] = ["text", "says"];
 
 /// The fields of an object.
-pub(super) struct Fields<'n> {
+pub(super) struct ShapeFields<'n> {
     at: usize,
     /// False if it is no object, which is said already.
     whole: bool,
-    all: &'n [(String, Node)],
+    all: &'n [(String, FileNode)],
 }
 
-impl<'n> Fields<'n> {
+impl<'n> ShapeFields<'n> {
     /// The fields of `node`, which must be an object with no other than the `known` ones.
-    pub(super) fn of(to: &mut Reader, node: &'n Node, what: &str, known: &str) -> Self {
-        let What::Object(all) = &node.what else {
+    pub(super) fn of(to: &mut ShapeReader, node: &'n FileNode, what: &str, known: &str) -> Self {
+        let NodeKind::Object(all) = &node.what else {
             to.fault(node.at, format!("Here should be {what}: an object with {}.", known.replace(' ', ", ")));
             return Self { at: node.at, whole: false, all: &[] };
         };
@@ -29,7 +29,7 @@ impl<'n> Fields<'n> {
         Self { at: node.at, whole: true, all }
     }
 
-    pub(super) fn get(&self, name: &str) -> Option<&'n Node> {
+    pub(super) fn get(&self, name: &str) -> Option<&'n FileNode> {
         self.all.iter().rev().find(|(known, _)| known == name).map(|(_, node)| node)
     }
 
@@ -39,7 +39,7 @@ impl<'n> Fields<'n> {
     }
 
     /// A text that must be there.
-    pub(super) fn text(&self, to: &mut Reader, name: &str) -> String {
+    pub(super) fn text(&self, to: &mut ShapeReader, name: &str) -> String {
         if self.get(name).is_none() && self.whole {
             return to.missing(self.at, name);
         }
@@ -47,19 +47,19 @@ impl<'n> Fields<'n> {
     }
 
     /// A text, if it is there.
-    pub(super) fn maybe_text(&self, to: &mut Reader, name: &str) -> Option<String> {
+    pub(super) fn maybe_text(&self, to: &mut ShapeReader, name: &str) -> Option<String> {
         text(to, self.get(name)?, name)
     }
 
     /// A list that must be there.
-    pub(super) fn list(&self, to: &mut Reader, name: &str) -> &'n [Node] {
+    pub(super) fn list(&self, to: &mut ShapeReader, name: &str) -> &'n [FileNode] {
         let Some(node) = self.get(name) else {
             if self.whole {
                 to.missing::<()>(self.at, name);
             }
             return &[];
         };
-        let What::Array(items) = &node.what else {
+        let NodeKind::Array(items) = &node.what else {
             to.fault(node.at, format!("“{name}” must be a list."));
             return &[];
         };
@@ -67,13 +67,13 @@ impl<'n> Fields<'n> {
     }
 
     /// A list of texts, if it is there.
-    pub(super) fn texts(&self, to: &mut Reader, name: &str) -> Option<Vec<String>> {
+    pub(super) fn texts(&self, to: &mut ShapeReader, name: &str) -> Option<Vec<String>> {
         self.get(name)?;
         Some(self.list(to, name).iter().filter_map(|item| text(to, item, name)).collect())
     }
 
     /// A list of names for bodies, if it is there.
-    pub(super) fn names(&self, to: &mut Reader, name: &str) -> Option<Vec<String>> {
+    pub(super) fn names(&self, to: &mut ShapeReader, name: &str) -> Option<Vec<String>> {
         let names = self.texts(to, name)?;
         for one in &names {
             to.check_identifier(self.at(name), one);
@@ -82,12 +82,12 @@ impl<'n> Fields<'n> {
     }
 
     /// A whole number, if it is there.
-    pub(super) fn maybe_whole(&self, to: &mut Reader, name: &str) -> Option<i64> {
+    pub(super) fn maybe_whole(&self, to: &mut ShapeReader, name: &str) -> Option<i64> {
         whole(to, self.get(name)?, name)
     }
 
     /// A whole number that is not negative, if it is there.
-    pub(super) fn count(&self, to: &mut Reader, name: &str) -> Option<u64> {
+    pub(super) fn count(&self, to: &mut ShapeReader, name: &str) -> Option<u64> {
         let whole = self.maybe_whole(to, name)?;
         if whole < 0 {
             to.fault(self.at(name), format!("“{name}” must not be negative."));
@@ -96,9 +96,9 @@ impl<'n> Fields<'n> {
     }
 
     /// True or false, if it is there.
-    pub(super) fn truth(&self, to: &mut Reader, name: &str) -> Option<bool> {
+    pub(super) fn truth(&self, to: &mut ShapeReader, name: &str) -> Option<bool> {
         let node = self.get(name)?;
-        if let What::Plain(Value::Bool(truth)) = node.what {
+        if let NodeKind::Plain(Value::Bool(truth)) = node.what {
             return Some(truth);
         }
         to.fault(node.at, format!("“{name}” must be true or false."));
@@ -106,14 +106,14 @@ impl<'n> Fields<'n> {
     }
 
     /// Any value, if it is there; null and none at all mean the same.
-    pub(super) fn value(&self, to: &mut Reader, name: &str) -> Option<Value> {
+    pub(super) fn value(&self, to: &mut ShapeReader, name: &str) -> Option<Value> {
         Some(value(to, self.get(name)?)).filter(|value| *value != Value::Null)
     }
 
     /// The parameters of a device; none if they are not there.
-    pub(super) fn params(&self, to: &mut Reader) -> Params {
+    pub(super) fn params(&self, to: &mut ShapeReader) -> Params {
         let Some(node) = self.get("params") else { return Params::new() };
-        let What::Object(all) = &node.what else {
+        let NodeKind::Object(all) = &node.what else {
             to.fault(node.at, "“params” must be an object of names and values.");
             return Params::new();
         };
@@ -122,7 +122,7 @@ impl<'n> Fields<'n> {
 }
 
 /// Any value, with texts that are not too long.
-fn value(to: &mut Reader, node: &Node) -> Value {
+fn value(to: &mut ShapeReader, node: &FileNode) -> Value {
     let value = cleaned(node.value());
     let length = value.to_string().len();
     if length > crate::files::TEXT_MAX_BYTES {
@@ -145,8 +145,8 @@ fn cleaned(value: Value) -> Value {
     }
 }
 
-fn text(to: &mut Reader, node: &Node, name: &str) -> Option<String> {
-    if let What::Plain(Value::Text(text)) = &node.what {
+fn text(to: &mut ShapeReader, node: &FileNode, name: &str) -> Option<String> {
+    if let NodeKind::Plain(Value::Text(text)) = &node.what {
         to.check_length(node.at, text);
         let line_end = if LINES.contains(&name) { '\n' } else { ' ' };
         return Some(without_control(text, line_end).into_owned());
@@ -155,8 +155,8 @@ fn text(to: &mut Reader, node: &Node, name: &str) -> Option<String> {
     None
 }
 
-pub(super) fn whole(to: &mut Reader, node: &Node, name: &str) -> Option<i64> {
-    if let What::Plain(Value::Int(whole)) = node.what {
+pub(super) fn whole(to: &mut ShapeReader, node: &FileNode, name: &str) -> Option<i64> {
+    if let NodeKind::Plain(Value::Int(whole)) = node.what {
         return Some(whole);
     }
     to.fault(node.at, format!("“{name}” must be a whole number."));

@@ -1,7 +1,7 @@
 //! The places in the drawing: as people placed things; what has no place stands in layers, values flowing down.
 
 use super::shapes::{chip_width, one_line, wide};
-use behaviour::layout::{LEVEL, STREAM_HEIGHT as HEIGHT, Shape, arranged};
+use behaviour::layout::{LEVEL, LaidOut, STREAM_HEIGHT as HEIGHT, arranged};
 use behaviour::{BehaviourFile, FileConnector, FileGroup, FileNote, FileStream, Lasting, Place, StreamKind};
 use std::collections::{HashMap, HashSet};
 
@@ -20,29 +20,29 @@ const FAR: f64 = 1e6;
 const LABEL_MAX_CHARS: usize = 60;
 
 /// A point: to the right, downwards.
-pub(super) type Point = (f64, f64);
+pub(super) type SvgPoint = (f64, f64);
 
 /// Left, top, width and height.
-pub(super) type Area = (f64, f64, f64, f64);
+pub(super) type SvgArea = (f64, f64, f64, f64);
 
 /// A connector's label on its way.
 pub(super) struct Chip<'f> {
     pub(super) label: String,
-    pub(super) middle: Point,
+    pub(super) middle: SvgPoint,
     connector: &'f FileConnector,
 }
 
 /// Everything with its place: streams by the middle of their top edge, notes by their corner.
-pub(super) struct Drawing<'f> {
-    pub(super) streams: Vec<(&'f FileStream, Point)>,
+pub(super) struct SvgDrawing<'f> {
+    pub(super) streams: Vec<(&'f FileStream, SvgPoint)>,
     pub(super) chips: Vec<Chip<'f>>,
-    pub(super) notes: Vec<(&'f FileNote, Point)>,
+    pub(super) notes: Vec<(&'f FileNote, SvgPoint)>,
     /// Those that have a stream; a folded one has its frame too.
-    pub(super) groups: Vec<(&'f FileGroup, Area)>,
-    tops: HashMap<&'f str, Point>,
+    pub(super) groups: Vec<(&'f FileGroup, SvgArea)>,
+    tops: HashMap<&'f str, SvgPoint>,
 }
 
-impl<'f> Drawing<'f> {
+impl<'f> SvgDrawing<'f> {
     pub(super) fn of(file: &'f BehaviourFile) -> Self {
         let tops = tops(file);
         let top = |id: &str| tops.get(id).copied().unwrap_or_default();
@@ -58,7 +58,7 @@ impl<'f> Drawing<'f> {
     }
 
     /// Every line, from its upper end to its lower one.
-    pub(super) fn edges(&self) -> Vec<(Point, Point)> {
+    pub(super) fn edges(&self) -> Vec<(SvgPoint, SvgPoint)> {
         let mut edges = Vec::new();
         for chip in &self.chips {
             let inputs = chip.connector.inputs.iter().filter_map(|id| self.tops.get(id.as_str()));
@@ -69,7 +69,7 @@ impl<'f> Drawing<'f> {
     }
 
     /// Left, top, width and height of all there is.
-    pub(super) fn bounds(&self) -> Area {
+    pub(super) fn bounds(&self) -> SvgArea {
         let streams = self.streams.iter().map(|(stream, top)| area(stream, *top));
         let groups = self.groups.iter().map(|(_, frame)| *frame);
         let chips = self.chips.iter().map(|chip| {
@@ -87,19 +87,19 @@ impl<'f> Drawing<'f> {
 }
 
 /// Returns the area that covers all of these.
-fn around(boxes: &[Area]) -> Option<Area> {
-    let least = |of: fn(&Area) -> f64| boxes.iter().map(of).reduce(f64::min);
-    let most = |of: fn(&Area) -> f64| boxes.iter().map(of).reduce(f64::max);
+fn around(boxes: &[SvgArea]) -> Option<SvgArea> {
+    let least = |of: fn(&SvgArea) -> f64| boxes.iter().map(of).reduce(f64::min);
+    let most = |of: fn(&SvgArea) -> f64| boxes.iter().map(of).reduce(f64::max);
     let (left, top) = (least(|part| part.0)?, least(|part| part.1)?);
     Some((left, top, most(|part| part.0 + part.2)? - left, most(|part| part.1 + part.3)? - top))
 }
 
-fn area(stream: &FileStream, (x, y): Point) -> Area {
+fn area(stream: &FileStream, (x, y): SvgPoint) -> SvgArea {
     (x - width(stream) / 2.0, y, width(stream), HEIGHT)
 }
 
 /// The frame of a group, if one of its streams is there.
-fn frame(group: &FileGroup, streams: &[(&FileStream, Point)]) -> Option<Area> {
+fn frame(group: &FileGroup, streams: &[(&FileStream, SvgPoint)]) -> Option<SvgArea> {
     let ids: HashSet<&str> = group.streams.iter().map(String::as_str).collect();
     let members = streams.iter().filter(|(stream, _)| ids.contains(stream.id.as_str()));
     let (left, top, width, height) = around(&members.map(|(stream, top)| area(stream, *top)).collect::<Vec<_>>())?;
@@ -131,12 +131,12 @@ pub(super) fn label(connector: &FileConnector) -> String {
     one_line(&format!("{} ({short})", connector.operation))
 }
 
-fn near(place: Place) -> Point {
+fn near(place: Place) -> SvgPoint {
     (place.x.clamp(-FAR, FAR), place.y.clamp(-FAR, FAR))
 }
 
 /// Every connector's label, none on another as far as there is room near its line.
-fn chips<'f>(file: &'f BehaviourFile, tops: &HashMap<&str, Point>) -> Vec<Chip<'f>> {
+fn chips<'f>(file: &'f BehaviourFile, tops: &HashMap<&str, SvgPoint>) -> Vec<Chip<'f>> {
     let mut into: HashMap<&str, usize> = HashMap::new();
     for connector in &file.connectors {
         *into.entry(&connector.output).or_default() += 1;
@@ -152,7 +152,7 @@ fn chips<'f>(file: &'f BehaviourFile, tops: &HashMap<&str, Point>) -> Vec<Chip<'
 }
 
 /// The first place near the wanted one where no other label is.
-fn free((x, y): Point, label: &str, others: &[Chip]) -> Point {
+fn free((x, y): SvgPoint, label: &str, others: &[Chip]) -> SvgPoint {
     let taken = |y: f64| {
         others.iter().any(|other| {
             let apart = f64::midpoint(chip_width(label), chip_width(&other.label));
@@ -164,7 +164,7 @@ fn free((x, y): Point, label: &str, others: &[Chip]) -> Point {
 }
 
 /// Above the stream it leads to, or on the way there if others lead there too.
-fn chip_middle(connector: &FileConnector, tops: &HashMap<&str, Point>, alone: bool) -> Point {
+fn chip_middle(connector: &FileConnector, tops: &HashMap<&str, SvgPoint>, alone: bool) -> SvgPoint {
     let inputs: Vec<_> = connector.inputs.iter().filter_map(|id| tops.get(id.as_str())).collect();
     let Some((x, y)) = tops.get(connector.output.as_str()) else { return (0.0, 0.0) };
     match inputs.as_slice() {
@@ -174,8 +174,8 @@ fn chip_middle(connector: &FileConnector, tops: &HashMap<&str, Point>, alone: bo
 }
 
 /// The place of every stream. Those without one stand to the right of the others, as Tidy would lay them out.
-fn tops(file: &BehaviourFile) -> HashMap<&str, Point> {
-    let mut tops: HashMap<&str, Point> = HashMap::new();
+fn tops(file: &BehaviourFile) -> HashMap<&str, SvgPoint> {
+    let mut tops: HashMap<&str, SvgPoint> = HashMap::new();
     let mut right = 0.0_f64;
     for stream in &file.streams {
         if let Some(place) = file.layout.get(&stream.id) {
@@ -195,9 +195,9 @@ fn tops(file: &BehaviourFile) -> HashMap<&str, Point> {
     }
     let shape = |(stream, chip): (&&FileStream, &f64)| {
         let half = width(stream).max(*chip) / 2.0;
-        Shape { left: half, right: half, acts: stream.kind == StreamKind::Actuator, stood: None }
+        LaidOut { left: half, right: half, acts: stream.kind == StreamKind::Actuator, stood: None }
     };
-    let shapes: Vec<Shape> = others.iter().zip(&chips).map(shape).collect();
+    let shapes: Vec<LaidOut> = others.iter().zip(&chips).map(shape).collect();
     for (stream, place) in others.iter().zip(arranged(&shapes, &edges, SHOWN)) {
         tops.insert(&stream.id, (place.x + right, place.y + GAP));
     }

@@ -1,6 +1,6 @@
 //! The shapes of the drawing, in the colours of the light theme.
 
-use super::layout::{Area, CHIP_HEIGHT, Point, width};
+use super::layout::{CHIP_HEIGHT, SvgArea, SvgPoint, width};
 use crate::files::xml::{cannot_hold, in_element};
 use behaviour::layout::STREAM_HEIGHT as HEIGHT;
 use behaviour::{FileGroup, FileNote, FileStream, StreamKind};
@@ -36,7 +36,7 @@ pub(super) fn wide(text: &str, size: f64) -> f64 {
     text.chars().map(|c| if c < '\u{1100}' { size * 0.56 } else { size }).sum()
 }
 
-pub(super) fn stream(stream: &FileStream, (x, y): Point) -> String {
+pub(super) fn stream(stream: &FileStream, (x, y): SvgPoint) -> String {
     let (wide, name) = (width(stream), text(&stream.name));
     let left = x - wide / 2.0;
     let square = |colour: &str| {
@@ -64,7 +64,7 @@ pub(super) fn chip_width(label: &str) -> f64 {
     wide(label, 13.0) + 20.0
 }
 
-pub(super) fn chip(label: &str, (x, y): Point) -> String {
+pub(super) fn chip(label: &str, (x, y): SvgPoint) -> String {
     let wide = chip_width(label);
     let (left, top, base) = (x - wide / 2.0, y - CHIP_HEIGHT / 2.0, y + 4.5);
     format!(
@@ -75,7 +75,7 @@ pub(super) fn chip(label: &str, (x, y): Point) -> String {
 }
 
 /// A line that leaves and arrives vertically.
-pub(super) fn edge((x, y): Point, (to_x, to_y): Point) -> String {
+pub(super) fn edge((x, y): SvgPoint, (to_x, to_y): SvgPoint) -> String {
     let half = f64::midpoint(y, to_y);
     format!(
         "<path d=\"M{x:.1} {y:.1} C{x:.1} {half:.1} {to_x:.1} {half:.1} {to_x:.1} {to_y:.1}\" fill=\"none\" \
@@ -84,7 +84,7 @@ pub(super) fn edge((x, y): Point, (to_x, to_y): Point) -> String {
 }
 
 /// A frame with its title at the upper left.
-pub(super) fn group(group: &FileGroup, (x, y, width, height): Area) -> String {
+pub(super) fn group(group: &FileGroup, (x, y, width, height): SvgArea) -> String {
     let (title_x, base) = (x + 16.0, y + 21.0);
     format!(
         "<g><rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"10\" fill=\"none\" \
@@ -114,13 +114,13 @@ pub(super) fn note_lines(note: &str) -> Vec<String> {
 }
 
 /// The width and height of a note.
-pub(super) fn note_size(note: &str) -> Point {
+pub(super) fn note_size(note: &str) -> SvgPoint {
     let lines = note_lines(note);
     let widest = lines.iter().map(|line| wide(line, 13.0)).fold(80.0, f64::max);
     (widest + 20.0, lines.len() as f64 * NOTE_LINE + 16.0)
 }
 
-pub(super) fn note(note: &FileNote, (x, y): Point) -> String {
+pub(super) fn note(note: &FileNote, (x, y): SvgPoint) -> String {
     let (width, height) = note_size(&note.text);
     let line = |(at, line): (u16, &String)| {
         let base = y + 20.0 + f64::from(at) * NOTE_LINE;

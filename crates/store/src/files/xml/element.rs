@@ -2,7 +2,7 @@
 
 use super::escape::{of_attribute, of_element, reference};
 use crate::files::FileFault;
-use crate::files::place::Lines;
+use crate::files::place::LineStarts;
 use crate::files::tree::TOO_MANY;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -16,13 +16,13 @@ const ATTRIBUTES_MAX: usize = 16;
 
 /// An element with what it holds.
 #[derive(Debug, Default)]
-pub(super) struct Element {
+pub(super) struct XmlElement {
     pub(super) name: String,
     /// The byte where it begins.
     pub(super) at: usize,
     /// Name, place and text, in the order of the file.
     pub(super) attributes: Vec<(String, usize, String)>,
-    pub(super) children: Vec<Element>,
+    pub(super) children: Vec<XmlElement>,
     pub(super) text: String,
     /// The byte at which its text begins.
     pub(super) text_at: usize,
@@ -30,7 +30,7 @@ pub(super) struct Element {
     has_text: bool,
 }
 
-impl Element {
+impl XmlElement {
     /// Returns the byte at which there is text other than blanks.
     pub(super) fn loose_text_at(&self) -> Option<usize> {
         (!self.text.trim_matches([' ', '\t', '\n', '\r']).is_empty()).then_some(self.text_at)
@@ -62,23 +62,23 @@ pub(in crate::files) fn first_name(text: &str) -> Option<(usize, String)> {
 }
 
 /// The one element around all others.
-pub(super) fn root(text: &str, lines: &Lines) -> Result<Element, FileFault> {
-    let mut parser = Parser { lines, reader: Reader::from_str(text), open: Vec::new(), root: None, elements: 0 };
+pub(super) fn root(text: &str, lines: &LineStarts) -> Result<XmlElement, FileFault> {
+    let mut parser = ElementParser { lines, reader: Reader::from_str(text), open: Vec::new(), root: None, elements: 0 };
     let config = parser.reader.config_mut();
     config.check_comments = true;
     while parser.step()? {}
     parser.finish(text.len())
 }
 
-struct Parser<'l, 't> {
-    lines: &'l Lines<'t>,
+struct ElementParser<'l, 't> {
+    lines: &'l LineStarts<'t>,
     reader: Reader<&'t [u8]>,
-    open: Vec<Element>,
-    root: Option<Element>,
+    open: Vec<XmlElement>,
+    root: Option<XmlElement>,
     elements: usize,
 }
 
-impl Parser<'_, '_> {
+impl ElementParser<'_, '_> {
     fn no<T>(&self, at: usize, reason: impl Into<String>) -> Result<T, FileFault> {
         Err(self.lines.fault(at, reason))
     }
@@ -135,7 +135,7 @@ impl Parser<'_, '_> {
             return self.no(at, format!("<{name}> stands after the end of the program. Take it out."));
         }
         let attributes = self.attributes(at, start)?;
-        self.open.push(Element { name, at, attributes, ..Element::default() });
+        self.open.push(XmlElement { name, at, attributes, ..XmlElement::default() });
         Ok(())
     }
 
@@ -189,7 +189,7 @@ impl Parser<'_, '_> {
         Ok(())
     }
 
-    fn finish(self, end: usize) -> Result<Element, FileFault> {
+    fn finish(self, end: usize) -> Result<XmlElement, FileFault> {
         if let Some(open) = self.open.last() {
             let reason = format!("The file ends inside of <{}>. Copy it again as a whole.", open.name);
             return self.no(end, reason);

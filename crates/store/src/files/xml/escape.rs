@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// The reasons why a text of XML stands for nothing.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub(in crate::files) enum Senseless {
+pub(in crate::files) enum EscapeError {
     /// A reference to no character that may stand there; with its beginning.
     #[error("&{0}; stands for nothing here. Take it out.")]
     Reference(String),
@@ -47,7 +47,7 @@ fn escaped(text: &str, must: impl Fn(char) -> bool) -> String {
 }
 
 /// The character of a reference such as `lt` or `#10`.
-pub(in crate::files) fn reference(name: &str) -> Result<char, Senseless> {
+pub(in crate::files) fn reference(name: &str) -> Result<char, EscapeError> {
     let number = |digits: &str, radix| {
         let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_alphanumeric());
         u32::from_str_radix(if plain { digits } else { "" }, radix).ok().and_then(char::from_u32)
@@ -65,11 +65,11 @@ pub(in crate::files) fn reference(name: &str) -> Result<char, Senseless> {
         },
     };
     let shown: String = name.chars().filter(|c| !c.is_control()).take(20).collect();
-    known.filter(|c| !cannot_hold(*c)).ok_or(Senseless::Reference(shown))
+    known.filter(|c| !cannot_hold(*c)).ok_or(EscapeError::Reference(shown))
 }
 
 /// The text that the raw text of an attribute stands for: line ends and tabs that are not references are blanks.
-pub(super) fn of_attribute(raw: &str) -> Result<String, (usize, Senseless)> {
+pub(super) fn of_attribute(raw: &str) -> Result<String, (usize, EscapeError)> {
     let raw_at = |part: &str| part.as_ptr() as usize - raw.as_ptr() as usize;
     let mut text = String::with_capacity(raw.len());
     let mut rest = raw;
@@ -78,11 +78,11 @@ pub(super) fn of_attribute(raw: &str) -> Result<String, (usize, Senseless)> {
         let here = &rest[at..];
         let length = match here.as_bytes()[0] {
             b'&' => {
-                let end = here.find(';').ok_or_else(|| (raw_at(here), Senseless::Ampersand))?;
+                let end = here.find(';').ok_or_else(|| (raw_at(here), EscapeError::Ampersand))?;
                 text.push(reference(&here[1..end]).map_err(|reason| (raw_at(here), reason))?);
                 end + 1
             }
-            b'<' => return Err((raw_at(here), Senseless::Less)),
+            b'<' => return Err((raw_at(here), EscapeError::Less)),
             _ => {
                 text.push(' ');
                 if here.starts_with("\r\n") { 2 } else { 1 }

@@ -23,19 +23,19 @@ pub enum NoXml {
 pub fn write_xml(file: &BehaviourFile) -> Result<String, NoXml> {
     let json = super::super::json::write::write_json(file);
     let read = super::super::read(json.as_bytes()).map_err(NoXml::Unreadable)?;
-    let mut to = Page { text: "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_owned() };
+    let mut to = XmlPage { text: "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_owned() };
     to.behaviour(&read);
     Ok(to.text)
 }
 
-struct Page {
+struct XmlPage {
     text: String,
 }
 
 /// A start mark under way.
-struct Mark(String);
+struct StartTag(String);
 
-impl Mark {
+impl StartTag {
     fn of(name: &str) -> Self {
         Self(format!("<{name}"))
     }
@@ -53,7 +53,7 @@ impl Mark {
     }
 }
 
-impl Page {
+impl XmlPage {
     fn line(&mut self, depth: usize, line: &str) {
         self.text.push_str(&"  ".repeat(depth));
         self.text.push_str(line);
@@ -66,14 +66,14 @@ impl Page {
             Some(Engine::Event) => (Some("event".to_owned()), None),
             Some(Engine::Frame { frame_ms }) => (None, Some(format!("{frame_ms}ms"))),
         };
-        let mark = Mark::of("behaviour").with("format", super::VERSION).maybe("id", file.id.clone());
+        let mark = StartTag::of("behaviour").with("format", super::VERSION).maybe("id", file.id.clone());
         let mark = mark.with("name", &file.name).maybe("robot", file.robot.clone());
         self.line(
             0,
             &(mark.maybe("engine", event).maybe("frame", frame).maybe("exercise", file.exercise.clone()).0 + ">"),
         );
         if !file.tags.is_empty() {
-            self.section("tags", &file.tags, |tag| vec![Mark::of("tag").with("name", tag).0 + "/>"]);
+            self.section("tags", &file.tags, |tag| vec![StartTag::of("tag").with("name", tag).0 + "/>"]);
         }
         self.section("helpers", &file.helpers, |helper| vec![helper_line(helper)]);
         self.section("streams", &file.streams, |stream| stream_lines(stream, file));
@@ -90,7 +90,7 @@ impl Page {
         if !file.layout.is_empty() {
             let places: Vec<_> = file.layout.iter().collect();
             self.section("layout", &places, |(id, place)| {
-                let mark = Mark::of("at").with("ref", id).with("x", &coordinate(place.x));
+                let mark = StartTag::of("at").with("ref", id).with("x", &coordinate(place.x));
                 vec![mark.with("y", &coordinate(place.y)).0 + "/>"]
             });
         }
@@ -109,23 +109,23 @@ impl Page {
     }
 }
 
-fn with_text(mark: &Mark, name: &str, text: &str) -> String {
+fn with_text(mark: &StartTag, name: &str, text: &str) -> String {
     format!("{}>{}</{name}>", mark.0, in_element(text))
 }
 
 fn note_line(note: &FileNote) -> String {
-    let mark = Mark::of("note").with("id", &note.id).maybe("by", note.by.clone());
+    let mark = StartTag::of("note").with("id", &note.id).maybe("by", note.by.clone());
     with_text(&mark.maybe("at", note.at.map(|ms| ms.to_string())), "note", &note.text)
 }
 
 fn group_line(group: &FileGroup) -> String {
-    let mark = Mark::of("group").with("id", &group.id).with("title", &group.title);
+    let mark = StartTag::of("group").with("id", &group.id).with("title", &group.title);
     let mark = mark.with("streams", &group.streams.join(" "));
     mark.maybe("folded", group.folded.map(|folded| folded.to_string())).0 + "/>"
 }
 
 fn tile_lines(tile: &FileTile) -> Vec<String> {
-    let mark = Mark::of("tile").with("key", &tile.key.to_string()).with("label", &tile.label);
+    let mark = StartTag::of("tile").with("key", &tile.key.to_string()).with("label", &tile.label);
     let mark = mark.maybe("device", tile.device.clone()).maybe("stream", tile.stream.clone());
     let mark = mark.maybe("value", tile.value.as_ref().map(spaced)).maybe("word", tile.word.clone());
     let mark = mark.maybe("span", tile.span.map(|span| span.to_string()));
@@ -134,7 +134,7 @@ fn tile_lines(tile: &FileTile) -> Vec<String> {
 }
 
 /// An element with these lines in it.
-fn around(mark: Mark, name: &str, inside: Vec<String>) -> Vec<String> {
+fn around(mark: StartTag, name: &str, inside: Vec<String>) -> Vec<String> {
     if inside.is_empty() {
         return vec![mark.0 + "/>"];
     }
@@ -144,7 +144,7 @@ fn around(mark: Mark, name: &str, inside: Vec<String>) -> Vec<String> {
 
 fn helper_line(helper: &FileHelper) -> String {
     let says = Some(helper.says.clone()).filter(|says| !says.is_empty());
-    let mark = Mark::of("helper").with("id", &helper.name).with("args", &helper.params.join(" "));
+    let mark = StartTag::of("helper").with("id", &helper.name).with("args", &helper.params.join(" "));
     let takes: Vec<_> = helper.takes.iter().map(|one| one.word()).collect();
     let takes = Some(takes.join(" ")).filter(|takes| !takes.is_empty());
     let gives = Some(helper.gives.word().to_owned()).filter(|_| !helper.gives.is_auto());
@@ -161,7 +161,7 @@ fn stream_lines(stream: &FileStream, file: &BehaviourFile) -> Vec<String> {
         StreamKind::Ordinary => "stream",
         StreamKind::Actuator => "actuator",
     };
-    let mark = Mark::of(word).with("id", &stream.id).with("name", &stream.name);
+    let mark = StartTag::of(word).with("id", &stream.id).with("name", &stream.name);
     let mark = mark.maybe("device", stream.device.clone()).maybe("priority", stream.priority.map(|p| p.to_string()));
     let mark =
         mark.maybe("hold", stream.hold_ms.map(|ms| format!("{ms}ms"))).maybe("order", order_of(file, &stream.id));
@@ -171,7 +171,7 @@ fn stream_lines(stream: &FileStream, file: &BehaviourFile) -> Vec<String> {
 }
 
 fn param(name: &str, value: &Value) -> String {
-    let mark = Mark::of("param").with("name", name);
+    let mark = StartTag::of("param").with("name", name);
     let mark = match value {
         Value::Text(text) => mark.with("value", text),
         other => mark.with("json", &spaced(other)),
@@ -180,21 +180,22 @@ fn param(name: &str, value: &Value) -> String {
 }
 
 fn resources(names: &[String]) -> String {
-    let inside: String = names.iter().map(|name| Mark::of("resource").with("name", name).0 + "/>").collect();
+    let inside: String = names.iter().map(|name| StartTag::of("resource").with("name", name).0 + "/>").collect();
     if inside.is_empty() { "<resources/>".to_owned() } else { format!("<resources>{inside}</resources>") }
 }
 
 fn connector_line(connector: &FileConnector, file: &BehaviourFile) -> String {
     let word = &connector.operation;
-    let mark = Mark::of(word).with("id", &connector.id).with("to", &connector.output);
+    let mark = StartTag::of(word).with("id", &connector.id).with("to", &connector.output);
     let mark = mark.maybe("helper", connector.helper.clone());
     let mark = mark.maybe("period", connector.period_ms.map(|ms| format!("{ms}ms")));
     let mark = mark.maybe("start", connector.start.as_ref().map(spaced));
     let mark = mark.maybe("order", order_of(file, &connector.id));
-    let mut inside: String = connector.inputs.iter().map(|id| Mark::of("from").with("stream", id).0 + "/>").collect();
+    let mut inside: String =
+        connector.inputs.iter().map(|id| StartTag::of("from").with("stream", id).0 + "/>").collect();
     if let Some(body) = &connector.body {
         let args = connector.args.as_ref().map(|args| args.join(" "));
-        inside.push_str(&with_text(&Mark::of("body").maybe("args", args), "body", body));
+        inside.push_str(&with_text(&StartTag::of("body").maybe("args", args), "body", body));
     }
     if inside.is_empty() { mark.0 + "/>" } else { format!("{}>{inside}</{word}>", mark.0) }
 }

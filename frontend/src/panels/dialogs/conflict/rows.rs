@@ -8,15 +8,15 @@ use robot::{Param, ParamKind};
 
 /// One part, as both have it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Row {
+pub(super) struct ConflictRow {
     pub(super) label: String,
-    pub(super) mine: Pieces,
-    pub(super) theirs: Pieces,
+    pub(super) mine: DifferingPieces,
+    pub(super) theirs: DifferingPieces,
     pub(super) code: bool,
 }
 
 /// What is alike, what differs, and what is alike again.
-pub(super) type Pieces = [String; 3];
+pub(super) type DifferingPieces = [String; 3];
 
 /// A part of a record, in words.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ impl Facet {
 }
 
 /// The rows of a comparison with the behaviour as it is now.
-pub(super) fn rows(conflict: &Conflict, now: &Behaviour) -> Vec<Row> {
+pub(super) fn rows(conflict: &Conflict, now: &Behaviour) -> Vec<ConflictRow> {
     let Some((seen, mine)) = conflict.mine_of(&conflict.about) else { return Vec::new() };
     let theirs = now.records.get(&conflict.about);
     let facets = |record: Option<&Record>, name: &dyn Fn(&Id) -> String| {
@@ -63,7 +63,7 @@ pub(super) fn rows(conflict: &Conflict, now: &Behaviour) -> Vec<Row> {
             let label = known.map_or_else(|| facet.label.clone(), |was| words::was(&facet.label, &was));
             let [mine, theirs] = [mine, theirs].map(|text| text.unwrap_or_else(|| words::not_there().to_owned()));
             let (mine, theirs) = apart(&mine, &theirs);
-            Row { label, mine, theirs, code: facet.code }
+            ConflictRow { label, mine, theirs, code: facet.code }
         })
     };
     labels.into_iter().filter_map(row).collect()
@@ -137,7 +137,7 @@ fn shown(param: &Param, value: &Value) -> String {
 }
 
 /// Two texts in pieces, so that only what differs is pointed out.
-fn apart(one: &str, other: &str) -> (Pieces, Pieces) {
+fn apart(one: &str, other: &str) -> (DifferingPieces, DifferingPieces) {
     let (a, b) = (tokens(one), tokens(other));
     if a == b {
         return ([one.to_owned(), String::new(), String::new()], [other.to_owned(), String::new(), String::new()]);
@@ -148,7 +148,7 @@ fn apart(one: &str, other: &str) -> (Pieces, Pieces) {
     (cut(&a, head, tail), cut(&b, head, tail))
 }
 
-fn cut(tokens: &[&str], head: usize, tail: usize) -> Pieces {
+fn cut(tokens: &[&str], head: usize, tail: usize) -> DifferingPieces {
     let end = tokens.len() - tail;
     [&tokens[..head], &tokens[head..end], &tokens[end..]].map(|part| part.concat())
 }
@@ -173,7 +173,7 @@ mod tests {
     use super::apart;
 
     fn pieces(one: &str, other: &str) -> (String, String) {
-        let show = |[head, middle, tail]: super::Pieces| format!("{head}[{middle}]{tail}");
+        let show = |[head, middle, tail]: super::DifferingPieces| format!("{head}[{middle}]{tail}");
         let (a, b) = apart(one, other);
         (show(a), show(b))
     }

@@ -1,18 +1,18 @@
 //! What both procedures would do with the last real values, each tried once by the server.
 
 use crate::desk::Conflict;
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use crate::panels::inspector::question_of;
-use crate::panels::trials::{self, Mark, Question, Trial};
+use crate::panels::trials::{self, Trial, TrialMark, TrialQuestion};
 use crate::words;
 use behaviour::{Behaviour, Record};
 use leptos::prelude::*;
 
 /// What came of one value.
-type Tried = [Trial; 2];
+type TriedValue = [Trial; 2];
 
 /// Both procedures, if both can be tried on the same values.
-pub(super) fn questions(desk: Hold, conflict: &Conflict, now: &Behaviour) -> Option<[Question; 2]> {
+pub(super) fn questions(desk: DeskHold, conflict: &Conflict, now: &Behaviour) -> Option<[TrialQuestion; 2]> {
     let (_, mine) = conflict.mine_of(&conflict.about)?;
     let (Some(Record::Connector(mine)), Some(Record::Connector(theirs))) = (mine, now.records.get(&conflict.about))
     else {
@@ -24,9 +24,9 @@ pub(super) fn questions(desk: Hold, conflict: &Conflict, now: &Behaviour) -> Opt
 
 /// The rows of the table, one a value; nothing where no real values came yet.
 #[component]
-pub(super) fn Values(questions: Memo<Option<[Question; 2]>>) -> impl IntoView {
+pub(super) fn Values(questions: Memo<Option<[TrialQuestion; 2]>>) -> impl IntoView {
     let desk = crate::panels::hold::hold();
-    let tried: RwSignal<Vec<Tried>> = RwSignal::new(Vec::new());
+    let tried: RwSignal<Vec<TriedValue>> = RwSignal::new(Vec::new());
     let number = StoredValue::new(0_u32);
     Effect::new(move |_| {
         tried.set(Vec::new());
@@ -53,8 +53,8 @@ pub(super) fn Values(questions: Memo<Option<[Question; 2]>>) -> impl IntoView {
 }
 
 #[component]
-fn Sum(is_test: bool, all: Vec<Tried>) -> impl IntoView {
-    let count = |at: usize| all.iter().filter(|tried| tried[at].mark == Mark::Passes).count();
+fn Sum(is_test: bool, all: Vec<TriedValue>) -> impl IntoView {
+    let count = |at: usize| all.iter().filter(|tried| tried[at].mark == TrialMark::Passes).count();
     let cell = |at: usize| is_test.then(|| words::how_many_pass(count(at), all.len()));
     view! {
         <tr class="sum">
@@ -65,7 +65,7 @@ fn Sum(is_test: bool, all: Vec<Tried>) -> impl IntoView {
     }
 }
 
-fn row([mine, theirs]: Tried) -> impl IntoView {
+fn row([mine, theirs]: TriedValue) -> impl IntoView {
     let differs = (mine.mark, &mine.result) != (theirs.mark, &theirs.result);
     view! {
         <tr class:unlike=differs>
@@ -78,10 +78,10 @@ fn row([mine, theirs]: Tried) -> impl IntoView {
 
 fn cell(trial: Trial, side: &'static str) -> impl IntoView {
     let (class, text) = match trial.mark {
-        Mark::Passes => ("good", format!("✓ {}", words::passes_short())),
-        Mark::Left => ("", format!("– {}", words::left_out())),
-        Mark::Plain => ("", trial.result),
-        Mark::Fails => ("bad-text", trial.result),
+        TrialMark::Passes => ("good", format!("✓ {}", words::passes_short())),
+        TrialMark::Left => ("", format!("– {}", words::left_out())),
+        TrialMark::Plain => ("", trial.result),
+        TrialMark::Fails => ("bad-text", trial.result),
     };
     view! { <td data-side=side class=format!("cut {class}") title=text.clone()>{text.clone()}</td> }
 }

@@ -1,7 +1,7 @@
 //! What a helper takes for each parameter and what it gives, chosen in plain words; at first it is found out by itself.
 
-use super::Fields;
-use crate::fields::{Options, Select};
+use super::HelperFields;
+use crate::fields::{ChoiceOptions, Select};
 use crate::words;
 use behaviour::{Declared, Helper};
 use leptos::prelude::*;
@@ -61,7 +61,7 @@ fn chosen(word: RwSignal<String>) -> Declared {
 
 /// A list for each parameter, and one for the result.
 #[component]
-pub(super) fn KindFields(fields: Fields, arguments: Signal<Vec<String>>) -> impl IntoView {
+pub(super) fn KindFields(fields: HelperFields, arguments: Signal<Vec<String>>) -> impl IntoView {
     let names = Memo::new(move |_| super::trying::once_each(arguments.get()));
     let field = move |name: String| {
         view! { <Select label=words::helper_takes(&name) options=options() value=fields.kinds.of_argument(&name) /> }
@@ -74,6 +74,6 @@ pub(super) fn KindFields(fields: Fields, arguments: Signal<Vec<String>>) -> impl
     }
 }
 
-fn options() -> Options {
+fn options() -> ChoiceOptions {
     Declared::all().into_iter().map(|one| (one.word().to_owned(), words::declared(one))).collect()
 }

@@ -1,13 +1,13 @@
 //! Trying a helper: a value for each argument, and what it makes of them; several in a row as marbles.
 
-use super::Fields;
+use super::HelperFields;
 use super::values::{example, fields, fits, sets, typed, written};
 use crate::fields::TextField;
-use crate::keys::Pressed;
-use crate::panels::dialogs::marbles::{ASIDE, Bead, LANE, Look, NAME, WIDTH, lane};
-use crate::panels::hold::{Hold, hold};
+use crate::keys::PressedKey;
+use crate::panels::dialogs::marbles::{ASIDE, Bead, LANE, MarbleLook, NAME, WIDTH, lane};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::palette::users_of;
-use crate::panels::trials::{self, Answers, Question, Trial, TrialLine};
+use crate::panels::trials::{self, Trial, TrialAnswers, TrialLine, TrialQuestion};
 use crate::words;
 use behaviour::{Helper, Id, Value};
 use leptos::prelude::*;
@@ -22,19 +22,19 @@ const LETTERS_MAX: usize = 6;
 
 /// What is typed for an argument.
 #[derive(Clone)]
-struct Tried {
+struct TypedArgument {
     text: ArcRwSignal<String>,
     /// What was proposed; it may be replaced as long as nobody typed.
     proposed: String,
 }
 
 /// The values of all arguments that there were, by name.
-type All = StoredValue<BTreeMap<String, Tried>>;
+type All = StoredValue<BTreeMap<String, TypedArgument>>;
 
 /// The fields to try the helper with, and what comes of it.
 #[component]
 pub(super) fn TryIt(
-    fields: Fields,
+    fields: HelperFields,
     arguments: Signal<Vec<String>>,
     error: RwSignal<Option<String>>,
     unknown: RwSignal<Option<UnknownName>>,
@@ -48,7 +48,7 @@ pub(super) fn TryIt(
         let helper = helper.get();
         let columns: Vec<_> = helper.params.iter().map(|name| typed(&text_of(all, name).get())).collect();
         let (arguments, body) = (helper.params, helper.body);
-        (Question { arguments, body, inputs: Vec::new(), before: Vec::new(), is_test: false }, sets(&columns))
+        (TrialQuestion { arguments, body, inputs: Vec::new(), before: Vec::new(), is_test: false }, sets(&columns))
     });
     let answers = trials::ask_on(question);
     let found = answers.error.clone();
@@ -82,14 +82,14 @@ fn stay(event: KeyboardEvent) {
 
 fn text_of(all: All, name: &str) -> ArcRwSignal<String> {
     all.try_update_value(|all| {
-        let none = || Tried { text: ArcRwSignal::default(), proposed: String::new() };
+        let none = || TypedArgument { text: ArcRwSignal::default(), proposed: String::new() };
         all.entry(name.to_owned()).or_insert_with(none).text.clone()
     })
     .unwrap_or_default()
 }
 
 /// Proposes values where nobody has typed: those that flow where the helper is used, else an example.
-fn propose(desk: Hold, helper: Memo<Helper>, all: All) {
+fn propose(desk: DeskHold, helper: Memo<Helper>, all: All) {
     Effect::new(move |_| {
         let helper = helper.get();
         let real = untrack(|| real(desk, &helper));
@@ -112,7 +112,7 @@ fn propose(desk: Hold, helper: Memo<Helper>, all: All) {
 }
 
 /// Values that really came, a column an argument: at a connector that uses the helper, else of any stream that fits.
-fn real(desk: Hold, helper: &Helper) -> Option<Vec<Vec<Value>>> {
+fn real(desk: DeskHold, helper: &Helper) -> Option<Vec<Vec<Value>>> {
     let used = users_of(desk, &helper.name).into_iter().find_map(|id| inputs(desk, &id, helper.params.len()));
     let sets = used.map(|inputs| trials::real_sets(desk, &inputs)).filter(|sets| !sets.is_empty());
     let sets = sets.or_else(|| fitting(desk, helper))?;
@@ -123,13 +123,13 @@ fn real(desk: Hold, helper: &Helper) -> Option<Vec<Vec<Value>>> {
 }
 
 /// The streams that a connector takes from, if they are as many as the arguments.
-fn inputs(desk: Hold, connector: &Id, count: usize) -> Option<Vec<Id>> {
+fn inputs(desk: DeskHold, connector: &Id, count: usize) -> Option<Vec<Id>> {
     let inputs = desk.desk().document.connector(connector)?.record.get().inputs;
     (inputs.len() == count).then_some(inputs)
 }
 
 /// The values of the first stream that fit the one argument.
-fn fitting(desk: Hold, helper: &Helper) -> Option<Vec<Vec<Value>>> {
+fn fitting(desk: DeskHold, helper: &Helper) -> Option<Vec<Vec<Value>>> {
     let [argument] = &helper.params[..] else { return None };
     let wanted = fields(argument, &helper.body);
     let is_meant = |id: &Id| {
@@ -145,7 +145,7 @@ fn fitting(desk: Hold, helper: &Helper) -> Option<Vec<Vec<Value>>> {
 
 /// What came of it: marbles for several values, and a line each.
 #[component]
-fn Made(names: Memo<Vec<String>>, answers: Answers) -> impl IntoView {
+fn Made(names: Memo<Vec<String>>, answers: TrialAnswers) -> impl IntoView {
     let trials = answers.trials.clone();
     let marbles = move || {
         let (names, trials) = (names.get(), trials.get());
@@ -159,9 +159,10 @@ fn Made(names: Memo<Vec<String>>, answers: Answers) -> impl IntoView {
 fn Marbles(names: Vec<String>, trials: Vec<Trial>) -> impl IntoView {
     let columns = || {
         let given = names.iter().enumerate().map(|(at, name)| {
-            (name.clone(), trials.iter().map(move |trial| trial.values[at].clone()).collect::<Vec<_>>(), Look::In)
+            (name.clone(), trials.iter().map(move |trial| trial.values[at].clone()).collect::<Vec<_>>(), MarbleLook::In)
         });
-        let made = (words::result().to_owned(), trials.iter().map(|trial| trial.result.clone()).collect(), Look::Out);
+        let made =
+            (words::result().to_owned(), trials.iter().map(|trial| trial.result.clone()).collect(), MarbleLook::Out);
         given.chain(std::iter::once(made)).collect::<Vec<_>>()
     };
     let said = columns().into_iter().map(|(name, values, _)| words::lane_tells(&name, &words::listed(&values)));

@@ -2,12 +2,12 @@
 
 use crate::desk::Dialog;
 use crate::panels::dialogs::frame::close;
-use crate::panels::hold::{Hold, hold};
+use crate::panels::hold::{DeskHold, hold};
 use crate::panels::palette::users_of;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{LIBRARY, Reply, Request, Used};
+use protocol::{HelperUse, LIBRARY, Reply, Request};
 
 /// How many programs and helpers are named.
 const SHOWN_MAX: usize = 6;
@@ -16,7 +16,7 @@ const SHOWN_MAX: usize = 6;
 #[component]
 pub(super) fn UsedIn(name: String) -> impl IntoView {
     let desk = hold();
-    let others: RwSignal<Option<Vec<Used>>> = RwSignal::new(None);
+    let others: RwSignal<Option<Vec<HelperUse>>> = RwSignal::new(None);
     desk.desk().look_up(Request::WhereUsed { helper: name.clone() }, move |answer| {
         let uses = if let Ok(Reply::WhereUsed { uses, .. }) = answer { once_each(uses) } else { Vec::new() };
         others.try_set(Some(uses));
@@ -44,7 +44,7 @@ pub(super) fn UsedIn(name: String) -> impl IntoView {
 }
 
 #[component]
-fn Link(used: Used) -> impl IntoView {
+fn Link(used: HelperUse) -> impl IntoView {
     let desk = hold();
     let is_helper = used.behaviour.as_str() == LIBRARY;
     let text = if is_helper { words::helper_called(&used.name) } else { used.name.clone() };
@@ -66,10 +66,10 @@ fn Link(used: Used) -> impl IntoView {
 }
 
 /// Every program and helper once, by its nearest use.
-fn once_each(uses: &[Used]) -> Vec<Used> {
-    let mut kept: Vec<Used> = Vec::new();
+fn once_each(uses: &[HelperUse]) -> Vec<HelperUse> {
+    let mut kept: Vec<HelperUse> = Vec::new();
     for used in uses {
-        let is_same = |other: &Used| {
+        let is_same = |other: &HelperUse| {
             let helper = used.behaviour.as_str() == LIBRARY;
             other.behaviour == used.behaviour && (!helper || other.record == used.record)
         };
@@ -81,7 +81,7 @@ fn once_each(uses: &[Used]) -> Vec<Used> {
 }
 
 /// The connectors of the open program that use the helper. Reactive.
-fn connectors_here(desk: Hold, helper: &str) -> Vec<String> {
+fn connectors_here(desk: DeskHold, helper: &str) -> Vec<String> {
     let now = desk.desk();
     let label = |id: Id| {
         let connector = now.document.connector(&id)?.record.get();
@@ -93,12 +93,12 @@ fn connectors_here(desk: Hold, helper: &str) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LIBRARY, Used, once_each};
+    use super::{HelperUse, LIBRARY, once_each};
     use behaviour::{Id, Kind, RecordId};
 
     #[test]
     fn a_program_is_named_once_and_every_helper() {
-        let used = |behaviour: &str, record: &str, through: Option<&str>| Used {
+        let used = |behaviour: &str, record: &str, through: Option<&str>| HelperUse {
             behaviour: Id::new(behaviour).unwrap(),
             name: behaviour.to_owned(),
             record: RecordId::new(Kind::Connector, &Id::new(record).unwrap()),

@@ -4,7 +4,7 @@ use crate::browser;
 use crate::panels::hold::hold;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{Came, Invitation};
+use protocol::{Invitation, InvitedGuest};
 
 /// All of them, newest first.
 #[component]
@@ -57,7 +57,7 @@ fn ended(invitation: &Invitation) -> Option<&'static str> {
 }
 
 #[component]
-fn Person(came: Came) -> impl IntoView {
+fn Person(came: InvitedGuest) -> impl IntoView {
     let seconds = (browser::today_ms() as u64).saturating_sub(came.at_ms) / 1_000;
     let day = || words::on_day(&browser::day_words(came.at_ms as f64));
     let when = if came.here { words::here_now().to_owned() } else { words::ago(seconds).unwrap_or_else(day) };

@@ -2,7 +2,7 @@
 
 use super::warning::Warning;
 use crate::browser;
-use crate::desk::Invited;
+use crate::desk::NewInvitation;
 use crate::panels::focus;
 use crate::words;
 use leptos::prelude::*;
@@ -13,8 +13,8 @@ const LINK_ID: &str = "invitation-link";
 
 /// The link, shown this once.
 #[component]
-pub(super) fn Made(invited: Invited, made: RwSignal<Option<Invited>>) -> impl IntoView {
-    let Invited { invitation, link, qr, fingerprint } = invited;
+pub(super) fn Made(invited: NewInvitation, made: RwSignal<Option<NewInvitation>>) -> impl IntoView {
+    let NewInvitation { invitation, link, qr, fingerprint } = invited;
     let copied = RwSignal::new(false);
     let said = words::invitation_made(&invitation.label, invitation.role, invitation.lasts);
     let copy = {

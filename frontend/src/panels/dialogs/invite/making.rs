@@ -1,6 +1,6 @@
 //! What an invitation shall be like: what its bearer may do, how long, and for whom.
 
-use crate::desk::Invited;
+use crate::desk::NewInvitation;
 use crate::fields::TextField;
 use crate::panels::focus;
 use crate::panels::hold::hold;
@@ -22,7 +22,7 @@ pub(super) fn submit() {
 
 /// The form.
 #[component]
-pub(super) fn Making(made: RwSignal<Option<Invited>>) -> impl IntoView {
+pub(super) fn Making(made: RwSignal<Option<NewInvitation>>) -> impl IntoView {
     let desk = hold();
     let (role, lasts) = (RwSignal::new(Role::Editor), RwSignal::new(Lasts::Once));
     let (label, busy) = (RwSignal::new(String::new()), RwSignal::new(false));

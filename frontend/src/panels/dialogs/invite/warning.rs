@@ -2,13 +2,13 @@
 
 use super::making::OneOf;
 use crate::browser;
-use crate::words::{self, Device};
+use crate::words::{self, WarnedDevice};
 use leptos::prelude::*;
 
 /// The steps for one device, and the fingerprint; both may be sent along with the link.
 #[component]
 pub(super) fn Warning(link: String, fingerprint: String) -> impl IntoView {
-    let (device, copied) = (RwSignal::new(Device::AppleTouch), RwSignal::new(None::<Device>));
+    let (device, copied) = (RwSignal::new(WarnedDevice::AppleTouch), RwSignal::new(None::<WarnedDevice>));
     let host = host_of(&link).to_owned();
     let steps = {
         let host = host.clone();
@@ -29,7 +29,7 @@ pub(super) fn Warning(link: String, fingerprint: String) -> impl IntoView {
     view! {
         <section class="warning" aria-label=words::warning_title()>
             <p>{words::warning_title()}</p>
-            <OneOf label=words::warning_device() name="invite-device" options=Device::ALL.map(|one| (one, words::device_named(one)))
+            <OneOf label=words::warning_device() name="invite-device" options=WarnedDevice::ALL.map(|one| (one, words::device_named(one)))
                 value=device />
             <ol>{steps}</ol>
             <p class="second">{words::fingerprint_of()}" "<code>{fingerprint}</code></p>

@@ -1,7 +1,7 @@
 //! Which action a subscribe leads to, and its parameters.
 
-use super::form::Form;
-use crate::fields::{Options, ParamFields, ParamForm, Select};
+use super::form::OperationForm;
+use crate::fields::{ChoiceOptions, ParamFields, ParamForm, Select};
 use crate::words;
 use behaviour::{Id, Params, StreamKind};
 use leptos::prelude::*;
@@ -11,7 +11,7 @@ const NEW: &str = "new:";
 const THERE: &str = "id:";
 
 /// What a choice of the list means.
-pub(super) enum Chosen {
+pub(super) enum ActuatorChoice {
     New(&'static Device),
     There(Id),
 }
@@ -22,25 +22,25 @@ pub(super) fn first_choice() -> String {
 }
 
 /// Reads a choice.
-pub(super) fn chosen(choice: &str) -> Option<Chosen> {
+pub(super) fn chosen(choice: &str) -> Option<ActuatorChoice> {
     if let Some(name) = choice.strip_prefix(NEW) {
-        return robot::device(StreamKind::Actuator, name).ok().map(Chosen::New);
+        return robot::device(StreamKind::Actuator, name).ok().map(ActuatorChoice::New);
     }
-    Id::new(choice.strip_prefix(THERE)?).ok().map(Chosen::There)
+    Id::new(choice.strip_prefix(THERE)?).ok().map(ActuatorChoice::There)
 }
 
 /// The list of actions, and the parameters of a new one.
 #[component]
-pub(super) fn Actuator(form: Form) -> impl IntoView {
+pub(super) fn Actuator(form: OperationForm) -> impl IntoView {
     Effect::new(move |_| {
         form.params.set(match chosen(&form.actuator.read()) {
-            Some(Chosen::New(device)) => Some(ParamForm::new(device, &Params::new())),
-            Some(Chosen::There(_)) | None => None,
+            Some(ActuatorChoice::New(device)) => Some(ParamForm::new(device, &Params::new())),
+            Some(ActuatorChoice::There(_)) | None => None,
         });
     });
     let says = move || match chosen(&form.actuator.read()) {
-        Some(Chosen::New(device)) => words::device_says(device),
-        Some(Chosen::There(_)) | None => "",
+        Some(ActuatorChoice::New(device)) => words::device_says(device),
+        Some(ActuatorChoice::There(_)) | None => "",
     };
     view! {
         <Select label=words::actuator() options=Signal::stored(options(form)) value=form.actuator />
@@ -49,7 +49,7 @@ pub(super) fn Actuator(form: Form) -> impl IntoView {
     }
 }
 
-fn options(form: Form) -> Options {
+fn options(form: OperationForm) -> ChoiceOptions {
     let behaviour = form.desk.desk().document.behaviour();
     let new = robot::actuators().map(|device| (format!("{NEW}{}", device.name), words::device(device).to_owned()));
     let there = behaviour.streams_in_order().into_iter().filter(|(_, stream)| stream.kind == StreamKind::Actuator);

@@ -1,16 +1,16 @@
 //! Unsaved text is kept for its stream until it is saved, even over a reload.
 
-use super::form::Form;
-use crate::browser::{self, Keep};
+use super::form::OperationForm;
+use crate::browser::{self, Drawer};
 use crate::desk::draft_key;
-use crate::panels::dialogs::held::Held;
+use crate::panels::dialogs::held::DialogLock;
 use crate::words;
 use behaviour::{Connector, Kind, RecordId, connectors};
 use leptos::prelude::*;
 use serde::{Deserialize, Serialize};
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Draft {
+pub(super) struct OperationDraft {
     kind: String,
     way: String,
     body: String,
@@ -26,19 +26,19 @@ pub(super) struct Draft {
 }
 
 /// What is saved of the edited connector, as far as the form changes it.
-fn saved(form: Form) -> String {
+fn saved(form: OperationForm) -> String {
     let of =
         |connector: &Connector| format!("{} {}", connector.operation.word(), connector.operation.chosen().join("\n"));
     form.edits.with_value(|edits| edits.as_ref().map(|(_, connector)| of(connector)).unwrap_or_default())
 }
 
-fn key(form: Form) -> String {
+fn key(form: OperationForm) -> String {
     let about = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| draft_key(id)));
     about.unwrap_or_else(|| draft_key(&form.source.get_value()))
 }
 
-fn read(form: Form) -> Draft {
-    Draft {
+fn read(form: OperationForm) -> OperationDraft {
+    OperationDraft {
         kind: form.kind.get().word.to_owned(),
         way: form.way.get(),
         body: form.body.get(),
@@ -51,9 +51,9 @@ fn read(form: Form) -> Draft {
 }
 
 /// Shows the draft of last time, then keeps what changes; what somebody else writes is no draft.
-pub(super) fn keep(form: Form, held: Held) {
+pub(super) fn keep(form: OperationForm, held: DialogLock) {
     let key = key(form);
-    let first: StoredValue<Option<Draft>> = StoredValue::new(None);
+    let first: StoredValue<Option<OperationDraft>> = StoredValue::new(None);
     form.untouched.set_value(Some(untrack(|| read(form))));
     restore(form, &key);
     Effect::new(move |_| {
@@ -73,15 +73,17 @@ pub(super) fn keep(form: Form, held: Held) {
     });
 }
 
-fn put(key: &str, draft: &Draft) {
+fn put(key: &str, draft: &OperationDraft) {
     if let Ok(text) = serde_json::to_string(draft) {
-        Keep::Tab.put(key, &text);
+        Drawer::Tab.put(key, &text);
     }
 }
 
 /// A draft is offered where it belongs: for the same connector, or for a new one of the same word.
-fn restore(form: Form, key: &str) {
-    let Some(draft) = Keep::Tab.get(key).and_then(|text| crate::json::read::<Draft>(&text).ok()) else { return };
+fn restore(form: OperationForm, key: &str) {
+    let Some(draft) = Drawer::Tab.get(key).and_then(|text| crate::json::read::<OperationDraft>(&text).ok()) else {
+        return;
+    };
     let is_other = !form.is_edit() && draft.kind != form.kind.get_untracked().word;
     let is_only_begun = form.begun.with_value(|begun| begun.trim() == draft.body.trim());
     if is_other || is_only_begun || draft.body.trim().is_empty() {
@@ -96,7 +98,7 @@ fn restore(form: Form, key: &str) {
 }
 
 /// Somebody saved something else since the draft was written: who and when, as soon as that is known.
-fn say_older(form: Form) {
+fn say_older(form: OperationForm) {
     form.older.set(Some(words::saved_since_draft(words::somebody())));
     let Some((id, _)) = form.edits.get_value() else { return };
     let record = RecordId::new(Kind::Connector, &id);
@@ -106,7 +108,7 @@ fn say_older(form: Form) {
     });
 }
 
-fn show(form: Form, draft: Draft) {
+fn show(form: OperationForm, draft: OperationDraft) {
     if let Some(kind) = connectors::spec(&draft.kind) {
         form.kind.set(kind);
     }
@@ -121,13 +123,13 @@ fn show(form: Form, draft: Draft) {
 }
 
 /// Forgets the draft: it is saved, or not wanted.
-pub(super) fn forget(form: Form) {
-    Keep::Tab.drop(&key(form));
+pub(super) fn forget(form: OperationForm) {
+    Drawer::Tab.drop(&key(form));
 }
 
 /// Says that a draft is shown, and offers to start over.
 #[component]
-pub(super) fn Found(form: Form) -> impl IntoView {
+pub(super) fn Found(form: OperationForm) -> impl IntoView {
     let over = move |_| {
         forget(form);
         form.from_draft.set(false);

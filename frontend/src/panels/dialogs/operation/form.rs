@@ -1,10 +1,10 @@
 //! What a person has chosen in the Operation dialog so far.
 
-use super::draft::Draft;
+use super::draft::OperationDraft;
 use super::prefill;
-use crate::desk::Spot;
+use crate::desk::NewSpot;
 use crate::fields::ParamForm;
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use behaviour::connectors::{PERIOD_MS, Spec};
 use behaviour::{Connector, Id, Operation, Procedure, Value};
 use leptos::prelude::*;
@@ -14,14 +14,14 @@ const START: Value = Value::Int(0);
 
 /// The dialog's state; a copy is the same dialog.
 #[derive(Clone, Copy)]
-pub(super) struct Form {
-    pub(super) desk: Hold,
+pub(super) struct OperationForm {
+    pub(super) desk: DeskHold,
     /// The connector that is edited; none for a new one.
     pub(super) edits: StoredValue<Option<(Id, Connector)>>,
     /// The stream it was opened for.
     pub(super) source: StoredValue<Id>,
     /// Where a new one goes.
-    pub(super) spot: StoredValue<Spot>,
+    pub(super) spot: StoredValue<NewSpot>,
     pub(super) kind: RwSignal<&'static Spec>,
     /// In order; the first is the stream it was opened for.
     pub(super) inputs: RwSignal<Vec<Id>>,
@@ -50,15 +50,15 @@ pub(super) struct Form {
     /// That somebody saved something else since that draft was written, in a sentence.
     pub(super) older: RwSignal<Option<String>>,
     /// What was there before anybody typed.
-    pub(super) untouched: StoredValue<Option<Draft>>,
+    pub(super) untouched: StoredValue<Option<OperationDraft>>,
 }
 
-impl Form {
+impl OperationForm {
     pub(super) fn new(
-        desk: Hold,
+        desk: DeskHold,
         source: Id,
         edits: Option<(Id, Connector)>,
-        (kind, spot): (&'static Spec, Spot),
+        (kind, spot): (&'static Spec, NewSpot),
     ) -> Self {
         let connector = edits.as_ref().map(|(_, connector)| connector.clone());
         let operation = connector.as_ref().map(|connector| connector.operation.clone());
@@ -200,7 +200,7 @@ pub(super) fn milliseconds(seconds: &str) -> Option<u64> {
 }
 
 /// What stands in the fields of a procedure; a body that knows the argument names of before gets those of today.
-fn procedure_texts(desk: Hold, connector: Option<&Connector>) -> (&'static str, String, String) {
+fn procedure_texts(desk: DeskHold, connector: Option<&Connector>) -> (&'static str, String, String) {
     let procedure = connector.and_then(|connector| Some((connector, connector.operation.procedure()?)));
     match procedure.map(|(connector, procedure)| (connector, procedure.clone())) {
         Some((_, Procedure::Body { body, args: Some(_) })) => ("body", body, String::new()),

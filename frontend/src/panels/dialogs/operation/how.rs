@@ -2,7 +2,7 @@
 
 mod lanes;
 
-use super::form::Form;
+use super::form::OperationForm;
 use crate::words;
 use behaviour::connectors::Spec;
 use behaviour::marbles::Example;
@@ -14,7 +14,7 @@ const HELP_ID: &str = "how-it-works";
 
 /// The button, and the help once it is pressed. It stays open while another connector is chosen.
 #[component]
-pub(super) fn HowItWorks(form: Form) -> impl IntoView {
+pub(super) fn HowItWorks(form: OperationForm) -> impl IntoView {
     let open = RwSignal::new(false);
     view! {
         <div class="how">

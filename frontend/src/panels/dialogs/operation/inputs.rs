@@ -1,7 +1,7 @@
 //! The input streams of a connector that takes several, in their order.
 
-use super::form::Form;
-use crate::fields::{Options, Select};
+use super::form::OperationForm;
+use crate::fields::{ChoiceOptions, Select};
 use crate::icons::Icon;
 use crate::panels::inspector::{device_icon, kind_class};
 use crate::words;
@@ -10,7 +10,7 @@ use leptos::prelude::*;
 
 /// Every stream that may be an input; the chosen ones first, in their order.
 #[component]
-pub(super) fn Inputs(form: Form) -> impl IntoView {
+pub(super) fn Inputs(form: OperationForm) -> impl IntoView {
     let candidates = StoredValue::new(candidates(form));
     let rows = move || {
         let chosen = form.inputs.get();
@@ -29,8 +29,9 @@ pub(super) fn Inputs(form: Form) -> impl IntoView {
 
 /// The one stream that an edited connector takes from; the body calls it by its name.
 #[component]
-pub(super) fn TakesFrom(form: Form) -> impl IntoView {
-    let options: Options = candidates(form).into_iter().map(|(id, stream)| (id.to_string(), stream.name)).collect();
+pub(super) fn TakesFrom(form: OperationForm) -> impl IntoView {
+    let options: ChoiceOptions =
+        candidates(form).into_iter().map(|(id, stream)| (id.to_string(), stream.name)).collect();
     let now = move || form.inputs.read().first().map(ToString::to_string).unwrap_or_default();
     let chosen = RwSignal::new(untrack(now));
     Effect::new(move |_| chosen.set(now()));
@@ -50,7 +51,7 @@ pub(super) fn TakesFrom(form: Form) -> impl IntoView {
 }
 
 /// Sensor and ordinary streams that do not take from the output.
-fn candidates(form: Form) -> Vec<(Id, Stream)> {
+fn candidates(form: OperationForm) -> Vec<(Id, Stream)> {
     let behaviour = form.desk.desk().document.behaviour();
     let graph = Graph::of(&behaviour);
     let output = form.edits.with_value(|edits| edits.as_ref().map(|(_, connector)| connector.output.clone()));
@@ -63,7 +64,7 @@ fn candidates(form: Form) -> Vec<(Id, Stream)> {
 }
 
 #[component]
-fn Input(form: Form, id: Id, stream: Stream) -> impl IntoView {
+fn Input(form: OperationForm, id: Id, stream: Stream) -> impl IntoView {
     let place = {
         let id = id.clone();
         move || form.inputs.read().iter().position(|input| *input == id)

@@ -1,11 +1,11 @@
 //! What the output stream is called until a person types a name: it follows what is chosen in the dialog.
 
-use super::form::{Form, milliseconds};
-use crate::naming::{Parts, called};
+use super::form::{OperationForm, milliseconds};
+use crate::naming::{NameParts, called};
 use leptos::prelude::*;
 
 /// The name before it is made unique. Reactive.
-pub(super) fn name_base(form: Form) -> String {
+pub(super) fn name_base(form: OperationForm) -> String {
     let desk = form.desk.desk();
     let inputs = form.inputs.get();
     let names: Vec<String> =
@@ -17,5 +17,5 @@ pub(super) fn name_base(form: Form) -> String {
     let skipped = arguments.len().saturating_sub(names.len());
     let helper = by_helper.then_some(helper.as_str());
     let body = (!by_helper).then_some((body.as_str(), &arguments[skipped..]));
-    called(form.kind.get(), &Parts { inputs: &names, helper, body, period_ms })
+    called(form.kind.get(), &NameParts { inputs: &names, helper, body, period_ms })
 }

@@ -1,13 +1,13 @@
 //! The beginning of a test that a person most likely wants: `distance < ` for a stream of numbers.
 
 use crate::carries::carries;
-use crate::panels::hold::Hold;
+use crate::panels::hold::DeskHold;
 use behaviour::connectors::{Carries, Spec};
 use behaviour::{Helper, Id};
 use leptos::prelude::*;
 
 /// What the body of a new connector begins with.
-pub(super) fn beginning(desk: Hold, input: &Id, kind: &Spec) -> String {
+pub(super) fn beginning(desk: DeskHold, input: &Id, kind: &Spec) -> String {
     if !kind.is_test() || !is_number(desk, input) {
         return String::new();
     }
@@ -27,7 +27,7 @@ pub(super) fn typed_whole(begun: &str, body: &str) -> Option<String> {
 }
 
 /// What it carries now decides; before the first Start it is guessed from what makes it.
-fn is_number(desk: Hold, id: &Id) -> bool {
+fn is_number(desk: DeskHold, id: &Id) -> bool {
     let desk = desk.desk();
     let newest = desk.document.stream(id).and_then(|signals| signals.live.read_untracked().value.clone());
     let helpers: Vec<Helper> = desk.library.helpers.get_untracked().into_iter().map(|(_, helper)| helper).collect();

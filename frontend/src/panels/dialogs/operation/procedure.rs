@@ -1,9 +1,9 @@
 //! Body or Helper, with the box, what it makes of real values, and offers of the right spelling.
 
-use super::form::Form;
-use crate::fields::{CodeField, Options, Select};
+use super::form::OperationForm;
+use crate::fields::{ChoiceOptions, CodeField, Select};
 use crate::panels::focus;
-use crate::panels::trials::{self, Question, TrialLine};
+use crate::panels::trials::{self, TrialLine, TrialQuestion};
 use crate::words;
 use behaviour::{Helper, StreamKind, Value};
 use leptos::prelude::*;
@@ -11,7 +11,7 @@ use protocol::UnknownName;
 
 /// Body or Helper.
 #[component]
-pub(super) fn ProcedureFields(form: Form) -> impl IntoView {
+pub(super) fn ProcedureFields(form: OperationForm) -> impl IntoView {
     let question = Memo::new(move |_| question(form));
     let answers = trials::ask(question);
     let error = answers.error.clone();
@@ -35,7 +35,7 @@ pub(super) fn ProcedureFields(form: Form) -> impl IntoView {
 }
 
 #[component]
-fn Way(form: Form) -> impl IntoView {
+fn Way(form: OperationForm) -> impl IntoView {
     let radio = move |way: &'static str, label: &'static str| {
         view! {
             <label class="radio">
@@ -54,7 +54,7 @@ fn Way(form: Form) -> impl IntoView {
 }
 
 #[component]
-fn Body(form: Form, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
+fn Body(form: OperationForm, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
     let arguments = Signal::derive(move || form.arguments());
     let wrong = Signal::derive(move || unknown.get().map(|unknown| unknown.name));
     Effect::new(move |_| {
@@ -121,7 +121,7 @@ pub(in crate::panels::dialogs) fn LooksRight(body: RwSignal<String>, arguments: 
 
 /// The right spelling of an argument, with one tap.
 #[component]
-fn Spellings(form: Form, arguments: Signal<Vec<String>>) -> impl IntoView {
+fn Spellings(form: OperationForm, arguments: Signal<Vec<String>>) -> impl IntoView {
     let offers = Memo::new(move |_| behaviour::shown_spellings(&form.body.read(), &arguments.read()));
     let offer = move |(written, right): (String, String)| {
         let label = words::spelling(&written, &right);
@@ -137,7 +137,7 @@ fn Spellings(form: Form, arguments: Signal<Vec<String>>) -> impl IntoView {
 
 /// The fields of what a sense gives, each added to the body with one tap.
 #[component]
-fn FieldNames(form: Form) -> impl IntoView {
+fn FieldNames(form: OperationForm) -> impl IntoView {
     let fields = move || {
         let desk = form.desk.desk();
         let inputs = form.inputs.get();
@@ -166,14 +166,14 @@ fn names(shape: Option<robot::Shape>, argument: &str) -> Vec<(String, String)> {
 }
 
 /// Helpers with as many parameters as the procedure has arguments. Reactive.
-fn fitting(form: Form) -> Vec<Helper> {
+fn fitting(form: OperationForm) -> Vec<Helper> {
     let count = form.kind.get().argument_count(form.inputs.read().len());
     let helpers = form.desk.desk().library.helpers.get();
     helpers.into_iter().map(|(_, helper)| helper).filter(|helper| helper.params.len() == count).collect()
 }
 
 /// Chooses a helper that fits once Helper is chosen: the shortest name, as it is the most general.
-fn choose_fitting(form: Form, fitting: &[Helper]) {
+fn choose_fitting(form: OperationForm, fitting: &[Helper]) {
     let now = form.helper.get_untracked();
     if fitting.iter().all(|helper| helper.name != now) {
         let first = fitting.iter().min_by_key(|helper| helper.name.len());
@@ -182,10 +182,10 @@ fn choose_fitting(form: Form, fitting: &[Helper]) {
 }
 
 #[component]
-fn HelperFields(form: Form, fitting: Memo<Vec<Helper>>) -> impl IntoView {
+fn HelperFields(form: OperationForm, fitting: Memo<Vec<Helper>>) -> impl IntoView {
     let options = Signal::derive(move || {
         let option = |helper: Helper| (helper.name.clone(), words::helper_item(&helper));
-        fitting.get().into_iter().map(option).collect::<Options>()
+        fitting.get().into_iter().map(option).collect::<ChoiceOptions>()
     });
     let says = move || {
         let name = form.helper.get();
@@ -198,20 +198,20 @@ fn HelperFields(form: Form, fitting: Memo<Vec<Helper>>) -> impl IntoView {
 }
 
 /// What the procedure is asked now. Reactive.
-fn question(form: Form) -> Option<Question> {
+fn question(form: OperationForm) -> Option<TrialQuestion> {
     let (inputs, kind) = (form.inputs.get(), form.kind.get());
     let (before, is_test) = (kind.takes.start.map(|_| start_of(form)).into_iter().collect(), kind.is_test());
     if form.way.get() == "helper" {
         let name = form.helper.get();
         let helper = fitting(form).into_iter().find(|helper| helper.name == name)?;
-        return Some(Question { arguments: helper.params, body: helper.body, inputs, before, is_test });
+        return Some(TrialQuestion { arguments: helper.params, body: helper.body, inputs, before, is_test });
     }
     let body = form.body.get();
     let is_only_begun = form.begun.with_value(|begun| !begun.is_empty() && begun.trim() == body.trim());
-    (!is_only_begun).then(|| Question { arguments: form.arguments(), body, inputs, before, is_test })
+    (!is_only_begun).then(|| TrialQuestion { arguments: form.arguments(), body, inputs, before, is_test })
 }
 
 /// The value to start from as it is typed, as long as it is one. Reactive.
-fn start_of(form: Form) -> Value {
+fn start_of(form: OperationForm) -> Value {
     crate::json::read(form.start.get().trim()).unwrap_or_default()
 }

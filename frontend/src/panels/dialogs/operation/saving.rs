@@ -1,10 +1,10 @@
 //! From the form to a connector: checked here as far as the page can, decided by the server.
 
 use super::NAME;
-use super::actuator::{Chosen, chosen};
+use super::actuator::{ActuatorChoice, chosen};
 use super::draft;
-use super::form::{Form, milliseconds};
-use crate::desk::{ConnectPlan, Dialog, Output, Spot};
+use super::form::{OperationForm, milliseconds};
+use crate::desk::{ConnectPlan, Dialog, NewSpot, Output};
 use crate::fields::Unfilled;
 use crate::panels::focus;
 use crate::words;
@@ -13,7 +13,7 @@ use leptos::prelude::*;
 use protocol::Refused;
 
 /// Saves what was chosen, or says why not.
-pub(super) fn save(form: Form) {
+pub(super) fn save(form: OperationForm) {
     if form.busy.get_untracked() {
         return;
     }
@@ -28,15 +28,15 @@ pub(super) fn save(form: Form) {
     }
 }
 
-fn connect(form: Form) -> Result<(), Unfilled> {
-    let spot = if form.kind.get().acts() { Spot::default() } else { form.spot.get_value() };
+fn connect(form: OperationForm) -> Result<(), Unfilled> {
+    let spot = if form.kind.get().acts() { NewSpot::default() } else { form.spot.get_value() };
     let plan = ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)?, spot };
     let answered = answered(form);
     form.desk.desk().document.connect(plan, answered);
     Ok(())
 }
 
-fn edit(form: Form) -> Result<(), Unfilled> {
+fn edit(form: OperationForm) -> Result<(), Unfilled> {
     let (id, connector) = form.edits.get_value().ok_or(Unfilled::Gone)?;
     let operation = operation(form)?;
     let name = named(form)?;
@@ -48,7 +48,7 @@ fn edit(form: Form) -> Result<(), Unfilled> {
 
 /// What happens with the answer: the dialog closes, or says why not. While nothing can be saved the change waits and is
 /// shown already, so the dialog closes at once.
-fn answered(form: Form) -> impl FnOnce(Result<(), Refused>) + 'static {
+fn answered(form: OperationForm) -> impl FnOnce(Result<(), Refused>) + 'static {
     let desk = form.desk.desk();
     let mine = desk.dialog.get_untracked();
     let close = move |desk: &crate::desk::Desk, mine: &Option<Dialog>| {
@@ -80,7 +80,7 @@ fn answered(form: Form) -> impl FnOnce(Result<(), Refused>) + 'static {
     }
 }
 
-fn operation(form: Form) -> Result<Operation, Unfilled> {
+fn operation(form: OperationForm) -> Result<Operation, Unfilled> {
     let spec = form.kind.get();
     let procedure = spec.takes.procedure.map(|takes| procedure(form, takes.is_optional)).transpose()?.flatten();
     let period_ms = spec.takes.period.map(|_| period(form)).transpose()?;
@@ -88,7 +88,7 @@ fn operation(form: Form) -> Result<Operation, Unfilled> {
     Ok(spec.with(Parameters { procedure, period_ms, start }))
 }
 
-fn procedure(form: Form, is_optional: bool) -> Result<Option<Procedure>, Unfilled> {
+fn procedure(form: OperationForm, is_optional: bool) -> Result<Option<Procedure>, Unfilled> {
     if form.way.get() == "helper" {
         return helper(form.helper.get());
     }
@@ -119,24 +119,24 @@ fn start(typed: &str) -> Result<Value, Unfilled> {
     }
 }
 
-fn period(form: Form) -> Result<u64, Unfilled> {
+fn period(form: OperationForm) -> Result<u64, Unfilled> {
     Unfilled::in_two_ways(&form.period.get())?;
     let typed = milliseconds(&form.period.get()).unwrap_or_default();
     if RATE_MS.contains(&typed) { Ok(typed) } else { Err(Unfilled::Rate(typed)) }
 }
 
-fn named(form: Form) -> Result<String, Unfilled> {
+fn named(form: OperationForm) -> Result<String, Unfilled> {
     let name = form.name.get().trim().to_owned();
     if name.is_empty() { Err(Unfilled::Name) } else { Ok(name) }
 }
 
-fn output(form: Form) -> Result<Output, Unfilled> {
+fn output(form: OperationForm) -> Result<Output, Unfilled> {
     if !form.kind.get().acts() {
         return Ok(Output::New { name: named(form)?, device: None, params: Params::new() });
     }
     match chosen(&form.actuator.get()) {
-        Some(Chosen::There(id)) => Ok(Output::Existing(id)),
-        Some(Chosen::New(device)) => {
+        Some(ActuatorChoice::There(id)) => Ok(Output::Existing(id)),
+        Some(ActuatorChoice::New(device)) => {
             let params = form.params.get().map_or_else(|| Ok(Params::new()), |params| params.read())?;
             let name = form.desk.desk().document.name_for(words::device(device));
             Ok(Output::New { name, device: Some(device.name.to_owned()), params })

@@ -1,9 +1,9 @@
 //! Above the list: programs, templates or bin, what is searched for, in which order, and whose.
 
 use super::list::go;
-use super::shelf::{Place, Shown};
+use super::shelf::{ShelfPlace, ShownShelf};
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::dialogs::frame::close;
 use crate::panels::hold::hold;
 use crate::panels::tools::open_program;
@@ -17,8 +17,8 @@ pub(super) const SEARCH_ID: &str = "program-search";
 
 /// The bar.
 #[component]
-pub(super) fn Bar(shown: Shown) -> impl IntoView {
-    let lists = move || shown.place.get() != Place::Templates && shown.details.read().is_none();
+pub(super) fn Bar(shown: ShownShelf) -> impl IntoView {
+    let lists = move || shown.place.get() != ShelfPlace::Templates && shown.details.read().is_none();
     view! {
         <div class="shelf-bar">
             <Places shown />
@@ -27,7 +27,7 @@ pub(super) fn Bar(shown: Shown) -> impl IntoView {
                 <div class="shelf-choices">
                     <Radios label=words::order() value=shown.order
                         options=[("changed", words::by_change()), ("name", words::by_name())] />
-                    <Show when=move || shown.place.get() == Place::Programs>
+                    <Show when=move || shown.place.get() == ShelfPlace::Programs>
                         <Radios label=words::whose() value=shown.whose
                             options=[("all", words::everyones()), ("mine", words::mine())] />
                         <Tags shown />
@@ -39,10 +39,13 @@ pub(super) fn Bar(shown: Shown) -> impl IntoView {
 }
 
 #[component]
-fn Places(shown: Shown) -> impl IntoView {
-    let places =
-        [(Place::Programs, words::programs()), (Place::Templates, words::templates()), (Place::Bin, words::bin())];
-    let place = |(place, label): (Place, &'static str)| {
+fn Places(shown: ShownShelf) -> impl IntoView {
+    let places = [
+        (ShelfPlace::Programs, words::programs()),
+        (ShelfPlace::Templates, words::templates()),
+        (ShelfPlace::Bin, words::bin()),
+    ];
+    let place = |(place, label): (ShelfPlace, &'static str)| {
         view! {
             <label class="segment">
                 <input type="radio" name="library-place" prop:checked=move || shown.place.get() == place
@@ -61,7 +64,7 @@ fn Places(shown: Shown) -> impl IntoView {
 
 /// Which tag, once there is one.
 #[component]
-fn Tags(shown: Shown) -> impl IntoView {
+fn Tags(shown: ShownShelf) -> impl IntoView {
     let there = Memo::new(move |_| !shown.tags.read().is_empty() || !shown.tag.read().is_empty());
     let options = move || {
         let (tags, now) = (shown.tags.get(), shown.tag.get());
@@ -107,7 +110,7 @@ fn Radios(label: &'static str, value: RwSignal<String>, options: [(&'static str,
 
 /// The search box; Enter opens the first program that is found.
 #[component]
-fn Search(shown: Shown) -> impl IntoView {
+fn Search(shown: ShownShelf) -> impl IntoView {
     let desk = hold();
     let keys = move |event: KeyboardEvent| {
         if event.pressed() == "ArrowDown" && !shown.lines.read_untracked().is_empty() {
@@ -119,7 +122,7 @@ fn Search(shown: Shown) -> impl IntoView {
         }
         event.prevent_default();
         let first = shown.lines.with_untracked(|lines| lines.first().cloned());
-        let is_here = shown.place.get_untracked() == Place::Programs;
+        let is_here = shown.place.get_untracked() == ShelfPlace::Programs;
         if let Some(first) = first.filter(|_| is_here && !shown.words.read_untracked().trim().is_empty()) {
             close(desk);
             open_program(&desk.desk(), &first.id);

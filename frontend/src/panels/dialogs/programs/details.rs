@@ -4,7 +4,7 @@ mod name;
 mod tags;
 
 use super::line::when;
-use super::shelf::Shown;
+use super::shelf::ShownShelf;
 use crate::desk::file_address;
 use crate::link::NoAnswer;
 use crate::panels::dialogs::frame::close;
@@ -23,7 +23,7 @@ use tags::Tags;
 
 /// The program, with the way back to the list.
 #[component]
-pub(super) fn Details(shown: Shown, program: Summary) -> impl IntoView {
+pub(super) fn Details(shown: ShownShelf, program: Summary) -> impl IntoView {
     let desk = hold();
     let note = words::program_line(&program.owner, program.streams, &when(program.changed_ms), &program.by);
     let id = program.id.clone();

@@ -1,7 +1,7 @@
 //! One line of the list: a small picture, the name, and who changed it when.
 
 use super::list::line_id;
-use super::shelf::{Place, Shown};
+use super::shelf::{ShelfPlace, ShownShelf};
 use super::window::LINE_PX;
 use crate::browser;
 use crate::icons::Icon;
@@ -19,9 +19,9 @@ const BIN_DAYS: u64 = 30;
 
 /// The line at a place of the list; it shows whatever program comes to stand there.
 #[component]
-pub(super) fn Line(shown: Shown, place: usize) -> impl IntoView {
+pub(super) fn Line(shown: ShownShelf, place: usize) -> impl IntoView {
     let line = Memo::new(move |_| shown.lines.with(|lines| lines.get(place).cloned()));
-    let is_bin = shown.place.get_untracked() == Place::Bin;
+    let is_bin = shown.place.get_untracked() == ShelfPlace::Bin;
     let content = move || {
         let summary = line.get()?;
         let inside = if is_bin {
@@ -41,7 +41,7 @@ pub(super) fn Line(shown: Shown, place: usize) -> impl IntoView {
 
 /// A program to open.
 #[component]
-fn Program(shown: Shown, summary: Summary, place: usize) -> impl IntoView {
+fn Program(shown: ShownShelf, summary: Summary, place: usize) -> impl IntoView {
     let desk = hold();
     let note = words::program_line(&summary.owner, summary.streams, &when(summary.changed_ms), &summary.by);
     let title = format!("{}\n{note}", summary.name);
@@ -78,7 +78,7 @@ fn TagChips(tags: Vec<String>) -> impl IntoView {
 
 /// A program in the bin.
 #[component]
-fn Removed(shown: Shown, summary: Summary, place: usize) -> impl IntoView {
+fn Removed(shown: ShownShelf, summary: Summary, place: usize) -> impl IntoView {
     let desk = hold();
     let gone_days = (browser::today_ms() as u64).saturating_sub(summary.changed_ms) / 86_400_000;
     let note = words::removed_line(&when(summary.changed_ms), &summary.by, BIN_DAYS.saturating_sub(gone_days));

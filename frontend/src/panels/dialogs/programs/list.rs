@@ -2,9 +2,9 @@
 
 use super::bar::SEARCH_ID;
 use super::line::Line;
-use super::shelf::{Loading, Place, Shown};
+use super::shelf::{Loading, ShelfPlace, ShownShelf};
 use super::window::{LINE_PX, drawn, is_near_end, scroll_to};
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::link::NoAnswer;
 use crate::panels::focus;
 use crate::words;
@@ -16,7 +16,7 @@ const HEIGHT_PX: f64 = 600.0;
 
 /// The lines, or a sentence and a way out.
 #[component]
-pub(super) fn List(shown: Shown) -> impl IntoView {
+pub(super) fn List(shown: ShownShelf) -> impl IntoView {
     let content = move || match shown.loading.get() {
         Loading::Begins => view! { <p class="shelf-note second" role="status">{words::loading_list()}</p> }.into_any(),
         Loading::Failed(why) => view! { <Failed shown why /> }.into_any(),
@@ -32,7 +32,7 @@ pub(super) fn List(shown: Shown) -> impl IntoView {
 }
 
 #[component]
-fn Failed(shown: Shown, why: NoAnswer) -> impl IntoView {
+fn Failed(shown: ShownShelf, why: NoAnswer) -> impl IntoView {
     view! {
         <div class="shelf-note">
             <p class="refusal" role="alert">{words::not_answered(&why)}</p>
@@ -46,7 +46,7 @@ fn Failed(shown: Shown, why: NoAnswer) -> impl IntoView {
 
 /// Why there is nothing to show, and what to do.
 #[component]
-fn Nothing(shown: Shown) -> impl IntoView {
+fn Nothing(shown: ShownShelf) -> impl IntoView {
     move || {
         let searched = shown.searched.get();
         let (sentence, out) = if searched.is_empty() { nothing_here(shown) } else { nothing_fits(shown, &searched) };
@@ -54,12 +54,12 @@ fn Nothing(shown: Shown) -> impl IntoView {
     }
 }
 
-fn nothing_fits(shown: Shown, searched: &str) -> (String, Option<AnyView>) {
+fn nothing_fits(shown: ShownShelf, searched: &str) -> (String, Option<AnyView>) {
     (words::nothing_fits(searched), Some(way_out(words::clear_search(), move || clear_search(shown))))
 }
 
-fn nothing_here(shown: Shown) -> (String, Option<AnyView>) {
-    if shown.place.get_untracked() == Place::Bin {
+fn nothing_here(shown: ShownShelf) -> (String, Option<AnyView>) {
+    if shown.place.get_untracked() == ShelfPlace::Bin {
         (words::bin_empty().to_owned(), None)
     } else if !shown.tag.read_untracked().is_empty() {
         let all = way_out(words::show_all_tags(), move || shown.tag.set(String::new()));
@@ -68,7 +68,7 @@ fn nothing_here(shown: Shown) -> (String, Option<AnyView>) {
         let all = way_out(words::show_everyones(), move || shown.whose.set("all".to_owned()));
         (words::none_mine().to_owned(), Some(all))
     } else {
-        let templates = way_out(words::show_templates(), move || shown.place.set(Place::Templates));
+        let templates = way_out(words::show_templates(), move || shown.place.set(ShelfPlace::Templates));
         (words::no_programs().to_owned(), Some(templates))
     }
 }
@@ -77,7 +77,7 @@ fn way_out(label: &'static str, act: impl Fn() + 'static) -> AnyView {
     view! { <button class="button" type="button" on:click=move |_| act()>{label}</button> }.into_any()
 }
 
-fn clear_search(shown: Shown) {
+fn clear_search(shown: ShownShelf) {
     shown.words.set(String::new());
     if let Some(search) = focus::by_id(SEARCH_ID) {
         focus::focus(&search);
@@ -85,7 +85,7 @@ fn clear_search(shown: Shown) {
 }
 
 #[component]
-fn Lines(shown: Shown) -> impl IntoView {
+fn Lines(shown: ShownShelf) -> impl IntoView {
     let frame = shown.frame;
     let seen = RwSignal::new((0.0, HEIGHT_PX));
     let look = move || {
@@ -128,7 +128,7 @@ fn Lines(shown: Shown) -> impl IntoView {
 }
 
 /// Arrow keys, Page Up and Down, Home and End.
-fn walk(shown: Shown, event: &KeyboardEvent) {
+fn walk(shown: ShownShelf, event: &KeyboardEvent) {
     let (now, count) = (shown.active.get_untracked(), shown.lines.with_untracked(Vec::len));
     let page =
         shown.frame.get_untracked().map_or(1, |frame| (f64::from(frame.client_height()) / LINE_PX) as usize).max(1);
@@ -153,7 +153,7 @@ fn walk(shown: Shown, event: &KeyboardEvent) {
 }
 
 /// Gives a line the keyboard, and shows it.
-pub(super) fn go(shown: Shown, line: usize) {
+pub(super) fn go(shown: ShownShelf, line: usize) {
     shown.active.set(line);
     if let Some(frame) = shown.frame.get_untracked() {
         let (scrolled, height) = (f64::from(frame.scroll_top()), f64::from(frame.client_height()));

@@ -2,7 +2,7 @@
 
 use crate::desk::ProgramPage;
 use crate::link::NoAnswer;
-use crate::panels::hold::{Hold, Soon};
+use crate::panels::hold::{DeskHold, Soon};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
@@ -15,7 +15,7 @@ const NEAR_TOP_LINES: usize = 40;
 
 /// What is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum ShelfPlace {
     #[default]
     Programs,
     Templates,
@@ -34,8 +34,8 @@ pub(super) enum Loading {
 
 /// The list as it is shown.
 #[derive(Clone, Copy)]
-pub(super) struct Shown {
-    pub(super) place: RwSignal<Place>,
+pub(super) struct ShownShelf {
+    pub(super) place: RwSignal<ShelfPlace>,
     pub(super) words: RwSignal<String>,
     /// The words to which the lines are the answer.
     pub(super) searched: RwSignal<String>,
@@ -62,14 +62,14 @@ pub(super) struct Shown {
     asked: StoredValue<u32>,
     asking_more: StoredValue<bool>,
     stale: StoredValue<bool>,
-    desk: Hold,
+    desk: DeskHold,
 }
 
-impl Shown {
+impl ShownShelf {
     /// The list of the programs as it is when the dialog opens.
-    pub(super) fn of(desk: Hold) -> Self {
+    pub(super) fn of(desk: DeskHold) -> Self {
         let shown = Self {
-            place: RwSignal::new(Place::default()),
+            place: RwSignal::new(ShelfPlace::default()),
             words: RwSignal::new(String::new()),
             searched: RwSignal::new(String::new()),
             order: RwSignal::new("changed".to_owned()),
@@ -139,7 +139,7 @@ impl Shown {
         self.next.set(None);
         self.loading.set(Loading::Begins);
         self.active.set(0);
-        if self.place.get_untracked() != Place::Templates {
+        if self.place.get_untracked() != ShelfPlace::Templates {
             self.reload();
         }
     }
@@ -204,9 +204,9 @@ impl Shown {
 
     fn query(self, after: Option<Cursor>) -> ListQuery {
         let me = || self.desk.desk().me.with_untracked(|me| me.as_ref().map(|me| me.name.clone()));
-        let bin = self.place.get_untracked() == Place::Bin;
+        let bin = self.place.get_untracked() == ShelfPlace::Bin;
         ListQuery {
-            place: if bin { protocol::Place::Bin } else { protocol::Place::Here },
+            place: if bin { protocol::SearchPlace::Bin } else { protocol::SearchPlace::Here },
             words: self.words.get_untracked().trim().to_owned(),
             owner: if self.is_mine() { me() } else { None },
             tag: Some(self.tag.get_untracked()).filter(|tag| !bin && !tag.is_empty()),

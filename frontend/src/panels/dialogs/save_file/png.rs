@@ -25,7 +25,7 @@ pub(crate) enum NoPicture {
 }
 
 /// A drawing as the server gives it.
-struct Drawing {
+struct ServedDrawing {
     text: String,
     name: String,
 }
@@ -41,7 +41,7 @@ pub(super) async fn save_png(id: &Id) -> Result<(), NoPicture> {
     hand_over(&picture, &drawing.name).ok_or(NoPicture::Refused)
 }
 
-async fn drawing(id: &Id) -> Option<Drawing> {
+async fn drawing(id: &Id) -> Option<ServedDrawing> {
     let answer = JsFuture::from(window().fetch_with_str(&file_address(id, "svg"))).await.ok()?;
     let answer: Response = answer.dyn_into().ok()?;
     if !answer.ok() {
@@ -49,7 +49,7 @@ async fn drawing(id: &Id) -> Option<Drawing> {
     }
     let said = answer.headers().get("content-disposition").ok().flatten().unwrap_or_default();
     let text = JsFuture::from(answer.text().ok()?).await.ok()?.as_string()?;
-    Some(Drawing { text, name: name_of(&said) })
+    Some(ServedDrawing { text, name: name_of(&said) })
 }
 
 /// The drawing in pixels. It is shown as an image, in which no script runs and nothing else is loaded.

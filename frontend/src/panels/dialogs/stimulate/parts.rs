@@ -10,16 +10,16 @@ const STEPS: f64 = 100.0;
 
 /// A part of a value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Part {
+pub(super) struct ValuePart {
     /// Its name in an object; none for the whole value.
     pub(super) field: Option<&'static str>,
     /// What it is.
     pub(super) says: &'static str,
-    pub(super) kind: Kind,
+    pub(super) kind: ValuePartKind,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum ValuePartKind {
     /// What is counted, or a number that something has.
     Count,
     /// What is measured, from here to there.
@@ -28,7 +28,7 @@ pub(super) enum Kind {
     Truth,
 }
 
-impl Kind {
+impl ValuePartKind {
     /// How far a slider goes in one step.
     pub(super) fn step(self) -> f64 {
         let Self::Measure(_, (low, high)) = self else { return 1.0 };
@@ -38,13 +38,13 @@ impl Kind {
 }
 
 /// The parts of what this sense tells. When something was seen is none: that is now.
-pub(super) fn parts(device: &'static Device, params: &Params) -> Vec<Part> {
+pub(super) fn parts(device: &'static Device, params: &Params) -> Vec<ValuePart> {
     let chosen = with_defaults(device.params, params);
     let shape = device.shape.chosen(&chosen);
     let known = known(device);
     let part = |field: Option<&'static str>, says, of: &Shape| {
         let kind = kind(of, known.iter().filter_map(|value| of_part(value, field)?.as_number()))?;
-        Some(Part { field, says, kind })
+        Some(ValuePart { field, says, kind })
     };
     match shape {
         Shape::Object(fields) | Shape::ObjectOrFirst(fields) => {
@@ -61,12 +61,12 @@ fn known(device: &Device) -> Vec<Value> {
     written.filter_map(|value| crate::json::read(value).ok()).collect()
 }
 
-fn kind(shape: &Shape, numbers: impl Iterator<Item = f64>) -> Option<Kind> {
+fn kind(shape: &Shape, numbers: impl Iterator<Item = f64>) -> Option<ValuePartKind> {
     match shape {
-        Shape::Number(None) => Some(Kind::Count),
-        Shape::Number(Some(unit)) => Some(Kind::Measure(*unit, unit.range().unwrap_or_else(|| ends(numbers)))),
-        Shape::Text => Some(Kind::Text),
-        Shape::Truth => Some(Kind::Truth),
+        Shape::Number(None) => Some(ValuePartKind::Count),
+        Shape::Number(Some(unit)) => Some(ValuePartKind::Measure(*unit, unit.range().unwrap_or_else(|| ends(numbers)))),
+        Shape::Text => Some(ValuePartKind::Text),
+        Shape::Truth => Some(ValuePartKind::Truth),
         Shape::Anything | Shape::Object(_) | Shape::ObjectOrFirst(_) | Shape::List(_) | Shape::By { .. } => None,
     }
 }
@@ -82,10 +82,10 @@ fn ends(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// What can be pretended with these parameters: a part of the body may not go as far as the sense.
-pub(super) fn pretended(device: &'static Device, parts: &[Part]) -> Vec<(&'static str, Value)> {
+pub(super) fn pretended(device: &'static Device, parts: &[ValuePart]) -> Vec<(&'static str, Value)> {
     let fits = |value: &Value| {
         parts.iter().all(|part| match (part.kind, of_part(value, part.field).and_then(Value::as_number)) {
-            (Kind::Measure(_, (low, high)), Some(number)) => (low..=high).contains(&number),
+            (ValuePartKind::Measure(_, (low, high)), Some(number)) => (low..=high).contains(&number),
             _ => true,
         })
     };
@@ -127,7 +127,7 @@ pub(super) fn number(text: &str, before: Option<&Value>) -> Option<Value> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Kind, ends, number, of_part, parts, pretended, with_part};
+    use super::{ValuePartKind, ends, number, of_part, parts, pretended, with_part};
     use behaviour::{Params, StreamKind, Unit, Value};
 
     fn device(name: &str) -> &'static robot::Device {
@@ -139,8 +139,8 @@ mod tests {
         let parts = parts(device("RedBall"), &Params::new());
         let names: Vec<_> = parts.iter().map(|part| part.field.unwrap()).collect();
         assert_eq!(names, ["x", "y", "size"]);
-        assert_eq!(parts[0].kind, Kind::Measure(Unit::Radians, (-0.6, 0.6)));
-        assert!(matches!(parts[2].kind, Kind::Measure(_, (low, _)) if low == 0.0));
+        assert_eq!(parts[0].kind, ValuePartKind::Measure(Unit::Radians, (-0.6, 0.6)));
+        assert!(matches!(parts[2].kind, ValuePartKind::Measure(_, (low, _)) if low == 0.0));
     }
 
     #[test]
@@ -149,7 +149,7 @@ mod tests {
             let parts = parts(device, &Params::new());
             assert!(!parts.is_empty() && !pretended(device, &parts).is_empty(), "{}", device.name);
             for part in parts {
-                let Kind::Measure(_, (low, high)) = part.kind else { continue };
+                let ValuePartKind::Measure(_, (low, high)) = part.kind else { continue };
                 assert!(low < high && part.kind.step() > 0.0 && part.kind.step() < high, "{} {part:?}", device.name);
             }
         }
@@ -159,7 +159,7 @@ mod tests {
     fn a_hand_opens_from_0_to_1() {
         let hand = Params::from([("joint".to_owned(), Value::text("LHand"))]);
         let parts = parts(device("JointPosition"), &hand);
-        assert_eq!(parts[0].kind, Kind::Measure(Unit::Fraction, (0.0, 1.0)));
+        assert_eq!(parts[0].kind, ValuePartKind::Measure(Unit::Fraction, (0.0, 1.0)));
         assert_eq!(pretended(device("JointPosition"), &parts).len(), 2);
     }
 

@@ -2,9 +2,9 @@
 //! and its arbitration.
 
 use crate::robots::cancel_flag::CancelFlag;
-use crate::robots::command_queue::{ByHand, Command, Handing, Opening, Wanted};
-use crate::robots::mailbox::Mailbox;
-use crate::robots::order::Order;
+use crate::robots::command_queue::{ByHand, Handing, OpeningRun, QueuedCommand, WantedDevice};
+use crate::robots::mailbox::RunMailbox;
+use crate::robots::order::RobotOrder;
 use crate::robots::refusal::NotByHand;
 use crate::robots::robot_thread::{RobotThread, RoomRobot};
 use crate::robots::shared::RobotShared;
@@ -167,7 +167,7 @@ impl Course<'_> {
             let name = Id::new(&format!("p{}", self.runs % 2)).unwrap();
             self.shared.order.add(&name).unwrap();
             let cancel = self.shared.cancel_flags.add(&name);
-            let wanted = |(at, (device, params)): (usize, &(&'static Device, Params))| Wanted {
+            let wanted = |(at, (device, params)): (usize, &(&'static Device, Params))| WantedDevice {
                 stream: Id::new(&format!("s{at}")).unwrap(),
                 index: StreamIx::of(at),
                 name: device.name.to_owned(),
@@ -177,9 +177,10 @@ impl Course<'_> {
             };
             let devices = self.actions.iter().enumerate().map(wanted).collect();
             let (answer, opened) = sync_channel(1);
-            let (behaviour, mailbox) = ((name.clone(), name.to_string()), Arc::new(Mailbox::default()));
+            let (behaviour, mailbox) = ((name.clone(), name.to_string()), Arc::new(RunMailbox::default()));
             let (run, cancel) = (self.runs, cancel);
-            let opening = Opening { run, behaviour, cancel: cancel.clone(), mailbox, devices, follows: false, answer };
+            let opening =
+                OpeningRun { run, behaviour, cancel: cancel.clone(), mailbox, devices, follows: false, answer };
             self.shared.queue.open(opening);
             self.serve();
             opened.recv().unwrap().map_err(|why| why.to_string()).unwrap();
@@ -201,7 +202,7 @@ impl Course<'_> {
             } else if let Some(program) = self.programs.get(self.dice.below(2)) {
                 let at = self.actions.iter().position(|(known, with)| known.name == device.name && *with == params);
                 let stream = Id::new(&format!("s{}", at.unwrap())).unwrap();
-                let command = Command { cancel: program.cancel.clone(), value };
+                let command = QueuedCommand { cancel: program.cancel.clone(), value };
                 self.shared.queue.command(Use { run: program.run, stream }, device.name, command);
             }
         }
@@ -279,7 +280,7 @@ fn a_hand_stays_inside_the_limits_of_the_robot_and_its_arbitration() {
     let (limits, mut total) = (limits(), Counts::default());
     for seed in 0..COURSES {
         let feed = Arc::new(StatusFeed::default());
-        let shared = RobotShared::new(Id::new("nao").unwrap(), feed, Order::default());
+        let shared = RobotShared::new(Id::new("nao").unwrap(), feed, RobotOrder::default());
         let (log, nao) = (Rc::new(RefCell::new(Vec::new())), simulated::nao(seed));
         let actions = actions(&nao);
         let robot = Box::new(Witness { nao, log: log.clone() });

@@ -3,7 +3,7 @@
 
 use crate::recordings::Recordings;
 use crate::robots::Host;
-use crate::robots::order::Order;
+use crate::robots::order::RobotOrder;
 use crate::robots::robot_thread::RoomRobot;
 use crate::robots::status_feed::StatusFeed;
 use crate::support::lock;
@@ -50,7 +50,7 @@ impl Probe {
         let (robot, name) = (Id::new("probe").unwrap(), "Probe".to_owned());
         let state = RobotState::connecting(robot, name);
         let (feed, recordings) = (Arc::new(StatusFeed::default()), Recordings::default());
-        Host::new(state, feed, Box::new(make), Limits::default, recordings, Order::default()).unwrap()
+        Host::new(state, feed, Box::new(make), Limits::default, recordings, RobotOrder::default()).unwrap()
     }
 
     /// Whether the ball is read in every step.

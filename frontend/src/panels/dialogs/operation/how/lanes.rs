@@ -1,6 +1,6 @@
 //! The lanes of an example: streams over time, their values as marbles at their times.
 
-use crate::panels::dialogs::marbles::{ASIDE, Bead, LANE, Look, NAME, UNDER, WIDTH, lane};
+use crate::panels::dialogs::marbles::{ASIDE, Bead, LANE, MarbleLook, NAME, UNDER, WIDTH, lane};
 use crate::words;
 use behaviour::marbles::{Example, Lane};
 use leptos::prelude::*;
@@ -12,8 +12,11 @@ const MARK_MS: u64 = 300;
 #[component]
 pub(super) fn Given(example: &'static Example) -> impl IntoView {
     let height = LANE * example.given.len() as f64;
-    let lanes =
-        example.given.iter().zip(0_u32..).map(|(given, at)| drawn(example, *given, LANE * f64::from(at), Look::In));
+    let lanes = example
+        .given
+        .iter()
+        .zip(0_u32..)
+        .map(|(given, at)| drawn(example, *given, LANE * f64::from(at), MarbleLook::In));
     let said = example.given.iter().map(|given| told(*given)).collect::<Vec<_>>();
     let said = words::one_after_another(&said);
     view! {
@@ -28,7 +31,7 @@ pub(super) fn Given(example: &'static Example) -> impl IntoView {
 #[component]
 pub(super) fn Then(example: &'static Example, acts: bool) -> impl IntoView {
     let under = if example.then.marbles().any(|marble| marble.parts().1.is_some()) { UNDER } else { 0.0 };
-    let (axis, look) = (LANE + under, if acts { Look::Act } else { Look::Out });
+    let (axis, look) = (LANE + under, if acts { MarbleLook::Act } else { MarbleLook::Out });
     let said = words::comes_out(&told(example.then));
     view! {
         <svg class="marbles" role="img" viewBox=format!("0 0 {WIDTH} {}", axis + UNDER) aria-label=said>
@@ -42,7 +45,7 @@ pub(super) fn Then(example: &'static Example, acts: bool) -> impl IntoView {
     }
 }
 
-fn drawn(example: &'static Example, given: Lane, top: f64, look: Look) -> impl IntoView + use<> {
+fn drawn(example: &'static Example, given: Lane, top: f64, look: MarbleLook) -> impl IntoView + use<> {
     let beads = given.marbles().map(|marble| {
         let (value, time) = marble.parts();
         Bead { x: x(example, marble.at_ms), text: value.to_owned(), under: time.map(words::at_ms) }

@@ -3,7 +3,7 @@
 use crate::desk::{EditSession, Settle};
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::panels::focus;
 use crate::panels::hold::hold;
 use crate::panels::may::may_edit;

@@ -1,10 +1,10 @@
 //! The tags of a program: short words, each with a way to take it away, and a field for one more.
 
-use super::super::shelf::Shown;
+use super::super::shelf::ShownShelf;
 use crate::desk::Settle;
 use crate::escape;
 use crate::icons::Icon;
-use crate::keys::Pressed;
+use crate::keys::PressedKey;
 use crate::link::NoAnswer;
 use crate::panels::focus;
 use crate::panels::hold::hold;
@@ -20,7 +20,7 @@ const KNOWN_ID: &str = "known-tags";
 
 /// The tags.
 #[component]
-pub(super) fn Tags(shown: Shown, id: String, tags: Vec<String>) -> impl IntoView {
+pub(super) fn Tags(shown: ShownShelf, id: String, tags: Vec<String>) -> impl IntoView {
     let desk = hold();
     let id = StoredValue::new(Id::new(&id).ok());
     let (tags, typed) = (RwSignal::new(tags), RwSignal::new(String::new()));
