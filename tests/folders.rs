@@ -55,7 +55,7 @@ const DESK: Arrows = &[
     ("tab", &["carried"]),
 ];
 
-/// What at the top of other crates still uses each other around a circle. The lists may only get shorter.
+/// The files and folders at the top of crates that still use each other around a circle. The lists may only get shorter.
 const CIRCLES: &[(&str, &[&str])] = &[
     (
         "crates/simulation/src",

@@ -82,6 +82,8 @@ pub(crate) struct LazyViews {
     pub(crate) robot_list: fn() -> AnyView,
     /// Shows how a run's recording goes, with the field for marks; without a recording only that field, which rests.
     pub(crate) recorded: fn(Option<Recorded>, RwSignal<String>) -> AnyView,
+    /// In the robot box, what runs together.
+    pub(crate) running: fn() -> AnyView,
     /// The recordings that are kept.
     pub(crate) recordings: fn() -> AnyView,
     /// What may happen in the simulated room.
@@ -170,6 +172,7 @@ fn rest() -> Result<LazyViews, NotLoaded> {
         apply: panels::apply,
         robot_list: panels::robot_list,
         recorded: panels::recorded,
+        running: panels::running,
         recordings: panels::recordings,
         room_tools: panels::room_tools,
         camera: panels::camera,

@@ -67,6 +67,7 @@ pub(crate) use remove::RemoveButton;
 pub(crate) use right::RightColumn;
 pub(crate) use robots::robot_list;
 pub(crate) use room::{camera, room_tools};
+pub(crate) use running::running;
 pub(crate) use stranger::stranger;
 pub(crate) use teaching::{TourPlace, exercise, take_tour, tour};
 pub(crate) use told::told;

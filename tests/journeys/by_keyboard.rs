@@ -223,18 +223,14 @@ async fn says_a_program(name: &str, sentence: &str, follows: &str, trackers: u32
 
 #[tokio::test]
 async fn the_walkthrough_is_one_sentence_by_keyboard() -> Outcome<()> {
-    if !skip::ready("journey: walkthrough, said by keyboard") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: walkthrough, said by keyboard"));
     let sentence = "If the red ball is closer than 60 cm, follow it with your head.";
     says_a_program("Said walkthrough", sentence, "follows red ball with head", 1).await
 }
 
 #[tokio::test]
 async fn the_create_task_is_one_sentence_by_keyboard() -> Outcome<()> {
-    if !skip::ready("journey: create task, said by keyboard") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: create task, said by keyboard"));
     let sentence =
         "If the red ball is closer than 60 cm, follow it with your whole body, otherwise follow it with your head.";
     says_a_program("Said Create", sentence, "follows red ball with whole body", 2).await

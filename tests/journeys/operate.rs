@@ -39,9 +39,7 @@ const DOTS: &str = "document.querySelectorAll('.dots i').length";
 
 #[tokio::test]
 async fn a_session_is_run_with_fingers_from_start_to_stop() -> Outcome<()> {
-    if !skip::ready("journey: the operator's page with fingers") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: the operator's page with fingers"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     aiko.size(1180, 820, true).await?;
@@ -101,9 +99,7 @@ async fn of_recording(stage: &Stage, field: &str) -> Outcome<Vec<String>> {
 
 #[tokio::test]
 async fn the_keys_press_tiles_mark_and_write_notes_and_a_held_key_counts_once() -> Outcome<()> {
-    if !skip::ready("journey: the operator's page with keys") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: the operator's page with keys"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     operates(&stage, &aiko).await?;
@@ -135,9 +131,7 @@ async fn the_keys_press_tiles_mark_and_write_notes_and_a_held_key_counts_once() 
 
 #[tokio::test]
 async fn two_operators_see_each_others_presses_marks_and_stops() -> Outcome<()> {
-    if !skip::ready("journey: two operators") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: two operators"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     aiko.goto(&stage.server.url()).await?;
@@ -178,9 +172,7 @@ async fn two_operators_see_each_others_presses_marks_and_stops() -> Outcome<()> 
 
 #[tokio::test]
 async fn a_link_that_is_cut_presses_nothing_later_and_a_mark_keeps_its_moment() -> Outcome<()> {
-    if !skip::ready("journey: the operator's link is cut") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: the operator's link is cut"));
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
     let socket = Switch::install(&aiko).await?;
@@ -239,9 +231,7 @@ const RUN_MS: &str = "(() => { const [m, s] = document.querySelector('.op-clock 
 
 #[tokio::test]
 async fn who_may_only_look_presses_none() -> Outcome<()> {
-    if !skip::ready("journey: a viewer on the operator's page") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: a viewer on the operator's page"));
     let stage = Stage::set_with(house::folder()?, &["--listen", "0.0.0.0:0"]).await?;
     let aiko = stage.nobody("aiko").await?;
     operates(&stage, &aiko).await?;
@@ -270,9 +260,7 @@ async fn who_may_only_look_presses_none() -> Outcome<()> {
 
 #[tokio::test]
 async fn who_came_to_operate_lands_there_and_finds_the_way_out() -> Outcome<()> {
-    if !skip::ready("journey: an operator lands on the operator's page") {
-        return Ok(());
-    }
+    skip::unless!(ready("journey: an operator lands on the operator's page"));
     let stage = Stage::set_with(house::folder()?, &["--listen", "0.0.0.0:0"]).await?;
     let aiko = stage.person("aiko").await?;
     aiko.brings_game().await?;

@@ -7,17 +7,13 @@ use house::{Browser, GAME, Outcome, Page, Server, Switch, skip};
 
 #[tokio::test]
 async fn the_operators_page_keeps_the_rules_and_axe_finds_nothing() -> Outcome<()> {
-    if !skip::ready("the operator's page at every size") {
-        return Ok(());
-    }
+    skip::unless!(ready("the operator's page at every size"));
     every_state(&Words::english()).await
 }
 
 #[tokio::test]
 async fn the_operators_page_keeps_the_rules_in_japanese() -> Outcome<()> {
-    if !skip::ready_in_japanese("the operator's page in Japanese") {
-        return Ok(());
-    }
+    skip::unless!(ready_in_japanese("the operator's page in Japanese"));
     every_state(&Words::japanese()?).await
 }
 

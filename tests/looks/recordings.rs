@@ -46,9 +46,7 @@ async fn fits(page: &Page, window: &Window, place: &str) -> Outcome<Vec<String>>
 
 #[tokio::test]
 async fn recordings_and_reports_fit_every_window_in_both_languages() -> Outcome<()> {
-    if !skip::ready("recordings and reports") {
-        return Ok(());
-    }
+    skip::unless!(ready("recordings and reports"));
     let folder = house::folder()?;
     prepare(folder.path())?;
     let server = Server::start(folder.path()).await?;
@@ -80,9 +78,7 @@ async fn sheets(page: &Page) -> Outcome<u64> {
 
 #[tokio::test]
 async fn a_report_is_printed_whole_and_without_its_links() -> Outcome<()> {
-    if !skip::ready("a report on paper") {
-        return Ok(());
-    }
+    skip::unless!(ready("a report on paper"));
     let folder = house::folder()?;
     prepare(folder.path())?;
     let server = Server::start(folder.path()).await?;
@@ -111,9 +107,7 @@ async fn a_report_is_printed_whole_and_without_its_links() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_recording_is_found_named_and_binned_by_keys_and_brought_back_by_finger() -> Outcome<()> {
-    if !skip::ready("recordings by keys and finger") {
-        return Ok(());
-    }
+    skip::unless!(ready("recordings by keys and finger"));
     let folder = house::folder()?;
     prepare(folder.path())?;
     let server = Server::start(folder.path()).await?;

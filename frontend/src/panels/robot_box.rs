@@ -5,7 +5,6 @@ use super::condition::Lights;
 use super::hold::{DeskHold, hold};
 use super::recordings::{RecordRow, Recordings};
 use super::robots::RobotPicker;
-use super::running::Running;
 use super::to_stop::tab_to_stop;
 use crate::desk::{Dialog, LinkState};
 use crate::icons::Icon;
@@ -27,11 +26,22 @@ pub(crate) fn RobotBox() -> impl IntoView {
             <Asked />
             <Lights />
             <Buttons />
-            <Running />
+            <Together />
             <RecordRow />
             <Recordings />
         </section>
     }
+}
+
+/// All programs that run, once one that is not open does.
+#[component]
+fn Together() -> impl IntoView {
+    let desk = hold();
+    let others = Memo::new(move |_| {
+        let open = desk.desk().document.open.get();
+        desk.desk().robots.all_running().iter().any(|run| Some(&run.behaviour) != open.as_ref())
+    });
+    move || others.get().then(|| view! { <Later show=|rest| (rest.running)() /> })
 }
 
 #[component]

@@ -10,19 +10,19 @@ use protocol::RunState;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, PointerEvent};
 
-/// The list, as soon as more than the open program runs.
+/// The list, for when more than the open program runs.
+pub(crate) fn running() -> AnyView {
+    view! { <Running /> }.into_any()
+}
+
 #[component]
-pub(crate) fn Running() -> impl IntoView {
+fn Running() -> impl IntoView {
     let desk = hold();
     let dragged = RwSignal::new(None::<Drag>);
     // Nothing moves under the hand.
     let running = Memo::new(move |before: Option<&Vec<RunState>>| match before {
         Some(before) if dragged.read().is_some() => before.clone(),
         _ => desk.desk().robots.all_running(),
-    });
-    let other = Memo::new(move |_| {
-        let open = desk.desk().document.open.get();
-        running.read().iter().any(|run| Some(&run.behaviour) != open.as_ref())
     });
     let rows = move || {
         let all = running.get();
@@ -32,7 +32,7 @@ pub(crate) fn Running() -> impl IntoView {
             .collect_view()
     };
     view! {
-        <div class="running" hidden=move || !other.get()>
+        <div class="running">
             <h3 class="label" id="running-title">{words::running_together()}</h3>
             <p class="faint" hidden=move || { running.read().len() < 2 }>{words::upper_wins()}</p>
             <ol aria-labelledby="running-title">{rows}</ol>
