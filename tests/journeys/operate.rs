@@ -200,11 +200,8 @@ async fn a_link_that_is_cut_presses_nothing_later_and_a_mark_keeps_its_moment() 
     aiko.key("m").await?;
     says(&aiko, "waits here").await?;
     let marked = aiko.eval("document.querySelector('.op-newest .op-at').textContent").await?;
-    aiko.until(
-        &format!("Number(document.querySelector('.op-undo').textContent.match(/[0-9]+/)[0]) < 8"),
-        "two seconds pass",
-    )
-    .await?;
+    aiko.until("Number(document.querySelector('.op-undo').textContent.match(/[0-9]+/)[0]) < 8", "two seconds pass")
+        .await?;
     socket.mend().await?;
     silent(&aiko, "No connection for").await?;
     silent(&aiko, "waits here").await?;

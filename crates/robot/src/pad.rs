@@ -82,7 +82,10 @@ mod tests {
     use crate::params::check_params;
     use behaviour::{Behaviour, Id, Kind, Params, Record, RecordId, Stream, StreamKind, TileAction, Value};
 
-    fn with(all: &[(StreamKind, &str, &[(&str, &str)])]) -> Behaviour {
+    /// A stream: its kind, its device and its parameters.
+    type Given<'a> = (StreamKind, &'a str, &'a [(&'a str, &'a str)]);
+
+    fn with(all: &[Given]) -> Behaviour {
         let mut behaviour = Behaviour::default();
         for (order, (kind, device, params)) in (0..).zip(all) {
             let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
@@ -120,7 +123,7 @@ mod tests {
 
     #[test]
     fn nine_at_most_that_the_catalogue_takes() {
-        let senses: Vec<(StreamKind, &str, &[(&str, &str)])> =
+        let senses: Vec<Given> =
             crate::sensors().map(|sense| (StreamKind::Sensor, sense.name, [].as_slice())).collect();
         let actions = crate::actuators().map(|action| (StreamKind::Actuator, action.name, [].as_slice()));
         let pad = usual_pad(&with(&senses.into_iter().chain(actions).collect::<Vec<_>>()));

@@ -35,7 +35,7 @@ pub(super) fn listen(op: OperateShared) {
 fn write_note(op: OperateShared) -> bool {
     let is_one = op.open_note();
     if is_one {
-        focus::soon(0, "#op-note", |field| focus::focus(field));
+        focus::soon(0, "#op-note", focus::focus);
     }
     is_one
 }

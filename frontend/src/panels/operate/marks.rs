@@ -288,7 +288,7 @@ impl OperateShared {
             self.marks.goes.set(false);
             match answer {
                 Err(NoAnswer::Unreachable) => return browser::after(AGAIN_MS, move || self.send_marks()),
-                Err(NoAnswer::Refused(no)) if no == protocol::Refused::TooFast => {
+                Err(NoAnswer::Refused(protocol::Refused::TooFast)) => {
                     return browser::after(AGAIN_MS, move || self.send_marks());
                 }
                 Err(NoAnswer::Refused(no)) => {

@@ -114,7 +114,10 @@ mod tests {
     use behaviour::{Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, Value};
     use protocol::Press;
 
-    fn with(all: &[(StreamKind, &str, &[(&str, &str)])]) -> Behaviour {
+    /// A stream: its kind, its device and its parameters.
+    type Given<'a> = (StreamKind, &'a str, &'a [(&'a str, &'a str)]);
+
+    fn with(all: &[Given]) -> Behaviour {
         let mut behaviour = Behaviour::default();
         for (order, (kind, device, params)) in (0..).zip(all) {
             let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();

@@ -68,7 +68,7 @@ pub(super) fn Card(op: OperateShared) -> impl IntoView {
             op.asks.set(false);
         }
         if shown.get() {
-            focus::soon(0, "#op-code", |field| focus::focus(field));
+            focus::soon(0, "#op-code", focus::focus);
         }
     });
     view! { <Show when=move || shown.get()><Asked op /></Show> }
