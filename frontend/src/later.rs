@@ -9,7 +9,7 @@ use crate::browser;
 use crate::commands::On;
 use crate::desk::{Desk, Dialog, LinkState, Selected};
 use crate::layout::{self, Tidy};
-use crate::panels::SentenceField;
+use crate::panels::{SentenceField, ToolMenu};
 use crate::{canvas, panels, words};
 use behaviour::Id;
 use leptos::prelude::*;
@@ -82,6 +82,8 @@ pub(crate) struct LazyViews {
     pub(crate) robot_list: fn() -> AnyView,
     /// Shows how a run's recording goes, with the field for marks; without a recording only that field, which rests.
     pub(crate) recorded: fn(Option<Recorded>, RwSignal<String>) -> AnyView,
+    /// The items of a menu of the bar.
+    pub(crate) tool_items: fn(ToolMenu) -> AnyView,
     /// In the robot box, what runs together.
     pub(crate) running: fn() -> AnyView,
     /// The recordings that are kept.
@@ -172,6 +174,7 @@ fn rest() -> Result<LazyViews, NotLoaded> {
         apply: panels::apply,
         robot_list: panels::robot_list,
         recorded: panels::recorded,
+        tool_items: panels::tool_items,
         running: panels::running,
         recordings: panels::recordings,
         room_tools: panels::room_tools,

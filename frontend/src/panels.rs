@@ -72,4 +72,5 @@ pub(crate) use stranger::stranger;
 pub(crate) use teaching::{TourPlace, exercise, take_tour, tour};
 pub(crate) use told::told;
 pub(crate) use toolbar::Toolbar;
+pub(crate) use tools::{ToolMenu, tool_items};
 pub(crate) use typed::{SentenceField, typed};

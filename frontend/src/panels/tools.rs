@@ -5,6 +5,7 @@ use super::hold::hold;
 use super::may::may_edit;
 use super::menu::{Menu, MenuItem};
 use crate::desk::{Desk, Dialog};
+use crate::later::Later;
 use crate::words;
 use behaviour::{Id, Params};
 use leptos::prelude::*;
@@ -13,6 +14,23 @@ use protocol::Summary;
 /// How many programs the menu shows; the dialog shows all.
 const PROGRAMS_MAX: usize = 6;
 
+/// The menus whose items come with the second piece.
+#[derive(Clone, Copy)]
+pub(crate) enum ToolMenu {
+    Programs,
+    Senses,
+    Helpers,
+}
+
+/// The items of a menu of the bar.
+pub(crate) fn tool_items(menu: ToolMenu) -> AnyView {
+    match menu {
+        ToolMenu::Programs => view! { <ProgramItems /> }.into_any(),
+        ToolMenu::Senses => view! { <SensorItems /> }.into_any(),
+        ToolMenu::Helpers => view! { <HelperItems /> }.into_any(),
+    }
+}
+
 /// Load program: the newest programs and the templates.
 #[component]
 pub(crate) fn LoadMenu() -> impl IntoView {
@@ -20,7 +38,7 @@ pub(crate) fn LoadMenu() -> impl IntoView {
     let list = Callback::new(move |()| desk.desk().library.list_programs());
     view! {
         <Menu label=words::load_program() icon="folder" class="not-tablet" on_open=list>
-            <ProgramItems />
+            <Later show=|rest| (rest.tool_items)(ToolMenu::Programs) />
         </Menu>
     }
 }
@@ -76,7 +94,7 @@ pub(crate) fn open_program(desk: &Desk, id: &str) {
 pub(crate) fn AddSensorMenu(none_open: Signal<bool>) -> impl IntoView {
     view! {
         <Menu label=words::add_sensor() icon="eye" class="not-phone" disabled=none_open>
-            <SensorItems />
+            <Later show=|rest| (rest.tool_items)(ToolMenu::Senses) />
         </Menu>
     }
 }
@@ -96,7 +114,7 @@ fn SensorItems() -> impl IntoView {
 pub(crate) fn EditHelperMenu() -> impl IntoView {
     view! {
         <Menu label=words::edit_helper() icon="fx" class="not-phone">
-            <HelperItems />
+            <Later show=|rest| (rest.tool_items)(ToolMenu::Helpers) />
         </Menu>
     }
 }
