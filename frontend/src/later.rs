@@ -1,8 +1,8 @@
 //! What of the page comes later: dialogs, the history and what else nobody needs at first are a second piece of the code.
 //! It is fetched quietly once the page is usable, and at once when something of it is wanted before.
 //!
-//! A new dialog is in it by itself, as `Rest::dialog` makes them all. Something else that shall come later gets a field of
-//! `Rest`, and `<Later show=|rest| (rest.field)() />` where it stands. The build cuts the code at `rest` below: into the
+//! A new dialog is in it by itself, as `LazyViews::dialog` makes them all. Something else that shall come later gets a field of
+//! `LazyViews`, and `<Later show=|rest| (rest.field)() />` where it stands. The build cuts the code at `rest` below: into the
 //! second piece goes what is reached from there only, so nothing else may name what is behind a field.
 
 use crate::browser;

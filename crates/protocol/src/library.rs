@@ -143,7 +143,7 @@ pub struct PictureOf {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct GraphOutline {
-    /// The streams of the graph, at most [`Picture::STREAMS_MAX`].
+    /// The streams of the graph, at most [`GraphOutline::STREAMS_MAX`].
     pub streams: Vec<PictureStream>,
     /// From which stream to which values flow, as places in `streams`.
     pub lines: Vec<[u16; 2]>,

@@ -254,7 +254,7 @@ pub enum Reply {
     },
     /// The state of a wish to edit what somebody else is editing.
     Asked {
-        /// When this was said, on the clock of [`Asked`].
+        /// When this was said, on the clock of [`AskResult`].
         now_ms: u64,
         /// The state of the wish.
         asked: AskResult,

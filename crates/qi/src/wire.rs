@@ -144,7 +144,7 @@ impl Framer {
     /// The next whole message, or nothing until more bytes come.
     ///
     /// # Errors
-    /// Fails as [`Header::from_bytes`] does, as soon as the header is there. The stream cannot be read on after that.
+    /// Fails as [`MessageHeader::from_bytes`] does, as soon as the header is there. The stream cannot be read on after that.
     pub fn next_frame(&mut self) -> Result<Option<MessageFrame>, Malformed> {
         let waiting = self.buffer.get(self.taken..).unwrap_or_default();
         let Some((header, rest)) = waiting.split_first_chunk::<HEADER_BYTES>() else { return Ok(None) };

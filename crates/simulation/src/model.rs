@@ -97,7 +97,7 @@ impl BodyModel {
         })
     }
 
-    /// Where a link stands in [`Model::links`].
+    /// Where a link stands in [`BodyModel::links`].
     pub(crate) fn link(&self, name: &str) -> usize {
         self.links.iter().position(|link| link.name == name).unwrap_or_default()
     }

@@ -17,7 +17,7 @@ const GOING_ON: [&str; 4] = ["else", "catch", "while", "until"];
 pub(super) enum WordMeaning {
     /// A value from outside, such as an argument.
     Outer,
-    /// A value of the procedure's own; with which of [`Read::locals`].
+    /// A value of the procedure's own; with which of [`ReadProcedure::locals`].
     Local(usize),
     /// A function or a helper, called or pointed to.
     Function,
@@ -30,7 +30,7 @@ pub(super) enum WordMeaning {
 pub(super) struct Word {
     pub(super) place: Range<usize>,
     pub(super) meaning: WordMeaning,
-    /// The values of its own that are known where a value from outside is used: so many of [`Read::known`].
+    /// The values of its own that are known where a value from outside is used: so many of [`ReadProcedure::known`].
     known: Range<usize>,
 }
 

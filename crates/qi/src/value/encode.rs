@@ -8,7 +8,7 @@ use crate::wire::FRAME_MAX_BYTES;
 /// The bytes of a value written as a type: numbers in its width, anything in a dynamic.
 ///
 /// # Errors
-/// [`Unfit`] if it cannot be that type: a text as a number, 300 as one byte, 1.5 as an integer.
+/// [`TypeMismatch`] if it cannot be that type: a text as a number, 300 as one byte, 1.5 as an integer.
 pub fn encode(value: &Value, signature: &ValueSignature, layout: Layout) -> Result<Vec<u8>, TypeMismatch> {
     let mut writer = Encoder { out: Vec::new(), layout };
     writer.value(value, signature, DEPTH_MAX)?;
@@ -18,7 +18,7 @@ pub fn encode(value: &Value, signature: &ValueSignature, layout: Layout) -> Resu
 /// The bytes of arguments in a row, written as the fields of a tuple.
 ///
 /// # Errors
-/// [`Unfit`] as for [`encode`], and for another number of arguments than fields.
+/// [`TypeMismatch`] as for [`encode`], and for another number of arguments than fields.
 pub fn encode_arguments(
     arguments: &[Value],
     signature: &ValueSignature,

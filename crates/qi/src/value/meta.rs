@@ -16,7 +16,7 @@ impl MetaObject {
     /// The bytes that the method `metaObject` answers with.
     ///
     /// # Errors
-    /// [`Unfit::TooLarge`].
+    /// [`TypeMismatch::TooLarge`].
     pub fn encode(&self) -> Result<Vec<u8>, TypeMismatch> {
         let mut out = Vec::new();
         self.write(&mut out)?;

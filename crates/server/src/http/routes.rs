@@ -3,7 +3,7 @@
 use super::come_in::BrowserLanguage;
 use super::door::RequestArrival;
 use super::downloads::{Downloads, few_at_once};
-use super::headers::HEADERS;
+use super::headers::{HEADERS, is_needed};
 use super::page::PageFiles;
 use super::readiness::Readiness;
 use super::{camera, catalogue, come_in, cut, page, recording_list, recordings, report, stop, transfer, upload};
@@ -157,7 +157,10 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
 fn with_headers(router: Router) -> Router {
     HEADERS.into_iter().fold(router, |router, (name, value)| {
         let (name, value) = (HeaderName::from_static(name), HeaderValue::from_static(value));
-        router.layer(SetResponseHeaderLayer::overriding(name, value))
+        router.layer(SetResponseHeaderLayer::overriding(name.clone(), move |answer: &Response| {
+            let kind = answer.headers().get(header::CONTENT_TYPE).and_then(|kind| kind.to_str().ok());
+            is_needed(name.as_str(), kind).then(|| value.clone())
+        }))
     })
 }
 

@@ -14,7 +14,7 @@ impl RobotsPanel {
         self.run_of_open()
     }
 
-    /// Returns the answer of [`Robots::running`], without being told when it changes.
+    /// Returns the answer of [`RobotsPanel::running`], without being told when it changes.
     pub(super) fn run_of_open(&self) -> Option<RunState> {
         let open = self.document.open.get_untracked()?;
         let here = self.chosen_id()?;

@@ -79,7 +79,7 @@ impl RobotsPanel {
         self.renew_unused();
     }
 
-    /// The connector as the run has it, if it was changed since and was there. Follows [`Robots::unused`].
+    /// The connector as the run has it, if it was changed since and was there. Follows [`RobotsPanel::unused`].
     pub(crate) fn ran(&self, id: &Id) -> Option<Connector> {
         match self.state().before.get(&RecordId::new(Kind::Connector, id)) {
             Some(Some(Record::Connector(ran))) => Some(ran.clone()),
