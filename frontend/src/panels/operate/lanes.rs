@@ -22,6 +22,9 @@ const ACTIONS_MAX: usize = 2;
 const WIDTH: f64 = 1_000.0;
 /// Times along the top, in milliseconds.
 const TIMES_MS: f64 = 30_000.0;
+/// The stretch before the end in which no time of day stands, as the word for the end does: on a phone, with the longer word too.
+const CLEAR_MS: f64 = 14_000.0;
+const QUIET_CLEAR_MS: f64 = 55_000.0;
 
 /// When a stream told something: from and until, by this computer's clock.
 type LaneBars = VecDeque<(f64, f64)>;
@@ -66,9 +69,10 @@ pub(super) fn Lanes(op: OperateShared) -> impl IntoView {
     let times = move || {
         let now = now.get();
         let first = (now / TIMES_MS).floor() * TIMES_MS;
+        let clear_ms = if op.is_quiet() { QUIET_CLEAR_MS } else { CLEAR_MS };
         let all = (0..3)
             .map(|back| first - f64::from(back) * TIMES_MS)
-            .filter(|at| (now - KEPT_MS * 0.97..now - 14_000.0).contains(at));
+            .filter(|at| (now - KEPT_MS * 0.97..now - clear_ms).contains(at));
         let time =
             |at: f64| view! { <span style=("--at", format!("{:.1}%", place(at, now) / 10.0))>{time_of_day(at)}</span> };
         all.map(time).collect_view()
