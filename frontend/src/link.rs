@@ -30,7 +30,7 @@ pub(crate) enum NoAnswer {
 /// What is done with a reply; none when the link broke before it came.
 type OnReply = Box<dyn FnOnce(Option<&Reply>)>;
 
-/// What is done with every message.
+/// The work that is done with every message.
 type Ear = Rc<dyn Fn(&Reply)>;
 
 #[derive(Default)]
@@ -48,7 +48,7 @@ struct PageLink {
     answers: BTreeMap<u32, OnReply>,
     /// There will be no link again: the invitation ended, or another page has the place of this one.
     is_over: bool,
-    /// Who hears every message before the desk does.
+    /// The listener that hears every message before the desk does.
     ear: Option<Ear>,
     /// What comes in parts.
     assembly: Assembly,

@@ -27,7 +27,7 @@ async fn starts(page: &Page, code: &str) -> Outcome<()> {
     page.find("button", "Running").await.map(drop)
 }
 
-/// What a tile shows.
+/// The words that a tile shows.
 fn shows(label: &str) -> String {
     format!(
         "[...document.querySelectorAll('.op-tile')].find(tile => tile.querySelector('b').textContent === '{label}')?.dataset.state"
@@ -80,7 +80,7 @@ async fn a_session_is_run_with_fingers_from_start_to_stop() -> Outcome<()> {
     calm(&aiko)
 }
 
-/// What the newest recording's marks have there, from the server.
+/// The field of that name of the newest recording's marks, from the server.
 async fn of_recording(stage: &Stage, field: &str) -> Outcome<Vec<String>> {
     let mut visitor = Visitor::enter(&stage.server).await?;
     let Reply::Recordings { recordings } = visitor.ask(Request::Recordings).await? else {

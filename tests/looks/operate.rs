@@ -1,4 +1,4 @@
-//! How the operator's page looks: ready, asked before Start, while it runs with tiles and marks, and without a link.
+//! Looks at the operator's page: ready, asked before Start, while it runs with tiles and marks, and without a link.
 
 use crate::look::{DESKTOP, PHONE, WINDOWS, Window, colours, keeps_pictures, measures, set};
 use crate::screens::{nothing, rests, says, usable};

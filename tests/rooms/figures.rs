@@ -20,7 +20,7 @@ const SLOWER_MAX: u32 = 2;
 const OPERATORS: usize = 4;
 /// Presses of each.
 const PRESSES: usize = 400;
-/// What 95 of 100 tiles may take from the press until the robot was told.
+/// The time that 95 of 100 tiles may take from the press until the robot was told.
 const TILE_P95: Duration = Duration::from_millis(20);
 /// On a machine that is slow itself: how many times as long as a request that does nothing.
 const TILE_RATIO_MAX: u32 = 8;

@@ -31,10 +31,10 @@ use std::collections::VecDeque;
 const SHEET: &str = "/operate.css";
 /// The class of the document while this page is shown.
 const CLASS: &str = "operates";
-/// How often what depends on the time is told anew, in milliseconds.
+/// The period after which everything that depends on the time is told anew, in milliseconds.
 const TICK_MS: i32 = 250;
 
-/// What the parts of the page share.
+/// The state that the parts of the page share.
 #[derive(Clone, Copy)]
 struct OperateShared {
     desk: DeskHold,
@@ -44,7 +44,7 @@ struct OperateShared {
     began: RwSignal<Option<(u64, f64)>>,
     /// The nine tiles.
     pad: Memo<Vec<pad::PadTile>>,
-    /// What became of the newest press of each tile.
+    /// The outcome of the newest press of each tile.
     presses: RwSignal<Vec<press::PressedTile>>,
     /// The presses of everybody within the last two minutes.
     seen: RwSignal<VecDeque<seen::SeenPress>>,
@@ -147,7 +147,7 @@ fn follow_what_runs(op: OperateShared) {
     });
 }
 
-/// What ended before somebody came here, or by the Stop of this page, is no news.
+/// Remembers what is no news: a run that ended before somebody came here, or by the Stop of this page.
 fn forget_own_stops(op: OperateShared) {
     let ran = StoredValue::new(0);
     Effect::new(move |_| {
@@ -193,7 +193,7 @@ impl OperateShared {
         self.last().is_some_and(|run| matches!(run.phase, RunPhase::Paused(_)))
     }
 
-    /// Who stopped the last run, if that was somebody else and nobody has read of it here. Whoever says not who they are is
+    /// The person who stopped the last run, if that was somebody else and nobody has read of it here. Whoever says not who they are is
     /// [`STOP_BUTTON`]. Reactive.
     fn stopped_by_other(self) -> Option<(u64, String)> {
         let last = self.last()?;

@@ -92,8 +92,8 @@ fn causes() -> Vec<String> {
     let source = read(&folder().join("../crates/qi/src/error.rs"));
     let stages = source.split("to.write_str(match self {").nth(1).and_then(|rest| rest.split("})").next()).unwrap();
     let stages = stages.split("=> ").skip(1).filter_map(|arm| Some(literal(arm.strip_prefix('"')?).0));
-    let causes = source.split("pub enum Cause {").nth(1).and_then(|rest| rest.split("\n}\n").next()).unwrap();
-    let endings = source.split("pub enum Ending {").nth(1).and_then(|rest| rest.split("\n}\n").next()).unwrap();
+    let causes = source.split("pub enum ConnectError {").nth(1).and_then(|rest| rest.split("\n}\n").next()).unwrap();
+    let endings = source.split("pub enum LinkEnding {").nth(1).and_then(|rest| rest.split("\n}\n").next()).unwrap();
     let said = [calls(causes, "#[error("), calls(endings, "#[error(")].concat();
     let has_words = |text: &String| blank(text).contains(char::is_alphabetic);
     stages.chain(said.into_iter().map(|text| numbered(&text)).filter(has_words)).collect()

@@ -27,7 +27,7 @@ pub(crate) struct Topics {
     pub(crate) runs: watch::Sender<Utf8Bytes>,
     /// The invitations.
     pub(crate) invitations: watch::Sender<Utf8Bytes>,
-    /// What people press beside robots, one after the other; who is too slow misses the oldest.
+    /// The presses of people beside robots, one after the other; who is too slow misses the oldest.
     pub(crate) presses: broadcast::Sender<Utf8Bytes>,
     /// What runs, for looking up values.
     pub(crate) states: watch::Receiver<Arc<Vec<RunState>>>,

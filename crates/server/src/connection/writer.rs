@@ -41,7 +41,7 @@ struct ClientWriter {
     topics: [watch::Receiver<Utf8Bytes>; 4],
     /// Told to who may invite.
     invitations: Option<watch::Receiver<Utf8Bytes>>,
-    /// What people press beside robots.
+    /// The presses of people beside robots.
     presses: broadcast::Receiver<Utf8Bytes>,
     /// Pictures of the watched robot; which one, if it was named.
     scene: Option<watch::Receiver<Utf8Bytes>>,

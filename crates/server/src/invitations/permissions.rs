@@ -1,10 +1,10 @@
-//! Who may what: one table of every request of every way in. Nothing that is asked is left out: whoever adds a request or
+//! The permissions: one table of every request of every way in. Nothing that is asked is left out: whoever adds a request or
 //! a route is asked here by the compiler.
 
 use super::entry::MinimumRole;
 use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Request, Role, STOP_PATH};
 
-/// What is asked, by whatever way.
+/// An operation that somebody asks for, by whatever way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum AskedOperation<'a> {
     /// Over a socket.
@@ -24,17 +24,17 @@ pub(crate) enum Route {
     Page,
     /// The page of an invitation's link, what it looks like and does, and the exchange of its token.
     ComeIn,
-    /// How that page looks.
+    /// The sheet of that page.
     ComeInStyle,
-    /// What that page does.
+    /// The script of that page.
     ComeInScript,
-    /// Who invites by a link, and what for.
+    /// The name of who invites by a link, and what for.
     Invitation,
     /// Opening a socket.
     Socket,
-    /// Whether the server is there.
+    /// Asks if the server is there.
     Health,
-    /// Whether its store is.
+    /// Asks if its store is.
     Ready,
     /// The names of the behaviours.
     List,
@@ -66,9 +66,9 @@ pub(crate) enum Route {
     Stop,
     /// A link for another browser of the host.
     HostLink,
-    /// What robots can sense and do.
+    /// The senses and actions of robots.
     Catalogue,
-    /// How that page looks.
+    /// The sheet of that page.
     CatalogueStyle,
 }
 
@@ -102,7 +102,7 @@ impl Route {
         Self::CatalogueStyle,
     ];
 
-    /// Its path; none for the page, which is what is left.
+    /// The path of the route; none for the page, which is what is left.
     pub(crate) fn path(self) -> Option<String> {
         let path = match self {
             Self::Page => return None,

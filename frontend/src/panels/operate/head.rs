@@ -188,7 +188,7 @@ pub(super) fn Programs(op: OperateShared) -> impl IntoView {
     }
 }
 
-/// Whether the run is recorded, and for which code; opens what is kept.
+/// Says if the run is recorded, and for which code; opens what is kept.
 #[component]
 fn Recorded(op: OperateShared) -> impl IntoView {
     let desk = op.desk;

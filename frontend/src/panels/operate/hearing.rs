@@ -1,4 +1,4 @@
-//! What the server tells and only this page shows: the time of the run, what people press, marks.
+//! Hearing what the server tells and only this page shows: the time of the run, what people press, marks.
 
 use super::OperateShared;
 use super::clock;

@@ -9,7 +9,7 @@ use behaviour::{Id, StreamKind};
 use leptos::prelude::*;
 use std::collections::{BTreeMap, VecDeque};
 
-/// How often it is looked what told something, in milliseconds.
+/// The period after which it is looked what told something, in milliseconds.
 const LOOK_MS: i32 = 250;
 /// Two values nearer than this are one bar, in milliseconds.
 const JOINED_MS: f64 = 1_000.0;

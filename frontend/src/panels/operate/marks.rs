@@ -9,7 +9,7 @@ use leptos::prelude::*;
 use protocol::{AGO_MAX_MS, MARK_WORD_MAX_CHARS, MarkEdit, MarkSort, RecordingMark, Reply, Request, UNDO_MARK_MS};
 use std::collections::VecDeque;
 
-/// What waits to be sent, at most: more than anybody presses within the minute that a mark may be late.
+/// The most that waits to be sent: more than anybody presses within the minute that a mark may be late.
 const WAITING_MAX: usize = 64;
 /// Marks that are kept here, at most.
 const KEPT_MAX: usize = 400;
@@ -204,7 +204,7 @@ impl OperateShared {
         self.marks.all.with(|all| all.iter().rfind(|mark| mark.open && mark.word == word).map(|mark| mark.at))
     }
 
-    /// What the server tells of marks.
+    /// Takes what the server tells of marks.
     pub(super) fn hear_marks(self, reply: &Reply) {
         let Reply::LiveMarks { run, marks } = reply else { return };
         self.belong_to(*run);

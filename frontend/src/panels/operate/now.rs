@@ -1,4 +1,4 @@
-//! What the robot does now: in large words, and as the sentences of the program, of which those that happen say *now*. What went
+//! The doings of the robot now: in large words, and as the sentences of the program, of which those that happen say *now*. What went
 //! wrong stands in the place of the title.
 
 use super::OperateShared;
@@ -120,7 +120,7 @@ fn newest(all: &[FedSentence]) -> Option<&FedSentence> {
         .max_by(|(_, one), (_, other)| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal))
 }
 
-/// What the robot does, in few large words. Reactive.
+/// Says in few large words what the robot does. Reactive.
 fn title(op: OperateShared, all: &[FedSentence]) -> String {
     let desk = op.desk.desk();
     if desk.document.open.read().is_none() {
@@ -135,7 +135,7 @@ fn title(op: OperateShared, all: &[FedSentence]) -> String {
     }
 }
 
-/// What a sentence says that is done: its last words.
+/// Returns what a sentence says that is done: its last words.
 fn action_words(sentence: &Sentence) -> String {
     let last = sentence.phrases.iter().rfind(|phrase| phrase.streams.contains(&sentence.action));
     let last = last.or(sentence.phrases.last());
@@ -159,7 +159,7 @@ fn under(op: OperateShared, all: &[FedSentence]) -> String {
     }
 }
 
-/// What a sentence says before that: when it is done.
+/// Returns what a sentence says before that: when it is done.
 fn lead_words(sentence: &Sentence) -> String {
     let action = sentence.phrases.iter().rposition(|phrase| phrase.streams.contains(&sentence.action));
     let before = action.unwrap_or(sentence.phrases.len().saturating_sub(1));

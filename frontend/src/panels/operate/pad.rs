@@ -10,7 +10,7 @@ use robot::{Resource, Resources};
 /// A tile.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PadTile {
-    /// Its key, 1 to 9.
+    /// The key of the tile, 1 to 9.
     pub(super) key: usize,
     pub(super) label: String,
     /// The name of its picture.
@@ -18,7 +18,7 @@ pub(super) struct PadTile {
     pub(super) does: TileWork,
 }
 
-/// What a tile does.
+/// The work of a tile.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum TileWork {
     /// Has the robot do an action by hand.

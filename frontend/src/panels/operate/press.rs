@@ -15,10 +15,10 @@ use robot::Health;
 
 /// The same tile rests so long after a press, in milliseconds.
 const RESTS_MS: f64 = 400.0;
-/// How long it is said who else pressed, and that something was pretended, in milliseconds.
+/// The time for which it is said who else pressed, and that something was pretended, in milliseconds.
 const OTHER_MS: f64 = 3_000.0;
 const PRETENDED_MS: f64 = 900.0;
-/// How long it is said why something was not done, in milliseconds.
+/// The time for which it is said why something was not done, in milliseconds.
 const WHY_MS: f64 = 8_000.0;
 /// About how long a gesture takes, and a letter that is spoken; what a robot tells of itself counts more, in milliseconds.
 const GESTURE_MS: f64 = 3_000.0;
@@ -36,7 +36,7 @@ pub(super) struct PressedTile {
     became: Became,
 }
 
-/// What became of a press.
+/// The outcome of a press.
 #[derive(Clone, Debug, PartialEq)]
 enum Became {
     /// The answer is not here yet.
@@ -47,7 +47,7 @@ enum Became {
     Not(String),
 }
 
-/// What a tile shows.
+/// The states that a tile shows.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum TileState {
     /// It can be pressed.
@@ -62,7 +62,7 @@ pub(super) enum TileState {
     Cannot(String),
     /// Somebody else pressed it just now.
     By(Id, String),
-    /// Its span goes on, since so many milliseconds.
+    /// The span of the tile goes on, since so many milliseconds.
     On(f64),
 }
 
@@ -197,7 +197,7 @@ impl OperateShared {
         });
     }
 
-    /// What a tile shows now. Reactive.
+    /// Returns what a tile shows now. Reactive.
     pub(super) fn shows(self, tile: &PadTile) -> TileState {
         if let (TileWork::Word { word, span: true }, None) =
             (&tile.does, self.desk.desk().may_not(protocol::Role::Operator))

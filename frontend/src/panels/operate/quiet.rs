@@ -1,4 +1,4 @@
-//! What is heard and not seen, what is said in passing, and a screen that stays on.
+//! The quiet parts: words that are heard and not seen, words in passing, and a screen that stays on.
 
 use super::OperateShared;
 use crate::browser;
@@ -7,7 +7,7 @@ use js_sys::{Function, Reflect};
 use leptos::prelude::*;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// How long a sentence stays, in milliseconds; a refusal stays longer.
+/// The time for which a sentence stays, in milliseconds; a refusal stays longer.
 const STAYS_MS: i32 = 4_000;
 const REFUSAL_STAYS_MS: i32 = 12_000;
 

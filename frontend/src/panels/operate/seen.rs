@@ -1,4 +1,4 @@
-//! What is seen of the others and of the room: their presses and faces, the room from above, the camera.
+//! The others and the room as they are seen: their presses and faces, the room from above, the camera.
 
 use super::OperateShared;
 use crate::desk::{Sign, initials};

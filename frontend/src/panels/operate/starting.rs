@@ -59,7 +59,7 @@ pub(super) fn Foot(op: OperateShared) -> impl IntoView {
     }
 }
 
-/// What is asked before Start.
+/// The questions before Start.
 #[component]
 pub(super) fn Card(op: OperateShared) -> impl IntoView {
     let shown = Memo::new(move |_| op.asks.get() && op.run().is_none() && op.why_not_start().is_none());
@@ -130,7 +130,7 @@ fn Asked(op: OperateShared) -> impl IntoView {
     }
 }
 
-/// What of a run is kept.
+/// The parts of a run that are kept.
 #[component]
 pub(super) fn Kept(kept: RwSignal<Records>) -> impl IntoView {
     let one = move |records: Records, label: &'static str, says: &'static str| {

@@ -1,4 +1,4 @@
-//! What is the matter, in large words with what to do, in the place of the title. One thing at a time: the worst first.
+//! The trouble that there is, in large words with what to do, in the place of the title. One thing at a time: the worst first.
 
 use super::OperateShared;
 use crate::desk::LinkState;
@@ -13,7 +13,7 @@ const LOST_S: u32 = 6;
 /// At this charge a robot may sit down by itself at any moment, in percent.
 const EMPTY_PERCENT: u8 = 7;
 
-/// What can be the matter.
+/// The troubles that there can be.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Matter {
     /// The server was not heard for so many seconds.
@@ -64,7 +64,7 @@ impl OperateShared {
         empty.map(Matter::Empty)
     }
 
-    /// What to do at the body of the robot that does not stop, in the words of its own kind. Reactive.
+    /// Says what to do at the body of the robot that does not stop, in the words of its own kind. Reactive.
     fn by_body(self) -> String {
         let desk = self.desk.desk();
         let chosen = desk.robots.chosen.read();
@@ -73,7 +73,7 @@ impl OperateShared {
     }
 }
 
-/// What is said of it: its title, a sentence, and what to do, step by step.
+/// The words about it: its title, a sentence, and what to do, step by step.
 struct TroubleWords {
     icon: &'static str,
     title: String,

@@ -98,7 +98,7 @@ pub(crate) fn version_and_streams(revision: u64, streams: usize) -> String {
     }
 }
 
-/// How a run is asked for.
+/// The words by which a run is asked for.
 pub(crate) fn start_this(program: &str) -> String {
     say!("Start {program}", program)
 }
@@ -146,7 +146,7 @@ pub(crate) fn word_or_mark(word: &str) -> String {
     if word.is_empty() { said("Mark").to_owned() } else { word.to_owned() }
 }
 
-/// What is said to who does not see that a mark is there.
+/// Says that a mark is there to who does not see it.
 pub(crate) fn marked_as(word: &str) -> String {
     if word.is_empty() { say!("Marked.") } else { say!("Marked: {word}.", word) }
 }
@@ -168,7 +168,7 @@ pub(crate) fn goes_on_by_itself() -> &'static str {
     said("The robot goes on by itself. It may still be moving.")
 }
 
-/// What to do at its body, in the words of the robot's own kind.
+/// Says what to do at its body, in the words of the robot's own kind.
 pub(crate) fn if_it_goes_on(what: &str) -> String {
     say!("If it goes on: {what}.", what)
 }

@@ -42,7 +42,7 @@ impl ClientSession {
         self.done(ask, done);
     }
 
-    /// What everyone is told of a press. A value that no action would take is not told: it is of no tile.
+    /// Returns the press as everyone is told of it. A value that no action would take is not told: it is of no tile.
     fn pressed(&self, robot: Option<Id>, what: Id, params: Params, value: Value) -> protocol::Press {
         let large = recording::json(&value).len() > HAND_MAX_BYTES;
         let value = if large { Value::Null } else { value };
