@@ -9,6 +9,7 @@ use behaviour::{BehaviourFile, StreamKind, Value};
 use engine::{Emission, Handover, Limits, Matching, Run};
 use robot::Millis;
 use std::collections::VecDeque;
+use std::rc::Rc;
 
 /// A recording that gives its own actions again.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,6 +110,8 @@ pub struct Replay {
     readings: u64,
     last_ms: u64,
     ends: Option<Ending>,
+    /// Asked now and then while it plays; true ends the runs.
+    stop: Option<Rc<dyn Fn() -> bool>>,
 }
 
 /// The program that runs, with its file.
@@ -131,7 +134,15 @@ impl Replay {
             readings: 0,
             last_ms: 0,
             ends: None,
+            stop: None,
         }
+    }
+
+    /// Ends early once this is true, also in the middle of one reading. What the replay gives from then on says nothing.
+    #[must_use]
+    pub fn stopped_by(mut self, stop: impl Fn() -> bool + 'static) -> Self {
+        self.stop = Some(Rc::new(stop));
+        self
     }
 
     /// Takes the next entry; what comes after the end of a recording is left out.
@@ -185,11 +196,18 @@ impl Replay {
         Ok(())
     }
 
+    fn limits(&self) -> Limits {
+        match self.stop.clone() {
+            Some(stop) => Limits::default().stopped_by(move || stop()),
+            None => Limits::default(),
+        }
+    }
+
     /// The first file begins the run; another one follows it where it was applied.
     fn file(&mut self, file: Option<BehaviourFile>) -> Result<(), Different> {
         let unread = || Different::Program("this rrp cannot read it; update rrp".to_owned());
         let file = file.ok_or_else(unread)?;
-        let built = Run::build(&file, Limits::default());
+        let built = Run::build(&file, self.limits());
         let first = |faults: Vec<engine::GraphFault>| faults.first().map(ToString::to_string).unwrap_or_default();
         let mut run = built.map_err(|faults| Different::Program(first(faults)))?;
         if let (Some(until_ms), Some(before)) = (self.applied_ms.take(), &mut self.playing) {

@@ -56,6 +56,10 @@ impl Private {
         match entry {
             Entry::Value { by: Some(by), .. } => self.person(by),
             Entry::Hand(hand) => self.person(&hand.by),
+            // Who holds a part by hand may have pressed before the recording began. Otherwise it is a program.
+            Entry::Refused(refusal) if refusal.why.ends_with("by hand") => {
+                refusal.with.iter().for_each(|with| self.person(with));
+            }
             Entry::Note(note) => self.person(&note.by),
             Entry::End(end) => end.by.iter().for_each(|by| self.person(by)),
             Entry::File { file: Some(file), .. } => self.file(file),
@@ -175,5 +179,16 @@ mod tests {
         assert_eq!(private.told(&value, true), serde_json::from_str(r#"{"a":["(left out)",2],"b":""}"#).unwrap());
         let kept = Private::of(PrivateParts { names: true, personal: true }, ["Al".to_owned()], std::iter::empty());
         assert_eq!((kept.name("Al"), kept.text("by Al")), ("Al".to_owned(), "by Al".to_owned()));
+    }
+
+    #[test]
+    fn who_holds_a_part_by_hand_took_part_and_a_program_that_does_is_nobody() {
+        let line = |why: &str, with: &str| {
+            crate::read_line(&format!(r#"{{"t":10,"refused":"say","why":"{why}","with":"{with}"}}"#))
+        };
+        let mut private = Private::of(PrivateParts::default(), ["Ben".to_owned()], std::iter::empty());
+        private.hear(&line("the speech is held by hand", "Aiko"));
+        private.hear(&line("the speech is held by another program", "Greeter"));
+        assert_eq!((private.name("Aiko"), private.name("Greeter")), ("P2".to_owned(), "Greeter".to_owned()));
     }
 }

@@ -15,7 +15,8 @@ impl Zone {
     /// The zone that is so many minutes east of UTC; without one, or if there is none, times are those of UTC and say so.
     #[must_use]
     pub fn east_by(minutes: Option<i32>) -> Self {
-        let seconds = minutes.filter(|minutes| minutes.abs() <= FARTHEST_MIN).map(|minutes| minutes * 60);
+        let seconds =
+            minutes.filter(|minutes| minutes.unsigned_abs() <= FARTHEST_MIN.unsigned_abs()).map(|minutes| minutes * 60);
         Self(seconds.and_then(|seconds| UtcOffset::from_whole_seconds(seconds).ok()))
     }
 
@@ -106,7 +107,7 @@ mod tests {
         assert_eq!(tokyo.day(Language::Japanese), "2026年11月24日");
         assert_eq!([tokyo.short_day(Language::English), tokyo.short_day(Language::Japanese)], ["24 Nov", "11/24"]);
         assert_eq!([tokyo.at(0), tokyo.at(3_600_500)], ["03:34:06", "04:34:06"]);
-        for strange in [None, Some(900), Some(i32::MIN + 1)] {
+        for strange in [None, Some(900), Some(i32::MIN + 1), Some(i32::MIN)] {
             let utc = Clock::of("2026-11-23T18:34:06Z", Zone::east_by(strange));
             assert_eq!((utc.at(0).as_str(), utc.zone()), ("18:34:06", " UTC"));
         }

@@ -152,7 +152,8 @@ impl Gathered {
                 let first = |now| self.battery.map_or(now, |(first, _)| first);
                 self.battery = battery.map(|now| (first(now), now)).or(self.battery);
             }
-            Entry::Note(note) if self.of_run.len() < RECORDING_MARKS_MAX => {
+            // A span is two lines, and a mark may be changed: as many are read as the list reads.
+            Entry::Note(note) if self.of_run.len() < 4 * RECORDING_MARKS_MAX => {
                 self.of_run.extend(mark(self.of_run.len() + 1, note.clone()));
             }
             Entry::Gap { lost } => self.troubles.add(self.last_ms, Trouble::Missing(*lost)),

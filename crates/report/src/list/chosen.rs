@@ -98,7 +98,7 @@ fn marks(list: &List, chosen: &ChosenRecording, file: &str, clock: Clock) -> Mar
             @for mark in chosen.marks.iter().take(MARKS_MAX) {
                 li {
                     @let says = html! { (clock.at(mark.t)) " " (own(&mark.word)) @if !mark.note.is_empty() { " “" (own(&mark.note)) "”" } };
-                    @if list.may_change {
+                    @if list.may_change && !chosen.listed.recording.goes_on {
                         details { summary { (says) } (edit(list, mark, file, clock)) }
                     } @else { (says) }
                 }

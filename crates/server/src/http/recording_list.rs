@@ -134,7 +134,7 @@ fn done(recordings: &Recordings, file: &str, change: ListForm, by: &str) -> Resu
             let id = Id::new(&change.mark).map_err(|_| Refused::NoRecording)?;
             let known = recordings.marks(file)?.into_iter().find(|mark| mark.id == id).ok_or(Refused::NoRecording)?;
             let gone = change.gone.is_some();
-            recordings.put_mark(file, RecordingMark { word: change.word, note: change.note, gone, ..known }, by)
+            recordings.change_mark(file, RecordingMark { word: change.word, note: change.note, gone, ..known }, by)
         }
         _ => Err(Refused::CannotRecord("this form is of another version; reload the page".to_owned())),
     }

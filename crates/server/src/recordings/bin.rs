@@ -33,6 +33,11 @@ impl Recordings {
         if lock(&self.open).contains(name) {
             return Err(NotRecorded::GoesOn.into());
         }
+        let _naming = lock(&self.naming);
+        let _marking = lock(&self.marking);
+        if bin.join(name).exists() {
+            return Err(NotRecorded::NameTaken.into());
+        }
         let moved = store::disk::make_folder(&bin).and_then(|()| moved(&path, &bin.join(name)));
         moved.map_err(|error| NotRecorded::NotRemoved(error).into())
     }
@@ -43,6 +48,7 @@ impl Recordings {
     /// If it is not in the bin, if its name is taken, or if it cannot be moved.
     pub(crate) fn restore(&self, name: &str) -> Result<(), Refused> {
         let _naming = lock(&self.naming);
+        let _marking = lock(&self.marking);
         let (Some(folder), Some(binned)) = (self.folder.as_deref(), self.find_binned(name)) else {
             return Err(Refused::NoRecording);
         };
@@ -58,6 +64,7 @@ impl Recordings {
     /// # Errors
     /// If it is not in the bin, or if it cannot be removed.
     pub(crate) fn remove_for_good(&self, name: &str) -> Result<(), Refused> {
+        let _marking = lock(&self.marking);
         let path = self.find_binned(name).ok_or(Refused::NoRecording)?;
         let done = removed(&path).and_then(|()| store::disk::sync_names(path.parent().unwrap_or(Path::new(""))));
         done.map_err(|error| NotRecorded::NotRemoved(error).into())
@@ -68,6 +75,7 @@ impl Recordings {
     /// # Errors
     /// If there is no such recording, if the name is too long, or if it cannot be written.
     pub(crate) fn name(&self, file: &str, title: &str) -> Result<(), Refused> {
+        let _marking = lock(&self.marking);
         let path = self.find(file).ok_or(Refused::NoRecording)?;
         let title = without_unseen(title).trim().to_owned();
         if title.chars().count() > RECORDING_TITLE_MAX_CHARS {

@@ -14,6 +14,8 @@ use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 use tokio_util::sync::CancellationToken;
 
+/// The longest that marks are counted for a list, in milliseconds; then the others are not known.
+const LISTED_MS: u64 = 3_000;
 /// The largest recording that is read to count the marks of its row, in bytes.
 const COUNTED_MAX_BYTES: u64 = 16 << 20;
 /// The longest line that is read, in bytes: a program with its helpers is below it.
@@ -58,6 +60,12 @@ impl<'a> Until<'a> {
 
     fn goes_on(&self) -> bool {
         !self.token.is_cancelled() && Instant::now() < self.at
+    }
+
+    /// Returns what tells a run that it is over, from wherever it is.
+    fn hook(&self) -> impl Fn() -> bool + 'static {
+        let (at, token) = (self.at, self.token.clone());
+        move || token.is_cancelled() || Instant::now() >= at
     }
 }
 
@@ -129,11 +137,12 @@ impl Recordings {
                 marks,
             })
         });
+        let until = Until::after(LISTED_MS, token);
         let listed = |recording: Recording| {
             let path = self.folder.as_deref().map(|folder| folder.join(&recording.file));
             let replayed =
                 path.as_deref().and_then(|path| self.known_finding(&recording.file, Version::of(path).ok()?));
-            let marks = path.and_then(|path| self.marks_by_now(&path, recording.marks, token));
+            let marks = path.and_then(|path| self.marks_by_now(&path, recording.marks, &until));
             ListedRecording { marks, recording, replayed }
         };
         (all.into_iter().map(listed).collect(), marked)
@@ -141,11 +150,11 @@ impl Recordings {
 
     /// The number of marks by now. A recording with later marks is read for it, unless it is large or the time is over: then
     /// nobody knows.
-    fn marks_by_now(&self, path: &Path, of_run: Option<u64>, token: &CancellationToken) -> Option<u64> {
+    fn marks_by_now(&self, path: &Path, of_run: Option<u64>, until: &Until) -> Option<u64> {
         if later(&marks_of(path)).ok()?.is_empty() {
             return of_run;
         }
-        if token.is_cancelled() || path.metadata().ok()?.len() > COUNTED_MAX_BYTES {
+        if !until.goes_on() || path.metadata().ok()?.len() > COUNTED_MAX_BYTES {
             return None;
         }
         let all = self.all_marks(path).ok()?;
@@ -239,8 +248,10 @@ struct Replaying<'a> {
 impl<'a> Replaying<'a> {
     fn of(header: &Header, token: &'a CancellationToken) -> Self {
         let found = header.lacks().map(|lack| Replayed::from(&Err(recording::Different::Lacks(lack))));
-        let replay = found.is_none().then(|| Box::new(Replay::of(header)));
-        Self { replay, found, until: Until::after(REPLAY_MS, token) }
+        let until = Until::after(REPLAY_MS, token);
+        let over = until.hook();
+        let replay = found.is_none().then(|| Box::new(Replay::of(header).stopped_by(over)));
+        Self { replay, found, until }
     }
 
     fn take(&mut self, entry: &recording::Entry) {
@@ -248,7 +259,12 @@ impl<'a> Replaying<'a> {
         if !self.until.goes_on() {
             return self.give_up();
         }
-        if let Err(different) = replay.take(entry.clone()) {
+        let taken = replay.take(entry.clone());
+        // What was ended in its middle says nothing.
+        if !self.until.goes_on() {
+            return self.give_up();
+        }
+        if let Err(different) = taken {
             (self.replay, self.found) = (None, Some(Replayed::from(&Err(different))));
         }
     }
@@ -260,7 +276,11 @@ impl<'a> Replaying<'a> {
     }
 
     fn found(self) -> Replayed {
-        let ended = self.replay.map(|replay| Replayed::from(&replay.finish()));
+        let until = self.until;
+        let ended = self.replay.map(|replay| {
+            let found = Replayed::from(&replay.finish());
+            if until.goes_on() { found } else { Replayed::TooLong }
+        });
         ended.or(self.found).unwrap_or(Replayed::Unknown)
     }
 }

@@ -28,15 +28,29 @@ impl Recordings {
         Ok(marks)
     }
 
+    /// Adds, changes or removes a mark of a recording that is no longer written. Until then its run has the marks, and what stands
+    /// beside it would void what the run says later. Waits for the disk.
+    ///
+    /// # Errors
+    /// As of [`Self::put_mark`], and if the recording goes on.
+    pub(crate) fn change_mark(&self, name: &str, mark: RecordingMark, by: &str) -> Result<(), Refused> {
+        if lock(&self.open).contains(name) {
+            return Err(NotRecorded::GoesOn.into());
+        }
+        self.put_mark(name, mark, by)
+    }
+
     /// Adds, changes or removes a mark: the line of its id that is written last counts. Waits for the disk.
     ///
     /// # Errors
     /// If there is no such recording, if the mark breaks a bound, or if it cannot be written.
     pub(crate) fn put_mark(&self, name: &str, mark: RecordingMark, by: &str) -> Result<(), Refused> {
         let mark = RecordingMark { by: by.to_owned(), at: clock::now(), ..tidied(mark)? };
+        // The marks of the run only become more: they are read before anybody has to wait.
+        let run = of_run(&self.known(name)?).map_err(NotRecorded::Unread)?;
         let _marking = lock(&self.marking);
         let path = self.known(name)?;
-        let all = self.all_marks(&path)?;
+        let all = recording::all_marks(run, &later(&marks_of(&path)).map_err(NotRecorded::Unread)?);
         if all.len() >= RECORDING_MARKS_MAX && !all.contains_key(&mark.id) {
             return Err(NotRecorded::TooManyMarks.into());
         }

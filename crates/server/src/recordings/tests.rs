@@ -139,6 +139,35 @@ fn marks_are_added_changed_and_removed_and_every_line_stays() {
 }
 
 #[test]
+fn the_marks_of_a_recording_that_goes_on_are_its_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let (file, session) = (file(), RecordedSession::default());
+    let about =
+        About { run: 1, robot: "NAO", behaviour: &id("b"), revision: 1, by: "Aiko", file: &file, session: &session };
+    let mut goes_on = recordings.begin(&about).unwrap();
+    let name = goes_on.news().unwrap().file;
+    let no = recordings.change_mark(&name, mark("m1", 1_000, "plays"), "Ben").unwrap_err().to_string();
+    assert!(no.contains("still being recorded"), "{no}");
+    assert!(!super::marks_of(&recordings.find(&name).unwrap()).exists());
+}
+
+#[test]
+fn nothing_in_the_bin_is_replaced_by_another_of_its_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let name = record(&recordings, &RecordedSession::default());
+    let path = recordings.find(&name).unwrap();
+    let first = std::fs::read_to_string(&path).unwrap();
+    recordings.remove(&name).unwrap();
+    std::fs::write(&path, first.replace("Aiko", "Ben")).unwrap();
+    assert!(recordings.remove(&name).is_err() && path.exists());
+    std::fs::remove_file(&path).unwrap();
+    recordings.restore(&name).unwrap();
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), first);
+}
+
+#[test]
 fn the_bin_gives_way_before_any_recording_does() {
     let folder = tempfile::tempdir().unwrap();
     let recordings =

@@ -98,7 +98,7 @@ impl ClientSession {
             }
             Request::RemoveRecording { file } => recordings.remove(&file).map(done),
             Request::Marks { file } => recordings.marks(&file).map(|marks| Reply::Marks { file, marks }),
-            Request::PutMark { file, mark } => recordings.put_mark(&file, *mark, &by).map(done),
+            Request::PutMark { file, mark } => recordings.change_mark(&file, *mark, &by).map(done),
             _ => Ok(Reply::Recordings { recordings: recordings.list() }),
         };
         self.on_files(ask, work);
