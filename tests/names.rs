@@ -10,7 +10,6 @@ const DRIVERS: [&str; 2] = ["crates/nao/src/devices", "crates/simulation/src/dev
 
 /// The names that mean two things all the same, each with the reason. The list may only get shorter.
 const SHARED: &[(&str, &str)] = &[
-    ("Sense", "what each robot's drivers of senses implement"),
     ("Speech", "the voice of each robot"),
     ("Value", "of the qi protocol, and of behaviours; both are their field's own word"),
 ];

@@ -250,25 +250,31 @@ impl LinkDirection {
             return Fate::Pass;
         }
         let piece = self.counts.pieces.fetch_add(1, Ordering::Relaxed);
-        let is = |share: u64, count: &AtomicU64| {
-            let is = is_hit(self.seed, share, piece);
+        let is = |fault: u64, share: u64, count: &AtomicU64| {
+            let is = is_hit(self.seed.wrapping_add(fault), share, piece);
             count.fetch_add(u64::from(is), Ordering::Relaxed);
             is
         };
         let (faults, counts) = (self.faults, &self.counts);
-        if is(faults.cuts, &counts.cuts) {
+        if is(CUT, faults.cuts, &counts.cuts) {
             Fate::Cut
-        } else if is(faults.truncations, &counts.truncations) {
+        } else if is(TRUNCATION, faults.truncations, &counts.truncations) {
             Fate::Truncate
-        } else if is(faults.silences, &counts.silences) {
+        } else if is(SILENCE, faults.silences, &counts.silences) {
             Fate::Silence
-        } else if is(faults.delays, &counts.delays) {
+        } else if is(DELAY, faults.delays, &counts.delays) {
             Fate::Late(Duration::from_millis(self.dice.below(faults.delay_max_ms + 1)))
         } else {
             Fate::Pass
         }
     }
 }
+
+/// The number of each kind of fault, so that two with one share do not hit the same pieces: only the first of them would come about.
+const CUT: u64 = 1;
+const TRUNCATION: u64 = 2;
+const SILENCE: u64 = 3;
+const DELAY: u64 = 4;
 
 /// True if this piece of all that pass is hit by a fault with such a share: one, by chance, of every `OF / share` pieces. Chance for
 /// each piece alone would now and then hit none in a whole run.
@@ -280,7 +286,7 @@ fn is_hit(seed: u64, share: u64, piece: u64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Faults, OF, Proxy, is_hit};
+    use super::{CUT, Faults, OF, Proxy, TRUNCATION, is_hit};
     use tokio::io::{AsyncReadExt, AsyncWriteExt};
     use tokio::net::{TcpListener, TcpStream};
 
@@ -320,6 +326,15 @@ mod tests {
             }
         }
         assert!((0..OF).all(|piece| is_hit(1, OF, piece) && !is_hit(1, 0, piece)));
+    }
+
+    #[test]
+    fn faults_of_one_share_hit_other_pieces() {
+        for seed in 0..20 {
+            let both =
+                (0..20 * OF).filter(|piece| is_hit(seed + CUT, 20, *piece) && is_hit(seed + TRUNCATION, 20, *piece));
+            assert!(both.count() < 10, "of 400 each");
+        }
     }
 
     #[tokio::test]
