@@ -172,6 +172,11 @@ async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first(
     says(&page, "Aiko invites you to run a robot. You start and stop programs; you do not edit them.").await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
+    // Who comes to operate lands on the operator's page; this looks at the other one.
+    page.until(&format!("location.pathname === '{}'", protocol::OPERATE_PATH), "the operator's page is there").await?;
+    let origin = page.eval("location.origin").await?;
+    page.goto(&format!("{}/?graph", origin.as_str().unwrap_or_default())).await?;
+    usable(&page).await?;
     says(&page, "Which program shall run?").await?;
     for words in ["Templates", "Start with an empty program", "What shall the robot do?"] {
         silent(&page, words).await?;

@@ -19,8 +19,7 @@ async fn the_page_is_used_before_the_rest_of_it_comes() -> Outcome<()> {
     aiko.call("Fetch.enable", json!({ "patterns": [{ "urlPattern": PIECE }] })).await?;
     aiko.goto(&stage.server.url()).await?;
     usable(&aiko).await?;
-    aiko.within("toolbar", "Main tools").press("button", "Load program").await?;
-    aiko.press("menuitem", "Track far and close balls*").await?;
+    aiko.press("button", "Track far and close balls*").await?;
     aiko.find("button", "Track far and close balls").await?;
     // What belongs to a stream that is selected comes later; the stream is there.
     aiko.within("navigation", "Find or add").press("button", "Add Face").await?;

@@ -348,6 +348,10 @@ pub enum Request {
         /// On which robot; none means wherever it runs.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
+        /// The number of the run that somebody looked at, so that a mark that comes late is none of the next run. None means the
+        /// newest.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        run: Option<u64>,
         /// The id of the mark, chosen by who marks, so that one that is sent twice counts once. None lets the server choose.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<Id>,
@@ -545,7 +549,7 @@ impl Request {
     #[must_use]
     pub fn mark(behaviour: Id, robot: Option<Id>, note: &str, ago_ms: u64) -> Self {
         let (id, word, sort, note) = (None, String::new(), MarkSort::Note, note.to_owned());
-        Self::Mark { behaviour, robot, id, word, sort, span: false, note, ago_ms }
+        Self::Mark { behaviour, robot, run: None, id, word, sort, span: false, note, ago_ms }
     }
 }
 

@@ -237,6 +237,15 @@ impl Robots {
         }
     }
 
+    /// Marks the moment of a press in one run, be it over or not.
+    ///
+    /// # Errors
+    /// If that run is forgotten, or did not go on then, if a text is too long, or if that was too much at once.
+    pub(crate) fn mark_in(&self, run: u64, mark: &RecordingMark, press: MarkPress) -> Result<PressOutcome, Refused> {
+        let marked = self.hosts().iter().find_map(|host| host.mark_in(run, mark.clone(), press));
+        marked.unwrap_or(Err(Refused::NotRunning))
+    }
+
     /// Changes a mark of a run.
     ///
     /// # Errors

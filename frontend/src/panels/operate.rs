@@ -33,6 +33,8 @@ const SHEET: &str = "/operate.css";
 const CLASS: &str = "operates";
 /// The period after which everything that depends on the time is told anew, in milliseconds.
 const TICK_MS: i32 = 250;
+/// A tile takes no tap for so long after what lay over it went, in milliseconds.
+const UNCOVERED_MS: f64 = 500.0;
 
 /// The state that the parts of the page share.
 #[derive(Clone, Copy)]
@@ -52,6 +54,10 @@ struct OperateShared {
     marks: marks::SessionMarks,
     /// True while what is asked at Start is open.
     asks: RwSignal<bool>,
+    /// True from a press of Start until the run is told.
+    starts: RwSignal<bool>,
+    /// The moment at which what lay over the tiles went, by this computer's clock.
+    uncovered: RwSignal<f64>,
     /// The run whose end somebody has read of.
     read: RwSignal<u64>,
 }
@@ -68,6 +74,8 @@ pub(crate) fn operate() -> AnyView {
         seen: RwSignal::default(),
         marks: marks::SessionMarks::new(),
         asks: RwSignal::new(false),
+        starts: RwSignal::new(false),
+        uncovered: RwSignal::new(0.0),
         read: RwSignal::new(0),
     };
     // The page lives as long as the tab: these go on until it is closed.
@@ -186,6 +194,21 @@ impl OperateShared {
         let desk = self.desk.desk();
         let open = desk.document.open.get()?;
         desk.robots.runs_here().into_iter().rfind(|run| run.behaviour == open)
+    }
+
+    /// True for a moment after what lay over the tiles went: the second tap of two is for none of them. Not reactive.
+    fn is_just_uncovered(self) -> bool {
+        browser::today_ms() - self.uncovered.get_untracked() < UNCOVERED_MS
+    }
+
+    /// Another program that runs on the robot, while the open one does not. Reactive.
+    fn other_runs(self) -> Option<String> {
+        let desk = self.desk.desk();
+        let open = desk.document.open.get();
+        let all = desk.robots.runs_here();
+        let other =
+            all.into_iter().rfind(|run| run.phase == RunPhase::Running && Some(&run.behaviour) != open.as_ref());
+        other.map(|run| run.name).filter(|_| self.run().is_none())
     }
 
     /// True if the last run goes on where it was when somebody presses *Continue*. Reactive.

@@ -281,6 +281,18 @@ impl Host {
         entry.marks.put(mark, press, &entry.mailbox).map(|mark| entry.marked(mark))
     }
 
+    /// Marks the moment of a press in a run; none if that run is of another robot, or is forgotten.
+    pub(super) fn mark_in(
+        &self,
+        run: u64,
+        mark: RecordingMark,
+        press: MarkPress,
+    ) -> Option<Result<PressOutcome, Refused>> {
+        let table = lock(&self.shared().table);
+        let entry = table.get(run)?;
+        Some(entry.marks.put(mark, press, &entry.mailbox).map(|mark| entry.marked(mark)))
+    }
+
     /// Changes a mark of a run; none if that run is of another robot, or is forgotten.
     pub(super) fn edit_mark(
         &self,

@@ -18,7 +18,7 @@ fn id(name: &str) -> Id {
 
 fn mark(behaviour: &Id, name: &str, word: &str, (span, ago_ms): (bool, u64)) -> Request {
     let (id, word, sort, note) = (Some(id(name)), word.to_owned(), MarkSort::Good, String::new());
-    Request::Mark { behaviour: behaviour.clone(), robot: None, id, word, sort, span, note, ago_ms }
+    Request::Mark { behaviour: behaviour.clone(), robot: None, run: None, id, word, sort, span, note, ago_ms }
 }
 
 fn edit(run: u64, name: &str, edit: MarkEdit) -> Request {

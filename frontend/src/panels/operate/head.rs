@@ -120,6 +120,7 @@ fn state(op: OperateShared) -> String {
         Health::Stranger(_) => words::another_answers().to_owned(),
         Health::Safe => words::robot_safe().to_owned(),
         Health::Ready | Health::Degraded(_) if op.run().is_some() => words::state_running().to_owned(),
+        Health::Ready | Health::Degraded(_) if op.other_runs().is_some() => words::state_running().to_owned(),
         Health::Ready | Health::Degraded(_) if op.is_paused() => words::state_interrupted().to_owned(),
         Health::Degraded(_) => words::health_limited().to_owned(),
         Health::Ready => words::robot_ready().to_owned(),

@@ -18,6 +18,13 @@ pub(super) fn overhear(op: OperateShared) {
         Reply::Pressed { press } => op.hear_press(press),
         _ => op.hear_marks(reply),
     });
+    // Another run has marks of its own, also before the first of them is told.
+    let newest = Memo::new(move |_| op.last().map(|run| run.run));
+    Effect::new(move |_| {
+        if let Some(run) = newest.get() {
+            op.belong_to(run);
+        }
+    });
     // Until its first values say more, a run that begins before one's eyes begins now.
     Effect::new(move |before: Option<Option<u64>>| {
         let now = op.run().map(|run| run.run);

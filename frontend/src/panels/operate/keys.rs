@@ -5,10 +5,20 @@ use crate::keys::PressedKey;
 use crate::panels::buttons::is_plain;
 use crate::panels::focus;
 use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use web_sys::Element;
 
 /// Listens for as long as the page lives.
 pub(super) fn listen(op: OperateShared) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
+        // A held Enter presses a button once, as a finger does.
+        let on_button = || {
+            let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+            target.is_some_and(|target| target.closest("button").is_ok_and(|button| button.is_some()))
+        };
+        if event.repeat() && event.pressed() == "Enter" && on_button() {
+            event.prevent_default();
+        }
         if !is_plain(&event) || op.asks.get_untracked() {
             return;
         }

@@ -77,7 +77,7 @@ fn Newest(op: OperateShared) -> impl IntoView {
     let id = Memo::new(move |_| op.newest_mark().map(|(mark, _)| (mark.id, mark.word, mark.at)));
     let left = Memo::new(move |_| op.newest_mark().map_or(0, |(_, left)| left));
     let note = Memo::new(move |_| op.newest_mark().map(|(mark, _)| mark.note).unwrap_or_default());
-    let typed = RwSignal::new(String::new());
+    let typed = op.marks.typed;
     let save = move || {
         op.note_mark(&typed.get_untracked());
         typed.set(String::new());

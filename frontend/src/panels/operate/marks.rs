@@ -39,8 +39,6 @@ pub(super) struct Mark {
 #[derive(Clone, Debug, PartialEq)]
 struct WaitingMark {
     run: u64,
-    behaviour: Id,
-    robot: Option<Id>,
     id: Id,
     at: f64,
     what: What,
@@ -48,7 +46,7 @@ struct WaitingMark {
 
 #[derive(Clone, Debug, PartialEq)]
 enum What {
-    Mark { word: String, sort: MarkSort, span: bool },
+    Mark { behaviour: Id, word: String, sort: MarkSort, span: bool },
     Edit(MarkEdit),
 }
 
@@ -66,6 +64,8 @@ pub(super) struct SessionMarks {
     pub(super) mine: RwSignal<Option<Id>>,
     /// True while its note is written.
     pub(super) writes: RwSignal<bool>,
+    /// The note as far as it is typed.
+    pub(super) typed: RwSignal<String>,
     /// Words that were typed here, newest first.
     pub(super) words: RwSignal<Vec<String>>,
 }
@@ -75,7 +75,8 @@ impl SessionMarks {
     pub(super) fn new() -> Self {
         let (run, all, waiting) = (RwSignal::new(0), RwSignal::default(), RwSignal::default());
         let (goes, mine, writes) = (RwSignal::new(false), RwSignal::new(None), RwSignal::new(false));
-        Self { run, all, waiting, goes, mine, writes, words: RwSignal::default() }
+        let typed = RwSignal::default();
+        Self { run, all, waiting, goes, mine, writes, typed, words: RwSignal::default() }
     }
 }
 
@@ -121,19 +122,21 @@ impl OperateShared {
         }
         let (id, at) = (crate::desk::new_id(), browser::today_ms());
         let by = desk.me.with_untracked(|me| me.as_ref().map(|me| me.name.clone()).unwrap_or_default());
+        self.keep_typed();
         self.belong_to(run.run);
         let (word_kept, note) = (word.to_owned(), String::new());
         self.put_mark(Mark { id: id.clone(), at, until: None, open: span, word: word_kept, note, by, waits: true });
         self.marks.mine.set(Some(id.clone()));
         self.marks.writes.set(false);
         self.whisper(&words::marked_as(word));
-        let what = What::Mark { word: word.to_owned(), sort: MarkSort::Note, span };
-        self.wait(WaitingMark { run: run.run, behaviour: run.behaviour, robot: Some(run.robot), id, at, what });
+        let what = What::Mark { behaviour: run.behaviour, word: word.to_owned(), sort: MarkSort::Note, span };
+        self.wait(WaitingMark { run: run.run, id, at, what });
     }
 
     fn edit(self, id: &Id, edit: MarkEdit) {
         let at = browser::today_ms();
-        let Some(last) = untrack(|| self.last()) else { return };
+        // The run that the mark is of, whatever runs by now.
+        let run = self.marks.run.get_untracked();
         self.marks.all.update(|all| match &edit {
             MarkEdit::Undo => all.retain(|mark| mark.id != *id),
             MarkEdit::End => all.iter_mut().filter(|mark| mark.id == *id).for_each(|mark| {
@@ -144,8 +147,7 @@ impl OperateShared {
                 mark.waits = true;
             }),
         });
-        let (behaviour, robot, what) = (last.behaviour, Some(last.robot), What::Edit(edit));
-        self.wait(WaitingMark { run: last.run, behaviour, robot, id: id.clone(), at, what });
+        self.wait(WaitingMark { run, id: id.clone(), at, what: What::Edit(edit) });
     }
 
     /// Takes the newest one of one's own back.
@@ -246,9 +248,18 @@ impl OperateShared {
         });
     }
 
-    /// Another run has marks of its own.
-    fn belong_to(self, run: u64) {
+    /// Keeps a note that is half typed with the mark that it is of, before another mark or run comes in its place.
+    fn keep_typed(self) {
+        if self.marks.writes.get_untracked() {
+            self.note_mark(&self.marks.typed.get_untracked());
+        }
+        self.marks.typed.set(String::new());
+    }
+
+    /// Another run has marks of its own. Not reactive.
+    pub(super) fn belong_to(self, run: u64) {
         if self.marks.run.get_untracked() != run {
+            self.keep_typed();
             self.marks.run.set(run);
             self.marks.all.set(Vec::new());
             self.marks.mine.set(None);
@@ -262,19 +273,20 @@ impl OperateShared {
 
     /// Sends what waits, one after the other, each with the age of its press; what finds no link waits on.
     fn send_marks(self) {
-        let first = self.marks.waiting.with_untracked(|waiting| waiting.front().cloned());
-        let (Some(first), false) = (first, self.marks.goes.get_untracked()) else { return };
+        // Nothing of it is there any more once the page has ended.
+        let first = self.marks.waiting.try_with_untracked(|waiting| waiting.front().cloned()).flatten();
+        let (Some(first), Some(false)) = (first, self.marks.goes.try_get_untracked()) else { return };
         self.marks.goes.set(true);
         let ago_ms = (browser::today_ms() - first.at).max(0.0) as u64;
         let id = first.id.clone();
-        // The server would move it to a minute ago.
-        if ago_ms > AGO_MAX_MS && matches!(first.what, What::Mark { .. }) {
-            self.desk.desk().say(&words::mark_too_old(&super::clock::time_of_day(first.at)), true);
-        }
+        // The server moves it to a minute ago.
+        let is_moment = matches!(first.what, What::Mark { .. } | What::Edit(MarkEdit::End));
+        let too_old = (ago_ms > AGO_MAX_MS && is_moment).then(|| super::clock::time_of_day(first.at));
         let request = match first.what {
-            What::Mark { word, sort, span } => Request::Mark {
-                behaviour: first.behaviour,
-                robot: first.robot,
+            What::Mark { behaviour, word, sort, span } => Request::Mark {
+                behaviour,
+                robot: None,
+                run: Some(first.run),
                 id: Some(first.id),
                 word,
                 sort,
@@ -285,7 +297,9 @@ impl OperateShared {
             What::Edit(edit) => Request::EditMark { run: first.run, id: first.id, edit, ago_ms },
         };
         self.desk.desk().look_up(request, move |answer| {
-            self.marks.goes.set(false);
+            if self.marks.goes.try_set(false).is_some() {
+                return;
+            }
             match answer {
                 Err(NoAnswer::Unreachable) => return browser::after(AGAIN_MS, move || self.send_marks()),
                 Err(NoAnswer::Refused(protocol::Refused::TooFast)) => {
@@ -297,6 +311,9 @@ impl OperateShared {
                     self.marks.all.update(|all| all.retain(|mark| mark.id != id || !mark.waits));
                 }
                 Ok(reply) => {
+                    if let Some(at) = too_old {
+                        self.desk.desk().say(&words::mark_too_old(&at), true);
+                    }
                     self.marks.waiting.update(|waiting| drop(waiting.pop_front()));
                     let waits = self.marks.waiting.with_untracked(|waiting| waiting.iter().any(|one| one.id == id));
                     self.marks.all.update(|all| {

@@ -126,6 +126,9 @@ fn title(op: OperateShared, all: &[FedSentence]) -> String {
     if desk.document.open.read().is_none() {
         return words::choose_program().to_owned();
     }
+    if let Some(other) = op.other_runs() {
+        return words::other_runs(&other);
+    }
     if op.run().is_none() {
         return if op.is_paused() { words::goes_on_when_pressed() } else { words::ready_to_start() }.to_owned();
     }
@@ -151,7 +154,8 @@ fn under(op: OperateShared, all: &[FedSentence]) -> String {
         return words::choose_program_says().to_owned();
     }
     if op.run().is_none() {
-        return op.why_not_start().unwrap_or_else(|| words::press_start().to_owned());
+        let start = if op.other_runs().is_some() { words::ready_to_start() } else { words::press_start() };
+        return op.why_not_start().unwrap_or_else(|| start.to_owned());
     }
     match newest(all).filter(|(_, at)| is_now(*at)) {
         Some((sentence, _)) => lead_words(sentence),

@@ -2,7 +2,7 @@
 //! button and never at its place, so that a double tap starts nothing.
 
 use super::OperateShared;
-use crate::browser::Drawer;
+use crate::browser::{self, Drawer};
 use crate::desk::LinkState;
 use crate::escape;
 use crate::icons::Icon;
@@ -11,13 +11,15 @@ use crate::panels::focus;
 use crate::panels::to_stop::tab_to_stop;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{CODE_MAX_CHARS, RecordedSession, Records, Request, Role};
+use protocol::{CODE_MAX_CHARS, RecordedSession, Records, Request, Role, RunPhase};
 use robot::Health;
 use web_sys::SubmitEvent;
 
 /// Where the last codes are kept in this browser, parted by blanks, newest first.
 const CODES: &str = "rrp.codes";
 const CODES_MAX: usize = 3;
+/// Start rests for so long after its answer, in milliseconds: by then the run is told.
+const SETTLE_MS: i32 = 1_000;
 /// Where it is kept that only marks and actions were wanted last.
 const MARKS_ONLY: &str = "rrp.marks-only";
 
@@ -27,7 +29,7 @@ pub(super) fn Foot(op: OperateShared) -> impl IntoView {
     let quiet = Memo::new(move |_| op.is_quiet());
     let runs = Memo::new(move |_| op.run().is_some());
     let paused = Memo::new(move |_| op.is_paused());
-    let blocked = Memo::new(move |_| runs.get() || op.why_not_start().is_some());
+    let blocked = Memo::new(move |_| runs.get() || op.starts.get() || op.why_not_start().is_some());
     let word = move || match (runs.get(), quiet.get()) {
         (true, true) => words::was_running(),
         (true, false) => words::running(),
@@ -35,10 +37,14 @@ pub(super) fn Foot(op: OperateShared) -> impl IntoView {
         (false, _) => words::start_asks(),
     };
     let press = move |_| {
-        if untrack(|| op.is_paused()) {
-            op.start(RecordedSession::default(), false);
-        } else {
-            op.asks.update(|asks| *asks = !*asks);
+        // Who goes on goes on being recorded, as what was chosen at Start, under the same code.
+        match untrack(|| op.last()).filter(|run| matches!(run.phase, RunPhase::Paused(_))) {
+            Some(run) => {
+                let record = run.recording.is_some();
+                let participant = run.recording.and_then(|recorded| recorded.participant);
+                op.start(RecordedSession { participant, session: None, records: records_chosen() }, record);
+            }
+            None => op.asks.update(|asks| *asks = !*asks),
         }
     };
     let button = NodeRef::new();
@@ -69,6 +75,8 @@ pub(super) fn Card(op: OperateShared) -> impl IntoView {
         }
         if shown.get() {
             focus::soon(0, "#op-code", focus::focus);
+        } else {
+            op.uncovered.set(browser::today_ms());
         }
     });
     view! { <Show when=move || shown.get()><Asked op /></Show> }
@@ -78,7 +86,7 @@ pub(super) fn Card(op: OperateShared) -> impl IntoView {
 fn Asked(op: OperateShared) -> impl IntoView {
     let codes = codes();
     let code = RwSignal::new(codes.first().cloned().unwrap_or_default());
-    let kept = RwSignal::new(if Drawer::Browser.get(MARKS_ONLY).is_some() { Records::Marks } else { Records::All });
+    let kept = RwSignal::new(records_chosen());
     let wrong = Memo::new(move |_| !is_code(&code.read()));
     let name = move || words::start_this(&op.desk.desk().document.name.get());
     let send = move |event: SubmitEvent| {
@@ -155,6 +163,11 @@ fn is_code(code: &str) -> bool {
     code.chars().all(|sign| sign.is_ascii_alphanumeric() || "-_.".contains(sign))
 }
 
+/// The parts of a run that were chosen last in this browser.
+fn records_chosen() -> Records {
+    if Drawer::Browser.get(MARKS_ONLY).is_some() { Records::Marks } else { Records::All }
+}
+
 /// The codes of the last runs here.
 fn codes() -> Vec<String> {
     let kept = Drawer::Browser.get(CODES).unwrap_or_default();
@@ -177,11 +190,21 @@ impl OperateShared {
     fn start(self, session: RecordedSession, record: bool) {
         let desk = self.desk.desk();
         let (Some(behaviour), robot) = (desk.document.open.get_untracked(), desk.robots.chosen_id()) else { return };
+        // A second press before the run is told would begin it anew.
+        if self.starts.get_untracked() {
+            return;
+        }
+        self.starts.set(true);
         let told = desk.clone();
-        desk.look_up(Request::Start { behaviour, robot, record, session }, move |answer| match answer {
-            Ok(_) => {}
-            Err(NoAnswer::Refused(no)) => told.say_no(&no),
-            Err(NoAnswer::Unreachable) => told.say(words::not_known_if_done(), true),
+        desk.look_up(Request::Start { behaviour, robot, record, session }, move |answer| {
+            browser::after(SETTLE_MS, move || {
+                self.starts.try_set(false);
+            });
+            match answer {
+                Ok(_) => {}
+                Err(NoAnswer::Refused(no)) => told.say_no(&no),
+                Err(NoAnswer::Unreachable) => told.say(words::not_known_if_done(), true),
+            }
         });
     }
 

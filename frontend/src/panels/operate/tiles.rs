@@ -64,7 +64,7 @@ fn One(op: OperateShared, tile: PadTile) -> impl IntoView {
             aria-keyshortcuts=number.to_string() style=("--share", share)
             aria-pressed=move || span.then(|| matches!(*shows.read(), TileState::On(_)).to_string())
             on:keydown=|event| if event.repeat() { event.prevent_default() }
-            on:click=move |_| { op.press(number); }>
+            on:click=move |_| if !op.is_just_uncovered() { op.press(number); }>
             <span class="op-kind"><Icon name=icon /></span>
             <span class="op-words">
                 <b>{label}</b>

@@ -83,7 +83,7 @@ struct TroubleWords {
 
 /// Reactive.
 fn says(op: OperateShared, matter: &Matter) -> TroubleWords {
-    let runs = op.last().is_some_and(|run| run.phase == RunPhase::Running);
+    let runs = op.other_runs().is_some() || op.last().is_some_and(|run| run.phase == RunPhase::Running);
     let if_it_goes_on = words::if_it_goes_on(&op.by_body());
     let moving = |otherwise: &'static str| if runs { words::goes_on_by_itself() } else { otherwise }.to_owned();
     let says = |icon, title: String, lead: String, steps: Vec<String>| TroubleWords { icon, title, lead, steps };

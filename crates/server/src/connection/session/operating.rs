@@ -58,11 +58,14 @@ impl ClientSession {
             MarkPress { by, at: now.checked_sub(Duration::from_millis(ago_ms.min(AGO_MAX_MS))).unwrap_or(now) }
         };
         let marked = match request {
-            Request::Mark { behaviour, robot, id, word, sort, span, note, ago_ms } => {
+            Request::Mark { behaviour, robot, run, id, word, sort, span, note, ago_ms } => {
                 let id = id.unwrap_or_else(|| Id::from_uuid(Uuid::new_v4()));
                 let (until, by, at) = (None, String::new(), String::new());
                 let mark = RecordingMark { id, t: 0, until, word, sort, note, by, at, open: span, gone: false };
-                robots.mark(&behaviour, robot.as_ref(), &mark, press(ago_ms))
+                match run {
+                    Some(run) => robots.mark_in(run, &mark, press(ago_ms)).map(|marked| vec![marked]),
+                    None => robots.mark(&behaviour, robot.as_ref(), &mark, press(ago_ms)),
+                }
             }
             Request::EditMark { run, id, edit, ago_ms } => {
                 robots.edit_mark(run, &id, &edit, press(ago_ms)).map(|marked| vec![marked])
