@@ -274,9 +274,7 @@ async fn the_tour_by_keyboard_alone() -> Outcome<()> {
     }
     hands.key("Enter").await?;
     page.until("!!document.activeElement.closest('.inline.open')", "the number is a field").await?;
-    hands.press("Escape").await?;
-    hands.press("Escape").await?;
-    says(page, "Stopped. The robot holds still.").await?;
+    hands.press("Control+a").await?;
     hands.types("60").await?;
     hands.key("Enter").await?;
     step_is(page, 7).await?;

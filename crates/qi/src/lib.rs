@@ -6,7 +6,7 @@
 //!
 //! ```no_run
 //! # async fn shown() -> Result<(), qi::QiError> {
-//! let session = qi::Session::connect(&"tcp://192.168.1.20:9559".parse()?, qi::Options::default()).await?;
+//! let session = qi::Session::connect(&"tcp://192.168.1.20:9559".parse()?, qi::SessionOptions::default()).await?;
 //! let speech = session.service("Speech").await?;
 //! speech.call("say", &["Hello".into()]).await?;
 //! # Ok(())

@@ -252,6 +252,8 @@ pub(super) struct Runner<'a> {
     surroundings: RecordedSurroundings,
     /// The marks that people make meanwhile.
     marks: Arc<RunMarks>,
+    /// The marks with which the recording began, until the next word of each: one that was on its way here then is not written twice.
+    begun_with: Vec<RecordingMark>,
 }
 
 impl<'a> Runner<'a> {
@@ -264,9 +266,9 @@ impl<'a> Runner<'a> {
         clock: Rc<Cell<Instant>>,
     ) -> Self {
         let sink = EmissionSink::new(job, tally, &run, clock);
-        let surroundings = RecordedSurroundings::default();
+        let (surroundings, begun_with) = (RecordedSurroundings::default(), Vec::new());
         let marks = Arc::default();
-        Self { run, mailbox, sink, began: (job.clock)(), open_ms: 0, successor: None, surroundings, marks }
+        Self { run, mailbox, sink, began: (job.clock)(), open_ms: 0, successor: None, surroundings, marks, begun_with }
     }
 
     /// This run with the time, the marks and the recording of the run that it follows.
@@ -444,7 +446,12 @@ impl<'a> Runner<'a> {
     /// Records marks that are new or changed.
     fn mark(&mut self, marks: Vec<RecordingMark>) {
         if let Some(recorder) = &mut self.sink.recorder {
-            marks.into_iter().for_each(|mark| recorder.note(NoteLine::from(mark)));
+            for mark in marks {
+                let written = self.begun_with.iter().position(|known| known.id == mark.id);
+                if written.map(|at| self.begun_with.swap_remove(at)).as_ref() != Some(&mark) {
+                    recorder.note(NoteLine::from(mark));
+                }
+            }
         }
     }
 
@@ -479,7 +486,10 @@ impl<'a> Runner<'a> {
         recorder.memory(self.open_ms, self.run.handover());
         self.surroundings = RecordedSurroundings::default();
         self.sink.recorder = Some(recorder);
-        self.mark(self.marks.all());
+        let all = self.marks.all();
+        self.begun_with.clear();
+        self.mark(all.clone());
+        self.begun_with = all;
     }
 
     /// Records how the robot and its room are, if that is new.

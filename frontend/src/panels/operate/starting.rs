@@ -73,11 +73,15 @@ pub(super) fn Card(op: OperateShared) -> impl IntoView {
         if op.run().is_some() {
             op.asks.set(false);
         }
-        if shown.get() {
+    });
+    Effect::new(move |before: Option<bool>| {
+        let shown = shown.get();
+        if shown {
             focus::soon(0, "#op-code", focus::focus);
-        } else {
+        } else if before == Some(true) {
             op.uncovered.set(browser::today_ms());
         }
+        shown
     });
     view! { <Show when=move || shown.get()><Asked op /></Show> }
 }
