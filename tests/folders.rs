@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use house::Outcome;
 use house::guide::{self, ARCHITECTURE, Guide};
-use house::sources::{self, Source};
-use house::{Outcome, Trouble};
+use house::sources::{self, Source, none};
 
 /// A folder or file at the top of a crate, and what of the crate it may use.
 type Arrows<'a> = &'a [(&'a str, &'a [&'a str])];
@@ -260,12 +260,6 @@ fn way(graph: &Graph, from: &str, to: &str) -> Option<Vec<String>> {
         }
     }
     None
-}
-
-/// Fails with one line for each of `wrong`.
-fn none<T: AsRef<str>>(what: &str, wrong: &[T]) -> Outcome<()> {
-    let lines: Vec<&str> = wrong.iter().map(AsRef::as_ref).collect();
-    if lines.is_empty() { Ok(()) } else { Err(Trouble(format!("{} {what}:\n  {}", lines.len(), lines.join("\n  ")))) }
 }
 
 /// A file of an imagined crate.

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
 use behaviour::connectors;
-use house::sources::{self, Source};
+use house::sources::{self, Source, none, product};
 use house::{Outcome, Trouble};
 use serde_json::Value;
 
@@ -98,7 +98,7 @@ const COMMON_LABELS: [&str; 2] = ["Map", "Delay"];
 /// walk through a tree, the voice as a part of the body.
 const COMMON_DEVICES: [&str; 5] = ["Button", "Lights", "People", "Voice", "Walk"];
 
-/// Where a browser test sleeps, how often, and what for. A ratchet: nothing may be added.
+/// The files in which browser tests sleep, how often, and what for. A ratchet: nothing may be added.
 const SLEEPS: [(&str, usize, &str); 7] = [
     ("tests/hands/room.rs", 3, "values of a running program go on coming"),
     ("tests/journeys/by_touch.rs", 1, "between two looks"),
@@ -388,14 +388,6 @@ fn everything() -> Outcome<Vec<Source>> {
     Ok(files)
 }
 
-/// Every Rust file that is not a test.
-fn product() -> Outcome<Vec<Source>> {
-    let mut files = Source::below("crates")?;
-    files.extend(Source::below("frontend")?);
-    files.retain(|file| !file.is_test());
-    Ok(files)
-}
-
 /// Where the product code of `rooms` says one of `phrases`, as `path:line: phrase`.
 fn mentions(rooms: &[&str], phrases: &[&str]) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
@@ -452,10 +444,4 @@ fn list(value: &Value) -> &[Value] {
 
 fn text(value: &Value) -> String {
     value.as_str().unwrap_or_default().to_owned()
-}
-
-/// Fails with one line for each of `wrong`.
-fn none<T: AsRef<str>>(what: &str, wrong: &[T]) -> Outcome<()> {
-    let lines: Vec<&str> = wrong.iter().map(AsRef::as_ref).collect();
-    if lines.is_empty() { Ok(()) } else { Err(Trouble(format!("{} {what}:\n  {}", lines.len(), lines.join("\n  ")))) }
 }

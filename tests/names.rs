@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use house::sources::Source;
-use house::{Outcome, Trouble};
+use house::Outcome;
+use house::sources::{Source, none, product};
 
 /// The folders whose types may share a name: each robot's own driver of the device of that name.
 const DRIVERS: [&str; 2] = ["crates/nao/src/devices", "crates/simulation/src/devices"];
@@ -90,18 +90,4 @@ fn definition(line: &str) -> Option<&str> {
     let name = &rest[kind.len()..];
     let end = name.find(|letter: char| !letter.is_alphanumeric() && letter != '_').unwrap_or(name.len());
     Some(&name[..end]).filter(|name| name.starts_with(char::is_uppercase))
-}
-
-/// Every Rust file that is not a test.
-fn product() -> Outcome<Vec<Source>> {
-    let mut files = Source::below("crates")?;
-    files.extend(Source::below("frontend")?);
-    files.retain(|file| !file.is_test());
-    Ok(files)
-}
-
-/// Fails with one line for each of `wrong`.
-fn none<T: AsRef<str>>(what: &str, wrong: &[T]) -> Outcome<()> {
-    let lines: Vec<&str> = wrong.iter().map(AsRef::as_ref).collect();
-    if lines.is_empty() { Ok(()) } else { Err(Trouble(format!("{} {what}:\n  {}", lines.len(), lines.join("\n  ")))) }
 }

@@ -47,7 +47,7 @@ async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<
     says(&page, "Aiko invites you to").await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
-    // Who comes to operate lands on the operator's page; these look at the graph.
+    // An operator lands on the operator's page; these look at the graph.
     if page.eval("location.pathname").await? == protocol::OPERATE_PATH {
         let origin = page.eval("location.origin").await?;
         page.goto(&format!("{}/?graph", origin.as_str().unwrap_or_default())).await?;
@@ -172,7 +172,7 @@ async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first(
     says(&page, "Aiko invites you to run a robot. You start and stop programs; you do not edit them.").await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
-    // Who comes to operate lands on the operator's page; this looks at the other one.
+    // An operator lands on the operator's page; this looks at the other one.
     page.until(&format!("location.pathname === '{}'", protocol::OPERATE_PATH), "the operator's page is there").await?;
     let origin = page.eval("location.origin").await?;
     page.goto(&format!("{}/?graph", origin.as_str().unwrap_or_default())).await?;

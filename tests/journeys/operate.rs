@@ -141,7 +141,7 @@ async fn two_operators_see_each_others_presses_marks_and_stops() -> Outcome<()> 
     let yuki = stage.nobody("yuki").await?;
     yuki.goto(&stage.server.url()).await?;
     yuki.eval("localStorage.setItem('rrp.name', 'Yuki'), 0").await?;
-    // Who comes while something runs lands on it, whatever was open here before.
+    // A person who comes while something runs lands on it, whatever was open here before.
     yuki.goto(&format!("{}operate", stage.server.url())).await?;
     yuki.find("button", "Running").await?;
     yuki.until(

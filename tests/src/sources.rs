@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::Outcome;
+use crate::{Outcome, Trouble};
 
 /// One Rust file.
 pub struct Source {
@@ -72,6 +72,20 @@ impl Source {
         }
         found
     }
+}
+
+/// Returns every Rust file that is not a test.
+pub fn product() -> Outcome<Vec<Source>> {
+    let mut files = Source::below("crates")?;
+    files.extend(Source::below("frontend")?);
+    files.retain(|file| !file.is_test());
+    Ok(files)
+}
+
+/// Fails with one line for each of `wrong`; `what` says what they are.
+pub fn none<T: AsRef<str>>(what: &str, wrong: &[T]) -> Outcome<()> {
+    let lines: Vec<&str> = wrong.iter().map(AsRef::as_ref).collect();
+    if lines.is_empty() { Ok(()) } else { Err(Trouble(format!("{} {what}:\n  {}", lines.len(), lines.join("\n  ")))) }
 }
 
 /// The mark that stands for every letter of a literal; no source has it.

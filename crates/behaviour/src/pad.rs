@@ -86,7 +86,7 @@ fn is_null(value: &Value) -> bool {
 }
 
 impl<S> TileAction<S> {
-    /// The same action with another name for its stream; none if the stream has none.
+    /// Returns this action with another name for its stream; none if the stream has none.
     pub fn renamed<T>(&self, name: impl FnOnce(&S) -> Option<T>) -> Option<TileAction<T>> {
         Some(match self {
             Self::Hand { device, params, value } => {

@@ -75,7 +75,7 @@ impl Cause {
         std::iter::successors(Some(self), |cause| cause.from.as_deref()).take(STEPS_MAX)
     }
 
-    /// The same with so many steps at most.
+    /// Returns this cause with so many steps at most.
     fn cut(self: &Arc<Self>, most: usize) -> Arc<Self> {
         if self.depth <= most {
             return self.clone();

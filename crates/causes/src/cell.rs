@@ -42,7 +42,7 @@ pub(crate) enum Turn {
 }
 
 impl TracedCell {
-    /// That of a connector that begins.
+    /// Returns the cell of a connector that begins.
     pub(crate) fn of(part: &WiredConnector, began: Millis) -> Self {
         let known = if part.knows_inputs() { vec![None; part.inputs.len()] } else { Vec::new() };
         Self { known, waiting: VecDeque::new(), memory: (part.start.clone(), began), last: None }

@@ -93,7 +93,7 @@ impl Tracer {
             std::mem::swap(old, new);
         }
         core.readings = self.core.readings;
-        // What was forgotten frees its room.
+        // The causes that were forgotten free their room.
         core.room.count(core.cells.iter().flat_map(TracedCell::waiting));
         self.core = core;
         self.mode = Mode::of(file);

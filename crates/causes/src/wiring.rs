@@ -35,7 +35,7 @@ pub(crate) struct Ids {
 }
 
 impl Wiring {
-    /// That of a program that runs. A connector that cannot be read takes and gives nothing.
+    /// Returns the wiring of a program that runs. A connector that cannot be read takes and gives nothing.
     pub(crate) fn of(file: &BehaviourFile) -> Self {
         let places: Lookup<&str, usize> =
             file.streams.iter().enumerate().map(|(at, stream)| (stream.id.as_str(), at)).collect();

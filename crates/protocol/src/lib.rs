@@ -37,7 +37,7 @@ pub const VERSION: u32 = 15;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
-/// Where the operator's page is; behind it may stand `/` and the id of a robot.
+/// The operator's page is at this path; `/` and the id of a robot may follow.
 pub const OPERATE_PATH: &str = "/operate";
 /// The name of who stopped, where nobody said who they are: who is at the robot's computer presses the button of the
 /// page.

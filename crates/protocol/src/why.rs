@@ -46,7 +46,7 @@ pub enum WhyWith {
     },
     /// The result before.
     Memory {
-        /// That result, or the value to start from.
+        /// The previous result, or the value to start from.
         memory: Value,
         /// Since when it was that, in milliseconds since Start.
         t: u64,
@@ -71,7 +71,7 @@ pub struct BlockedConnector {
     pub stream: String,
     /// The time at which the last value came, in milliseconds since Start; none if none came.
     pub t: Option<u64>,
-    /// That value; null if none came.
+    /// The value that was kept back; null if none came.
     pub value: Value,
     /// The reason.
     pub because: Because,

@@ -56,7 +56,7 @@ impl Private {
         match entry {
             Entry::Value { by: Some(by), .. } => self.person(by),
             Entry::Hand(hand) => self.person(&hand.by),
-            // Who holds a part by hand may have pressed before the recording began. Otherwise it is a program.
+            // A person who holds a part by hand may have pressed before the recording began; other holders are programs.
             Entry::Refused(refusal) if refusal.why.ends_with("by hand") => {
                 refusal.with.iter().for_each(|with| self.person(with));
             }

@@ -110,7 +110,7 @@ impl List {
         Words(self.language)
     }
 
-    /// The same page with another recording looked at, or with more rows.
+    /// Returns the address of this page with another recording looked at, or with more rows.
     fn address(&self, chosen: Option<&str>, rows: usize) -> String {
         let Choice { find, program, code, bin, .. } = &self.choice;
         let encoded = self.encoded;

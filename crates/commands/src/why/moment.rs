@@ -95,7 +95,7 @@ impl Moment {
 }
 
 impl Ran {
-    /// That of the text of a recording; none if it is none.
+    /// Reads the text of a recording; none if it is none.
     pub(super) fn of(text: &str) -> Option<Self> {
         let (header, lines) = open(text).ok()?;
         let time = header.began.split_once('T').map(|(_, time)| time.trim_end_matches('Z'));

@@ -32,7 +32,7 @@ pub(super) fn all(of: &Gathered, words: Words, asked: &ReportWishes) -> Markup {
     }
 }
 
-/// The same report in a language, with or without names.
+/// Returns the address of this report in a language, with or without names.
 fn address(asked: &ReportWishes, language: Language, names: bool) -> String {
     let names = if names { "&names=1" } else { "" };
     let offset = asked.zone.minutes().map(|minutes| format!("&offset={minutes}")).unwrap_or_default();

@@ -111,7 +111,7 @@ fn bars(sheet: &Sheet, row: &StreamRow, class: &str, high: f64) -> Markup {
     html! { path class=(class) d=(path) {} }
 }
 
-/// Where moments are drawn, each place once.
+/// Returns the places at which moments are drawn, each once.
 fn places(sheet: &Sheet, moments: impl Iterator<Item = u64>) -> Vec<f64> {
     let mut places: Vec<f64> = moments.map(|ms| (x(sheet, ms) * 2.0).round() / 2.0).collect();
     places.sort_by(f64::total_cmp);

@@ -109,7 +109,7 @@ pub(super) async fn change(
     if let Some(minutes) = number::<i32>(change.offset.as_deref()) {
         back.push_str(&format!("&offset={minutes}"));
     }
-    // What was removed or brought back is in the other list.
+    // A recording that was removed or brought back is in the other list.
     let moves = matches!(change.r#do.as_str(), "bin" | "restore" | "remove");
     let bin = if change.bin.as_deref() == Some("1") { "&bin=1" } else { "" };
     let shown = if moves { bin.to_owned() } else { format!("{bin}&chosen={}", encoded(&file)) };

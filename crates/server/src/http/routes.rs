@@ -374,7 +374,7 @@ async fn files(
     asked: HeaderMap,
 ) -> Response {
     debug_assert!(method.is_safe());
-    // Who came to operate lands where that is done; the way out of there says so in its query.
+    // Operators land where they operate; the way out of there says so in its query.
     if entry.role() == Some(Role::Operator) && uri.path() == "/" && uri.query().is_none() {
         return ([(header::CACHE_CONTROL, "no-store")], Redirect::to(OPERATE_PATH)).into_response();
     }

@@ -217,7 +217,7 @@ fn of_request(request: &Request) -> Role {
         | Request::ControlRobot { .. }
         | Request::Faces { .. }
         | Request::RemoveRobot { .. } => Role::Operator,
-        // What reaches out into the network from this computer.
+        // These reach out into the network from this computer.
         Request::AddRobot { real: Some(_), .. }
         | Request::ReachRobot { .. }
         | Request::AcceptRobot { .. }

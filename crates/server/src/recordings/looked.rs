@@ -260,7 +260,7 @@ impl<'a> Replaying<'a> {
             return self.give_up();
         }
         let taken = replay.take(entry.clone());
-        // What was ended in its middle says nothing.
+        // A replay that was ended in its middle says nothing.
         if !self.until.goes_on() {
             return self.give_up();
         }

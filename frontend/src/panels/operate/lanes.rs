@@ -40,7 +40,7 @@ fn join(bars: &mut LaneBars, from: f64, at: f64) {
     }
 }
 
-/// Where a moment is in the picture of the last two minutes. Pure.
+/// Returns the place of a moment in the picture of the last two minutes. Pure.
 fn place(at: f64, now: f64) -> f64 {
     (WIDTH * (1.0 - (now - at) / KEPT_MS)).clamp(0.0, WIDTH)
 }

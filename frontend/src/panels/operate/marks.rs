@@ -222,7 +222,7 @@ impl OperateShared {
         if told.gone {
             return self.marks.all.update(|all| all.retain(|mark| mark.id != told.id));
         }
-        // What waits here is newer than what is told.
+        // A mark that waits here is newer than what is told.
         if self.marks.waiting.with_untracked(|waiting| waiting.iter().any(|one| one.id == told.id)) {
             return;
         }

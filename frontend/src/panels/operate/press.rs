@@ -13,7 +13,7 @@ use leptos::prelude::*;
 use protocol::{Press, Reply, Request};
 use robot::Health;
 
-/// The same tile rests so long after a press, in milliseconds.
+/// A tile rests so long after its press, in milliseconds.
 const RESTS_MS: f64 = 400.0;
 /// The time for which it is said who else pressed, and that something was pretended, in milliseconds.
 const OTHER_MS: f64 = 3_000.0;

@@ -15,12 +15,12 @@ use protocol::{CODE_MAX_CHARS, RecordedSession, Records, Request, Role, RunPhase
 use robot::Health;
 use web_sys::SubmitEvent;
 
-/// Where the last codes are kept in this browser, parted by blanks, newest first.
+/// The key of the last codes in this browser, parted by blanks, newest first.
 const CODES: &str = "rrp.codes";
 const CODES_MAX: usize = 3;
 /// Start rests for so long after its answer, in milliseconds: by then the run is told.
 const SETTLE_MS: i32 = 1_000;
-/// Where it is kept that only marks and actions were wanted last.
+/// The key that says that only marks and actions were wanted last.
 const MARKS_ONLY: &str = "rrp.marks-only";
 
 /// Marking on a phone, Start, and the gap where Stop stands.
@@ -37,7 +37,7 @@ pub(super) fn Foot(op: OperateShared) -> impl IntoView {
         (false, _) => words::start_asks(),
     };
     let press = move |_| {
-        // Who goes on goes on being recorded, as what was chosen at Start, under the same code.
+        // A run that goes on is recorded on, with the code and the choice of its Start.
         match untrack(|| op.last()).filter(|run| matches!(run.phase, RunPhase::Paused(_))) {
             Some(run) => {
                 let record = run.recording.is_some();

@@ -155,7 +155,7 @@ pub(crate) fn undo_for(seconds: u64) -> String {
     say!("Undo {seconds} s", seconds)
 }
 
-/// That a mark waited longer than its moment is known to the server.
+/// Says that a mark waited longer than the server takes its moment back.
 pub(crate) fn mark_too_old(time: &str) -> String {
     say!("The mark of {time} waited longer than a minute. It stands at a minute before it was sent.", time)
 }

@@ -23,7 +23,7 @@ impl ClientSession {
             Request::Mark { .. } | Request::EditMark { .. } => return self.mark(ask, request),
             Request::EndRecording { behaviour, robot } => robots.end_recording(&behaviour, robot.as_ref(), by),
             Request::Hand { robot, device, params, value } => {
-                // What no action is called like has no press that anybody could be shown.
+                // A name that no action has makes no press that anybody could be shown.
                 let fits = recording::json(&params).len() <= HAND_MAX_BYTES;
                 let press = Id::new(&device)
                     .ok()
