@@ -4,7 +4,7 @@ use crate::target::{Target, fresh, note, note_id, nothing};
 use behaviour::Id;
 use futures_util::future::join_all;
 use house::Outcome;
-use protocol::Request;
+use protocol::request;
 use serde_json::json;
 use shell::Client;
 use std::fmt::Write as _;
@@ -47,11 +47,11 @@ pub(crate) fn prepare(data: &Path) -> Outcome<()> {
 /// A behaviour that is as large as the server lets one be, or a megabyte.
 pub(crate) async fn fill(target: &Target) -> Outcome<()> {
     let (client, large) = (Client::connect(&target.url(), "Filler").await?, Id::new("large")?);
-    client.ask(Request::Create { behaviour: large.clone(), name: "Large".to_owned(), template: None }).await?;
+    client.ask(request::Create { behaviour: large.clone(), name: "Large".to_owned(), template: None }).await?;
     for _ in 0..25 {
         let notes = (0..10).map(|_| (note_id(&fresh("n")), Some(note(&"n".repeat(4_000))))).collect();
         let change = client.change("Fill", &nothing(), notes);
-        if client.ask(Request::Propose { behaviour: large.clone(), change, tokens: Vec::new() }).await.is_err() {
+        if client.ask(request::Propose { behaviour: large.clone(), change, tokens: Vec::new() }).await.is_err() {
             break;
         }
     }

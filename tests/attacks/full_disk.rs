@@ -2,7 +2,7 @@
 
 use crate::shares::{Door, ORIGIN, door_of, invite};
 use house::{DISK_IS_FULL, Outcome, Server, skip};
-use protocol::{Refused, Reply, Request, Role};
+use protocol::{Refused, Role, request};
 use shell::{Client, ClientError};
 
 const PART: &str = "a revocation on a full disk";
@@ -26,19 +26,17 @@ async fn revoked() -> Outcome<()> {
     assert!(guest.get("/api/behaviours").await?.starts_with("HTTP/1.1 200"));
 
     std::fs::write(data.join(DISK_IS_FULL), "")?;
-    let more = Request::Invite { role: Role::Viewer, lasts: protocol::Lasts::Day, label: String::new() };
+    let more = request::Invite { role: Role::Viewer, lasts: protocol::Lasts::Day, label: String::new() };
     let no = host.ask(more).await;
     assert!(matches!(no, Err(ClientError::No(Refused::InvitationsNotKept(_)))), "the disk is full: {no:?}");
-    assert_eq!(host.ask(Request::Revoke { invitation: invitation.clone() }).await, Ok(Reply::Done));
+    assert_eq!(host.ask(request::Revoke { invitation: invitation.clone() }).await, Ok(()));
     server.kill9().await?;
     server.restart().await?;
     let guest = Door { address: door_of(&server, 1).await?, ..guest };
     let answer = guest.get("/api/behaviours").await?;
     assert!(answer.starts_with("HTTP/1.1 401"), "thrown out, and in again: {answer}");
     let host = Client::connect(&server.url(), "Host").await?;
-    let Reply::Invitations { invitations } = host.ask(Request::Invitations).await? else {
-        return Err("No list.".into());
-    };
+    let invitations = host.ask(request::Invitations {}).await?.invitations;
     assert!(invitations.iter().any(|one| one.id == invitation && one.revoked && !one.unwritten));
     Ok(())
 }

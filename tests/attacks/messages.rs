@@ -6,7 +6,7 @@ use behaviour::{Connector, Id, Kind, Procedure, Record, RecordId, Stream, Stream
 use futures_util::future::join_all;
 use futures_util::{SinkExt, StreamExt};
 use house::Outcome;
-use protocol::{LIBRARY, Request};
+use protocol::{LIBRARY, Request, request};
 use shell::Client;
 use std::time::Duration;
 
@@ -48,7 +48,7 @@ async fn proposer(target: Target) -> Outcome<()> {
     client.load(&behaviour).await?;
     let proposals = (0..UNANSWERED).map(|_| {
         let change = client.change("Propose", &nothing(), (0..BODIES).flat_map(|_| slow_map()).collect());
-        client.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() })
+        client.ask(request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() })
     });
     join_all(proposals).await;
     Ok(())
@@ -82,7 +82,7 @@ fn slow_map() -> [(RecordId, Option<Record>); 3] {
 
 /// Requests without a pause, their answers read and thrown away.
 pub(crate) async fn floods(target: Target) {
-    crowd(FLOODS, || flood(target.clone(), |_| Request::Runs)).await;
+    crowd(FLOODS, || flood(target.clone(), |_| request::Runs {})).await;
 }
 
 /// Actions by hand without a pause, with other settings each time.
@@ -90,12 +90,12 @@ pub(crate) async fn hands(target: Target) {
     let hand = |ask: u32| {
         let speed = if ask.is_multiple_of(2) { 0.05 } else { 0.06 };
         let params = [("speed".to_owned(), speed.into())].into_iter().collect();
-        Request::Hand { robot: None, device: "Walk".to_owned(), params, value: 1.into() }
+        request::Hand { robot: None, device: "Walk".to_owned(), params, value: 1.into() }
     };
     crowd(FLOODS, || flood(target.clone(), hand)).await;
 }
 
-async fn flood(target: Target, request: impl Fn(u32) -> Request) -> Outcome<()> {
+async fn flood<R: Request>(target: Target, request: impl Fn(u32) -> R) -> Outcome<()> {
     let (mut to, from) = greeted(&target).await?.split();
     let reading = tokio::spawn(from.for_each(|_| std::future::ready(())));
     for ask in 2.. {
@@ -118,9 +118,9 @@ pub(crate) async fn unread(target: Target) {
 async fn deaf(target: Target) -> Outcome<()> {
     let mut socket = greeted(&target).await?;
     for ask in 2..150 {
-        socket.send(said(ask, Request::List { query: protocol::ListQuery::default() })?).await?;
-        socket.send(said(ask, Request::Open { behaviour: Id::new("large")? })?).await?;
-        socket.send(said(ask, Request::Since { behaviour: Id::new("large")?, revision: 0 })?).await?;
+        socket.send(said(ask, request::List { query: protocol::ListQuery::default() })?).await?;
+        socket.send(said(ask, request::Open { behaviour: Id::new("large")? })?).await?;
+        socket.send(said(ask, request::Since { behaviour: Id::new("large")?, revision: 0 })?).await?;
     }
     tokio::time::sleep(Duration::from_secs(60)).await;
     Ok(())
@@ -145,7 +145,7 @@ async fn edits(target: Target) -> Outcome<()> {
 async fn opener(target: Target) -> Outcome<()> {
     let mut socket = greeted(&target).await?;
     for ask in 2..100 {
-        socket.send(said(ask, Request::Open { behaviour: Id::new("large")? })?).await?;
+        socket.send(said(ask, request::Open { behaviour: Id::new("large")? })?).await?;
         tokio::time::sleep(PAUSE).await;
     }
     Ok(())
@@ -164,9 +164,9 @@ async fn grower(target: Target) -> Outcome<()> {
     loop {
         let notes = (0..20).map(|_| (note_id(&fresh("n")), Some(note(&"n".repeat(4_000))))).collect();
         let change = client.change("Grow", &nothing(), notes);
-        let notes = client.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await;
+        let notes = client.ask(request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await;
         let change = client.change("Grow", &nothing(), (0..4).map(|_| helper()).collect());
-        let helpers = client.ask(Request::Propose { behaviour: library.clone(), change, tokens: Vec::new() }).await;
+        let helpers = client.ask(request::Propose { behaviour: library.clone(), change, tokens: Vec::new() }).await;
         if notes.is_err() && helpers.is_err() {
             tokio::time::sleep(PAUSE).await;
         }

@@ -3,7 +3,7 @@
 use crate::target::{Target, fresh};
 use futures_util::future::join_all;
 use house::Outcome;
-use protocol::{RealRobot, Request};
+use protocol::{RealRobot, request};
 use qi::{Framer, Layout, MessageFrame, MessageHeader, MessageKind, Value, encode};
 use shell::Client;
 use std::time::Duration;
@@ -52,13 +52,13 @@ async fn lie(target: &Target) -> Outcome<()> {
         });
         let real = RealRobot { address, user: None, password: None, fingerprint: None, identity: None };
         // As many as may be: those of an attack before are still there.
-        let add = Request::AddRobot { robot: fresh("r"), name: "Liar".to_owned(), real: Some(Box::new(real.clone())) };
+        let add = request::AddRobot { robot: fresh("r"), name: "Liar".to_owned(), real: Some(Box::new(real.clone())) };
         let _full = client.ask(add).await;
         robots.push(real);
     }
     loop {
         let looks =
-            robots.iter().map(|real| client.ask(Request::CheckRobot { real: Box::new(real.clone()), robot: None }));
+            robots.iter().map(|real| client.ask(request::CheckRobot { real: Box::new(real.clone()), robot: None }));
         join_all(looks).await;
         tokio::time::sleep(PAUSE).await;
     }

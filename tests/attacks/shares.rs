@@ -6,7 +6,7 @@ use crate::target::{Target, fresh, made, note, note_id, nothing};
 use behaviour::{Change, Id, Kind, Record, RecordId, Stream, StreamKind};
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, skip};
-use protocol::{Lasts, ListQuery, Message as Told, Reply, Request, Role, VERSION};
+use protocol::{AnyAnswer, AnyRequest, Lasts, ListQuery, Message as Told, Role, VERSION, request};
 use serde_json::{Value, json};
 use shell::Client;
 use std::net::SocketAddr;
@@ -191,21 +191,19 @@ impl Door {
         let stream = TcpStream::connect(self.address).await?;
         stream.set_nodelay(true)?;
         let (mut link, _) = tokio_tungstenite::client_async(request, stream).await?;
-        ask(&mut link, 0, Request::Hello { version: VERSION, name: name.to_owned(), again: None }).await?;
-        ask(&mut link, 1, Request::Watch { robot: None, scene: false, values: false }).await?;
+        ask(&mut link, 0, request::Hello { version: VERSION, name: name.to_owned(), again: None }).await?;
+        ask(&mut link, 1, request::Watch { robot: None, scene: false, values: false }).await?;
         Ok(link)
     }
 }
 
-async fn ask(link: &mut Link, number: u32, request: Request) -> Outcome<Reply> {
+async fn ask(link: &mut Link, number: u32, request: impl Into<AnyRequest>) -> Outcome<AnyAnswer> {
     link.send(said(number, request)?).await?;
     while let Some(message) = link.next().await {
         let Message::Text(text) = message? else { continue };
         let told: Told = serde_json::from_str(&text)?;
-        match told {
-            Told { ask: Some(asked), reply: Reply::No { no } } if asked == number => return Err(no.to_string().into()),
-            Told { ask: Some(asked), reply } if asked == number => return Ok(reply),
-            _ => {}
+        if let Some(outcome) = told.answer_to(number) {
+            return outcome.map_err(|no| no.to_string().into());
         }
     }
     Err("The link ended.".into())
@@ -266,7 +264,7 @@ impl Scene {
         let edits = async {
             let mut link = self.colleague.link("Chie").await?;
             let (mut all, shared) = (Waits::default(), Id::new("shared")?);
-            ask(&mut link, 2, Request::Open { behaviour: shared.clone() }).await?;
+            ask(&mut link, 2, request::Open { behaviour: shared.clone() }).await?;
             for number in 3.. {
                 if Instant::now() >= until {
                     break;
@@ -275,7 +273,7 @@ impl Scene {
                 let change = Change::of(fresh("o"), "Chie", "Note").put(&nothing(), note_id(&id), note("Here"));
                 let back = change.swapped(fresh("o"), "Note");
                 for (number, change) in [(number, change), (number + 1_000_000, back)] {
-                    let propose = Request::Propose { behaviour: shared.clone(), change, tokens: Vec::new() };
+                    let propose = request::Propose { behaviour: shared.clone(), change, tokens: Vec::new() };
                     all.wait(ask(&mut link, number, propose)).await?;
                 }
                 tokio::time::sleep(3 * PAUSE).await;
@@ -285,7 +283,7 @@ impl Scene {
         let listing = async {
             let mut all = Waits::default();
             while Instant::now() < until {
-                all.wait(async { Ok(lists.ask(Request::List { query: ListQuery::default() }).await?) }).await?;
+                all.wait(async { Ok(lists.ask(request::List { query: ListQuery::default() }).await?) }).await?;
                 tokio::time::sleep(PAUSE).await;
             }
             Outcome::Ok(all)
@@ -293,7 +291,7 @@ impl Scene {
         let looking = async {
             let (mut all, behaviour) = (Waits::default(), Id::new("large")?);
             while Instant::now() < until {
-                let at = Request::History { behaviour: behaviour.clone(), before: None };
+                let at = request::History { behaviour: behaviour.clone(), before: None };
                 all.wait(async { Ok(looks.ask(at).await?) }).await?;
                 tokio::time::sleep(PAUSE).await;
             }
@@ -303,7 +301,7 @@ impl Scene {
             let mut all = Waits::default();
             while Instant::now() < until {
                 let (invitation, _) = invite(&revokes, Role::Viewer).await?;
-                all.wait(async { Ok(revokes.ask(Request::Revoke { invitation }).await?) }).await?;
+                all.wait(async { Ok(revokes.ask(request::Revoke { invitation }).await?) }).await?;
                 tokio::time::sleep(4 * PAUSE).await;
             }
             Outcome::Ok(all)
@@ -326,13 +324,13 @@ pub(crate) async fn door_of(server: &Server, start: usize) -> Outcome<SocketAddr
 /// A large program with a past, one that is edited, and some more.
 async fn fill(host: &Client) -> Outcome<()> {
     for name in ["large", "shared"] {
-        let create = Request::Create { behaviour: Id::new(name)?, name: name.to_owned(), template: None };
+        let create = request::Create { behaviour: Id::new(name)?, name: name.to_owned(), template: None };
         host.ask(create).await?;
     }
     for number in 0..CHANGES {
         let streams = (0..STREAMS / CHANGES).map(|_| stream()).collect();
         let (change, behaviour) = (host.change(&format!("Add {number}"), &nothing(), streams), Id::new("large")?);
-        host.ask(Request::Propose { behaviour, change, tokens: Vec::new() }).await?;
+        host.ask(request::Propose { behaviour, change, tokens: Vec::new() }).await?;
     }
     for _ in 0..50 {
         made(host, "One of many").await?;
@@ -356,10 +354,8 @@ fn stream() -> (RecordId, Option<Record>) {
 }
 
 pub(crate) async fn invite(host: &Client, role: Role) -> Outcome<(Id, String)> {
-    match host.ask(Request::Invite { role, lasts: Lasts::UntilRevoked, label: String::new() }).await? {
-        Reply::Invited { invitation, link, .. } => Ok((invitation.id, link)),
-        other => Err(format!("{other:?}").into()),
-    }
+    let invited = host.ask(request::Invite { role, lasts: Lasts::UntilRevoked, label: String::new() }).await?;
+    Ok((invited.invitation.id, invited.link))
 }
 
 fn seconds() -> u64 {
@@ -391,7 +387,7 @@ impl Drop for Attacker {
 struct Waits(Vec<u128>);
 
 impl Waits {
-    async fn wait(&mut self, answer: impl Future<Output = Outcome<Reply>>) -> Outcome<()> {
+    async fn wait<A>(&mut self, answer: impl Future<Output = Outcome<A>>) -> Outcome<()> {
         let began = Instant::now();
         answer.await?;
         self.0.push(began.elapsed().as_micros());

@@ -3,7 +3,7 @@
 use crate::target::Target;
 use futures_util::{SinkExt, StreamExt};
 use house::Outcome;
-use protocol::{Ask, Message as Told, Reply, Request, VERSION};
+use protocol::{AnyRequest, Ask, Message as Told, VERSION, request};
 use std::fmt;
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -88,7 +88,7 @@ fn over_socket(target: &Target, stops: usize) -> Outcome<Vec<Duration>> {
         for ask in 2..stops as u32 + 2 {
             tokio::time::sleep(PAUSE).await;
             let began = Instant::now();
-            socket.send(said(ask, Request::Stop { behaviour: None, robot: None })?).await?;
+            socket.send(said(ask, request::Stop { behaviour: None, robot: None })?).await?;
             tokio::time::timeout(PATIENCE, answered(&mut socket, ask))
                 .await
                 .map_err(|_| "A Stop was not answered.")??;
@@ -103,27 +103,25 @@ type Socket = tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStre
 /// A link that was let in and asks for no pictures.
 pub(crate) async fn greeted(target: &Target) -> Outcome<Socket> {
     let (mut socket, _) = tokio_tungstenite::connect_async(shell::handshake(&target.url()).await?).await?;
-    let hello = Request::Hello { version: VERSION, name: "Operator".to_owned(), again: None };
+    let hello = request::Hello { version: VERSION, name: "Operator".to_owned(), again: None };
     socket.send(said(0, hello)?).await?;
     answered(&mut socket, 0).await?;
-    socket.send(said(1, Request::Watch { robot: None, scene: false, values: false })?).await?;
+    socket.send(said(1, request::Watch { robot: None, scene: false, values: false })?).await?;
     answered(&mut socket, 1).await?;
     Ok(socket)
 }
 
 /// A request as a message.
-pub(crate) fn said(ask: u32, request: Request) -> Outcome<Message> {
-    Ok(Message::text(serde_json::to_string(&Ask { ask, request })?))
+pub(crate) fn said(ask: u32, request: impl Into<AnyRequest>) -> Outcome<Message> {
+    Ok(Message::text(serde_json::to_string(&Ask::new(ask, request))?))
 }
 
 async fn answered(socket: &mut Socket, ask: u32) -> Outcome<()> {
     while let Some(message) = socket.next().await {
         let Message::Text(text) = message? else { continue };
         let told: Told = serde_json::from_str(&text)?;
-        match told {
-            Told { ask: Some(number), reply: Reply::No { no } } if number == ask => return Err(no.to_string().into()),
-            Told { ask: Some(number), .. } if number == ask => return Ok(()),
-            _ => {}
+        if let Some(outcome) = told.answer_to(ask) {
+            return outcome.map(drop).map_err(|no| no.to_string().into());
         }
     }
     Err("The link ended.".into())

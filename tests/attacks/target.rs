@@ -4,7 +4,7 @@
 use crate::Attack;
 use behaviour::{Behaviour, Id, Kind, Note, Record, RecordId};
 use house::{Outcome, Server};
-use protocol::{Reply, Request};
+use protocol::request;
 use shell::Client;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -70,11 +70,8 @@ impl Target {
 /// A new behaviour.
 pub(crate) async fn made(client: &Client, name: &str) -> Outcome<Id> {
     let behaviour = fresh("b");
-    let create = Request::Create { behaviour: behaviour.clone(), name: name.to_owned(), template: None };
-    match client.ask(create).await? {
-        Reply::Created { behaviour } => Ok(behaviour),
-        other => Err(format!("{other:?}").into()),
-    }
+    let create = request::Create { behaviour: behaviour.clone(), name: name.to_owned(), template: None };
+    Ok(client.ask(create).await?.behaviour)
 }
 
 /// A name that nothing else has.

@@ -3,7 +3,7 @@
 use crate::browser::{Browser, Socket, status};
 use crate::{Network, OUT, invite, said};
 use house::{Outcome, Server, Trouble};
-use protocol::{Reply, Request, Role};
+use protocol::{Role, request};
 use shell::Client;
 use std::path::Path;
 use std::sync::Arc;
@@ -111,13 +111,13 @@ async fn pressed(guest: &Browser, mut socket: Socket, until: &Guesses) -> Outcom
     while !until.done.load(Ordering::Acquire) {
         tokio::time::sleep(PAUSE).await;
         let began = Instant::now();
-        let answer = tokio::time::timeout(OUT, socket.ask(Request::Stop { behaviour: None, robot: None })).await;
+        let answer = tokio::time::timeout(OUT, socket.ask(request::Stop { behaviour: None, robot: None })).await;
         by_socket.push(began.elapsed());
         let began = Instant::now();
         let stop = guest.request("POST", "/stop", &guest.own_page(), "");
         let done = guest.try_raw(&stop).await.map_err(said)?;
         by_connection.push(began.elapsed());
-        if answer.map_err(said)? != Reply::Done || status(&done) != 200 {
+        if answer.map_err(said)?.is_err() || status(&done) != 200 {
             return Err(Trouble(format!("Stop was not done: {done}")));
         }
     }

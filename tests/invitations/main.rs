@@ -18,7 +18,7 @@ use behaviour::Id;
 use browser::{Browser, Socket, status};
 use floods::Bar;
 use house::{Outcome, Server, Trouble, skip};
-use protocol::{CLOSE_REVOKED, Invitation, Lasts, ListQuery, Refused, Reply, Request, Role};
+use protocol::{AnyRequest, CLOSE_REVOKED, Event, Invitation, Lasts, ListQuery, Refused, Role, request};
 use serde_json::json;
 use shell::Client;
 use std::time::Duration;
@@ -115,11 +115,9 @@ fn guessed(test: &str, guesses: (usize, Duration), optimised: Option<std::path::
 
 /// An invitation, and its link.
 async fn invite(aiko: &Client, role: Role) -> Outcome<(Invitation, String)> {
-    let wish = Request::Invite { role, lasts: Lasts::UntilRevoked, label: "a second host".into() };
-    match aiko.ask(wish).await.map_err(said)? {
-        Reply::Invited { invitation, link, .. } => Ok((*invitation, link)),
-        other => Err(Trouble(format!("{other:?}"))),
-    }
+    let wish = request::Invite { role, lasts: Lasts::UntilRevoked, label: "a second host".into() };
+    let invited = aiko.ask(wish).await.map_err(said)?;
+    Ok((*invited.invitation, invited.link))
 }
 
 /// At the server's computer: Aiko and what she has made.
@@ -131,7 +129,7 @@ struct Home {
 impl Home {
     /// Ends an invitation; who came by it has to be out in time.
     async fn revoke(&self, invitation: Invitation, mut socket: Socket) -> Outcome<()> {
-        self.aiko.ask(Request::Revoke { invitation: invitation.id }).await.map_err(said)?;
+        self.aiko.ask(request::Revoke { invitation: invitation.id }).await.map_err(said)?;
         let closed = tokio::time::timeout(OUT, socket.until_closed()).await;
         assert_eq!(closed.map_err(|_| Trouble("A revoked guest is still in.".into()))?, Some(CLOSE_REVOKED));
         Ok(())
@@ -148,7 +146,7 @@ async fn scene() -> Outcome<()> {
     let server = Server::start_with(folder.path(), &["--listen", &format!("{}:0", wire::HERE)]).await?;
     let aiko = Client::connect(&server.url(), "Aiko").await.map_err(said)?;
     let play = Id::new("yuki-morning")?;
-    let make = Request::Create { behaviour: play.clone(), name: "Yuki morning".into(), template: None };
+    let make = request::Create { behaviour: play.clone(), name: "Yuki morning".into(), template: None };
     aiko.ask(make).await.map_err(said)?;
     aiko.load(&play).await.map_err(said)?;
     let mut home = Home { aiko, play };
@@ -163,7 +161,7 @@ async fn scene() -> Outcome<()> {
     let change = home.aiko.change("Rename", &behaviour::Behaviour::default(), Vec::new());
     let socket = network.do_there(async move { as_an_editor(&mut browser, &link, play, change).await }).await?;
     home.aiko
-        .until(|told| matches!(told, Reply::Accepted { accepted, .. } if accepted.change.author == "Ben"))
+        .until(|told| matches!(told, Event::Accepted { accepted, .. } if accepted.change.author == "Ben"))
         .await
         .map_err(said)?;
     home.revoke(editing, socket).await?;
@@ -171,8 +169,8 @@ async fn scene() -> Outcome<()> {
     let ((looking, link), mut browser, play) = (invite(&home.aiko, Role::Viewer).await?, far, home.play.clone());
     let socket = network.do_there(async move { as_a_viewer(&mut browser, &link, &play).await }).await?;
     home.revoke(looking, socket).await?;
-    let list = Request::List { query: ListQuery::default() };
-    let Reply::Programs { programs, .. } = home.aiko.ask(list).await.map_err(said)? else { panic!() };
+    let list = request::List { query: ListQuery::default() };
+    let programs = home.aiko.ask(list).await.map_err(said)?.programs;
     assert_eq!(programs.len(), 1, "the viewer made nothing");
     Ok(())
 }
@@ -195,25 +193,25 @@ async fn as_an_editor(browser: &mut Browser, link: &str, play: Id, change: behav
     assert_eq!(status(&browser.come_in(link).await), 303);
     assert!(browser.get("/api/behaviours").await.contains("Yuki morning"));
     let mut ben = browser.socket("Ben").await.unwrap_or_else(|status| panic!("{status}"));
-    let opened = ben.ask(Request::Open { behaviour: play.clone() }).await;
-    assert!(matches!(opened, Reply::Opened { .. }), "{opened:?}");
+    let opened = ben.ask(request::Open { behaviour: play.clone() }).await;
+    assert!(opened.is_ok(), "{opened:?}");
     let edits = json!([{
         "id": "stream/far", "before": null,
         "after": {"stream": {"kind": "ordinary", "name": "Far", "params": {}, "order": 0}},
     }]);
     let edits = serde_json::from_value(edits).unwrap_or_else(|error| panic!("{error}"));
     let proposed =
-        Request::Propose { behaviour: play, change: behaviour::Change { edits, ..change }, tokens: Vec::new() };
+        request::Propose { behaviour: play, change: behaviour::Change { edits, ..change }, tokens: Vec::new() };
     let answer = ben.ask(proposed).await;
-    assert!(matches!(answer, Reply::Accepted { .. }), "{answer:?}");
+    assert!(answer.is_ok(), "{answer:?}");
     ben
 }
 
 async fn as_a_viewer(browser: &mut Browser, link: &str, play: &Id) -> Socket {
     assert_eq!(status(&browser.come_in(link).await), 303);
     let mut chie = browser.socket("Chie").await.unwrap_or_else(|status| panic!("{status}"));
-    let opened = chie.ask(Request::Open { behaviour: play.clone() }).await;
-    assert!(matches!(opened, Reply::Opened { .. }), "{opened:?}");
+    let opened = chie.ask(request::Open { behaviour: play.clone() }).await;
+    assert!(opened.is_ok(), "{opened:?}");
     let change = json!({"op": "o1", "label": "x", "author": "x", "at_ms": 0, "edits": []});
     let writes = [
         (json!({"is": "create", "behaviour": "made", "name": "x", "template": null}), Role::Editor),
@@ -227,8 +225,9 @@ async fn as_a_viewer(browser: &mut Browser, link: &str, play: &Id) -> Socket {
         (json!({"is": "invite", "role": "editor", "lasts": "day", "label": ""}), Role::Host),
     ];
     for (write, least) in writes {
-        let request = serde_json::from_value(write.clone()).unwrap_or_else(|error| panic!("{write}: {error}"));
-        assert_eq!(chie.ask(request).await, Reply::No { no: Refused::Role(least) }, "{write}");
+        let request: AnyRequest =
+            serde_json::from_value(write.clone()).unwrap_or_else(|error| panic!("{write}: {error}"));
+        assert_eq!(chie.ask_any(request).await, Err(Refused::Role(least)), "{write}");
     }
     for path in ["/api/import", "/api/import?mode=restore"] {
         let answer = browser.post(path, "{}").await;
@@ -236,7 +235,7 @@ async fn as_a_viewer(browser: &mut Browser, link: &str, play: &Id) -> Socket {
     }
     assert_eq!(status(&browser.get("/api/backup").await), 403);
     assert_eq!(status(&browser.get(&format!("/api/behaviours/{play}.json")).await), 200, "reading is fine");
-    assert_eq!(chie.ask(Request::Stop { behaviour: None, robot: None }).await, Reply::Done);
+    assert!(chie.ask(request::Stop { behaviour: None, robot: None }).await.is_ok());
     assert_eq!(status(&browser.post("/stop", "").await), 200, "Stop is for everybody who is in");
     chie
 }

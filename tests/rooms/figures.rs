@@ -6,7 +6,7 @@ use behaviour::{Params, Value};
 use house::{Outcome, Server, skip};
 use load::chaos::Faults;
 use load::{LoadPlan, Report, run};
-use protocol::Request;
+use protocol::{Refused, request};
 use shell::{Client, ClientError};
 use std::time::{Duration, Instant};
 
@@ -24,6 +24,9 @@ const PRESSES: usize = 400;
 const TILE_P95: Duration = Duration::from_millis(20);
 /// On a machine that is slow itself: how many times as long as a request that does nothing.
 const TILE_RATIO_MAX: u32 = 8;
+/// The time that 95 of 100 Stops may take among such presses, and the longest: those of Stop under attack.
+const STOP_P95: Duration = Duration::from_millis(50);
+const STOP_WORST: Duration = Duration::from_millis(250);
 /// What these may take of the server's memory, in KiB.
 const MORE_MAX_KIB: u64 = 20 << 10;
 
@@ -125,12 +128,24 @@ async fn figure_9_a_tile_reaches_the_robot_while_four_press() -> Outcome<()> {
         let client = Client::connect(&server.url(), &format!("Operator {operator}")).await?;
         pressing.push(tokio::spawn(presses(client)));
     }
+    let stopping = tokio::spawn(stops(Client::connect(&server.url(), "Stop").await?));
     let (mut tiles, mut bare) = (Vec::new(), Vec::new());
     for operator in pressing {
         let (tile, alone) = operator.await.map_err(|lost| lost.to_string())??;
         tiles.extend(tile);
         bare.extend(alone);
     }
+    let stop = stopping.await.map_err(|lost| lost.to_string())??;
+    let (worst, stop) = (stop.iter().max().copied().unwrap_or_default(), p95(stop));
+    bar(
+        stop <= STOP_P95 && worst <= STOP_WORST && tiles.len() > OPERATORS * PRESSES / 2,
+        format!(
+            "Stop among them: p95 {stop:?} of {STOP_P95:?}, at worst {worst:?} of {STOP_WORST:?}; {} of {} tiles counted, \
+             the others came with a Stop",
+            tiles.len(),
+            OPERATORS * PRESSES,
+        ),
+    )?;
     let (tile, alone) = (p95(tiles), p95(bare));
     let ratio = tile.as_secs_f64() / alone.as_secs_f64();
     let of_machine = format!("{ratio:.1} times a request that does nothing, the machine's own part, p95 {alone:?}");
@@ -148,14 +163,30 @@ async fn presses(client: Client) -> Result<(Vec<Duration>, Vec<Duration>), Clien
     for _ in 0..PRESSES {
         beat.tick().await;
         let began = Instant::now();
-        client.ask(Request::Runs).await?;
+        client.ask(request::Runs {}).await?;
         bare.push(began.elapsed());
         let (device, params, value) = ("Print".to_owned(), Params::default(), Value::Int(1));
         let began = Instant::now();
-        client.ask(Request::Hand { robot: None, device, params, value }).await?;
-        tiles.push(began.elapsed());
+        match client.ask(request::Hand { robot: None, device, params, value }).await {
+            Ok(()) => tiles.push(began.elapsed()),
+            // Somebody stopped the robot just then.
+            Err(ClientError::No(Refused::StoppedSince | Refused::RobotCannot(_))) => {}
+            Err(trouble) => return Err(trouble),
+        }
     }
     Ok((tiles, bare))
+}
+
+/// Presses Stop twice a second for as long; how long each took.
+async fn stops(client: Client) -> Result<Vec<Duration>, ClientError> {
+    let (mut taken, mut beat) = (Vec::new(), tokio::time::interval(Duration::from_millis(500)));
+    for _ in 0..PRESSES / 10 {
+        beat.tick().await;
+        let began = Instant::now();
+        client.ask(request::Stop { behaviour: None, robot: None }).await?;
+        taken.push(began.elapsed());
+    }
+    Ok(taken)
 }
 
 fn p95(mut times: Vec<Duration>) -> Duration {

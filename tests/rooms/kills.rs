@@ -3,7 +3,7 @@
 
 use crate::{check, neo4j};
 use house::{Outcome, Server, skip};
-use load::{Load, LoadPlan, Watch};
+use load::{Load, LoadPlan, Watch, patiently};
 use shell::Client;
 use std::time::{Duration, Instant};
 
@@ -12,6 +12,9 @@ const KILLS: usize = 20;
 const KILLS_ON_NEO4J: usize = 3;
 /// How long until edits are saved again.
 const AGAIN: Duration = Duration::from_secs(60);
+
+/// A load that goes on.
+type Loading = tokio::task::JoinHandle<Result<load::Report, shell::ClientError>>;
 
 /// Twenty clients that edit until they are told to end.
 pub(crate) fn twenty() -> LoadPlan {
@@ -41,22 +44,34 @@ async fn nor_does_one_whose_behaviours_are_in_neo4j() -> Outcome<()> {
 pub(crate) async fn killed(server: &mut Server, kills: usize) -> Outcome<Duration> {
     let load = Load::of(&server.url(), &twenty());
     let watch = load.watch();
-    let loading = tokio::spawn(load.run());
+    let mut loading = tokio::spawn(load.run());
     let mut longest = Duration::ZERO;
     for kill in 0..kills {
-        saved(&watch, 1 + kill as u64 * 7 % 40).await?;
+        saved_by(&mut loading, &watch, 1 + kill as u64 * 7 % 40).await?;
         server.kill9().await?;
         let began = Instant::now();
         server.restart().await?;
-        Client::connect(&server.url(), "First").await?;
+        let url = server.url();
+        patiently(|| Client::connect(&url, "First")).await?;
         longest = longest.max(began.elapsed());
     }
-    saved(&watch, 100).await?;
+    saved_by(&mut loading, &watch, 100).await?;
     watch.end();
     let report = loading.await.map_err(|error| error.to_string())??;
     println!("{kills} kills; the longest from a start to the first welcome: {} ms", longest.as_millis());
     check(&report, server).await?;
     Ok(longest)
+}
+
+/// Waits until so many more edits are saved; a load that ends before says why it did.
+async fn saved_by(loading: &mut Loading, watch: &Watch, more: u64) -> Outcome<()> {
+    tokio::select! {
+        saved = saved(watch, more) => saved,
+        ended = loading => {
+            let report = ended.map_err(|error| error.to_string())??;
+            Err(format!("The load ended before {more} more edits were saved: {report:?}").into())
+        }
+    }
 }
 
 /// Waits until so many more edits are saved.

@@ -4,6 +4,15 @@ use crate::{Outcome, Page, Trouble};
 
 /// The program's name.
 pub const GAME: &str = "Ball game";
+/// The name of the same program with tiles of its own: 1 says hello, 4 asks first and waves, 7 marks a moment, 9 a span.
+pub const TILES: &str = "Game with tiles";
+
+const PAD: &str = r#"[
+  {"key": 1, "label": "Hello", "device": "SayParameter", "params": {"text": "Hello"}},
+  {"key": 4, "label": "Wave", "device": "Animation", "params": {"animation": "Hey"}, "asks": true},
+  {"key": 7, "label": "laughs", "word": "laughs"},
+  {"key": 9, "label": "looks away", "word": "looks away", "span": true}
+]"#;
 
 const FILE: &str = r#"{
   "format": "rrp-behaviour/1",
@@ -32,7 +41,22 @@ impl Page {
     /// # Errors
     /// If the server does not take it.
     pub async fn brings_game(&self) -> Outcome<()> {
-        let file = serde_json::Value::from(FILE);
+        self.brings(FILE).await
+    }
+
+    /// Brings the program with tiles of its own in.
+    ///
+    /// # Errors
+    /// If the server does not take it.
+    pub async fn brings_tiles(&self) -> Outcome<()> {
+        let mut file: serde_json::Value = serde_json::from_str(FILE)?;
+        file["name"] = TILES.into();
+        file["pad"] = serde_json::from_str(PAD)?;
+        self.brings(&file.to_string()).await
+    }
+
+    async fn brings(&self, file: &str) -> Outcome<()> {
+        let file = serde_json::Value::from(file);
         let asks = format!(
             "fetch('/api/import', {{ method: 'POST', body: {file} }}).then(answer => answer.text().then(text => answer.ok || text))"
         );

@@ -1,8 +1,8 @@
 //! The behaviours that are edited under load: made before, put into the bin afterwards.
 
 use behaviour::{Change, Id, Kind, Note, Record, RecordId};
-use protocol::{Reply, Request};
-use shell::{Client, ClientError, NoLink};
+use protocol::request;
+use shell::{Client, ClientError};
 
 /// A note of a client.
 pub(crate) fn note_of(client: usize) -> RecordId {
@@ -32,10 +32,7 @@ pub(crate) fn edits(record: &Record) -> Option<u64> {
 /// If the server says no, or the link ends.
 pub(crate) async fn make(maker: &Client, run: &str, number: usize) -> Result<Id, ClientError> {
     let (behaviour, name) = (named(&format!("load-{run}-{number}")), format!("Load {number}"));
-    match maker.ask(Request::Create { behaviour, name, template: None }).await? {
-        Reply::Created { behaviour } => Ok(behaviour),
-        other => Err(NoLink::Greeting(Box::new(other)).into()),
-    }
+    Ok(maker.ask(request::Create { behaviour, name, template: None }).await?.behaviour)
 }
 
 /// The name of one edit: who made it, which one it is, and when it was due, for all who hear of it.

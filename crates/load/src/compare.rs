@@ -1,5 +1,6 @@
 //! The test that all have the same in the end, byte by byte, and nothing that was acknowledged is lost.
 
+use crate::patience::patiently;
 use behaviour::{Behaviour, Id};
 use protocol::Refused;
 use shell::{Client, ClientError, Mirror};
@@ -91,10 +92,10 @@ pub(crate) fn differs(who: &str, has: &Mirror, known: &ExpectedBehaviours) -> Op
 /// # Errors
 /// If the server says no, or the link ends.
 pub async fn compare(url: &str, who: &str, known: &ExpectedBehaviours) -> Result<Vec<Wrong>, ClientError> {
-    let client = Client::connect(url, who).await?;
+    let client = patiently(|| Client::connect(url, who)).await?;
     let mut wrong = Vec::new();
     for behaviour in known.keys() {
-        let has = client.load(behaviour).await?;
+        let has = patiently(|| client.load(behaviour)).await?;
         wrong.extend(differs(who, &has, known));
     }
     Ok(wrong)

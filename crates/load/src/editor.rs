@@ -3,11 +3,12 @@
 
 use crate::behaviours::{due_us, note_of, op, text};
 use crate::compare::Wrong;
+use crate::patience::{PATIENCE, passes};
 use crate::plan::LoadPlan;
 use crate::times::Durations;
 use crate::watch::Watch;
 use behaviour::{Behaviour, Change, Id};
-use protocol::{Credential, Refused, Reply, Request};
+use protocol::{Credential, Event, answer, request};
 use shell::{Client, ClientError, Mirror};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, OnceLock};
@@ -16,8 +17,6 @@ use tokio::sync::mpsc;
 use tokio::task::JoinHandle;
 use tokio::time::Instant;
 
-/// The time for which an edit is sent again until nobody waits for it any more.
-const PATIENCE: Duration = Duration::from_secs(90);
 /// Before what could not be is tried again.
 const AGAIN_MS: u64 = 20;
 /// A link that ends without a word does so within this after an edit was sent, in microseconds.
@@ -102,18 +101,18 @@ impl LoadEditor {
         let mut client = Client::connect_again(&self.course.url, self.again.clone(), &self.name()).await?;
         self.again = Some(client.credential());
         let (course, told) = (Arc::clone(&self.course), client.take_told());
-        let listening = tokio::spawn(listen(course, told));
+        let listening = tokio::spawn(listen(course, self.name(), told));
         let opened = client.load(self.behaviour()).await;
         self.link = Some(ServerLink { client, listening });
         opened.map(|_| ())
     }
 
-    /// Comes in at first, again if the way there breaks.
+    /// Comes in at first, again if the way there breaks or the store is away.
     pub(crate) async fn come_in(&mut self) -> Result<(), ClientError> {
         let until = Instant::now() + PATIENCE;
         loop {
             match self.connect().await {
-                Err(ClientError::Link(_)) if Instant::now() < until => {
+                Err(error) if comes_again(&error) && Instant::now() < until => {
                     self.leave().await;
                     tokio::time::sleep(Duration::from_millis(AGAIN_MS)).await;
                 }
@@ -181,7 +180,7 @@ impl LoadEditor {
                     self.course.watch.one_more();
                     return self.tally.echo.note(self.course.now_us().saturating_sub(due_us));
                 }
-                Err(ClientError::No(Refused::TooFast | Refused::Store(_))) => {
+                Err(ClientError::No(no)) if passes(&no) => {
                     tokio::time::sleep(Duration::from_millis(AGAIN_MS)).await;
                 }
                 Err(ClientError::No(no)) => {
@@ -203,9 +202,9 @@ impl LoadEditor {
         Change::of(op, &self.name(), "Edit the note").put(&now, note, text(self.number, before + 1))
     }
 
-    async fn propose(&mut self, change: &Change) -> Result<Reply, ClientError> {
+    async fn propose(&mut self, change: &Change) -> Result<answer::Saved, ClientError> {
         let request =
-            Request::Propose { behaviour: self.behaviour().clone(), change: change.clone(), tokens: Vec::new() };
+            request::Propose { behaviour: self.behaviour().clone(), change: change.clone(), tokens: Vec::new() };
         let Some(ServerLink { client, .. }) = &self.link else { return Err(shell::NoLink::Closed.into()) };
         let kill_us = self.kills_us.front().copied().filter(|at_us| *at_us <= self.course.now_us());
         let Some(kill_us) = kill_us else { return client.ask(request).await };
@@ -218,11 +217,20 @@ impl LoadEditor {
     }
 }
 
+/// True if who could not come in may a moment later.
+fn comes_again(error: &ClientError) -> bool {
+    match error {
+        ClientError::Link(_) => true,
+        ClientError::No(no) => passes(no),
+    }
+}
+
 /// Hears what is told over a link until it ends: how long the edits of others took.
-async fn listen(course: Arc<Course>, mut told: mpsc::Receiver<Reply>) -> Durations {
+async fn listen(course: Arc<Course>, own: String, mut told: mpsc::Receiver<Event>) -> Durations {
     let mut spread = Durations::default();
-    while let Some(reply) = told.recv().await {
-        if let Reply::Accepted { accepted, .. } = reply
+    while let Some(event) = told.recv().await {
+        if let Event::Accepted { accepted, .. } = event
+            && accepted.change.author != own
             && let Some(due_us) = due_us(&course.run, &accepted.change)
         {
             spread.note(course.now_us().saturating_sub(due_us));

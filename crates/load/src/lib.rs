@@ -10,6 +10,7 @@ pub mod chaos;
 mod compare;
 mod dice;
 mod editor;
+mod patience;
 mod plan;
 mod report;
 mod run;
@@ -19,6 +20,7 @@ mod watch;
 
 pub use compare::{ExpectedBehaviours, Wrong, compare};
 pub use dice::Dice;
+pub use patience::patiently;
 pub use plan::LoadPlan;
 pub use report::Report;
 pub use run::{Load, run, tidy};

@@ -4,13 +4,14 @@ use crate::behaviours::{edits, make, note_of};
 use crate::compare::{ExpectedBehaviours, Wrong, bytes, compare, differs};
 use crate::dice::Dice;
 use crate::editor::{Course, LoadEditor};
+use crate::patience::patiently;
 use crate::plan::LoadPlan;
 use crate::report::Report;
 use crate::stalled::stall;
 use crate::watch::Watch;
 use behaviour::Id;
 use futures_util::{StreamExt, TryStreamExt};
-use protocol::Request;
+use protocol::request;
 use shell::{Client, ClientError, NoLink};
 use std::collections::{BTreeMap, VecDeque};
 use std::net::SocketAddr;
@@ -69,7 +70,7 @@ impl Load {
     /// If there is no server, or it does not let the clients in. What goes wrong later is in the report.
     pub async fn run(self) -> Result<Report, ClientError> {
         let Self { url, plan, .. } = &self;
-        let maker = Client::connect(url, "Load").await?;
+        let maker = patiently(|| Client::connect(url, "Load")).await?;
         let run = maker.you().client.as_str().chars().take(8).collect::<String>();
         let mut behaviours = Vec::new();
         for number in 0..plan.behaviours.max(1) {
@@ -124,23 +125,11 @@ fn kills(plan: &LoadPlan) -> Vec<VecDeque<u64>> {
 /// # Errors
 /// If there is no server, or it says no.
 pub async fn tidy(url: &str, known: &ExpectedBehaviours) -> Result<(), ClientError> {
-    let client = Client::connect(url, "Load").await?;
+    let client = patiently(|| Client::connect(url, "Load")).await?;
     for behaviour in known.keys() {
-        patiently(|| client.ask(Request::Remove { behaviour: behaviour.clone() })).await?;
+        patiently(|| client.ask(request::Remove { behaviour: behaviour.clone() })).await?;
     }
     Ok(())
-}
-
-/// Does it again as long as the server says that it is asked too much.
-async fn patiently<T, F: Future<Output = Result<T, ClientError>>>(act: impl Fn() -> F) -> Result<T, ClientError> {
-    loop {
-        match act().await {
-            Err(ClientError::No(protocol::Refused::TooFast)) => {
-                tokio::time::sleep(Duration::from_millis(LOOK_MS)).await
-            }
-            other => return other,
-        }
-    }
 }
 
 fn stalled(
@@ -169,10 +158,10 @@ fn address(url: &str) -> Result<SocketAddr, ClientError> {
 
 /// Compares what all have: the clients, who comes anew, and who comes when nobody was there.
 async fn judge(url: &str, editors: Vec<LoadEditor>, report: &mut Report) -> Result<(), ClientError> {
-    let witness = Client::connect(url, "Witness").await?;
+    let witness = patiently(|| Client::connect(url, "Witness")).await?;
     for editor in &editors {
         if !report.known.contains_key(editor.behaviour()) {
-            let has = witness.load(editor.behaviour()).await?;
+            let has = patiently(|| witness.load(editor.behaviour())).await?;
             report.known.insert(has.behaviour, (has.revision, bytes(&has.records)));
         }
     }

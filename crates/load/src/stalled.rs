@@ -2,7 +2,7 @@
 
 use behaviour::Id;
 use futures_util::SinkExt;
-use protocol::{Ask, Request, VERSION};
+use protocol::{Ask, VERSION, request};
 use std::net::SocketAddr;
 use std::time::Duration;
 use tokio::net::TcpSocket;
@@ -32,10 +32,10 @@ async fn once(address: SocketAddr, behaviour: &Id) -> Result<(), StallEnd> {
     let stream = socket.connect(address).await?;
     let (mut socket, _) =
         tokio_tungstenite::client_async(shell::handshake(&address.to_string()).await?, stream).await?;
-    let hello = Request::Hello { version: VERSION, name: "Asleep".to_owned(), again: None };
-    let open = Request::Open { behaviour: behaviour.clone() };
-    for (ask, request) in [(1, hello), (2, open)] {
-        socket.send(Message::text(serde_json::to_string(&Ask { ask, request })?)).await?;
+    let hello = request::Hello { version: VERSION, name: "Asleep".to_owned(), again: None };
+    let open = request::Open { behaviour: behaviour.clone() };
+    for ask in [Ask::new(1, hello), Ask::new(2, open)] {
+        socket.send(Message::text(serde_json::to_string(&ask)?)).await?;
     }
     while socket.send(Message::Pong(Bytes::new())).await.is_ok() {
         tokio::time::sleep(Duration::from_millis(SIGN_MS)).await;

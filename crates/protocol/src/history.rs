@@ -31,7 +31,7 @@ pub struct HistoryLine {
     /// The change that it takes back; if that took one back itself, this one does it again.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub undoes: Option<Id>,
-    /// True if it took a stream or a connector away, which [`crate::Request::BringBack`] brings back.
+    /// True if it took a stream or a connector away, which [`crate::request::BringBack`] brings back.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub removes: bool,
     /// The edits of the change, without where things stand; empty if that is much, and from servers of older versions.

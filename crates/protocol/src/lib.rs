@@ -1,22 +1,32 @@
 //! The messages between page and server over the WebSocket at [`PATH`]: one JSON text a message.
 //!
-//! A client first says [`Request::Hello`] with its [`VERSION`]; everything else before the welcome is refused. Every
-//! request travels in an [`Ask`] with a number of the client's choice; the reply that answers it carries the same number.
+//! A client first says [`request::Hello`] with its [`VERSION`]; everything else before the welcome is refused. Every
+//! request travels in an [`Ask`] with a number of the client's choice; its answer, or the refusal, carries the same number. What is
+//! told unasked is an [`Event`]. `PROTOCOL.md` beside this crate lists all of them; a test compares it.
+//! [`Event::Runs`] and [`Ask::stops`] keep what was pressed before a Stop from moving a robot after it.
 #![warn(missing_docs)]
 
+pub mod answer;
+mod event;
 mod history;
 mod invitation;
 mod library;
 mod live;
+mod message;
 mod parts;
+mod past;
+mod person;
 mod real_robot;
 mod recording;
-mod reply;
-mod request;
+mod refused;
+pub mod request;
+mod told;
 mod why;
 
+pub use answer::{AnyAnswer, RequestAnswer, Unanswered, UnknownName};
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{ActionDriver, Contested, Cursor, HelperUse, SearchPlace, Similar, Sort, Tagged};
+pub use event::{Event, LockShown};
 pub use history::{HISTORY_MAX_LINES, HistoryLine};
 pub use invitation::{CAME_MAX, DAY_MS, INVITATIONS_MAX, Invitation, InvitedGuest, LABEL_MAX_CHARS, Lasts, Role};
 pub use library::{
@@ -24,15 +34,24 @@ pub use library::{
     PictureStream, RehearsalResult, Summary, WORDS_MAX_CHARS,
 };
 pub use live::{ConnectorSample, HeldPart, Press, RobotState, RunPhase, RunState, StreamSample, Values};
+pub use message::Message;
 pub use parts::{Assembly, PART_MAX_BYTES, PartMissing, PartsCursor, RecordsPart};
+pub use past::{
+    CHANGED_MOMENTS_MAX, ChangedMoment, ChangedStream, EditedProgram, INTERRUPTIONS_MAX, Interrupted, Interruption,
+    LANE_COLUMNS_MAX, LANE_VALUES_MAX, LANES_MAX, LaneColumn, LaneName, LaneValue, LaneValues, MomentChange, NotSeen,
+    OpenedPast, PAST_MARKS_MAX_BYTES, PAST_MAX_MS, PAST_PROGRAMS_MAX, PAST_STREAMS_MAX_BYTES, PastAnswer, PastChanges,
+    PastLane, PastMoment, PastOf, PastProgram, PastProgramPart, PastQuestion, PastStream, ToldWhy, WhySentence,
+};
+pub use person::{CanvasArea, Credential, Person, Pointer};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, FoundRobot, LOGIN_MAX_CHARS, RealRobot, RobotFindings};
 pub use recording::{MarkEdit, MarkSort, Recorded, RecordedSession, Recording, RecordingMark, Records};
-pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
-pub use request::{Ask, CanvasArea, Credential, Pointer, Request};
+pub use refused::Refused;
+pub use request::{AnyRequest, Ask, Handler, Request, RequestRow};
+pub use told::{ProgramSentence, TOLD_MAX};
 pub use why::{Because, BlockedConnector, Why, WhyNot, WhyStep, WhyWith};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 15;
+pub const VERSION: u32 = 17;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
@@ -91,37 +110,14 @@ pub const SESSION_MAX_CHARS: usize = 40;
 pub const RECORDING_TITLE_MAX_CHARS: usize = 60;
 /// The farthest from its origin that anything on the canvas is pointed at or looked at, in canvas units.
 pub const CANVAS_MAX: f64 = 10_000_000.0;
+/// The numbers of Stops that one start of the server can give. Those of the next start begin after them.
+pub const STOPS_PER_START: u64 = 1_000_000;
+/// The header in which the answer to a Stop over HTTP tells its number, as [`Message::stops`] does on a socket.
+pub const STOPS_HEADER: &str = "rrp-stops";
 /// The most robots of a server.
 pub const ROBOTS_MAX: usize = 8;
 /// The longest name of a robot, in characters.
 pub const ROBOT_NAME_MAX_CHARS: usize = 40;
 
 #[cfg(test)]
-mod tests {
-    use crate::{Ask, ListQuery, Message, Refused, Reply, Request, SearchPlace};
-
-    #[test]
-    fn an_ask_is_plain_json() {
-        let text = r#"{"ask":3,"request":{"is":"open","behaviour":"abc"}}"#;
-        let ask: Ask = serde_json::from_str(text).unwrap();
-        assert!(matches!(ask.request, Request::Open { .. }));
-        assert_eq!(serde_json::to_string(&ask).unwrap(), text);
-    }
-
-    #[test]
-    fn a_list_may_be_asked_for_in_few_words() {
-        let ask: Ask = serde_json::from_str(r#"{"ask":1,"request":{"is":"list"}}"#).unwrap();
-        assert_eq!(ask.request, Request::List { query: ListQuery::default() });
-        let text = r#"{"ask":1,"request":{"is":"list","query":{"place":"bin","words":"ball","most":10}}}"#;
-        let Request::List { query } = serde_json::from_str::<Ask>(text).unwrap().request else { panic!() };
-        assert_eq!((query.place, query.words.as_str(), query.most), (SearchPlace::Bin, "ball", 10));
-    }
-
-    #[test]
-    fn a_no_says_why() {
-        let no = Refused::Change(behaviour::Refusal::NameTaken("Ball".into()));
-        let message = Message { ask: Some(3), reply: Reply::No { no } };
-        let text = serde_json::to_string(&message).unwrap();
-        assert_eq!(serde_json::from_str::<Message>(&text).unwrap(), message);
-    }
-}
+mod tests;

@@ -1,6 +1,6 @@
 //! Large behaviours in parts: how the records of a welcome, or of a behaviour as it is or was, are cut, and put together again.
 
-use crate::{Message, Reply};
+use crate::{AnyAnswer, Message, answer};
 use behaviour::{Behaviour, RecordId, record_bytes};
 use std::ops::Bound;
 
@@ -49,7 +49,7 @@ impl PartsCursor {
     }
 }
 
-impl Reply {
+impl AnyAnswer {
     /// A welcome, or a behaviour as it is or was, with its first part.
     #[must_use]
     pub fn with(mut self, part: RecordsPart) -> Self {
@@ -59,21 +59,21 @@ impl Reply {
         self
     }
 
-    /// The records of a reply that comes in parts, and whether more follow.
+    /// The records of an answer that comes in parts, and whether more follow.
     fn records(&mut self) -> Option<(&mut Behaviour, &mut bool)> {
         match self {
-            Self::Welcome { library: records, more, .. }
-            | Self::Opened { records, more, .. }
-            | Self::At { records, more, .. } => Some((records, more)),
+            Self::Welcome(answer::Welcome { library: records, more, .. })
+            | Self::Opened(answer::Opened { records, more, .. })
+            | Self::At(answer::At { records, more, .. }) => Some((records, more)),
             _ => None,
         }
     }
 }
 
-/// Puts a reply together whose records come in parts. Everything that is told goes through it.
+/// Puts an answer together whose records come in parts. Everything that is told goes through it.
 #[derive(Debug, Default)]
 pub struct Assembly {
-    begun: Option<Message>,
+    begun: Option<(u32, AnyAnswer)>,
     parts: u32,
 }
 
@@ -83,28 +83,31 @@ impl Assembly {
     ///
     /// # Errors
     /// If a part is missing: then everything has to be fetched anew.
-    pub fn take(&mut self, mut message: Message) -> Result<Option<Message>, PartMissing> {
-        if let Reply::Records { part, records, more } = message.reply {
-            return self.add(part, *records, more);
+    pub fn take(&mut self, message: Message) -> Result<Option<Message>, PartMissing> {
+        match message {
+            Message::Records { part, records, more } => self.add(part, *records, more),
+            Message::Answer { ask, mut answer } => {
+                if answer.records().is_none_or(|(_, more)| !*more) {
+                    return Ok(Some(Message::Answer { ask, answer }));
+                }
+                (self.begun, self.parts) = (Some((ask, answer)), 0);
+                Ok(None)
+            }
+            other @ (Message::No { .. } | Message::Event(_)) => Ok(Some(other)),
         }
-        if message.reply.records().is_some_and(|(_, more)| *more) {
-            (self.begun, self.parts) = (Some(message), 0);
-            return Ok(None);
-        }
-        Ok(Some(message))
     }
 
     fn add(&mut self, part: u32, mut records: Behaviour, more: bool) -> Result<Option<Message>, PartMissing> {
         self.parts += 1;
-        let whole = self.begun.as_mut().and_then(|begun| begun.reply.records());
+        let whole = self.begun.as_mut().and_then(|(_, answer)| answer.records());
         let (all, follows) = whole.filter(|_| part == self.parts).ok_or(PartMissing)?;
         all.records.append(&mut records.records);
         *follows = more;
-        Ok(if more { None } else { self.begun.take() })
+        Ok(if more { None } else { self.begun.take().map(|(ask, answer)| Message::Answer { ask, answer }) })
     }
 }
 
-/// A part of a reply did not come.
+/// A part of an answer did not come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartMissing;
 
@@ -119,7 +122,7 @@ impl std::error::Error for PartMissing {}
 #[cfg(test)]
 mod tests {
     use super::{Assembly, PART_MAX_BYTES, PartMissing, PartsCursor};
-    use crate::{Message, Reply};
+    use crate::{AnyAnswer, Event, Message, answer};
     use behaviour::{Behaviour, Id, Kind, Note, Record, RecordId};
 
     /// Notes of this many characters.
@@ -131,10 +134,10 @@ mod tests {
         Behaviour { records: lengths.iter().enumerate().map(record).collect() }
     }
 
-    fn opened() -> Reply {
+    fn opened() -> AnyAnswer {
         let (behaviour, records) = (Id::new("b").unwrap(), Box::default());
         let (problems, people) = (Vec::new(), Vec::new());
-        Reply::Opened { behaviour, revision: 3, records, more: false, problems, fingerprint: 0, people }
+        answer::Opened { behaviour, revision: 3, records, more: false, problems, fingerprint: 0, people }.into()
     }
 
     /// The messages as they are sent.
@@ -142,14 +145,11 @@ mod tests {
         let mut first = Some(opened());
         let mut parts = PartsCursor::default();
         let parts = (0..).zip(std::iter::from_fn(|| parts.next(whole)));
-        let reply = parts.map(|(at, part)| match first.take() {
-            Some(first) => Message { ask: Some(7), reply: first.with(part) },
-            None => Message {
-                ask: None,
-                reply: Reply::Records { part: at, records: Box::new(part.records), more: part.more },
-            },
+        let messages = parts.map(|(at, part)| match first.take() {
+            Some(first) => Message::Answer { ask: 7, answer: first.with(part) },
+            None => Message::Records { part: at, records: Box::new(part.records), more: part.more },
         });
-        reply.collect()
+        messages.collect()
     }
 
     #[test]
@@ -164,11 +164,11 @@ mod tests {
             for message in sent {
                 assert!(heard.is_empty(), "nothing before the last part");
                 heard.extend(assembly.take(message).unwrap());
-                let ping = Message { ask: None, reply: Reply::Done };
+                let ping = Message::Event(Event::ProgramsChanged);
                 assert_eq!(assembly.take(ping.clone()), Ok(Some(ping)), "the rest passes");
             }
             let wanted = opened().with(super::RecordsPart { records: whole, more: false });
-            assert_eq!(heard, [Message { ask: Some(7), reply: wanted }]);
+            assert_eq!(heard, [Message::Answer { ask: 7, answer: wanted }]);
         }
     }
 
@@ -179,7 +179,7 @@ mod tests {
         let mut assembly = Assembly::default();
         let heard: Vec<_> = sent.into_iter().map(|message| assembly.take(message)).collect();
         assert_eq!(heard[..3], [Ok(None), Ok(None), Err(PartMissing)]);
-        let stray = Reply::Records { part: 1, records: Box::default(), more: false };
-        assert_eq!(Assembly::default().take(Message { ask: None, reply: stray }), Err(PartMissing));
+        let stray = Message::Records { part: 1, records: Box::default(), more: false };
+        assert_eq!(Assembly::default().take(stray), Err(PartMissing));
     }
 }

@@ -111,6 +111,17 @@ impl MarkSort {
     pub fn is_note(&self) -> bool {
         *self == Self::Note
     }
+
+    /// The word for it in exports; empty if something only happened.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Note => "",
+            Self::Good => "good",
+            Self::Bad => "not good",
+            Self::Now => "should have",
+        }
+    }
 }
 
 impl Records {
@@ -162,7 +173,10 @@ pub enum MarkEdit {
     End,
     /// A note joins the mark, in the place of what it had; at most [`crate::MARK_MAX_CHARS`].
     Note(String),
-    /// The mark is taken back by who made it, within [`crate::UNDO_MARK_MS`] of their last press.
+    /// The verdict on its moment becomes this one.
+    Sort(MarkSort),
+    /// The mark is taken back by the client that made it, within [`crate::UNDO_MARK_MS`] of their last press. One that has
+    /// not come yet stays gone when it does.
     Undo,
 }
 

@@ -6,9 +6,12 @@ mod mirror;
 pub use link::handshake;
 pub use mirror::Mirror;
 
-use crate::client::link::{ConsoleLink, OpenRequest};
+use crate::client::link::{AskOutcome, ConsoleLink, OpenRequest};
 use behaviour::{Behaviour, Change, Id, Record, RecordId};
-use protocol::{Credential, ListQuery, Person, Refused, Reply, Request, RobotState, Summary, VERSION};
+use protocol::{
+    AnyAnswer, AnyRequest, Credential, Event, ListQuery, Person, Refused, Request, RequestAnswer, RobotState, Summary,
+    Unanswered, VERSION, answer, request,
+};
 use std::hash::{BuildHasher, RandomState};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
@@ -51,10 +54,8 @@ pub enum NoLink {
     NotHost(String),
     /// An id of our own is none; with the reason.
     Id(String),
-    /// The server answers the greeting with this.
-    Greeting(Box<Reply>),
-    /// The server answers with this when it is asked for programs.
-    NoList(Box<Reply>),
+    /// The server answered something else than what was asked: it is of another version.
+    OtherAnswer,
     /// An answer did not come in time.
     Unanswered,
     /// Something to be told did not come in time.
@@ -91,7 +92,7 @@ impl std::error::Error for ClientError {}
 pub struct Client {
     link: Arc<ConsoleLink>,
     lines: mpsc::Sender<OpenRequest>,
-    told: mpsc::Receiver<Reply>,
+    told: mpsc::Receiver<Event>,
     asks: AtomicU32,
     welcome: Welcome,
     carrier: AbortHandle,
@@ -125,11 +126,9 @@ impl Client {
         let you = Person { client, name: name.to_owned(), color: 0, pointer: None, selected: None, view: None };
         let welcome = Welcome { epoch: 0, you, secret: nobody };
         let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome, carrier };
-        let hello = Request::Hello { version: VERSION, name: name.to_owned(), again };
-        match this.ask(hello).await? {
-            Reply::Welcome { epoch, you, secret, .. } => this.welcome = Welcome { epoch, you, secret },
-            other => return Err(NoLink::Greeting(Box::new(other)).into()),
-        }
+        let hello = request::Hello { version: VERSION, name: name.to_owned(), again };
+        let answer::Welcome { epoch, you, secret, .. } = this.ask(hello).await?;
+        this.welcome = Welcome { epoch, you, secret };
         Ok(this)
     }
 
@@ -155,13 +154,21 @@ impl Client {
     ///
     /// # Errors
     /// If the server says no, or the link ends.
-    pub async fn ask(&self, request: Request) -> Result<Reply, ClientError> {
+    pub async fn ask<R: Request>(&self, request: R) -> Result<R::Answer, ClientError> {
+        let answer = self.ask_any(request.into()).await?;
+        R::Answer::of(answer).ok_or(NoLink::OtherAnswer.into())
+    }
+
+    /// Asks something that is known only when it runs, as [`Self::ask`] does.
+    ///
+    /// # Errors
+    /// If the server says no, or the link ends.
+    pub async fn ask_any(&self, request: AnyRequest) -> Result<AnyAnswer, ClientError> {
         let (waiting, answer) = oneshot::channel();
         self.send(request, Some(waiting)).await?;
         let answered = tokio::time::timeout(Duration::from_millis(ANSWER_MS), answer).await;
         match answered {
-            Ok(Ok(Reply::No { no })) => Err(ClientError::No(no)),
-            Ok(Ok(reply)) => Ok(reply),
+            Ok(Ok(outcome)) => outcome.map_err(ClientError::No),
             Ok(Err(_)) => Err(self.ended()),
             Err(_) => Err(NoLink::Unanswered.into()),
         }
@@ -171,13 +178,14 @@ impl Client {
     ///
     /// # Errors
     /// If the link ended.
-    pub async fn tell(&self, request: Request) -> Result<(), ClientError> {
-        self.send(request, None).await
+    pub async fn tell(&self, request: impl Request<Answer = Unanswered>) -> Result<(), ClientError> {
+        self.send(request.into(), None).await
     }
 
-    async fn send(&self, request: Request, waiting: Option<oneshot::Sender<Reply>>) -> Result<(), ClientError> {
+    async fn send(&self, request: AnyRequest, waiting: Option<oneshot::Sender<AskOutcome>>) -> Result<(), ClientError> {
         let ask = self.asks.fetch_add(1, Ordering::Relaxed) + 1;
-        self.lines.send(OpenRequest { ask, request, waiting }).await.map_err(|_| self.ended())
+        let stops = self.link.stops();
+        self.lines.send(OpenRequest { ask, stops, request, waiting }).await.map_err(|_| self.ended())
     }
 
     /// Returns the reason why the link ended, if it did.
@@ -192,13 +200,13 @@ impl Client {
 
     /// The next thing told unasked; none when the link ended. What is not fetched waits, but pictures and live values
     /// only for a while.
-    pub async fn next(&mut self) -> Option<Reply> {
+    pub async fn next(&mut self) -> Option<Event> {
         self.told.recv().await
     }
 
     /// All that is told unasked from now on; what was told and not fetched yet comes first. [`Self::next`] gives nothing
     /// any more.
-    pub fn take_told(&mut self) -> mpsc::Receiver<Reply> {
+    pub fn take_told(&mut self) -> mpsc::Receiver<Event> {
         std::mem::replace(&mut self.told, mpsc::channel(1).1)
     }
 
@@ -211,17 +219,17 @@ impl Client {
     ///
     /// # Errors
     /// If the link ends, or it does not come within 20 s.
-    pub async fn until(&mut self, mut wanted: impl FnMut(&Reply) -> bool) -> Result<Reply, ClientError> {
+    pub async fn until(&mut self, mut wanted: impl FnMut(&Event) -> bool) -> Result<Event, ClientError> {
         let search = async {
-            while let Some(reply) = self.told.recv().await {
-                if wanted(&reply) {
-                    return Some(reply);
+            while let Some(event) = self.told.recv().await {
+                if wanted(&event) {
+                    return Some(event);
                 }
             }
             None
         };
         match tokio::time::timeout(Duration::from_millis(AWAITED_MS), search).await {
-            Ok(Some(reply)) => Ok(reply),
+            Ok(Some(event)) => Ok(event),
             Ok(None) => Err(self.ended()),
             Err(_) => Err(NoLink::Awaited.into()),
         }
@@ -263,8 +271,8 @@ impl Client {
         if wanted(&known) {
             return Ok(known);
         }
-        match self.until(|reply| matches!(reply, Reply::Robots { robots } if wanted(robots))).await? {
-            Reply::Robots { robots } => Ok(robots),
+        match self.until(|event| matches!(event, Event::Robots { robots } if wanted(robots))).await? {
+            Event::Robots { robots } => Ok(robots),
             _ => Err(self.ended()),
         }
     }
@@ -280,7 +288,7 @@ impl Client {
     /// # Errors
     /// If the server says no, or the link ends.
     pub async fn load(&self, behaviour: &Id) -> Result<Mirror, ClientError> {
-        self.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+        self.ask(request::Open { behaviour: behaviour.clone() }).await?;
         self.open().ok_or(ClientError::No(Refused::NothingOpen))
     }
 
@@ -291,12 +299,11 @@ impl Client {
     pub async fn programs(&self, mut query: ListQuery, most: usize) -> Result<Vec<Summary>, ClientError> {
         let mut found = Vec::new();
         loop {
-            match self.ask(Request::List { query: query.clone() }).await {
-                Ok(Reply::Programs { programs, next, .. }) => {
+            match self.ask(request::List { query: query.clone() }).await {
+                Ok(answer::Programs { programs, next, .. }) => {
                     found.extend(programs);
                     query.after = next;
                 }
-                Ok(other) => return Err(NoLink::NoList(Box::new(other)).into()),
                 Err(ClientError::No(Refused::TooFast)) => {
                     tokio::time::sleep(Duration::from_millis(SLOWER_MS)).await;
                     continue;
@@ -314,10 +321,10 @@ impl Client {
     ///
     /// # Errors
     /// If the server says no, or the link ends.
-    pub async fn put(&self, label: &str, id: RecordId, record: Option<Record>) -> Result<Reply, ClientError> {
+    pub async fn put(&self, label: &str, id: RecordId, record: Option<Record>) -> Result<answer::Saved, ClientError> {
         let open = self.open().ok_or(ClientError::No(Refused::NothingOpen))?;
         let change = self.change(label, &open.records, vec![(id, record)]);
-        self.ask(Request::Propose { behaviour: open.behaviour, change, tokens: Vec::new() }).await
+        self.ask(request::Propose { behaviour: open.behaviour, change, tokens: Vec::new() }).await
     }
 
     /// A change with a name of its own that puts or takes away these records.

@@ -42,6 +42,7 @@ mod stop;
 mod use_robot;
 mod watch;
 mod where_used;
+mod why;
 
 use crate::console::Console;
 use crate::refusal::NotDone;
@@ -93,6 +94,7 @@ pub(crate) const ALL: &[&ConsoleCommand] = &[
     &recordings::COMMAND,
     &remove_recording::COMMAND,
     &watch::COMMAND,
+    &why::COMMAND,
     &below::COMMAND,
     &dead_streams::COMMAND,
     &can_run::COMMAND,

@@ -1,9 +1,9 @@
 //! The console: what is connected, loaded and looked at, and where answers go.
 
-use crate::refusal::{ExpectedAnswer, NotDone};
+use crate::refusal::NotDone;
 use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
-use protocol::{ListQuery, Reply, Request, RobotState, RunPhase, RunState, Summary};
+use protocol::{ListQuery, Request, RobotState, RunPhase, RunState, Summary, answer, request};
 use std::io::Write;
 use std::time::Instant;
 
@@ -55,7 +55,7 @@ impl Console {
     }
 
     /// Asks the server.
-    pub(crate) async fn ask(&mut self, request: Request) -> Result<Reply, NotDone> {
+    pub(crate) async fn ask<R: Request>(&mut self, request: R) -> Result<R::Answer, NotDone> {
         Ok(self.client()?.ask(request).await?)
     }
 
@@ -87,9 +87,7 @@ impl Console {
     /// Returns the runs on all robots, each from the top of its order.
     pub(crate) async fn all_running(&mut self) -> Result<Vec<RunState>, NotDone> {
         let robots = self.robots().await?;
-        let Reply::Runs { mut runs } = self.ask(Request::Runs).await? else {
-            return Err(NotDone::NoAnswer(ExpectedAnswer::Runs));
-        };
+        let answer::Runs { mut runs, .. } = self.ask(request::Runs {}).await?;
         runs.retain(|run| run.phase == RunPhase::Running);
         let at = |run: &RunState| robots.iter().position(|robot| robot.robot == run.robot);
         runs.sort_by_key(|run| (at(run), run.place));

@@ -5,6 +5,7 @@ mod client;
 mod commands;
 mod console;
 mod find;
+mod moment;
 mod refusal;
 mod script;
 mod terminal;
@@ -12,6 +13,7 @@ mod words;
 
 pub use client::{Client, ClientError, DEFAULT_URL, Mirror, NoLink, handshake};
 pub use console::Console;
+pub use moment::{Moment, NoMoment, NotThen, Ran};
 
 use std::io::IsTerminal;
 

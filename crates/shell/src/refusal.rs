@@ -24,8 +24,6 @@ pub(crate) enum NotDone {
     NoProgram,
     /// No stream is loaded.
     NoStream,
-    /// The server answered something else than this.
-    NoAnswer(ExpectedAnswer),
     /// The robot to add has no name.
     NoRobotName,
     /// The robot to add cannot be reached; with a sentence that says why.
@@ -56,27 +54,14 @@ pub(crate) enum NotDone {
     NoJson(serde_json::Error),
     /// The catalogue's own example is no value.
     NoExample(serde_json::Error),
-}
-
-/// The answer for which the server was asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ExpectedAnswer {
-    /// The runs.
-    Runs,
-    /// Actions.
-    Actions,
-    /// Programs.
-    Programs,
-    /// The users of a helper.
-    Uses,
-    /// The recordings.
-    Recordings,
-    /// The check that a robot can be reached.
-    Check,
-    /// Robots in the network.
-    Found,
-    /// Faces.
-    Faces,
+    /// It is not said which action is meant.
+    NoAction,
+    /// A word is no time.
+    NoTime(String),
+    /// It did not run at a time of day.
+    NotThen,
+    /// The program has not run since the server started.
+    NeverRan,
 }
 
 /// The reasons why no one thing is meant by a name.

@@ -1,6 +1,7 @@
 //! The English sentences for something that was asked or typed and is not done.
 
-use crate::refusal::{ExpectedAnswer, NotDone, NotFound};
+use crate::moment::NoMoment;
+use crate::refusal::{NotDone, NotFound};
 use crate::{ClientError, NoLink};
 use std::fmt;
 
@@ -23,8 +24,9 @@ impl fmt::Display for NoLink {
                 "The server at {url} does not know you as its host. Do this as the user who runs it, on its computer."
             ),
             Self::Id(reason) => to.write_str(reason),
-            Self::Greeting(reply) => write!(to, "The server greets in a strange way: {reply:?}"),
-            Self::NoList(reply) => write!(to, "The server gave no list of programs: {reply:?}"),
+            Self::OtherAnswer => to.write_str(
+                "The server answers something else than what was asked. Use the rrp of the server's version.",
+            ),
             Self::Unanswered => to.write_str("The server does not answer. Try again."),
             Self::Awaited => to.write_str("What was awaited did not come."),
             Self::Ended => to.write_str("The connection has ended. Connect again."),
@@ -42,6 +44,17 @@ impl fmt::Display for NoLink {
     }
 }
 
+impl fmt::Display for NoMoment {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str(
+            "this is no time; write milliseconds since Start, such as 4200, minutes and seconds since Start, such as \
+             0:04.2, or the time of day of a recording, such as 12:04:17.2",
+        )
+    }
+}
+
+impl std::error::Error for NoMoment {}
+
 impl fmt::Display for NotDone {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
@@ -56,7 +69,6 @@ impl fmt::Display for NotDone {
             Self::NotConnected => to.write_str("Not connected. Type “connect” first."),
             Self::NoProgram => to.write_str("No program is loaded. Type “load program NAME” first."),
             Self::NoStream => to.write_str("No stream is loaded. Type “load stream NAME” first."),
-            Self::NoAnswer(wanted) => write!(to, "{wanted} Try again."),
             Self::NoRobotName => to.write_str("Type “add robot NAME”, or “add robot NAME at ADDRESS” for a real one."),
             Self::NotReached(why) => write!(to, "The robot was not added. {why}"),
             Self::NotMoved(why) => write!(to, "The robot keeps its address. {why}"),
@@ -74,23 +86,17 @@ impl fmt::Display for NotDone {
                 "Type the value and the settings as JSON, such as \"Hello\" with {{\"speed\": 0.5}} ({error})."
             ),
             Self::NoExample(error) => write!(to, "{error}"),
+            Self::NoAction => {
+                to.write_str("Type “why ACTION”, “why ACTION at 0:04.2” or “why ACTION at 0:04.2 in RECORDING”.")
+            }
+            Self::NoTime(word) => write!(
+                to,
+                "“{word}” is no time. Type milliseconds since Start, such as 4200, minutes and seconds, such as 0:04.2, or \
+                 the time of day, such as 12:04:17."
+            ),
+            Self::NotThen => to.write_str("It did not run at that time. Type a time since Start, such as 0:04.2."),
+            Self::NeverRan => to.write_str("This program has not run yet. Type “start”, or “why ACTION in RECORDING”."),
         }
-    }
-}
-
-/// Says that the answer did not come.
-impl fmt::Display for ExpectedAnswer {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        to.write_str(match self {
-            Self::Runs => "The server did not say what runs.",
-            Self::Actions => "The server gave no actions.",
-            Self::Programs => "The server gave no programs.",
-            Self::Uses => "The server gave no uses.",
-            Self::Check => "The server did not say how the robot is.",
-            Self::Found => "The server gave no robots.",
-            Self::Faces => "The server gave no faces.",
-            Self::Recordings => "The server did not answer with a list.",
-        })
     }
 }
 

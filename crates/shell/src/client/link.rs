@@ -3,8 +3,9 @@
 use super::NoLink;
 use super::mirror::Mirrors;
 use futures_util::{SinkExt, StreamExt};
-use protocol::{Ask, Assembly, Message as Told, PATH, Reply, Request};
+use protocol::{AnyAnswer, AnyRequest, Ask, Assembly, Event, Message as Told, PATH, Refused, request};
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use tokio::net::TcpStream;
@@ -35,22 +36,33 @@ const OWN_ASK: u32 = u32::MAX;
 
 type ConsoleSocket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 
+/// The answer to a request, or why there is none.
+pub(super) type AskOutcome = Result<AnyAnswer, Refused>;
+
 /// A request and who waits for its answer.
 pub(super) struct OpenRequest {
     pub(super) ask: u32,
-    pub(super) request: Request,
-    pub(super) waiting: Option<oneshot::Sender<Reply>>,
+    pub(super) stops: Option<u64>,
+    pub(super) request: AnyRequest,
+    pub(super) waiting: Option<oneshot::Sender<AskOutcome>>,
 }
 
 /// The state that client and task share.
 pub(super) struct ConsoleLink {
     mirrors: Mutex<Mirrors>,
     ended: Mutex<Option<NoLink>>,
+    /// The newest Stop that was heard of; 0 before the first time.
+    stops: AtomicU64,
 }
 
 impl ConsoleLink {
     pub(super) fn mirrors(&self) -> MutexGuard<'_, Mirrors> {
         self.mirrors.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Returns the newest Stop that was heard of.
+    pub(super) fn stops(&self) -> Option<u64> {
+        Some(self.stops.load(Ordering::SeqCst)).filter(|stops| *stops > 0)
     }
 
     /// Returns the reason why the link ended.
@@ -59,7 +71,7 @@ impl ConsoleLink {
     }
 }
 
-type OpenedSocket = (Arc<ConsoleLink>, mpsc::Sender<OpenRequest>, mpsc::Receiver<Reply>, AbortHandle);
+type OpenedSocket = (Arc<ConsoleLink>, mpsc::Sender<OpenRequest>, mpsc::Receiver<Event>, AbortHandle);
 
 /// Connects and starts the task.
 pub(super) async fn open(url: &str) -> Result<OpenedSocket, NoLink> {
@@ -79,7 +91,7 @@ pub(super) async fn open(url: &str) -> Result<OpenedSocket, NoLink> {
         Err(_) => return Err(NoLink::Silent(url.to_owned())),
     };
     let mirrors = Mutex::new(Mirrors::empty()?);
-    let link = Arc::new(ConsoleLink { mirrors, ended: Mutex::new(None) });
+    let link = Arc::new(ConsoleLink { mirrors, ended: Mutex::new(None), stops: AtomicU64::new(0) });
     let (lines, inbox) = mpsc::channel(LINES_MAX);
     let (tell, told) = mpsc::channel(TOLD_MAX);
     let carrier =
@@ -119,8 +131,8 @@ fn socket_address(url: &str) -> String {
 struct Carrier {
     link: Arc<ConsoleLink>,
     socket: ConsoleSocket,
-    tell: mpsc::Sender<Reply>,
-    waiting: BTreeMap<u32, oneshot::Sender<Reply>>,
+    tell: mpsc::Sender<Event>,
+    waiting: BTreeMap<u32, oneshot::Sender<AskOutcome>>,
     assembly: Assembly,
 }
 
@@ -154,7 +166,7 @@ impl Carrier {
         if let Some(waiting) = line.waiting {
             self.waiting.insert(line.ask, waiting);
         }
-        let ask = Ask { ask: line.ask, request: line.request };
+        let ask = Ask { ask: line.ask, stops: line.stops, request: line.request };
         let text = serde_json::to_string(&ask).map_err(|error| Error::Io(std::io::Error::other(error)))?;
         self.socket.send(Message::text(text)).await
     }
@@ -163,14 +175,15 @@ impl Carrier {
         let broken = |error: Box<dyn std::error::Error + Send + Sync>| Error::Io(std::io::Error::other(error));
         let told = serde_json::from_str::<Told>(text).map_err(|error| broken(error.into()))?;
         let Some(told) = self.assembly.take(told).map_err(|missing| broken(missing.into()))? else { return Ok(()) };
+        self.link.stops.fetch_max(told.stops().unwrap_or_default(), Ordering::SeqCst);
         let missing = {
             let mut mirrors = self.link.mirrors();
-            mirrors.hear(&told.reply);
-            mirrors.missing(&told.reply)
+            mirrors.hear(&told);
+            mirrors.missing(&told)
         };
         for (behaviour, revision) in missing {
-            self.send(OpenRequest { ask: OWN_ASK, request: Request::Since { behaviour, revision }, waiting: None })
-                .await?;
+            let request = request::Since { behaviour, revision }.into();
+            self.send(OpenRequest { ask: OWN_ASK, stops: None, request, waiting: None }).await?;
         }
         self.pass_on(told);
         Ok(())
@@ -178,13 +191,21 @@ impl Carrier {
 
     /// To who asked, else to who fetches; when that one is slow, pictures go first.
     fn pass_on(&mut self, told: Told) {
-        if let Some(waiting) = told.ask.and_then(|ask| self.waiting.remove(&ask)) {
-            let _ = waiting.send(told.reply);
-            return;
-        }
-        let picture = matches!(told.reply, Reply::Scene { .. } | Reply::Values { .. } | Reply::People { .. });
-        if !picture || self.tell.capacity() > TOLD_FREE {
-            let _ = self.tell.try_send(told.reply);
+        let (ask, outcome) = match told {
+            Told::Answer { ask, answer } => (Some(ask), Ok(answer)),
+            Told::No { ask, no } => (ask, Err(no)),
+            Told::Event(event) => {
+                let picture = matches!(event, Event::Scene { .. } | Event::Values { .. } | Event::People { .. });
+                if !picture || self.tell.capacity() > TOLD_FREE {
+                    let _ = self.tell.try_send(event);
+                }
+                return;
+            }
+            // They were put together.
+            Told::Records { .. } => return,
+        };
+        if let Some(waiting) = ask.and_then(|ask| self.waiting.remove(&ask)) {
+            let _ = waiting.send(outcome);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::NoLink;
 use behaviour::{Accepted, Behaviour, Id};
-use protocol::{LIBRARY, Reply, RobotState};
+use protocol::{AnyAnswer, Event, LIBRARY, Message, RobotState, answer};
 
 /// One behaviour at one revision.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,23 +30,37 @@ impl Mirrors {
         Ok(Self { open: None, library, robots: Vec::new() })
     }
 
-    /// Takes over what a reply says of them.
-    pub(super) fn hear(&mut self, reply: &Reply) {
-        match reply {
-            Reply::Welcome { library, library_revision, .. } => {
+    /// Takes over what a message says of them.
+    pub(super) fn hear(&mut self, message: &Message) {
+        match message {
+            Message::Answer { answer, .. } => self.hear_answer(answer),
+            Message::Event(event) => self.hear_event(event),
+            Message::No { .. } | Message::Records { .. } => {}
+        }
+    }
+
+    fn hear_answer(&mut self, answer: &AnyAnswer) {
+        match answer {
+            AnyAnswer::Welcome(answer::Welcome { library, library_revision, .. }) => {
                 self.library.records = (**library).clone();
                 self.library.revision = *library_revision;
             }
-            Reply::Opened { behaviour, revision, records, .. } => {
+            AnyAnswer::Opened(answer::Opened { behaviour, revision, records, .. }) => {
                 let (behaviour, records) = (behaviour.clone(), (**records).clone());
                 self.open = Some(Mirror { behaviour, revision: *revision, records });
             }
-            Reply::Robots { robots } => self.robots.clone_from(robots),
-            Reply::Accepted { behaviour, accepted } => self.accept(behaviour, accepted),
-            Reply::Missed { behaviour, changes, .. } => {
+            AnyAnswer::Missed(answer::Missed { behaviour, changes, .. }) => {
                 changes.iter().for_each(|change| self.accept(behaviour, change))
             }
-            Reply::Removed { behaviour, .. } if self.open.as_ref().is_some_and(|open| open.behaviour == *behaviour) => {
+            _ => {}
+        }
+    }
+
+    fn hear_event(&mut self, event: &Event) {
+        match event {
+            Event::Robots { robots } => self.robots.clone_from(robots),
+            Event::Accepted { behaviour, accepted } => self.accept(behaviour, accepted),
+            Event::Removed { behaviour, .. } if self.open.as_ref().is_some_and(|open| open.behaviour == *behaviour) => {
                 self.open = None;
             }
             _ => {}
@@ -65,12 +79,13 @@ impl Mirrors {
 
     /// Returns what a ping, or a page of missed changes with more behind it, shows to be missing: the behaviour and the
     /// last revision known.
-    pub(super) fn missing(&self, reply: &Reply) -> Vec<(Id, u64)> {
-        if let Reply::Missed { behaviour, more: true, .. } = reply {
+    pub(super) fn missing(&self, message: &Message) -> Vec<(Id, u64)> {
+        if let Message::Answer { answer: AnyAnswer::Missed(answer::Missed { behaviour, more: true, .. }), .. } = message
+        {
             let known = self.open.iter().chain([&self.library]).find(|mirror| mirror.behaviour == *behaviour);
             return known.map(|mirror| (behaviour.clone(), mirror.revision)).into_iter().collect();
         }
-        let Reply::Ping { behaviour, library_revision } = reply else { return Vec::new() };
+        let Message::Event(Event::Ping { behaviour, library_revision }) = message else { return Vec::new() };
         let library = (&self.library.behaviour, *library_revision);
         let told = behaviour.iter().map(|(id, revision)| (id, *revision)).chain([library]);
         let behind = told.filter_map(|(id, revision)| {

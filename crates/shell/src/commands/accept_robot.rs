@@ -3,7 +3,7 @@
 use super::{ConsoleCommand, show_robots};
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::request;
 use robot::Health;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
@@ -19,6 +19,6 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let health = states.into_iter().find(|state| state.robot == robot).map(|state| state.health);
     let Some(Health::Stranger(who)) = health else { return Err(NotDone::NoStranger(name)) };
     let found = who.found;
-    console.ask(Request::AcceptRobot { robot, found: Box::new(found.clone()) }).await?;
+    console.ask(request::AcceptRobot { robot, found: Box::new(found.clone()) }).await?;
     Ok(format!("{name} is {} from now on", show_robots::who(&found)))
 }

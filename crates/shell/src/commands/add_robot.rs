@@ -4,9 +4,9 @@ use super::ConsoleCommand;
 use crate::client::unique;
 use crate::console::Console;
 use crate::find::unquoted;
-use crate::refusal::{ExpectedAnswer, NotDone};
+use crate::refusal::NotDone;
 use behaviour::Id;
-use protocol::{RealRobot, Reply, Request, RobotFindings};
+use protocol::{RealRobot, RobotFindings, request};
 
 /// The variable in which a password is looked for, so that it stands in no history.
 pub(super) const PASSWORD: &str = "RRP_ROBOT_PASSWORD";
@@ -25,7 +25,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     }
     let robot = Id::new(&format!("robot-{}", unique())).map_err(|reason| NotDone::Id(reason.to_string()))?;
     let Some(mut real) = real else {
-        console.ask(Request::AddRobot { robot: robot.clone(), name, real: None }).await?;
+        console.ask(request::AddRobot { robot: robot.clone(), name, real: None }).await?;
         let added = console.client()?.robot(Some(&robot)).await?;
         return Ok(format!("{} is there", added.name));
     };
@@ -35,7 +35,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
         return Err(NotDone::NotReached(why));
     }
     (real.fingerprint, real.identity) = (checked.fingerprint, checked.identity);
-    console.ask(Request::AddRobot { robot: robot.clone(), name, real: Some(Box::new(real)) }).await?;
+    console.ask(request::AddRobot { robot: robot.clone(), name, real: Some(Box::new(real)) }).await?;
     // A number was appended if another one has the name.
     let robots = console.client()?.robots_that(|robots| robots.iter().any(|known| known.robot == robot)).await?;
     let added = robots.into_iter().find(|known| known.robot == robot).map(|known| known.name).unwrap_or_default();
@@ -48,10 +48,8 @@ pub(super) async fn check(
     real: &RealRobot,
     robot: Option<&Id>,
 ) -> Result<RobotFindings, NotDone> {
-    match console.ask(Request::CheckRobot { real: Box::new(real.clone()), robot: robot.cloned() }).await? {
-        Reply::RobotChecked { checked } => Ok(*checked),
-        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Check)),
-    }
+    let check = request::CheckRobot { real: Box::new(real.clone()), robot: robot.cloned() };
+    Ok(*console.ask(check).await?.checked)
 }
 
 /// The name, and how a real robot is reached.

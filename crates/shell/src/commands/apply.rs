@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "apply",
@@ -15,6 +15,6 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, behaviour) = console.meant(wanted).await?;
     let robot = console.robot.clone();
-    console.ask(Request::Apply { behaviour, robot }).await?;
+    console.ask(request::Apply { behaviour, robot }).await?;
     Ok(format!("{name} goes on as it is saved now"))
 }

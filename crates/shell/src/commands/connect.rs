@@ -19,7 +19,7 @@ async fn run(console: &mut Console, url: &str) -> Result<String, NotDone> {
     let url = if url.is_empty() { DEFAULT_URL } else { url };
     let client = Client::connect(url, NAME).await?;
     // The console asks; pictures and live values are for who watches.
-    let quiet = protocol::Request::Watch { robot: None, scene: false, values: false };
+    let quiet = protocol::request::Watch { robot: None, scene: false, values: false };
     client.ask(quiet).await?;
     console.client = Some(client);
     (console.stream, console.robot) = (None, None);

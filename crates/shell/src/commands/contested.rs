@@ -2,8 +2,8 @@
 
 use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{ExpectedAnswer, NotDone};
-use protocol::{Contested, Reply, Request};
+use crate::refusal::NotDone;
+use protocol::{Contested, request};
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "contested",
@@ -13,12 +13,8 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 };
 
 async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
-    match console.ask(Request::Contested).await? {
-        Reply::Contested { contested } => {
-            Ok(or_nothing(contested.iter().map(line).collect(), "No two programs use the same action."))
-        }
-        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Actions)),
-    }
+    let contested = console.ask(request::Contested {}).await?.contested;
+    Ok(or_nothing(contested.iter().map(line).collect(), "No two programs use the same action."))
 }
 
 /// `Tracker: Far, Close and 3 more`.

@@ -3,9 +3,9 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::find::unquoted;
-use crate::refusal::{ExpectedAnswer, NotDone, NotFound};
+use crate::refusal::{NotDone, NotFound};
 use behaviour::Id;
-use protocol::{Reply, Request};
+use protocol::request;
 use robot::Control;
 
 pub(crate) const TAKE: ConsoleCommand = ConsoleCommand {
@@ -79,10 +79,7 @@ pub(crate) const SHOW_FACES: ConsoleCommand = ConsoleCommand {
 };
 
 async fn faces(console: &mut Console, robot: &Id) -> Result<Vec<String>, NotDone> {
-    match console.ask(Request::Faces { robot: robot.clone() }).await? {
-        Reply::Faces { faces } => Ok(faces),
-        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Faces)),
-    }
+    Ok(console.ask(request::Faces { robot: robot.clone() }).await?.faces)
 }
 
 async fn show_faces(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
@@ -99,14 +96,14 @@ async fn forget_face(console: &mut Console, words: &str) -> Result<String, NotDo
     let Some(known) = names.iter().find(|known| *known == face).cloned() else {
         return Err(NotFound::Unknown { what: "face", wanted: face.to_owned(), names }.into());
     };
-    console.ask(Request::ControlRobot { robot, control: Control::ForgetFace(known) }).await?;
+    console.ask(request::ControlRobot { robot, control: Control::ForgetFace(known) }).await?;
     Ok(format!("{name} forgets {face}"))
 }
 
 async fn run(console: &mut Console, wanted: &str, control: Control) -> Result<String, NotDone> {
     let (name, robot) = console.robot_meant(wanted).await?;
     let known = console.client()?.robot(Some(&robot)).await?.condition.faces;
-    console.ask(Request::ControlRobot { robot, control: control.clone() }).await?;
+    console.ask(request::ControlRobot { robot, control: control.clone() }).await?;
     Ok(match control {
         Control::Take => format!("{name} is under control"),
         Control::GiveBack => format!("{name} has its own life again"),

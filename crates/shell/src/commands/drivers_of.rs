@@ -2,8 +2,8 @@
 
 use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{ExpectedAnswer, NotDone};
-use protocol::{ActionDriver, Reply, Request};
+use crate::refusal::NotDone;
+use protocol::{ActionDriver, answer, request};
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "drivers of",
@@ -15,15 +15,11 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let all: Vec<_> = robot::actuators().map(|device| (device.name.to_owned(), ())).collect();
     let (actuator, ()) = crate::find::find("action", wanted, &all)?;
-    match console.ask(Request::Drivers { actuator: actuator.clone() }).await? {
-        Reply::Drivers { drivers, total } => {
-            let more = total.saturating_sub(drivers.len() as u64);
-            let mut lines: Vec<_> = drivers.iter().map(line).collect();
-            lines.extend((more > 0).then(|| format!("and {more} more")));
-            Ok(or_nothing(lines, &format!("No program uses {actuator}.")))
-        }
-        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Programs)),
-    }
+    let answer::Drivers { drivers, total } = console.ask(request::Drivers { actuator: actuator.clone() }).await?;
+    let more = total.saturating_sub(drivers.len() as u64);
+    let mut lines: Vec<_> = drivers.iter().map(line).collect();
+    lines.extend((more > 0).then(|| format!("and {more} more")));
+    Ok(or_nothing(lines, &format!("No program uses {actuator}.")))
 }
 
 /// `Greeter: from Face`.

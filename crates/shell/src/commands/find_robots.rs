@@ -2,8 +2,8 @@
 
 use super::ConsoleCommand;
 use crate::console::Console;
-use crate::refusal::{ExpectedAnswer, NotDone};
-use protocol::{Reply, Request};
+use crate::refusal::NotDone;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "find robots",
@@ -13,9 +13,7 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 };
 
 async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
-    let Reply::FoundRobots { robots } = console.ask(Request::FindRobots).await? else {
-        return Err(NotDone::NoAnswer(ExpectedAnswer::Found));
-    };
+    let robots = console.ask(request::FindRobots {}).await?.robots;
     if robots.is_empty() {
         return Ok("No robot announces itself".to_owned());
     }

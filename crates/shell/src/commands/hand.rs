@@ -5,7 +5,7 @@ use crate::console::Console;
 use crate::find::find;
 use crate::refusal::NotDone;
 use behaviour::{Params, StreamKind, Value};
-use protocol::Request;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "hand",
@@ -22,7 +22,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let (value, params) = read(&device, rest)?;
     let said = value.to_string();
     let robot = console.robot.clone();
-    console.ask(Request::Hand { robot, device: device.clone(), params, value }).await?;
+    console.ask(request::Hand { robot, device: device.clone(), params, value }).await?;
     Ok(format!("{device} got {said} by hand"))
 }
 

@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::{Reply, Request};
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "mark",
@@ -16,8 +16,8 @@ async fn run(console: &mut Console, note: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let (behaviour, robot) = (program.behaviour, console.robot.clone());
     let ago_ms = u64::try_from(console.entered.elapsed().as_millis()).unwrap_or(u64::MAX);
-    let reply = console.ask(Request::mark(behaviour, robot, note, ago_ms)).await?;
-    if let Reply::Marked { kept: false, .. } = reply {
+    let marked = console.ask(request::Mark::with_note(behaviour, robot, note, ago_ms)).await?;
+    if !marked.kept {
         return Ok("Marked for those who watch; nothing is recorded, so nothing keeps it".to_owned());
     }
     Ok("Marked".to_owned())

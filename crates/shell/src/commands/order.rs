@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
 use crate::refusal::NotDone;
-use protocol::{Request, RunState};
+use protocol::{RunState, request};
 use std::collections::BTreeSet;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
@@ -37,7 +37,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     };
     let Some((moved, above)) = pair else { return Err(NotDone::There(name)) };
     let (behaviour, above) = (running[moved].behaviour.clone(), Some(running[above].behaviour.clone()));
-    console.ask(Request::Place { behaviour, robot: Some(found.robot), above }).await?;
+    console.ask(request::Place { behaviour, robot: Some(found.robot), above }).await?;
     Ok(format!("{name} moved {}", way.to_lowercase()))
 }
 

@@ -3,7 +3,7 @@
 use super::{ConsoleCommand, add_robot};
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "reach robot",
@@ -22,6 +22,6 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     }
     real.fingerprint = checked.fingerprint;
     let address = real.address.clone();
-    console.ask(Request::ReachRobot { robot, real: Box::new(real) }).await?;
+    console.ask(request::ReachRobot { robot, real: Box::new(real) }).await?;
     Ok(format!("{name} is reached at {address}: {}", checked.model))
 }

@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::{RecordedSession, Request};
+use protocol::{RecordedSession, request};
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "record",
@@ -35,14 +35,14 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
 async fn record_all(console: &mut Console) -> Result<(), NotDone> {
     for run in console.running().await?.into_iter().filter(|run| run.recording.is_none()) {
         let (behaviour, robot, session) = (run.behaviour, Some(run.robot), RecordedSession::default());
-        console.ask(Request::Record { behaviour, robot, session }).await?;
+        console.ask(request::Record { behaviour, robot, session }).await?;
     }
     Ok(())
 }
 
 async fn end_all(console: &mut Console) -> Result<(), NotDone> {
     for run in console.running().await?.into_iter().filter(|run| run.recording.is_some()) {
-        console.ask(Request::EndRecording { behaviour: run.behaviour, robot: Some(run.robot) }).await?;
+        console.ask(request::EndRecording { behaviour: run.behaviour, robot: Some(run.robot) }).await?;
     }
     Ok(())
 }

@@ -2,8 +2,8 @@
 
 use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{ExpectedAnswer, NotDone};
-use protocol::{RECORDINGS_PATH, Recording, Reply, Request};
+use crate::refusal::NotDone;
+use protocol::{RECORDINGS_PATH, Recording, request};
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "recordings",
@@ -13,9 +13,7 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 };
 
 async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
-    let Reply::Recordings { recordings } = console.ask(Request::Recordings).await? else {
-        return Err(NotDone::NoAnswer(ExpectedAnswer::Recordings));
-    };
+    let recordings = console.ask(request::Recordings {}).await?.recordings;
     Ok(or_nothing(recordings.iter().map(line).collect(), "No recordings. Type “record on” before “start”."))
 }
 

@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "remove recording",
@@ -14,6 +14,6 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 
 async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let file = words.rsplit('/').next().unwrap_or(words).to_owned();
-    console.ask(Request::RemoveRecording { file: file.clone() }).await?;
+    console.ask(request::RemoveRecording { file: file.clone() }).await?;
     Ok(format!("{file} is in the bin"))
 }

@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::{Request, RobotState};
+use protocol::{RobotState, request};
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "remove robot",
@@ -14,7 +14,7 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 
 async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, robot) = console.robot_meant(wanted).await?;
-    console.ask(Request::RemoveRobot { robot: robot.clone() }).await?;
+    console.ask(request::RemoveRobot { robot: robot.clone() }).await?;
     let is_gone = |robots: &[RobotState]| robots.iter().all(|known| known.robot != robot);
     console.client()?.robots_that(is_gone).await?;
     console.robot.take_if(|chosen| *chosen == robot);

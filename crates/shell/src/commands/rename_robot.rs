@@ -4,7 +4,7 @@ use super::ConsoleCommand;
 use crate::console::Console;
 use crate::find::unquoted;
 use crate::refusal::NotDone;
-use protocol::{Request, RobotState};
+use protocol::{RobotState, request};
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "rename robot",
@@ -16,7 +16,7 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let (wanted, new) = words.rsplit_once(" to ").ok_or(NotDone::NoNewName)?;
     let (name, robot) = console.robot_meant(wanted).await?;
-    console.ask(Request::RenameRobot { robot: robot.clone(), name: unquoted(new.trim()).to_owned() }).await?;
+    console.ask(request::RenameRobot { robot: robot.clone(), name: unquoted(new.trim()).to_owned() }).await?;
     let is_new = |robots: &[RobotState]| robots.iter().any(|known| known.robot == robot && known.name != name);
     // Of one that gets the name that it has, nothing is told.
     if unquoted(new.trim()) == name {

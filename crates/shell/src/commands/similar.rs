@@ -2,8 +2,8 @@
 
 use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{ExpectedAnswer, NotDone};
-use protocol::{Reply, Request};
+use crate::refusal::NotDone;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "similar",
@@ -14,14 +14,10 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 
 async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, behaviour) = console.meant(wanted).await?;
-    match console.ask(Request::Similar { behaviour }).await? {
-        Reply::Similar { similar } => {
-            let lines = similar.iter().map(|other| match other.shared {
-                1 => format!("{}: 1 sense or action in common", other.name),
-                many => format!("{}: {many} senses and actions in common", other.name),
-            });
-            Ok(or_nothing(lines.collect(), &format!("No other program is like {name}.")))
-        }
-        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Programs)),
-    }
+    let similar = console.ask(request::Similar { behaviour }).await?.similar;
+    let lines = similar.iter().map(|other| match other.shared {
+        1 => format!("{}: 1 sense or action in common", other.name),
+        many => format!("{}: {many} senses and actions in common", other.name),
+    });
+    Ok(or_nothing(lines.collect(), &format!("No other program is like {name}.")))
 }

@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::{RecordedSession, Request};
+use protocol::{RecordedSession, request};
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "start",
@@ -15,6 +15,6 @@ pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
 async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, behaviour) = console.meant(wanted).await?;
     let (record, robot) = (console.records, console.robot.clone());
-    console.ask(Request::Start { behaviour, robot, record, session: RecordedSession::default() }).await?;
+    console.ask(request::Start { behaviour, robot, record, session: RecordedSession::default() }).await?;
     Ok(if record { format!("{name} runs and is recorded") } else { format!("{name} runs") })
 }

@@ -5,7 +5,7 @@ use crate::console::Console;
 use crate::find::find;
 use crate::refusal::NotDone;
 use behaviour::{Id, Stream, StreamKind, Value};
-use protocol::Request;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "stimulate",
@@ -22,7 +22,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let (name, (id, value)) = read(words, &all)?;
     let said = value.to_string();
     let (behaviour, robot) = (program.behaviour, console.robot.clone());
-    console.ask(Request::Stimulate { behaviour, robot, stream: id, value }).await?;
+    console.ask(request::Stimulate { behaviour, robot, stream: id, value }).await?;
     Ok(format!("{name} got {said}"))
 }
 

@@ -3,7 +3,7 @@
 use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::request;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
     name: "stop",
@@ -16,7 +16,7 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let named = if wanted.is_empty() { None } else { Some(console.meant(wanted).await?) };
     let (name, behaviour) = named.map_or(("Everything".to_owned(), None), |(name, id)| (name, Some(id)));
     let robot = console.robot.clone();
-    console.ask(Request::Stop { behaviour, robot: robot.clone() }).await?;
+    console.ask(request::Stop { behaviour, robot: robot.clone() }).await?;
     let Some(robot) = robot else { return Ok(format!("{name} is stopped")) };
     let robots = console.robots().await?;
     // A robot that is gone stands for all.

@@ -4,7 +4,7 @@ use super::ConsoleCommand;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use behaviour::Behaviour;
-use protocol::{Reply, Request, Values};
+use protocol::{Event, Values, request};
 use std::time::Duration;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
@@ -24,11 +24,11 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let seconds = seconds.ok().filter(|seconds| (1..=SECONDS_MAX).contains(seconds));
     let seconds = seconds.ok_or(NotDone::Seconds(SECONDS_MAX))?;
     let program = console.program()?;
-    let watch = |robot, values| Request::Watch { robot, scene: false, values };
+    let watch = |robot, values| request::Watch { robot, scene: false, values };
     console.ask(watch(console.robot.clone(), true)).await?;
     let end = tokio::time::Instant::now() + Duration::from_secs(seconds);
-    while let Ok(Some(reply)) = tokio::time::timeout_at(end, console.client()?.next()).await {
-        if let Reply::Values { values } = reply {
+    while let Ok(Some(event)) = tokio::time::timeout_at(end, console.client()?.next()).await {
+        if let Event::Values { values } = event {
             console.say(&lines(&program.records, &values));
         }
     }

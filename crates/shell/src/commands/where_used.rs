@@ -2,8 +2,8 @@
 
 use super::ConsoleCommand;
 use crate::console::{Console, or_nothing};
-use crate::refusal::{ExpectedAnswer, NotDone};
-use protocol::{HelperUse, LIBRARY, Reply, Request};
+use crate::refusal::NotDone;
+use protocol::{HelperUse, LIBRARY, answer, request};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMAND: ConsoleCommand = ConsoleCommand {
@@ -17,15 +17,11 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let library = console.client()?.library();
     let all: Vec<_> = library.records.helpers().map(|(_, helper)| (helper.name.clone(), ())).collect();
     let (helper, ()) = crate::find::find("helper", wanted, &all)?;
-    match console.ask(Request::WhereUsed { helper: helper.clone() }).await? {
-        Reply::WhereUsed { uses, total } => {
-            let more = total.saturating_sub(uses.len() as u64);
-            let mut lines = lines(&uses);
-            lines.extend((more > 0).then(|| format!("and {more} more")));
-            Ok(or_nothing(lines, &format!("Nothing uses {helper}.")))
-        }
-        _ => Err(NotDone::NoAnswer(ExpectedAnswer::Uses)),
-    }
+    let answer::WhereUsed { uses, total } = console.ask(request::WhereUsed { helper: helper.clone() }).await?;
+    let more = total.saturating_sub(uses.len() as u64);
+    let mut lines = lines(&uses);
+    lines.extend((more > 0).then(|| format!("and {more} more")));
+    Ok(or_nothing(lines, &format!("Nothing uses {helper}.")))
 }
 
 /// A line for each program or helper: `Greeter (2 connectors)`, `helper far (through distance)`.
