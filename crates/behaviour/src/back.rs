@@ -108,19 +108,9 @@ fn rank(id: &RecordId, record: &Record) -> (u8, i64, Id) {
 #[cfg(test)]
 mod tests {
     use crate::{
-        Behaviour, Change, Connector, Decision, Id, Kind, Knowledge, Params, Place, Procedure, Record, RecordId,
+        AnyKnowledge, Behaviour, Change, Connector, Decision, Id, Kind, Params, Place, Procedure, Record, RecordId,
         Refusal, Room, Stream, StreamKind, connectors,
     };
-
-    struct Anything;
-    impl Knowledge for Anything {
-        fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-            Ok(())
-        }
-        fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-            Ok(())
-        }
-    }
 
     fn id(text: &str) -> Id {
         Id::new(text).unwrap()
@@ -149,7 +139,7 @@ mod tests {
     }
 
     fn make(room: &mut Room, change: Change) -> Change {
-        let Decision::Save(made) = room.propose(0, change, &Anything) else { panic!("it is allowed") };
+        let Decision::Save(made) = room.propose(0, change, &AnyKnowledge) else { panic!("it is allowed") };
         room.commit(&made);
         made.change
     }
@@ -198,10 +188,10 @@ mod tests {
         let gone = ["stream/b", "connector/m", "connector/n", "place/b"];
         let removal = take(&mut room, "gone", &gone);
         assert_eq!(super::what_went(&removal).as_deref(), Some("“b”"));
-        let back = room.bring_back(&removal, change("back"), &Anything).unwrap().unwrap();
+        let back = room.bring_back(&removal, change("back"), &AnyKnowledge).unwrap().unwrap();
         make(&mut room, back);
         assert_eq!(*room.behaviour(), was);
-        assert_eq!(room.bring_back(&removal, change("more"), &Anything), Ok(None), "all of it is there");
+        assert_eq!(room.bring_back(&removal, change("more"), &AnyKnowledge), Ok(None), "all of it is there");
     }
 
     #[test]
@@ -209,7 +199,7 @@ mod tests {
         let mut room = room();
         let removal = take(&mut room, "gone", &["stream/b", "connector/m", "connector/n", "place/b"]);
         put(&mut room, "instead", vec![map("o", "a", "c")]);
-        let back = room.bring_back(&removal, change("back"), &Anything).unwrap().unwrap();
+        let back = room.bring_back(&removal, change("back"), &AnyKnowledge).unwrap().unwrap();
         let ids: Vec<String> = back.edits.iter().map(|edit| edit.id.to_string()).collect();
         assert_eq!(ids, ["stream/b", "connector/m", "place/b"], "c gets its values from elsewhere now");
         make(&mut room, back);
@@ -221,7 +211,7 @@ mod tests {
         let removal = take(&mut room, "gone", &["connector/n", "place/b"]);
         assert_eq!(super::what_went(&removal).as_deref(), Some("the map"));
         put(&mut room, "instead", vec![map("o", "a", "c")]);
-        let refused = room.bring_back(&removal, change("back"), &Anything);
+        let refused = room.bring_back(&removal, change("back"), &AnyKnowledge);
         assert_eq!(refused, Err(Refusal::SecondInput("c".into())));
     }
 }

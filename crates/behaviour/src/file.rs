@@ -220,4 +220,7 @@ pub struct FileTile {
     /// True if the word marks a span; no if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub span: Option<bool>,
+    /// True if a press asks first; no if absent. A word never asks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub asks: Option<bool>,
 }

@@ -3,10 +3,7 @@
 use crate::room::check_whole;
 use crate::rules;
 use crate::size::Size;
-use crate::{
-    Behaviour, Change, Id, Kind, Knowledge, LookupSet, NAME_MAX_CHARS, Params, RecordId, Refusal, StreamKind,
-    without_unseen,
-};
+use crate::{AnyKnowledge, Behaviour, Change, Id, Kind, LookupSet, NAME_MAX_CHARS, RecordId, Refusal, without_unseen};
 
 /// A behaviour as its changes make it from nothing, one after the other, each decided about as a room would have.
 ///
@@ -18,19 +15,6 @@ pub struct History {
     size: Size,
     seen: LookupSet<Id>,
     is_library: bool,
-}
-
-/// Every device and every procedure.
-struct AnyKnowledge;
-
-impl Knowledge for AnyKnowledge {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-        Ok(())
-    }
 }
 
 impl History {

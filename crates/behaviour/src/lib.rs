@@ -10,7 +10,6 @@ mod checkpoints;
 mod cleaned;
 mod compare;
 pub mod connectors;
-mod fields;
 mod file;
 mod filled;
 pub mod flow;
@@ -46,7 +45,6 @@ pub use back::what_went;
 pub use change::{Change, Edit};
 pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
 pub use compare::{Difference, VersionComparison};
-pub use fields::{FieldNames, Fields};
 pub use file::{
     BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile, Flaw, FlawKind,
 };
@@ -75,8 +73,8 @@ pub use record::{
 };
 pub use room::{Accepted, Committed, Decision, Room};
 pub use rules::{
-    BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, HelperCall, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX,
-    TAG_MAX_CHARS, TAGS_MAX,
+    AnyKnowledge, BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, HelperCall, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal,
+    STREAMS_MAX, TAG_MAX_CHARS, TAGS_MAX,
 };
 pub use size::{
     BEHAVIOUR_MAX_BYTES, ENTRIES_MAX, GROUPS_MAX, HELPERS_MAX, LIBRARY_MAX_BYTES, NOTES_MAX, PLACES_MAX, record_bytes,
@@ -89,3 +87,4 @@ pub use types::{
 pub use undo::{UNDO_MAX, UndoLog};
 pub use unseen::{has_unseen, without_control, without_unseen};
 pub use value::Value;
+pub use value::fields::{FieldNames, Fields};

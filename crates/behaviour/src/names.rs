@@ -6,6 +6,7 @@
 mod composed;
 pub(crate) mod look_alikes;
 pub(crate) mod mistakes;
+mod quotes;
 mod scopes;
 pub(crate) mod tokens;
 

@@ -47,6 +47,9 @@ pub struct Tile<S = Id> {
     pub label: String,
     /// The action of a press.
     pub does: TileAction<S>,
+    /// True if a press asks first, and a second one within two seconds does it. A word never asks.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub asks: bool,
 }
 
 /// The action of a press on a tile.
@@ -138,6 +141,9 @@ pub(crate) fn check(id: &RecordId, pad: &Pad, knowledge: &dyn Knowledge) -> Resu
             return Err(Refusal::Malformed("a tile".into()));
         }
         named("This label", &tile.label)?;
+        if tile.asks && matches!(tile.does, TileAction::Word { .. }) {
+            return Err(Refusal::Malformed("a word that asks first".into()));
+        }
         if tile.does.values().any(|(_, value)| !value.is_finite()) {
             return Err(Refusal::Infinite);
         }

@@ -245,20 +245,10 @@ pub(crate) fn check_whole(change: &Change) -> Result<(), Refusal> {
 mod tests {
     use super::{Decision, Room};
     use crate::{
-        Behaviour, Change, Connector, Holder, Id, Kind, Knowledge, Locks, Params, Presented, Procedure, Record,
+        AnyKnowledge, Behaviour, Change, Connector, Holder, Id, Kind, Locks, Params, Presented, Procedure, Record,
         RecordId, Refusal, Stream, StreamKind, connectors,
     };
     use std::collections::BTreeSet;
-
-    struct Anything;
-    impl Knowledge for Anything {
-        fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-            Ok(())
-        }
-        fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-            Ok(())
-        }
-    }
 
     fn id(text: &str) -> Id {
         Id::new(text).unwrap()
@@ -293,7 +283,7 @@ mod tests {
         let note = Record::Note(crate::Note::new("First\u{b}then\u{7}".into()));
         let change = Change::of(id("op"), "Aiko", "Paste").put(&room.behaviour, key(Kind::Note, "n"), note);
         let change = change.put(&room.behaviour, key(Kind::Connector, "m"), Record::Connector(map));
-        let Decision::Save(saved) = room.propose(0, change, &Anything) else { panic!("it is saved") };
+        let Decision::Save(saved) = room.propose(0, change, &AnyKnowledge) else { panic!("it is saved") };
         let told = |edit: &crate::Edit| match &edit.after {
             Some(Record::Note(note)) => note.text.clone(),
             Some(Record::Connector(map)) => format!("{:?}", map.operation.procedure()),
@@ -312,7 +302,7 @@ mod tests {
     }
 
     fn refused(room: &Room, change: &Change, presented: &Presented, locks: &Locks) -> Option<String> {
-        match room.propose_by(0, change.clone(), presented, locks, &Anything) {
+        match room.propose_by(0, change.clone(), presented, locks, &AnyKnowledge) {
             Decision::Refuse(refusal) => Some(refusal.to_string()),
             Decision::Save(_) | Decision::Duplicate(_) => None,
         }
@@ -348,15 +338,17 @@ mod tests {
         let mut room = room();
         let made = Change::of(id("one"), "Ben", "Rename").put(room.behaviour(), key(Kind::Stream, "d"), stream("Far"));
         let (locks, nobody) = (Locks::new(1), Presented::default());
-        let Decision::Save(made) = room.propose_by(0, made, &nobody, &locks, &Anything) else { panic!("it is free") };
+        let Decision::Save(made) = room.propose_by(0, made, &nobody, &locks, &AnyKnowledge) else {
+            panic!("it is free")
+        };
         let lost = Change::of(id("two"), "Ben", "Rename").put(room.behaviour(), key(Kind::Stream, "c"), stream("Near"));
         room.commit(&made);
         let (locks, _) = yukis(&[key(Kind::Stream, "d"), key(Kind::Stream, "c")]);
-        let again = room.propose_by(0, made.change, &nobody, &locks, &Anything);
+        let again = room.propose_by(0, made.change, &nobody, &locks, &AnyKnowledge);
         assert_eq!(again, Decision::Duplicate(1));
-        let Decision::Refuse(no) = room.propose_by(0, lost.clone(), &nobody, &locks, &Anything) else { panic!() };
+        let Decision::Refuse(no) = room.propose_by(0, lost.clone(), &nobody, &locks, &AnyKnowledge) else { panic!() };
         room.refused(&lost.op, &no);
-        let late = room.propose_by(0, lost, &nobody, &Locks::new(2), &Anything);
+        let late = room.propose_by(0, lost, &nobody, &Locks::new(2), &AnyKnowledge);
         assert!(matches!(&late, Decision::Refuse(Refusal::Locked { by, .. }) if by == "Yuki"), "{late:?}");
     }
 }

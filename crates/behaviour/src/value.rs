@@ -1,6 +1,8 @@
 //! The values that flow through a behaviour: what a sensor reads, a procedure makes and an actuator takes.
 
-use crate::Fields;
+pub(crate) mod fields;
+
+use fields::Fields;
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -32,7 +32,8 @@ fn full() -> Behaviour {
         let streams = streams.iter().map(|stream| id(stream)).collect();
         Record::Group(Group { title: "Group".to_owned(), streams, folded })
     };
-    let tile = |label: &str, does| Tile { label: label.to_owned(), does };
+    let tile =
+        |label: &str, does| Tile { label: label.to_owned(), asks: matches!(does, TileAction::Hand { .. }), does };
     let params = Params::from([("text".to_owned(), "Hello".into())]);
     let tiles = [
         (1, tile("Hello", TileAction::Hand { device: "SayParameter".to_owned(), params, value: Value::Null })),

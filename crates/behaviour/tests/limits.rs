@@ -2,20 +2,10 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 
 use behaviour::{
-    BEHAVIOUR_MAX_BYTES, Behaviour, Change, Connector, Decision, GROUPS_MAX, Group, HELPERS_MAX, Helper, Id, Kind,
-    Knowledge, LIBRARY_MAX_BYTES, NOTES_MAX, Note, PLACES_MAX, Params, Place, Procedure, Record, RecordId, Refusal,
-    Room, STREAMS_MAX, Settings, Stream, StreamKind, Value, connectors, record_bytes,
+    AnyKnowledge, BEHAVIOUR_MAX_BYTES, Behaviour, Change, Connector, Decision, GROUPS_MAX, Group, HELPERS_MAX, Helper,
+    Id, Kind, Knowledge, LIBRARY_MAX_BYTES, NOTES_MAX, Note, PLACES_MAX, Params, Place, Procedure, Record, RecordId,
+    Refusal, Room, STREAMS_MAX, Settings, Stream, StreamKind, Value, connectors, record_bytes,
 };
-
-struct Anything;
-impl Knowledge for Anything {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-        Ok(())
-    }
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-        Ok(())
-    }
-}
 
 /// A rule that must not be reached: asking about procedures costs the most.
 struct Never;
@@ -104,7 +94,7 @@ fn each_kind_has_a_bound_of_its_count() {
         assert!(matches!(&refused, Refusal::TooMany(_, most) if *most == many), "{refused:?}");
         assert!(refused.to_string().contains(&many.to_string()), "{refused}");
         let swap = vec![(key(kind, 0), None), (key(kind, 99_999), Some(record))];
-        assert!(matches!(propose(&room, &Anything, swap), Decision::Save(_)), "one for another");
+        assert!(matches!(propose(&room, &AnyKnowledge, swap), Decision::Save(_)), "one for another");
     }
 }
 
@@ -115,7 +105,7 @@ fn the_library_and_a_behaviour_have_a_bound_of_their_bytes() {
     let mut library = Room::open(helpers, 1);
     let refused = (0..10).find_map(|at| {
         let decision =
-            propose(&library, &Anything, vec![(key(Kind::Helper, 9_000 + at), Some(helper(9_000 + at, &body)))]);
+            propose(&library, &AnyKnowledge, vec![(key(Kind::Helper, 9_000 + at), Some(helper(9_000 + at, &body)))]);
         match decision {
             Decision::Save(saved) => {
                 library.commit(&saved);
@@ -139,7 +129,7 @@ fn the_library_and_a_behaviour_have_a_bound_of_their_bytes() {
 #[test]
 fn what_is_too_large_already_opens_and_can_be_made_smaller() {
     let mut room = Room::open(too_many_notes(), 1);
-    let take = |room: &mut Room, edits| match propose(room, &Anything, edits) {
+    let take = |room: &mut Room, edits| match propose(room, &AnyKnowledge, edits) {
         Decision::Save(saved) => room.commit(&saved),
         other => panic!("{other:?}"),
     };

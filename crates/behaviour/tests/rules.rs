@@ -362,7 +362,7 @@ fn twins_of_before_stay_until_one_is_changed() {
 }
 
 fn pad(key: u8, label: &str, does: TileAction) -> Option<Record> {
-    Some(Record::Pad(Pad { tiles: [(key, Tile { label: label.to_owned(), does })].into() }))
+    Some(Record::Pad(Pad { tiles: [(key, Tile { label: label.to_owned(), does, asks: false })].into() }))
 }
 
 #[test]
@@ -402,6 +402,12 @@ fn a_behaviour_has_one_pad_of_nine_tiles_that_can_be_pressed() {
     let large = Value::text("x".repeat(TILE_MAX_BYTES));
     assert_eq!(refused("pad", pad(1, "Press", hand("Walk", large))), Refusal::TooLarge("this tile".into()));
     assert_eq!(refused("pad", pad(1, "Press", hand("Walk", f64::NAN.into()))), Refusal::Infinite);
+    let asks = |does| {
+        let tile = Tile { label: "Press".to_owned(), does, asks: true };
+        Some(Record::Pad(Pad { tiles: [(1, tile)].into() }))
+    };
+    assert_eq!(answer("pad", asks(hand("Walk", Value::Null))), Ok(()), "an action may ask first");
+    assert!(matches!(refused("pad", asks(word("smile"))), Refusal::Malformed(_)), "a moment is marked at once");
 }
 
 #[test]

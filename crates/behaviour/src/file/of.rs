@@ -61,7 +61,8 @@ fn file_group(id: &Id, group: &Group) -> FileGroup {
 }
 
 fn file_tile((key, tile): (&u8, &Tile)) -> FileTile {
-    let plain = FileTile { key: *key, label: tile.label.clone(), ..FileTile::default() };
+    let asks = tile.asks.then_some(true);
+    let plain = FileTile { key: *key, label: tile.label.clone(), asks, ..FileTile::default() };
     let there = |value: &Value| Some(value.clone()).filter(|value| *value != Value::Null);
     match &tile.does {
         TileAction::Hand { device, params, value } => FileTile {

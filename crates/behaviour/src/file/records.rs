@@ -190,7 +190,8 @@ fn pad_tiles(
         match tile.action().filter(|_| TILE_KEYS.contains(&tile.key) && keys.insert(tile.key)) {
             Some(does) => {
                 let does = does.renamed(&mut stream);
-                tiles.extend(does.map(|does| (tile.key, Tile { label: tile.label.clone(), does })));
+                let asks = tile.asks.unwrap_or_default();
+                tiles.extend(does.map(|does| (tile.key, Tile { label: tile.label.clone(), does, asks })));
             }
             None => flaws.push(flaw(&format!("tile {}", tile.key), FlawKind::Tile)),
         }
@@ -202,7 +203,7 @@ impl FileTile {
     /// The action of a press; none if the tile has not exactly one.
     #[must_use]
     pub fn action(&self) -> Option<TileAction<String>> {
-        let Self { key: _, label: _, device, params, stream, value, word, span } = self;
+        let Self { key: _, label: _, device, params, stream, value, word, span, asks } = self;
         let told = value.clone().unwrap_or(Value::Null);
         match (device, stream, word) {
             (Some(device), None, None) if span.is_none() => {
@@ -212,7 +213,7 @@ impl FileTile {
             (None, Some(stream), None) if params.is_none() && span.is_none() => {
                 Some(TileAction::Pretend { stream: stream.clone(), value: told })
             }
-            (None, None, Some(word)) if params.is_none() && value.is_none() => {
+            (None, None, Some(word)) if params.is_none() && value.is_none() && *asks != Some(true) => {
                 Some(TileAction::Word { word: word.clone(), span: span.unwrap_or_default() })
             }
             _ => None,

@@ -2,11 +2,9 @@
 //! a comma before their decimals. None of them can stand there in a procedure that runs, so reading them as what they mean
 //! changes none that does. What stands in a text stays.
 
+use super::quotes::quoted;
 use super::tokens::{Bracket, PlacedToken, TokenKind, tokens};
 use crate::{TypedNumber, has_unseen, typed_number};
-
-/// Quotes that look like the plain one, by what ends them.
-const QUOTES: [(&str, &str); 3] = [("“”„‟＂", "“”‟＂\""), ("«»", "»«"), ("‘’‚‛＇", "’‘‛＇'")];
 
 /// A procedure as it is probably meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -103,15 +101,6 @@ fn narrow(written: &str) -> Option<String> {
     let is_wide = |c: char| ('\u{ff01}'..='\u{ff5e}').contains(&c);
     let plain = |c: char| if is_wide(c) { char::from_u32(c as u32 - 0xfee0).unwrap_or(c) } else { c };
     written.contains(is_wide).then(|| written.chars().map(plain).collect())
-}
-
-/// Returns the length of a text that begins here with a quote which only looks like one; none if nothing ends it.
-pub(super) fn quoted(rest: &str) -> Option<usize> {
-    let first = rest.chars().next()?;
-    let (_, ends) = QUOTES.iter().find(|(begins, _)| begins.contains(first))?;
-    let inside = &rest[first.len_utf8()..];
-    let (at, end) = inside.char_indices().find(|(_, c)| ends.contains(*c))?;
-    Some(first.len_utf8() + at + end.len_utf8())
 }
 
 fn in_plain_quotes(written: &str) -> String {

@@ -1,7 +1,7 @@
 //! A procedure cut into its words, texts and signs, as Rhai cuts it: code is also what stands in the holes `${…}` of a text,
 //! to any depth, and nothing else of a text or a comment is.
 
-use super::{after_word, is_name_start, look_alikes};
+use super::{after_word, is_name_start, quotes};
 use std::ops::Range;
 
 /// Signs of several characters, the longest first.
@@ -92,7 +92,7 @@ impl Cutter<'_> {
             self.put(TokenKind::Word, after_word(self.body, start));
         } else if first.is_ascii_whitespace() {
             self.at += first.len_utf8();
-        } else if let Some(length) = look_alikes::quoted(rest) {
+        } else if let Some(length) = quotes::quoted(rest) {
             self.put(TokenKind::Text, start + length);
         } else {
             let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));

@@ -1,21 +1,8 @@
 //! Taking back one's own: examples to read, and properties of many random histories.
 
 use super::UndoLog;
-use crate::{
-    Behaviour, Change, Committed, Decision, Id, Kind, Knowledge, Note, Params, Record, RecordId, Refusal, Room,
-    StreamKind,
-};
+use crate::{AnyKnowledge, Behaviour, Change, Committed, Decision, Id, Kind, Note, Record, RecordId, Refusal, Room};
 use proptest::prelude::*;
-
-struct Anything;
-impl Knowledge for Anything {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-        Ok(())
-    }
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-        Ok(())
-    }
-}
 
 fn id(text: &str) -> Id {
     Id::new(text).unwrap()
@@ -47,7 +34,7 @@ impl Desk {
     }
 
     fn save(&mut self, change: Change) {
-        match self.room.propose(0, change, &Anything) {
+        match self.room.propose(0, change, &AnyKnowledge) {
             Decision::Save(committed) => {
                 self.room.commit(&committed);
                 self.log.push(committed);

@@ -2,20 +2,9 @@
 
 use crate::plan::Dice;
 use behaviour::{
-    Behaviour, Change, Connector, Graph, Id, Kind, Knowledge, Note, Pad, Params, Place, Procedure, Record, RecordId,
-    Settings, Stream, StreamKind, Tile, TileAction, Value, connectors,
+    Behaviour, Change, Connector, Graph, Id, Kind, Note, Pad, Params, Place, Procedure, Record, RecordId, Settings,
+    Stream, StreamKind, Tile, TileAction, Value, connectors,
 };
-
-/// Every device and procedure is known.
-pub(crate) struct Anything;
-impl Knowledge for Anything {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-        Ok(())
-    }
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-        Ok(())
-    }
-}
 
 const STREAMS: u64 = 6;
 const CONNECTORS: u64 = 4;
@@ -111,7 +100,7 @@ fn pad(dice: &mut Dice) -> Record {
     let stream = key(Kind::Stream, 's', dice.roll(STREAMS)).id;
     let does = TileAction::Pretend { stream, value: Value::Int(dice.roll(9) as i64) };
     let key = 1 + dice.roll(9) as u8;
-    Record::Pad(Pad { tiles: [(key, Tile { label: "Press".to_owned(), does })].into() })
+    Record::Pad(Pad { tiles: [(key, Tile { label: "Press".to_owned(), does, asks: false })].into() })
 }
 
 fn note(dice: &mut Dice) -> Record {

@@ -1,10 +1,10 @@
 //! A server around the pure room and its locks, as small as it can be: it decides, saves, tells, and dies when told to.
 
-use crate::gestures::{Anything, start};
+use crate::gestures::start;
 use crate::witness::{Check, Disk, Witness};
 use behaviour::{
-    Behaviour, Change, Committed, Decision, Denied, Grant, Holder, Id, LockEndReason, LockEvent, LockToken, Locks,
-    Presented, RecordId, Refusal, Room, UndoLog,
+    AnyKnowledge, Behaviour, Change, Committed, Decision, Denied, Grant, Holder, Id, LockEndReason, LockEvent,
+    LockToken, Locks, Presented, RecordId, Refusal, Room, UndoLog,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -344,13 +344,23 @@ impl Server {
         if self.is(Mutant::NoCas) {
             change.edits.iter_mut().for_each(|edit| edit.before = self.room.behaviour().records.get(&edit.id).cloned());
         }
-        let decision = match self.is(Mutant::NoFencing) {
-            true => self.room.propose(self.now_ms, change, &Anything),
-            false => {
-                let presented = self.presented(presented);
-                self.room.propose_by(self.now_ms, change, &presented, &self.locks, &Anything)
-            }
+        // The path of production (`crates/server/src/rooms/task`): the locks let a change in, which then is decided about.
+        let let_in = match self.is(Mutant::NoFencing) {
+            true => Ok(()),
+            false => self.room.check_locks(&change, &self.presented(presented), &self.locks),
         };
+        let decision = match let_in {
+            Ok(()) => {
+                if !self.is(Mutant::GrantWhileSaving) {
+                    self.locks.begin_saving(self.clock(), &change, presented);
+                }
+                self.room.propose(self.now_ms, change, &AnyKnowledge)
+            }
+            Err(locked) => Decision::Refuse(locked),
+        };
+        if !matches!(decision, Decision::Save(_)) {
+            self.locks.saved(self.clock(), &sent.op);
+        }
         match &decision {
             Decision::Save(committed) => self.witness.let_in(&sent, &committed.change, presented)?,
             Decision::Refuse(Refusal::Locked { .. }) => self.witness.kept_out(&sent, presented)?,
@@ -371,9 +381,6 @@ impl Server {
     }
 
     fn begin(&mut self, session: u64, committed: Committed, presented: Presented) -> Check {
-        if !self.is(Mutant::GrantWhileSaving) {
-            self.locks.begin_saving(self.clock(), &committed.change, &presented);
-        }
         self.tell_of_locks()?;
         if self.is(Mutant::AckBeforeCommit) {
             self.tell_made(session, &committed);

@@ -1,11 +1,11 @@
 //! The clients, the server and the links between them, as one plan moves them, and what must be true when all is calm.
 
 use crate::client::Client;
-use crate::gestures::{Anything, id, record, start};
+use crate::gestures::{id, record, start};
 use crate::plan::{Plan, Step};
 use crate::server::{Down, Server, Up};
 use crate::witness::Check;
-use behaviour::{Change, Committed, Decision, RecordId, Room, UndoLog};
+use behaviour::{AnyKnowledge, Change, Committed, Decision, RecordId, Room, UndoLog};
 use std::collections::{BTreeMap, VecDeque};
 
 /// Rounds of a second in which everything must have become calm.
@@ -348,7 +348,7 @@ impl World {
 }
 
 fn make(room: &mut Room, change: Change) -> Result<Committed, String> {
-    match room.propose(0, change, &Anything) {
+    match room.propose(0, change, &AnyKnowledge) {
         Decision::Save(committed) => {
             room.commit(&committed);
             Ok(committed)
