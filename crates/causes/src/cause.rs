@@ -127,6 +127,11 @@ impl WayRoom {
         self.steps = all.map(|waiting| waiting.cause.depth).sum();
     }
 
+    /// Returns roughly how many bytes all ways take.
+    pub(crate) fn bytes(&self) -> usize {
+        self.steps * (size_of::<Cause>() + size_of::<With>())
+    }
+
     /// A value waits no more.
     pub(crate) fn leave(&mut self, waiting: WaitingCause) -> Arc<Cause> {
         self.steps = self.steps.saturating_sub(waiting.cause.depth);

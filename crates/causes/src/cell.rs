@@ -147,6 +147,13 @@ impl TracedCell {
         self.known.iter().enumerate().filter(|(_, known)| known.is_none()).map(|(slot, _)| slot)
     }
 
+    /// Returns roughly how many bytes it takes without the ways of what waits.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of::<Self>()
+            + self.known.len() * 2 * size_of::<SeenValue>()
+            + self.waiting.len() * size_of::<WaitingCause>()
+    }
+
     fn turned(&mut self, turn: Turn, took: &Cause) {
         self.last = Some(Last { turn, took: took.seen.clone() });
     }

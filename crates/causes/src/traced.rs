@@ -23,6 +23,14 @@ pub struct Snapshot {
     tracer: Tracer,
 }
 
+impl Snapshot {
+    /// Returns roughly how many bytes it takes, for who keeps many of them.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.memory.bytes() + self.tracer.bytes()
+    }
+}
+
 /// The most values that are kept of a stretch, the newest ones.
 const VALUES_MAX: usize = 10_000;
 

@@ -100,6 +100,12 @@ impl Tracer {
         self.programs.push(Ids::of(file));
     }
 
+    /// Returns roughly how many bytes it takes. Ways that a copy shares with it are counted for both.
+    pub(crate) fn bytes(&self) -> usize {
+        let core = &self.core;
+        size_of::<Self>() + core.room.bytes() + core.cells.iter().map(TracedCell::bytes).sum::<usize>()
+    }
+
     /// Tells a value and its way.
     #[must_use]
     pub fn tell(&self, cause: &Cause) -> Why {

@@ -6,7 +6,7 @@ use crate::listening::tell_invitation;
 use crate::store_at::{StoreArgs, run};
 use clap::{Args, ValueEnum};
 use host_key::HostKey;
-use protocol::{HOST_LINK_PATH, Lasts, Reply, Request, Role};
+use protocol::{HOST_LINK_PATH, Lasts, Role, answer, request};
 use serde::Deserialize;
 use server::InvitedFrom;
 use shell::Client;
@@ -109,12 +109,11 @@ pub(crate) fn invite(args: InviteArgs) -> Result<(), Failure> {
         let client = Client::connect(&format!("http://{}/", args.at.server()?.address), "rrp invite").await;
         let client = client.map_err(|why| Failure::ServerSays(why.to_string()))?;
         let (role, lasts) = (args.role.into(), args.lasts.into());
-        match client.ask(Request::Invite { role, lasts, label: args.label }).await {
-            Ok(Reply::Invited { link, qr, fingerprint, .. }) => {
+        match client.ask(request::Invite { role, lasts, label: args.label }).await {
+            Ok(answer::Invited { link, qr, fingerprint, .. }) => {
                 let invited = InvitedFrom { role, lasts, link, qr, fingerprint };
                 tell_invitation(&mut io::stdout().lock(), &invited).map_err(Failure::Untold)
             }
-            Ok(_) => Err(Failure::ServerSays("The server does not answer with an invitation.".into())),
             Err(why) => Err(Failure::ServerSays(why.to_string())),
         }
     })

@@ -1,6 +1,7 @@
 //! The reasons why `rrp why` has nothing to tell.
 
 use recording::Different;
+use shell::NotThen;
 
 /// Why there is nothing to tell.
 #[derive(Debug)]
@@ -19,4 +20,13 @@ pub(crate) enum WhyFailure {
     NoClock,
     /// The recording cannot be played again.
     Unplayed(Different),
+}
+
+impl From<NotThen> for WhyFailure {
+    fn from(why: NotThen) -> Self {
+        match why {
+            NotThen::NotThen { began, until_ms } => Self::NotThen { began, until_ms },
+            NotThen::NoClock => Self::NoClock,
+        }
+    }
 }

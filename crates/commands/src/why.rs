@@ -1,6 +1,5 @@
 //! `rrp why`: why a value came, and why an action did not.
 
-mod moment;
 mod tell;
 mod words;
 
@@ -13,10 +12,10 @@ use behaviour::{BehaviourFile, FileStream, StreamKind};
 use causes::{Cause, Stretch, Traced};
 use clap::Args;
 use engine::{Limits, Run, StreamIx};
-use moment::Moment;
-use recording::Different;
+use recording::{Different, open};
 use robot::Millis;
 use sentences::Language;
+use shell::{Moment, Ran};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -140,15 +139,29 @@ impl From<ReplayRefused> for WhyOutcome {
 fn of_recording(args: &WhyArgs, path: &Path) -> Result<(AskedStretch, PlayedRun), WhyOutcome> {
     let text = read_trace(path).map_err(|failure| WhyOutcome::Failed(vec![failure], 3))?;
     let unplayed = |why: Different| WhyOutcome::No(WhyFailure::Unplayed(why));
-    let run = moment::Ran::of(&text).ok_or_else(|| unplayed(Different::NoRecording))?;
+    let run = ran(&text).ok_or_else(|| unplayed(Different::NoRecording))?;
     let asked = asked(args, &run)?;
     let stretch = asked.stretch();
     let past = recording::past(&text, stretch, &|stream| is_it(args, stream)).map_err(unplayed)?;
     Ok((asked, PlayedRun { traced: past.traced, stretch: past.stretch, lost: past.lost }))
 }
 
+/// When a recording was running; none if the text is none.
+fn ran(text: &str) -> Option<Ran> {
+    let (header, lines) = open(text).ok()?;
+    let until_ms = lines.lines().filter_map(|(_, line)| time_of(line)).max().unwrap_or(0);
+    Some(Ran::of(&header.began, until_ms))
+}
+
+/// The time of a line, found without reading all of it.
+fn time_of(line: &str) -> Option<u64> {
+    let rest = line.strip_prefix(r#"{"t":"#)?;
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    rest[..digits].parse().ok()
+}
+
 fn of_trace(args: &WhyArgs, behaviour: &Path, trace: &Path) -> Result<(AskedStretch, PlayedRun), WhyOutcome> {
-    let asked = asked(args, &moment::Ran::default())?;
+    let asked = asked(args, &Ran::default())?;
     let mut file = read_program(behaviour).map_err(|failure| ReplayRefused::Behaviour(vec![failure]))?;
     file.engine = Some(chosen_engine(args.mode, args.frame_ms, file.engine.unwrap_or_default()));
     let run = Run::build(&file, Limits::default()).map_err(ReplayRefused::engine)?;
@@ -164,8 +177,8 @@ fn of_trace(args: &WhyArgs, behaviour: &Path, trace: &Path) -> Result<(AskedStre
 }
 
 /// The stretch that the words on the command line ask about.
-fn asked(args: &WhyArgs, run: &moment::Ran) -> Result<AskedStretch, WhyFailure> {
-    let within = |moment: &Moment| moment.within(run);
+fn asked(args: &WhyArgs, run: &Ran) -> Result<AskedStretch, WhyFailure> {
+    let within = |moment: &Moment| moment.within(run).map_err(WhyFailure::from);
     if let (Some(from), Some(until)) = (&args.from, &args.until) {
         let ((from_ms, _), (_, until_ms)) = (within(from)?, within(until)?);
         return if from_ms <= until_ms {

@@ -14,6 +14,7 @@ mod sample;
 mod scan;
 mod subscribe;
 mod timestamp;
+mod turn;
 mod with_latest;
 
 use crate::faults::CallFault;
@@ -23,7 +24,7 @@ use robot::Millis;
 
 pub(crate) use context::{Outcome, RunContext};
 pub(crate) use memory::ConnectorMemory;
-pub(crate) use op::{ConnectorTurn, NextSteps};
+pub(crate) use turn::{ConnectorTurn, NextSteps};
 
 /// All connectors, in the order of their names.
 const ALL: &[&ConnectorKind] = &[

@@ -28,3 +28,4 @@ pub use private::{Private, PrivateParts};
 pub use read::{Entry, NoRecording, OpenRecording, open, read_line};
 pub use spans::{Span, SpanTrack, tracks};
 pub use timeline::{Happening, Timeline, TimelineEvent, timeline};
+pub use words::SinceStart;

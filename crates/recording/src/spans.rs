@@ -42,7 +42,8 @@ pub fn tracks(timeline: &Timeline) -> Vec<SpanTrack> {
         let name = if mark.word.is_empty() { "marks".to_owned() } else { format!("mark: {}", mark.word) };
         let until = mark.until.filter(|until| *until > mark.t);
         let (until_ms, is_moment) = (until.unwrap_or(mark.t.saturating_add(MOMENT_MS)), until.is_none());
-        let says = [&mark.note, &mark.word].into_iter().find(|text| !text.is_empty()).cloned().unwrap_or_default();
+        let says = [&mark.note, &mark.word].into_iter().find(|text| !text.is_empty()).map_or("", String::as_str);
+        let says = [mark.sort.word(), says].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(": ");
         let span = Span { from_ms: mark.t, until_ms, is_moment, says, by: mark.by.clone() };
         place(&mut tracks, &name, span);
     }

@@ -7,7 +7,7 @@ use std::fmt;
 impl fmt::Display for CheckedRecording {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let Self { actions, readings, until_ms, ends } = self;
-        let until = Time(*until_ms);
+        let until = SinceStart(*until_ms);
         write!(to, "It gives its own actions again: {actions} from {readings} readings, until {until}.")?;
         match ends {
             Ending::Whole(end) => write!(to, " It ends there: {}.", end.why),
@@ -30,13 +30,13 @@ impl fmt::Display for Different {
             Self::Stream { at_ms, stream } => write!(
                 to,
                 "At {} the recording has a stream “{stream}” that its own program does not have. Was it edited?",
-                Time(*at_ms)
+                SinceStart(*at_ms)
             ),
             Self::Missing { lost, after_ms } => write!(
                 to,
                 "{lost} lines are missing after {}, as they could not be written in time. Until there it gives its own \
                  actions again; what comes after cannot be checked.",
-                Time(*after_ms)
+                SinceStart(*after_ms)
             ),
             Self::Action { recorded, replayed, late } => {
                 differs(recorded.as_deref(), replayed.as_deref(), to)?;
@@ -66,7 +66,7 @@ fn differs(recorded: Option<&ToldValue>, replayed: Option<&ToldValue>, to: &mut 
 
 impl fmt::Display for ToldValue {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        write!(to, "“{}” {} at {}", self.name, self.value, Time(self.at_ms))
+        write!(to, "“{}” {} at {}", self.name, self.value, SinceStart(self.at_ms))
     }
 }
 
@@ -86,10 +86,11 @@ impl fmt::Display for Lack {
     }
 }
 
-/// A time of a run for people: `1:02.350`.
-struct Time(u64);
+/// A time since Start, in milliseconds, for people: `1:02.350`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SinceStart(pub u64);
 
-impl fmt::Display for Time {
+impl fmt::Display for SinceStart {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let Self(ms) = self;
         write!(to, "{}:{:02}.{:03}", ms / 60_000, ms / 1_000 % 60, ms % 1_000)

@@ -9,7 +9,7 @@ use crate::page::words::Words;
 use crate::page::{SCRIPT_ID, clean, own};
 use crate::replayed::Replayed;
 use maud::{DOCTYPE, Markup, html};
-use protocol::{Recording, RecordingMark, Records, Refused};
+use protocol::{OPERATE_PATH, Recording, RecordingMark, Records, Refused};
 use sentences::Language;
 use std::collections::BTreeSet;
 
@@ -202,7 +202,9 @@ fn links(list: &List) -> Markup {
     let address = List { language: other, ..list.clone() }.address(None, 0);
     html! {
         nav aria-label=(words.around()) {
-            a href="/" { "rrp" }
+            a href="/?graph" { (words.programs()) }
+            a href=(OPERATE_PATH) { (words.operate()) }
+            a href=(list.address(None, 0)) aria-current="page" { (words.recordings()) }
             a href=(address) lang=(other.code()) { (words.other_language()) }
             button id=(SCRIPT_ID) type="button" hidden { (words.print()) }
             form method="post" action="/stop" { button class="stop" type="submit" { (words.stop_all()) } }

@@ -91,7 +91,7 @@ fn a_report_says_what_happened() {
             "Troubles, 3 19:34:09 “ Say, \"loud\" ” was refused ( the voice is held by hand ) It was kept by Cleo",
             "19:34:09 “ Hello ” failed ( no text )",
             "Lines that could not be written in time and are missing here: 3.",
-            "Notes, 2 written by the operators 19:34:07 “ with Ben ” ( Cleo ) · laughs 19:34:08 “ told Aiko, so ” ( Ben )",
+            "Notes and verdicts, 3 written by the operators 19:34:07 ( Cleo ) · laughs · good 19:34:07 “ with Ben ” ( Cleo ) · laughs 19:34:08 “ told Aiko, so ” ( Ben )",
             "Notes are the operators’ own words.",
             "No name was asked for.",
         ],

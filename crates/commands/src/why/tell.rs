@@ -1,11 +1,11 @@
 //! The answer as it is printed: one line of JSON, or sentences.
 
-use super::words::SinceStart;
 use crate::explain::units;
 use crate::failure::Failure;
 use behaviour::{BehaviourFile, Helper};
 use engine::RunFault;
 use protocol::{Why, WhyNot};
+use recording::SinceStart;
 use sentences::{Answers, Language};
 use serde::Serialize;
 use std::io::Write;

@@ -1,23 +1,11 @@
 //! The sentences on standard error where nothing can be told, in English.
 
-use super::moment::NoMoment;
 use crate::no_answer::WhyFailure;
-use recording::Different;
+use recording::{Different, SinceStart};
 use std::fmt;
 
 /// Names that are shown to somebody who looks for another one.
 const NAMES_MAX: usize = 10;
-
-impl fmt::Display for NoMoment {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        to.write_str(
-            "this is no time; write milliseconds since Start, such as 4200, minutes and seconds since Start, such as \
-             0:04.2, or the time of day of a recording, such as 12:04:17.2",
-        )
-    }
-}
-
-impl std::error::Error for NoMoment {}
 
 impl fmt::Display for WhyFailure {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
@@ -68,14 +56,4 @@ fn unknown(wanted: &str, is_action: bool, names: &[String], to: &mut fmt::Format
     let shown: Vec<_> = names.iter().take(NAMES_MAX).map(|name| format!("“{name}”")).collect();
     let more = if names.len() > NAMES_MAX { ", …" } else { "" };
     write!(to, "There are {}{more}.", shown.join(", "))
-}
-
-/// A time since Start: `0:04.200`.
-pub(super) struct SinceStart(pub(super) u64);
-
-impl fmt::Display for SinceStart {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let Self(ms) = self;
-        write!(to, "{}:{:02}.{:03}", ms / 60_000, ms / 1_000 % 60, ms % 1_000)
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::context::{Outcome, RunContext};
 use super::memory::ConnectorMemory;
-use super::op::{ConnectorTurn, NextSteps};
+use super::turn::{ConnectorTurn, NextSteps};
 use super::{ConnectorChoice, ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
 use crate::values::CarriedValue;

@@ -1,6 +1,6 @@
 //! The context in which connectors work: the procedures, the last value of every stream, and the counts.
 
-use super::op::ConnectorTurn;
+use super::turn::ConnectorTurn;
 use crate::faults::CallFault;
 use crate::procedure::ConnectorProcedure;
 use crate::values::in_place::{ComputedNumber, ProcedureOutput};

@@ -1,7 +1,7 @@
 //! filter: passes on the values for which its procedure says exactly true.
 
 use super::context::{Outcome, RunContext};
-use super::op::{ConnectorTurn, NextSteps};
+use super::turn::{ConnectorTurn, NextSteps};
 use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
 use crate::procedure::compiled::CompiledComparison;

@@ -1,7 +1,7 @@
 //! map: passes on what its procedure makes of each value.
 
 use super::context::{Outcome, RunContext};
-use super::op::{ConnectorTurn, NextSteps};
+use super::turn::{ConnectorTurn, NextSteps};
 use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
 use crate::procedure::compiled::Operator;

@@ -1,7 +1,7 @@
 //! merge: passes on every value of all inputs.
 
 use super::context::{Outcome, RunContext};
-use super::op::{ConnectorTurn, NextSteps};
+use super::turn::{ConnectorTurn, NextSteps};
 use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
 use crate::values::CarriedValue;

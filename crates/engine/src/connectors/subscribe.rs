@@ -1,7 +1,7 @@
 //! subscribe: hands every value to an actuator.
 
 use super::context::{Outcome, RunContext};
-use super::op::{ConnectorTurn, NextSteps};
+use super::turn::{ConnectorTurn, NextSteps};
 use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
 use crate::values::CarriedValue;

@@ -1,7 +1,7 @@
 //! timestamp: passes on each value together with when it was sensed.
 
 use super::context::{Outcome, RunContext};
-use super::op::{ConnectorTurn, NextSteps};
+use super::turn::{ConnectorTurn, NextSteps};
 use super::{ConnectorKind, FrameTurn, RunConnector};
 use crate::faults::CallFault;
 use crate::values::CarriedValue;

@@ -1,6 +1,7 @@
 //! The reasons why a text is no procedure.
 
 use super::Syntax;
+use super::place::TextPlace;
 use behaviour::AsMeant;
 use rhai::Position;
 
@@ -43,26 +44,11 @@ pub enum Misuse {
     HelperValues(String, usize),
 }
 
-/// A place in a text, counted from 1. [`std::fmt::Display`] says it with a colon behind it, if it is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TextPlace {
-    /// The line, if it is known.
-    pub line: Option<usize>,
-    /// The column, if it is known.
-    pub column: Option<usize>,
-}
-
 impl std::error::Error for BodyFault {}
 
 impl BodyFault {
     /// A procedure does there what it may not.
     pub(crate) fn misuse(at: Position, misuse: Misuse) -> Self {
         Self::Misuse(at.into(), misuse)
-    }
-}
-
-impl From<Position> for TextPlace {
-    fn from(at: Position) -> Self {
-        Self { line: at.line(), column: at.position() }
     }
 }

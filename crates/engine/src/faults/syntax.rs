@@ -1,6 +1,8 @@
 //! The reasons why Rhai cannot read a text, in plain words.
 
-use super::{TextPlace, ValueKind, words::plain};
+use super::ValueKind;
+use super::place::TextPlace;
+use super::plain::plain;
 use rhai::{LexError, ParseError, ParseErrorType};
 use std::fmt;
 

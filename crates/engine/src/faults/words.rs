@@ -1,5 +1,6 @@
 //! Every fault in plain words, and what to do about it.
 
+use super::plain::plain;
 use super::{BodyFault, CallFault, GraphFault, Misuse, Reason, RunFault, TextPlace, TrialFault, ValueFault, ValueKind};
 use behaviour::connectors::Inputs;
 use behaviour::{AsMeant, BODY_MAX_CHARS, Value, has_unseen};
@@ -243,11 +244,4 @@ impl Display for ValueKind {
             Self::Other(name) => name,
         })
     }
-}
-
-/// Lower case in front, no dot at the end, one line.
-pub(super) fn plain(text: &str) -> String {
-    let line = text.lines().next().unwrap_or_default().trim().trim_end_matches('.');
-    let mut rest = line.chars();
-    rest.next().map_or_else(String::new, |first| first.to_lowercase().chain(rest).collect())
 }

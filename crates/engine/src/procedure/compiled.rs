@@ -9,9 +9,7 @@ mod build;
 mod chain;
 mod compare;
 mod functions;
-mod helpers;
 mod literals;
-mod make;
 mod name;
 mod node;
 mod numbers;
@@ -25,8 +23,8 @@ use node::{Env, ProcedureNode};
 use rhai::AST;
 use std::rc::Rc;
 
+pub(crate) use build::helpers::CompiledHelpers;
 pub(crate) use compare::CompiledComparison;
-pub(crate) use helpers::CompiledHelpers;
 pub(crate) use numbers::Operator;
 
 /// The tree is not sure what Rhai would say.

@@ -3,7 +3,11 @@
 use super::{Matching, Run, RunMode};
 use crate::timeline::RunMemory;
 use crate::values::Stats;
+use behaviour::Value;
 use serde::{Deserialize, Serialize};
+
+/// The bytes of each stream and connector besides its values.
+const SLOT_BYTES: usize = 128;
 
 /// The state that a run leaves to the one that follows it; may be handed to another thread. Written down it is all that
 /// decides about the values of the next one, with streams and connectors by their places in the file that ran; counts are
@@ -14,6 +18,27 @@ pub struct Handover {
     memory: RunMemory,
     #[serde(skip)]
     stats: Stats,
+}
+
+impl Handover {
+    /// Returns roughly how many bytes it takes, for who keeps many of them.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let memory = self.memory.values().map(value_bytes).sum::<usize>();
+        let counted = self.stats.streams.iter().filter_map(|stream| stream.last()).map(|(_, value)| value_bytes(value));
+        let slots = self.stats.streams.len() + self.stats.connectors.len();
+        memory + counted.sum::<usize>() + SLOT_BYTES * slots
+    }
+}
+
+fn value_bytes(value: &Value) -> usize {
+    let own = size_of::<Value>();
+    match value {
+        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) => own,
+        Value::Text(text) => own + 16 + text.len(),
+        Value::List(items) => own + 40 + items.iter().map(value_bytes).sum::<usize>(),
+        Value::Map(fields) => own + 64 + fields.values().iter().map(value_bytes).sum::<usize>(),
+    }
 }
 
 impl Run {

@@ -2,6 +2,7 @@
 
 use crate::connectors::ConnectorMemory;
 use crate::values::{CarriedValue, ConnectorIx, Ix, Pairs, StreamIx};
+use behaviour::Value;
 use serde::{Deserialize, Serialize};
 
 /// The memory of a run.
@@ -18,6 +19,14 @@ pub(crate) struct RunMemory {
 }
 
 impl RunMemory {
+    /// All values in it.
+    pub(crate) fn values(&self) -> impl Iterator<Item = &Value> {
+        let connectors = self.connectors.iter().flat_map(|(_, memory)| {
+            memory.known.iter().flatten().chain(memory.waiting.iter().map(|waiting| &waiting.carried.value))
+        });
+        connectors.chain(self.waiting.iter().map(|(_, waiting)| &waiting.value))
+    }
+
     /// Renumbers it for the graph that follows; what has no place there is forgotten.
     pub(crate) fn moved(self, streams: &Pairs<StreamIx>, connectors: &Pairs<ConnectorIx>) -> Self {
         Self { connectors: moved(self.connectors, connectors), waiting: moved(self.waiting, streams), ..self }

@@ -72,15 +72,15 @@ fn a_table_is_the_same_with_commas_and_with_semicolons() {
     let of = told(PrivateParts::default());
     let table = rows(&csv::written(&of, ','), ',');
     assert_eq!(table, rows(&csv::written(&of, ';'), ';'));
-    assert_eq!(table[0], ["t_ms", "clock", "what", "subject", "value", "by", "until_ms"]);
-    assert!(table.iter().all(|row| row.len() == 7));
+    assert_eq!(table[0], ["t_ms", "clock", "what", "subject", "value", "by", "until_ms", "verdict"]);
+    assert!(table.iter().all(|row| row.len() == 8));
     assert!(table[1..].iter().all(|row| row[0].parse::<u64>().is_ok() && !row[0].contains(['.', ','])));
-    let has = |row: [&str; 7]| assert!(table.iter().any(|known| known == &row), "{row:?} is not in {table:#?}");
-    has(["50", "0:00:00.050", "pretended", "Ball", r#"{"x":0.1}"#, "P4", ""]
+    let has = |row: [&str; 8]| assert!(table.iter().any(|known| known == &row), "{row:?} is not in {table:#?}");
+    has(["50", "0:00:00.050", "pretended", "Ball", r#"{"x":0.1}"#, "P4", "", ""]
         .map(|field| if field == "P4" { code(&of, "Ball") } else { field }));
-    has(["10", "0:00:00.010", "action", "Say, \"loud\"", "(left out)", "", ""]);
-    has(["3000", "0:00:03.000", "by hand", "SayInput", "'=1+1; <b>--> & \"so\"", code(&of, "SayInput"), ""]);
-    has(["1000", "0:00:01.000", "mark", "laughs", "", code(&of, "SayInput"), "1500"]);
+    has(["10", "0:00:00.010", "action", "Say, \"loud\"", "(left out)", "", "", ""]);
+    has(["3000", "0:00:03.000", "by hand", "SayInput", "'=1+1; <b>--> & \"so\"", code(&of, "SayInput"), "", ""]);
+    has(["1000", "0:00:01.000", "mark", "laughs", "", code(&of, "SayInput"), "1500", "good"]);
 }
 
 /// Returns the name or code of the one who did something with `subject`; empty if nobody did.

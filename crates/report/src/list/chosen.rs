@@ -5,7 +5,7 @@ use crate::clock::{Clock, length};
 use crate::page::{clean, own};
 use crate::sessions::words as words_of;
 use maud::{Markup, html};
-use protocol::{MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, RECORDING_TITLE_MAX_CHARS, REPORTS_PATH, RecordingMark};
+use protocol::{MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, RECORDING_TITLE_MAX_CHARS, REPORTS_PATH, RecordingMark, Records};
 
 /// The most marks that are shown one by one.
 const MARKS_MAX: usize = 200;
@@ -31,6 +31,9 @@ pub(super) fn aside(list: &List, chosen: &ChosenRecording) -> Markup {
             @if list.choice.bin { (of_bin(list, &file)) } @else {
                 p {
                     a class="button first" href=(format!("{REPORTS_PATH}/{file}/report?language={}{offset}", list.language.code())) { (words.report()) }
+                }
+                @if !recording.old_form && recording.session.records == Records::All {
+                    p { a class="button" href=(format!("/?past={file}")) { (words.look_back()) } }
                 }
                 p class="downloads" { (words.download()) ": "
                     a href=(format!("{}/{file}", list.downloads)) download { ".jsonl" } " "
@@ -97,7 +100,7 @@ fn marks(list: &List, chosen: &ChosenRecording, file: &str, clock: Clock) -> Mar
         ul {
             @for mark in chosen.marks.iter().take(MARKS_MAX) {
                 li {
-                    @let says = html! { (clock.at(mark.t)) " " (own(&mark.word)) @if !mark.note.is_empty() { " “" (own(&mark.note)) "”" } };
+                    @let says = html! { (clock.at(mark.t)) " " (own(&mark.word)) @if !mark.note.is_empty() { " “" (own(&mark.note)) "”" } @if !mark.sort.is_note() { " · " (words.verdict(mark.sort)) } };
                     @if list.may_change && !chosen.listed.recording.goes_on {
                         details { summary { (says) } (edit(list, mark, file, clock)) }
                     } @else { (says) }

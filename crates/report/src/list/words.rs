@@ -19,6 +19,7 @@ said! {
     ends_early: "ends early", "途中まで";
     find: "Find", "探す";
     find_hint: "Code, program, person, name or day …", "コード、プログラム、人、名前、日付…";
+    look_back: "Look back", "ふり返る";
     marks_and_actions_only: "marks only", "印だけ";
     name_hint: "A name for this recording", "この記録の名前";
     no_code: "no code", "コードなし";
@@ -28,7 +29,9 @@ said! {
     not_looked_at: "not checked yet", "まだ確かめていません";
     note: "Note", "メモ";
     old_file: "old file: no program", "古い記録：プログラムなし";
+    operate: "Operator’s page", "操作の画面";
     program: "Program", "プログラム";
+    programs: "Programs", "プログラム一覧";
     recording_now: "recording now", "記録中";
     recordings: "Recordings", "記録一覧";
     remove_for_good: "Remove it for good", "完全に削除する";

@@ -4,6 +4,7 @@ use super::words::Words;
 use super::{ReportWishes, SCRIPT_ID};
 use crate::gather::Gathered;
 use maud::{Markup, html};
+use protocol::REPORTS_PATH;
 use sentences::Language;
 
 /// The other forms, by what the server calls them.
@@ -17,7 +18,7 @@ pub(super) fn all(of: &Gathered, words: Words, asked: &ReportWishes) -> Markup {
     let names = if asked.names { "&names=1" } else { "" };
     html! {
         nav aria-label=(words.beside()) {
-            a href="/" { "rrp" }
+            a href=(back(asked, of.language)) { (words.back_to_list()) }
             button id=(SCRIPT_ID) type="button" hidden { (words.print()) }
             a href=(address(asked, of.language, !asked.names)) { (words.switch_names(asked.names)) }
             a href=(address(asked, other, asked.names)) lang=(other.code()) { (words.other_language()) }
@@ -30,6 +31,12 @@ pub(super) fn all(of: &Gathered, words: Words, asked: &ReportWishes) -> Markup {
             p { (words.about_names(asked.names)) }
         }
     }
+}
+
+/// Returns the address of the list of all recordings, in this language and zone.
+fn back(asked: &ReportWishes, language: Language) -> String {
+    let offset = asked.zone.minutes().map(|minutes| format!("&offset={minutes}")).unwrap_or_default();
+    format!("{REPORTS_PATH}?language={}{offset}", language.code())
 }
 
 /// Returns the address of this report in a language, with or without names.

@@ -179,7 +179,7 @@ fn sentence(sheet: &Sheet, at_ms: u64, trouble: &Trouble) -> Markup {
 
 fn notes(sheet: &Sheet) -> Markup {
     let words = sheet.words;
-    let notes = || sheet.of.marks.iter().filter(|mark| !mark.note.is_empty());
+    let notes = || sheet.of.marks.iter().filter(|mark| !mark.note.is_empty() || !mark.sort.is_note());
     html! {
         @if notes().next().is_some() {
             section {
@@ -189,8 +189,12 @@ fn notes(sheet: &Sheet) -> Markup {
                         @for mark in notes() {
                             tr {
                                 th scope="row" { (sheet.clock.at(mark.t)) }
-                                td { "“" (sheet.text(&mark.note)) "” (" (sheet.person(&mark.by)) ")"
-                                    @if !mark.word.is_empty() { " · " (sheet.text(&mark.word)) } }
+                                td {
+                                    @if !mark.note.is_empty() { "“" (sheet.text(&mark.note)) "” " }
+                                    "(" (sheet.person(&mark.by)) ")"
+                                    @if !mark.word.is_empty() { " · " (sheet.text(&mark.word)) }
+                                    @if !mark.sort.is_note() { " · " b { (words.verdict(mark.sort)) } }
+                                }
                             }
                         }
                     }

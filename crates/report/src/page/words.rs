@@ -2,6 +2,7 @@
 
 use crate::clock::length;
 use crate::replayed::Replayed;
+use protocol::MarkSort;
 use sentences::Language;
 
 /// The words of one language.
@@ -62,7 +63,7 @@ said! {
     nobody: "nobody is named in it", "名前の記録なし";
     not_by_hand: "was pressed and not done", "を押しましたが、実行されませんでした";
     note_only: "a note only", "メモだけ";
-    notes: "Notes", "メモ";
+    notes: "Notes and verdicts", "メモと評価";
     nothing_by_hand: "Nothing was done by hand.", "手動操作はありません。";
     old_form: "This recording is of an older form. It lacks the program, and what was pretended, refused or done by hand; streams \
                stand here by their ids.",
@@ -266,6 +267,16 @@ impl Words {
                 "Staff stand here and in the downloads as P1, P2 and so on; only the .jsonl has everything as it was recorded.",
                 "スタッフは、ここでもダウンロードでも P1、P2 などと示されます。.jsonl だけには、すべてが記録されたまま入っています。",
             )
+        }
+    }
+
+    /// The verdict of a mark on its moment.
+    pub(crate) fn verdict(self, sort: MarkSort) -> &'static str {
+        match sort {
+            MarkSort::Note => "",
+            MarkSort::Good => self.said("good", "良い"),
+            MarkSort::Bad => self.said("not good", "良くない"),
+            MarkSort::Now => self.said("it should have", "してほしかった"),
         }
     }
 

@@ -1,10 +1,12 @@
 //! From what Rhai has read to our tree; nothing for a procedure with any part that is not known here.
 
+pub(super) mod helpers;
+
 use super::functions::Function;
-use super::helpers::{CompiledHelper, CompiledHelpers};
 use super::literals::{constant, operation};
 use super::node::ProcedureNode;
 use behaviour::{FieldNames, Value};
+use helpers::{CompiledHelper, CompiledHelpers};
 use rhai::{AST, ASTFlags, Expr, FnCallExpr, Stmt};
 use std::rc::Rc;
 

@@ -1,14 +1,16 @@
 //! The tree of a compiled procedure, and what it computes.
 
+mod make;
+
 use super::Unsure;
 use super::bounds::ProcedureBounds;
 use super::compare::CompiledComparison;
 use super::functions::Function;
-use super::make::{field, helper, item, list, object, plus, with_local};
 use super::name::Name;
 use super::numbers::{ComputedNumber, Operator};
 use crate::values::in_place::{own_values, put_number};
 use behaviour::{FieldNames, Value};
+use make::{field, helper, item, list, object, plus, with_local};
 use std::borrow::Cow;
 use std::rc::Rc;
 

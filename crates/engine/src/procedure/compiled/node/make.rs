@@ -1,10 +1,10 @@
 //! The parts of a procedure that make values other than numbers.
 
-use super::Unsure;
-use super::bounds::ProcedureBounds;
-use super::name::Name;
-use super::node::{Env, Local, NodeValue, ProcedureNode};
-use super::numbers::{ComputedNumber, Operator};
+use super::{Env, Local, NodeValue, ProcedureNode};
+use crate::procedure::compiled::Unsure;
+use crate::procedure::compiled::bounds::ProcedureBounds;
+use crate::procedure::compiled::name::Name;
+use crate::procedure::compiled::numbers::{ComputedNumber, Operator};
 use behaviour::{FieldNames, Fields, Value};
 use std::borrow::Cow;
 use std::sync::Arc;

@@ -1,22 +1,21 @@
 //! The compiled helpers, each once, for every body that calls them.
 
-use super::bounds::ProcedureBounds;
-use super::build;
-use super::node::ProcedureNode;
 use crate::cost::Limits;
+use crate::procedure::compiled::bounds::ProcedureBounds;
+use crate::procedure::compiled::node::ProcedureNode;
 use behaviour::Lookup;
 use rhai::AST;
 use std::rc::Rc;
 
 /// A compiled helper.
-pub(super) struct CompiledHelper {
-    pub(super) root: Rc<ProcedureNode>,
+pub(in crate::procedure::compiled) struct CompiledHelper {
+    pub(in crate::procedure::compiled) root: Rc<ProcedureNode>,
     /// At least the steps that Rhai counts for one call.
-    pub(super) steps: u64,
+    pub(in crate::procedure::compiled) steps: u64,
     /// The depth to which one call nests.
-    pub(super) depth: usize,
+    pub(in crate::procedure::compiled) depth: usize,
     /// The number of helpers that call each other in it, itself included.
-    pub(super) levels: usize,
+    pub(in crate::procedure::compiled) levels: usize,
 }
 
 /// All helpers by name and number of parameters; nothing for one that only Rhai can run.
@@ -34,23 +33,23 @@ impl CompiledHelpers {
 
     /// Adds a helper. The ones it calls must be here before it.
     pub(crate) fn add(&mut self, name: &str, params: &[String], ast: &AST) {
-        let piece = build::helper(ast, params, self);
+        let piece = super::helper(ast, params, self);
         self.pieces.insert((name.to_owned(), params.len()), piece);
     }
 
-    pub(super) fn has(&self, name: &str, parameters: usize) -> bool {
+    pub(in crate::procedure::compiled) fn has(&self, name: &str, parameters: usize) -> bool {
         self.pieces.contains_key(&(name.to_owned(), parameters))
     }
 
-    pub(super) fn piece(&self, name: &str, parameters: usize) -> Option<&CompiledHelper> {
+    pub(in crate::procedure::compiled) fn piece(&self, name: &str, parameters: usize) -> Option<&CompiledHelper> {
         self.pieces.get(&(name.to_owned(), parameters))?.as_ref()
     }
 
-    pub(super) fn limits(&self) -> &Limits {
+    pub(in crate::procedure::compiled) fn limits(&self) -> &Limits {
         &self.limits
     }
 
-    pub(super) fn bounds(&self) -> Rc<ProcedureBounds> {
+    pub(in crate::procedure::compiled) fn bounds(&self) -> Rc<ProcedureBounds> {
         self.bounds.clone()
     }
 }

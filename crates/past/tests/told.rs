@@ -1,0 +1,217 @@
+//! A recording of a small program: what it tells when it was edited, continued, torn or is long.
+#![expect(clippy::unwrap_used, reason = "a test may give up")]
+
+use behaviour::{BehaviourFile, Knowledge, Params, StreamKind, Value};
+use engine::{Limits, Run, StreamIx};
+use past::{EditedRun, Hook, Opening, Past};
+use protocol::{Interrupted, LaneName, LaneValues, MomentChange, NotSeen};
+use recording::{EndLine, FORMAT, Header, Line, LineNames, json, open};
+use robot::Millis;
+use sentences::Language;
+use std::rc::Rc;
+use std::sync::Arc;
+
+struct NoKnowledge;
+
+impl Knowledge for NoKnowledge {
+    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
+        Ok(())
+    }
+}
+
+/// Says how many readings below `near` came so far.
+fn program(near: i64) -> BehaviourFile {
+    let file = serde_json::json!({"format": "rrp-behaviour/1", "name": "Count", "helpers": [],
+        "streams": [
+            {"id": "cm", "kind": "sensor", "name": "Distance", "device": "Sonar"},
+            {"id": "near", "kind": "ordinary", "name": "Near"},
+            {"id": "many", "kind": "ordinary", "name": "Many"},
+            {"id": "say", "kind": "actuator", "name": "Say", "device": "SayInput"}],
+        "connectors": [
+            {"id": "f", "type": "filter", "inputs": ["cm"], "output": "near", "args": ["cm"], "body": format!("cm < {near}")},
+            {"id": "n", "type": "scan", "inputs": ["near"], "output": "many", "args": ["m", "cm"], "start": 0, "body": "m + 1"},
+            {"id": "s", "type": "subscribe", "inputs": ["many"], "output": "say"}]});
+    serde_json::from_value(file).unwrap()
+}
+
+struct Text {
+    text: String,
+    names: LineNames,
+}
+
+impl Text {
+    fn of(file: &BehaviourFile) -> Self {
+        let header = Header { format: FORMAT.to_owned(), ..Header::default() };
+        let mut made = Self { text: json(&header) + "\n", names: LineNames::of(file) };
+        made.line(&Line::File { at_ms: 0, revision: 1, file: Arc::new(file.clone()) });
+        made
+    }
+
+    fn line(&mut self, line: &Line) {
+        self.names.write(line, &mut self.text);
+    }
+
+    fn reading(&mut self, at_ms: u64, cm: i64) {
+        self.line(&Line::Value { at_ms, stream: StreamIx::of(0), value: Value::Int(cm) });
+    }
+
+    fn said(&mut self, at_ms: u64, many: i64) {
+        self.line(&Line::Value { at_ms, stream: StreamIx::of(3), value: Value::Int(many) });
+    }
+
+    fn end(&mut self, at_ms: u64) {
+        self.line(&Line::End(EndLine { at_ms, closed: Some(at_ms), ..EndLine::default() }));
+    }
+}
+
+fn hook() -> Hook {
+    Rc::new(|| false)
+}
+
+fn opened(text: &str) -> Result<Past, NotSeen> {
+    let (header, lines) = open(text).unwrap();
+    let mut opening = Opening::of(header, hook())?;
+    lines.entries().try_for_each(|entry| opening.take(entry))?;
+    opening.finish("", None)
+}
+
+/// The newest value of each stream at a moment, in the order of the file.
+fn values(past: &Past, at_ms: u64) -> Vec<String> {
+    past.seek(at_ms, &hook()).unwrap().values.streams.iter().map(|sample| json(&sample.value)).collect()
+}
+
+#[test]
+fn a_program_that_was_edited_meanwhile_goes_on_with_what_it_remembered() {
+    let mut text = Text::of(&program(50));
+    text.reading(100, 40);
+    text.said(100, 1);
+    text.reading(200, 60);
+    text.line(&Line::Applied { at_ms: 250, revision: 2 });
+    text.line(&Line::File { at_ms: 250, revision: 2, file: Arc::new(program(70)) });
+    text.reading(300, 60);
+    text.said(300, 2);
+    text.end(1_000);
+    let past = opened(&text.text).unwrap();
+    let about = past.about();
+    assert_eq!((about.differs_ms, about.until_ms), (None, 1_000));
+    let programs: Vec<_> = about.programs.iter().map(|one| (one.from_ms, one.revision)).collect();
+    assert_eq!(programs, [(0, 1), (251, 2)]);
+    assert_eq!(values(&past, 250), ["60", "40", "1", "1"]);
+    assert_eq!(values(&past, 300), ["60", "60", "2", "2"]);
+    let told = past.why(("say", 300, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    assert_eq!((told.program, told.why.steps.len()), (1, 4));
+    let not = past.why_not(("say", 150, 250), Language::English, &NoKnowledge, &hook()).unwrap();
+    assert_eq!((not.program, not.why.blocked[0].connector.as_str()), (0, "f"));
+    assert!(not.sentences[0].text.contains("60") && not.sentences[0].text.contains("50"), "{:?}", not.sentences);
+}
+
+#[test]
+fn a_run_that_was_recorded_from_its_middle_on_begins_there() {
+    let file = program(50);
+    let mut run = Run::build(&file, Limits::default()).map_err(|faults| faults.len()).unwrap();
+    (0..5).for_each(|at| run.feed(Millis(at * 1_000), StreamIx::of(0), Value::Int(1), &mut |_| {}));
+    run.until(Millis(9_999), &mut |_| {});
+    let mut text = Text::of(&file);
+    text.line(&Line::Memory { at_ms: 10_000, memory: Box::new(run.handover()) });
+    text.reading(10_500, 40);
+    text.said(10_500, 6);
+    text.end(11_000);
+    let past = opened(&text.text).unwrap();
+    assert_eq!((past.about().from_ms, past.about().differs_ms), (10_000, None));
+    assert_eq!(values(&past, 10_600), ["40", "40", "6", "6"]);
+    assert_eq!(past.seek(9_000, &hook()).unwrap_err(), NotSeen::NoTime);
+    let told = past.why(("say", 10_500, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    assert_eq!((told.why.value, told.why.steps.len()), (Value::Int(6), 4));
+}
+
+#[test]
+fn missing_lines_are_told_and_all_after_them_is_not_sure() {
+    let mut text = Text::of(&program(50));
+    text.reading(100, 40);
+    text.said(100, 1);
+    text.text += "{\"mark\":\"gap\",\"lost\":7}\n";
+    text.reading(900, 40);
+    text.said(900, 9);
+    let past = opened(&text.text).unwrap();
+    assert_eq!(past.about().interruptions[0].what, Interrupted::Missing(7));
+    assert_eq!(past.about().differs_ms, Some(100));
+    let told = past.why(("say", 900, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    assert_eq!((told.lost, told.why.value), (7, Value::Int(2)));
+}
+
+#[test]
+fn an_edited_program_moves_an_action_or_leaves_it_out_and_says_that_nobody_knows_how_it_would_have_gone_on() {
+    let mut text = Text::of(&program(50));
+    for (at, cm) in [(1_000, 60), (2_000, 45), (9_000, 20), (20_000, 45), (30_000, 20)] {
+        text.reading(at, cm);
+    }
+    text.end(31_000);
+    let past = opened(&text.text).unwrap();
+    let compared = |near| {
+        let now = EditedRun::of(program(near), &hook()).unwrap();
+        past.compare(None, now, None, &["say".to_owned()], &hook()).unwrap()
+    };
+    let later = compared(30);
+    let say = later.streams.iter().find(|one| one.stream == "say").unwrap();
+    assert_eq!((say.before, say.now, say.same, say.moved), (4, 2, 0, 0), "a count is another value");
+    assert_eq!(later.open_loop, ["say"]);
+    let sooner = compared(70);
+    let say = sooner.streams.iter().find(|one| one.stream == "say").unwrap();
+    assert_eq!((say.before, say.now, say.moved), (4, 5, 1));
+    assert_eq!((say.moments[0].t, say.moments[0].what), (2_000, MomentChange::MovedTo(1_000)));
+    let same = compared(50);
+    assert!(same.open_loop.is_empty() && same.streams.iter().all(|one| one.same == one.now), "{same:?}");
+    let none = past.compare(None, EditedRun::of(program(0), &hook()).unwrap(), Some(40_000), &[], &hook()).unwrap();
+    assert!(none.streams.is_empty(), "nothing came after its end");
+}
+
+#[test]
+fn a_long_time_is_drawn_by_slots_and_stays_small() {
+    let mut text = Text::of(&program(50));
+    let many = 60_000_u64;
+    for at in 0..many {
+        // Nothing is sensed in the middle.
+        let gap = if at < many / 2 { 0 } else { 600_000 };
+        text.reading(at * 20 + gap, i64::try_from(at % 300).unwrap());
+    }
+    let end = many * 20 + 600_000;
+    text.end(end);
+    let past = opened(&text.text).unwrap();
+    assert!(past.bytes() < 8 << 20, "{}", past.bytes());
+    let name = LaneName { stream: "cm".to_owned(), field: None };
+    let lanes = past.lanes(&[name], (0, end), 90, &hook()).unwrap();
+    let LaneValues::Columns(columns) = &lanes[0].values else { panic!("{lanes:?}") };
+    assert_eq!(columns.iter().map(|column| u64::from(column.count)).sum::<u64>(), many);
+    assert!(columns.iter().all(|column| column.at < 30 || column.at >= 60), "nothing is drawn over a gap");
+    assert_eq!(columns.len(), 60);
+    // A moment in the middle is that of a run from the beginning.
+    let at = end - 5_000;
+    let moment = past.seek(at, &hook()).unwrap();
+    let came = |reading: &u64| *reading < many / 2 || reading * 20 + 600_000 <= at;
+    let near = (0..many).filter(|reading| came(reading) && reading % 300 < 50);
+    assert_eq!(moment.values.streams[3].count, near.count() as u64);
+    let rate = moment.values.streams[0].rate;
+    assert!((rate - 50.0).abs() < 0.6, "{rate}");
+}
+
+#[test]
+fn what_takes_too_long_ends_and_says_so() {
+    let mut text = Text::of(&program(50));
+    (0..2_000).for_each(|at| text.reading(at * 10, 40));
+    text.end(20_000);
+    let past = opened(&text.text).unwrap();
+    let over: Hook = Rc::new(|| true);
+    assert_eq!(past.seek(19_000, &over).err(), Some(NotSeen::TooLong));
+    assert_eq!(past.trace(&over).err(), Some(NotSeen::TooLong));
+    let why = past.why(("say", 19_000, 0), Language::English, &NoKnowledge, &over);
+    assert_eq!(why.err(), Some(NotSeen::TooLong));
+    let now = EditedRun::of(program(40), &over).unwrap();
+    assert_eq!(past.compare(None, now, None, &[], &over).err(), Some(NotSeen::TooLong));
+    let (header, lines) = open(&text.text).unwrap();
+    let mut opening = Opening::of(header, over).unwrap();
+    assert_eq!(lines.entries().try_for_each(|entry| opening.take(entry)), Err(NotSeen::TooLong));
+}
