@@ -18,11 +18,15 @@ mod say;
 mod sonar;
 mod sound;
 mod tablet;
+mod time_of_day;
 mod touch;
 pub(crate) mod tracker;
 mod voice;
 mod walk;
 mod words;
+
+#[cfg(test)]
+pub(crate) use time_of_day::told_of_minutes;
 
 use crate::deed::{Action, ServiceCall};
 use crate::shared::NaoState;
@@ -30,7 +34,7 @@ use behaviour::{Params, Value};
 use robot::RobotFault;
 
 /// All drivers.
-pub(crate) const ALL: [&NaoDriver; 34] = [
+pub(crate) const ALL: [&NaoDriver; 35] = [
     &animation::DRIVER,
     &balls::BLOB,
     &balls::COLOR,
@@ -58,6 +62,7 @@ pub(crate) const ALL: [&NaoDriver; 34] = [
     &sound::DRIVER,
     &sound::LOCATED,
     &tablet::DRIVER,
+    &time_of_day::DRIVER,
     &touch::BUMPER,
     &touch::HAND,
     &touch::HEAD,
@@ -159,6 +164,11 @@ pub(crate) trait Sense: Send + Sync {
     /// The joint that it reads.
     fn joint(&self) -> Option<&'static str> {
         None
+    }
+
+    /// True if it is given the minutes after midnight once a second, under the key `poll`.
+    fn needs_clock(&self) -> bool {
+        false
     }
 
     /// Returns the period at which it beats by robot time alone, in microseconds.

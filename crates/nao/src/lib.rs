@@ -27,6 +27,7 @@ mod lasting;
 mod legs;
 mod link;
 mod link_commands;
+mod local_time;
 mod models;
 mod outcome;
 mod phrases;

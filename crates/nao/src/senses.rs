@@ -4,6 +4,7 @@ use crate::deed::ServiceCall;
 use crate::devices::{Sense, SenseTurn};
 use crate::hearing;
 use crate::link::{CALL, call, is_silent, try_call};
+use crate::local_time;
 use crate::outcome;
 use crate::shared::NaoShared;
 use qi::{EventChoice, QiError, Session, Value};
@@ -22,6 +23,8 @@ const EVENTS_MAX: usize = 256;
 const WORDS_MAX: usize = 200;
 /// The period at which a joint is read, in milliseconds.
 const JOINT_MS: u64 = 50;
+/// The period at which the clock is looked at for a new minute, in milliseconds.
+const CLOCK_MS: u64 = 1_000;
 /// The period that extractors are asked for, in milliseconds, and their precision, which is not used.
 const PERIOD_MS: i32 = 33;
 /// A period that no sense has.
@@ -62,7 +65,10 @@ pub(crate) async fn run(
         shared.state().note_silent(&user, Some(why));
     }
     let first = sense.first();
-    let period = sense.poll().map_or_else(|| sense.joint().map_or(NEVER_MS, |_| JOINT_MS), |(_, period)| period);
+    let by_itself = || {
+        if sense.needs_clock() { CLOCK_MS } else { sense.joint().map_or(NEVER_MS, |_| JOINT_MS) }
+    };
+    let period = sense.poll().map_or_else(by_itself, |(_, period)| period);
     let mut beat = tokio::time::interval(Duration::from_millis(period));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
     if !cancel.is_cancelled()
@@ -259,7 +265,9 @@ async fn ask(
         }
         whose = Some(now);
     }
-    if let Some(joint) = sense.joint() {
+    if sense.needs_clock() {
+        read(shared, user, sense, "poll", &Value::I64(local_time::minutes()), Instant::now());
+    } else if let Some(joint) = sense.joint() {
         let angle = shared.state().angles.get(joint).copied();
         if let Some(angle) = angle {
             read(shared, user, sense, "poll", &Value::F64(angle), Instant::now());

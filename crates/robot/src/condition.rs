@@ -96,6 +96,12 @@ impl Control {
         matches!(self, Self::GiveBack | Self::Rest)
     }
 
+    /// True if the body may move for it, so that a Stop that comes before it makes it void.
+    #[must_use]
+    pub fn moves_body(&self) -> bool {
+        matches!(self, Self::Take | Self::WakeUp | Self::Stand | Self::Sit)
+    }
+
     /// True if it moves the body, so that it waits until nothing runs.
     #[must_use]
     pub fn needs_quiet(&self) -> bool {

@@ -30,11 +30,13 @@ mod sound;
 mod sound_located;
 mod tablet;
 mod tick;
+mod time_of_day;
 mod tracker;
 mod voice;
 mod walk;
 mod word_recognized;
 
+pub use time_of_day::{MINUTES_A_DAY, time_of_day};
 pub use tracker::{TrackMode, TrackTarget};
 
 use crate::{Device, Param, ParamKind, Shape};
@@ -51,6 +53,13 @@ const RADIANS_PER_SECOND: Shape = Shape::Number(Some(Unit::RadiansPerSecond));
 
 /// The actions that are offered to be done by hand where nobody made a pad, in this order.
 pub(crate) const DONE_BY_HAND: [&Device; 2] = [&say_parameter::DEVICE, &animation::DEVICE];
+
+/// Returns true if this sense tells the time. Time goes on by itself, so nothing is missed where the same time is told once;
+/// other states, as a low battery, are told again to a run that goes on.
+#[must_use]
+pub fn tells_time(sense: &str) -> bool {
+    sense == time_of_day::DEVICE.name
+}
 
 /// All devices in the order people see them.
 pub(crate) const ALL: &[&Device] = &[
@@ -73,6 +82,7 @@ pub(crate) const ALL: &[&Device] = &[
     &battery::DEVICE,
     &button::DEVICE,
     &tick::DEVICE,
+    &time_of_day::DEVICE,
     &tracker::DEVICE,
     &say_input::DEVICE,
     &say_parameter::DEVICE,

@@ -1,7 +1,7 @@
 //! Names that are installed on a robot and can be chosen there: behaviours, gestures, sounds and languages.
 
 use crate::devices::ONLY_WITH;
-use crate::{Device, DeviceFault, ParamKind, RobotFault, UnfitReason, UnfitStream};
+use crate::{Device, DeviceFault, Offers, ParamKind, RobotFault, UnfitReason, UnfitStream};
 use behaviour::{Behaviour, Id, Params, Stream, Value};
 use serde::{Deserialize, Serialize};
 
@@ -11,19 +11,6 @@ pub const INSTALLED_MAX: usize = 600;
 pub const INSTALLED_NAME_MAX_CHARS: usize = 200;
 /// Most bytes of all names together.
 pub const INSTALLED_MAX_BYTES: usize = 48 * 1024;
-
-/// Which list of a robot a parameter is chosen from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Offers {
-    /// Behaviours, as Choregraphe puts them on a robot.
-    Behaviors,
-    /// Gestures.
-    Gestures,
-    /// Sounds.
-    Sounds,
-    /// Languages that it speaks.
-    Languages,
-}
 
 /// The names of what is installed on a robot, each list in the alphabet's order. An empty list is one that is not known.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -115,19 +102,6 @@ pub fn not_installed(behaviour: &Behaviour, installed: &Installed) -> Vec<UnfitS
 /// A name that somebody can read: other characters would hide what is chosen.
 fn is_shown(name: &str) -> bool {
     !name.trim().is_empty() && !name.chars().any(char::is_control)
-}
-
-impl Offers {
-    /// One of it, in a few English words.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Behaviors => "behaviour",
-            Self::Gestures => "gesture",
-            Self::Sounds => "sound",
-            Self::Languages => "language",
-        }
-    }
 }
 
 impl Device {

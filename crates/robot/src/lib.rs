@@ -6,6 +6,7 @@ mod camera;
 mod catalogue;
 mod condition;
 mod describe;
+mod device;
 mod devices;
 mod fault;
 mod fits;
@@ -19,24 +20,20 @@ mod scene;
 mod types;
 
 pub use camera::{Camera, Picture};
-pub use catalogue::{
-    Device, Field, JsonExample, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting, actuators, device,
-    sensors,
-};
+pub use catalogue::{actuators, device, sensors};
 pub use condition::{Condition, Control, FACES_MAX, Lacking, Life, Network};
 pub use describe::catalogue_lines;
-pub use devices::{TrackMode, TrackTarget, is_personal};
+pub use device::{Device, Field, JsonExample, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting};
+pub use devices::{MINUTES_A_DAY, TrackMode, TrackTarget, is_personal, tells_time, time_of_day};
 pub use fault::RobotFault;
 pub use fits::{UnfitReason, UnfitStream, missing};
 pub use helpers::{
     helper_label, helper_label_of, helper_labels, helper_stream, helper_streams, shipped_helpers, shipped_signature,
 };
 pub use identity::{Identity, Stranger};
-pub use installed::{
-    INSTALLED_MAX, INSTALLED_MAX_BYTES, INSTALLED_NAME_MAX_CHARS, Installed, Offers, is_file, not_installed,
-};
+pub use installed::{INSTALLED_MAX, INSTALLED_MAX_BYTES, INSTALLED_NAME_MAX_CHARS, Installed, is_file, not_installed};
 pub use pad::usual_pad;
-pub use params::{DeviceFault, Param, ParamKind, with_defaults};
+pub use params::{DeviceFault, Offers, Param, ParamKind, with_defaults};
 pub use scene::{
     Ball, Body, JOINTS, Obstacle, Printed, PrintedMark, SPOKEN_MAX_CHARS, Scene, SceneEdit, ScenePerson, Touchable,
 };

@@ -40,7 +40,7 @@ fn pretended(id: &Id, sense: &Device, label: Option<String>) -> Vec<Tile> {
     let tile = |pretend: &crate::Pretend| {
         let value = serde_json::from_str(pretend.value).ok()?;
         let label = shortened(label.as_deref().unwrap_or(pretend.says));
-        Some(Tile { label, does: TileAction::Pretend { stream: id.clone(), value } })
+        Some(Tile { label, does: TileAction::Pretend { stream: id.clone(), value }, asks: false })
     };
     sense.pretend.iter().filter_map(tile).collect()
 }
@@ -59,7 +59,7 @@ fn by_hand((_, stream, action): (&Id, &Stream, &Device)) -> Option<Tile> {
     })?;
     let (device, params) = (action.name.to_owned(), stream.params.clone());
     let does = TileAction::Hand { device, params, value: serde_json::from_str(action.example).ok()? };
-    Some(Tile { label: shortened(&label), does })
+    Some(Tile { label: shortened(&label), does, asks: false })
 }
 
 /// The text of a parameter, or what it is where nobody chose.

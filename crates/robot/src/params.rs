@@ -1,8 +1,33 @@
 //! Parameters of devices: what may be chosen, in which range and unit.
 
-use crate::Offers;
 use behaviour::{Params, StreamKind, Value};
 use std::fmt;
+
+/// Which list of a robot a parameter is chosen from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Offers {
+    /// Behaviours, as Choregraphe puts them on a robot.
+    Behaviors,
+    /// Gestures.
+    Gestures,
+    /// Sounds.
+    Sounds,
+    /// Languages that it speaks.
+    Languages,
+}
+
+impl Offers {
+    /// One of it, in a few English words.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Behaviors => "behaviour",
+            Self::Gestures => "gesture",
+            Self::Sounds => "sound",
+            Self::Languages => "language",
+        }
+    }
+}
 
 /// Why a device, or what was chosen for it, does not fit. [`std::fmt::Display`] says it in a few English words.
 #[derive(Clone, Debug, PartialEq)]

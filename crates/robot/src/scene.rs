@@ -311,6 +311,11 @@ pub enum SceneEdit {
         /// On the cable or not.
         plugged: bool,
     },
+    /// Lets the clock on the wall go on, for programs that go by the time of day.
+    PassTime {
+        /// By so many minutes.
+        minutes: u16,
+    },
     /// Pushes the robot over: it falls ahead.
     Push,
     /// Helps the robot up after a fall.

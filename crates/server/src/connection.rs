@@ -11,6 +11,7 @@ mod rate_limit;
 mod secrets;
 pub(crate) mod session;
 mod start;
+mod told;
 mod topics;
 mod values;
 mod writer;

@@ -7,6 +7,7 @@ pub(crate) mod import;
 pub(crate) mod insight;
 pub(crate) mod list;
 pub(crate) mod rename;
+mod saved;
 pub(crate) mod templates;
 pub(crate) mod thumbnails;
 pub(crate) mod trial;

@@ -1,14 +1,16 @@
 //! Recordings of runs: files of JSON lines in the data folder, each written by a thread of its own.
 
 mod bin;
-mod clock;
+pub(crate) mod clock;
 mod described;
 mod looked;
 mod marks;
+mod pasts;
 mod recorder;
 mod session;
 #[cfg(test)]
 mod tests;
+mod titles;
 mod writer;
 
 use crate::support::file_name::dashed;
@@ -18,6 +20,7 @@ use described::described;
 pub(crate) use looked::ReportSource;
 use marks::later;
 pub(crate) use marks::tidied;
+pub(crate) use pasts::{LivePast, Pasts};
 use protocol::{RecordedSession, Recording, Refused};
 pub(crate) use recorder::{RecordedStep, Recorder};
 use recording::Header;
@@ -52,6 +55,8 @@ pub(crate) struct Recordings {
     checked: Arc<Mutex<BTreeMap<String, (looked::Version, report::Replayed)>>>,
     /// Taken while a mark is written.
     marking: Arc<Mutex<()>>,
+    /// Those that people look back at.
+    pub(crate) pasts: Pasts,
     bounds: RecordingBounds,
 }
 
@@ -268,7 +273,9 @@ impl Recordings {
 /// Removes a recording with its later marks and its name.
 fn removed(path: &Path) -> io::Result<()> {
     std::fs::remove_file(path)?;
-    [marks_of(path), bin::title_of(path)].iter().try_for_each(|beside| bin::none_is_fine(std::fs::remove_file(beside)))
+    [marks_of(path), titles::title_of(path)]
+        .iter()
+        .try_for_each(|beside| bin::none_is_fine(std::fs::remove_file(beside)))
 }
 
 /// Returns the path of the later marks of a recording.

@@ -15,6 +15,7 @@ mod mailbox;
 mod names;
 mod order;
 pub(crate) mod real;
+mod recent;
 pub(crate) mod refusal;
 mod register;
 mod robot_thread;
@@ -25,11 +26,13 @@ mod settling;
 mod shared;
 mod simulated;
 mod status_feed;
+mod stops;
 mod successor;
 mod surroundings;
 mod tally;
 #[cfg(test)]
 mod tests;
+mod told_states;
 
 pub use backup::{check_robots, put_robots, robots_in};
 pub(crate) use command_queue::ByHand;
@@ -38,6 +41,7 @@ pub(crate) use live::{LiveValues, SeenLive};
 pub use refusal::BackupMisfit;
 pub(crate) use refusal::StartError;
 pub(crate) use run_marks::{MarkPress, PressOutcome, RunMarks};
+pub(crate) use stops::Presser;
 
 use crate::recordings::{NotRecorded, Recordings};
 use crate::support::lock;
@@ -77,12 +81,16 @@ struct Fleet {
 
 impl Robots {
     /// The robots that are kept in a data folder, at first one simulated NAO whose noise has this seed. Without a folder
-    /// those that are added last as long as the server.
+    /// those that are added last as long as the server. Its `epoch` grows with every start of the server.
     ///
     /// # Errors
     /// If a thread cannot be made.
-    pub(crate) fn within(data: Option<&Path>, seed: u64, recordings: Recordings) -> std::io::Result<Self> {
-        let (register, feed) = (Register::within(data, seed), Arc::new(StatusFeed::default()));
+    pub(crate) fn within(
+        data: Option<&Path>,
+        (seed, epoch): (u64, u64),
+        recordings: Recordings,
+    ) -> std::io::Result<Self> {
+        let (register, feed) = (Register::within(data, seed), Arc::new(StatusFeed::of(epoch)));
         let known = register.known().to_vec();
         let (data, register) = (data.map(Path::to_owned), Mutex::new(register));
         let fleet = Fleet { hosts: Mutex::default(), feed, recordings, data, register };
@@ -177,6 +185,22 @@ impl Robots {
         if hosts.is_empty() { Err(Refused::NotRunning) } else { Ok(hosts) }
     }
 
+    /// The robots on which a behaviour runs, or only the named one of them, for somebody who had heard of Stops up to `stops`.
+    ///
+    /// # Errors
+    /// If it runs nowhere there, or not any more since a Stop that they had not heard of.
+    pub(crate) fn running_since(
+        &self,
+        behaviour: &Id,
+        robot: Option<&Id>,
+        stops: Option<u64>,
+    ) -> Result<Vec<Host>, Refused> {
+        let is_stopped =
+            |host: &Host| robot.is_none_or(|robot| host.id() == robot) && host.is_stopped_since(behaviour, stops);
+        self.running(behaviour, robot)
+            .map_err(|no| if self.hosts().iter().any(is_stopped) { Refused::StoppedSince } else { no })
+    }
+
     /// Stops a behaviour, or everything, on one robot or on all of them, and lets them hold safely. A robot that is not
     /// there any more means all: better too much than too little. Waits for nobody: what is left to do, another thread
     /// does.
@@ -199,19 +223,24 @@ impl Robots {
         meant.iter().filter(|host| host.stop(behaviour, by)).count() > 0
     }
 
+    /// The number of the newest Stop of all robots.
+    pub(crate) fn newest_stop(&self) -> u64 {
+        self.fleet.feed.stops().newest()
+    }
+
     /// Gives a value to a sensor stream of a running behaviour, as if a robot had sensed it.
     ///
     /// # Errors
-    /// If the behaviour does not run there, or has no such sensor stream.
+    /// If the behaviour does not run there, if it has no such sensor stream, or if the robot was stopped since the press.
     pub(crate) fn stimulate(
         &self,
         behaviour: &Id,
         robot: Option<&Id>,
         (stream, value): (&Id, &Value),
-        by: &str,
+        presser: Presser,
     ) -> Result<(), Refused> {
-        let hosts = self.running(behaviour, robot)?;
-        hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone(), by))
+        let hosts = self.running_since(behaviour, robot, presser.stops)?;
+        hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone(), presser))
     }
 
     /// Marks the moment of a press in the runs of a behaviour, wherever it runs. Where it runs no more, the run that ended lately

@@ -11,7 +11,6 @@ mod task;
 
 use crate::support::lock;
 use crate::support::lookups::Lookups;
-use crate::support::message::encode;
 use crate::support::store_health::StoreHealth;
 use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
@@ -20,7 +19,7 @@ use knowledge::Knowing;
 use list_news::ListNews;
 use member::{AnswerTo, Member};
 use past::PastRequest;
-use protocol::{CanvasArea, Exercise, LIBRARY, Pointer, Refused, Reply, Role, Summary};
+use protocol::{CanvasArea, Exercise, LIBRARY, Pointer, Refused, Role, Summary, answer};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::{BTreeSet, HashMap};
@@ -35,20 +34,20 @@ const ROOMS_MAX: usize = 1_024;
 
 /// What a room is told.
 pub(crate) enum RoomCommand {
-    /// Somebody comes in, asking with this number; who enters the library is welcomed.
-    Join(Member, u32, Option<Entering>),
+    /// Somebody comes in.
+    Join(Member, JoinRequest),
     /// A link leaves.
     Leave(u64, LeaveReason),
     /// A change is proposed, with the tokens of what its sender locked.
-    Propose(Change, Vec<LockToken>, AnswerTo),
+    Propose(Change, Vec<LockToken>, AnswerTo<answer::Saved>),
     /// Something about who is editing what, from a link.
     Locking(u64, LockRequest),
     /// Something of its past is wanted.
-    Past(PastRequest, AnswerTo),
+    Past(PastRequest),
     /// The behaviour shall go to the bin, unless somebody else is editing it.
-    Remove(BinRequest, AnswerTo),
+    Remove(BinRequest, AnswerTo<()>),
     /// The changes after a revision are wanted.
-    Since(u64, AnswerTo),
+    Since(u64, AnswerTo<answer::Newer>),
     /// Where a link's person is.
     Present(u64, Whereabouts),
     /// A link's person is called something else from now on.
@@ -59,12 +58,32 @@ pub(crate) enum RoomCommand {
     Look(oneshot::Sender<Result<SavedLook, Refused>>),
 }
 
+/// The place where somebody comes in, and the answer to it.
+pub(crate) enum JoinRequest {
+    /// Into the server, whose library everyone has open.
+    Server(Entering, AnswerTo<answer::Welcome>),
+    /// Into a behaviour.
+    Behaviour(AnswerTo<answer::Opened>),
+}
+
+impl JoinRequest {
+    /// Answers that it cannot be.
+    fn refuse(self, no: Refused) {
+        match self {
+            Self::Server(_, answer) => answer.no(no),
+            Self::Behaviour(answer) => answer.no(no),
+        }
+    }
+}
+
 /// What only who is welcomed hears of themselves.
 pub(crate) struct Entering {
     /// What proves on a later link that it is them.
     pub(crate) secret: Id,
     /// What they may do.
     pub(crate) role: Role,
+    /// The newest Stop when they came.
+    pub(crate) stops: u64,
 }
 
 /// Who moves a behaviour to the bin.
@@ -95,31 +114,28 @@ pub(crate) enum LeaveReason {
 /// What a link wants with the locks of a behaviour.
 pub(crate) enum LockRequest {
     /// To lock these records.
-    Take(BTreeSet<RecordId>, AnswerTo),
+    Take(BTreeSet<RecordId>, AnswerTo<answer::Locked>),
     /// To give a lock back.
-    Release(LockToken, AnswerTo),
+    Release(LockToken, AnswerTo<()>),
     /// Somebody types under a lock.
     Touch(LockToken),
     /// To have what somebody else is editing.
-    Ask(RecordId, AnswerTo),
+    Ask(RecordId, AnswerTo<answer::Asked>),
     /// To take what somebody else is editing from them; who asks may.
-    TakeOver(RecordId, AnswerTo),
+    TakeOver(RecordId, AnswerTo<answer::Locked>),
     /// To have it no more.
-    Withdraw(RecordId, AnswerTo),
+    Withdraw(RecordId, AnswerTo<()>),
     /// To say yes or not yet to who asks.
-    Reply(LockToken, bool, AnswerTo),
+    Reply(LockToken, bool, AnswerTo<()>),
 }
 
 impl LockRequest {
     /// Answers who waits that it cannot be.
     pub(crate) fn refuse(self, no: Refused) {
         match self {
-            Self::Take(_, answer)
-            | Self::Release(_, answer)
-            | Self::Ask(_, answer)
-            | Self::TakeOver(_, answer)
-            | Self::Withdraw(_, answer)
-            | Self::Reply(.., answer) => answer.no(no),
+            Self::Take(_, answer) | Self::TakeOver(_, answer) => answer.no(no),
+            Self::Release(_, answer) | Self::Withdraw(_, answer) | Self::Reply(.., answer) => answer.no(no),
+            Self::Ask(_, answer) => answer.no(no),
             Self::Touch(_) => {}
         }
     }
@@ -156,10 +172,11 @@ impl RoomCommand {
     /// Answers who waits that it cannot be.
     fn refuse(self, no: Refused) {
         match self {
-            Self::Join(member, ask, _) => member.link.send(encode(Some(ask), Reply::No { no })),
-            Self::Propose(.., answer) | Self::Past(_, answer) | Self::Remove(_, answer) | Self::Since(_, answer) => {
-                answer.no(no);
-            }
+            Self::Join(_, joining) => joining.refuse(no),
+            Self::Propose(.., answer) => answer.no(no),
+            Self::Past(past) => past.refuse(no),
+            Self::Remove(_, answer) => answer.no(no),
+            Self::Since(_, answer) => answer.no(no),
             Self::Locking(_, locking) => locking.refuse(no),
             Self::MayChange(_, waiting) => drop(waiting.send(Err(no))),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
@@ -285,8 +302,7 @@ impl Rooms {
         let (waiting, answer) = oneshot::channel();
         self.tell(behaviour, RoomCommand::Propose(change, Vec::new(), AnswerTo::Server(waiting)));
         match answer.await {
-            Ok(Reply::No { no }) => Err(no),
-            Ok(_) => Ok(()),
+            Ok(outcome) => outcome.map(drop),
             Err(_) if behaviour == self.library() => Err(Refused::Store(format!("the {LIBRARY} is closed"))),
             Err(_) => Err(Refused::NoBehaviour),
         }

@@ -234,7 +234,8 @@ async fn open(
     };
     let snapshot = retry(url, || Box::pin(snapshot(&*store, &library))).await?;
     let recordings = Recordings::within(config.data.as_deref());
-    let robots = Robots::within(config.data.as_deref(), config.seed, recordings.clone()).map_err(ServeError::Thread)?;
+    let robots = Robots::within(config.data.as_deref(), (config.seed, epoch), recordings.clone());
+    let robots = robots.map_err(ServeError::Thread)?;
     let surroundings = Surroundings {
         store,
         health,

@@ -17,6 +17,7 @@ pub(crate) mod store_call;
 pub(crate) mod store_health;
 pub(crate) mod tasks;
 pub(crate) mod turns;
+pub(crate) mod until;
 pub(crate) mod workers;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -184,6 +184,7 @@ impl fmt::Display for StartError {
             Self::NotRecorded(why) => write!(to, "{why}"),
             Self::StopPressed(None) => to.write_str("Stop was pressed"),
             Self::StopPressed(Some(by)) => write!(to, "{by} pressed Stop"),
+            Self::StoppedSince => to.write_str("the robot was stopped before this came"),
             Self::StoppedBefore => to.write_str("it was stopped before it began"),
             Self::StoppedMeanwhile => to.write_str("it was stopped meanwhile"),
             Self::Ended => to.write_str("it does not run any more"),

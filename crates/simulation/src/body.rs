@@ -1,7 +1,7 @@
 //! Where every link, the camera and the hands are, from the joint angles: forward kinematics.
 
 use crate::math::{Pose, Vector, pose, vector};
-use crate::model::{BodyModel, MOTORS, REVOLUTE};
+use crate::model::{ArmSide, BodyModel, MOTORS, REVOLUTE};
 use crate::table::Primitive;
 
 /// The middle of a closed hand in the frame of its link, in metres: the middle of its capsule in the table.
@@ -10,30 +10,6 @@ const PALM: Vector = Vector::new(0.041, 0.0, -0.004);
 const TOES: [Vector; 2] = [Vector::new(0.1, 0.035, -0.0353), Vector::new(0.1, -0.035, -0.0353)];
 /// The heel likewise.
 const HEELS: [Vector; 2] = [Vector::new(-0.05, 0.035, -0.0353), Vector::new(-0.05, -0.035, -0.0353)];
-
-/// An arm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum ArmSide {
-    Left,
-    Right,
-}
-
-impl ArmSide {
-    /// 1 to the left, −1 to the right.
-    pub(crate) fn sign(self) -> f32 {
-        if self == Self::Left { 1.0 } else { -1.0 }
-    }
-
-    /// The letter that its joints begin with.
-    pub(crate) fn letter(self) -> char {
-        if self == Self::Left { 'L' } else { 'R' }
-    }
-
-    /// Returns the word for the side.
-    pub(crate) fn word(self) -> &'static str {
-        if self == Self::Left { "left" } else { "right" }
-    }
-}
 
 /// The poses of all links in the room.
 pub(crate) struct BodyPoses {
@@ -147,8 +123,8 @@ fn lowest(shape: &Primitive, link: &Pose) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{ArmSide, BodyPoses};
-    use crate::model::BodyModel;
+    use super::BodyPoses;
+    use crate::model::{ArmSide, BodyModel};
 
     #[test]
     fn a_standing_nao_has_its_camera_at_half_a_metre_looking_ahead() {

@@ -2,11 +2,11 @@
 
 use crate::base::Base;
 use crate::body::BodyPoses;
-use crate::condition::OwnState;
-use crate::devices::{Charge, Eyes, Lean};
-use crate::hearing::RoomSound;
 use crate::math::{Vector, vector, wrapped};
 use crate::nao::SimulatedNao;
+use crate::nao::condition::OwnState;
+use crate::nao::devices::{Charge, Eyes, Lean, RoomClock};
+use crate::nao::hearing::RoomSound;
 use crate::room::{ball_place, inside, obstacle_place, person_place};
 use crate::servo::Servo;
 use crate::world::World;
@@ -68,6 +68,7 @@ impl SimulatedNao {
             SceneEdit::SetBattery { percent: more @ 101.. } => return Err(RoomFault::TooFull(*more)),
             SceneEdit::SetBattery { percent } => self.charge.set(*percent),
             SceneEdit::Plug { plugged } => self.charge.plugged = *plugged,
+            SceneEdit::PassTime { minutes } => self.clock.pass(*minutes),
             SceneEdit::Push => self.push(),
             SceneEdit::HelpUp => self.help_up(),
             SceneEdit::Reset => self.reset(),
@@ -181,6 +182,7 @@ impl SimulatedNao {
         self.hearing.forget();
         self.sounds.stop(self.now);
         (self.lean, self.charge, self.own) = (Lean::default(), Charge::default(), OwnState::default());
+        self.clock = RoomClock::default();
         self.halted = None;
         self.body = BodyPoses::new(self.model);
         self.world = World::new(self.model, &self.body);

@@ -7,13 +7,8 @@
 
 mod base;
 mod body;
-mod camera;
-mod condition;
-mod devices;
 mod edit;
 mod hash;
-mod hearing;
-mod installed;
 mod looking;
 mod math;
 mod model;
@@ -24,15 +19,11 @@ mod parts;
 mod picture;
 mod robot_impl;
 mod room;
-mod senses;
 mod servo;
 mod sight;
-mod speech;
 mod table;
 mod world;
 
-pub use devices::PlayedSound;
 pub use edit::RoomFault;
-pub use nao::SimulatedNao;
+pub use nao::{PlayedSound, SimulatedNao, Spoken};
 pub use noise::Noise;
-pub use speech::Spoken;

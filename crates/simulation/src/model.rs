@@ -1,6 +1,5 @@
 //! The table of the robot: links, joints with limits and speeds, camera and posture, compiled in.
 
-use crate::body::ArmSide;
 use crate::math::{Pose, Vector, pose, turn, vector};
 use crate::table::{BodyPart, BodyTable, JointRow, SonarRow, TableFault};
 use robot::JOINTS;
@@ -17,6 +16,30 @@ pub(crate) const HEAD_YAW: usize = 0;
 pub(crate) const HEAD_PITCH: usize = 1;
 /// The joints of the legs in [`JOINTS`].
 pub(crate) const LEGS: Range<usize> = 12..REVOLUTE;
+
+/// An arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum ArmSide {
+    Left,
+    Right,
+}
+
+impl ArmSide {
+    /// 1 to the left, −1 to the right.
+    pub(crate) fn sign(self) -> f32 {
+        if self == Self::Left { 1.0 } else { -1.0 }
+    }
+
+    /// The letter that its joints begin with.
+    pub(crate) fn letter(self) -> char {
+        if self == Self::Left { 'L' } else { 'R' }
+    }
+
+    /// Returns the word for the side.
+    pub(crate) fn word(self) -> &'static str {
+        if self == Self::Left { "left" } else { "right" }
+    }
+}
 
 /// A hinge between two links.
 pub(crate) struct Hinge {

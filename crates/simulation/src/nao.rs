@@ -1,21 +1,32 @@
 //! The simulated NAO as a whole: what it is made of, its steps, and its fingerprint.
 
+mod camera;
+pub(crate) mod condition;
+pub(crate) mod devices;
+pub(crate) mod hearing;
+pub(crate) mod installed;
+mod senses;
+mod speech;
+
+pub use devices::PlayedSound;
+pub use speech::Spoken;
+
 use crate::base::Base;
 use crate::body::BodyPoses;
-use crate::camera::CameraShared;
-use crate::condition::OwnState;
-use crate::devices::{
-    Charge, Eyes, FollowingBody, Going, Lean, Lights, Pads, PlayedSound, PlayingGesture, PointingArm, SimulatedAct,
-    Sounds, Walking,
-};
 use crate::hash::{RunningHash, digest_use};
-use crate::hearing::Hearing;
 use crate::model::{BodyModel, motor};
 use crate::movers::Movers;
+use crate::nao::camera::CameraShared;
+use crate::nao::condition::OwnState;
+use crate::nao::devices::{
+    Charge, Eyes, FollowingBody, Going, Lean, Lights, Pads, PlayingGesture, PointingArm, RoomClock, SimulatedAct,
+    Sounds, Walking,
+};
+use crate::nao::hearing::Hearing;
+use crate::nao::senses::OpenSenses;
+use crate::nao::speech::Speech;
 use crate::noise::{Noise, Random};
-use crate::senses::OpenSenses;
 use crate::servo::Servo;
-use crate::speech::{Speech, Spoken};
 use crate::world::World;
 use robot::{Millis, Printed};
 use std::collections::{BTreeMap, VecDeque};
@@ -47,6 +58,7 @@ pub struct SimulatedNao {
     pub(crate) hearing: Hearing,
     pub(crate) pads: Pads,
     pub(crate) charge: Charge,
+    pub(crate) clock: RoomClock,
     pub(crate) own: OwnState,
     /// Why everything ended, until somebody asks.
     pub(crate) halted: Option<String>,
@@ -90,6 +102,7 @@ impl SimulatedNao {
             hearing: Hearing::default(),
             pads: Pads::default(),
             charge: Charge::default(),
+            clock: RoomClock::default(),
             own: OwnState::default(),
             halted: None,
             eyes: Eyes::default(),
@@ -215,6 +228,7 @@ impl SimulatedNao {
         self.sounds.digest(digest);
         self.hearing.digest(digest);
         self.charge.digest(digest);
+        self.clock.digest(digest);
         self.own.digest(digest);
         digest.text(self.halted.as_deref().unwrap_or_default());
         digest.truth(self.safe);

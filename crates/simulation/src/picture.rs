@@ -1,8 +1,8 @@
 //! The robot in its room as a picture.
 
-use crate::body::ArmSide;
-use crate::devices::{FollowingBody, PointingArm};
+use crate::model::ArmSide;
 use crate::nao::SimulatedNao;
+use crate::nao::devices::{FollowingBody, PointingArm};
 use crate::room::MARK_M;
 use crate::world::{self, BallBody, ObstacleBody, PersonBody};
 use robot::{Ball, Body, Obstacle, PrintedMark, Scene, ScenePerson};

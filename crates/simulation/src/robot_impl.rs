@@ -1,7 +1,7 @@
 //! The simulated robot as a [`Robot`]: it does what every robot can do.
 
-use crate::devices::{SimulatedDevice, names, open};
-use crate::installed::installed;
+use crate::nao::devices::{SimulatedDevice, names, open};
+use crate::nao::installed::installed;
 use crate::nao::{STEP_MS, SimulatedNao};
 use behaviour::{Params, Value};
 use robot::{Camera, Condition, Control, Health, Installed, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use};

@@ -59,8 +59,30 @@ fn number(text: &str) -> Option<u32> {
     serde_json::from_str::<Numbered>(text).ok().map(|numbered| numbered.ask)
 }
 
+/// The number with which a large request begins, as all of ours do: read without the rest of it.
+pub(super) fn first_number(text: &str) -> Option<u32> {
+    let digits = text.strip_prefix(r#"{"ask":"#)?;
+    digits.split_once(',')?.0.parse().ok()
+}
+
 /// tungstenite's own error is behind axum's; its words are the only way to it.
 fn is_too_large(error: &axum::Error) -> bool {
     let text = error.to_string();
     text.contains("too long") || text.contains("too large") || text.contains("too big")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_number;
+    use protocol::{Ask, request};
+
+    #[test]
+    fn a_large_request_that_is_refused_unread_has_its_number() {
+        let name = "x".repeat(10_000);
+        for stops in [None, Some(7_000_001)] {
+            let text = serde_json::to_string(&Ask { stops, ..Ask::new(41, request::CallMe { name: name.clone() }) });
+            assert_eq!(first_number(&text.unwrap()), Some(41));
+        }
+        assert_eq!(["", "{\"ask\":", "{\"ask\":x,", "{\"request\":{}}"].map(first_number), [None; 4]);
+    }
 }

@@ -43,7 +43,7 @@ mod tests {
     use super::{WAITING_MAX, inbox};
     use crate::connection::budgets::Budgets;
     use crate::support::identity::PersonIdentity;
-    use protocol::{Ask, Request};
+    use protocol::{Ask, request};
 
     #[test]
     fn what_waits_is_bounded_in_number_and_bytes() {
@@ -55,7 +55,7 @@ mod tests {
         assert!(other.large(text(), &theirs), "others have room of their own");
         drop(asked.try_recv());
         assert!(own.large(text(), &mine), "what is done makes room");
-        let small = (0..1_000).filter(|ask| own.ask(Ask { ask: *ask, request: Request::Runs })).count();
+        let small = (0..1_000).filter(|ask| own.ask(Ask::new(*ask, request::Runs {}))).count();
         assert_eq!(small, WAITING_MAX - taken);
     }
 }

@@ -6,7 +6,7 @@ use crate::support::identity::{PersonIdentity, Sender, ShareGroup};
 use crate::support::lock;
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
-use protocol::{Refused, Reply};
+use protocol::{Message, Refused};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, Weak};
@@ -191,9 +191,9 @@ impl Outbox {
         self.person.asks(self.session)
     }
 
-    /// Says something, as the answer to `ask` if there is one.
-    pub(crate) fn say(&self, ask: Option<u32>, reply: Reply) {
-        self.put(Out::Text(encode(ask, reply)));
+    /// Says something.
+    pub(crate) fn say(&self, message: Message) {
+        self.put(Out::Text(encode(message)));
     }
 
     /// Whether the link ended.
@@ -203,7 +203,7 @@ impl Outbox {
 
     /// Says why not.
     pub(crate) fn no(&self, ask: u32, no: Refused) {
-        self.say(Some(ask), Reply::No { no });
+        self.say(Message::No { ask: Some(ask), no });
     }
 
     /// Never waits. A single message may be larger than what may wait: who reads gets it.
@@ -259,19 +259,19 @@ mod tests {
     use crate::support::identity::tests::guest;
     use crate::support::identity::{PersonIdentity, ShareGroup};
     use behaviour::{Behaviour, Room};
-    use protocol::{Refused, Reply};
+    use protocol::{AnyAnswer, Event, Message, Refused};
     use std::sync::atomic::Ordering;
     use std::sync::{Arc, Weak};
 
     /// How many large replies are queued for a client that reads nothing before its link is cut.
     async fn queued(all: &AllWaiting, person: PersonIdentity) -> (usize, Outbox) {
         let (outbox, _inbox, _) = Outbox::new(1, Arc::new(person), all);
-        let no = Reply::No { no: Refused::Unreadable("x".repeat(32 << 10)) };
+        let no = Message::No { ask: None, no: Refused::Unreadable("x".repeat(32 << 10)) };
         for count in 0.. {
             tokio::select! {
                 biased;
                 _ = outbox.close.wait() => return (count, outbox),
-                () = std::future::ready(()) => outbox.say(None, no.clone()),
+                () = std::future::ready(()) => outbox.say(no.clone()),
             }
         }
         unreachable!("it is cut")
@@ -290,7 +290,7 @@ mod tests {
     fn opened() -> Out {
         let shown =
             AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new(), &ShareGroup::Host);
-        Out::Whole(1, Box::new(WholeBehaviour { reply: Reply::Done, shown }))
+        Out::Whole(1, Box::new(WholeBehaviour { answer: AnyAnswer::Done, shown }))
     }
 
     #[tokio::test]
@@ -313,7 +313,7 @@ mod tests {
     async fn what_is_being_written_still_counts_for_all() {
         let all = AllWaiting::default();
         let (outbox, mut inbox, waiting) = Outbox::new(1, Arc::new(PersonIdentity::Host), &all);
-        outbox.say(None, Reply::Done);
+        outbox.say(Event::ProgramsChanged.into());
         let before = all.0.bytes.load(Ordering::Relaxed);
         let writing = waiting.taken(&inbox.recv().await.unwrap());
         assert_eq!((before > 0, all.0.bytes.load(Ordering::Relaxed)), (true, before));

@@ -1,27 +1,31 @@
 //! One socket: a task that reads and one that writes, on the threads that carry messages, and one on the server's other
 //! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
 
+mod answering;
 mod inviting;
+mod library;
+mod looking;
 mod operating;
 mod past;
 mod requests;
+mod robots;
 
 use super::budgets::{PersonBudget, Weight};
-use super::hear::{HeardMessage, hear, read};
+use super::hear::{HeardMessage, first_number, hear, read};
 use super::inbox::{Inbox, WaitingRequest, inbox};
 use crate::connection::clients::{Entered, tidy_name};
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
 use crate::connection::{Connections, Seat};
 use crate::invitations::{GuestPresence, Identified};
-use crate::rooms::member::Member;
-use crate::rooms::{Entering, LeaveReason, RoomCommand};
+use crate::rooms::member::{AnswerTo, Member};
+use crate::rooms::{Entering, JoinRequest, LeaveReason, RoomCommand};
 use crate::support::identity::Sender;
 use crate::support::tasks::boxed;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
-use protocol::{ALIVE_MS, Ask, Person, Refused, Reply, Request, VERSION};
+use protocol::{ALIVE_MS, AnyRequest, Ask, Message, Person, Refused, VERSION, answer, request};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::runtime::Handle;
@@ -70,11 +74,11 @@ async fn greet(
     outbox: &Outbox,
     stream: &mut SplitStream<WebSocket>,
 ) -> Result<(Entered, u32), CloseReason> {
-    let Ask { ask, request } = loop {
+    let Ask { ask, request, .. } = loop {
         match hear(stream.next().await) {
             HeardMessage::Ask(ask) => break *ask,
             HeardMessage::Nonsense(ask, reason) => {
-                outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) });
+                outbox.say(Message::No { ask, no: Refused::Unreadable(reason) });
                 return Err(CloseReason::Unwelcome);
             }
             // Such as the answer to a ping, which may come before.
@@ -84,10 +88,10 @@ async fn greet(
         }
     };
     match request {
-        Request::Hello { version: VERSION, name, again } => {
+        AnyRequest::Hello(request::Hello { version: VERSION, name, again }) => {
             Ok((connections.clients.enter(again.as_ref(), &name, outbox.session, outbox.close.clone()), ask))
         }
-        Request::Hello { .. } => {
+        AnyRequest::Hello(_) => {
             outbox.no(ask, Refused::Version(VERSION));
             Err(CloseReason::Unwelcome)
         }
@@ -114,8 +118,10 @@ async fn serve(
         connections.state.rooms.library(),
         RoomCommand::Join(
             Member { person: me.clone(), link: Arc::new(outbox.clone()) },
-            ask,
-            Some(Entering { secret, role }),
+            JoinRequest::Server(
+                Entering { secret, role, stops: connections.state.robots.newest_stop() },
+                AnswerTo::Client { to: Arc::new(outbox.clone()), ask, held: None },
+            ),
         ),
     );
     let (asking, asked) = inbox();
@@ -157,7 +163,7 @@ async fn linger(connections: &Connections, stream: &mut SplitStream<WebSocket>, 
     loop {
         match hear(stream.next().await) {
             HeardMessage::Ask(ask) => {
-                if let Request::Stop { behaviour, robot } = ask.request {
+                if let AnyRequest::Stop(request::Stop { behaviour, robot }) = ask.request {
                     connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), by);
                 }
             }
@@ -196,9 +202,9 @@ impl ClientReader<'_> {
             match hear(message) {
                 HeardMessage::Ask(ask) => self.hear(*ask),
                 HeardMessage::Large(text) if self.budget.may_ask() => self.large(text),
-                HeardMessage::Large(_) => self.too_fast(None),
+                HeardMessage::Large(text) => self.too_fast(first_number(&text)),
                 HeardMessage::Nonsense(ask, reason) => {
-                    self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) })
+                    self.outbox.say(Message::No { ask, no: Refused::Unreadable(reason) })
                 }
                 HeardMessage::Nothing => {}
                 HeardMessage::End(why) => return why,
@@ -207,29 +213,32 @@ impl ClientReader<'_> {
     }
 
     /// Stop always gets through, before all that waits; anything else has to keep to its share.
-    fn hear(&mut self, Ask { ask, request }: Ask) {
-        if let Request::Stop { behaviour, robot } = request {
-            self.connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.by);
-            self.outbox.say(Some(ask), Reply::Done);
+    fn hear(&mut self, Ask { ask, stops, request }: Ask) {
+        if let AnyRequest::Stop(request::Stop { behaviour, robot }) = request {
+            let robots = &self.connections.state.robots;
+            robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.by);
+            let stopped = answer::Stopped { stops: robots.newest_stop() };
+            self.outbox.say(Message::Answer { ask, answer: stopped.into() });
             return tracing::info!(by = self.by, "Stop");
         }
-        if let Request::CallMe { name } = &request {
+        if let AnyRequest::CallMe(request::CallMe { name }) = &request {
             self.by = tidy_name(name);
         }
-        let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. } | Request::Typing { .. });
-        if (!self.budget.may_ask() || !self.asking.ask(Ask { ask, request })) && matters {
+        let matters = !matches!(request, AnyRequest::Present(_) | AnyRequest::Scene(_) | AnyRequest::Typing(_));
+        if (!self.budget.may_ask() || !self.asking.ask(Ask { ask, stops, request })) && matters {
             self.too_fast(Some(ask));
         }
     }
 
     fn large(&mut self, text: Utf8Bytes) {
+        let ask = first_number(&text);
         if !self.asking.large(text, self.budget) {
-            self.too_fast(None);
+            self.too_fast(ask);
         }
     }
 
     fn too_fast(&self, ask: Option<u32>) {
-        self.outbox.say(ask, Reply::No { no: Refused::TooFast });
+        self.outbox.say(Message::No { ask, no: Refused::TooFast });
     }
 }
 
@@ -245,6 +254,10 @@ struct ClientSession {
     budget: Arc<PersonBudget>,
     /// The room that the request at hand takes, if it is a large one.
     weight: Option<Weight>,
+    /// The newest Stop of which this client had heard when it asked what is at hand.
+    stops: Option<u64>,
+    /// Questions about the past of which only the newest counts.
+    looking_back: looking::LookingBack,
 }
 
 impl ClientSession {
@@ -254,7 +267,8 @@ impl ClientSession {
         me: Person,
         (entry, budget): (Identified, Arc<PersonBudget>),
     ) -> Self {
-        Self { connections, outbox, me, entry, open: None, budget, weight: None }
+        let looking_back = looking::LookingBack::default();
+        Self { connections, outbox, me, entry, open: None, budget, weight: None, stops: None, looking_back }
     }
 
     /// For whom what this link asks is done.
@@ -270,27 +284,33 @@ impl ClientSession {
     async fn work(mut self, mut asked: mpsc::Receiver<WaitingRequest>) {
         while let Some(asked) = asked.recv().await {
             match asked {
-                WaitingRequest::Small(ask) => self.request(ask.ask, ask.request),
+                WaitingRequest::Small(ask) => self.take(*ask),
                 WaitingRequest::Large(text, weight) => self.large(text, weight).await,
             }
         }
         self.leave_open(LeaveReason::LinkEnded);
+        self.looks_back_no_more();
+    }
+
+    fn take(&mut self, Ask { ask, stops, request }: Ask) {
+        self.stops = stops;
+        self.request(ask, request);
     }
 
     /// Reads a large message among the other work, then does what it asks.
     async fn large(&mut self, text: Utf8Bytes, weight: Weight) {
-        let sender = self.sender();
+        let (sender, number) = (self.sender(), first_number(&text));
         match self.connections.state.workers.run(sender, move |_| read(&text)).await {
             Ok(HeardMessage::Ask(ask)) => {
                 self.weight = Some(weight);
-                self.request(ask.ask, ask.request);
+                self.take(*ask);
                 self.weight = None;
             }
             Ok(HeardMessage::Nonsense(ask, reason)) => {
-                self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) })
+                self.outbox.say(Message::No { ask, no: Refused::Unreadable(reason) })
             }
             Ok(HeardMessage::Large(_) | HeardMessage::Nothing | HeardMessage::End(_)) => {}
-            Err(why) => self.outbox.say(None, Reply::No { no: why.into() }),
+            Err(why) => self.outbox.say(Message::No { ask: number, no: why.into() }),
         }
     }
 

@@ -5,8 +5,8 @@ use crate::robots::{StartError, StartOrder};
 use crate::rooms::SavedLook;
 use crate::state::ServerState;
 use crate::support::identity::Sender;
-use behaviour::{BehaviourFile, Id, Problem};
-use protocol::{RecordedSession, Refused, Reply};
+use behaviour::{BehaviourFile, Problem};
+use protocol::{RecordedSession, Refused, request};
 use std::sync::Arc;
 
 /// Who starts something.
@@ -17,22 +17,22 @@ pub(crate) struct Starter {
     pub(crate) sender: Sender,
     /// As whom they are in.
     pub(crate) entry: Identified,
+    /// The newest Stop of which they had heard.
+    pub(crate) stops: Option<u64>,
 }
 
 /// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
 pub(crate) async fn start(
-    state: &ServerState,
-    behaviour: Id,
-    robot: Option<Id>,
-    (record, session): (bool, RecordedSession),
-    Starter { name: by, sender, entry }: Starter,
-) -> Result<Reply, Refused> {
+    state: Arc<ServerState>,
+    Starter { name: by, sender, entry, stops }: Starter,
+    request::Start { behaviour, robot, record, session }: request::Start,
+) -> Result<(), Refused> {
     let host = state.robots.meant(robot.as_ref())?;
     // Before anything is looked at, so that neither a Stop nor a removal can come between.
-    let announced = host.announce(&behaviour).map_err(StartError::cannot_start)?;
+    let announced = host.announce(&behaviour, stops).map_err(StartError::cannot_start)?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
-    let file = ready(state, sender, look).await?;
+    let file = ready(&state, sender, look).await?;
     if announced.is_cancelled() || state.tasks.ends() {
         return Err(StartError::StopPressed(announced.stopped_by()).cannot_start());
     }
@@ -48,20 +48,19 @@ pub(crate) async fn start(
         state.robots.revoked(invitation);
     }
     tracing::info!(%behaviour, robot = %host.id(), revision, by, "a behaviour starts");
-    Ok(Reply::Done)
+    Ok(())
 }
 
 /// Lets the running behaviour go on with the revision that is saved. If it is refused, what runs goes on as it is.
 pub(crate) async fn apply(
-    state: &ServerState,
-    behaviour: Id,
-    robot: Option<Id>,
-    Starter { name: by, sender, .. }: Starter,
-) -> Result<Reply, Refused> {
-    let hosts = state.robots.running(&behaviour, robot.as_ref())?;
+    state: Arc<ServerState>,
+    Starter { name: by, sender, stops, .. }: Starter,
+    request::Apply { behaviour, robot }: request::Apply,
+) -> Result<(), Refused> {
+    let hosts = state.robots.running_since(&behaviour, robot.as_ref(), stops)?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
-    let file = ready(state, sender, look).await.map_err(|no| match no {
+    let file = ready(&state, sender, look).await.map_err(|no| match no {
         Refused::Problems(problems) => {
             let first = problems.first().map(ToString::to_string).unwrap_or_default();
             Refused::NotApplied(first.trim_end_matches('.').to_owned())
@@ -72,12 +71,12 @@ pub(crate) async fn apply(
     for host in hosts {
         let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
         let session = RecordedSession::default();
-        host.apply(StartOrder { behaviour, revision, file, record: false, session, by, invitation: None })
+        host.apply(StartOrder { behaviour, revision, file, record: false, session, by, invitation: None }, stops)
             .await
             .map_err(StartError::not_applied)?;
     }
     tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
-    Ok(Reply::Done)
+    Ok(())
 }
 
 /// The file to run, if no problem stops it.

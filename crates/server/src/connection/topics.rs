@@ -7,7 +7,7 @@ use crate::support::message::encode;
 use crate::support::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
-use protocol::{Invitation, PRESSES_MAX, Press, Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
+use protocol::{Event, Invitation, PRESSES_MAX, Press, RobotState, RunState, UPDATES_PER_SECOND_MAX};
 use robot::Scene;
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -37,7 +37,7 @@ impl Topics {
     /// The topics as they are now.
     pub(crate) fn of(robots: &Robots) -> Self {
         let states = robots.runs();
-        let runs = runs_text(&states.borrow());
+        let runs = runs_text(robots.newest_stop(), &states.borrow());
         let robots = robots_text(&robots.states().borrow());
         Self {
             robots: watch::Sender::new(robots),
@@ -51,7 +51,7 @@ impl Topics {
     /// Tells everyone what somebody pressed.
     pub(crate) fn pressed(&self, press: Press) {
         // Nobody hears it where nobody is connected.
-        drop(self.presses.send(encode(None, Reply::Pressed { press: Box::new(press) })));
+        drop(self.presses.send(encode(Event::Pressed { press: Box::new(press) })));
     }
 
     /// Keeps the topics new until the server ends.
@@ -61,22 +61,25 @@ impl Topics {
             move |()| invitations_text(invitations.list())
         });
         follow(tasks, robots.states(), self.robots.clone(), |robots| robots_text(robots));
-        follow(tasks, robots.runs(), self.runs.clone(), |runs| runs_text(runs));
+        follow(tasks, robots.runs(), self.runs.clone(), {
+            let robots = robots.clone();
+            move |runs| runs_text(robots.newest_stop(), runs)
+        });
         tasks.spawn(keep_pictures(robots.clone(), tasks.clone()));
         tasks.spawn(keep_list(news.clone(), tasks.clone()));
     }
 }
 
 fn robots_text(newest: &[RobotState]) -> Utf8Bytes {
-    encode(None, Reply::Robots { robots: newest.to_vec() })
+    encode(Event::Robots { robots: newest.to_vec() })
 }
 
 fn invitations_text(invitations: Vec<Invitation>) -> Utf8Bytes {
-    encode(None, Reply::Invitations { invitations })
+    encode(Event::Invitations { invitations })
 }
 
-fn runs_text(newest: &[RunState]) -> Utf8Bytes {
-    encode(None, Reply::Runs { runs: newest.to_vec() })
+fn runs_text(stops: u64, newest: &[RunState]) -> Utf8Bytes {
+    encode(Event::Runs { runs: newest.to_vec(), stops })
 }
 
 /// Keeps the pictures of all robots new, also of those that come later.
@@ -108,7 +111,7 @@ async fn keep_list(news: ListNews, tasks: Tasks) {
 }
 
 fn picture_text(robot: &Id, newest: &Scene) -> Utf8Bytes {
-    encode(None, Reply::Scene { robot: robot.clone(), scene: Box::new(newest.clone()) })
+    encode(Event::Scene { robot: robot.clone(), scene: Box::new(newest.clone()) })
 }
 
 /// Makes each newest value into a message, at most so often.

@@ -5,16 +5,16 @@ use crate::robots::{LiveValues, RunMarks, SeenLive};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
-use protocol::{Reply, RunState};
+use protocol::{Event, RunState};
 use std::sync::Arc;
 
 /// The part of one run that a client has seen.
 #[derive(Default)]
 pub(super) struct Watching {
-    run: Option<Watched>,
+    run: Option<WatchedRun>,
 }
 
-struct Watched {
+struct WatchedRun {
     run: u64,
     live: Option<(LiveValues, SeenLive)>,
     /// The marks, and up to which of their changes they were told.
@@ -36,13 +36,14 @@ impl Watching {
         if self.run.as_ref().is_none_or(|watched| watched.run != run) {
             let robots = &connections.state.robots;
             let live = robots.values(run).map(|live| (live, SeenLive::default()));
-            self.run = Some(Watched { run, live, marks: robots.marks(run).map(|marks| (marks, 0)) });
+            self.run = Some(WatchedRun { run, live, marks: robots.marks(run).map(|marks| (marks, 0)) });
         }
         let Some(watched) = &mut self.run else { return Vec::new() };
-        let marks = watched.marks.as_mut().map(|(marks, seen)| marks.since(seen)).filter(|marks| !marks.is_empty());
-        let marks = marks.map(|marks| Reply::LiveMarks { run, marks });
+        let marks = watched.marks.as_mut().map(|(marks, seen)| (marks.since(seen), marks.now_ms()));
+        let marks = marks.filter(|(marks, _)| !marks.is_empty());
+        let marks = marks.map(|(marks, at_ms)| Event::LiveMarks { run, at_ms, marks });
         let live = watched.live.as_mut().filter(|_| values).and_then(|(live, seen)| live.since(seen));
-        let live = live.map(|values| Reply::Values { values: Box::new(values) });
-        marks.into_iter().chain(live).map(|reply| encode(None, reply)).collect()
+        let live = live.map(|values| Event::Values { values: Box::new(values) });
+        marks.into_iter().chain(live).map(encode).collect()
     }
 }

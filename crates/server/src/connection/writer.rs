@@ -16,7 +16,7 @@ use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
 use behaviour::Id;
 use futures_util::SinkExt;
 use futures_util::stream::SplitSink;
-use protocol::{ALIVE_MS, PING_MS, Reply, Role};
+use protocol::{ALIVE_MS, Event, PING_MS, Role};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{broadcast, mpsc, watch};
@@ -148,6 +148,8 @@ impl ClientWriter {
                 Out::Want(wanted) => {
                     self.feed = None;
                     self.wanted = wanted;
+                    // Its page forgot the marks and values of another program.
+                    self.watching = Watching::default();
                 }
                 Out::Follow(feed) if self.wanted.as_ref() == Some(&feed.behaviour) => self.feed = Some(feed),
                 // It opened late, and another one was wanted meanwhile.
@@ -160,9 +162,10 @@ impl ClientWriter {
         self.send(texts).await
     }
 
-    /// Looks at another robot, whose picture is new to it.
+    /// Looks at another robot, whose picture is new to it, or begins anew: all marks and values come again.
     fn watch(&mut self, robot: Option<Id>, scene: bool, values: bool) {
         (self.scene_wanted, self.values_wanted) = (scene, values);
+        self.watching = Watching::default();
         if robot != self.robot {
             self.scene = pictures(&self.connections, robot.as_ref());
             self.robot = robot;
@@ -191,7 +194,7 @@ impl ClientWriter {
     async fn ping(&mut self) -> Result<(), CloseReason> {
         let behaviour = self.feed.as_ref().map(|feed| (feed.behaviour.clone(), *feed.revision.borrow()));
         let library_revision = self.connections.state.rooms.snapshot().revision;
-        let text = encode(None, Reply::Ping { behaviour, library_revision });
+        let text = encode(Event::Ping { behaviour, library_revision });
         self.write([Message::Text(text)]).await
     }
 

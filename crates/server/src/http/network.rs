@@ -3,6 +3,7 @@
 //! wait behind what strangers try, not even behind what is tried from their own address.
 
 mod agreement;
+mod arrivals;
 mod certificate;
 mod hello;
 mod lane;
@@ -19,8 +20,9 @@ use crate::robots::Robots;
 use crate::support::priority::{self, Priority};
 use crate::support::tasks::{TaskWork, boxed};
 use agreement::Agreement;
+use arrivals::Arrivals;
 use certificate::Certificate;
-use lane::{Arrivals, ThreadLane};
+use lane::ThreadLane;
 use sorter::{Lanes, Sorter};
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, UdpSocket};

@@ -43,7 +43,9 @@ pub(super) fn press(door: &EntryDoor, robots: &Robots, uri: &Uri, asked: &Header
         let StopTarget { behaviour, robot } = which.unwrap_or_default();
         robots.stop_now(behaviour.as_ref(), robot.as_ref(), by);
     }
-    StopAnswer::of(&who.map(drop), uri, asked)
+    let answer = StopAnswer::of(&who.map(drop), uri, asked);
+    // Whoever reads it presses after all these Stops, whether their link tells of them yet or not.
+    answer.with_stops(robots.newest_stop())
 }
 
 /// Reads the Stop, does it and answers; the connection ends with that.
@@ -93,8 +95,8 @@ fn asked(head: &[u8]) -> Option<(Uri, HeaderMap)> {
 
 fn written(said: &StopAnswer) -> Vec<u8> {
     let mut text = format!("HTTP/1.1 {}\r\ncontent-length: {}\r\n", said.status, said.body.len());
-    for (name, value) in said.headers() {
-        text.push_str(&format!("{name}: {value}\r\n"));
+    for (name, value) in &said.headers() {
+        text.push_str(&format!("{name}: {}\r\n", value.to_str().unwrap_or_default()));
     }
     for (name, value) in HEADERS {
         text.push_str(&format!("{name}: {value}\r\n"));

@@ -4,7 +4,7 @@ use super::guest::Guest;
 use super::permissions::{AskedOperation, Route, least};
 use crate::support::identity::PersonIdentity;
 use behaviour::Id;
-use protocol::{Refused, Request, Role};
+use protocol::{AnyRequest, Refused, Role};
 
 /// The least that somebody must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,7 +71,7 @@ impl Identified {
             return Ok(());
         }
         // Who is told to go may press Stop until the socket is closed.
-        if self.is_over() && !matches!(asked, AskedOperation::Socket(Request::Stop { .. })) {
+        if self.is_over() && !matches!(asked, AskedOperation::Socket(AnyRequest::Stop(_))) {
             return Err(Refused::NotInvited);
         }
         match self.role() {

@@ -1,14 +1,16 @@
-//! The permissions: one table of every request of every way in. Nothing that is asked is left out: whoever adds a request or
-//! a route is asked here by the compiler.
+//! The permissions of every way in. Nothing that is asked is left out: requests have their role in the table of the protocol,
+//! and whoever adds a route is asked here by the compiler.
 
 use super::entry::MinimumRole;
-use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Request, Role, STOP_PATH};
+use protocol::{
+    AnyRequest, COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Role, STOP_PATH, request,
+};
 
 /// An operation that somebody asks for, by whatever way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum AskedOperation<'a> {
     /// Over a socket.
-    Socket(&'a Request),
+    Socket(&'a AnyRequest),
     /// Over HTTP.
     Http(Route),
     /// Over a socket: removing a robot that is none of the simulated ones.
@@ -172,75 +174,10 @@ fn of_route(route: Route) -> MinimumRole {
     }
 }
 
-fn of_request(request: &Request) -> Role {
+/// As the table of requests says; what reaches out into the network from this computer is the host's.
+fn of_request(request: &AnyRequest) -> Role {
     match request {
-        // Looking, being seen, and Stop. A procedure that is checked changes nothing and is bounded for everyone.
-        Request::Hello { .. }
-        | Request::List { .. }
-        | Request::Pictures { .. }
-        | Request::WhereUsed { .. }
-        | Request::Drivers { .. }
-        | Request::Contested
-        | Request::Similar { .. }
-        | Request::Tags
-        | Request::Open { .. }
-        | Request::Leave
-        | Request::Since { .. }
-        | Request::History { .. }
-        | Request::At { .. }
-        | Request::Check { .. }
-        | Request::Fixes { .. }
-        | Request::Types { .. }
-        | Request::TryExercise { .. }
-        | Request::Present { .. }
-        | Request::CallMe { .. }
-        | Request::Runs
-        | Request::Recordings
-        | Request::Marks { .. }
-        | Request::Watch { .. }
-        | Request::Stop { .. } => Role::Viewer,
-        // The robots, their rooms and what is recorded.
-        Request::Start { .. }
-        | Request::Apply { .. }
-        | Request::Stimulate { .. }
-        | Request::Hand { .. }
-        | Request::Scene { .. }
-        | Request::Mark { .. }
-        | Request::EditMark { .. }
-        | Request::Record { .. }
-        | Request::EndRecording { .. }
-        | Request::RemoveRecording { .. }
-        | Request::PutMark { .. }
-        | Request::Place { .. }
-        | Request::AddRobot { real: None, .. }
-        | Request::RenameRobot { .. }
-        | Request::ControlRobot { .. }
-        | Request::Faces { .. }
-        | Request::RemoveRobot { .. } => Role::Operator,
-        // These reach out into the network from this computer.
-        Request::AddRobot { real: Some(_), .. }
-        | Request::ReachRobot { .. }
-        | Request::AcceptRobot { .. }
-        | Request::CheckRobot { .. }
-        | Request::FindRobots => Role::Host,
-        // Behaviours.
-        Request::Create { .. }
-        | Request::Remove { .. }
-        | Request::Restore { .. }
-        | Request::Propose { .. }
-        | Request::RenameHelper { .. }
-        | Request::TakeBack { .. }
-        | Request::GoBack { .. }
-        | Request::BringBack { .. }
-        | Request::NameVersion { .. }
-        | Request::UnnameVersion { .. }
-        | Request::Lock { .. }
-        | Request::Unlock { .. }
-        | Request::Typing { .. }
-        | Request::AskFor { .. }
-        | Request::Withdraw { .. }
-        | Request::HandOver { .. } => Role::Editor,
-        // Other people.
-        Request::TakeOver { .. } | Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => Role::Host,
+        AnyRequest::AddRobot(request::AddRobot { real: Some(_), .. }) => Role::Host,
+        other => other.row().role,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{GuessSource, Identified, Invitations, Invited, LinkTarget, NotIn, Terms};
 use crate::invitations::permissions::{AskedOperation, Route};
-use protocol::{Lasts, Refused, Request, Role};
+use protocol::{Lasts, Refused, Role, request};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -168,12 +168,12 @@ async fn who_is_revoked_is_told_at_once_and_may_only_stop() {
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
     let guest = all.guest(&all.come_in(&token, here()).unwrap()).unwrap();
     let (entry, here) = (Identified::Guest(guest.clone()), all.arrive(&guest, "Ben"));
-    assert_eq!(entry.may(AskedOperation::Socket(&Request::Runs)), Ok(()));
+    assert_eq!(entry.may(AskedOperation::Socket(&request::Runs {}.into())), Ok(()));
     assert!(all.list()[0].came[0].here);
     all.revoke(&invited.invitation.id).unwrap();
     entry.until_over().await;
-    assert_eq!(entry.may(AskedOperation::Socket(&Request::Runs)), Err(Refused::NotInvited));
-    assert_eq!(entry.may(AskedOperation::Socket(&Request::Stop { behaviour: None, robot: None })), Ok(()));
+    assert_eq!(entry.may(AskedOperation::Socket(&request::Runs {}.into())), Err(Refused::NotInvited));
+    assert_eq!(entry.may(AskedOperation::Socket(&request::Stop { behaviour: None, robot: None }.into())), Ok(()));
     drop(here);
     assert!(!all.list()[0].came[0].here);
 }

@@ -9,7 +9,7 @@ use super::LibraryService;
 use crate::support::atomic_file;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::Id;
-use protocol::{Refused, Reply};
+use protocol::Refused;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -45,10 +45,10 @@ pub(crate) fn keep(library: &Arc<LibraryService>, data: Option<&Path>) {
 ///
 /// # Errors
 /// If it is not there, or the store does not answer.
-pub(crate) async fn restore(library: &LibraryService, behaviour: &Id) -> Result<Reply, Refused> {
+pub(crate) async fn restore(library: &LibraryService, behaviour: &Id) -> Result<(), Refused> {
     let back = bounded(library.store.restore(behaviour)).await.map_err(|error| store_no(&error))?;
     library.rooms.news().tell();
-    if back { Ok(Reply::Done) } else { Err(Refused::NoBehaviour) }
+    if back { Ok(()) } else { Err(Refused::NoBehaviour) }
 }
 
 /// Deletes what was in the bin for [`BIN_DAYS`] at the earlier look already; says how many.

@@ -4,16 +4,14 @@ use super::LibraryService;
 use super::exercises::exercise;
 use super::import::{TRIES, is_overtaken, judge, shelve};
 use super::list::free_name;
+use super::saved::{append, check_name};
 use super::templates::{Template, templates};
 use crate::support::identity::Sender;
-use crate::support::store_call::{answer_by, bounded, by, reason, store_no};
-use behaviour::{
-    Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings, has_unseen, without_unseen,
-};
-use protocol::{Refused, Reply};
+use crate::support::store_call::{answer_by, bounded, by, store_no};
+use behaviour::{Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Settings};
+use protocol::{Refused, answer};
 use std::sync::Arc;
 use store::files::ImportMode;
-use store::{Append, StoreError};
 use uuid::Uuid;
 
 /// What a client wants made.
@@ -31,18 +29,18 @@ pub(crate) struct CreateRequest {
 }
 
 /// Makes the behaviour; asked twice with the same id, it makes one.
-pub(crate) async fn create(library: &Arc<LibraryService>, wish: CreateRequest) -> Result<Reply, Refused> {
+pub(crate) async fn create(library: &Arc<LibraryService>, wish: CreateRequest) -> Result<answer::Created, Refused> {
     by(answer_by(), made(library, wish)).await
 }
 
-async fn made(library: &Arc<LibraryService>, wish: CreateRequest) -> Result<Reply, Refused> {
+async fn made(library: &Arc<LibraryService>, wish: CreateRequest) -> Result<answer::Created, Refused> {
     let template = wish.template.as_deref().map(find).transpose()?;
     if wish.behaviour == *library.rooms.library() {
         return Err(Refused::NoBehaviour);
     }
     check_name(&wish.name)?;
     if is_there(library, &wish).await? {
-        return Ok(Reply::Created { behaviour: wish.behaviour });
+        return Ok(answer::Created { behaviour: wish.behaviour });
     }
     let records = match template {
         Some(template) => from_template(library, template, &wish).await?,
@@ -52,7 +50,7 @@ async fn made(library: &Arc<LibraryService>, wish: CreateRequest) -> Result<Repl
     if !is_there(library, &wish).await? {
         save(library, &wish, records).await?;
     }
-    Ok(Reply::Created { behaviour: wish.behaviour })
+    Ok(answer::Created { behaviour: wish.behaviour })
 }
 
 async fn is_there(library: &LibraryService, wish: &CreateRequest) -> Result<bool, Refused> {
@@ -64,20 +62,6 @@ fn find(name: &str) -> Result<&'static Template, Refused> {
     let shown = || Refused::NoTemplate(name.chars().take(40).collect());
     let template = templates().iter().find(|template| template.name == name);
     template.or_else(|| Some(&exercise(name)?.template)).ok_or_else(shown)
-}
-
-pub(crate) fn check_name(name: &str) -> Result<(), Refused> {
-    let no = |refusal| Err(Refused::Change(refusal));
-    let shown = || without_unseen(name).chars().take(40).collect();
-    if name.trim().is_empty() {
-        return no(Refusal::Name(shown()));
-    }
-    if has_unseen(name) {
-        return no(Refusal::Unseen(shown()));
-    }
-    // Room for the number that a taken name gets.
-    let most = behaviour::NAME_MAX_CHARS - 10;
-    if name.chars().count() > most { no(Refusal::TooLong("This name".to_owned(), most)) } else { Ok(()) }
 }
 
 async fn save(library: &Arc<LibraryService>, wish: &CreateRequest, mut records: Behaviour) -> Result<(), Refused> {
@@ -95,28 +79,6 @@ async fn save(library: &Arc<LibraryService>, wish: &CreateRequest, mut records: 
     append(library, &wish.behaviour, &first, &records).await?;
     library.rooms.news().changed(&first);
     Ok(())
-}
-
-/// Saves a change of a behaviour that nobody has open; once more if the outcome is open, the op id settles it.
-pub(crate) async fn append(
-    library: &LibraryService,
-    id: &Id,
-    made: &Committed,
-    after: &Behaviour,
-) -> Result<(), Refused> {
-    let mut answer = bounded(library.store.append(id, made, after)).await;
-    if answer.as_ref().is_err_and(StoreError::is_open) {
-        answer = bounded(library.store.append(id, made, after)).await;
-    }
-    match answer {
-        Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
-        Ok(Append::Reused { .. }) => Err(Refused::Change(Refusal::Reused)),
-        Ok(Append::Conflict { .. }) => Err(Refused::Change(Refusal::Stale("this program".to_owned()))),
-        Err(error) => {
-            library.health.failed(&error);
-            Err(Refused::Change(Refusal::NotSaved(reason(&error))))
-        }
-    }
 }
 
 /// The records of a template under new ids, its helpers in the library.

@@ -2,8 +2,8 @@
 //! helpers and the behaviour are saved in one step that goes through whatever becomes of the sender.
 
 use super::LibraryService;
-use super::create::{append, check_name};
 use super::list::free_name;
+use super::saved::{append, check_name};
 use crate::rooms::knowledge::{Knowing, Unchecked};
 use crate::support::identity::Sender;
 use crate::support::store_call::{bounded, store_no};

@@ -2,20 +2,20 @@
 
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Id, as_looks, numbered};
-use protocol::{LIST_MAX_LINES, ListQuery, Refused, Reply, Summary, WORDS_MAX_CHARS};
+use protocol::{LIST_MAX_LINES, ListQuery, Refused, Summary, WORDS_MAX_CHARS, answer};
 use std::collections::BTreeSet;
 use store::{ListedBehaviour, Listing, Query, Store, StoreError};
 
 /// A page of the list.
-pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<Reply, Refused> {
+pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<answer::Programs, Refused> {
     let listing = bounded(store.list(&asked(query))).await.map_err(|error| store_no(&error))?;
     let Listing { lines, next, total } = listing;
-    Ok(Reply::Programs { programs: lines.into_iter().map(summary_of).collect(), next, total })
+    Ok(answer::Programs { programs: lines.into_iter().map(summary_of).collect(), next, total })
 }
 
 /// The tags of all behaviours outside the bin.
-pub(crate) async fn tags(store: &dyn Store) -> Result<Reply, Refused> {
-    Ok(Reply::Tags { tags: bounded(store.tags()).await.map_err(|error| store_no(&error))? })
+pub(crate) async fn tags(store: &dyn Store) -> Result<answer::Tags, Refused> {
+    Ok(answer::Tags { tags: bounded(store.tags()).await.map_err(|error| store_no(&error))? })
 }
 
 /// Id and name of every behaviour that is not in the bin, by name.

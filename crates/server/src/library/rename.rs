@@ -10,7 +10,7 @@ use crate::support::store_call::{bounded, store_no};
 use behaviour::{
     Behaviour, Change, Helper, Id, Kind, NAME_MAX_CHARS, Procedure, Record, RecordId, Refusal, rename_helpers,
 };
-use protocol::{Refused, Reply};
+use protocol::{Refused, answer};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 use tokio::sync::oneshot;
@@ -36,7 +36,10 @@ pub(crate) struct RenameRequest {
 }
 
 /// Renames a helper, and goes through with it whatever becomes of the sender.
-pub(crate) async fn rename(library: &Arc<LibraryService>, wish: RenameRequest) -> Result<Reply, Refused> {
+pub(crate) async fn rename(
+    library: &Arc<LibraryService>,
+    wish: RenameRequest,
+) -> Result<answer::HelperRenamed, Refused> {
     let renaming = Renaming { library: Arc::clone(library), wish };
     let work = async move {
         let library = Arc::clone(&renaming.library);
@@ -60,12 +63,12 @@ enum RenamedUse {
 }
 
 impl Renaming {
-    async fn done(&self) -> Result<Reply, Refused> {
+    async fn done(&self) -> Result<answer::HelperRenamed, Refused> {
         let helpers = self.library.rooms.look(self.library.rooms.library()).await?;
         let programs = self.programs().await?;
         if programs.is_empty() && !self.is_used_by_helpers(helpers.behaviour()) {
             self.propose(self.library.rooms.library(), self.plain(helpers.behaviour())).await?;
-            return Ok(Reply::HelperRenamed { programs: 0, left: Vec::new() });
+            return Ok(answer::HelperRenamed { programs: 0, left: Vec::new() });
         }
         for (program, _) in &programs {
             self.check(program).await?;
@@ -76,7 +79,7 @@ impl Renaming {
     }
 
     /// Lets all uses follow, also those that were made meanwhile; then the old name goes.
-    async fn follow(&self, old: &Id) -> Result<Reply, Refused> {
+    async fn follow(&self, old: &Id) -> Result<answer::HelperRenamed, Refused> {
         let (mut followed, mut left) = (HashSet::new(), Vec::new());
         for _ in 0..TRIES {
             left.clear();
@@ -98,7 +101,7 @@ impl Renaming {
             }
         }
         let programs = u32::try_from(followed.len()).unwrap_or(u32::MAX);
-        Ok(Reply::HelperRenamed { programs, left })
+        Ok(answer::HelperRenamed { programs, left })
     }
 
     /// The programs that use the helper themselves, with their names, in order of id.

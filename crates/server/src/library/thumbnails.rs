@@ -6,7 +6,7 @@ use crate::support::store_call::bounded;
 use crate::support::workers::Workers;
 use behaviour::{Behaviour, Graph, Id};
 use futures_util::StreamExt;
-use protocol::{GraphOutline, PICTURES_MAX, PictureOf, PictureStream, Refused, Reply};
+use protocol::{GraphOutline, PICTURES_MAX, PictureOf, PictureStream, Refused, answer};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
 use store::{Loaded, Store};
@@ -61,7 +61,7 @@ pub(crate) struct DrawingShare<'a> {
 }
 
 /// The pictures of these behaviours, as far as they are there: some are read at once, and drawn one after the other.
-pub(crate) async fn pictures(drawing: DrawingShare<'_>, of: Vec<PictureOf>) -> Result<Reply, Refused> {
+pub(crate) async fn pictures(drawing: DrawingShare<'_>, of: Vec<PictureOf>) -> Result<answer::Pictures, Refused> {
     let wanted = of.into_iter().take(PICTURES_MAX).map(|of| find(&drawing, of));
     let mut found = std::pin::pin!(futures_util::stream::iter(wanted).buffered(AT_ONCE));
     let mut pictures = Vec::new();
@@ -73,7 +73,7 @@ pub(crate) async fn pictures(drawing: DrawingShare<'_>, of: Vec<PictureOf>) -> R
         };
         pictures.push((id, (*picture).clone()));
     }
-    Ok(Reply::Pictures { pictures })
+    Ok(answer::Pictures { pictures })
 }
 
 /// What there is of a behaviour to show.

@@ -6,7 +6,8 @@ use behaviour::{
     connectors,
 };
 use engine::Limits;
-use protocol::{Reply, UnknownName};
+use protocol::UnknownName;
+use protocol::answer::Checked;
 use std::fmt::Display;
 use std::time::{Duration, Instant};
 
@@ -30,12 +31,12 @@ pub(crate) struct ProcedureTrial {
     pub(crate) known: Vec<String>,
 }
 
-fn failed(why: &impl Display, unknown: Option<UnknownName>) -> Reply {
-    Reply::Checked { error: Some(why.to_string()), results: Vec::new(), unknown }
+fn failed(why: &impl Display, unknown: Option<UnknownName>) -> Checked {
+    Checked { error: Some(why.to_string()), results: Vec::new(), unknown }
 }
 
 /// Whether the procedure can run, and what it makes of the values.
-pub(crate) fn check(trial: &ProcedureTrial) -> Reply {
+pub(crate) fn check(trial: &ProcedureTrial) -> Checked {
     if trial.body.chars().count() > behaviour::BODY_MAX_CHARS {
         return failed(&Unchecked::TooLong, None);
     }
@@ -47,7 +48,7 @@ pub(crate) fn check(trial: &ProcedureTrial) -> Reply {
         let ProcedureTrial { helpers, arguments, body, .. } = trial;
         engine::try_body(helpers, arguments, body, inputs, &limits()).map_err(|reason| reason.to_string())
     };
-    Reply::Checked { error: None, results: trial.inputs.iter().take(INPUTS_MAX).map(try_on).collect(), unknown }
+    Checked { error: None, results: trial.inputs.iter().take(INPUTS_MAX).map(try_on).collect(), unknown }
 }
 
 /// A name that means nothing, with the one that is probably meant.
@@ -78,7 +79,7 @@ pub(crate) fn helpers_of(body: &str, library: &[&Helper]) -> Vec<FileHelper> {
 mod tests {
     use super::{ProcedureTrial, check, helpers_of};
     use behaviour::Value;
-    use protocol::Reply;
+    use protocol::answer::Checked;
 
     fn trial(body: &str, inputs: &[f64]) -> ProcedureTrial {
         let helpers = robot::shipped_helpers();
@@ -92,15 +93,15 @@ mod tests {
     fn a_procedure_is_tried_with_the_helpers_it_uses() {
         let reply = check(&trial("distance_to_brightness(d) + 1.0", &[0.2, 1.2]));
         let results = vec![Ok(Value::Float(2.0)), Ok(Value::Float(1.0))];
-        assert_eq!(reply, Reply::Checked { error: None, results, unknown: None });
+        assert_eq!(reply, Checked { error: None, results, unknown: None });
     }
 
     #[test]
     fn an_endless_procedure_ends_and_a_broken_one_is_named() {
-        let Reply::Checked { error: None, results, .. } = check(&trial("loop {}", &[1.0])) else { panic!() };
+        let Checked { error: None, results, .. } = check(&trial("loop {}", &[1.0])) else { panic!() };
         assert!(results[0].is_err());
         let reply = check(&trial("d +", &[1.0]));
-        assert!(matches!(reply, Reply::Checked { error: Some(_), .. }), "{reply:?}");
+        assert!(matches!(reply, Checked { error: Some(_), .. }), "{reply:?}");
     }
 
     #[test]
@@ -110,7 +111,7 @@ mod tests {
             ("distance_to_brightnes(d)", "distance_to_brightnes", Some("distance_to_brightness")),
             ("qwertyuiop(d)", "qwertyuiop", None),
         ] {
-            let Reply::Checked { unknown, .. } = check(&trial(body, &[1.0])) else { panic!() };
+            let Checked { unknown, .. } = check(&trial(body, &[1.0]));
             let unknown = unknown.unwrap();
             assert_eq!((unknown.name.as_str(), unknown.near.as_deref()), (wrong, meant));
         }

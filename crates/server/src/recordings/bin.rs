@@ -1,19 +1,15 @@
 //! The bin of the recordings, and the names that people give them: small files beside a recording, which itself never changes.
 
-use super::{ENDING, NotRecorded, Recordings, described, files, marks_of, removed};
+use super::titles::title_of;
+use super::{NotRecorded, Recordings, described, files, marks_of, removed};
 use crate::support::{atomic_file, lock};
 use behaviour::without_unseen;
 use protocol::{RECORDING_TITLE_MAX_CHARS, Recording, Refused};
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The folder of the bin in that of the recordings.
 const BIN: &str = "bin";
-/// The ending of the name of the file with the name that people gave a recording.
-const TITLE_ENDING: &str = ".title.txt";
-/// The most of such a name that is read, in bytes.
-const TITLE_MAX_BYTES: u64 = 1_024;
 
 impl Recordings {
     /// The recordings in the bin, newest first. Reads the folder: not for the async threads.
@@ -39,6 +35,7 @@ impl Recordings {
             return Err(NotRecorded::NameTaken.into());
         }
         let moved = store::disk::make_folder(&bin).and_then(|()| moved(&path, &bin.join(name)));
+        self.pasts.forget(name);
         moved.map_err(|error| NotRecorded::NotRemoved(error).into())
     }
 
@@ -95,19 +92,6 @@ impl Recordings {
         let all = files(&self.bin()?).map(|(path, _)| path).collect::<Vec<_>>();
         all.into_iter().find(|path| path.file_name().is_some_and(|known| known == name))
     }
-}
-
-/// The name that people gave a recording, if they did.
-pub(super) fn title(path: &Path) -> Option<String> {
-    let mut text = Vec::new();
-    File::open(title_of(path)).ok()?.take(TITLE_MAX_BYTES).read_to_end(&mut text).ok()?;
-    Some(String::from_utf8_lossy(&text).trim().to_owned()).filter(|title| !title.is_empty())
-}
-
-/// Returns the path of the name that people gave a recording.
-pub(super) fn title_of(path: &Path) -> PathBuf {
-    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-    path.with_file_name(format!("{}{TITLE_ENDING}", name.trim_end_matches(ENDING)))
 }
 
 /// Moves a recording first, so that what a power cut leaves behind comes along when it is moved again.

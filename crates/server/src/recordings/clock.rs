@@ -9,6 +9,11 @@ pub(super) fn now() -> String {
     words(now_ms())
 }
 
+/// So many milliseconds ago.
+pub(crate) fn ago(ms: u64) -> String {
+    words(now_ms().saturating_sub(ms))
+}
+
 /// Milliseconds since 1970 in words; whole seconds are enough for a name.
 fn words(ms: u64) -> String {
     let seconds = i64::try_from(ms / 1_000).unwrap_or(i64::MAX);

@@ -1,6 +1,6 @@
 //! The description of a recording in a list: read from its first and its last line alone, however long it is.
 
-use super::bin::title;
+use super::titles::title;
 use protocol::{RecordedSession, Recording};
 use recording::{Entry, read_line};
 use std::fs::File;

@@ -3,6 +3,7 @@
 
 use super::{NotRecorded, RECORDING_MAX_BYTES, Recordings, described, later, marks_of};
 use crate::support::lock;
+use crate::support::until::Until;
 use behaviour::Knowledge;
 use protocol::{Recording, Refused};
 use recording::{Header, PrivateParts, Replay, Timeline, read_line};
@@ -11,7 +12,7 @@ use sentences::Language;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::SystemTime;
 use tokio_util::sync::CancellationToken;
 
 /// The longest that marks are counted for a list, in milliseconds; then the others are not known.
@@ -41,31 +42,9 @@ pub(super) struct Version {
 }
 
 impl Version {
-    fn of(path: &Path) -> io::Result<Self> {
+    pub(super) fn of(path: &Path) -> io::Result<Self> {
         let about = path.metadata()?;
         Ok(Self { bytes: about.len(), modified: about.modified().ok() })
-    }
-}
-
-/// Until when something is worked on, and if somebody still waits for it.
-struct Until<'a> {
-    at: Instant,
-    token: &'a CancellationToken,
-}
-
-impl<'a> Until<'a> {
-    fn after(ms: u64, token: &'a CancellationToken) -> Self {
-        Self { at: Instant::now() + Duration::from_millis(ms), token }
-    }
-
-    fn goes_on(&self) -> bool {
-        !self.token.is_cancelled() && Instant::now() < self.at
-    }
-
-    /// Returns what tells a run that it is over, from wherever it is.
-    fn hook(&self) -> impl Fn() -> bool + 'static {
-        let (at, token) = (self.at, self.token.clone());
-        move || token.is_cancelled() || Instant::now() >= at
     }
 }
 
@@ -286,14 +265,14 @@ impl<'a> Replaying<'a> {
 }
 
 /// The lines of a file, one at a time.
-struct Lines {
+pub(super) struct Lines {
     file: BufReader<io::Take<File>>,
     line: Vec<u8>,
 }
 
 impl Lines {
     /// Opens a recording; none if the file is none.
-    fn open(path: &Path) -> io::Result<Option<(Self, Header)>> {
+    pub(super) fn open(path: &Path) -> io::Result<Option<(Self, Header)>> {
         let file = File::open(path)?.take(RECORDING_MAX_BYTES);
         let mut lines = Self { file: BufReader::new(file), line: Vec::new() };
         let first = lines.next()?.unwrap_or_default();
@@ -302,7 +281,7 @@ impl Lines {
     }
 
     /// The next line; empty if it is none that can be read.
-    fn next(&mut self) -> io::Result<Option<&str>> {
+    pub(super) fn next(&mut self) -> io::Result<Option<&str>> {
         self.line.clear();
         let read = (&mut self.file).take(LINE_MAX_BYTES).read_until(b'\n', &mut self.line)?;
         if read as u64 == LINE_MAX_BYTES && !self.line.ends_with(b"\n") {

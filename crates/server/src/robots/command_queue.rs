@@ -83,6 +83,8 @@ pub(super) struct OpeningRun {
 pub(super) struct Controlling {
     /// What shall be.
     pub(super) control: Control,
+    /// The flag that a Stop sets; then a robot that would move for it stays as it is.
+    pub(super) cancel: Arc<CancelFlag>,
     /// Gets the answer; never waited for.
     pub(super) answer: oneshot::Sender<Result<(), RobotFault>>,
 }

@@ -1,6 +1,7 @@
 //! Where what a run emits goes: values for actions to the robot's queue, counts to the tally.
 
 use super::command_queue::{QueuedCommand, WantedDevice};
+use super::recent::RecentReadings;
 use super::runner::{RunJob, devices};
 use super::tally::RunTally;
 use crate::recordings::{RecordedStep, Recorder};
@@ -26,6 +27,8 @@ pub(super) struct EmissionSink<'a> {
     pub(super) too_long: Option<ConnectorIx>,
     /// What is recorded, if it is.
     pub(super) recorder: Option<Recorder>,
+    /// The last minutes, for who looks back.
+    pub(super) recent: Arc<RecentReadings>,
     /// By stream whether it is an action's.
     acts: IndexVec<StreamIx, bool>,
     step: RecordedStep,
@@ -47,7 +50,8 @@ impl<'a> EmissionSink<'a> {
             }
         }
         let (recorder, step) = (None, RecordedStep::default());
-        Self { job, tally, uses, clock, too_long: None, recorder, acts, step, late: 0, cut: false }
+        let recent = Arc::default();
+        Self { job, tally, uses, clock, too_long: None, recorder, recent, acts, step, late: 0, cut: false }
     }
 
     /// Takes what the run emits.
@@ -80,7 +84,11 @@ impl<'a> EmissionSink<'a> {
 
     /// A reading is about to be fed.
     pub(super) fn reading(&mut self, at: Millis, stream: StreamIx, value: &Value, by: Option<&Arc<str>>) {
-        if self.recorder.as_ref().is_some_and(Recorder::has_readings) && value.is_finite() {
+        if !value.is_finite() {
+            return;
+        }
+        self.recent.reading(at.0, stream, value, by);
+        if self.recorder.as_ref().is_some_and(Recorder::has_readings) {
             match by {
                 Some(by) => self.step.pretended(at.0, stream, value, by),
                 None => self.step.value(at.0, stream, value),

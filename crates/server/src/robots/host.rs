@@ -6,6 +6,7 @@ use super::command_queue::{ByHand, Controlling, Handing};
 use super::live::LiveValues;
 use super::mailbox::Beginning;
 use super::order::RobotOrder;
+use super::recent::RecentReadings;
 use super::refusal::{NotByHand, StartError};
 use super::robot_thread::{self, Make};
 use super::run_marks::{MarkPress, PressOutcome, RunMarks};
@@ -13,6 +14,7 @@ use super::run_table;
 use super::runner::{self, RunJob};
 use super::shared::RobotShared;
 use super::status_feed::StatusFeed;
+use super::stops::Presser;
 use super::successor;
 use crate::recordings::{About, Recordings};
 use crate::support::lock;
@@ -137,11 +139,12 @@ impl Host {
         lock(&self.shared().table).is_idle()
     }
 
-    /// Announces that a behaviour is about to start: from now on a Stop of it counts, and it may not be removed.
+    /// Announces that a behaviour is about to start: from now on a Stop of it counts, and it may not be removed. Who presses
+    /// had heard of Stops up to `stops`.
     ///
     /// # Errors
-    /// If too many run already.
-    pub(crate) fn announce(&self, behaviour: &Id) -> Result<AnnouncedRun, StartError> {
+    /// If too many run already, or if the robot was stopped since.
+    pub(crate) fn announce(&self, behaviour: &Id, stops: Option<u64>) -> Result<AnnouncedRun, StartError> {
         let shared = self.shared().clone();
         if let Some(other) = shared.feed.same_as(&shared.robot) {
             return Err(StartError::Twin(other));
@@ -149,7 +152,8 @@ impl Host {
         if shared.threads() >= THREADS_MAX {
             return Err(StartError::TooMany);
         }
-        let (run, cancel) = (shared.feed.next_run(), shared.cancel_flags.add(behaviour));
+        let cancel = shared.cancel_flags.add_pressed(behaviour, stops)?;
+        let run = shared.feed.next_run();
         let announced = AnnouncedRun { run, cancel, shared };
         let has_room = lock(&announced.shared.table).announce(run, behaviour, &announced.cancel);
         if has_room { Ok(announced) } else { Err(StartError::TooMany) }
@@ -175,7 +179,7 @@ impl Host {
     /// Announces and starts a behaviour.
     #[cfg(test)]
     pub(super) async fn start(&self, start: StartOrder) -> BegunRun {
-        let announced = self.announce(&start.behaviour)?;
+        let announced = self.announce(&start.behaviour, None)?;
         self.start_announced(&announced, start).await
     }
 
@@ -201,20 +205,26 @@ impl Host {
     }
 
     /// Lets the running behaviour go on with what `start` has, between two instants; what did not change keeps its
-    /// memory. If it cannot, what runs goes on as it is.
+    /// memory. If it cannot, what runs goes on as it is. Who presses had heard of Stops up to `stops`.
     ///
     /// # Errors
     /// Why it was not applied.
-    pub(crate) async fn apply(&self, start: StartOrder) -> BegunRun {
-        let answered = self.launch_successor(start)?;
+    pub(crate) async fn apply(&self, start: StartOrder, stops: Option<u64>) -> BegunRun {
+        let answered = self.launch_successor(start, stops)?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
             Ok(answered) => answered.unwrap_or(Err(StartError::Unprepared)),
             Err(_) => Err(StartError::StillApplying),
         }
     }
 
-    fn launch_successor(&self, start: StartOrder) -> Result<oneshot::Receiver<BegunRun>, StartError> {
+    fn launch_successor(
+        &self,
+        start: StartOrder,
+        stops: Option<u64>,
+    ) -> Result<oneshot::Receiver<BegunRun>, StartError> {
         let before = lock(&self.shared().table).running_of(&start.behaviour).cloned();
+        // A Stop that comes after this sets the flag of what runs.
+        self.shared().cancel_flags.check(&start.behaviour, stops)?;
         let before = before.ok_or(StartError::Ended)?;
         if self.shared().threads() >= THREADS_MAX {
             return Err(StartError::TooMany);
@@ -236,6 +246,11 @@ impl Host {
         self.shared().stop_now(behaviour, by)
     }
 
+    /// True if a behaviour was stopped on it since somebody had heard of Stops up to `stops`.
+    pub(super) fn is_stopped_since(&self, behaviour: &Id, stops: Option<u64>) -> bool {
+        self.shared().cancel_flags.check(behaviour, stops).is_err()
+    }
+
     /// Writes down what was stopped and shows it.
     pub(super) fn settle(&self) {
         self.shared().settle();
@@ -251,10 +266,20 @@ impl Host {
     /// Gives a value to a sensor stream of a running behaviour, as if the robot had sensed it; a recording says who did.
     ///
     /// # Errors
-    /// If the behaviour does not run, or has no such sensor stream.
-    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value, by: &str) -> Result<(), Refused> {
+    /// If the behaviour does not run, if it has no such sensor stream, or if the robot was stopped since the press.
+    pub(crate) fn stimulate<'a>(
+        &self,
+        behaviour: &Id,
+        stream: &Id,
+        value: Value,
+        presser: impl Into<Presser<'a>>,
+    ) -> Result<(), Refused> {
+        let Presser { by, stops } = presser.into();
         let table = lock(&self.shared().table);
-        let entry = table.running_of(behaviour).ok_or(Refused::NotRunning)?;
+        let entry = table.running_of(behaviour);
+        // A Stop that comes after this sets the flag of what runs.
+        self.shared().cancel_flags.check(behaviour, stops)?;
+        let entry = entry.ok_or(Refused::NotRunning)?;
         let &(index, _) = entry.senses.get(stream).ok_or(Refused::NoSensor)?;
         entry.mailbox.pretend(index, value, by);
         Ok(())
@@ -306,6 +331,11 @@ impl Host {
         Some(entry.marks.edit(id, edit, press, &entry.mailbox).map(|mark| entry.marked(mark)))
     }
 
+    /// The last minutes of a run, also of one that ended lately.
+    pub(super) fn recent(&self, run: u64) -> Option<Arc<RecentReadings>> {
+        lock(&self.shared().table).get(run).map(|entry| entry.recent.clone())
+    }
+
     /// The marks of a run, also of one that ended lately.
     pub(crate) fn marks(&self, run: u64) -> Option<Arc<RunMarks>> {
         lock(&self.shared().table).get(run).map(|entry| entry.marks.clone())
@@ -350,21 +380,27 @@ impl Host {
     }
 
     /// Has the robot do what a person presses. What runs is stopped before it is given back or rests; a robot on which
-    /// something runs neither wakes up, stands nor sits.
+    /// something runs neither wakes up, stands nor sits, nor one that was stopped since the press.
     ///
     /// # Errors
     /// Why not.
-    pub(crate) async fn control(&self, control: Control, by: &str) -> Result<(), Refused> {
+    pub(crate) async fn control<'a>(&self, control: Control, presser: impl Into<Presser<'a>>) -> Result<(), Refused> {
+        let Presser { by, stops } = presser.into();
         if control.ends_runs() {
             self.stop(None, by);
         }
-        if control.needs_quiet() && !lock(&self.shared().table).is_idle() {
+        let shared = self.shared();
+        let stops = stops.filter(|_| control.moves_body());
+        shared.cancel_flags.check(&shared.robot, stops)?;
+        if control.needs_quiet() && !lock(&shared.table).is_idle() {
             let why = "a program runs on it; press Stop first".to_owned();
             return Err(Refused::RobotCannot(RobotFault::NotNow(why).to_string()));
         }
+        let cancel = shared.cancel_flags.add_pressed(&shared.robot, stops)?;
         let (answer, answered) = oneshot::channel();
-        self.shared().queue.control(Controlling { control, answer });
+        shared.queue.control(Controlling { control, cancel: cancel.clone(), answer });
         let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;
+        cancel.cancel();
         match answered {
             Ok(Ok(done)) => done.map_err(|fault| Refused::RobotCannot(fault.to_string())),
             Ok(Err(_)) => Err(Refused::TooFast),
@@ -377,11 +413,13 @@ impl Host {
         lock(&self.shared().faces).to_vec()
     }
 
-    /// Has the robot do something by hand, above what runs on it. A Stop that comes before it makes it void.
+    /// Has the robot do something by hand, above what runs on it. A Stop that comes before it makes it void. Who presses had
+    /// heard of Stops up to `stops`.
     ///
     /// # Errors
-    /// If the robot has another one's body, refuses it or is silent for 5 s, or if the values are too large or many.
-    pub(crate) async fn hand(&self, hand: ByHand) -> Result<(), Refused> {
+    /// If the robot was stopped since, has another one's body, refuses it or is silent for 5 s, or if the values are too
+    /// large or many.
+    pub(crate) async fn hand(&self, hand: ByHand, stops: Option<u64>) -> Result<(), Refused> {
         let shared = self.shared();
         if let Some(other) = shared.feed.same_as(&shared.robot) {
             return Err(NotByHand::Twin(other).refused());
@@ -389,7 +427,7 @@ impl Host {
         if recording::json(&hand.value).len() + recording::json(&hand.params).len() > HAND_MAX_BYTES {
             return Err(NotByHand::Large.refused());
         }
-        let cancel = shared.cancel_flags.add(&shared.robot);
+        let cancel = shared.cancel_flags.add_pressed(&shared.robot, stops)?;
         let (answer, answered) = oneshot::channel();
         shared.queue.hand(Handing { hand, cancel: cancel.clone(), answer });
         let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;

@@ -7,7 +7,7 @@ use super::register::check_real;
 use super::robot_thread::RoomRobot;
 use behaviour::Id;
 use nao::{Login, Nao, ReachStep, RobotSettings};
-use protocol::{CheckStage, CheckStep, FoundRobot, RealRobot, Refused, Reply, RobotFindings};
+use protocol::{CheckStage, CheckStep, FoundRobot, RealRobot, Refused, RobotFindings, answer};
 use robot::SceneEdit;
 use std::time::Duration;
 
@@ -44,7 +44,11 @@ impl RoomRobot for Nao {
 ///
 /// # Errors
 /// If no robot can have this address.
-pub(crate) async fn check(robots: &Robots, real: &RealRobot, robot: Option<&Id>) -> Result<Reply, Refused> {
+pub(crate) async fn check(
+    robots: &Robots,
+    real: &RealRobot,
+    robot: Option<&Id>,
+) -> Result<answer::RobotChecked, Refused> {
     check_real(real).map_err(RobotsUnchanged::not_added)?;
     let real = robot.map_or_else(|| real.clone(), |robot| robots.with_login(robot, real.clone()));
     let found = nao::check(&settings(OWN_NAME, &real)).await;
@@ -53,7 +57,7 @@ pub(crate) async fn check(robots: &Robots, real: &RealRobot, robot: Option<&Id>)
     let (name, model, fingerprint, lacking) = (found.name, found.model, found.fingerprint, found.lacking);
     let identity = found.identity;
     let checked = RobotFindings { steps, name, model, fingerprint, lacking, identity, known_as };
-    Ok(Reply::RobotChecked { checked: Box::new(checked) })
+    Ok(answer::RobotChecked { checked: Box::new(checked) })
 }
 
 fn stage(step: ReachStep) -> CheckStage {
@@ -71,8 +75,8 @@ fn stage(step: ReachStep) -> CheckStage {
 ///
 /// # Errors
 /// If the network cannot be listened to.
-pub(crate) async fn find() -> Result<Reply, Refused> {
+pub(crate) async fn find() -> Result<answer::FoundRobots, Refused> {
     let found = nao::discover(FIND).await.map_err(|error| Refused::NotSearched(error.to_string()))?;
     let robots = found.into_iter().map(|robot| FoundRobot { name: robot.name, address: robot.address });
-    Ok(Reply::FoundRobots { robots: robots.collect() })
+    Ok(answer::FoundRobots { robots: robots.collect() })
 }

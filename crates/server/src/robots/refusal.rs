@@ -1,5 +1,6 @@
 //! Why the robots and what runs on them stay as they are, and why a run ended by itself.
 
+use super::stops::StoppedSince;
 use crate::recordings::NotRecorded;
 use engine::GraphFault;
 use protocol::Refused;
@@ -39,6 +40,8 @@ pub(crate) enum StartError {
     StopPressed(Option<String>),
     /// Stop was pressed while it was prepared.
     StoppedBefore,
+    /// The robot was stopped between the press and its coming here.
+    StoppedSince,
     /// What it should follow was stopped.
     StoppedMeanwhile,
     /// What it should follow does not run.
@@ -51,6 +54,18 @@ pub(crate) enum StartError {
     Inside,
 }
 
+impl From<StoppedSince> for StartError {
+    fn from(StoppedSince: StoppedSince) -> Self {
+        Self::StoppedSince
+    }
+}
+
+impl From<StoppedSince> for Refused {
+    fn from(StoppedSince: StoppedSince) -> Self {
+        Self::StoppedSince
+    }
+}
+
 impl From<NotRecorded> for StartError {
     fn from(why: NotRecorded) -> Self {
         Self::NotRecorded(why)
@@ -60,13 +75,17 @@ impl From<NotRecorded> for StartError {
 impl StartError {
     /// This as why a behaviour cannot start.
     pub(crate) fn cannot_start(self) -> Refused {
-        Refused::CannotStart(self.to_string())
+        match self {
+            Self::StoppedSince => Refused::StoppedSince,
+            why => Refused::CannotStart(why.to_string()),
+        }
     }
 
     /// This as why what runs does not go on with an edited behaviour. Where a Stop came first, nothing goes on.
     pub(crate) fn not_applied(self) -> Refused {
         match self {
             Self::Ended | Self::StoppedMeanwhile => Refused::NotRunning,
+            Self::StoppedSince => Refused::StoppedSince,
             why => Refused::NotApplied(why.to_string().trim_end_matches('.').to_owned()),
         }
     }

@@ -13,7 +13,7 @@ use behaviour::Id;
 use by_hand::{HAND, Hands};
 use engine::{HeldBy, Precedence, StreamIx};
 use protocol::HeldPart;
-use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
+use robot::{Health, Millis, Reading, Robot, RobotFault, SceneEdit, Use};
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -206,10 +206,12 @@ impl<'a> RobotThread<'a> {
         for edit in pending.edits {
             self.robot.edit(&edit);
         }
-        for Controlling { control, answer } in pending.controls {
+        for Controlling { control, cancel, answer } in pending.controls {
             self.end_what_ended();
+            let is_void = cancel.is_cancelled() && control.moves_body();
+            let stopped = || RobotFault::NotNow(StartError::StopPressed(None).to_string());
             // Who gave up waiting does not hear it.
-            drop(answer.send(self.robot.control(control, self.now())));
+            drop(answer.send(if is_void { Err(stopped()) } else { self.robot.control(control, self.now()) }));
         }
         for handing in pending.hands {
             self.end_what_ended();

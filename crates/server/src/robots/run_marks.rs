@@ -4,7 +4,7 @@ use super::mailbox::RunMailbox;
 use crate::recordings::{NotRecorded, tidied};
 use crate::support::lock;
 use behaviour::Id;
-use protocol::{LIVE_MARKS_MAX, MarkEdit, RECORDING_MARKS_MAX, RecordingMark, Refused, UNDO_MARK_MS};
+use protocol::{LIVE_MARKS_MAX, MarkEdit, MarkSort, RECORDING_MARKS_MAX, RecordingMark, Refused, UNDO_MARK_MS};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -16,6 +16,8 @@ const CHANGES_MAX: u64 = 4 * RECORDING_MARKS_MAX as u64;
 pub(crate) struct MarkPress<'a> {
     /// The name of the person.
     pub(crate) by: &'a str,
+    /// The client of the person, which alone says who they are: two may have one name.
+    pub(crate) client: &'a Id,
     /// The moment of the press.
     pub(crate) at: Instant,
 }
@@ -50,9 +52,11 @@ struct Inner {
 }
 
 /// A mark as it is told.
-#[derive(Debug)]
-struct ToldMark {
+#[derive(Clone, Debug)]
+pub(super) struct ToldMark {
     mark: RecordingMark,
+    /// The client of who made it.
+    client: Id,
     /// The last press of who made it: of its beginning, or of the end of the span.
     pressed: Instant,
     /// The change that made it as it is.
@@ -67,14 +71,14 @@ impl Default for RunMarks {
 
 impl RunMarks {
     /// Logical time began then; `before` are the marks of the interrupted run that this one continues.
-    pub(super) fn begin(&self, began: Instant, before: Vec<RecordingMark>) {
+    pub(super) fn begin(&self, began: Instant, before: Vec<ToldMark>) {
         let mut inner = lock(&self.inner);
         inner.began = began;
         let known: Vec<Id> = inner.marks.iter().map(|told| told.mark.id.clone()).collect();
-        for mark in before.into_iter().filter(|mark| !known.contains(&mark.id)) {
+        for told in before.into_iter().filter(|told| !known.contains(&told.mark.id)) {
             inner.version += 1;
             let version = inner.version;
-            inner.marks.push(ToldMark { mark, pressed: began, version });
+            inner.marks.push(ToldMark { version, ..told });
         }
     }
 
@@ -107,11 +111,11 @@ impl RunMarks {
         let version = inner.next_version()?;
         inner.hand_on(&mark, mailbox)?;
         inner.version = version;
-        inner.marks.push(ToldMark { mark: mark.clone(), pressed: press.at, version });
+        inner.marks.push(ToldMark { mark: mark.clone(), client: press.client.clone(), pressed: press.at, version });
         Ok(mark)
     }
 
-    /// Changes a mark.
+    /// Changes a mark. One that is taken back before it comes, as the link of who made it broke, stays gone when it does.
     ///
     /// # Errors
     /// If there is no such mark, if the note is too long, or if it cannot be taken back any more.
@@ -125,15 +129,19 @@ impl RunMarks {
         let mut inner = lock(&self.inner);
         let at_ms = inner.ms_at(press.at);
         let version = inner.next_version()?;
-        let at = inner.marks.iter().position(|told| told.mark.id == *id).ok_or(NotRecorded::NoMark)?;
+        let Some(at) = inner.marks.iter().position(|told| told.mark.id == *id) else {
+            let is_undo = edit == MarkEdit::Undo && inner.marks.len() < RECORDING_MARKS_MAX;
+            return if is_undo { Ok(inner.never(id, press)) } else { Err(NotRecorded::NoMark.into()) };
+        };
         let known = &inner.marks[at];
         let mut mark = known.mark.clone();
         match edit {
             MarkEdit::End => end(&mut mark, at_ms),
             MarkEdit::Note(note) => mark.note = tidied(RecordingMark { note, until: None, ..mark.clone() })?.note,
+            MarkEdit::Sort(sort) => mark.sort = sort,
             MarkEdit::Undo => {
                 let late = press.at.saturating_duration_since(known.pressed) > Duration::from_millis(UNDO_MARK_MS);
-                if !mark.gone && (late || mark.by != press.by) {
+                if !mark.gone && (late || known.client != *press.client) {
                     return Err(NotRecorded::NotUndone.into());
                 }
                 (mark.gone, mark.open) = (true, false);
@@ -144,7 +152,8 @@ impl RunMarks {
         }
         inner.hand_on(&mark, mailbox)?;
         let pressed = if mark.until == known.mark.until { known.pressed } else { press.at };
-        inner.marks[at] = ToldMark { mark: mark.clone(), pressed, version };
+        let client = inner.marks[at].client.clone();
+        inner.marks[at] = ToldMark { mark: mark.clone(), client, pressed, version };
         inner.version = version;
         Ok(mark)
     }
@@ -180,6 +189,16 @@ impl RunMarks {
         inner.marks.iter().map(|told| told.mark.clone()).filter(|mark| !mark.gone).collect()
     }
 
+    /// All marks that are there with who made them, oldest first.
+    pub(super) fn kept(&self) -> Vec<ToldMark> {
+        lock(&self.inner).marks.iter().filter(|told| !told.mark.gone).cloned().collect()
+    }
+
+    /// The time now, in milliseconds since Start, also once the run has ended.
+    pub(crate) fn now_ms(&self) -> u64 {
+        lock(&self.inner).ms_at(Instant::now())
+    }
+
     /// The marks that changed since, as many as one message tells; `seen` then counts them.
     pub(crate) fn since(&self, seen: &mut u64) -> Vec<RecordingMark> {
         let inner = lock(&self.inner);
@@ -200,6 +219,15 @@ impl Inner {
     fn hand_on(&self, mark: &RecordingMark, mailbox: &RunMailbox) -> Result<(), Refused> {
         let is_taken = self.ended_ms.is_some() || mailbox.mark(mark.clone());
         if is_taken { Ok(()) } else { Err(Refused::TooFast) }
+    }
+
+    /// Remembers a mark that is gone before it came. No recording needs to know of it.
+    fn never(&mut self, id: &Id, press: MarkPress) -> RecordingMark {
+        let (t, sort, [word, note, at]) = (self.ms_at(press.at), MarkSort::Note, [const { String::new() }; 3]);
+        let (id, by) = (id.clone(), press.by.to_owned());
+        let mark = RecordingMark { id, t, until: None, word, sort, note, by, at, open: false, gone: true };
+        self.marks.push(ToldMark { mark: mark.clone(), client: press.client.clone(), pressed: press.at, version: 0 });
+        mark
     }
 
     fn next_version(&self) -> Result<u64, Refused> {
@@ -225,6 +253,11 @@ mod tests {
     use protocol::{MarkEdit, MarkSort};
     use std::time::{Duration, Instant};
 
+    /// A press of the only client of that name.
+    fn press<'a>(by: &'a str, client: &'a Id, at: Instant) -> MarkPress<'a> {
+        MarkPress { by, client, at }
+    }
+
     fn id(name: &str) -> Id {
         Id::new(name).unwrap()
     }
@@ -244,10 +277,11 @@ mod tests {
     fn a_mark_that_is_sent_twice_counts_once_and_has_the_time_of_the_press() {
         let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
         marks.begin(began, Vec::new());
-        let press = MarkPress { by: "Aiko", at: began + Duration::from_millis(700) };
-        let first = marks.put(mark("a", false), press, &mailbox).unwrap();
+        let (aiko, ben) = (id("aiko"), id("ben"));
+        let pressed = press("Aiko", &aiko, began + Duration::from_millis(700));
+        let first = marks.put(mark("a", false), pressed, &mailbox).unwrap();
         assert_eq!((first.t, first.by.as_str()), (700, "Aiko"));
-        let late = MarkPress { by: "Ben", at: began + Duration::from_secs(9) };
+        let late = press("Ben", &ben, began + Duration::from_secs(9));
         assert_eq!(marks.put(mark("a", false), late, &mailbox).unwrap(), first);
         assert_eq!((marks.all(), empty(&mailbox)), (vec![first], 1));
     }
@@ -256,7 +290,8 @@ mod tests {
     fn a_span_ends_once_and_what_is_open_ends_with_the_run() {
         let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
         marks.begin(began, Vec::new());
-        let at = |ms| MarkPress { by: "Aiko", at: began + Duration::from_millis(ms) };
+        let aiko = id("aiko");
+        let at = |ms| press("Aiko", &aiko, began + Duration::from_millis(ms));
         for name in ["a", "b"] {
             assert!(marks.put(mark(name, true), at(100), &mailbox).unwrap().open);
         }
@@ -276,24 +311,76 @@ mod tests {
     fn who_made_a_mark_takes_it_back_for_ten_seconds() {
         let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
         marks.begin(began, Vec::new());
-        let by = |by: &'static str, ms| MarkPress { by, at: began + Duration::from_millis(ms) };
+        // Two people of one name, who work at two tablets.
+        let (aiko, other) = (id("aiko"), id("another-aiko"));
+        let by = |client, ms| press("Aiko", client, began + Duration::from_millis(ms));
         for name in ["a", "b"] {
-            marks.put(mark(name, name == "b"), by("Aiko", 1_000), &mailbox).unwrap();
+            marks.put(mark(name, name == "b"), by(&aiko, 1_000), &mailbox).unwrap();
         }
         let undo = |name: &str, press| marks.edit(&id(name), MarkEdit::Undo, press, &mailbox);
-        assert!(undo("a", by("Ben", 2_000)).unwrap_err().to_string().contains("by who made it"));
-        assert!(undo("a", by("Aiko", 11_001)).is_err(), "too late");
-        assert!(undo("a", by("Aiko", 11_000)).unwrap().gone);
-        assert!(undo("a", by("Aiko", 60_000)).unwrap().gone, "sent again, it is as it was");
-        marks.edit(&id("b"), MarkEdit::End, by("Aiko", 30_000), &mailbox).unwrap();
-        assert!(undo("b", by("Aiko", 35_000)).unwrap().gone, "the end of a span is a press too");
-        assert!(undo("c", by("Aiko", 1)).unwrap_err().to_string().contains("no such mark"));
+        assert!(undo("a", by(&other, 2_000)).unwrap_err().to_string().contains("by who made it"));
+        assert!(undo("a", by(&aiko, 11_001)).is_err(), "too late");
+        assert!(undo("a", by(&aiko, 11_000)).unwrap().gone);
+        assert!(undo("a", by(&aiko, 60_000)).unwrap().gone, "sent again, it is as it was");
+        marks.edit(&id("b"), MarkEdit::End, by(&aiko, 30_000), &mailbox).unwrap();
+        assert!(undo("b", by(&aiko, 35_000)).unwrap().gone, "the end of a span is a press too");
+        let no_mark = marks.edit(&id("c"), MarkEdit::End, by(&aiko, 1), &mailbox).unwrap_err();
+        assert!(no_mark.to_string().contains("no such mark"));
+    }
+
+    #[test]
+    fn a_mark_that_is_taken_back_before_it_came_stays_gone() {
+        let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
+        marks.begin(began, Vec::new());
+        let aiko = id("aiko");
+        let pressed = press("Aiko", &aiko, began);
+        // The link broke between the two, and the bytes of the old one come last, twice.
+        for _ in 0..2 {
+            assert!(marks.edit(&id("a"), MarkEdit::Undo, pressed, &mailbox).unwrap().gone);
+            assert!(marks.put(mark("a", false), pressed, &mailbox).unwrap().gone);
+        }
+        assert!(marks.all().is_empty() && empty(&mailbox) == 0, "no recording has it");
+        assert!(marks.since(&mut 0).is_empty(), "nobody is told of it");
+    }
+
+    #[test]
+    fn marks_of_an_interrupted_run_stay_with_who_made_them_and_when() {
+        let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
+        marks.begin(began, Vec::new());
+        let (aiko, other) = (id("aiko"), id("another-aiko"));
+        let by = |client, ms| press("Aiko", client, began + Duration::from_millis(ms));
+        for (name, ms) in [("old", 1_000), ("new", 30_000)] {
+            marks.put(mark(name, false), by(&aiko, ms), &mailbox).unwrap();
+        }
+        let goes_on = RunMarks::default();
+        goes_on.begin(began, marks.kept());
+        let undo = |name: &str, press| goes_on.edit(&id(name), MarkEdit::Undo, press, &mailbox);
+        assert!(undo("old", by(&aiko, 31_000)).is_err(), "too late");
+        assert!(undo("new", by(&other, 31_000)).is_err(), "not theirs");
+        assert!(undo("new", by(&aiko, 31_000)).unwrap().gone);
+    }
+
+    #[test]
+    fn a_verdict_joins_a_mark_also_after_the_run() {
+        let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
+        let aiko = id("aiko");
+        let press = press("Aiko", &aiko, began);
+        marks.begin(began, Vec::new());
+        let first = marks.put(mark("a", false), press, &mailbox).unwrap();
+        let judged = marks.edit(&id("a"), MarkEdit::Sort(MarkSort::Bad), press, &mailbox).unwrap();
+        assert_eq!(judged, RecordingMark { sort: MarkSort::Bad, ..first });
+        assert_eq!(marks.edit(&id("a"), MarkEdit::Sort(MarkSort::Bad), press, &mailbox).unwrap(), judged);
+        assert_eq!(empty(&mailbox), 2, "said twice, it is written once");
+        marks.close(10);
+        let later = marks.edit(&id("a"), MarkEdit::Sort(MarkSort::Now), press, &mailbox).unwrap();
+        assert_eq!((later.sort, marks.all()), (MarkSort::Now, vec![later.clone()]));
     }
 
     #[test]
     fn whoever_comes_later_hears_all_in_parts_and_then_what_is_new() {
         let (marks, mailbox, began) = (RunMarks::default(), RunMailbox::default(), Instant::now());
-        let press = MarkPress { by: "Aiko", at: began };
+        let aiko = id("aiko");
+        let press = press("Aiko", &aiko, began);
         for number in 0..=LIVE_MARKS_MAX {
             marks.put(mark(&format!("m{number}"), false), press, &mailbox).unwrap();
             empty(&mailbox);

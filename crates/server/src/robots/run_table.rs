@@ -3,7 +3,9 @@
 use super::cancel_flag::CancelFlag;
 use super::live::LiveValues;
 use super::mailbox::{ReadingsKept, RunMailbox};
+use super::recent::RecentReadings;
 use super::run_marks::{PressOutcome, RunMarks};
+use super::told_states::ToldStates;
 use behaviour::{BehaviourFile, Id};
 use engine::{Handover, StreamIx};
 use protocol::{RecordingMark, RunPhase, RunState};
@@ -43,8 +45,10 @@ pub(super) struct PausedMemory {
     pub(super) memory: Handover,
     /// The next instant of its logical time, which stands still meanwhile.
     pub(super) open_ms: u64,
-    /// The marks, which the run that goes on shows too.
-    pub(super) marks: Vec<RecordingMark>,
+    /// What its senses of states told last.
+    pub(super) states: ToldStates,
+    /// The marks, as they are when it goes on: they can be changed until then. The run that goes on shows them too.
+    pub(super) marks: Arc<RunMarks>,
 }
 
 /// A run that is not there yet.
@@ -88,6 +92,8 @@ pub(super) struct RunEntry {
     pub(super) senses: RunSenses,
     /// The marks of the run.
     pub(super) marks: Arc<RunMarks>,
+    /// The last minutes of the run.
+    pub(super) recent: Arc<RecentReadings>,
     /// What runs.
     pub(super) file: Arc<BehaviourFile>,
     /// Whether an edited behaviour is about to follow.

@@ -6,13 +6,15 @@ use super::emission_sink::EmissionSink;
 use super::host::StartOrder;
 use super::live::LiveValues;
 use super::mailbox::{Arrived, Beginning, DoneByHand, Post, ReadingsKept, RunMailbox, Undone};
+use super::recent::RecentReadings;
 use super::refusal::{RunFailure, StartError};
-use super::run_marks::RunMarks;
+use super::run_marks::{RunMarks, ToldMark};
 use super::run_table::{Applying, PausedMemory, RunEntry, RunSenses};
 use super::shared::RobotShared;
 use super::successor::{RunHandover, Successor};
 use super::surroundings::RecordedSurroundings;
 use super::tally::RunTally;
+use super::told_states::ToldStates;
 use crate::recordings::{About, NotRecorded, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
@@ -129,6 +131,9 @@ pub(super) fn begin<'a>(
     runner.began = (job.clock)();
     let kept = lock(&job.shared.table).take_memory(&job.start.behaviour);
     let before = kept.map(|kept| runner.go_on(kept)).unwrap_or_default();
+    let memory = (runner.open_ms > 0).then(|| runner.run.handover());
+    runner.sink.recent.begin((&job.start.file, job.start.revision), memory, runner.open_ms, false);
+    entry.recent = runner.sink.recent.clone();
     entry.marks.begin(runner.began, before);
     runner.marks = entry.marks.clone();
     let state = entry.state.clone();
@@ -230,6 +235,7 @@ fn entry(job: &RunJob, run: &Run, mailbox: &Arc<RunMailbox>, devices: &[WantedDe
         mailbox: mailbox.clone(),
         live: LiveValues::new(job.run, run.streams().len(), run.connectors().len()),
         marks: Arc::default(),
+        recent: Arc::default(),
         acts: acts(run, devices),
         senses: senses(run, devices),
         file: start.file.clone(),
@@ -248,6 +254,8 @@ pub(super) struct Runner<'a> {
     open_ms: u64,
     /// Who follows, as soon as no frame is open.
     successor: Option<Successor>,
+    /// What its senses of states told last.
+    states: ToldStates,
     /// The state of the robot and its room, as a recording has it.
     surroundings: RecordedSurroundings,
     /// The marks that people make meanwhile.
@@ -267,18 +275,19 @@ impl<'a> Runner<'a> {
     ) -> Self {
         let sink = EmissionSink::new(job, tally, &run, clock);
         let (surroundings, begun_with) = (RecordedSurroundings::default(), Vec::new());
-        let marks = Arc::default();
-        Self { run, mailbox, sink, began: (job.clock)(), open_ms: 0, successor: None, surroundings, marks, begun_with }
+        let (marks, states, began) = (Arc::default(), ToldStates::of(&run), (job.clock)());
+        Self { run, mailbox, sink, began, open_ms: 0, successor: None, states, surroundings, marks, begun_with }
     }
 
-    /// This run with the time, the marks and the recording of the run that it follows.
+    /// This run with the time, the marks, the states that were told, and the recording of the run that it follows.
     pub(super) fn since(
         mut self,
         (began, open_ms): (Instant, u64),
-        marks: Arc<RunMarks>,
+        (marks, states): (Arc<RunMarks>, &ToldStates),
         recorder: Option<Recorder>,
     ) -> Self {
         (self.began, self.open_ms, self.marks) = (began, open_ms, marks);
+        self.states = self.states.since(states);
         if let Some(mut recorder) = recorder {
             let start = &self.sink.job.start;
             recorder.applied(open_ms.saturating_sub(1), start.revision, &start.file);
@@ -287,16 +296,23 @@ impl<'a> Runner<'a> {
         self
     }
 
+    /// This run with the last minutes of the run that it follows.
+    pub(super) fn looked_back_at(mut self, recent: Arc<RecentReadings>) -> Self {
+        self.sink.recent = recent;
+        self
+    }
+
     /// Where the robot interrupted it: what did not change meanwhile keeps its memory, and logical time continues. Answers with
     /// its marks.
-    fn go_on(&mut self, kept: PausedMemory) -> Vec<RecordingMark> {
+    fn go_on(&mut self, kept: PausedMemory) -> Vec<ToldMark> {
         self.run.resume_from(kept.memory, &Matching::between(&kept.file, &self.sink.job.start.file));
+        self.states = std::mem::take(&mut self.states).since(&kept.states);
         self.open_ms = kept.open_ms;
         self.began = self.began.checked_sub(Duration::from_millis(kept.open_ms)).unwrap_or(self.began);
         if let Some(recorder) = &mut self.sink.recorder {
             recorder.memory(self.open_ms, self.run.handover());
         }
-        kept.marks
+        kept.marks.kept()
     }
 
     /// What an interrupted run remembers, unless it was in the middle of a frame.
@@ -307,7 +323,8 @@ impl<'a> Runner<'a> {
                 file: job.start.file.clone(),
                 memory: self.run.handover(),
                 open_ms: self.open_ms,
-                marks: self.marks.all(),
+                states: self.states.clone(),
+                marks: Arc::clone(&self.marks),
             };
             lock(&job.shared.table).keep_memory(job.run, memory);
         }
@@ -398,6 +415,8 @@ impl<'a> Runner<'a> {
             tally: self.sink.tally,
             recorder: self.sink.recorder,
             marks: self.marks,
+            states: self.states,
+            recent: self.sink.recent,
             began: self.began,
             open_ms: self.open_ms,
         };
@@ -409,14 +428,21 @@ impl<'a> Runner<'a> {
         if self.sink.job.cancel.is_cancelled() || self.run.ended().is_some() {
             return;
         }
+        if reading.by.is_none() && !self.states.is_news(reading.stream, &reading.value) {
+            return;
+        }
         let arrived_ms = self.ms_at(reading.at);
         self.open_ms = self.open_ms.max(arrived_ms);
         self.close_before_reading();
         let (sink, at) = (&mut self.sink, Millis(self.open_ms));
-        sink.clock.set((sink.job.clock)());
         sink.reading(at, reading.stream, &reading.value, reading.by.as_ref());
+        // After that, which may wait for who looks back.
+        sink.clock.set((sink.job.clock)());
+        let told = reading.value.clone();
         self.run.feed(at, reading.stream, reading.value, &mut |emission| sink.note(emission));
-        sink.settle(&self.run);
+        if sink.settle(&self.run) && !sink.job.cancel.is_cancelled() {
+            self.states.note(reading.stream, told);
+        }
     }
 
     /// What is due before a reading comes before it in the recording too.
@@ -441,6 +467,9 @@ impl<'a> Runner<'a> {
         self.run.until(Millis(until_ms), &mut |emission| sink.note(emission));
         sink.settle_until(&self.run, until_ms);
         self.open_ms = until_ms + 1;
+        let run = &self.run;
+        let may = run.is_between() && run.ended().is_none();
+        sink.recent.closed(until_ms, || may.then(|| run.handover()));
     }
 
     /// Records marks that are new or changed.

@@ -45,6 +45,7 @@ pub(super) struct RobotShared {
 impl RobotShared {
     /// Nothing runs and nothing waits.
     pub(super) fn new(robot: Id, feed: Arc<StatusFeed>, order: RobotOrder) -> Self {
+        let cancel_flags = CancelFlags::new(feed.stops());
         Self {
             robot,
             feed,
@@ -55,7 +56,7 @@ impl RobotShared {
             scene: watch::Sender::new(Arc::default()),
             camera: Arc::default(),
             faces: Mutex::default(),
-            cancel_flags: CancelFlags::default(),
+            cancel_flags,
         }
     }
 
@@ -106,6 +107,7 @@ impl RobotShared {
 
     /// Interrupts every run, as the robot wants. Each may go on when somebody starts it.
     pub(super) fn pause_all(&self, why: &RunFailure) {
+        self.cancel_flags.halted(&self.robot);
         let mut table = lock(&self.table);
         table.cancel_all();
         // What was stopped just before stays stopped.
@@ -120,6 +122,7 @@ impl RobotShared {
 
     /// Ends every run because the robot failed.
     pub(super) fn fault_all(&self, why: &RunFailure) {
+        self.cancel_flags.halted(&self.robot);
         let mut table = lock(&self.table);
         table.cancel_all();
         let ended = table.end(None, &RunPhase::Faulted(why.to_string()));

@@ -1,5 +1,6 @@
 //! What people are shown of all robots together: the robots, and what runs on them.
 
+use super::stops::{StopNumbers, first_number};
 use behaviour::Id;
 use protocol::{RobotState, RunState};
 use robot::{Health, Stranger};
@@ -13,10 +14,22 @@ pub(super) struct StatusFeed {
     robots: watch::Sender<Arc<Vec<RobotState>>>,
     runs: watch::Sender<Arc<Vec<RunState>>>,
     last_run: AtomicU64,
+    stops: Arc<StopNumbers>,
 }
 
 impl StatusFeed {
-    /// A number that no run has had.
+    /// No robots, at this start of the server.
+    pub(super) fn of(epoch: u64) -> Self {
+        let (last_run, stops) = (AtomicU64::new(first_number(epoch)), Arc::new(StopNumbers::of(epoch)));
+        Self { last_run, stops, ..Self::default() }
+    }
+
+    /// The Stops of all robots.
+    pub(super) fn stops(&self) -> Arc<StopNumbers> {
+        Arc::clone(&self.stops)
+    }
+
+    /// A number that no run has had, not even before the server was started again: marks and recordings name runs by it.
     pub(super) fn next_run(&self) -> u64 {
         self.last_run.fetch_add(1, Ordering::SeqCst) + 1
     }
@@ -132,5 +145,13 @@ mod tests {
     fn runs_are_numbered_over_all_robots() {
         let feed = StatusFeed::default();
         assert_eq!([feed.next_run(), feed.next_run()], [1, 2]);
+    }
+
+    #[test]
+    fn no_run_has_the_number_of_one_before_the_server_was_started_again() {
+        let (before, now) = (StatusFeed::of(4), StatusFeed::of(5));
+        let had: Vec<u64> = (0..1_000).map(|_| before.next_run()).collect();
+        let has: Vec<u64> = (0..1_000).map(|_| now.next_run()).collect();
+        assert!(has[0] > had[999], "they grow over starts: {} {}", has[0], had[999]);
     }
 }

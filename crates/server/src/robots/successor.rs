@@ -2,12 +2,14 @@
 //! its own, then takes over between two instants. Until then, and if it is refused, the old one goes on.
 
 use super::mailbox::RunMailbox;
+use super::recent::RecentReadings;
 use super::refusal::StartError;
 use super::run_marks::RunMarks;
 use super::run_table::{RunEntry, RunSenses};
 use super::runner::{self, RunJob, Runner, devices, open, senses};
 use super::shared::RobotShared;
 use super::tally::RunTally;
+use super::told_states::ToldStates;
 use crate::recordings::Recorder;
 use crate::support::lock;
 use engine::{Handover, Matching, Run};
@@ -34,6 +36,10 @@ pub(super) struct RunHandover {
     pub(super) recorder: Option<Recorder>,
     /// The marks of the run.
     pub(super) marks: Arc<RunMarks>,
+    /// What its senses of states told last.
+    pub(super) states: ToldStates,
+    /// The last minutes of the run.
+    pub(super) recent: Arc<RecentReadings>,
     /// Logical time 0.
     pub(super) began: Instant,
     /// The next instant that still takes readings.
@@ -92,10 +98,12 @@ pub(super) fn go_on<'a>(
     mailbox: Arc<RunMailbox>,
     clock: Rc<Cell<Instant>>,
 ) -> Runner<'a> {
-    let RunHandover { memory, tally, recorder, marks, began, open_ms } = handover;
+    let RunHandover { memory, tally, recorder, marks, states, recent, began, open_ms } = handover;
     run.resume_from(memory, matching);
     let tally = tally.succeeded(&run, matching);
-    Runner::new(job, run, mailbox, tally, clock).since((began, open_ms), marks, recorder)
+    recent.begin((&job.start.file, job.start.revision), Some(run.handover()), open_ms, true);
+    let runner = Runner::new(job, run, mailbox, tally, clock).since((began, open_ms), (marks, &states), recorder);
+    runner.looked_back_at(recent)
 }
 
 impl RobotShared {

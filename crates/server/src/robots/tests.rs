@@ -5,6 +5,7 @@ mod between;
 mod by_hand;
 mod connecting;
 mod ending;
+mod half_hour;
 mod halting;
 mod identities;
 mod multiplying;

@@ -4,7 +4,7 @@
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Edit, Record, RecordId};
-use protocol::Reply;
+use protocol::Event;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tokio::sync::watch;
@@ -21,7 +21,7 @@ struct News {
 
 impl Default for ListNews {
     fn default() -> Self {
-        let text = watch::Sender::new(encode(None, Reply::ProgramsChanged));
+        let text = watch::Sender::new(encode(Event::ProgramsChanged));
         Self(Arc::new(News { changed: AtomicBool::new(false), text }))
     }
 }

@@ -5,7 +5,7 @@ use crate::support::identity::{PersonIdentity, Sender, ShareGroup};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
-use protocol::{PartsCursor, Person, Refused, Reply};
+use protocol::{AnyAnswer, Message, PartsCursor, Person, Refused, RequestAnswer};
 use std::sync::Arc;
 use tokio::sync::{oneshot, watch};
 
@@ -39,8 +39,8 @@ pub(crate) struct Member {
 /// A welcome, or a behaviour as it is or was, with all its records, shared by all who get it until they are written.
 #[derive(Debug)]
 pub(crate) struct WholeBehaviour {
-    /// The reply without records.
-    pub(crate) reply: Reply,
+    /// The answer without records.
+    pub(crate) answer: AnyAnswer,
     /// The records.
     pub(crate) shown: Arc<ShownBehaviour>,
 }
@@ -48,16 +48,16 @@ pub(crate) struct WholeBehaviour {
 impl WholeBehaviour {
     /// The messages, each made when it is its turn.
     pub(crate) fn texts(self, ask: u32) -> impl Iterator<Item = Result<Utf8Bytes, GaveWay>> + Send {
-        let (mut first, shown, mut parts) = (Some(self.reply), self.shown, PartsCursor::default());
+        let (mut first, shown, mut parts) = (Some(self.answer), self.shown, PartsCursor::default());
         let next = move || shown.room().map(|room| parts.next(room.behaviour())).transpose();
         let parts = (0..).zip(std::iter::from_fn(next));
         parts.map(move |(number, part)| {
             let part = part?;
             Ok(match first.take() {
-                Some(reply) => encode(Some(ask), reply.with(part)),
+                Some(answer) => encode(Message::Answer { ask, answer: answer.with(part) }),
                 None => {
                     let (records, more) = (Box::new(part.records), part.more);
-                    encode(None, Reply::Records { part: number, records, more })
+                    encode(Message::Records { part: number, records, more })
                 }
             })
         })
@@ -81,8 +81,8 @@ pub(crate) struct RoomFeed {
     pub(crate) versions: watch::Receiver<Utf8Bytes>,
 }
 
-/// Who waits for an answer: a client, or this server itself.
-pub(crate) enum AnswerTo {
+/// Who waits for an answer of this type: a client, or this server itself.
+pub(crate) enum AnswerTo<A> {
     /// A client that asked.
     Client {
         /// The way to it.
@@ -93,29 +93,37 @@ pub(crate) enum AnswerTo {
         held: Option<Box<dyn Send + Sync>>,
     },
     /// The server.
-    Server(oneshot::Sender<Reply>),
+    Server(oneshot::Sender<Result<A, Refused>>),
 }
 
-impl AnswerTo {
+impl<A: RequestAnswer> AnswerTo<A> {
     /// Gives the answer.
-    pub(crate) fn give(self, reply: Reply) {
+    pub(crate) fn give(self, answer: A) {
+        self.end(Ok(answer));
+    }
+
+    /// Says what came of it.
+    pub(crate) fn end(self, outcome: Result<A, Refused>) {
         match self {
             Self::Client { to, ask, held } => {
-                to.send(encode(Some(ask), reply));
+                to.send(encode(match outcome {
+                    Ok(answer) => Message::Answer { ask, answer: answer.into() },
+                    Err(no) => Message::No { ask: Some(ask), no },
+                }));
                 drop(held);
             }
-            Self::Server(waiting) => drop(waiting.send(reply)),
+            Self::Server(waiting) => drop(waiting.send(outcome)),
         }
     }
 
     /// Shows all of a behaviour.
-    pub(crate) fn show(self, whole: WholeBehaviour) {
+    pub(crate) fn show(self, answer: A, shown: Arc<ShownBehaviour>) {
         match self {
             Self::Client { to, ask, held } => {
-                to.send_whole(ask, whole);
+                to.send_whole(ask, WholeBehaviour { answer: answer.into(), shown });
                 drop(held);
             }
-            Self::Server(waiting) => drop(waiting.send(whole.reply)),
+            Self::Server(waiting) => drop(waiting.send(Ok(answer))),
         }
     }
 
@@ -129,7 +137,7 @@ impl AnswerTo {
 
     /// Says why not.
     pub(crate) fn no(self, no: Refused) {
-        self.give(Reply::No { no });
+        self.end(Err(no));
     }
 
     /// For whom what was asked is done.

@@ -1,19 +1,32 @@
 //! What people want of the past of a behaviour: to read it, to take things back, to give versions names.
 
+use super::member::AnswerTo;
 use crate::support::lookups::LookupTurn;
 use behaviour::{Behaviour, Id, LockToken};
-use protocol::Person;
+use protocol::{Person, Refused, answer};
 
-/// What somebody wants of the past of a behaviour.
+/// What somebody wants of the past of a behaviour, and the answer to it.
 pub(crate) enum PastRequest {
     /// A page of its history, before a revision if one is said.
-    History(Option<u64>),
+    History(Option<u64>, AnswerTo<answer::History>),
     /// The behaviour as it was after a revision.
-    At(u64),
+    At(u64, AnswerTo<answer::At>),
     /// A change that comes of the past.
-    Wish(RevertRequest),
+    Wish(RevertRequest, AnswerTo<answer::Saved>),
     /// A name for a version, or none any more.
-    Name(VersionNaming),
+    Name(VersionNaming, AnswerTo<()>),
+}
+
+impl PastRequest {
+    /// Answers that it cannot be.
+    pub(super) fn refuse(self, no: Refused) {
+        match self {
+            Self::History(_, answer) => answer.no(no),
+            Self::At(_, answer) => answer.no(no),
+            Self::Wish(_, answer) => answer.no(no),
+            Self::Name(_, answer) => answer.no(no),
+        }
+    }
 }
 
 /// A change that the server makes for somebody out of what was.

@@ -26,7 +26,7 @@ use change_log::ChangeLog;
 use jobs::SavingStage;
 use locking::LockBook;
 use problems::{Finding, FoundProblems};
-use protocol::Refused;
+use protocol::{Event, Refused};
 use saving::Proposal;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Weak};
@@ -165,10 +165,10 @@ impl RoomTask {
 
     fn take(&mut self, note: RoomCommand) {
         match note {
-            RoomCommand::Join(member, ask, secret) => self.join(member, ask, secret),
+            RoomCommand::Join(member, joining) => self.join(member, joining),
             RoomCommand::Leave(session, parting) => self.leave(session, parting),
             RoomCommand::Propose(change, tokens, from) => self.wait(SavingJob::Save(Proposal { change, tokens, from })),
-            RoomCommand::Past(past, answer) => self.past(past, answer),
+            RoomCommand::Past(past) => self.past(past),
             RoomCommand::Locking(session, locking) => self.lock(session, locking),
             RoomCommand::Remove(by, answer) => self.wait(SavingJob::Remove(by, answer)),
             RoomCommand::Since(revision, answer) => self.since(revision, answer),
@@ -204,15 +204,14 @@ impl RoomTask {
         }
     }
 
-    /// Makes a saved change the truth, the room as it is `after` it if somebody made that already, and tells everyone; the
-    /// copy of who asked has their number.
-    fn commit(&mut self, accepted: &Accepted, after: Option<&Arc<Room>>, asked: Option<(u64, u32)>) {
+    /// Makes a saved change the truth, the room as it is `after` it if somebody made that already, and tells everyone.
+    fn commit(&mut self, accepted: &Accepted, after: Option<&Arc<Room>>) {
         match after.filter(|after| after.revision() == accepted.revision) {
             Some(after) => self.room = Arc::clone(after),
             None => Arc::make_mut(&mut self.room).commit(accepted),
         }
         self.log.push(accepted);
-        self.tell_accepted(accepted, asked);
+        self.tell_accepted(accepted);
         self.revision.send_replace(accepted.revision);
         if self.is_library() {
             let (behaviour, revision) = (self.room.behaviour().clone(), accepted.revision);
@@ -223,14 +222,8 @@ impl RoomTask {
         }
     }
 
-    fn tell_accepted(&self, accepted: &Accepted, asked: Option<(u64, u32)>) {
-        let reply = || protocol::Reply::Accepted { behaviour: self.id.clone(), accepted: accepted.clone() };
-        let text = encode(None, reply());
-        for (session, member) in &self.members {
-            match asked {
-                Some((asking, ask)) if asking == *session => member.link.send(encode(Some(ask), reply())),
-                _ => member.link.send(text.clone()),
-            }
-        }
+    fn tell_accepted(&self, accepted: &Accepted) {
+        let text = encode(Event::Accepted { behaviour: self.id.clone(), accepted: accepted.clone() });
+        self.members.values().for_each(|member| member.link.send(text.clone()));
     }
 }

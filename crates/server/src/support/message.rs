@@ -1,7 +1,7 @@
 //! What clients are sent, as text.
 
 use axum::extract::ws::Utf8Bytes;
-use protocol::{Message, Reply};
+use protocol::Message;
 use std::cell::RefCell;
 use std::fmt::Display;
 
@@ -13,10 +13,10 @@ thread_local! {
 }
 
 /// One message as text, which takes no more memory than it is long: many may wait at once.
-pub(crate) fn encode(ask: Option<u32>, reply: Reply) -> Utf8Bytes {
+pub(crate) fn encode(message: impl Into<Message>) -> Utf8Bytes {
     DRAFT.with_borrow_mut(|draft| {
         draft.clear();
-        let text = match serde_json::to_writer(&mut *draft, &Message { ask, reply }) {
+        let text = match serde_json::to_writer(&mut *draft, &message.into()) {
             Ok(()) => std::str::from_utf8(draft).map_or_else(|error| failed(&error), Utf8Bytes::from),
             Err(error) => failed(&error),
         };
@@ -26,5 +26,5 @@ pub(crate) fn encode(ask: Option<u32>, reply: Reply) -> Utf8Bytes {
 }
 
 fn failed(error: &impl Display) -> Utf8Bytes {
-    format!("{{\"reply\":{{\"no\":{{\"no\":{{\"unreadable\":\"{error}\"}}}}}}}}").into()
+    format!("{{\"no\":{{\"no\":{{\"unreadable\":\"{error}\"}}}}}}").into()
 }

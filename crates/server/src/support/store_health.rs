@@ -4,7 +4,7 @@ use super::message::encode;
 use super::store_call::reason;
 use super::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
-use protocol::{Refused, Reply};
+use protocol::{Event, Refused};
 use std::sync::Arc;
 use std::time::Duration;
 use store::{Store, StoreError};
@@ -62,7 +62,7 @@ impl StoreHealth {
 }
 
 fn text(away: Option<String>) -> Utf8Bytes {
-    encode(None, Reply::Store { away })
+    encode(Event::Store { away })
 }
 
 /// Asks until the server ends.

@@ -2,14 +2,14 @@
 
 use crate::house::{House, make, start};
 use crate::invited::Scene;
-use protocol::{Refused, Reply, Request, Role, RunPhase, RunState};
+use protocol::{Event, Refused, Role, RunPhase, RunState, request};
 use shell::{Client, ClientError};
 
 /// Waits until people are told of a run like this.
 async fn run_like(aiko: &mut Client, is_like: impl Fn(&RunState) -> bool) -> RunState {
     let mut found = None;
-    let told = |reply: &Reply| matches!(reply, Reply::Runs { runs } if runs.iter().any(&is_like));
-    if let Reply::Runs { runs } = aiko.until(told).await.unwrap() {
+    let told = |event: &Event| matches!(event, Event::Runs { runs, .. } if runs.iter().any(&is_like));
+    if let Event::Runs { runs, .. } = aiko.until(told).await.unwrap() {
         found = runs.into_iter().find(|run| is_like(run));
     }
     found.unwrap()
@@ -25,7 +25,7 @@ async fn people_are_told_who_pressed_stop_by_whatever_way() {
     assert!(browser.post("/stop", "").await.contains("stopped"));
     run_like(&mut scene.aiko, |run| run.phase == RunPhase::Stopped("Ben".into())).await;
     scene.aiko.ask(start(&greet)).await.unwrap();
-    scene.aiko.ask(Request::Stop { behaviour: Some(greet), robot: None }).await.unwrap();
+    scene.aiko.ask(request::Stop { behaviour: Some(greet), robot: None }).await.unwrap();
     run_like(&mut scene.aiko, |run| run.phase == RunPhase::Stopped("Aiko".into())).await;
     scene.house.close().await;
 }
@@ -36,16 +36,15 @@ async fn what_a_revoked_operator_started_is_shown_as_such_and_runs_until_it_is_s
     let greet = make(&scene.aiko, "Greet", Some("Greeter")).await;
     let (browser, invitation) = scene.guest(Role::Operator).await;
     let mut ben = browser.socket("Ben").await.unwrap();
-    let started = ben.ask(start(&greet)).await;
-    assert_eq!(started, Reply::Done);
+    assert_eq!(ben.ask(start(&greet)).await, Ok(()));
     let run = run_like(&mut scene.aiko, |run| run.phase == RunPhase::Running).await;
     assert!(run.by == "Ben" && !run.revoked, "{run:?}");
-    scene.aiko.ask(Request::Revoke { invitation: invitation.id }).await.unwrap();
+    scene.aiko.ask(request::Revoke { invitation: invitation.id }).await.unwrap();
     let run = run_like(&mut scene.aiko, |run| run.revoked).await;
     assert_eq!((run.by.as_str(), &run.phase), ("Ben", &RunPhase::Running));
     let stop = browser.request("POST", "/stop", &browser.own_page(), "");
     assert!(!browser.raw(&stop).await.contains("stopped"), "and may stop nothing any more");
-    scene.aiko.ask(Request::Stop { behaviour: Some(greet), robot: run.robot.into() }).await.unwrap();
+    scene.aiko.ask(request::Stop { behaviour: Some(greet), robot: run.robot.into() }).await.unwrap();
     run_like(&mut scene.aiko, |run| run.revoked && run.phase == RunPhase::Stopped("Aiko".into())).await;
     scene.house.close().await;
 }
@@ -53,26 +52,25 @@ async fn what_a_revoked_operator_started_is_shown_as_such_and_runs_until_it_is_s
 #[tokio::test]
 async fn an_operator_neither_removes_the_hosts_robot_nor_fills_its_places() {
     let scene = Scene::open().await;
-    let nao = serde_json::json!({"is": "addRobot", "robot": "nao", "name": "NAO", "real": {"address": "127.0.0.1:9"}});
-    assert_eq!(scene.aiko.ask(serde_json::from_value(nao).unwrap()).await, Ok(Reply::Done));
+    let nao = serde_json::json!({"robot": "nao", "name": "NAO", "real": {"address": "127.0.0.1:9"}});
+    assert_eq!(scene.aiko.ask(serde_json::from_value::<request::AddRobot>(nao).unwrap()).await, Ok(()));
     let (browser, _) = scene.guest(Role::Operator).await;
     let mut ben = browser.socket("Ben").await.unwrap();
-    let remove = Request::RemoveRobot { robot: "nao".parse().unwrap() };
-    assert_eq!(ben.ask(remove.clone()).await, Reply::No { no: Refused::Role(Role::Host) });
+    let remove = request::RemoveRobot { robot: "nao".parse().unwrap() };
+    assert_eq!(ben.ask(remove.clone()).await, Err(Refused::Role(Role::Host)));
     let mut added = 0;
     let no = loop {
         let robot = format!("r{added}").parse().unwrap();
-        match ben.ask(Request::AddRobot { robot, name: "Momo".into(), real: None }).await {
-            Reply::Done => added += 1,
-            Reply::No { no } => break no,
-            other => panic!("{other:?}"),
+        match ben.ask(request::AddRobot { robot, name: "Momo".into(), real: None }).await {
+            Ok(()) => added += 1,
+            Err(no) => break no,
         }
     };
     assert!(matches!(&no, Refused::RobotNotAdded(why) if why.contains("host")), "{no:?}");
-    let more = Request::AddRobot { robot: "own".parse().unwrap(), name: "Own".into(), real: None };
-    assert_eq!(scene.aiko.ask(more).await, Ok(Reply::Done), "the host finds a place after {added}");
-    assert_eq!(ben.ask(Request::RemoveRobot { robot: "r0".parse().unwrap() }).await, Reply::Done, "and their own");
-    assert_eq!(scene.aiko.ask(remove).await, Ok(Reply::Done));
+    let more = request::AddRobot { robot: "own".parse().unwrap(), name: "Own".into(), real: None };
+    assert_eq!(scene.aiko.ask(more).await, Ok(()), "the host finds a place after {added}");
+    assert_eq!(ben.ask(request::RemoveRobot { robot: "r0".parse().unwrap() }).await, Ok(()), "and their own");
+    assert_eq!(scene.aiko.ask(remove).await, Ok(()));
     scene.house.close().await;
 }
 
@@ -86,8 +84,9 @@ async fn an_import_has_the_author_that_the_cookie_says() {
         let _link = if author == "Ben" { browser.socket(author).await.ok() } else { None };
         let brought = browser.post("/api/import?by=Host", &file).await;
         let made: serde_json::Value = serde_json::from_str(brought.split_once("\r\n\r\n").unwrap().1).unwrap();
-        let history = serde_json::json!({"is": "history", "behaviour": made["id"]});
-        let told = scene.aiko.ask(serde_json::from_value(history).unwrap()).await.unwrap();
+        let history = serde_json::json!({"behaviour": made["id"]});
+        let history: request::History = serde_json::from_value(history).unwrap();
+        let told = scene.aiko.ask(history).await.unwrap();
         let told = serde_json::to_string(&told).unwrap();
         assert!(told.contains(&format!("\"author\":\"{author}\"")) && !told.contains("\"author\":\"Host\""), "{told}");
     }
@@ -101,11 +100,10 @@ async fn a_program_is_not_removed_under_somebodys_hands() {
     let ben = house.person("Ben").await;
     ben.load(&play).await.unwrap();
     let records = [behaviour::RecordId::settings()].into();
-    let locked = ben.ask(Request::Lock { behaviour: play.clone(), records }).await.unwrap();
-    let Reply::Locked { grant } = locked else { panic!("{locked:?}") };
-    let no = aiko.ask(Request::Remove { behaviour: play.clone() }).await.unwrap_err();
+    let grant = ben.ask(request::Lock { behaviour: play.clone(), records }).await.unwrap().grant;
+    let no = aiko.ask(request::Remove { behaviour: play.clone() }).await.unwrap_err();
     assert!(matches!(&no, ClientError::No(Refused::Change(_))) && no.to_string().contains("Ben is editing"), "{no}");
-    ben.ask(Request::Unlock { behaviour: play.clone(), token: grant.token }).await.unwrap();
-    assert_eq!(aiko.ask(Request::Remove { behaviour: play }).await, Ok(Reply::Done));
+    ben.ask(request::Unlock { behaviour: play.clone(), token: grant.token }).await.unwrap();
+    assert_eq!(aiko.ask(request::Remove { behaviour: play }).await, Ok(()));
     house.close().await;
 }

@@ -3,7 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use futures_util::{SinkExt, StreamExt};
-use protocol::{Ask, Message, Reply, Request};
+use protocol::{AnyAnswer, AnyRequest, Ask, Event, Message, Refused, Request, RequestAnswer, Role, request};
 use std::net::{IpAddr, SocketAddr};
 use std::path::Path;
 use std::sync::Arc;
@@ -139,9 +139,9 @@ impl Browser {
             Err(Error::Http(answer)) => return Err(answer.status().as_u16()),
             Err(other) => panic!("{other}"),
         };
-        let mut socket = Socket { stream, asks: 0, heard: Vec::new() };
-        let hello = Request::Hello { version: protocol::VERSION, name: name.into(), again: None };
-        socket.heard = vec![socket.ask(hello).await];
+        let mut socket = Socket { stream, asks: 0, role: Role::Viewer, heard: Vec::new() };
+        let hello = request::Hello { version: protocol::VERSION, name: name.into(), again: None };
+        socket.role = socket.ask(hello).await.unwrap().role;
         Ok(socket)
     }
 }
@@ -160,29 +160,39 @@ pub(crate) fn status(answer: &str) -> u16 {
 pub(crate) struct Socket {
     stream: WebSocketStream<TlsStream<TcpStream>>,
     asks: u32,
-    /// The welcome, and what was told unasked since the last ask.
-    pub(crate) heard: Vec<Reply>,
+    /// The role that the welcome said.
+    pub(crate) role: Role,
+    /// What was told unasked since the last ask.
+    pub(crate) heard: Vec<Event>,
 }
 
 impl Socket {
     /// Asks, without waiting.
-    pub(crate) async fn send(&mut self, request: Request) -> u32 {
+    pub(crate) async fn send(&mut self, request: impl Into<AnyRequest>) -> u32 {
         self.asks += 1;
-        let text = serde_json::to_string(&Ask { ask: self.asks, request }).unwrap();
+        let text = serde_json::to_string(&Ask::new(self.asks, request)).unwrap();
         self.stream.send(Frame::text(text)).await.unwrap();
         self.asks
     }
 
     /// Asks and waits for the answer.
-    pub(crate) async fn ask(&mut self, request: Request) -> Reply {
+    pub(crate) async fn ask<R: Request>(&mut self, request: R) -> Result<R::Answer, Refused> {
+        self.ask_any(request).await.map(|answer| R::Answer::of(answer).unwrap())
+    }
+
+    /// Asks what is known only when it runs, and waits for the answer.
+    pub(crate) async fn ask_any(&mut self, request: impl Into<AnyRequest>) -> Result<AnyAnswer, Refused> {
         let number = self.send(request).await;
         self.heard.clear();
         loop {
-            let Message { ask, reply } = self.next().await.unwrap_or_else(|close| panic!("{close:?}"));
-            if ask == Some(number) {
-                return reply;
+            match self.next().await.unwrap_or_else(|close| panic!("{close:?}")) {
+                Message::Event(event) => self.heard.push(event),
+                message => {
+                    if let Some(outcome) = message.answer_to(number) {
+                        return outcome;
+                    }
+                }
             }
-            self.heard.push(reply);
         }
     }
 

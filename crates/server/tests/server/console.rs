@@ -7,7 +7,13 @@ use std::sync::{Arc, Mutex};
 
 /// What the console said.
 #[derive(Clone, Default)]
-struct Said(Arc<Mutex<Vec<u8>>>);
+pub(crate) struct Said(Arc<Mutex<Vec<u8>>>);
+
+impl Said {
+    pub(crate) fn text(&self) -> String {
+        String::from_utf8(self.0.lock().unwrap().clone()).unwrap()
+    }
+}
 
 impl Write for Said {
     fn write(&mut self, text: &[u8]) -> std::io::Result<usize> {

@@ -2,7 +2,7 @@
 
 use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, sentence, stream, stream_id};
 use behaviour::{Parameters, Procedure, Record, RecordId, Refusal, StreamKind, connectors};
-use protocol::{Refused, Reply, Request};
+use protocol::{Event, Refused, answer, request};
 use shell::{ClientError, Mirror};
 
 #[tokio::test]
@@ -16,8 +16,8 @@ async fn two_people_see_each_edit_in_order() {
         aiko.put("Add", stream_id(&format!("s{number}")), Some(record)).await.unwrap();
     }
     for number in 0..20 {
-        let told = ben.until(|reply| matches!(reply, Reply::Accepted { .. })).await.unwrap();
-        let Reply::Accepted { accepted, .. } = told else { panic!() };
+        let told = ben.until(|reply| matches!(reply, Event::Accepted { .. })).await.unwrap();
+        let Event::Accepted { accepted, .. } = told else { panic!() };
         assert_eq!(accepted.revision, 2 + number);
         assert_eq!(accepted.change.author, "Aiko");
         assert!(accepted.change.at_ms > 0);
@@ -48,7 +48,7 @@ async fn many_writers_end_with_the_same_behaviour() {
     }
     for client in &mut all {
         while client.open().unwrap().revision < 51 {
-            client.until(|reply| matches!(reply, Reply::Accepted { .. })).await.unwrap();
+            client.until(|reply| matches!(reply, Event::Accepted { .. })).await.unwrap();
         }
     }
     assert!(all.windows(2).all(|pair| pair[0].open() == pair[1].open()));
@@ -64,7 +64,7 @@ async fn who_saw_an_older_state_is_refused() {
     let before = aiko.open().unwrap().records;
     aiko.put("Rename", stream_id("a"), Some(plain("Two"))).await.unwrap();
     let late = aiko.change("Rename", &before, vec![(stream_id("a"), Some(plain("Three")))]);
-    let answer = aiko.ask(Request::Propose { behaviour: play, change: late, tokens: Vec::new() }).await;
+    let answer = aiko.ask(request::Propose { behaviour: play, change: late, tokens: Vec::new() }).await;
     assert_eq!(answer, Err(ClientError::No(Refused::Change(Refusal::Stale("“Two”".into())))));
     assert_eq!(aiko.open().unwrap().revision, 3);
     house.close().await;
@@ -76,7 +76,7 @@ async fn a_change_sent_twice_is_made_once_and_answered_the_same_also_after_a_res
     let house = House::at(folder.path()).await;
     let (aiko, play) = house.maker("Aiko").await;
     let change = aiko.change("Add", &aiko.open().unwrap().records, vec![(stream_id("a"), Some(plain("One")))]);
-    let propose = || Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() };
+    let propose = || request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() };
     let first = aiko.ask(propose()).await.unwrap();
     assert_eq!(aiko.ask(propose()).await.unwrap(), first);
     house.close().await;
@@ -97,21 +97,21 @@ async fn an_op_id_stands_for_one_change_for_ever_also_after_a_restart() {
     let bad = behaviour::Change { edits: vec![change.edits[0].clone(), change.edits[0].clone()], ..change.clone() };
     let other = behaviour::Change { op: change.op.clone(), ..other };
     let undo = crate::history::take_back(&play, change.op.as_str(), false);
-    let propose = |change: &behaviour::Change| Request::Propose {
+    let propose = |change: &behaviour::Change| request::Propose {
         behaviour: play.clone(),
         change: change.clone(),
         tokens: Vec::new(),
     };
     let first = aiko.ask(propose(&change)).await.unwrap();
     let reused = Err(ClientError::No(Refused::Change(Refusal::Reused)));
-    for ask in [propose(&other), propose(&bad), undo.clone()] {
-        assert_eq!(aiko.ask(ask).await, reused);
+    for answer in [aiko.ask(propose(&other)).await, aiko.ask(propose(&bad)).await, aiko.ask(undo.clone()).await] {
+        assert_eq!(answer, reused);
     }
     house.close().await;
     let house = House::at(folder.path()).await;
     let aiko = house.person("Aiko").await;
-    for ask in [propose(&other), propose(&bad), undo] {
-        assert_eq!(aiko.ask(ask).await, reused);
+    for answer in [aiko.ask(propose(&other)).await, aiko.ask(propose(&bad)).await, aiko.ask(undo).await] {
+        assert_eq!(answer, reused);
     }
     assert_eq!(aiko.ask(propose(&change)).await.unwrap(), first);
     assert_eq!(aiko.load(&play).await.unwrap().revision, 2);
@@ -169,8 +169,8 @@ async fn every_bad_change_is_refused_with_a_sentence_and_changes_nothing() {
         assert!(no.ends_with('.') && no.len() < 400, "{what}: {no}");
         assert_eq!(aiko.open().unwrap(), before, "{what}");
     }
-    let ping = aiko.ask(Request::Since { behaviour: before.behaviour.clone(), revision: 0 }).await.unwrap();
-    let Reply::Missed { changes, .. } = ping else { panic!("{ping:?}") };
+    let ping = aiko.ask(request::Since { behaviour: before.behaviour.clone(), revision: 0 }).await.unwrap();
+    let answer::Newer::Missed(answer::Missed { changes, .. }) = ping else { panic!("{ping:?}") };
     assert_eq!(changes.len() as u64, before.revision);
     house.close().await;
 }
@@ -191,13 +191,13 @@ async fn a_helper_in_use_cannot_be_removed_or_renamed() {
     let renamed = behaviour::Helper { name: "renamed".into(), ..record.clone() };
     for after in [None, Some(Record::Helper(renamed))] {
         let change = aiko.change("Remove", &library.records, vec![(used.clone(), after)]);
-        let no = aiko.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap_err();
+        let no = aiko.ask(request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap_err();
         let ClientError::No(Refused::Change(Refusal::HelperUsed(name, users))) = no else { panic!("{no:?}") };
         assert_eq!((name, users), (record.name.clone(), vec!["“Far”".to_owned()]));
     }
     let edited = behaviour::Helper { says: "Other words.".into(), ..record.clone() };
     let change = aiko.change("Edit", &library.records, vec![(used, Some(Record::Helper(edited)))]);
-    aiko.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap();
+    aiko.ask(request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap();
     house.close().await;
 }
 
@@ -213,8 +213,8 @@ async fn a_change_of_a_helper_is_told_to_everyone_and_shows_problems() {
     let emptied = behaviour::Helper { body: String::new(), ..record.clone() };
     let edit = (used, Some(Record::Helper(emptied)));
     let change = aiko.change("Empty", &library.records, vec![edit]);
-    aiko.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap();
-    let blocks = |reply: &Reply| matches!(reply, Reply::Problems { problems, .. } if problems.iter().any(|p| p.blocks));
+    aiko.ask(request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap();
+    let blocks = |reply: &Event| matches!(reply, Event::Problems { problems, .. } if problems.iter().any(|p| p.blocks));
     ben.until(blocks).await.unwrap();
     assert_eq!(ben.library(), aiko.library());
     house.close().await;

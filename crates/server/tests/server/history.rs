@@ -2,24 +2,25 @@
 
 use crate::house::{House, ball, connector_id, id, map, plain, sentence, stream_id};
 use behaviour::{Accepted, Behaviour, Checkpoint, Id, RecordId, Refusal};
-use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, Reply, Request};
+use protocol::{Event, HISTORY_MAX_LINES, HistoryLine, Refused, answer, request};
 use shell::{Client, ClientError};
 use std::sync::Arc;
 use store::{MemoryStore, Store};
 
-pub(crate) fn take_back(play: &Id, op: &str, again: bool) -> Request {
-    Request::TakeBack { behaviour: play.clone(), op: id(op), again, tokens: Vec::new() }
+pub(crate) fn take_back(play: &Id, op: &str, again: bool) -> request::TakeBack {
+    request::TakeBack { behaviour: play.clone(), op: id(op), again, tokens: Vec::new() }
 }
 
-fn accepted(answer: Result<Reply, ClientError>) -> Accepted {
-    match answer {
-        Ok(Reply::Accepted { accepted, .. }) => accepted,
-        other => panic!("{other:?}"),
-    }
+/// The change that was saved, as the log has it.
+async fn accepted(client: &Client, play: &Id, answer: Result<answer::Saved, ClientError>) -> Accepted {
+    let revision = answer.unwrap().revision;
+    let since = request::Since { behaviour: play.clone(), revision: revision - 1 };
+    let answer::Newer::Missed(missed) = client.ask(since).await.unwrap() else { panic!("the newest are told") };
+    missed.changes.into_iter().next().unwrap()
 }
 
 async fn undo(client: &Client, play: &Id, op: &str) -> Accepted {
-    accepted(client.ask(take_back(play, op, false)).await)
+    accepted(client, play, client.ask(take_back(play, op, false)).await).await
 }
 
 async fn name(client: &Client, stream: &str, name: &str) {
@@ -42,19 +43,14 @@ async fn two(house: &House) -> (Client, Client, Id) {
 }
 
 pub(crate) async fn was(client: &Client, play: &Id, revision: u64) -> Result<Behaviour, ClientError> {
-    match client.ask(Request::At { behaviour: play.clone(), revision }).await? {
-        Reply::At { behaviour, revision: told, records, more: false } if (&behaviour, told) == (play, revision) => {
-            Ok(*records)
-        }
-        other => panic!("{other:?}"),
-    }
+    let at = client.ask(request::At { behaviour: play.clone(), revision }).await?;
+    assert_eq!((&at.behaviour, at.revision, at.more), (play, revision, false));
+    Ok(*at.records)
 }
 
 async fn page(client: &Client, play: &Id, before: Option<u64>) -> (Vec<HistoryLine>, bool) {
-    match client.ask(Request::History { behaviour: play.clone(), before }).await.unwrap() {
-        Reply::History { lines, more, .. } => (lines, more),
-        other => panic!("{other:?}"),
-    }
+    let page = client.ask(request::History { behaviour: play.clone(), before }).await.unwrap();
+    (page.lines, page.more)
 }
 
 #[tokio::test]
@@ -71,12 +67,12 @@ async fn each_takes_back_and_does_again_only_their_own() {
     let made = undo(&aiko, &play, "u1").await;
     assert_eq!((made.change.label.as_str(), made.change.author.as_str()), ("Undo: Name it A2", "Aiko"));
     assert_eq!(made.change.by.as_ref(), Some(&aiko.you().client));
-    let told = ben.until(|told| matches!(told, Reply::Accepted { accepted, .. } if *accepted == made)).await;
+    let told = ben.until(|told| matches!(told, Event::Accepted { accepted, .. } if *accepted == made)).await;
     assert!(told.is_ok(), "everyone there is told");
     assert_eq!(names(&now(&aiko, &play).await), ["A1", "B2"]);
     undo(&ben, &play, "u2").await;
     assert_eq!(names(&now(&ben, &play).await), ["A1", "B1"]);
-    accepted(aiko.ask(take_back(&play, "r1", true)).await);
+    accepted(&aiko, &play, aiko.ask(take_back(&play, "r1", true)).await).await;
     assert_eq!(names(&now(&aiko, &play).await), ["A2", "B1"]);
     let nothing = aiko.ask(take_back(&play, "r2", true)).await;
     assert_eq!(nothing, Err(ClientError::No(Refused::Change(Refusal::NothingToUndo))));
@@ -125,8 +121,8 @@ async fn undo_goes_on_after_a_reload_and_a_restart_and_is_done_once_though_it_is
     assert_eq!(aiko.you().client, me.client);
     assert_eq!(undo(&aiko, &play, "u1").await, first, "as it was answered then");
     undo(&aiko, &play, "u3").await;
-    accepted(aiko.ask(take_back(&play, "r1", true)).await);
-    accepted(aiko.ask(take_back(&play, "r2", true)).await);
+    accepted(&aiko, &play, aiko.ask(take_back(&play, "r1", true)).await).await;
+    accepted(&aiko, &play, aiko.ask(take_back(&play, "r2", true)).await).await;
     assert_eq!(names(&now(&aiko, &play).await), ["A3"]);
     let somebody = house.person("Aiko").await;
     let no = somebody.ask(take_back(&play, "u4", false)).await;
@@ -141,7 +137,12 @@ async fn nobody_changes_or_takes_back_in_another_s_name() {
     name(&aiko, "a", "Hers").await;
     let mut forged = ben.change("Forge", &now(&ben, &play).await, vec![(stream_id("b"), Some(plain("His")))]);
     (forged.by, forged.author) = (Some(aiko.you().client.clone()), "Aiko".to_owned());
-    let made = accepted(ben.ask(Request::Propose { behaviour: play.clone(), change: forged, tokens: vec![] }).await);
+    let made = accepted(
+        &ben,
+        &play,
+        ben.ask(request::Propose { behaviour: play.clone(), change: forged, tokens: vec![] }).await,
+    )
+    .await;
     assert_eq!((made.change.by.as_ref(), made.change.author.as_str()), (Some(&ben.you().client), "Ben"));
     undo(&aiko, &play, "u1").await;
     assert_eq!(names(&now(&aiko, &play).await), ["His"], "the newest change is not hers");
@@ -153,22 +154,22 @@ async fn locks_hold_for_what_is_taken_back_too() {
     let house = House::open().await;
     let (aiko, ben, play) = two(&house).await;
     name(&aiko, "a", "A").await;
-    let held = || Request::Lock { behaviour: play.clone(), records: [stream_id("a")].into() };
-    let Reply::Locked { grant } = ben.ask(held()).await.unwrap() else { panic!() };
+    let held = || request::Lock { behaviour: play.clone(), records: [stream_id("a")].into() };
+    let answer::Locked { grant } = ben.ask(held()).await.unwrap();
     assert_eq!(
         sentence(aiko.ask(take_back(&play, "u1", false)).await),
         "Ben is editing “A”. Ask, or wait until it is free."
     );
     let back =
-        Request::GoBack { behaviour: play.clone(), revision: 1, op: id("g1"), called: String::new(), tokens: vec![] };
+        request::GoBack { behaviour: play.clone(), revision: 1, op: id("g1"), called: String::new(), tokens: vec![] };
     assert!(sentence(aiko.ask(back).await).starts_with("Ben is editing"));
-    ben.ask(Request::Unlock { behaviour: play.clone(), token: grant.token }).await.unwrap();
-    let Reply::Locked { grant } = aiko.ask(held()).await.unwrap() else { panic!() };
+    ben.ask(request::Unlock { behaviour: play.clone(), token: grant.token }).await.unwrap();
+    let answer::Locked { grant } = aiko.ask(held()).await.unwrap();
     let no = sentence(aiko.ask(take_back(&play, "u2", false)).await);
     assert!(no.starts_with("Aiko is editing"), "{no}");
     let op = id("u3");
-    let mine = Request::TakeBack { behaviour: play.clone(), op, again: false, tokens: vec![grant.token] };
-    accepted(aiko.ask(mine).await);
+    let mine = request::TakeBack { behaviour: play.clone(), op, again: false, tokens: vec![grant.token] };
+    accepted(&aiko, &play, aiko.ask(mine).await).await;
     house.close().await;
 }
 
@@ -233,18 +234,22 @@ async fn going_back_is_one_new_change_that_can_be_taken_back() {
     name(&aiko, "a", "other").await;
     let later = aiko.open().unwrap();
     ben.load(&play).await.unwrap();
-    let back = |op: &str, revision, called: &str| Request::GoBack {
+    let back = |op: &str, revision, called: &str| request::GoBack {
         behaviour: play.clone(),
         revision,
         op: id(op),
         called: called.into(),
         tokens: vec![],
     };
-    let made = accepted(ben.ask(back("g1", then.revision, "14:05")).await);
+    let made = accepted(&ben, &play, ben.ask(back("g1", then.revision, "14:05")).await).await;
     assert_eq!((made.revision, made.change.label.as_str()), (later.revision + 1, "Go back to 14:05"));
     assert_eq!((made.change.author.as_str(), made.change.edits.len()), ("Ben", 2));
     assert_eq!(now(&ben, &play).await, then.records);
-    assert_eq!(accepted(ben.ask(back("g1", then.revision, "14:05")).await), made, "sent twice, made once");
+    assert_eq!(
+        accepted(&ben, &play, ben.ask(back("g1", then.revision, "14:05")).await).await,
+        made,
+        "sent twice, made once"
+    );
     undo(&ben, &play, "u1").await;
     assert_eq!(now(&aiko, &play).await, later.records);
     let same = aiko.ask(back("g2", later.revision, "")).await;
@@ -265,13 +270,19 @@ async fn what_was_removed_is_brought_back_as_far_as_it_may() {
     let whole = aiko.open().unwrap().records;
     let gone: Vec<(RecordId, _)> = vec![(connector_id("m"), None), (stream_id("near"), None)];
     let change = aiko.change("Remove near", &whole, gone);
-    let removal = accepted(aiko.ask(Request::Propose { behaviour: play.clone(), change, tokens: vec![] }).await);
+    let removal =
+        accepted(&aiko, &play, aiko.ask(request::Propose { behaviour: play.clone(), change, tokens: vec![] }).await)
+            .await;
     let bring =
-        |op: &str, revision| Request::BringBack { behaviour: play.clone(), revision, op: id(op), tokens: vec![] };
-    let back = accepted(ben.ask(bring("b1", removal.revision)).await);
+        |op: &str, revision| request::BringBack { behaviour: play.clone(), revision, op: id(op), tokens: vec![] };
+    let back = accepted(&ben, &play, ben.ask(bring("b1", removal.revision)).await).await;
     assert_eq!((back.change.label.as_str(), back.change.author.as_str()), ("Bring back “near”", "Ben"));
     assert_eq!(now(&ben, &play).await, whole);
-    assert_eq!(accepted(ben.ask(bring("b1", removal.revision)).await), back, "sent twice, made once");
+    assert_eq!(
+        accepted(&ben, &play, ben.ask(bring("b1", removal.revision)).await).await,
+        back,
+        "sent twice, made once"
+    );
     assert_eq!(ben.ask(bring("b2", removal.revision)).await, Err(ClientError::No(Refused::NothingGone)));
     assert_eq!(ben.ask(bring("b3", 1)).await, Err(ClientError::No(Refused::NothingGone)), "nothing was removed there");
     assert_eq!(ben.ask(bring("b4", 99)).await, Err(ClientError::No(Refused::NoVersion)));
@@ -285,8 +296,8 @@ async fn what_was_removed_is_brought_back_as_far_as_it_may() {
 
 /// The next that is told of named versions.
 async fn versions(client: &mut Client) -> Vec<Checkpoint> {
-    match client.until(|told| matches!(told, Reply::Versions { .. })).await.unwrap() {
-        Reply::Versions { versions, .. } => versions,
+    match client.until(|told| matches!(told, Event::Versions { .. })).await.unwrap() {
+        Event::Versions { versions, .. } => versions,
         other => panic!("{other:?}"),
     }
 }
@@ -302,17 +313,17 @@ async fn versions_with_names_are_told_to_everyone_and_kept() {
     let (mut aiko, mut ben, play) = two(&house).await;
     assert_eq!((versions(&mut aiko).await, versions(&mut ben).await), (vec![], vec![]), "told to who opens it");
     name(&aiko, "a", "A").await;
-    let give = |revision, name: &str| Request::NameVersion { behaviour: play.clone(), revision, name: name.into() };
+    let give = |revision, name: &str| request::NameVersion { behaviour: play.clone(), revision, name: name.into() };
     aiko.ask(give(2, " With a stream ")).await.unwrap();
     assert_eq!(called(&versions(&mut ben).await), [(2, "With a stream", "Aiko")]);
-    assert_eq!(aiko.ask(give(2, "With a stream")).await, Ok(Reply::Done), "said twice, done once");
+    assert_eq!(aiko.ask(give(2, "With a stream")).await, Ok(()), "said twice, done once");
     let no = ben.ask(give(1, "With a stream")).await;
     assert_eq!(no, Err(ClientError::No(Refused::Change(Refusal::NameTaken("With a stream".into())))));
     for revision in [0, 3] {
         assert_eq!(ben.ask(give(revision, "Later")).await, Err(ClientError::No(Refused::NoVersion)));
     }
     assert!(sentence(ben.ask(give(1, " ")).await).contains("name is missing"));
-    let elsewhere = Request::NameVersion { behaviour: id("library"), revision: 1, name: "x".into() };
+    let elsewhere = request::NameVersion { behaviour: id("library"), revision: 1, name: "x".into() };
     assert_eq!(ben.ask(elsewhere).await, Err(ClientError::No(Refused::NoBehaviour)));
     ben.ask(give(1, "Empty")).await.unwrap();
     house.close().await;
@@ -321,11 +332,11 @@ async fn versions_with_names_are_told_to_everyone_and_kept() {
     yuki.load(&play).await.unwrap();
     assert_eq!(called(&versions(&mut yuki).await), [(1, "Empty", "Ben"), (2, "With a stream", "Aiko")]);
     let (called_so, tokens) = ("14:05".into(), vec![]);
-    let back = Request::GoBack { behaviour: play.clone(), revision: 1, op: id("g1"), called: called_so, tokens };
-    assert_eq!(accepted(yuki.ask(back).await).change.label, "Go back to “Empty”");
+    let back = request::GoBack { behaviour: play.clone(), revision: 1, op: id("g1"), called: called_so, tokens };
+    assert_eq!(accepted(&yuki, &play, yuki.ask(back).await).await.change.label, "Go back to “Empty”");
     for _ in 0..2 {
-        let unname = Request::UnnameVersion { behaviour: play.clone(), name: "Empty".into() };
-        assert_eq!(yuki.ask(unname).await, Ok(Reply::Done));
+        let unname = request::UnnameVersion { behaviour: play.clone(), name: "Empty".into() };
+        assert_eq!(yuki.ask(unname).await, Ok(()));
     }
     assert_eq!(called(&versions(&mut yuki).await), [(2, "With a stream", "Aiko")]);
     house.close().await;

@@ -1,7 +1,7 @@
 //! A server in this process on a free port, and things to put into behaviours.
 
 use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind, connectors};
-use protocol::{RecordedSession, Reply, Request};
+use protocol::{RecordedSession, request};
 use server::{Config, GuestNetwork, ReadyServer, Secured, serve_with};
 use shell::{Client, ClientError};
 use std::net::SocketAddr;
@@ -101,16 +101,13 @@ impl House {
 /// Makes a behaviour and answers with its id.
 pub(crate) async fn make(client: &Client, name: &str, template: Option<&str>) -> Id {
     let wanted = id(&format!("b{}", client.change("", &behaviour::Behaviour::default(), vec![]).op));
-    let create = Request::Create { behaviour: wanted, name: name.into(), template: template.map(str::to_owned) };
-    match client.ask(create).await.unwrap() {
-        Reply::Created { behaviour } => behaviour,
-        other => panic!("{other:?}"),
-    }
+    let create = request::Create { behaviour: wanted, name: name.into(), template: template.map(str::to_owned) };
+    client.ask(create).await.unwrap().behaviour
 }
 
 /// Starts a behaviour on the first robot, without recording it.
-pub(crate) fn start(behaviour: &Id) -> Request {
-    Request::Start { behaviour: behaviour.clone(), robot: None, record: false, session: RecordedSession::default() }
+pub(crate) fn start(behaviour: &Id) -> request::Start {
+    request::Start { behaviour: behaviour.clone(), robot: None, record: false, session: RecordedSession::default() }
 }
 
 pub(crate) fn id(text: &str) -> Id {
@@ -160,7 +157,7 @@ pub(crate) fn connect(operation: Operation, from: &[&str], to: &str) -> Record {
 }
 
 /// The sentence of a refusal.
-pub(crate) fn sentence(answer: Result<Reply, ClientError>) -> String {
+pub(crate) fn sentence<A: std::fmt::Debug>(answer: Result<A, ClientError>) -> String {
     match answer {
         Err(trouble @ ClientError::No(_)) => trouble.to_string(),
         other => panic!("this was not refused: {other:?}"),

@@ -33,12 +33,20 @@ async fn stop_answers_at_once_and_headers_are_strict() {
     let answer = raw(&house, &line("POST", "/stop", &house, "Content-Length: 0\r\n")).await;
     assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
     assert!(answer.ends_with(r#"{"stopped":true}"#), "{answer}");
+    let number = |answer: &str| {
+        let line = answer.lines().find_map(|line| line.strip_prefix(protocol::STOPS_HEADER)?.strip_prefix(": "));
+        line.and_then(|number| number.parse::<u64>().ok())
+    };
+    let first = number(&answer).unwrap();
     assert!(answer.contains("content-security-policy: default-src 'none'; script-src 'self' 'wasm-unsafe-eval'"));
     assert!(answer.contains("x-content-type-options: nosniff") && answer.contains("referrer-policy: same-origin"));
     let origin = format!("Origin: http://{}\r\n", house.address);
     let form = format!("{origin}Content-Type: application/x-www-form-urlencoded\r\nContent-Length: 3\r\n\r\na=b");
     let answer = raw(&house, &line("POST", "/stop?behaviour=x", &house, &form)).await;
     assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
+    assert_eq!(number(&answer), Some(first + 1), "each Stop tells its number: {answer}");
+    let evil = line("POST", "/stop", &house, "Origin: http://evil.example\r\nContent-Length: 0\r\n");
+    assert_eq!(number(&raw(&house, &evil).await), None, "what was refused was no Stop");
     house.close().await;
 }
 
@@ -47,9 +55,10 @@ pub(crate) const FORM: &str = "Origin: null\r\nSec-Fetch-Site: same-origin\r\nSe
                                Accept: text/html,application/xhtml+xml,*/*;q=0.8\r\nAccept-Language: ja,en;q=0.5\r\n\
                                Content-Type: application/x-www-form-urlencoded\r\nContent-Length: 0\r\n";
 
-/// The lines of an answer, without those that say when it was given.
+/// The lines of an answer, without those that say when it was given, and after which Stop.
 fn undated(answer: &str) -> Vec<&str> {
-    let mut lines: Vec<&str> = answer.lines().filter(|line| !line.starts_with("date: ")).collect();
+    let of_moment = |line: &str| ["date: ", protocol::STOPS_HEADER].iter().any(|begun| line.starts_with(begun));
+    let mut lines: Vec<&str> = answer.lines().filter(|line| !of_moment(line)).collect();
     lines.sort_unstable();
     lines
 }

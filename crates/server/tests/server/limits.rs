@@ -8,7 +8,7 @@ use behaviour::{
     RecordId, Refusal, Settings, connectors, record_bytes,
 };
 use futures_util::{SinkExt, StreamExt};
-use protocol::{LIBRARY, Message as Told, PART_MAX_BYTES, Refused, Reply, Request};
+use protocol::{AnyAnswer, Event, LIBRARY, Message as Told, PART_MAX_BYTES, Refused, answer, request};
 use shell::ClientError;
 use std::sync::Arc;
 use store::{MemoryStore, Store};
@@ -67,7 +67,7 @@ async fn what_is_too_large_already_opens_for_everyone_and_can_be_made_smaller() 
     assert_eq!(play.records.records.len(), 1_801);
     let library = aiko.library().records;
     let change = aiko.change("Add", &library, vec![(key(Kind::Helper, 9_999), Some(helper(9_999, "v")))]);
-    let no = sentence(aiko.ask(Request::Propose { behaviour: id(LIBRARY), change, tokens: Vec::new() }).await);
+    let no = sentence(aiko.ask(request::Propose { behaviour: id(LIBRARY), change, tokens: Vec::new() }).await);
     assert!(no.contains("1000 helpers"), "{no}");
     let no = sentence(ben.put("Add", stream_id("s"), Some(plain("S"))).await);
     assert!(no.contains("6 MB"), "{no}");
@@ -77,7 +77,7 @@ async fn what_is_too_large_already_opens_for_everyone_and_can_be_made_smaller() 
     // What is removed is told with what it was, in one message: so many bytes at once are too many for a socket.
     assert!(serde_json::to_string(&change).unwrap().len() > protocol::MESSAGE_MAX_BYTES);
     let change = aiko.change("Remove", &library, vec![(key(Kind::Helper, 7), None)]);
-    aiko.ask(Request::Propose { behaviour: id(LIBRARY), change, tokens: Vec::new() }).await.unwrap();
+    aiko.ask(request::Propose { behaviour: id(LIBRARY), change, tokens: Vec::new() }).await.unwrap();
     assert_eq!(aiko.library().records.records.len(), 1_099);
     house.close().await;
 }
@@ -92,17 +92,22 @@ async fn no_message_of_a_large_behaviour_is_large() {
     let (mut parts, mut done) = (Vec::new(), 0);
     while done < 2 {
         let Message::Text(text) = socket.next().await.unwrap().unwrap() else { continue };
-        match serde_json::from_str::<Told>(&text).unwrap().reply {
-            Reply::Welcome { library: records, more, .. } | Reply::Opened { records, more, .. } => {
+        match serde_json::from_str::<Told>(&text).unwrap() {
+            Told::Answer {
+                answer:
+                    AnyAnswer::Welcome(answer::Welcome { library: records, more, .. })
+                    | AnyAnswer::Opened(answer::Opened { records, more, .. }),
+                ..
+            } => {
                 assert!(more && !records.records.is_empty());
                 parts.push((0, text.len()));
             }
-            Reply::Records { part, more, .. } => {
+            Told::Records { part, more, .. } => {
                 assert_eq!(part, parts.last().unwrap().0 + 1);
                 parts.push((part, text.len()));
                 done += usize::from(!more);
             }
-            Reply::Accepted { .. } => panic!("nothing comes in between"),
+            Told::Event(Event::Accepted { .. }) => panic!("nothing comes in between"),
             _ => {}
         }
     }
@@ -128,7 +133,7 @@ async fn a_change_while_somebody_is_still_told_the_whole_is_not_lost() {
     let now = aiko.open().unwrap();
     let last = (key(Kind::Note, 50), Some(note("the last")));
     let (change, behaviour) = (aiko.change("Shorten", &now.records, vec![last]), id("play"));
-    ben.ask(Request::Propose { behaviour, change, tokens: Vec::new() }).await.unwrap();
+    ben.ask(request::Propose { behaviour, change, tokens: Vec::new() }).await.unwrap();
     assert_eq!(ben.open(), aiko_when(&aiko, now.revision + 1).await);
     house.close().await;
 }
@@ -151,7 +156,7 @@ async fn large_changes_that_were_missed_come_in_pages() {
     for at in 0..60 {
         let notes = (0..10).map(|one| (key(Kind::Note, at * 10 + one), Some(note(&"n".repeat(4_000)))));
         let change = aiko.change("Add", &aiko.open().unwrap().records, notes.collect());
-        while aiko.ask(Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() }).await
+        while aiko.ask(request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() }).await
             == Err(ClientError::No(Refused::TooFast))
         {
             tokio::time::sleep(std::time::Duration::from_millis(50)).await;
@@ -159,10 +164,10 @@ async fn large_changes_that_were_missed_come_in_pages() {
     }
     let (mut known, mut pages, mut records) = (0, 0, Behaviour::default());
     loop {
-        let since = Request::Since { behaviour: play.clone(), revision: known };
+        let since = request::Since { behaviour: play.clone(), revision: known };
         let missed = aiko.ask(since).await.unwrap();
-        let bytes = serde_json::to_string(&missed).unwrap().len();
-        let Reply::Missed { changes, more, .. } = missed else { panic!() };
+        let bytes = serde_json::to_string(&AnyAnswer::from(missed.clone())).unwrap().len();
+        let answer::Newer::Missed(answer::Missed { changes, more, .. }) = missed else { panic!() };
         assert!(!changes.is_empty() && bytes < 192 * 1024, "{bytes}");
         for accepted in changes {
             known += 1;
@@ -184,11 +189,11 @@ async fn names_that_hide_something_are_refused_wherever_one_is_given() {
     let house = House::open().await;
     let (aiko, _) = house.maker("Ai\u{202e}ko").await;
     assert_eq!(aiko.you().name, "Aiko");
-    let create = Request::Create { behaviour: id("hidden"), name: "Pl\u{200b}ay".into(), template: None };
-    let unseen = Err(ClientError::No(Refused::Change(Refusal::Unseen("Play".into()))));
-    assert_eq!(aiko.ask(create).await, unseen);
-    assert_eq!(aiko.put("Add", stream_id("s"), Some(plain("Pl\u{2067}ay"))).await, unseen);
-    let robot = Request::AddRobot { robot: id("r"), name: "NAO\u{202e}".into(), real: None };
+    let create = request::Create { behaviour: id("hidden"), name: "Pl\u{200b}ay".into(), template: None };
+    let unseen = ClientError::No(Refused::Change(Refusal::Unseen("Play".into())));
+    assert_eq!(aiko.ask(create).await.unwrap_err(), unseen);
+    assert_eq!(aiko.put("Add", stream_id("s"), Some(plain("Pl\u{2067}ay"))).await.unwrap_err(), unseen);
+    let robot = request::AddRobot { robot: id("r"), name: "NAO\u{202e}".into(), real: None };
     assert!(sentence(aiko.ask(robot).await).contains("all of which are seen"));
     house.close().await;
 }

@@ -3,8 +3,8 @@
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{
-    Ask, CanvasArea, Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer, Refused, Reply,
-    Request,
+    AnyAnswer, Ask, CanvasArea, Credential, Event, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer,
+    Refused, answer, request,
 };
 use shell::{Client, ClientError, NoLink};
 use std::time::Duration;
@@ -31,7 +31,7 @@ async fn say(socket: &mut Socket, text: &str) -> (Option<Refused>, Option<u16>) 
     while let Ok(Some(Ok(message))) = tokio::time::timeout(Duration::from_secs(5), socket.next()).await {
         match message {
             Message::Text(text) => {
-                if let Reply::No { no: said } = serde_json::from_str::<Told>(&text).unwrap().reply {
+                if let Told::No { no: said, .. } = serde_json::from_str::<Told>(&text).unwrap() {
                     no = Some(said);
                 }
             }
@@ -50,12 +50,12 @@ async fn the_answer_to_a_ping_may_come_before_the_greeting() {
     socket.send(hello()).await.unwrap();
     let welcome = loop {
         match socket.next().await.unwrap().unwrap() {
-            Message::Text(text) => break serde_json::from_str::<Told>(&text).unwrap().reply,
+            Message::Text(text) => break serde_json::from_str::<Told>(&text).unwrap(),
             Message::Close(frame) => panic!("{frame:?}"),
             _ => {}
         }
     };
-    assert!(matches!(welcome, Reply::Welcome { .. }), "{welcome:?}");
+    assert!(matches!(welcome, Told::Answer { answer: AnyAnswer::Welcome(_), .. }), "{welcome:?}");
     house.close().await;
 }
 
@@ -78,8 +78,8 @@ async fn the_greeting_comes_first_and_in_our_version() {
 async fn a_message_that_is_too_large_ends_the_link() {
     let house = House::open().await;
     let mut socket = socket(&house).await;
-    let hello = Request::Hello { version: protocol::VERSION, name: "A".into(), again: None };
-    let hello = serde_json::to_string(&protocol::Ask { ask: 1, request: hello }).unwrap();
+    let hello = request::Hello { version: protocol::VERSION, name: "A".into(), again: None };
+    let hello = serde_json::to_string(&protocol::Ask::new(1, hello)).unwrap();
     socket.send(Message::text(hello)).await.unwrap();
     let _ = socket.send(Message::text("x".repeat(MESSAGE_MAX_BYTES + 1))).await;
     let ended = async { while let Some(Ok(_)) = socket.next().await {} };
@@ -94,9 +94,9 @@ async fn a_newer_link_of_the_same_client_replaces_the_older() {
     let mut first = house.person("Aiko").await;
     let second = Client::connect_again(&house.url(), Some(first.credential()), "Aiko").await.unwrap();
     while first.next().await.is_some() {}
-    let why = first.ask(Request::List { query: ListQuery::default() }).await.unwrap_err();
+    let why = first.ask(request::List { query: ListQuery::default() }).await.unwrap_err();
     assert!(matches!(&why, ClientError::Link(NoLink::Replaced)), "{why}");
-    assert!(second.ask(Request::List { query: ListQuery::default() }).await.is_ok());
+    assert!(second.ask(request::List { query: ListQuery::default() }).await.is_ok());
     assert_eq!(first.you(), second.you());
     house.close().await;
 }
@@ -114,7 +114,7 @@ async fn nobody_takes_over_the_link_of_somebody_they_see() {
         assert!(ben.load(&play).await.is_ok());
     }
     aiko.put("Add", stream_id("s"), Some(plain("Still here"))).await.unwrap();
-    aiko.until(|reply| matches!(reply, Reply::People { .. })).await.unwrap();
+    aiko.until(|reply| matches!(reply, Event::People { .. })).await.unwrap();
     house.close().await;
 }
 
@@ -127,16 +127,16 @@ async fn people_see_each_other_and_each_others_pointers() {
     ben.load(&play).await.unwrap();
     let pointer = Some(Pointer { x: 3.0, y: 4.0 });
     let view = Some(CanvasArea { x: -50.0, y: 0.0, width: 800.0, height: 600.0 });
-    aiko.tell(Request::Present { pointer, selected: Some(id("s1")), view }).await.unwrap();
-    let seen = |reply: &Reply| matches!(reply, Reply::People { people, .. } if people.iter().any(|p| p.pointer == pointer && p.view == view));
+    aiko.tell(request::Present { pointer, selected: Some(id("s1")), view }).await.unwrap();
+    let seen = |reply: &Event| matches!(reply, Event::People { people, .. } if people.iter().any(|p| p.pointer == pointer && p.view == view));
     ben.until(seen).await.unwrap();
     let (pointer, nowhere) =
         (Some(Pointer { x: 5.0, y: 1e300 }), Some(CanvasArea { x: 0.0, y: 0.0, width: 0.0, height: 1.0 }));
-    aiko.tell(Request::Present { pointer, selected: Some(id("s2")), view: nowhere }).await.unwrap();
+    aiko.tell(request::Present { pointer, selected: Some(id("s2")), view: nowhere }).await.unwrap();
     let left_out = |p: &Person| p.selected == Some(id("s2")) && p.pointer.is_none() && p.view.is_none();
-    ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.iter().any(left_out))).await.unwrap();
+    ben.until(|reply| matches!(reply, Event::People { people, .. } if people.iter().any(left_out))).await.unwrap();
     drop(aiko);
-    ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.len() == 1)).await.unwrap();
+    ben.until(|reply| matches!(reply, Event::People { people, .. } if people.len() == 1)).await.unwrap();
     house.close().await;
 }
 
@@ -147,14 +147,14 @@ async fn a_new_name_is_told_at_once_and_stands_beside_what_is_edited() {
     aiko.put("Add", stream_id("s"), Some(plain("s"))).await.unwrap();
     let mut ben = house.person("Ben").await;
     ben.load(&play).await.unwrap();
-    aiko.ask(Request::Lock { behaviour: play.clone(), records: [stream_id("s")].into() }).await.unwrap();
-    aiko.ask(Request::CallMe { name: " Aiko\n".into() }).await.unwrap();
-    let is_called = |reply: &Reply| matches!(reply, Reply::People { people, .. } if people[0].name == "Aiko");
+    aiko.ask(request::Lock { behaviour: play.clone(), records: [stream_id("s")].into() }).await.unwrap();
+    aiko.ask(request::CallMe { name: " Aiko\n".into() }).await.unwrap();
+    let is_called = |reply: &Event| matches!(reply, Event::People { people, .. } if people[0].name == "Aiko");
     ben.until(is_called).await.unwrap();
-    let edits = |reply: &Reply| matches!(reply, Reply::Locks { locks, .. } if locks.iter().any(|l| l.name == "Aiko"));
+    let edits = |reply: &Event| matches!(reply, Event::Locks { locks, .. } if locks.iter().any(|l| l.name == "Aiko"));
     ben.until(edits).await.unwrap();
     aiko.put("Add", stream_id("t"), Some(plain("t"))).await.unwrap();
-    let added = |reply: &Reply| matches!(reply, Reply::Accepted { accepted, .. } if accepted.change.author == "Aiko");
+    let added = |reply: &Event| matches!(reply, Event::Accepted { accepted, .. } if accepted.change.author == "Aiko");
     ben.until(added).await.unwrap();
     house.close().await;
 }
@@ -163,7 +163,7 @@ async fn a_new_name_is_told_at_once_and_stands_beside_what_is_edited() {
 async fn who_asks_too_much_is_told_so_but_can_always_stop() {
     let house = House::open().await;
     let aiko = house.person("Aiko").await;
-    let watch = || Request::Watch { robot: None, scene: false, values: false };
+    let watch = || request::Watch { robot: None, scene: false, values: false };
     // However slow this computer is, somebody who never pauses is refused sooner or later.
     let mut refused = 0;
     for _ in 0..20 {
@@ -179,7 +179,7 @@ async fn who_asks_too_much_is_told_so_but_can_always_stop() {
         }
     }
     assert!((1..=40).contains(&refused), "{refused}");
-    assert_eq!(aiko.ask(Request::Stop { behaviour: None, robot: None }).await, Ok(Reply::Done));
+    assert!(aiko.ask(request::Stop { behaviour: None, robot: None }).await.is_ok());
     house.close().await;
 }
 
@@ -190,8 +190,8 @@ async fn who_missed_changes_gets_them() {
     for number in 0..5 {
         aiko.put("Add", stream_id(&format!("s{number}")), Some(plain(&format!("S{number}")))).await.unwrap();
     }
-    let missed = aiko.ask(Request::Since { behaviour: play, revision: 3 }).await.unwrap();
-    let Reply::Missed { changes, .. } = missed else { panic!() };
+    let missed = aiko.ask(request::Since { behaviour: play, revision: 3 }).await.unwrap();
+    let answer::Newer::Missed(answer::Missed { changes, .. }) = missed else { panic!() };
     assert_eq!(changes.iter().map(|change| change.revision).collect::<Vec<_>>(), [4, 5, 6]);
     house.close().await;
 }
@@ -200,8 +200,8 @@ async fn who_missed_changes_gets_them() {
 async fn the_server_pings_with_the_revision() {
     let house = House::open().await;
     let (mut aiko, play) = house.maker("Aiko").await;
-    let ping = aiko.until(|reply| matches!(reply, Reply::Ping { behaviour: Some(_), .. })).await.unwrap();
-    assert_eq!(ping, Reply::Ping { behaviour: Some((play, 1)), library_revision: 1 });
+    let ping = aiko.until(|reply| matches!(reply, Event::Ping { behaviour: Some(_), .. })).await.unwrap();
+    assert_eq!(ping, Event::Ping { behaviour: Some((play, 1)), library_revision: 1 });
     house.close().await;
 }
 
@@ -240,13 +240,15 @@ async fn the_server_hears_who_is_replaced_until_they_know_it() {
     older.send(hello()).await.unwrap();
     let welcome = loop {
         if let Message::Text(text) = older.next().await.unwrap().unwrap() {
-            break serde_json::from_str::<Told>(&text).unwrap().reply;
+            break serde_json::from_str::<Told>(&text).unwrap();
         }
     };
-    let Reply::Welcome { you, secret, .. } = welcome else { panic!("{welcome:?}") };
+    let Told::Answer { answer: AnyAnswer::Welcome(answer::Welcome { you, secret, .. }), .. } = welcome else {
+        panic!("{welcome:?}")
+    };
     let again = Some(Credential { client: you.client, secret });
-    let request = Request::Hello { version: protocol::VERSION, name: "A".into(), again };
-    newer.send(Message::text(serde_json::to_string(&Ask { ask: 1, request }).unwrap())).await.unwrap();
+    let request = request::Hello { version: protocol::VERSION, name: "A".into(), again };
+    newer.send(Message::text(serde_json::to_string(&Ask::new(1, request)).unwrap())).await.unwrap();
     is_heard_until_it_knows(&mut older, 4000).await;
     house.close().await;
 }

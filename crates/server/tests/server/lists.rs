@@ -2,7 +2,7 @@
 
 use crate::house::{House, id, make, plain, stream_id};
 use behaviour::{Kind, Record, RecordId, Settings};
-use protocol::{ListQuery, PictureOf, Refused, Reply, Request, SearchPlace, Sort, Summary};
+use protocol::{Event, ListQuery, PictureOf, Refused, SearchPlace, Sort, Summary, answer, request};
 use shell::{Client, ClientError};
 
 async fn names(client: &Client) -> Vec<String> {
@@ -15,14 +15,14 @@ async fn names_stay_unique_and_asking_twice_makes_one() {
     let house = House::open().await;
     let mut ben = house.person("Ben").await;
     let aiko = house.person("Aiko").await;
-    let create = || Request::Create { behaviour: id("mine"), name: "Play".into(), template: None };
+    let create = || request::Create { behaviour: id("mine"), name: "Play".into(), template: None };
     let first = aiko.ask(create()).await.unwrap();
     assert_eq!(aiko.ask(create()).await.unwrap(), first);
     make(&aiko, "Play", None).await;
     let mut all = names(&aiko).await;
     all.sort();
     assert_eq!(all, ["Play", "Play 2"]);
-    ben.until(|reply| *reply == Reply::ProgramsChanged).await.unwrap();
+    ben.until(|reply| *reply == Event::ProgramsChanged).await.unwrap();
     house.close().await;
 }
 
@@ -34,15 +34,15 @@ async fn every_template_becomes_a_behaviour_without_problems() {
     assert_eq!(welcome.library().revision, 1);
     for name in ["Greeter", "Track far and close balls", "Say ball color"] {
         let made = make(&aiko, name, Some(name)).await;
-        let opened = aiko.ask(Request::Open { behaviour: made }).await.unwrap();
-        let Reply::Opened { problems, records, .. } = opened else { panic!() };
+        let opened = aiko.ask(request::Open { behaviour: made }).await.unwrap();
+        let answer::Opened { problems, records, .. } = opened;
         assert!(problems.iter().all(|problem| !problem.blocks), "{name}: {problems:?}");
         assert!(records.streams().count() > 1);
     }
-    let no = aiko.ask(Request::Create { behaviour: id("x"), name: "X".into(), template: Some("None".into()) }).await;
+    let no = aiko.ask(request::Create { behaviour: id("x"), name: "X".into(), template: Some("None".into()) }).await;
     assert_eq!(no, Err(ClientError::No(Refused::NoTemplate("None".into()))));
     assert_eq!(names(&aiko).await.len(), 3);
-    assert!(aiko.until(|reply| *reply == Reply::ProgramsChanged).await.is_ok());
+    assert!(aiko.until(|reply| *reply == Event::ProgramsChanged).await.is_ok());
     house.close().await;
 }
 
@@ -55,16 +55,16 @@ async fn the_list_comes_in_pages_of_what_is_asked_for() {
     }
     make(&ben, "Greet", Some("Greeter")).await;
     let by_name = ListQuery { sort: Sort::Name, most: 3, words: "play".into(), ..ListQuery::default() };
-    let first = aiko.ask(Request::List { query: by_name.clone() }).await.unwrap();
-    let Reply::Programs { programs, next: Some(next), total: 7 } = first else { panic!("{first:?}") };
+    let first = aiko.ask(request::List { query: by_name.clone() }).await.unwrap();
+    let answer::Programs { programs, next: Some(next), total: 7 } = first else { panic!("{first:?}") };
     assert_eq!(
         programs.iter().map(|program| program.name.as_str()).collect::<Vec<_>>(),
         ["Play 1", "Play 2", "Play 3"]
     );
     assert!(programs.iter().all(|program| program.owner == "Aiko" && program.revision == 1));
     let query = ListQuery { after: Some(next), most: 50, ..by_name };
-    let rest = aiko.ask(Request::List { query }).await.unwrap();
-    let Reply::Programs { programs, next: None, total: 7 } = rest else { panic!("{rest:?}") };
+    let rest = aiko.ask(request::List { query }).await.unwrap();
+    let answer::Programs { programs, next: None, total: 7 } = rest else { panic!("{rest:?}") };
     assert_eq!(programs.len(), 3);
     let mine = ListQuery { owner: Some("Ben".into()), ..ListQuery::default() };
     assert_eq!(aiko.programs(mine, usize::MAX).await.unwrap().len(), 3);
@@ -80,11 +80,11 @@ async fn everyone_hears_of_a_new_name_but_gets_no_list() {
     let mut ben = house.person("Ben").await;
     let settings = RecordId::settings();
     aiko.put("Rename", settings, Some(Record::Settings(Settings::named("Dance")))).await.unwrap();
-    let told = ben.until(|reply| matches!(reply, Reply::ProgramsChanged | Reply::Programs { .. })).await.unwrap();
-    assert_eq!(told, Reply::ProgramsChanged);
+    let told = ben.until(|reply| matches!(reply, Event::ProgramsChanged)).await.unwrap();
+    assert_eq!(told, Event::ProgramsChanged);
     assert_eq!(names(&ben).await, ["Dance"]);
     aiko.put("Add", stream_id("a"), Some(plain("One"))).await.unwrap();
-    assert!(ben.until(|reply| *reply == Reply::ProgramsChanged).await.is_ok(), "later, together with others");
+    assert!(ben.until(|reply| *reply == Event::ProgramsChanged).await.is_ok(), "later, together with others");
     drop(play);
     house.close().await;
 }
@@ -96,7 +96,7 @@ async fn pictures_follow_the_revision() {
     let picture = async |revision| {
         let of =
             vec![PictureOf { behaviour: play.clone(), revision }, PictureOf { behaviour: id("gone"), revision: 1 }];
-        let Reply::Pictures { pictures } = aiko.ask(Request::Pictures { of }).await.unwrap() else { panic!() };
+        let answer::Pictures { pictures } = aiko.ask(request::Pictures { of }).await.unwrap();
         assert_eq!(pictures.len(), 1);
         pictures[0].1.streams.len()
     };
@@ -129,16 +129,16 @@ async fn a_removed_behaviour_can_be_taken_back() {
     let (aiko, play) = house.maker("Aiko").await;
     let mut ben = house.person("Ben").await;
     ben.load(&play).await.unwrap();
-    aiko.ask(Request::Remove { behaviour: play.clone() }).await.unwrap();
-    let told = ben.until(|reply| matches!(reply, Reply::Removed { .. })).await.unwrap();
-    assert_eq!(told, Reply::Removed { behaviour: play.clone(), by: "Aiko".into() });
+    aiko.ask(request::Remove { behaviour: play.clone() }).await.unwrap();
+    let told = ben.until(|reply| matches!(reply, Event::Removed { .. })).await.unwrap();
+    assert_eq!(told, Event::Removed { behaviour: play.clone(), by: "Aiko".into() });
     assert_eq!(ben.open(), None);
     assert_eq!(ben.load(&play).await, Err(ClientError::No(Refused::NoBehaviour)));
     assert!(names(&ben).await.is_empty());
     let bin = || ListQuery { place: SearchPlace::Bin, ..ListQuery::default() };
     let removed = ben.programs(bin(), usize::MAX).await.unwrap();
     assert_eq!(removed.iter().map(|one| (one.name.as_str(), one.by.as_str())).collect::<Vec<_>>(), [("Play", "Aiko")]);
-    ben.ask(Request::Restore { behaviour: play.clone() }).await.unwrap();
+    ben.ask(request::Restore { behaviour: play.clone() }).await.unwrap();
     assert!(ben.programs(bin(), usize::MAX).await.unwrap().is_empty());
     assert_eq!(ben.load(&play).await.unwrap().revision, 1);
     assert_eq!(names(&aiko).await, ["Play"]);

@@ -3,7 +3,7 @@
 use crate::house::{House, id, plain, sentence, stream_id};
 use crate::http::raw;
 use behaviour::{AskResult, Grant, Id, LockEndReason, LockEvent, LockToken, RecordId};
-use protocol::{LockShown, Reply, Request};
+use protocol::{Event, LockShown, answer, request};
 use shell::{Client, ClientError};
 use std::collections::BTreeSet;
 
@@ -18,16 +18,13 @@ async fn two(house: &House) -> (Client, Client, Id) {
     (aiko, ben, play)
 }
 
-async fn lock(client: &Client, play: &Id, names: &[&str]) -> Result<Reply, ClientError> {
+async fn lock(client: &Client, play: &Id, names: &[&str]) -> Result<answer::Locked, ClientError> {
     let records = names.iter().map(|name| stream_id(name)).collect();
-    client.ask(Request::Lock { behaviour: play.clone(), records }).await
+    client.ask(request::Lock { behaviour: play.clone(), records }).await
 }
 
 async fn grant(client: &Client, play: &Id, names: &[&str]) -> Grant {
-    match lock(client, play, names).await.unwrap() {
-        Reply::Locked { grant } => grant,
-        other => panic!("{other:?}"),
-    }
+    lock(client, play, names).await.unwrap().grant
 }
 
 async fn rename(
@@ -36,20 +33,20 @@ async fn rename(
     stream: &str,
     name: &str,
     tokens: &[LockToken],
-) -> Result<Reply, ClientError> {
+) -> Result<answer::Saved, ClientError> {
     let change = client.change("Rename", &client.open().unwrap().records, vec![(stream_id(stream), Some(plain(name)))]);
-    client.ask(Request::Propose { behaviour: play.clone(), change, tokens: tokens.to_vec() }).await
+    client.ask(request::Propose { behaviour: play.clone(), change, tokens: tokens.to_vec() }).await
 }
 
 /// What everybody is told of the locks once somebody is told that so many are held.
 async fn shown(client: &mut Client, many: usize) -> Vec<LockShown> {
-    let told = client.until(|reply| matches!(reply, Reply::Locks { locks, .. } if locks.len() == many)).await;
-    let Reply::Locks { locks, .. } = told.unwrap() else { panic!() };
+    let told = client.until(|reply| matches!(reply, Event::Locks { locks, .. } if locks.len() == many)).await;
+    let Event::Locks { locks, .. } = told.unwrap() else { panic!() };
     locks
 }
 
 async fn event(client: &mut Client) -> LockEvent {
-    let Reply::LockNews { event, .. } = client.until(|told| matches!(told, Reply::LockNews { .. })).await.unwrap()
+    let Event::LockNews { event, .. } = client.until(|told| matches!(told, Event::LockNews { .. })).await.unwrap()
     else {
         panic!()
     };
@@ -61,8 +58,8 @@ async fn who_is_at_the_computer_takes_over_and_the_other_is_told() {
     let house = House::open().await;
     let (aiko, mut ben, play) = two(&house).await;
     let held = grant(&ben, &play, &["a"]).await;
-    let over = Request::TakeOver { behaviour: play.clone(), record: stream_id("a") };
-    let Reply::Locked { grant: taken } = aiko.ask(over).await.unwrap() else { panic!() };
+    let over = request::TakeOver { behaviour: play.clone(), record: stream_id("a") };
+    let answer::Locked { grant: taken } = aiko.ask(over).await.unwrap();
     assert!(taken.token > held.token);
     let LockEvent::Freed { why, grant, .. } = event(&mut ben).await else { panic!() };
     assert_eq!((why, grant.token), (LockEndReason::TakenOver { by: "Aiko".into() }, held.token));
@@ -87,7 +84,7 @@ async fn what_somebody_is_editing_is_refused_to_others_by_name() {
     assert_eq!(sentence(rename(&aiko, &play, "a", "hers", &[]).await), no, "another editor of her own");
     rename(&aiko, &play, "a", "hers", &[held.token]).await.unwrap();
     ben.put("Add", stream_id("c"), Some(plain("c"))).await.unwrap();
-    aiko.ask(Request::Unlock { behaviour: play.clone(), token: held.token }).await.unwrap();
+    aiko.ask(request::Unlock { behaviour: play.clone(), token: held.token }).await.unwrap();
     assert_eq!(shown(&mut ben, 0).await, []);
     rename(&ben, &play, "a", "mine", &[]).await.unwrap();
     house.close().await;
@@ -101,7 +98,7 @@ async fn all_or_nothing_is_locked() {
     assert!(sentence(lock(&ben, &play, &["a", "b"]).await).starts_with("Aiko is editing “b”"));
     assert_eq!(shown(&mut ben, 1).await[0].records, BTreeSet::from([stream_id("b")]));
     let position = BTreeSet::from([RecordId::new(behaviour::Kind::Place, &id("a"))]);
-    let no = sentence(aiko.ask(Request::Lock { behaviour: play.clone(), records: position }).await);
+    let no = sentence(aiko.ask(request::Lock { behaviour: play.clone(), records: position }).await);
     assert!(no.starts_with("This cannot be kept for one person."), "{no}");
     let library = id(protocol::LIBRARY);
     assert!(sentence(lock(&aiko, &library, &["a"]).await).starts_with("No program is open."));
@@ -133,7 +130,7 @@ async fn every_way_to_write_is_refused_by_name() {
     }
     let carol = house.person("Carol").await;
     let change = carol.change("Rename", &ben.open().unwrap().records, vec![(stream_id("a"), Some(plain("mine")))]);
-    let propose = Request::Propose { behaviour: play.clone(), change, tokens: Vec::new() };
+    let propose = request::Propose { behaviour: play.clone(), change, tokens: Vec::new() };
     assert_eq!(sentence(carol.ask(propose).await), no, "who has not even opened it");
     house.close().await;
 }
@@ -165,9 +162,9 @@ async fn who_asked_may_withdraw() {
     let house = House::open().await;
     let (mut aiko, ben, play) = two(&house).await;
     grant(&aiko, &play, &["a"]).await;
-    ben.ask(Request::AskFor { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
+    ben.ask(request::AskFor { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
     assert!(matches!(event(&mut aiko).await, LockEvent::Asked { last: false, .. }));
-    ben.ask(Request::Withdraw { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
+    ben.ask(request::Withdraw { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
     assert!(matches!(event(&mut aiko).await, LockEvent::Withdrawn { asker, .. } if asker.name == "Ben"));
     house.close().await;
 }
@@ -177,20 +174,20 @@ async fn who_asks_gets_it_when_it_is_handed_over() {
     let house = House::open().await;
     let (mut aiko, mut ben, play) = two(&house).await;
     let held = grant(&aiko, &play, &["a"]).await;
-    let ask = Request::AskFor { behaviour: play.clone(), record: stream_id("a") };
-    let Reply::Asked { now_ms, asked: AskResult::Waiting { by_ms } } = ben.ask(ask.clone()).await.unwrap() else {
+    let ask = request::AskFor { behaviour: play.clone(), record: stream_id("a") };
+    let answer::Asked { now_ms, asked: AskResult::Waiting { by_ms } } = ben.ask(ask.clone()).await.unwrap() else {
         panic!()
     };
     assert_eq!(by_ms - now_ms, 10_000);
     let told = event(&mut aiko).await;
     assert!(matches!(&told, LockEvent::Asked { asker, .. } if asker.name == "Ben"), "{told:?}");
-    let say = |yes| Request::HandOver { behaviour: play.clone(), token: held.token, yes };
+    let say = |yes| request::HandOver { behaviour: play.clone(), token: held.token, yes };
     aiko.ask(say(false)).await.unwrap();
     assert!(matches!(event(&mut ben).await, LockEvent::NotYet { by, .. } if by == "Aiko"));
-    assert!(matches!(ben.ask(ask).await.unwrap(), Reply::Asked { asked: AskResult::TooSoon { .. }, .. }));
+    assert!(matches!(ben.ask(ask).await.unwrap(), answer::Asked { asked: AskResult::TooSoon { .. }, .. }));
     let carol = house.person("Carol").await;
     carol.load(&play).await.unwrap();
-    carol.ask(Request::AskFor { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
+    carol.ask(request::AskFor { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
     aiko.ask(say(true)).await.unwrap();
     let why = loop {
         if let LockEvent::Freed { why, .. } = event(&mut aiko).await {
@@ -216,8 +213,8 @@ async fn who_comes_back_has_what_was_kept() {
     assert!(sentence(rename(&ben, &play, "a", "mine", &[]).await).starts_with("Aiko is editing"));
     let mut aiko = Client::connect_again(&house.url(), Some(credential), "Aiko").await.unwrap();
     aiko.load(&play).await.unwrap();
-    let told = aiko.until(|reply| matches!(reply, Reply::Locked { .. })).await.unwrap();
-    assert_eq!(told, Reply::Locked { grant: held.clone() });
+    let told = aiko.until(|reply| matches!(reply, Event::LockReturned { .. })).await.unwrap();
+    assert_eq!(told, Event::LockReturned { grant: held.clone() });
     rename(&aiko, &play, "a", "hers", &[held.token]).await.unwrap();
     house.close().await;
 }
@@ -227,7 +224,7 @@ async fn what_was_made_before_the_lock_is_answered_as_made_after_it() {
     let house = House::open().await;
     let (aiko, ben, play) = two(&house).await;
     let change = ben.change("Rename", &ben.open().unwrap().records, vec![(stream_id("a"), Some(plain("first")))]);
-    let propose = || Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() };
+    let propose = || request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() };
     let made = ben.ask(propose()).await.unwrap();
     grant(&aiko, &play, &["a"]).await;
     assert_eq!(ben.ask(propose()).await.unwrap(), made, "sent twice, made once");
@@ -239,7 +236,7 @@ async fn a_lock_goes_with_the_behaviour_that_is_left() {
     let house = House::open().await;
     let (aiko, ben, play) = two(&house).await;
     grant(&aiko, &play, &["a"]).await;
-    aiko.ask(Request::Leave).await.unwrap();
+    aiko.ask(request::Leave {}).await.unwrap();
     rename(&ben, &play, "a", "mine", &[]).await.unwrap();
     house.close().await;
 }

@@ -6,7 +6,8 @@ use crate::house::{House, connect, connector_id, make, printer, start, stream, s
 use crate::invited::Scene;
 use behaviour::{Id, Record, StreamKind, connectors};
 use protocol::{
-    AGO_MAX_MS, MarkEdit, MarkSort, RecordedSession, RecordingMark, Refused, Reply, Request, Role, RunPhase,
+    AGO_MAX_MS, Event, MarkEdit, MarkSort, Message, RecordedSession, RecordingMark, Refused, Role, RunPhase, answer,
+    request,
 };
 use shell::Client;
 use std::sync::Arc;
@@ -16,17 +17,17 @@ fn id(name: &str) -> Id {
     Id::new(name).unwrap()
 }
 
-fn mark(behaviour: &Id, name: &str, word: &str, (span, ago_ms): (bool, u64)) -> Request {
+fn mark(behaviour: &Id, name: &str, word: &str, (span, ago_ms): (bool, u64)) -> request::Mark {
     let (id, word, sort, note) = (Some(id(name)), word.to_owned(), MarkSort::Good, String::new());
-    Request::Mark { behaviour: behaviour.clone(), robot: None, run: None, id, word, sort, span, note, ago_ms }
+    request::Mark { behaviour: behaviour.clone(), robot: None, run: None, id, word, sort, span, note, ago_ms }
 }
 
-fn edit(run: u64, name: &str, edit: MarkEdit) -> Request {
-    Request::EditMark { run, id: id(name), edit, ago_ms: 0 }
+fn edit(run: u64, name: &str, edit: MarkEdit) -> request::EditMark {
+    request::EditMark { run, id: id(name), edit, ago_ms: 0 }
 }
 
-fn marked(reply: Reply) -> (RecordingMark, bool) {
-    let Reply::Marked { mark, kept } = reply else { panic!("{reply:?}") };
+fn marked<E: std::fmt::Debug>(answer: Result<answer::Marked, E>) -> (RecordingMark, bool) {
+    let answer::Marked { mark, kept } = answer.unwrap();
     (*mark, kept)
 }
 
@@ -40,7 +41,7 @@ async fn fill(aiko: &Client) {
 }
 
 async fn run(aiko: &Client) -> u64 {
-    let Reply::Runs { runs } = aiko.ask(Request::Runs).await.unwrap() else { panic!() };
+    let answer::Runs { runs, .. } = aiko.ask(request::Runs {}).await.unwrap();
     runs.iter().map(|run| run.run).max().unwrap()
 }
 
@@ -49,11 +50,11 @@ async fn hears(socket: &mut Socket, wanted: impl Fn(&RecordingMark) -> bool) -> 
     let told = std::mem::take(&mut socket.heard);
     let mut told = told.into_iter();
     loop {
-        let reply = match told.next() {
-            Some(reply) => reply,
-            None => socket.next().await.unwrap().reply,
+        let message = match told.next() {
+            Some(event) => Message::Event(event),
+            None => socket.next().await.unwrap(),
         };
-        if let Reply::LiveMarks { marks, .. } = reply
+        if let Message::Event(Event::LiveMarks { marks, .. }) = message
             && let Some(mark) = marks.into_iter().find(&wanted)
         {
             return mark;
@@ -71,7 +72,7 @@ async fn two_operators_and_a_viewer_hear_of_every_press_and_who_comes_later_of_a
     for (role, name) in [(Role::Operator, "Ben"), (Role::Operator, "Cleo"), (Role::Viewer, "Dan")] {
         let (browser, _) = scene.guest(role).await;
         let mut socket = browser.socket(name).await.unwrap();
-        assert!(matches!(socket.ask(Request::Open { behaviour: scene.play.clone() }).await, Reply::Opened { .. }));
+        socket.ask(request::Open { behaviour: scene.play.clone() }).await.unwrap();
         people.push(socket);
     }
     let [ben, cleo, dan] = &mut people[..] else { panic!() };
@@ -90,15 +91,19 @@ async fn two_operators_and_a_viewer_hear_of_every_press_and_who_comes_later_of_a
     assert_eq!(hears(dan, |mark| mark.id == id("m2")).await, ended);
     assert_eq!((ended.open, ended.by.as_str()), (false, "Cleo"));
     let no = cleo.ask(edit(run, "m1", MarkEdit::Undo)).await;
-    assert!(matches!(&no, Reply::No { no } if no.to_string().contains("by who made it")), "{no:?}");
+    assert!(matches!(&no, Err(no) if no.to_string().contains("by who made it")), "{no:?}");
     assert!(marked(ben.ask(edit(run, "m1", MarkEdit::Undo)).await).0.gone);
     assert!(hears(dan, |mark| mark.id == id("m1")).await.gone);
-    for request in [mark(&scene.play, "m3", "x", (false, 0)), edit(run, "m2", MarkEdit::Undo)] {
-        assert_eq!(dan.ask(request).await, Reply::No { no: Refused::Role(Role::Operator) });
-    }
+    let no = Err(Refused::Role(Role::Operator));
+    assert_eq!(dan.ask(mark(&scene.play, "m3", "x", (false, 0))).await, no);
+    assert_eq!(dan.ask(edit(run, "m2", MarkEdit::Undo)).await, no);
     let (browser, _) = scene.guest(Role::Viewer).await;
     let mut late = browser.socket("Eve").await.unwrap();
-    late.ask(Request::Open { behaviour: scene.play.clone() }).await;
+    late.ask(request::Open { behaviour: scene.play.clone() }).await.unwrap();
+    assert_eq!(hears(&mut late, |mark| mark.id == id("m2")).await, ended);
+    // A page that listens later than it opened, as its code came later, asks for all again.
+    assert!(late.heard.is_empty());
+    assert_eq!(late.ask(request::Watch { robot: None, scene: true, values: true }).await, Ok(()));
     assert_eq!(hears(&mut late, |mark| mark.id == id("m2")).await, ended);
     scene.house.close().await;
 }
@@ -111,24 +116,22 @@ async fn the_recording_has_the_time_of_the_press_and_spans_end_with_stop() {
     fill(&aiko).await;
     aiko.ask(start(&play)).await.unwrap();
     let run = run(&aiko).await;
-    let (early, kept) = marked(aiko.ask(mark(&play, "early", "waits", (false, 0))).await.unwrap());
+    let (early, kept) = marked(aiko.ask(mark(&play, "early", "waits", (false, 0))).await);
     assert!(!kept);
-    let record = Request::Record { behaviour: play.clone(), robot: None, session: RecordedSession::default() };
+    let record = request::Record { behaviour: play.clone(), robot: None, session: RecordedSession::default() };
     aiko.ask(record).await.unwrap();
-    let (past, kept) = marked(aiko.ask(mark(&play, "past", "laughs", (false, 10 * AGO_MAX_MS))).await.unwrap());
+    let (past, kept) = marked(aiko.ask(mark(&play, "past", "laughs", (false, 10 * AGO_MAX_MS))).await);
     assert!(kept && past.t == 0, "what was before Start counts as Start: {past:?}");
-    let (span, _) = marked(aiko.ask(mark(&play, "span", "plays", (true, 0))).await.unwrap());
-    marked(aiko.ask(mark(&play, "undone", "oops", (false, 0))).await.unwrap());
-    marked(aiko.ask(edit(run, "undone", MarkEdit::Undo)).await.unwrap());
-    aiko.ask(Request::Stop { behaviour: None, robot: None }).await.unwrap();
-    let is_stopped = |reply: &Reply| matches!(reply, Reply::Runs { runs } if runs.iter().any(|one| matches!(one.phase, RunPhase::Stopped(_))));
-    let Reply::Runs { runs } = aiko.until(is_stopped).await.unwrap() else { panic!() };
+    let (span, _) = marked(aiko.ask(mark(&play, "span", "plays", (true, 0))).await);
+    marked(aiko.ask(mark(&play, "undone", "oops", (false, 0))).await);
+    marked(aiko.ask(edit(run, "undone", MarkEdit::Undo)).await);
+    aiko.ask(request::Stop { behaviour: None, robot: None }).await.unwrap();
+    let is_stopped = |reply: &Event| matches!(reply, Event::Runs { runs, .. } if runs.iter().any(|one| matches!(one.phase, RunPhase::Stopped(_))));
+    let Event::Runs { runs, .. } = aiko.until(is_stopped).await.unwrap() else { panic!() };
     let file = runs.iter().find_map(|run| Some(run.recording.as_ref()?.file.clone())).unwrap();
     let written = |one: &RecordingMark| (one.id.to_string(), one.t, one.word.clone());
     let marks = loop {
-        let Reply::Marks { marks, .. } = aiko.ask(Request::Marks { file: file.clone() }).await.unwrap() else {
-            panic!()
-        };
+        let answer::Marks { marks, .. } = aiko.ask(request::Marks { file: file.clone() }).await.unwrap();
         // The run writes its last lines after Stop was answered.
         if marks.iter().any(|mark| mark.id == span.id && !mark.open) {
             break marks;
@@ -142,10 +145,10 @@ async fn the_recording_has_the_time_of_the_press_and_spans_end_with_stop() {
     assert!(ended.until.unwrap() > span.t, "{ended:?}");
     // A note that was written after Stop joins its mark, and a press that came late by a bad link counts.
     let note = MarkEdit::Note("for the first time".to_owned());
-    let (_, kept) = marked(aiko.ask(edit(run, "past", note)).await.unwrap());
+    let (_, kept) = marked(aiko.ask(edit(run, "past", note)).await);
     let late = mark(&play, "late", "nods", (false, AGO_MAX_MS));
-    assert!(kept && marked(aiko.ask(late).await.unwrap()).1);
-    let Reply::Marks { marks, .. } = aiko.ask(Request::Marks { file }).await.unwrap() else { panic!() };
+    assert!(kept && marked(aiko.ask(late).await).1);
+    let answer::Marks { marks, .. } = aiko.ask(request::Marks { file }).await.unwrap();
     let noted = marks.iter().find(|mark| mark.id == past.id).unwrap();
     assert_eq!((noted.note.as_str(), noted.word.as_str()), ("for the first time", "laughs"));
     assert!(marks.iter().any(|mark| mark.word == "nods"));

@@ -4,7 +4,7 @@ use crate::house::{House, id, map, plain, stream_id};
 use crate::links::socket;
 use behaviour::{Behaviour, Change, SeenKinds, ValueType};
 use futures_util::{SinkExt, StreamExt};
-use protocol::{Ask, ListQuery, Request, VERSION};
+use protocol::{AnyRequest, Ask, ListQuery, VERSION, request};
 use std::time::Duration;
 use tokio_tungstenite::tungstenite::Message;
 
@@ -26,20 +26,21 @@ fn samples() -> Vec<String> {
     let now = Behaviour::default();
     let change = Change::of(id("op"), "Aiko", "Add").put(&now, stream_id("s"), plain("S"));
     let change = change.put(&now, crate::house::connector_id("m"), map("s + 1", "s", "t"));
-    let requests = [
-        Request::List { query: ListQuery::default() },
-        Request::Open { behaviour: id("b") },
-        Request::Propose { behaviour: id("b"), change: change.clone(), tokens: Vec::new() },
-        Request::Propose { behaviour: id(protocol::LIBRARY), change, tokens: Vec::new() },
-        Request::Since { behaviour: id("b"), revision: 0 },
-        Request::Check { arguments: vec!["x".into()], body: "x + 1".into(), inputs: vec![vec![1.into()]] },
-        Request::Types { behaviour: id("b"), seen: SeenKinds::from([(id("s"), ValueType::Text)]) },
-        Request::Start { behaviour: id("b"), robot: None, record: true, session: protocol::RecordedSession::default() },
-        Request::Stimulate { behaviour: id("b"), robot: None, stream: id("s"), value: 1.into() },
-        Request::Present { pointer: None, selected: Some(id("s")), view: None },
-        Request::CallMe { name: "Aiko".to_owned() },
+    let requests: [AnyRequest; 11] = [
+        request::List { query: ListQuery::default() }.into(),
+        request::Open { behaviour: id("b") }.into(),
+        request::Propose { behaviour: id("b"), change: change.clone(), tokens: Vec::new() }.into(),
+        request::Propose { behaviour: id(protocol::LIBRARY), change, tokens: Vec::new() }.into(),
+        request::Since { behaviour: id("b"), revision: 0 }.into(),
+        request::Check { arguments: vec!["x".into()], body: "x + 1".into(), inputs: vec![vec![1.into()]] }.into(),
+        request::Types { behaviour: id("b"), seen: SeenKinds::from([(id("s"), ValueType::Text)]) }.into(),
+        request::Start { behaviour: id("b"), robot: None, record: true, session: protocol::RecordedSession::default() }
+            .into(),
+        request::Stimulate { behaviour: id("b"), robot: None, stream: id("s"), value: 1.into() }.into(),
+        request::Present { pointer: None, selected: Some(id("s")), view: None }.into(),
+        request::CallMe { name: "Aiko".to_owned() }.into(),
     ];
-    let asks = requests.into_iter().zip(1..).map(|(request, ask)| Ask { ask, request });
+    let asks = requests.into_iter().zip(1..).map(|(request, ask)| Ask::new(ask, request));
     asks.map(|ask| serde_json::to_string(&ask).unwrap()).collect()
 }
 
@@ -66,13 +67,13 @@ async fn messages_that_are_almost_ours_break_nothing() {
     let (house, samples) = (House::open().await, samples());
     for seed in 1..=LINKS {
         let (mut state, mut link) = (seed, socket(&house).await);
-        let hello = Ask { ask: 0, request: Request::Hello { version: VERSION, name: "Seed".into(), again: None } };
+        let hello = Ask::new(0, request::Hello { version: VERSION, name: "Seed".into(), again: None });
         link.send(Message::text(serde_json::to_string(&hello).unwrap())).await.unwrap();
         for _ in 0..MESSAGES {
             let text = mutated(&samples[next(&mut state) % samples.len()], &mut state);
             link.send(Message::text(text)).await.unwrap();
         }
-        let list = Ask { ask: u32::MAX, request: Request::Runs };
+        let list = Ask::new(u32::MAX, request::Runs {});
         link.send(Message::text(serde_json::to_string(&list).unwrap())).await.unwrap();
         let answered = async {
             while let Some(Ok(message)) = link.next().await {

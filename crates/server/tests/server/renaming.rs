@@ -2,7 +2,7 @@
 
 use crate::house::{House, ball, connect, connector_id, id, make, plain, sentence, stream_id};
 use behaviour::{Behaviour, Helper, Id, Kind, Procedure, Record, RecordId, Refusal, connectors};
-use protocol::{Refused, Reply, Request};
+use protocol::{Event, Refused, answer, request};
 use shell::{Client, ClientError};
 use std::collections::BTreeSet;
 
@@ -14,10 +14,10 @@ fn helper_id(text: &str) -> RecordId {
     RecordId::new(Kind::Helper, &id(text))
 }
 
-async fn shelve(client: &Client, text: &str, helper: Option<Helper>) -> Result<Reply, ClientError> {
+async fn shelve(client: &Client, text: &str, helper: Option<Helper>) -> Result<answer::Saved, ClientError> {
     let edits = vec![(helper_id(text), helper.map(Record::Helper))];
     let change = client.change("Helper", &client.library().records, edits);
-    client.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await
+    client.ask(request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await
 }
 
 /// A program that uses `near` by its name and in a body, which is open afterwards.
@@ -40,9 +40,9 @@ async fn program(client: &Client, name: &str) -> Id {
     play
 }
 
-async fn rename(client: &Client, seen: Helper, after: Helper) -> Result<Reply, ClientError> {
+async fn rename(client: &Client, seen: Helper, after: Helper) -> Result<answer::HelperRenamed, ClientError> {
     let (seen, after) = (Box::new(seen), Box::new(after));
-    client.ask(Request::RenameHelper { helper: id("h"), seen, after }).await
+    client.ask(request::RenameHelper { helper: id("h"), seen, after }).await
 }
 
 fn uses(behaviour: &Behaviour) -> Vec<String> {
@@ -85,9 +85,9 @@ async fn uses_follow_in_open_and_closed_programs_and_in_other_helpers() {
         aiko.put("Write", connector_id(name), Some(Record::Connector(connector))).await.unwrap();
     }
     let answer = rename(&aiko, helper("near", "v.distance"), helper("close", "v.distance")).await.unwrap();
-    assert_eq!(answer, Reply::HelperRenamed { programs: 2, left: Vec::new() });
-    let told = ben.until(|reply| matches!(reply, Reply::Accepted { behaviour, accepted } if *behaviour == open && accepted.change.author == "Aiko"));
-    let Reply::Accepted { accepted, .. } = told.await.unwrap() else { panic!() };
+    assert_eq!(answer, answer::HelperRenamed { programs: 2, left: Vec::new() });
+    let told = ben.until(|reply| matches!(reply, Event::Accepted { behaviour, accepted } if *behaviour == open && accepted.change.author == "Aiko"));
+    let Event::Accepted { accepted, .. } = told.await.unwrap() else { panic!() };
     assert_eq!((accepted.change.label.as_str(), accepted.change.edits.len()), ("Rename helper near to close", 2));
     let after = ["close", "close(far) > 1 && far != \"near\""];
     assert_eq!(uses(&ben.open().unwrap().records), after);
@@ -98,7 +98,7 @@ async fn uses_follow_in_open_and_closed_programs_and_in_other_helpers() {
     let (_, own) = helpers_by_id(&aiko);
     assert_eq!(own.name, "close", "it keeps its id");
     let answer = rename(&aiko, helper("close", "v.distance"), helper("near", "v.distance")).await.unwrap();
-    assert_eq!(answer, Reply::HelperRenamed { programs: 2, left: Vec::new() });
+    assert_eq!(answer, answer::HelperRenamed { programs: 2, left: Vec::new() });
     assert_eq!(uses(&aiko.load(&closed).await.unwrap().records), ["near", "near(far) > 1 && far != \"near\""]);
     house.close().await;
 }
@@ -117,14 +117,12 @@ async fn what_somebody_is_editing_refuses_before_anything_is_written() {
     let ben = house.person("Ben").await;
     let held = program(&ben, "Second").await;
     let records = BTreeSet::from([connector_id("written")]);
-    let Reply::Locked { grant } = ben.ask(Request::Lock { behaviour: held.clone(), records }).await.unwrap() else {
-        panic!()
-    };
+    let answer::Locked { grant } = ben.ask(request::Lock { behaviour: held.clone(), records }).await.unwrap();
     let (first, library) = (aiko.open().unwrap(), aiko.library());
     let no = sentence(rename(&aiko, helper("near", "v.distance"), helper("close", "v.distance")).await);
     assert_eq!(no, "Ben is editing this filter in “Second”. Ask, or wait until it is free.");
     assert_eq!((aiko.open().unwrap(), aiko.library()), (first, library));
-    ben.ask(Request::Unlock { behaviour: held.clone(), token: grant.token }).await.unwrap();
+    ben.ask(request::Unlock { behaviour: held.clone(), token: grant.token }).await.unwrap();
     rename(&aiko, helper("near", "v.distance"), helper("close", "v.distance")).await.unwrap();
     // Asked for: what Ben hears by himself may come a moment after Aiko's answer.
     assert_eq!(uses(&ben.load(&held).await.unwrap().records)[0], "close");
@@ -148,7 +146,7 @@ async fn a_name_that_is_taken_or_none_and_a_helper_that_is_another_are_refused()
     assert!(matches!(stale, Err(ClientError::No(Refused::Change(Refusal::Stale(_))))), "{stale:?}");
     assert_eq!((aiko.open().unwrap(), aiko.library()), before);
     let answer = rename(&aiko, seen, helper("close", "near(v - 1)")).await.unwrap();
-    assert_eq!(answer, Reply::HelperRenamed { programs: 1, left: Vec::new() });
+    assert_eq!(answer, answer::HelperRenamed { programs: 1, left: Vec::new() });
     assert_eq!(helpers(&aiko)[0], pair("close", "close(v - 1)"), "what it calls itself follows too");
     assert_eq!(uses(&aiko.load(&play).await.unwrap().records)[0], "close");
     house.close().await;

@@ -5,7 +5,7 @@ use crate::browser::{Browser, Socket, status};
 use crate::http;
 use crate::invited::Scene;
 use crate::roles::requests;
-use protocol::{CLOSE_GAVE_WAY, Refused, Reply, Request, Role};
+use protocol::{AnyRequest, CLOSE_GAVE_WAY, Message, Refused, RequestRow, Role, request};
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 use tokio::io::AsyncReadExt;
@@ -32,7 +32,7 @@ async fn a_ninth_page_takes_the_place_of_the_first_which_is_told() {
     let mut ninth = browser.socket("Ben").await.unwrap();
     assert_eq!(pages[0].until_closed().await, Some(CLOSE_GAVE_WAY));
     for page in pages.iter_mut().skip(1).chain([&mut ninth]) {
-        assert!(matches!(page.ask(Request::Runs).await, Reply::Runs { .. }));
+        assert!(page.ask(request::Runs {}).await.is_ok());
     }
     scene.house.close().await;
 }
@@ -57,7 +57,7 @@ async fn who_opens_pages_again_and_again_locks_out_neither_host_nor_colleague() 
 
 /// What bounds what a viewer may ask, besides what everything passes: eight links, and the requests that a person and those
 /// of one invitation have in a time (`connection/budgets.rs`).
-const BOUNDS: [(&str, &str); 24] = [
+const BOUNDS: [(&str, &str); 26] = [
     ("hello", "answered at once; the greeting has one of the eight half open places of a person"),
     ("list", "eight under way of a person; one lookup at a time of an invitation"),
     ("pictures", "as a list; so many of one request; drawn by the workers, one at a time of an invitation"),
@@ -74,41 +74,47 @@ const BOUNDS: [(&str, &str); 24] = [
     ("check", "eight under way of a person; the workers, one at a time of an invitation; each call in time and steps"),
     ("fixes", "eight under way of a person; the workers, one at a time of an invitation"),
     ("types", "eight under way of a person; the workers, one at a time of an invitation"),
+    ("told", "eight under way of a person; the workers, one at a time of an invitation; so many sentences"),
     ("tryExercise", "eight under way of a person; the workers, one at a time of an invitation, ended with who asks"),
     ("present", "nothing waits; people are told at their own pace"),
     ("callMe", "known in memory; written with others once in a while, apart from revoking"),
     ("runs", "answered at once, from memory"),
     ("recordings", "eight under way of a person; the threads for files, one at a time of an invitation"),
     ("marks", "as the recordings; a line of the file at a time, and as many marks as a recording may have"),
+    (
+        "lookBack",
+        "eight people; eight under way of a person; the analyses, one at a time of an invitation, each in a time",
+    ),
     ("watch", "answered at once; the newest is told at the link's own pace"),
     ("stop", "never bounded: it passes before all that"),
 ];
 
 #[test]
 fn nothing_that_a_viewer_may_ask_is_left_without_a_bound() {
-    let bounded: BTreeSet<&str> = BOUNDS.iter().map(|(name, _)| *name).collect();
-    let requests = requests();
-    let asked = requests.iter().filter(|(_, least)| *least == Role::Viewer);
-    assert_eq!(bounded, asked.filter_map(|(one, _)| one["is"].as_str()).collect());
+    let bounded: BTreeSet<String> = BOUNDS.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let asked = AnyRequest::TABLE.iter().filter(|row| row.role == Role::Viewer);
+    assert_eq!(bounded, asked.map(RequestRow::wire_name).collect());
 }
 
 /// Asks on two links in turn, so often that one person may not; how often it was not refused for that, and in what time.
-async fn flooded(browser: &Browser, request: &serde_json::Value) -> (u32, f64) {
+async fn flooded(browser: &Browser, request: &AnyRequest) -> (u32, f64) {
     const EACH: u32 = 300;
     let mut links = [browser.socket("Ben").await.unwrap(), browser.socket("Ben").await.unwrap()];
     let began = Instant::now();
     for _ in 0..EACH {
         for link in &mut links {
-            link.send(serde_json::from_value(request.clone()).unwrap()).await;
+            link.send(request.clone()).await;
         }
     }
     let mut done = 0;
     for link in &mut links {
         let mut left = EACH;
         while left > 0 {
-            let message = link.next().await.unwrap();
-            left -= u32::from(message.ask.is_some());
-            done += u32::from(message.ask.is_some() && message.reply != Reply::No { no: Refused::TooFast });
+            match link.next().await.unwrap() {
+                Message::Answer { .. } => (left, done) = (left - 1, done + 1),
+                Message::No { ask: Some(_), no } => (left, done) = (left - 1, done + u32::from(no != Refused::TooFast)),
+                _ => {}
+            }
         }
     }
     (done, began.elapsed().as_secs_f64())
@@ -118,14 +124,14 @@ async fn flooded(browser: &Browser, request: &serde_json::Value) -> (u32, f64) {
 async fn whatever_a_viewer_asks_counts_for_all_their_links_together() {
     let scene = Scene::open().await;
     // Not answered, not bounded, or a link that opens a program again and again and is cut off for that.
-    let apart = ["present", "stop", "open"];
+    let apart = ["Present", "Stop", "Open"];
     let asked = requests().into_iter().filter(|(_, least)| *least == Role::Viewer).map(|(one, _)| one);
-    for request in asked.filter(|one| !apart.contains(&one["is"].as_str().unwrap())) {
+    for request in asked.filter(|one| !apart.contains(&one.row().name)) {
         let (browser, _) = scene.guest(Role::Viewer).await;
         let flooded = tokio::time::timeout(PATIENCE, flooded(&browser, &request)).await;
-        let (done, seconds) = flooded.unwrap_or_else(|_| panic!("{request} is not answered"));
+        let (done, seconds) = flooded.unwrap_or_else(|_| panic!("{request:?} is not answered"));
         let most = 200.0 + 50.0 * seconds + 10.0;
-        assert!(f64::from(done) <= most, "{request}: {done} in {seconds} s");
+        assert!(f64::from(done) <= most, "{request:?}: {done} in {seconds} s");
     }
     scene.house.close().await;
 }

@@ -38,6 +38,7 @@ scenarios! {
     "Battery" battery: body;
     "Button" button: touching;
     "Tick" tick: body;
+    "TimeOfDay" time_of_day: body;
     "Tracker" tracker: moving;
     "SayInput" say_input: acting;
     "SayParameter" say_parameter: acting;

@@ -30,7 +30,8 @@ pub(super) fn group(title: &str, streams: &[&str]) -> Record {
 
 /// A pad with a tile of each kind; one stream is gone.
 pub(super) fn pad(label: &str) -> Record {
-    let tile = |label: &str, does| Tile { label: label.to_owned(), does };
+    let tile =
+        |label: &str, does| Tile { label: label.to_owned(), asks: matches!(does, TileAction::Hand { .. }), does };
     let params = [("text".to_owned(), "赤 \"x\"".into())].into();
     let tiles = [
         (1, tile(label, TileAction::Hand { device: "SayParameter".to_owned(), params, value: Value::Null })),

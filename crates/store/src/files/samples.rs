@@ -183,7 +183,7 @@ fn any_tile(at: usize) -> impl Strategy<Value = FileTile> {
         match at % 3 {
             0 => {
                 let params = Some(params).filter(|params: &Params| !params.is_empty());
-                FileTile { device: Some(name), params, value, ..plain }
+                FileTile { device: Some(name), params, value, asks: span.then_some(true), ..plain }
             }
             1 => FileTile { stream: Some(format!("s{at}")), value, ..plain },
             _ => FileTile { word: Some(name), span: span.then_some(true), ..plain },

@@ -105,7 +105,7 @@ proptest! {
 }
 
 /// The replacements that each break a file of one map, one sample and one note.
-const BREAKS: [(&str, &str); 35] = [
+const BREAKS: [(&str, &str); 36] = [
     ("rrp-behaviour/1", "rrp-behaviour/2"),
     ("\"name\": \"Whole\",", ""),
     ("\"name\": \"Whole\",", "\"name\": \"Whole\", \"colour\": 1,"),
@@ -138,6 +138,7 @@ const BREAKS: [(&str, &str); 35] = [
     ("\"stream\": \"a\", \"value\"", "\"stream\": \"no id\", \"value\""),
     ("\"value\": 7", "\"value\": 7, \"span\": true"),
     ("\"span\": true", "\"span\": 1"),
+    ("\"span\": true", "\"asks\": true"),
     ("\"order\": {\"a\": 0}", "\"order\": {\"a\": \"0\"}"),
     ("\"y\": 2.5", "\"y\": \"2.5\""),
     ("\"y\": 2.5", "\"y\": 2.5, \"z\": 0"),
@@ -159,7 +160,7 @@ const WHOLE: &str = r#"{
   ],
   "notes": [{"id": "n", "text": "t", "by": "Aiko", "at": 5}],
   "groups": [{"id": "g", "title": "G", "streams": ["a"], "folded": true}],
-  "pad": [{"key": 1, "label": "Hello", "device": "SayInput", "params": {"speed": 0.5}, "value": "hello"}, {"key": 2, "label": "Ball", "stream": "a", "value": 7}, {"key": 3, "label": "Smile", "word": "smiles", "span": true}],
+  "pad": [{"key": 1, "label": "Hello", "device": "SayInput", "params": {"speed": 0.5}, "value": "hello", "asks": true}, {"key": 2, "label": "Ball", "stream": "a", "value": 7}, {"key": 3, "label": "Smile", "word": "smiles", "span": true}],
   "order": {"a": 0},
   "layout": {"a": {"x": 1, "y": 2.5}}
 }"#;

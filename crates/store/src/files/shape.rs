@@ -306,7 +306,7 @@ impl ShapeReader<'_, '_> {
     }
 
     fn tile(&mut self, node: &FileNode) -> FileTile {
-        let fields = ShapeFields::of(self, node, "a tile", "key label device params stream value word span");
+        let fields = ShapeFields::of(self, node, "a tile", "key label device params stream value word span asks");
         let (key, stream) = (fields.count(self, "key"), fields.maybe_text(self, "stream"));
         stream.iter().for_each(|stream| self.check_id(fields.at("stream"), stream));
         let tile = FileTile {
@@ -318,6 +318,7 @@ impl ShapeReader<'_, '_> {
             value: fields.value(self, "value"),
             word: fields.maybe_text(self, "word"),
             span: fields.truth(self, "span").filter(|span| *span),
+            asks: fields.truth(self, "asks").filter(|asks| *asks),
         };
         for name in [&tile.label].into_iter().chain(&tile.device).chain(&tile.word) {
             self.check_name(node.at, name);
@@ -325,7 +326,9 @@ impl ShapeReader<'_, '_> {
         if !TILE_KEYS.contains(&tile.key) {
             self.fault(fields.at("key"), "A tile has a key from 1 to 9. Choose one.");
         }
-        if tile.action().is_none() {
+        if tile.word.is_some() && tile.asks.is_some() {
+            self.fault(fields.at("asks"), "A word is marked at once and cannot ask first. Leave that out.");
+        } else if tile.action().is_none() {
             let reason = "A tile is an action, a sense or a word. Keep one of them.";
             self.fault(node.at, reason);
         }

@@ -118,7 +118,7 @@ mod tests {
                 for other in &drawing.chips[at + 1..] {
                     let wide = super::shapes::chip_width(&one.label) + super::shapes::chip_width(&other.label);
                     let apart = (one.middle.0 - other.middle.0).abs() * 2.0 >= wide;
-                    let above = (one.middle.1 - other.middle.1).abs() >= super::layout::CHIP_HEIGHT;
+                    let above = (one.middle.1 - other.middle.1).abs() >= super::shapes::CHIP_HEIGHT;
                     assert!(apart || above, "{name}: {} {}", one.label, other.label);
                 }
             }
@@ -136,7 +136,7 @@ mod tests {
             }
             for (at, (one, a)) in drawing.streams.iter().enumerate() {
                 for (other, b) in &drawing.streams[at + 1..] {
-                    let apart = (a.0 - b.0).abs() * 2.0 >= super::layout::width(one) + super::layout::width(other);
+                    let apart = (a.0 - b.0).abs() * 2.0 >= super::shapes::width(one) + super::shapes::width(other);
                     assert!(
                         apart || (a.1 - b.1).abs() >= behaviour::layout::STREAM_HEIGHT,
                         "{name}: {} {}",

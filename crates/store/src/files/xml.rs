@@ -88,6 +88,7 @@ const TILE: &[KnownAttribute] = &[
     ("value", "value", AttributeReading::Text),
     ("word", "word", AttributeReading::Text),
     ("span", "span", AttributeReading::Truth),
+    ("asks", "asks", AttributeReading::Truth),
 ];
 const AT: &[KnownAttribute] = &[
     ("ref", "ref", AttributeReading::Text),

@@ -106,7 +106,7 @@ fn others() -> Vec<(RecordId, Record)> {
     let group = |streams, folded| Record::Group(Group { title: HOSTILE.to_owned(), streams, folded });
     let signed = Note { text: HOSTILE.to_owned(), by: HOSTILE.to_owned(), at_ms: u64::MAX };
     let does = TileAction::Word { word: HOSTILE.to_owned(), span: true };
-    let pad = Pad { tiles: [(1, Tile { label: HOSTILE.to_owned(), does })].into() };
+    let pad = Pad { tiles: [(1, Tile { label: HOSTILE.to_owned(), does, asks: false })].into() };
     let place = |x, y| Record::Place(Place { x, y });
     vec![
         (RecordId::settings(), Record::Settings(settings)),

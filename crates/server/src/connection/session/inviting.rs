@@ -1,29 +1,28 @@
-//! What who may invite asks about that.
+//! The requests about letting others in, which is kept before it counts.
 
-use super::ClientSession;
+use crate::connection::start::Starter;
 use crate::invitations::{Invited, Terms};
-use protocol::{Refused, Reply, Request};
-use std::sync::Arc;
+use crate::state::ServerState;
+use protocol::{Refused, answer, request};
 
-impl ClientSession {
-    /// Does what is asked about letting others in, which is kept before it counts.
-    pub(super) fn invitations(&self, ask: u32, request: Request) {
-        let (all, made_by) = (Arc::clone(&self.state().invitations), self.me.name.clone());
-        let robots = self.state().robots.clone();
-        let work = move || match request {
-            Request::Invite { role, lasts, label } => {
-                let Invited { invitation, link, qr, fingerprint } = all.make(Terms { role, lasts, label, made_by })?;
-                Ok(Reply::Invited { invitation: Box::new(invitation), link, qr, fingerprint })
-            }
-            Request::Revoke { invitation } => {
-                let revoked = all.revoke(&invitation);
-                // It holds at once, whether or not it could be written.
-                robots.revoked(&invitation);
-                revoked.map(|()| Reply::Done)
-            }
-            _ if !all.lets_in() => Err(Refused::NobodyComes),
-            _ => Ok(Reply::Invitations { invitations: all.list() }),
-        };
-        self.on_files(ask, work);
-    }
+pub(super) fn invite(state: &ServerState, who: &Starter, of: request::Invite) -> Result<answer::Invited, Refused> {
+    let terms = Terms { role: of.role, lasts: of.lasts, label: of.label, made_by: who.name.clone() };
+    let Invited { invitation, link, qr, fingerprint } = state.invitations.make(terms)?;
+    Ok(answer::Invited { invitation: Box::new(invitation), link, qr, fingerprint })
+}
+
+pub(super) fn invitations(
+    state: &ServerState,
+    _: &Starter,
+    _: request::Invitations,
+) -> Result<answer::Invitations, Refused> {
+    let all = &state.invitations;
+    if all.lets_in() { Ok(answer::Invitations { invitations: all.list() }) } else { Err(Refused::NobodyComes) }
+}
+
+/// Revokes an invitation. It holds at once, whether or not it could be written.
+pub(super) fn revoke(state: &ServerState, _: &Starter, of: request::Revoke) -> Result<(), Refused> {
+    let revoked = state.invitations.revoke(&of.invitation);
+    state.robots.revoked(&of.invitation);
+    revoked
 }

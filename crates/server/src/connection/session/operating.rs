@@ -1,45 +1,40 @@
-//! The requests of a client beside a robot: to pretend, to mark, to record, and about what was recorded.
+//! The requests of a client beside a robot: to pretend, to do something by hand, to mark.
 
 use super::ClientSession;
-use crate::robots::{ByHand, MarkPress, PressOutcome};
+use crate::robots::{ByHand, MarkPress, PressOutcome, Presser};
 use behaviour::{Id, Params, Value};
-use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, RecordingMark, Refused, Reply, Request};
+use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, MarkEdit, RecordingMark, Refused, Request, answer, request};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use uuid::Uuid;
 
 impl ClientSession {
-    /// Done at once, unless it waits for the disk.
-    pub(super) fn operate(&self, ask: u32, request: Request) {
-        let (robots, by) = (&self.state().robots, &self.me.name);
-        let done = match request {
-            Request::Stimulate { behaviour, robot, stream, value } => {
-                let done = robots.stimulate(&behaviour, robot.as_ref(), (&stream, &value), by);
-                let press =
-                    protocol::Press { pretended: true, ..self.pressed(robot, stream, Params::default(), value) };
-                self.connections.topics.pressed(with_outcome(press, &done));
+    pub(super) fn stimulate(&mut self, of: request::Stimulate) -> Result<(), Refused> {
+        let request::Stimulate { behaviour, robot, stream, value } = of;
+        let presser = Presser { by: &self.me.name, stops: self.stops };
+        let done = self.state().robots.stimulate(&behaviour, robot.as_ref(), (&stream, &value), presser);
+        let press = protocol::Press { pretended: true, ..self.pressed(robot, stream, Params::default(), value) };
+        self.connections.topics.pressed(with_outcome(press, &done));
+        done
+    }
+
+    pub(super) fn hand(&self, ask: u32, of: request::Hand) {
+        // A name that no action has makes no press that anybody could be shown.
+        let fits = recording::json(&of.params).len() <= HAND_MAX_BYTES;
+        let press = Id::new(&of.device)
+            .ok()
+            .filter(|_| fits)
+            .map(|what| self.pressed(of.robot.clone(), what, of.params.clone(), of.value.clone()));
+        let all = Arc::clone(&self.connections);
+        self.later(ask, of, move |state, who, of| {
+            let request::Hand { robot, device, params, value } = of;
+            let (host, hand) = (state.robots.meant(robot.as_ref()), ByHand { device, params, value, by: who.name });
+            async move {
+                let done = host?.hand(hand, who.stops).await;
+                press.into_iter().for_each(|press| all.topics.pressed(with_outcome(press, &done)));
                 done
             }
-            Request::Mark { .. } | Request::EditMark { .. } => return self.mark(ask, request),
-            Request::EndRecording { behaviour, robot } => robots.end_recording(&behaviour, robot.as_ref(), by),
-            Request::Hand { robot, device, params, value } => {
-                // A name that no action has makes no press that anybody could be shown.
-                let fits = recording::json(&params).len() <= HAND_MAX_BYTES;
-                let press = Id::new(&device)
-                    .ok()
-                    .filter(|_| fits)
-                    .map(|what| self.pressed(robot.clone(), what, params.clone(), value.clone()));
-                let (host, hand) = (robots.meant(robot.as_ref()), ByHand { device, params, value, by: by.clone() });
-                let all = Arc::clone(&self.connections);
-                return self.later(ask, async move {
-                    let done = host?.hand(hand).await;
-                    press.into_iter().for_each(|press| all.topics.pressed(with_outcome(press, &done)));
-                    done.map(|()| Reply::Done)
-                });
-            }
-            other => return self.on_recordings(ask, other),
-        };
-        self.done(ask, done);
+        });
     }
 
     /// Returns the press as everyone is told of it. A value that no action would take is not told: it is of no tile.
@@ -50,61 +45,53 @@ impl ClientSession {
         protocol::Press { robot, client, by, what, pretended: false, params, value, why: None }
     }
 
-    /// Marks at once. Only what comes after the end of its run waits for the disk.
-    fn mark(&self, ask: u32, request: Request) {
-        let (robots, by) = (&self.state().robots, &self.me.name);
-        let press = |ago_ms: u64| {
-            let now = Instant::now();
-            MarkPress { by, at: now.checked_sub(Duration::from_millis(ago_ms.min(AGO_MAX_MS))).unwrap_or(now) }
+    pub(super) fn mark(&mut self, ask: u32, of: request::Mark) {
+        let request::Mark { behaviour, robot, run, id, word, sort, span, note, ago_ms } = of.clone();
+        let id = id.unwrap_or_else(|| Id::from_uuid(Uuid::new_v4()));
+        let (until, by, at) = (None, String::new(), String::new());
+        let mark = RecordingMark { id, t: 0, until, word, sort, note, by, at, open: span, gone: false };
+        let (robots, press) = (&self.state().robots, self.mark_press(ago_ms.min(AGO_MAX_MS)));
+        let marked = match run {
+            Some(run) => robots.mark_in(run, &mark, press).map(|marked| vec![marked]),
+            None => robots.mark(&behaviour, robot.as_ref(), &mark, press),
         };
-        let marked = match request {
-            Request::Mark { behaviour, robot, run, id, word, sort, span, note, ago_ms } => {
-                let id = id.unwrap_or_else(|| Id::from_uuid(Uuid::new_v4()));
-                let (until, by, at) = (None, String::new(), String::new());
-                let mark = RecordingMark { id, t: 0, until, word, sort, note, by, at, open: span, gone: false };
-                match run {
-                    Some(run) => robots.mark_in(run, &mark, press(ago_ms)).map(|marked| vec![marked]),
-                    None => robots.mark(&behaviour, robot.as_ref(), &mark, press(ago_ms)),
-                }
-            }
-            Request::EditMark { run, id, edit, ago_ms } => {
-                robots.edit_mark(run, &id, &edit, press(ago_ms)).map(|marked| vec![marked])
-            }
-            _ => Err(Refused::NotRunning),
-        };
-        let answer = |PressOutcome { mark, kept, .. }| Reply::Marked { mark: Box::new(mark), kept };
-        match marked {
-            Ok(marked) if marked.iter().any(|one| one.later.is_some()) => {
-                let recordings = self.state().recordings.clone();
-                self.on_files(ask, move || {
-                    for PressOutcome { mark, later, .. } in &marked {
-                        later.iter().try_for_each(|file| recordings.put_mark(file, mark.clone(), &mark.by))?;
-                    }
-                    marked.into_iter().next().map(answer).ok_or(Refused::NotRunning)
-                });
-            }
-            done => {
-                let first = done.and_then(|marked| marked.into_iter().next().ok_or(Refused::NotRunning));
-                self.outbox.say(Some(ask), first.map_or_else(|no| Reply::No { no }, answer));
-            }
-        }
+        self.marked(ask, of, marked);
     }
 
-    /// The folder of the recordings, which may take its time.
-    fn on_recordings(&self, ask: u32, request: Request) {
-        let (state, by) = (self.state(), self.me.name.clone());
-        let (recordings, robots) = (state.recordings.clone(), state.robots.clone());
-        let done = |()| Reply::Done;
-        let work = move || match request {
-            Request::Record { behaviour, robot, session } => {
-                robots.record(&behaviour, robot.as_ref(), &by, &session).map(done)
-            }
-            Request::RemoveRecording { file } => recordings.remove(&file).map(done),
-            Request::Marks { file } => recordings.marks(&file).map(|marks| Reply::Marks { file, marks }),
-            Request::PutMark { file, mark } => recordings.change_mark(&file, *mark, &by).map(done),
-            _ => Ok(Reply::Recordings { recordings: recordings.list() }),
+    pub(super) fn edit_mark(&mut self, ask: u32, of: request::EditMark) {
+        // Taking back moves nothing in time: only whether it came soon after the mark counts, however long the link was lost.
+        let ago_ms = if of.edit == MarkEdit::Undo { of.ago_ms } else { of.ago_ms.min(AGO_MAX_MS) };
+        let press = self.mark_press(ago_ms);
+        let marked = self.state().robots.edit_mark(of.run, &of.id, &of.edit, press).map(|marked| vec![marked]);
+        self.marked(ask, of, marked);
+    }
+
+    fn mark_press(&self, ago_ms: u64) -> MarkPress<'_> {
+        let now = Instant::now();
+        let at = now.checked_sub(Duration::from_millis(ago_ms)).unwrap_or(now);
+        MarkPress { by: &self.me.name, client: &self.me.client, at }
+    }
+
+    /// Answers at once. Only what comes after the end of its run waits for the disk.
+    fn marked<R: Request<Answer = answer::Marked>>(
+        &mut self,
+        ask: u32,
+        of: R,
+        marked: Result<Vec<PressOutcome>, Refused>,
+    ) {
+        let first = |marked: Vec<PressOutcome>| {
+            let PressOutcome { mark, kept, .. } = marked.into_iter().next().ok_or(Refused::NotRunning)?;
+            Ok(answer::Marked { mark: Box::new(mark), kept })
         };
-        self.on_files(ask, work);
+        match marked {
+            Ok(marked) if marked.iter().any(|one| one.later.is_some()) => self.on_files(ask, of, move |state, _, _| {
+                for PressOutcome { mark, later, .. } in &marked {
+                    later.iter().try_for_each(|file| state.recordings.put_mark(file, mark.clone(), &mark.by))?;
+                }
+                first(marked)
+            }),
+            done => self.now(ask, of, |_, _| done.and_then(first)),
+        }
     }
 }
 

@@ -2,53 +2,62 @@
 
 use super::ClientSession;
 use crate::rooms::RoomCommand;
-use crate::rooms::member::AnswerTo;
 use crate::rooms::past::{PastRequest, RevertRequest, VersionNaming, WantedChange};
 use behaviour::{Id, LockToken};
-use protocol::{Refused, Request};
-use std::sync::Arc;
+use protocol::request;
 
 /// Of the places that a link has for what is under way: a page of history takes one, a behaviour as it was takes several.
 const AT_PLACES: u32 = 4;
 
 impl ClientSession {
-    pub(super) fn past(&mut self, ask: u32, request: Request) {
-        let (behaviour, past, answer) = match request {
-            Request::History { behaviour, before } => (behaviour, PastRequest::History(before), self.placed(ask, 1)),
-            Request::At { behaviour, revision } => (behaviour, PastRequest::At(revision), self.placed(ask, AT_PLACES)),
-            Request::GoBack { behaviour, revision, op, called, tokens } => {
-                (behaviour, self.wish(op, tokens, WantedChange::GoBack(revision, called)), self.placed(ask, AT_PLACES))
-            }
-            Request::TakeBack { behaviour, op, again, tokens } => {
-                let what = if again { WantedChange::Redo } else { WantedChange::Undo };
-                (behaviour, self.wish(op, tokens, what), Some(self.answer(ask)))
-            }
-            Request::BringBack { behaviour, revision, op, tokens } => {
-                (behaviour, self.wish(op, tokens, WantedChange::BringBack(revision)), Some(self.answer(ask)))
-            }
-            Request::NameVersion { behaviour, revision, name } => {
-                let naming = VersionNaming::Name { revision, name, by: self.me.name.clone() };
-                (behaviour, PastRequest::Name(naming), Some(self.answer(ask)))
-            }
-            Request::UnnameVersion { behaviour, name } => {
-                (behaviour, PastRequest::Name(VersionNaming::Unname(name)), Some(self.answer(ask)))
-            }
-            _ => return,
-        };
-        match answer {
-            Some(answer) => self.state().rooms.tell(&behaviour, RoomCommand::Past(past, answer)),
-            None => self.outbox.no(ask, Refused::TooFast),
+    fn tell_past(&self, behaviour: &Id, past: PastRequest) {
+        self.state().rooms.tell(behaviour, RoomCommand::Past(past));
+    }
+
+    pub(super) fn history(&self, ask: u32, of: &request::History) {
+        if let Some(answer) = self.placed(ask, 1, of) {
+            self.tell_past(&of.behaviour, PastRequest::History(of.before, answer));
         }
     }
 
-    /// Whoever sends it wants it, whatever they say.
-    fn wish(&self, op: Id, tokens: Vec<LockToken>, what: WantedChange) -> PastRequest {
-        PastRequest::Wish(RevertRequest { op, who: self.me.clone(), tokens, what })
+    pub(super) fn at(&self, ask: u32, of: &request::At) {
+        if let Some(answer) = self.placed(ask, AT_PLACES, of) {
+            self.tell_past(&of.behaviour, PastRequest::At(of.revision, answer));
+        }
     }
 
-    /// An answer that takes so many places until it is given; none if they are taken.
-    fn placed(&self, ask: u32, places: u32) -> Option<AnswerTo> {
-        let place = self.budget.begin(places)?;
-        Some(AnswerTo::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) })
+    pub(super) fn go_back(&self, ask: u32, of: request::GoBack) {
+        if let Some(answer) = self.placed(ask, AT_PLACES, &of) {
+            let wish = self.wish(of.op, of.tokens, WantedChange::GoBack(of.revision, of.called));
+            self.tell_past(&of.behaviour, PastRequest::Wish(wish, answer));
+        }
+    }
+
+    pub(super) fn take_back(&mut self, ask: u32, of: request::TakeBack) {
+        let answer = self.answer(ask, &of);
+        let what = if of.again { WantedChange::Redo } else { WantedChange::Undo };
+        self.tell_past(&of.behaviour, PastRequest::Wish(self.wish(of.op, of.tokens, what), answer));
+    }
+
+    pub(super) fn bring_back(&mut self, ask: u32, of: request::BringBack) {
+        let answer = self.answer(ask, &of);
+        let wish = self.wish(of.op, of.tokens, WantedChange::BringBack(of.revision));
+        self.tell_past(&of.behaviour, PastRequest::Wish(wish, answer));
+    }
+
+    pub(super) fn name_version(&mut self, ask: u32, of: request::NameVersion) {
+        let answer = self.answer(ask, &of);
+        let naming = VersionNaming::Name { revision: of.revision, name: of.name, by: self.me.name.clone() };
+        self.tell_past(&of.behaviour, PastRequest::Name(naming, answer));
+    }
+
+    pub(super) fn unname_version(&mut self, ask: u32, of: request::UnnameVersion) {
+        let answer = self.answer(ask, &of);
+        self.tell_past(&of.behaviour, PastRequest::Name(VersionNaming::Unname(of.name), answer));
+    }
+
+    /// Whoever sends it wants it, whatever they say.
+    fn wish(&self, op: Id, tokens: Vec<LockToken>, what: WantedChange) -> RevertRequest {
+        RevertRequest { op, who: self.me.clone(), tokens, what }
     }
 }

@@ -1,293 +1,121 @@
-//! What a client may ask, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
+//! The requests of a client, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
 
-use super::ClientSession;
+use super::{ClientSession, inviting, library, robots};
 use crate::connection::clients::tidy_name;
 use crate::connection::hints;
 use crate::connection::outbox::Out;
-use crate::connection::start::{self, Starter};
+use crate::connection::start;
+use crate::connection::told;
 use crate::invitations::{AskedOperation, Identified};
-use crate::library::create::{self, CreateRequest};
-use crate::library::thumbnails::{self, DrawingShare};
-use crate::library::trial::{self, ProcedureTrial, helpers_of};
-use crate::library::{bin, insight, list, rename};
 use crate::robots::real;
 use crate::rooms::member::AnswerTo;
-use crate::rooms::{BinRequest, LeaveReason, LockRequest, RoomCommand, Whereabouts};
-use crate::state::ServerState;
-use behaviour::{Change, Helper, Id, LockToken, Value};
-use futures_util::future::BoxFuture;
-use protocol::{RealRobot, Refused, Reply, Request};
-use robot::Control;
-use std::future::Future;
-use std::sync::Arc;
-use tokio_util::sync::CancellationToken;
+use crate::rooms::{BinRequest, JoinRequest, LeaveReason, LockRequest, RoomCommand, Whereabouts};
+use behaviour::{Change, Id};
+use protocol::{AnyRequest, Refused, Request, request};
 
 impl ClientSession {
     /// Does what is asked, if whoever asks may: the one way of every request of a socket.
-    pub(super) fn request(&mut self, ask: u32, request: Request) {
+    pub(super) fn request(&mut self, ask: u32, request: AnyRequest) {
         match self.entry.may(AskedOperation::Socket(&request)) {
             Ok(()) => self.allowed(ask, request),
             Err(no) => self.outbox.no(ask, no),
         }
     }
 
-    fn allowed(&mut self, ask: u32, request: Request) {
+    fn allowed(&mut self, ask: u32, request: AnyRequest) {
         match request {
-            Request::Hello { .. } => self.outbox.no(ask, Refused::Unreadable("the greeting came already".to_owned())),
-            Request::List { .. }
-            | Request::Pictures { .. }
-            | Request::WhereUsed { .. }
-            | Request::Drivers { .. }
-            | Request::Contested
-            | Request::Similar { .. }
-            | Request::Tags => self.look_up(ask, request),
-            Request::Create { behaviour, name, template } => self.create(ask, behaviour, name, template),
-            Request::Open { behaviour } => self.open(ask, behaviour),
-            Request::Leave => self.leave(ask),
-            Request::Remove { behaviour } => self.remove(ask, &behaviour),
-            Request::Restore { behaviour } => self.restore(ask, behaviour),
-            Request::Propose { behaviour, change, tokens } => self.propose(ask, &behaviour, change, tokens),
-            Request::RenameHelper { helper, seen, after } => self.rename_helper(ask, helper, *seen, *after),
-            Request::TakeBack { .. }
-            | Request::History { .. }
-            | Request::At { .. }
-            | Request::GoBack { .. }
-            | Request::BringBack { .. }
-            | Request::NameVersion { .. }
-            | Request::UnnameVersion { .. } => self.past(ask, request),
-            Request::Lock { behaviour, records } => self.locking(ask, &behaviour, |to| LockRequest::Take(records, to)),
-            Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| LockRequest::Release(token, to)),
-            Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| LockRequest::Touch(token)),
-            Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| LockRequest::Ask(record, to)),
-            Request::TakeOver { behaviour, record } => {
-                self.locking(ask, &behaviour, |to| LockRequest::TakeOver(record, to))
+            AnyRequest::Hello(_) => self.outbox.no(ask, Refused::Unreadable("the greeting came already".to_owned())),
+            AnyRequest::List(of) => self.look_up(ask, of, library::list),
+            AnyRequest::Pictures(of) => self.look_up(ask, of, library::pictures),
+            AnyRequest::WhereUsed(of) => self.look_up(ask, of, library::where_used),
+            AnyRequest::Drivers(of) => self.look_up(ask, of, library::drivers),
+            AnyRequest::Contested(of) => self.look_up(ask, of, library::contested),
+            AnyRequest::Similar(of) => self.look_up(ask, of, library::similar),
+            AnyRequest::Tags(of) => self.look_up(ask, of, library::tags),
+            AnyRequest::Create(of) => self.later(ask, of, library::create),
+            AnyRequest::Remove(of) => self.remove(ask, &of),
+            AnyRequest::Restore(of) => self.later(ask, of, library::restore),
+            AnyRequest::RenameHelper(of) => self.later(ask, of, library::rename_helper),
+            AnyRequest::Open(of) => self.open(ask, of),
+            AnyRequest::Leave(of) => self.now(ask, of, Self::leave),
+            AnyRequest::Propose(of) => self.propose(ask, of),
+            AnyRequest::Since(of) => self.since(ask, &of),
+            AnyRequest::TakeBack(of) => self.take_back(ask, of),
+            AnyRequest::History(of) => self.history(ask, &of),
+            AnyRequest::At(of) => self.at(ask, &of),
+            AnyRequest::GoBack(of) => self.go_back(ask, of),
+            AnyRequest::BringBack(of) => self.bring_back(ask, of),
+            AnyRequest::NameVersion(of) => self.name_version(ask, of),
+            AnyRequest::UnnameVersion(of) => self.unname_version(ask, of),
+            AnyRequest::Lock(of) => self.lock(ask, of, |of, to| (of.behaviour, LockRequest::Take(of.records, to))),
+            AnyRequest::Unlock(of) => self.lock(ask, of, |of, to| (of.behaviour, LockRequest::Release(of.token, to))),
+            AnyRequest::Typing(of) => self.lock(ask, of, |of, _| (of.behaviour, LockRequest::Touch(of.token))),
+            AnyRequest::AskFor(of) => self.lock(ask, of, |of, to| (of.behaviour, LockRequest::Ask(of.record, to))),
+            AnyRequest::TakeOver(of) => {
+                self.lock(ask, of, |of, to| (of.behaviour, LockRequest::TakeOver(of.record, to)))
             }
-            Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => self.invitations(ask, request),
-            Request::Withdraw { behaviour, record } => {
-                self.locking(ask, &behaviour, |to| LockRequest::Withdraw(record, to))
+            AnyRequest::Withdraw(of) => {
+                self.lock(ask, of, |of, to| (of.behaviour, LockRequest::Withdraw(of.record, to)))
             }
-            Request::HandOver { behaviour, token, yes } => {
-                self.locking(ask, &behaviour, |to| LockRequest::Reply(token, yes, to))
+            AnyRequest::HandOver(of) => {
+                self.lock(ask, of, |of, to| (of.behaviour, LockRequest::Reply(of.token, of.yes, to)));
             }
-            Request::Since { behaviour, revision } => self.since(ask, &behaviour, revision),
-            Request::Check { arguments, body, inputs } => self.check(ask, arguments, body, inputs),
-            Request::Fixes { .. } | Request::Types { .. } | Request::TryExercise { .. } => self.hints(ask, request),
-            Request::Present { pointer, selected, view } => {
-                self.tell_open(RoomCommand::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
-            }
-            Request::CallMe { name } => self.call_me(ask, &name),
-            Request::Start { behaviour, robot, record, session } => {
-                let (state, who) = (Arc::clone(self.state()), self.starter());
-                let recorded = (record, session);
-                self.later(ask, async move { start::start(&state, behaviour, robot, recorded, who).await });
-            }
-            Request::Apply { behaviour, robot } => {
-                let (state, who) = (Arc::clone(self.state()), self.starter());
-                self.later(ask, async move { start::apply(&state, behaviour, robot, who).await });
-            }
-            // Who reads the socket did it already, unless it was hidden in a large message.
-            Request::Stop { behaviour, robot } => {
-                self.state().robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.me.name);
-                self.outbox.say(Some(ask), Reply::Done);
-            }
-            Request::Stimulate { .. }
-            | Request::Hand { .. }
-            | Request::Mark { .. }
-            | Request::EditMark { .. }
-            | Request::Record { .. }
-            | Request::EndRecording { .. }
-            | Request::Recordings
-            | Request::RemoveRecording { .. }
-            | Request::Marks { .. }
-            | Request::PutMark { .. } => self.operate(ask, request),
-            Request::Runs => self.tell_runs(ask),
-            Request::Place { .. }
-            | Request::AddRobot { .. }
-            | Request::RenameRobot { .. }
-            | Request::ReachRobot { .. }
-            | Request::AcceptRobot { .. }
-            | Request::RemoveRobot { .. } => self.change_robots(ask, request),
-            Request::CheckRobot { real, robot } => self.check_robot(ask, *real, robot),
-            Request::FindRobots => self.later(ask, real::find()),
-            Request::ControlRobot { robot, control } => self.control(ask, &robot, control),
-            Request::Faces { robot } => self.faces(ask, &robot),
-            Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
-            Request::Watch { robot, scene, values } => {
-                self.outbox.put(Out::Watch { robot, scene, values });
-                self.outbox.say(Some(ask), Reply::Done);
-            }
+            AnyRequest::Check(of) => self.later(ask, of, library::check),
+            AnyRequest::Fixes(of) => self.later(ask, of, hints::fixes),
+            AnyRequest::Types(of) => self.later(ask, of, hints::types),
+            AnyRequest::Told(of) => self.later(ask, of, told::told),
+            AnyRequest::TryExercise(of) => self.later(ask, of, hints::try_exercise),
+            AnyRequest::Present(of) => self.present(of),
+            AnyRequest::CallMe(of) => self.now(ask, of, Self::call_me),
+            AnyRequest::Watch(of) => self.now(ask, of, Self::watch),
+            AnyRequest::Start(of) => self.later(ask, of, start::start),
+            AnyRequest::Apply(of) => self.later(ask, of, start::apply),
+            AnyRequest::Stop(of) => self.now(ask, of, Self::stop),
+            AnyRequest::Stimulate(of) => self.now(ask, of, Self::stimulate),
+            AnyRequest::Hand(of) => self.hand(ask, of),
+            AnyRequest::Mark(of) => self.mark(ask, of),
+            AnyRequest::EditMark(of) => self.edit_mark(ask, of),
+            AnyRequest::Runs(of) => self.now(ask, of, Self::runs),
+            AnyRequest::Place(of) => self.on_files(ask, of, robots::place),
+            AnyRequest::Record(of) => self.on_files(ask, of, robots::record),
+            AnyRequest::EndRecording(of) => self.now(ask, of, Self::end_recording),
+            AnyRequest::Recordings(of) => self.on_files(ask, of, robots::recordings),
+            AnyRequest::RemoveRecording(of) => self.on_files(ask, of, robots::remove_recording),
+            AnyRequest::Marks(of) => self.on_files(ask, of, robots::marks),
+            AnyRequest::PutMark(of) => self.on_files(ask, of, robots::put_mark),
+            AnyRequest::LookBack(of) => self.look_back(ask, of),
+            AnyRequest::AddRobot(of) => self.on_files(ask, of, robots::add),
+            AnyRequest::RenameRobot(of) => self.on_files(ask, of, robots::rename),
+            AnyRequest::ReachRobot(of) => self.on_files(ask, of, robots::reach),
+            AnyRequest::AcceptRobot(of) => self.on_files(ask, of, robots::accept),
+            AnyRequest::RemoveRobot(of) => self.on_files(ask, of, robots::remove),
+            AnyRequest::CheckRobot(of) => self.later(ask, of, robots::check),
+            AnyRequest::FindRobots(of) => self.later(ask, of, |_, _, _| real::find()),
+            AnyRequest::ControlRobot(of) => self.later(ask, of, robots::control),
+            AnyRequest::Faces(of) => self.now(ask, of, Self::faces),
+            AnyRequest::Scene(of) => self.state().robots.edit_scene(of.robot.as_ref(), of.edit),
+            AnyRequest::Invite(of) => self.on_files(ask, of, inviting::invite),
+            AnyRequest::Invitations(of) => self.on_files(ask, of, inviting::invitations),
+            AnyRequest::Revoke(of) => self.on_files(ask, of, inviting::revoke),
         }
     }
 
-    /// Answers with what changed since a revision, one answer of a connection at a time.
-    fn since(&self, ask: u32, behaviour: &Id, revision: u64) {
-        let Some(place) = self.budget.begin(1) else { return self.outbox.no(ask, Refused::TooFast) };
-        let answer = AnswerTo::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
-        self.state().rooms.tell(behaviour, RoomCommand::Since(revision, answer));
-    }
-
-    pub(super) fn state(&self) -> &Arc<ServerState> {
-        &self.connections.state
-    }
-
-    fn starter(&self) -> Starter {
-        Starter { name: self.me.name.clone(), sender: self.sender(), entry: self.entry.clone() }
-    }
-
-    /// Answers what was done at once, or not.
-    pub(super) fn done(&self, ask: u32, done: Result<(), Refused>) {
-        self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
-    }
-
-    pub(super) fn answer(&mut self, ask: u32) -> AnswerTo {
-        let held = self.weight.take().map(|weight| Box::new(weight) as Box<dyn Send + Sync>);
-        AnswerTo::Client { to: Arc::new(self.outbox.clone()), ask, held }
-    }
-
-    /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
-    pub(super) fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
-        self.later_boxed(ask, Box::pin(work));
-    }
-
-    fn later_boxed(&self, ask: u32, work: BoxFuture<'static, Result<Reply, Refused>>) {
-        let Some(place) = self.budget.begin(1) else { return self.outbox.no(ask, Refused::TooFast) };
-        let outbox = self.outbox.clone();
-        self.state().tasks.spawn(async move {
-            let reply = work.await.unwrap_or_else(|no| Reply::No { no });
-            outbox.say(Some(ask), reply);
-            drop(place);
-        });
-    }
-
-    /// What reads or writes files is done by the threads for that.
-    pub(super) fn on_files(&self, ask: u32, work: impl FnOnce() -> Result<Reply, Refused> + Send + 'static) {
-        let (files, sender) = (self.state().files.clone(), self.sender());
-        self.later(ask, async move { files.run(sender, |_| work()).await? });
-    }
-
-    /// What the store knows of all behaviours.
-    fn look_up(&self, ask: u32, request: Request) {
-        let (state, outbox) = (Arc::clone(self.state()), self.outbox.clone());
-        self.later(ask, async move {
-            let Some(_turn) = state.lookups.turn(&outbox.sender()).await else { return Err(Refused::TooFast) };
-            if outbox.is_gone() {
-                return Ok(Reply::Done);
-            }
-            match request {
-                Request::List { query } => list::list(&*state.store, query).await,
-                Request::Pictures { of } => {
-                    let (store, made, workers) = (&*state.store, &state.thumbnails, &state.workers);
-                    thumbnails::pictures(DrawingShare { store, made, workers, sender: outbox.sender() }, of).await
-                }
-                Request::WhereUsed { helper } => insight::where_used(&*state.store, &helper).await,
-                Request::Drivers { actuator } => insight::drivers(&*state.store, &actuator).await,
-                Request::Similar { behaviour } => insight::similar(&*state.store, &behaviour).await,
-                Request::Tags => list::tags(&*state.store).await,
-                _ => insight::contested(&*state.store).await,
-            }
-        });
-    }
-
-    fn tell_runs(&self, ask: u32) {
-        let runs = self.state().robots.runs().borrow().to_vec();
-        self.outbox.say(Some(ask), Reply::Runs { runs });
-    }
-
-    /// Who has a robot.
-    fn control(&self, ask: u32, robot: &Id, control: Control) {
-        let (host, by) = (self.state().robots.meant(Some(robot)), self.me.name.clone());
-        self.later(ask, async move { host?.control(control, &by).await.map(|()| Reply::Done) });
-    }
-
-    /// The names under which a robot remembers faces.
-    fn faces(&self, ask: u32, robot: &Id) {
-        let faces = self.state().robots.meant(Some(robot)).map(|host| Reply::Faces { faces: host.faces() });
-        self.outbox.say(Some(ask), faces.unwrap_or_else(|no| Reply::No { no }));
-    }
-
-    /// Whether a robot can be reached.
-    fn check_robot(&self, ask: u32, real: RealRobot, robot: Option<Id>) {
-        let robots = self.state().robots.clone();
-        self.later(ask, async move { real::check(&robots, &real, robot.as_ref()).await });
-    }
-
-    /// Which robots there are and who wins on them: kept before it counts, which may take its time.
-    fn change_robots(&self, ask: u32, request: Request) {
-        let robots = self.state().robots.clone();
-        let (entry, is_host) = (self.entry.clone(), self.entry.may(AskedOperation::LastRobot).is_ok());
-        let work = move || match request {
-            Request::AddRobot { robot, name, real } => robots.add(&robot, &name, real.map(|real| *real), is_host),
-            Request::RenameRobot { robot, name } => robots.rename(&robot, &name),
-            Request::ReachRobot { robot, real } => robots.reach(&robot, *real),
-            Request::AcceptRobot { robot, found } => robots.accept(&robot, &found),
-            Request::RemoveRobot { robot } if robots.is_real(&robot) => {
-                entry.may(AskedOperation::RemoveRealRobot).and_then(|()| robots.remove(&robot))
-            }
-            Request::RemoveRobot { robot } => robots.remove(&robot),
-            Request::Place { behaviour, robot, above } => {
-                robots.meant(robot.as_ref())?.place(&behaviour, above.as_ref())
-            }
-            _ => Ok(()),
-        };
-        self.on_files(ask, move || work().map(|()| Reply::Done));
-    }
-
-    /// Tries a procedure, among the other work.
-    fn check(&self, ask: u32, arguments: Vec<String>, body: String, inputs: Vec<Vec<Value>>) {
-        let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
-        let sender = self.sender();
-        let check = move |_: &CancellationToken| {
-            let all = snapshot.helpers();
-            let known = all.iter().map(|helper| helper.name.clone()).collect();
-            let helpers = helpers_of(&body, &all);
-            trial::check(&ProcedureTrial { arguments, body, inputs, helpers, known })
-        };
-        self.later(ask, async move { Ok(workers.run(sender, check).await?) });
-    }
-
-    /// What mends a problem, what streams carry, or whether a goal is reached: among the other work.
-    fn hints(&self, ask: u32, request: Request) {
-        let (state, sender) = (Arc::clone(self.state()), self.sender());
-        self.later(ask, async move {
-            match request {
-                Request::Fixes { behaviour, problem, seen } => {
-                    hints::fixes(&state, sender, &behaviour, (problem, seen)).await
-                }
-                Request::Types { behaviour, seen } => hints::types(&state, sender, &behaviour, seen).await,
-                Request::TryExercise { behaviour, exercise, answers } => {
-                    hints::try_exercise(&state, sender, &behaviour, &exercise, answers).await
-                }
-                _ => Ok(Reply::Done),
-            }
-        });
-    }
-
-    fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
-        let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
-        let wish = CreateRequest { behaviour, name, template, by, sender: self.sender() };
-        self.later(ask, async move { create::create(&state.library, wish).await });
-    }
-
-    fn rename_helper(&self, ask: u32, helper: Id, seen: Helper, after: Helper) {
-        let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
-        let wish = rename::RenameRequest { helper, seen, after, by, sender: self.sender() };
-        self.later(ask, async move { rename::rename(&state.library, wish).await });
-    }
-
-    fn open(&mut self, ask: u32, behaviour: Id) {
+    fn open(&mut self, ask: u32, of: request::Open) {
+        let answer = self.answer(ask, &of);
+        let behaviour = of.behaviour;
         if behaviour == *self.state().rooms.library() {
-            return self.outbox.no(ask, Refused::NoBehaviour);
+            return answer.no(Refused::NoBehaviour);
         }
         self.leave_open(LeaveReason::Chosen);
         self.outbox.put(Out::Want(Some(behaviour.clone())));
-        self.state().rooms.tell(&behaviour, RoomCommand::Join(self.member(), ask, None));
+        self.state().rooms.tell(&behaviour, RoomCommand::Join(self.member(), JoinRequest::Behaviour(answer)));
         self.open = Some(behaviour);
     }
 
-    fn leave(&mut self, ask: u32) {
+    fn leave(&mut self, _: request::Leave) -> Result<(), Refused> {
         self.leave_open(LeaveReason::Chosen);
         self.outbox.put(Out::Want(None));
-        self.outbox.say(Some(ask), Reply::Done);
+        Ok(())
     }
 
     fn tell_open(&self, note: RoomCommand) {
@@ -296,45 +124,57 @@ impl ClientSession {
         }
     }
 
-    /// What was done until now keeps the old name.
-    fn call_me(&mut self, ask: u32, name: &str) {
-        self.me.name = tidy_name(name);
+    fn present(&self, request::Present { pointer, selected, view }: request::Present) {
+        self.tell_open(RoomCommand::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
+    }
+
+    /// Gives this person another name; what was done until now keeps the old one.
+    fn call_me(&mut self, of: request::CallMe) -> Result<(), Refused> {
+        self.me.name = tidy_name(&of.name);
         self.tell_open(RoomCommand::Rename(self.outbox.session, self.me.name.clone()));
         if let Identified::Guest(guest) = &self.entry {
             self.state().invitations.call(guest, &self.me.name);
         }
-        self.outbox.say(Some(ask), Reply::Done);
+        Ok(())
     }
 
-    /// The author is who sends it, whatever the change says.
-    fn propose(&mut self, ask: u32, behaviour: &Id, change: Change, tokens: Vec<LockToken>) {
+    fn watch(&mut self, of: request::Watch) -> Result<(), Refused> {
+        self.outbox.put(Out::Watch { robot: of.robot, scene: of.scene, values: of.values });
+        Ok(())
+    }
+
+    /// Answers with what changed since a revision, one answer of a connection at a time.
+    fn since(&self, ask: u32, of: &request::Since) {
+        if let Some(answer) = self.placed(ask, 1, of) {
+            self.state().rooms.tell(&of.behaviour, RoomCommand::Since(of.revision, answer));
+        }
+    }
+
+    /// Proposes a change; its author is who sends it, whatever it says.
+    fn propose(&mut self, ask: u32, of: request::Propose) {
+        let answer = self.answer(ask, &of);
+        let request::Propose { behaviour, change, tokens } = of;
         let change = Change { author: self.me.name.clone(), by: Some(self.me.client.clone()), ..change };
-        let answer = self.answer(ask);
-        self.state().rooms.tell(behaviour, RoomCommand::Propose(change, tokens, answer));
+        self.state().rooms.tell(&behaviour, RoomCommand::Propose(change, tokens, answer));
     }
 
-    /// Locks are of the behaviour that is open.
-    fn locking(&mut self, ask: u32, behaviour: &Id, wish: impl FnOnce(AnswerTo) -> LockRequest) {
-        let locking = wish(self.answer(ask));
-        if self.open.as_ref() == Some(behaviour) {
-            self.state().rooms.tell(behaviour, RoomCommand::Locking(self.outbox.session, locking));
+    /// Asks something of the locks of a behaviour, which has to be the open one.
+    fn lock<R: Request>(&mut self, ask: u32, of: R, wish: impl FnOnce(R, AnswerTo<R::Answer>) -> (Id, LockRequest)) {
+        let answer = self.answer(ask, &of);
+        let (behaviour, locking) = wish(of, answer);
+        if self.open.as_ref() == Some(&behaviour) {
+            self.state().rooms.tell(&behaviour, RoomCommand::Locking(self.outbox.session, locking));
         } else {
             locking.refuse(Refused::NothingOpen);
         }
     }
 
-    fn remove(&mut self, ask: u32, behaviour: &Id) {
-        if *behaviour == *self.state().rooms.library() {
-            self.outbox.no(ask, Refused::NoBehaviour);
-        } else {
-            let by = BinRequest { client: self.me.client.clone(), name: self.me.name.clone() };
-            let answer = self.answer(ask);
-            self.state().rooms.tell(behaviour, RoomCommand::Remove(by, answer));
+    fn remove(&mut self, ask: u32, of: &request::Remove) {
+        let answer = self.answer(ask, of);
+        if of.behaviour == *self.state().rooms.library() {
+            return answer.no(Refused::NoBehaviour);
         }
-    }
-
-    fn restore(&self, ask: u32, behaviour: Id) {
-        let state = Arc::clone(self.state());
-        self.later(ask, async move { bin::restore(&state.library, &behaviour).await });
+        let by = BinRequest { client: self.me.client.clone(), name: self.me.name.clone() };
+        self.state().rooms.tell(&of.behaviour, RoomCommand::Remove(by, answer));
     }
 }

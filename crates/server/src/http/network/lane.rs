@@ -2,15 +2,13 @@
 //! them has a share of it: they are served in turn, and where there is no place the oldest of who has most gives way.
 
 use super::agreement::{Agreeing, Agreement};
-use super::sorter::{Arrival, Newcomer};
-use crate::http::accept::{SILENT_MAX, SILENT_MS, is_stop};
+use super::arrivals::{Arrival, Arrivals};
+use crate::http::accept::{SILENT_MS, is_stop};
 use crate::http::door::{EntryDoor, RequestArrival};
 use crate::http::known::{KnownBy, KnownPeople};
 use crate::http::line::{BegunConnection, ServedConnection};
 use crate::http::stop;
 use crate::robots::Robots;
-use crate::support::fair_places::FairPlaces;
-use crate::support::fair_queue::FairQueue;
 use crate::support::tasks::boxed;
 use std::io;
 use std::net::IpAddr;
@@ -20,32 +18,8 @@ use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite};
 use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
 
-/// Connections that wait to be looked at.
-const WAITING_MAX: usize = 256;
 /// What is read before anybody knows what somebody wants, in bytes.
 const FIRST_BYTES: usize = 1_024;
-
-/// Those who wait for a lane, and those with whom it is busy.
-pub(super) struct Arrivals {
-    waiting: FairQueue<Newcomer, (Newcomer, Arrival)>,
-    busy: Arc<FairPlaces<Newcomer>>,
-}
-
-impl Arrivals {
-    pub(super) fn new() -> Arc<Self> {
-        Arc::new(Self { waiting: FairQueue::of(WAITING_MAX), busy: FairPlaces::of(SILENT_MAX) })
-    }
-
-    /// Somebody comes. Who gives way for them is closed; whoever needs it comes again.
-    pub(super) fn push(&self, who: Newcomer, arrival: Arrival) {
-        drop(self.waiting.push(who, (who, arrival)));
-    }
-
-    /// Takes a place back.
-    pub(super) fn give_way(&self) {
-        self.busy.give_way();
-    }
-}
 
 /// What such a thread works with.
 pub(super) struct ThreadLane {

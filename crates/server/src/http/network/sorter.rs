@@ -3,8 +3,8 @@
 //! nothing it has a place among those of its kind; who is unknown takes none from who may be known.
 
 use super::agreement::Proof;
+use super::arrivals::{Arrival, Arrivals, Newcomer};
 use super::hello::Hello;
-use super::lane::Arrivals;
 use super::tickets::{TicketHolder, Tickets};
 use crate::http::accept::{REST_MS, SILENT_MS};
 use crate::http::door::EntryDoor;
@@ -30,24 +30,6 @@ const FIRST_BYTES: usize = 2 << 10;
 const HEAD_MAX_BYTES: usize = 8 << 10;
 /// Header lines in it.
 const LINES_MAX: usize = 64;
-
-/// Somebody who comes, as far as that can be told: those of one share.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Newcomer {
-    /// A device that proves that it is in, by the digest of its cookie.
-    Proven(Digest),
-    /// Somebody from an address from which a device came that is in.
-    Known(IpAddr),
-    /// Somebody from anywhere else.
-    Stranger(GuessSource),
-}
-
-/// A connection of which something was read.
-pub(super) struct Arrival {
-    pub(super) begun: BegunConnection<WakingSocket>,
-    pub(super) peer: IpAddr,
-    pub(super) proof: Option<Proof>,
-}
 
 /// Tells who comes, and knows the lane of each kind.
 pub(super) struct Sorter {

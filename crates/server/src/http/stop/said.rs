@@ -2,7 +2,7 @@
 
 use crate::http::come_in::BrowserLanguage;
 use crate::http::origin::NotAllowed;
-use axum::http::{HeaderMap, HeaderName, StatusCode, Uri, header};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 
 const PAGE: &str = include_str!("page.html");
@@ -14,6 +14,8 @@ pub(in crate::http) struct StopAnswer {
     pub(super) status: StatusCode,
     kind: &'static str,
     pub(super) body: String,
+    /// The number of the newest Stop, where it was one.
+    stops: Option<u64>,
 }
 
 impl StopAnswer {
@@ -25,16 +27,24 @@ impl StopAnswer {
             Ok(()) => ("application/json", "{\"stopped\":true}".to_owned()),
             Err(why) => ("text/plain; charset=utf-8", format!("Refused: {why}.\n")),
         };
-        Self { status, kind, body }
+        Self { status, kind, body, stops: None }
+    }
+
+    /// Tells the number of the newest Stop too, if this one was done.
+    pub(super) fn with_stops(self, newest: u64) -> Self {
+        Self { stops: (self.status == StatusCode::OK).then_some(newest), ..self }
     }
 
     /// The headers of this answer, besides those of every one.
-    pub(super) fn headers(&self) -> [(HeaderName, &'static str); 3] {
-        [
+    pub(super) fn headers(&self) -> HeaderMap {
+        let fixed = [
             (header::CONTENT_TYPE, self.kind),
             (header::CACHE_CONTROL, "no-store"),
             (header::VARY, "accept, accept-language"),
-        ]
+        ];
+        let fixed = fixed.map(|(name, value)| (name, HeaderValue::from_static(value)));
+        let stops = self.stops.map(|stops| (HeaderName::from_static(protocol::STOPS_HEADER), HeaderValue::from(stops)));
+        fixed.into_iter().chain(stops).collect()
     }
 }
 

@@ -32,7 +32,7 @@ async fn the_edited_behaviour_takes_over_with_the_same_run_and_the_same_devices(
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
     shows_until_told(&puppet, &run, 5).await;
     let (stops, opened) = (puppet.stops(), puppet.opened());
-    let next = robots.apply(edited(filtered("one", "ball > 3"), body("ball < 3"))).await.unwrap();
+    let next = robots.apply(edited(filtered("one", "ball > 3"), body("ball < 3")), None).await.unwrap();
     assert_eq!((next.run, next.revision, next.by.as_str()), (run.run, 5, "Aiko"));
     shows_until_told(&puppet, &run, 1).await;
     assert_eq!(state(&robots, &run), next);
@@ -47,20 +47,20 @@ async fn the_edited_behaviour_takes_over_with_the_same_run_and_the_same_devices(
 async fn a_refused_edit_leaves_what_runs_as_it_is() {
     let puppet = Puppet::default();
     let robots = puppet.robots(Limits::default);
-    let ended = robots.apply(filtered("one", "true")).await.unwrap_err();
+    let ended = robots.apply(filtered("one", "true"), None).await.unwrap_err();
     assert_eq!(ended.to_string(), "it does not run any more");
     assert_eq!(ended.not_applied(), Refused::NotRunning, "nobody is told that it goes on");
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
-    let bad = robots.apply(edited(filtered("one", "true"), body("ball >"))).await.unwrap_err().to_string();
+    let bad = robots.apply(edited(filtered("one", "true"), body("ball >")), None).await.unwrap_err().to_string();
     assert!(bad.contains("at character 7"), "{bad}");
     puppet.refuse("Tracker");
     let tracker = |file: &mut BehaviourFile| file.streams[2].device = Some("Tracker".to_owned());
-    let refused = robots.apply(edited(filtered("one", "true"), tracker)).await.unwrap_err();
+    let refused = robots.apply(edited(filtered("one", "true"), tracker), None).await.unwrap_err();
     assert_eq!(refused.to_string(), "“page”: this robot has no device called “Tracker”");
     assert_eq!(state(&robots, &run).revision, 1);
     shows_until_told(&puppet, &run, 5).await;
     assert_eq!(puppet.users(), [run.run].into());
-    let good = robots.apply(edited(filtered("one", "true"), body("ball < 3"))).await;
+    let good = robots.apply(edited(filtered("one", "true"), body("ball < 3")), None).await;
     assert_eq!(good.unwrap().revision, 5, "the next one may");
     shows_until_told(&puppet, &run, 2).await;
 }
@@ -100,7 +100,7 @@ async fn what_did_not_change_remembers_and_its_counts_go_on() {
         file.streams.rotate_left(2);
         assert_eq!(file.streams[0].kind, StreamKind::Actuator);
     });
-    robots.apply(more).await.unwrap();
+    robots.apply(more, None).await.unwrap();
     send("touch", 2);
     until("both actions", || puppet.told(run.run) == [11, 12, 12].map(Value::Int)).await;
     let count = |stream: &str| {
@@ -110,7 +110,7 @@ async fn what_did_not_change_remembers_and_its_counts_go_on() {
     until("the counts go on", || count("good") == Some(2) && count("more") == Some(1)).await;
     // With another procedure it begins anew.
     let other = edited(pair(), |file| file.connectors[0].body = Some("ball - touch".to_owned()));
-    robots.apply(other).await.unwrap();
+    robots.apply(other, None).await.unwrap();
     send("touch", 3);
     send("ball", 20);
     until("only with both inputs", || puppet.told(run.run) == [11, 12, 12, 17].map(Value::Int)).await;
@@ -125,7 +125,7 @@ async fn stop_wins_over_an_edit_that_is_being_applied() {
         let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
         let applying = tokio::spawn({
             let robots = robots.clone();
-            async move { robots.apply(edited(filtered("one", "true"), body("ball < 3"))).await }
+            async move { robots.apply(edited(filtered("one", "true"), body("ball < 3")), None).await }
         });
         if round % 2 == 0 {
             tokio::task::yield_now().await;

@@ -3,7 +3,7 @@
 use super::puppet::Puppet;
 use super::{id, until};
 use crate::robots::cancel_flag::CancelFlag;
-use crate::robots::command_queue::{OpeningRun, QueuedCommand, WantedDevice};
+use crate::robots::command_queue::{Controlling, OpeningRun, QueuedCommand, WantedDevice};
 use crate::robots::mailbox::RunMailbox;
 use crate::robots::order::RobotOrder;
 use crate::robots::refusal::StartError;
@@ -12,11 +12,12 @@ use crate::robots::shared::RobotShared;
 use crate::robots::status_feed::StatusFeed;
 use behaviour::{Params, Value};
 use engine::{Claim, StreamIx};
-use robot::Use;
+use robot::{Control, Use};
 use std::sync::mpsc::{Receiver, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+use tokio::sync::oneshot;
 
 /// Long after every test.
 const NEVER_S: u64 = 86_400;
@@ -91,6 +92,28 @@ async fn whoever_puts_something_in_the_queue_waits_for_no_step() {
     until("the robot holds", || still.puppet.log() == ["told 5", "told 6", "held"]).await;
     still.shared.queue.close(1);
     until("the devices are given back", || still.puppet.users().is_empty()).await;
+    still.ends().await;
+}
+
+#[tokio::test]
+async fn what_would_move_the_robot_is_void_after_a_stop_and_what_calms_it_is_not() {
+    let mut still = Still::new();
+    let ask = |control| {
+        let (answer, answered) = oneshot::channel();
+        let cancel = still.shared.cancel_flags.add(&still.shared.robot);
+        still.shared.queue.control(Controlling { control, cancel, answer });
+        answered
+    };
+    let (moves, calms) =
+        ([Control::Take, Control::WakeUp, Control::Stand, Control::Sit].map(ask), ask(Control::GiveBack));
+    // It comes while they wait for the robot's thread.
+    still.shared.stop_now(None, "Aiko");
+    still.begin();
+    for answered in moves {
+        assert!(answered.await.unwrap().unwrap_err().to_string().contains("Stop was pressed"));
+    }
+    assert!(calms.await.unwrap().is_ok());
+    assert_eq!(still.puppet.log(), ["held", "GiveBack"]);
     still.ends().await;
 }
 

@@ -17,7 +17,7 @@ fn by_hand(device: &str, value: Value) -> ByHand {
 }
 
 async fn why_not(robots: &Host, hand: ByHand) -> String {
-    robots.hand(hand).await.unwrap_err().to_string()
+    robots.hand(hand, None).await.unwrap_err().to_string()
 }
 
 #[tokio::test]
@@ -29,7 +29,7 @@ async fn a_hand_is_above_every_program_and_recorded_with_who_pressed() {
     let run = robots.start(recorded(head("one"))).await.unwrap();
     robots.stimulate(&id("one"), &id("ball"), Value::Int(1), "Ben").unwrap();
     until("the program holds the head", || puppet.told(run.run) == [Value::Int(1)]).await;
-    robots.hand(by_hand("Tracker", Value::text("here"))).await.unwrap();
+    robots.hand(by_hand("Tracker", Value::text("here")), None).await.unwrap();
     assert_eq!(puppet.told(0), [Value::text("here")], "it takes the head at once");
     until("the program is held", || {
         robots.stimulate(&id("one"), &id("ball"), Value::Int(2), "Ben").unwrap();
@@ -64,9 +64,9 @@ async fn a_hand_that_cannot_be_says_why() {
     let large = by_hand("Print", Value::text("x".repeat(HAND_MAX_BYTES)));
     assert_eq!(why_not(&robots, large).await, "That was not done: what it is told has more than 4096 bytes; say less.");
     assert!(puppet.told(0).is_empty());
-    robots.hand(by_hand("Print", Value::Int(7))).await.unwrap();
+    robots.hand(by_hand("Print", Value::Int(7)), None).await.unwrap();
     assert_eq!(puppet.told(0), [Value::Int(7)], "without any program");
-    let many = (0..64).map(|_| robots.hand(by_hand("Print", Value::Int(1))));
+    let many = (0..64).map(|_| robots.hand(by_hand("Print", Value::Int(1)), None));
     let answers = futures_util::future::join_all(many).await;
     assert!(answers.contains(&Err(Refused::TooFast)), "what may wait is bounded");
     assert!(answers.iter().any(Result::is_ok));

@@ -57,7 +57,7 @@ fn speaking(name: &str) -> StartOrder {
 
 #[tokio::test]
 async fn a_behaviour_speaks_on_while_its_neighbour_is_stopped() {
-    let robots = Robots::within(None, 1, Recordings::default()).unwrap();
+    let robots = Robots::within(None, (1, 0), Recordings::default()).unwrap();
     let nao = robots.meant(None).unwrap();
     nao.start(speaking("story")).await.unwrap();
     nao.start(speaking("other")).await.unwrap();

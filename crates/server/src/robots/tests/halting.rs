@@ -2,10 +2,10 @@
 
 use super::puppet::Puppet;
 use super::{filtered, id, phase, shows_until_told, stopped_by, until};
-use crate::robots::{Host, StartOrder};
+use crate::robots::{Host, MarkPress, StartOrder};
 use behaviour::Value;
 use engine::Limits;
-use protocol::{Refused, RunPhase, RunState};
+use protocol::{MarkEdit, MarkSort, RecordingMark, Refused, RunPhase, RunState};
 use robot::Control;
 
 #[tokio::test]
@@ -70,6 +70,77 @@ async fn what_the_robot_interrupts_goes_on_with_its_memory_unless_somebody_press
     // One that was stopped just before is not interrupted.
     assert!(robots.stop(Some(&id("one")), "Ben"));
     interrupted_late(&puppet, &robots, &third).await;
+}
+
+/// A behaviour that shows each time of day.
+fn clock(name: &str) -> StartOrder {
+    of_sense(name, "TimeOfDay")
+}
+
+/// A behaviour that shows each value of a sense.
+fn of_sense(name: &str, device: &str) -> StartOrder {
+    let start = filtered(name, "true");
+    let mut file = (*start.file).clone();
+    file.streams[0].device = Some(device.to_owned());
+    StartOrder { file: file.into(), ..start }
+}
+
+/// Has the robot sense this, until the run was told a later value.
+async fn senses(puppet: &Puppet, run: &RunState, values: [i64; 2]) -> Vec<Value> {
+    values.into_iter().for_each(|value| puppet.show_ball(Value::Int(value)));
+    until("the later one comes out", || puppet.told(run.run).contains(&Value::Int(values[1]))).await;
+    puppet.told(run.run)
+}
+
+#[tokio::test]
+async fn a_run_that_goes_on_hears_of_the_state_that_it_knows_no_second_time() {
+    let puppet = Puppet::default();
+    let robots = puppet.robots(Limits::default);
+    let first = robots.start(clock("one")).await.unwrap();
+    assert_eq!(senses(&puppet, &first, [539, 540]).await, [539, 540].map(Value::Int));
+    interrupts(&puppet, &robots, &first).await;
+    let second = robots.start(clock("one")).await.unwrap();
+    assert_eq!(senses(&puppet, &second, [540, 541]).await, [Value::Int(541)], "it is still the same minute");
+    // What somebody pretends is always meant.
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(541), "Ben").unwrap();
+    until("it comes out", || puppet.told(second.run) == [541, 541].map(Value::Int)).await;
+    assert!(robots.stop(None, "Ben"));
+    let third = robots.start(clock("one")).await.unwrap();
+    assert_eq!(senses(&puppet, &third, [541, 542]).await, [541, 542].map(Value::Int), "it began anew");
+}
+
+#[tokio::test]
+async fn a_low_battery_is_told_again_to_a_run_that_goes_on() {
+    let puppet = Puppet::default();
+    let robots = puppet.robots(Limits::default);
+    let first = robots.start(of_sense("one", "Battery")).await.unwrap();
+    assert!(senses(&puppet, &first, [5, 5]).await.ends_with(&[Value::Int(5)]));
+    interrupts(&puppet, &robots, &first).await;
+    // Nobody knows what the robot did for it.
+    let second = robots.start(of_sense("one", "Battery")).await.unwrap();
+    assert!(senses(&puppet, &second, [5, 5]).await.ends_with(&[Value::Int(5)]));
+}
+
+#[tokio::test]
+async fn a_mark_that_is_changed_while_the_robot_interrupts_goes_on_as_it_is_then() {
+    let (puppet, client) = (Puppet::default(), id("ben"));
+    let robots = puppet.robots(Limits::default);
+    let first = robots.start(distinct("one")).await.unwrap();
+    let press = || MarkPress { by: "Ben", client: &client, at: std::time::Instant::now() };
+    for name in ["smiles", "oops"] {
+        let [word, note, by, at] = [name.to_owned(), String::new(), String::new(), String::new()];
+        let (t, until, sort) = (0, None, MarkSort::Note);
+        let mark = RecordingMark { id: id(name), t, until, word, sort, note, by, at, open: false, gone: false };
+        robots.mark(&id("one"), mark, press()).unwrap();
+    }
+    interrupts(&puppet, &robots, &first).await;
+    for (name, edit) in [("smiles", MarkEdit::Sort(MarkSort::Good)), ("oops", MarkEdit::Undo)] {
+        robots.edit_mark(first.run, &id(name), edit, press()).unwrap().unwrap();
+    }
+    let second = robots.start(distinct("one")).await.unwrap();
+    let marks: Vec<_> =
+        robots.marks(second.run).unwrap().all().into_iter().map(|mark| (mark.word, mark.sort)).collect();
+    assert_eq!(marks, [("smiles".to_owned(), MarkSort::Good)]);
 }
 
 async fn interrupted_late(puppet: &Puppet, robots: &Host, run: &RunState) {

@@ -19,7 +19,7 @@ fn body(serial: &str) -> Identity {
 
 /// Blue and Green, whose bodies nobody knows yet.
 fn two(data: &Path) -> (Robots, [Id; 2]) {
-    let robots = Robots::within(Some(data), 1, Recordings::default()).unwrap();
+    let robots = Robots::within(Some(data), (1, 0), Recordings::default()).unwrap();
     let names = [("blue", "Blue"), ("green", "Green")];
     names.iter().for_each(|(robot, name)| robots.add(&id(robot), name, Some(nowhere(None)), true).unwrap());
     (robots, [id("blue"), id("green")])
@@ -53,7 +53,7 @@ async fn the_first_body_is_kept_and_one_body_is_one_robot() {
     until("it is the only one", || same_as(&robots, &green).is_none()).await;
     until("it is kept", || robots.known_as(&body("B1"), None).as_deref() == Some("Green")).await;
     robots.shut_down();
-    let again = Robots::within(Some(folder.path()), 1, Recordings::default()).unwrap();
+    let again = Robots::within(Some(folder.path()), (1, 0), Recordings::default()).unwrap();
     assert_eq!(again.known_as(&body("B1"), None).as_deref(), Some("Green"), "after a restart too");
     again.shut_down();
 }

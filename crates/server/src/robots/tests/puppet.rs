@@ -147,7 +147,7 @@ impl Robot for Puppet {
     }
 
     fn devices(&self) -> Vec<&'static str> {
-        vec!["RedBall", "Print"]
+        vec!["RedBall", "TimeOfDay", "Print"]
     }
 
     fn lacking(&self) -> Vec<Lacking> {

@@ -33,13 +33,13 @@ thread_local! {
 }
 
 /// The time of the test that runs on this thread.
-fn now() -> Instant {
+pub(super) fn now() -> Instant {
     let now = NOW.get().unwrap_or_else(Instant::now);
     NOW.set(Some(now));
     now
 }
 
-fn advance(ms: u64) {
+pub(super) fn advance(ms: u64) {
     NOW.set(Some(now() + Duration::from_millis(ms)));
 }
 
@@ -72,25 +72,27 @@ impl Dice {
 }
 
 /// One robot, what runs on it and where it is recorded.
-struct Course {
+pub(super) struct Course {
     dice: Dice,
-    shared: Arc<RobotShared>,
+    pub(super) shared: Arc<RobotShared>,
     recordings: Recordings,
-    file: Arc<BehaviourFile>,
+    pub(super) file: Arc<BehaviourFile>,
+    pub(super) session: RecordedSession,
     revision: u64,
-    runner: Option<(Runner<'static>, &'static RunJob, Arc<RunMailbox>)>,
+    pub(super) runner: Option<(Runner<'static>, &'static RunJob, Arc<RunMailbox>)>,
     follows: Option<(&'static RunJob, Receiver<RunHandover>)>,
 }
 
 impl Course {
-    fn of(seed: u64, recordings: Recordings) -> Self {
+    pub(super) fn of(seed: u64, recordings: Recordings) -> Self {
         let feed = Arc::new(StatusFeed::default());
         feed.add(RobotState::connecting(id("nao"), "NAO".to_owned()));
         let shared = Arc::new(RobotShared::new(id("nao"), feed, RobotOrder::default()));
         let mut all: Vec<BehaviourFile> = templates().iter().map(crate::library::templates::Template::file).collect();
         all.push((*filtered("fails", "100 / ball > 30").file).clone());
         let file = all.swap_remove(seed as usize % all.len()).into();
-        Self { dice: Dice(seed + 1), shared, recordings, file, revision: 1, runner: None, follows: None }
+        let (dice, session) = (Dice(seed + 1), RecordedSession::default());
+        Self { dice, shared, recordings, file, session, revision: 1, runner: None, follows: None }
     }
 
     fn job(&self, run: u64, cancel: &Arc<crate::robots::cancel_flag::CancelFlag>, record: bool) -> &'static RunJob {
@@ -99,7 +101,7 @@ impl Course {
             revision: self.revision,
             file: self.file.clone(),
             record,
-            session: RecordedSession::default(),
+            session: self.session.clone(),
             by: "Aiko".to_owned(),
             invitation: None,
         };
@@ -108,7 +110,7 @@ impl Course {
     }
 
     /// Starts, or goes on where the robot interrupted it.
-    fn start(&mut self, record: bool) {
+    pub(super) fn start(&mut self, record: bool) {
         let (run, cancel) = (self.shared.feed.next_run(), self.shared.cancel_flags.add(&id("b")));
         assert!(self.shared.table.lock().unwrap().announce(run, &id("b"), &cancel));
         let job = self.job(run, &cancel, record);
@@ -245,7 +247,7 @@ impl Course {
         self.start(record);
     }
 
-    fn end(&mut self) {
+    pub(super) fn end(&mut self) {
         let (runner, ..) = self.runner.take().unwrap();
         self.follows = None;
         runner.finish(None);
@@ -280,7 +282,7 @@ fn with_another_number(body: &str) -> String {
 }
 
 /// The texts of all recordings, once they are written.
-fn texts(recordings: &Recordings) -> Vec<String> {
+pub(super) fn texts(recordings: &Recordings) -> Vec<String> {
     let began = Instant::now();
     while recordings.is_writing() {
         assert!(began.elapsed().as_secs() < PATIENCE_S, "they are never written");

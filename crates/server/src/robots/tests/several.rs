@@ -11,7 +11,7 @@ const FIRST: &str = "simulated-nao";
 
 /// The first robot and Momo.
 fn two() -> (Robots, [Id; 2]) {
-    let robots = Robots::within(None, 1, Recordings::default()).unwrap();
+    let robots = Robots::within(None, (1, 0), Recordings::default()).unwrap();
     robots.add(&id("momo"), "Momo", None, true).unwrap();
     (robots, [id(FIRST), id("momo")])
 }
@@ -39,7 +39,8 @@ async fn one_behaviour_runs_on_two_robots_and_each_is_stopped_by_itself() {
     let two = start(&robots, "greeting", &momo).await;
     assert_eq!([&one.robot, &two.robot], [&first, &momo]);
     assert_ne!(one.run, two.run);
-    let tell = |on: Option<&Id>, value| robots.stimulate(&id("greeting"), on, (&id("ball"), &Value::Int(value)), "Ben");
+    let tell =
+        |on: Option<&Id>, value| robots.stimulate(&id("greeting"), on, (&id("ball"), &Value::Int(value)), "Ben".into());
     tell(Some(&momo), 7).unwrap();
     until("Momo prints", || printed(&robots, &momo) == "7").await;
     assert_eq!(printed(&robots, &first), "", "the other one heard nothing");
@@ -98,7 +99,7 @@ async fn a_robot_goes_only_when_nothing_runs_on_it() {
 #[tokio::test]
 async fn robots_are_there_again_after_a_restart_and_not_without_bound() {
     let folder = tempfile::tempdir().unwrap();
-    let within = || Robots::within(Some(folder.path()), 1, Recordings::default()).unwrap();
+    let within = || Robots::within(Some(folder.path()), (1, 0), Recordings::default()).unwrap();
     let robots = within();
     for (at, name) in ["Momo", "Momo", "Kiki"].into_iter().enumerate() {
         robots.add(&id(&format!("r{at}")), name, None, true).unwrap();

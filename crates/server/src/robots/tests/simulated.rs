@@ -9,7 +9,7 @@ use robot::{Health, SceneEdit};
 
 #[tokio::test]
 async fn a_green_ball_makes_the_eyes_green() {
-    let robots = Robots::within(None, 1, Recordings::default()).unwrap();
+    let robots = Robots::within(None, (1, 0), Recordings::default()).unwrap();
     let nao = robots.meant(None).unwrap();
     let file = templates()[0].file();
     let behaviour = Id::new("reflect").unwrap();

@@ -1,14 +1,14 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
-use super::making::{self, MadeChange};
-use super::saving::{self, Proposal, SaveOutcome, Saved};
+use super::making;
+use super::saving::{self, MadeChange, Proposal, SaveOutcome, Saved};
 use super::waiting::{SavingJob, is_small};
 use super::{RoomTask, Stay, naming};
 use crate::rooms::member::AnswerTo;
 use crate::support::store_call;
 use behaviour::{Change, Kind, Presented, Refusal};
 use futures_util::future::BoxFuture;
-use protocol::{Refused, Reply};
+use protocol::{Refused, answer};
 use std::future::Future;
 use std::sync::Arc;
 use tokio::time::Instant;
@@ -179,7 +179,7 @@ impl RoomTask {
                     self.answer_by = by;
                     self.start_change(Proposal { change, tokens, from });
                 }
-                Ok(MadeChange::Known(accepted)) => from.give(Reply::Accepted { behaviour: self.id.clone(), accepted }),
+                Ok(MadeChange::Known(accepted)) => from.give(answer::Saved { revision: accepted.revision }),
                 Err(no) => from.no(no),
             },
             Saved::Named { outcome, from } => self.named(outcome, from),
@@ -199,7 +199,7 @@ impl RoomTask {
             }
             Saved::CaughtUp(Ok(news)) => {
                 self.answer_by = by;
-                news.iter().for_each(|news| self.commit(news, None, None));
+                news.iter().for_each(|news| self.commit(news, None));
             }
             Saved::CaughtUp(Err(no)) => {
                 self.saving = SavingStage::Uncertain;
@@ -215,34 +215,19 @@ impl RoomTask {
         }
     }
 
-    /// Tells the news; who asked gets the answer once: with the news if they are here and it is among them.
-    fn conclude(&mut self, outcome: SaveOutcome, from: AnswerTo) {
+    /// Tells the news, then answers: who asked and is here has heard of the change when they hear that it is saved.
+    fn conclude(&mut self, outcome: SaveOutcome, from: AnswerTo<answer::Saved>) {
         let SaveOutcome { news, after, answer, .. } = outcome;
-        let here = from.session().filter(|session| self.members.contains_key(session));
-        let asked = if let (Some(session), AnswerTo::Client { ask, .. }) = (here, &from) {
-            Some((session, *ask))
-        } else {
-            None
-        };
-        let mut told = false;
-        for one in &news {
-            let mine = asked.filter(|_| answer.as_ref().is_ok_and(|mine| mine.revision == one.revision));
-            told |= mine.is_some();
-            self.commit(one, after.as_ref(), mine);
-        }
-        match answer {
-            Ok(_) if told => {}
-            Ok(accepted) => from.give(Reply::Accepted { behaviour: self.id.clone(), accepted }),
-            Err(no) => from.no(no),
-        }
+        news.iter().for_each(|one| self.commit(one, after.as_ref()));
+        from.end(answer.map(|accepted| answer::Saved { revision: accepted.revision }));
     }
 
-    fn removed(&mut self, by: &str, from: AnswerTo) {
+    fn removed(&mut self, by: &str, from: AnswerTo<()>) {
         tracing::info!(behaviour = %self.id, by, "a behaviour goes to the bin");
         self.stay = Stay::Gone;
         self.waiting.take_all().into_iter().for_each(|job| job.no(Refused::NoBehaviour));
         self.around.news.tell();
-        from.give(Reply::Done);
+        from.give(());
         self.tell_removed(by);
     }
 }

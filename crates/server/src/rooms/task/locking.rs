@@ -8,7 +8,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{
     Change, Denied, Grant, Held, Holder, Id, Kind, LockEvent, LockToken, Locks, Presented, RecordId, Refusal, Room,
 };
-use protocol::{LockShown, Refused, Reply};
+use protocol::{Event, LockShown, Refused, answer};
 use std::time::Duration;
 use tokio::sync::watch;
 use tokio::time::Instant;
@@ -47,7 +47,7 @@ impl ToldLocks {
             return;
         }
         let shown = locks.held().map(shown).collect();
-        let text = encode(None, Reply::Locks { behaviour: behaviour.clone(), locks: shown });
+        let text = encode(Event::Locks { behaviour: behaviour.clone(), locks: shown });
         let bytes = u64::try_from(text.len()).unwrap_or(u64::MAX);
         (self.version, self.next_ms) = (locks.version(), now_ms + bytes * 1_000 / TOLD_BYTES_PER_SECOND);
         self.text.send_replace(text);
@@ -135,7 +135,7 @@ impl LockBook {
     /// A client is there: what was kept for it is its own again.
     pub(super) fn came(&mut self, client: &Id, session: u64, link: &dyn Recipient) {
         for grant in self.locks.return_to(self.now_ms(), client, session) {
-            link.send(encode(None, Reply::Locked { grant }));
+            link.send(encode(Event::LockReturned { grant }));
         }
     }
 }
@@ -156,8 +156,8 @@ fn refused(denied: Denied, room: &Room) -> Refused {
 }
 
 /// The answer to who wanted a lock.
-fn locked(given: Result<Grant, Denied>, room: &Room) -> Reply {
-    given.map_or_else(|denied| Reply::No { no: refused(denied, room) }, |grant| Reply::Locked { grant })
+fn locked(given: Result<Grant, Denied>, room: &Room) -> Result<answer::Locked, Refused> {
+    given.map(|grant| answer::Locked { grant }).map_err(|denied| refused(denied, room))
 }
 
 impl RoomTask {
@@ -174,37 +174,37 @@ impl RoomTask {
             }
             LockRequest::Take(records, answer) => {
                 let taken = self.locks.locks.take(now_ms, holder, records);
-                answer.give(locked(taken, &self.room));
+                answer.end(locked(taken, &self.room));
             }
             LockRequest::TakeOver(record, answer) => {
                 let taken = self.locks.locks.take_over(now_ms, holder, record);
-                answer.give(locked(taken, &self.room));
+                answer.end(locked(taken, &self.room));
             }
             LockRequest::Release(token, answer) => {
                 self.locks.locks.release(now_ms, session, token);
-                answer.give(Reply::Done);
+                answer.give(());
             }
             LockRequest::Touch(token) => {
                 self.locks.locks.touch(now_ms, session, token);
             }
             LockRequest::Ask(record, answer) => {
                 let asked = self.locks.locks.ask(now_ms, holder, record);
-                answer.give(Reply::Asked { now_ms, asked });
+                answer.give(answer::Asked { now_ms, asked });
             }
             LockRequest::Withdraw(record, answer) => {
                 self.locks.locks.withdraw(now_ms, session, &record);
-                answer.give(Reply::Done);
+                answer.give(());
             }
             LockRequest::Reply(token, yes, answer) => self.hand_over(session, token, yes, answer),
         }
         self.tell_locks();
     }
 
-    fn hand_over(&mut self, session: u64, token: LockToken, yes: bool, answer: AnswerTo) {
+    fn hand_over(&mut self, session: u64, token: LockToken, yes: bool, answer: AnswerTo<()>) {
         let (now_ms, locks) = (self.locks.now_ms(), &mut self.locks.locks);
         let _had_ended_already =
             if yes { locks.say_yes(now_ms, session, token) } else { locks.say_not_yet(now_ms, session, token) };
-        answer.give(Reply::Done);
+        answer.give(());
     }
 
     fn holder(&self, session: u64) -> Option<Holder> {
@@ -218,7 +218,7 @@ impl RoomTask {
         for event in self.locks.locks.tick(now_ms) {
             if let Some(member) = self.members.get(&concerned(&event).session) {
                 let (behaviour, event) = (self.id.clone(), Box::new(event));
-                member.link.send(encode(None, Reply::LockNews { behaviour, now_ms, event }));
+                member.link.send(encode(Event::LockNews { behaviour, now_ms, event }));
             }
         }
         self.locks.told.tell(&self.id, &self.locks.locks, now_ms);

@@ -2,13 +2,13 @@
 //! then decided about like any other.
 
 use super::replay::{newest, one};
-use super::saving::{Saved, known};
+use super::saving::{MadeChange, Saved, known};
 use crate::rooms::Surroundings;
 use crate::rooms::member::AnswerTo;
 use crate::rooms::past::{RevertRequest, WantedChange, Was};
 use crate::support::identity::Sender;
-use behaviour::{Accepted, Change, Id, LockToken, NAME_MAX_CHARS, Refusal, Room, UndoLog, what_went};
-use protocol::{Person, Refused};
+use behaviour::{Change, Id, NAME_MAX_CHARS, Refusal, Room, UndoLog, what_went};
+use protocol::{Person, Refused, answer};
 use std::sync::Arc;
 
 /// The newest changes that undo reads.
@@ -18,21 +18,13 @@ const UNDO_MAX_BYTES: usize = 2 << 20;
 /// What going back may change at once, in bytes of all that it takes and puts.
 const GO_BACK_MAX_BYTES: usize = 1 << 20;
 
-/// What came of a wish.
-pub(super) enum MadeChange {
-    /// A change to decide about, with the tokens of who wants it.
-    New(Change, Vec<LockToken>),
-    /// It was made before.
-    Known(Accepted),
-}
-
 /// Makes the change that somebody wishes.
 pub(super) async fn make(
     around: Arc<Surroundings>,
     id: Id,
     room: Arc<Room>,
     wish: RevertRequest,
-    from: AnswerTo,
+    from: AnswerTo<answer::Saved>,
 ) -> Saved {
     let outcome = match known(&around, &id, &room, &wish.op).await {
         Ok(None) => new(&around, &id, room, wish, &from).await,
@@ -53,7 +45,7 @@ async fn new(
     id: &Id,
     room: Arc<Room>,
     wish: RevertRequest,
-    from: &AnswerTo,
+    from: &AnswerTo<answer::Saved>,
 ) -> Result<MadeChange, Refused> {
     let RevertRequest { op, who, tokens, what } = wish;
     let (sender, mine) = (from.sender(), who.clone());

@@ -2,14 +2,14 @@
 
 use super::change_log::page;
 use super::{RoomTask, Stay};
-use crate::rooms::member::{AnswerTo, Member, WholeBehaviour};
+use crate::rooms::member::{AnswerTo, Member};
 use crate::rooms::shown::ShownBehaviour;
-use crate::rooms::{Entering, LeaveReason, Whereabouts};
+use crate::rooms::{Entering, JoinRequest, LeaveReason, Whereabouts};
 use crate::support::identity::ShareGroup;
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
-use protocol::{CANVAS_MAX, CanvasArea, Person, Refused, Reply};
+use protocol::{CANVAS_MAX, CanvasArea, Event, Person, Refused, answer};
 use std::sync::Arc;
 
 /// Who missed more changes than this opens again.
@@ -19,30 +19,33 @@ const FETCHED_MAX_CHANGES: u64 = 32;
 
 impl RoomTask {
     /// The answer goes into the member's queue here, so that no change can come before it.
-    pub(super) fn join(&mut self, member: Member, ask: u32, entering: Option<Entering>) {
+    pub(super) fn join(&mut self, member: Member, joining: JoinRequest) {
         if self.stay == Stay::Gone {
-            return member.link.send(encode(Some(ask), Reply::No { no: Refused::NoBehaviour }));
-        }
-        if let Some(entering) = entering {
-            let to = member.link.person().group();
-            member.link.send_whole(ask, self.welcome(&member.person, entering, &to));
+            return joining.refuse(Refused::NoBehaviour);
         }
         let (session, link) = (member.link.session(), Arc::clone(&member.link));
-        let client = member.person.client.clone();
+        let (you, to) = (member.person.clone(), link.person().group());
         self.members.insert(session, member);
-        if !self.is_library() {
-            link.send_whole(ask, self.opened(&link.person().group()));
-            self.tell_people();
-            link.follow(Box::new(self.feed()));
-            self.locks.came(&client, session, link.as_ref());
+        match joining {
+            JoinRequest::Server(entering, answer) => {
+                let shown = self.shown(&to);
+                answer.show(self.welcome(you, entering), shown);
+            }
+            JoinRequest::Behaviour(answer) => {
+                let shown = self.shown(&to);
+                answer.show(self.opened(), shown);
+                self.tell_people();
+                link.follow(Box::new(self.feed()));
+                self.locks.came(&you.client, session, link.as_ref());
+            }
         }
     }
 
-    fn welcome(&mut self, you: &Person, Entering { secret, role }: Entering, to: &ShareGroup) -> WholeBehaviour {
-        let reply = Reply::Welcome {
+    fn welcome(&self, you: Person, Entering { secret, role, stops }: Entering) -> answer::Welcome {
+        answer::Welcome {
             version: protocol::VERSION,
             epoch: self.around.epoch,
-            you: you.clone(),
+            you,
             role,
             secret,
             library: Box::default(),
@@ -50,8 +53,8 @@ impl RoomTask {
             library_revision: self.room.revision(),
             templates: self.around.templates.clone(),
             exercises: self.around.exercises.clone(),
-        };
-        WholeBehaviour { reply, shown: self.shown(to) }
+            stops,
+        }
     }
 
     /// The room as it is now, for who opens it.
@@ -61,8 +64,8 @@ impl RoomTask {
         shown
     }
 
-    fn opened(&mut self, to: &ShareGroup) -> WholeBehaviour {
-        let reply = Reply::Opened {
+    fn opened(&self) -> answer::Opened {
+        answer::Opened {
             behaviour: self.id.clone(),
             revision: self.room.revision(),
             records: Box::default(),
@@ -70,8 +73,7 @@ impl RoomTask {
             problems: self.found.problems.clone(),
             fingerprint: self.found.fingerprint,
             people: self.people(),
-        };
-        WholeBehaviour { reply, shown: self.shown(to) }
+        }
     }
 
     pub(super) fn leave(&mut self, session: u64, parting: LeaveReason) {
@@ -112,17 +114,17 @@ impl RoomTask {
     }
 
     fn tell_people(&self) {
-        let reply = Reply::People { behaviour: self.id.clone(), people: self.people() };
-        self.people_text.send_replace(encode(None, reply));
+        let event = Event::People { behaviour: self.id.clone(), people: self.people() };
+        self.people_text.send_replace(encode(event));
     }
 
     /// The first of the changes that somebody missed: from memory, else from the store.
-    pub(super) fn since(&mut self, revision: u64, answer: AnswerTo) {
+    pub(super) fn since(&mut self, revision: u64, answer: AnswerTo<answer::Newer>) {
         let here = self.room.revision();
         let wanted = here.saturating_sub(revision);
         if wanted > MISSED_MAX_CHANGES && !self.is_library() {
-            let whole = self.opened(&answer.group());
-            return answer.show(whole);
+            let shown = self.shown(&answer.group());
+            return answer.show(answer::Newer::Opened(self.opened()), shown);
         }
         let (store, id) = (Arc::clone(&self.around.store), self.id.clone());
         let at_hand = if wanted == 0 { Some(Vec::new()) } else { self.log.since(revision) };
@@ -146,7 +148,7 @@ impl RoomTask {
 
     /// Everyone is told that it is gone, and leaves.
     pub(super) fn tell_removed(&mut self, by: &str) {
-        let text = encode(None, Reply::Removed { behaviour: self.id.clone(), by: by.to_owned() });
+        let text = encode(Event::Removed { behaviour: self.id.clone(), by: by.to_owned() });
         for member in std::mem::take(&mut self.members).into_values() {
             member.link.unfollow(self.id.clone());
             member.link.send(text.clone());
@@ -164,7 +166,7 @@ fn is_seen(view: &CanvasArea) -> bool {
 }
 
 /// The answer to who missed some changes, when the newest revision is `here`.
-fn missed(behaviour: Id, changes: Vec<Accepted>, here: u64) -> Reply {
+fn missed(behaviour: Id, changes: Vec<Accepted>, here: u64) -> answer::Newer {
     let more = changes.last().is_some_and(|last| last.revision < here);
-    Reply::Missed { behaviour, changes, more }
+    answer::Newer::Missed(answer::Missed { behaviour, changes, more })
 }

@@ -10,7 +10,7 @@ use crate::support::now_ms;
 use crate::support::store_call::{bounded, store_no};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Checkpoint, Checkpoints, Id, Refusal};
-use protocol::{Refused, Reply};
+use protocol::{Event, Refused};
 use std::sync::Arc;
 use store::{Store, StoreError};
 
@@ -26,7 +26,7 @@ pub(super) async fn name(
     id: Id,
     newest: u64,
     naming: VersionNaming,
-    from: AnswerTo,
+    from: AnswerTo<()>,
 ) -> Saved {
     let outcome = named(&around, &id, newest, naming).await;
     Saved::Named { outcome, from }
@@ -80,17 +80,17 @@ fn away(around: &Surroundings, error: &StoreError) -> Refused {
 
 /// What everyone in the room is told.
 pub(super) fn text(behaviour: &Id, versions: &Checkpoints) -> Utf8Bytes {
-    encode(None, Reply::Versions { behaviour: behaviour.clone(), versions: versions.all().to_vec() })
+    encode(Event::Versions { behaviour: behaviour.clone(), versions: versions.all().to_vec() })
 }
 
 impl RoomTask {
     /// The store answered.
-    pub(super) fn named(&mut self, outcome: Result<Checkpoints, Refused>, from: AnswerTo) {
+    pub(super) fn named(&mut self, outcome: Result<Checkpoints, Refused>, from: AnswerTo<()>) {
         match outcome {
             Ok(versions) => {
                 self.versions = versions;
                 self.versions_text.send_replace(text(&self.id, &self.versions));
-                from.give(Reply::Done);
+                from.give(());
             }
             Err(no) => from.no(no),
         }

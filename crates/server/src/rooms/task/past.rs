@@ -4,11 +4,12 @@ use super::making::label;
 use super::replay::{PAGE_MAX_CHANGES, page, replay};
 use super::waiting::SavingJob;
 use super::{RoomTask, Stay};
-use crate::rooms::member::{AnswerTo, WholeBehaviour};
+use crate::rooms::member::AnswerTo;
 use crate::rooms::past::{PastRequest, RevertRequest, WantedChange, Was};
+use crate::rooms::shown::ShownBehaviour;
 use crate::rooms::{RoomCommand, Surroundings};
 use behaviour::{Id, Room, without_unseen};
-use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, Reply};
+use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, answer};
 use std::sync::{Arc, Weak};
 
 /// The lines of one page of a history, in bytes; a longer one is alone.
@@ -16,14 +17,17 @@ const LINES_MAX_BYTES: usize = 128 << 10;
 
 impl RoomTask {
     /// Does what somebody wants of the past.
-    pub(super) fn past(&mut self, past: PastRequest, answer: AnswerTo) {
+    pub(super) fn past(&mut self, past: PastRequest) {
         if self.stay == Stay::Gone {
-            return answer.no(Refused::NoBehaviour);
+            return past.refuse(Refused::NoBehaviour);
         }
         match past {
-            PastRequest::History(before) => self.history(before, answer),
-            PastRequest::At(revision) => self.at(revision, answer),
-            PastRequest::Wish(RevertRequest { op, who, tokens, what: WantedChange::GoBack(revision, called) }) => {
+            PastRequest::History(before, answer) => self.history(before, answer),
+            PastRequest::At(revision, answer) => self.at(revision, answer),
+            PastRequest::Wish(
+                RevertRequest { op, who, tokens, what: WantedChange::GoBack(revision, called) },
+                answer,
+            ) => {
                 let label = self.back_to(revision, &called);
                 self.find_was(
                     revision,
@@ -32,13 +36,13 @@ impl RoomTask {
                     answer,
                 );
             }
-            PastRequest::Wish(wish) => self.wait(SavingJob::Make(wish, answer)),
-            PastRequest::Name(_) if self.is_library() => answer.no(Refused::NoBehaviour),
-            PastRequest::Name(naming) => self.wait(SavingJob::Name(naming, answer)),
+            PastRequest::Wish(wish, answer) => self.wait(SavingJob::Make(wish, answer)),
+            PastRequest::Name(_, answer) if self.is_library() => answer.no(Refused::NoBehaviour),
+            PastRequest::Name(naming, answer) => self.wait(SavingJob::Name(naming, answer)),
         }
     }
 
-    fn history(&self, before: Option<u64>, answer: AnswerTo) {
+    fn history(&self, before: Option<u64>, answer: AnswerTo<answer::History>) {
         let (around, id, now) = (Arc::clone(&self.around), self.id.clone(), self.room.revision());
         let to = before.map_or(now, |before| now.min(before.saturating_sub(1)));
         self.around.tasks.spawn(async move {
@@ -47,14 +51,14 @@ impl RoomTask {
                 return;
             }
             match lines(&around, &id, to).await {
-                Ok((lines, more)) => answer.give(Reply::History { behaviour: id, lines, more }),
+                Ok((lines, more)) => answer.give(answer::History { behaviour: id, lines, more }),
                 Err(no) => answer.no(no),
             }
         });
     }
 
     /// One after the other: each takes as much memory as the behaviour until it is shown.
-    fn at(&self, revision: u64, answer: AnswerTo) {
+    fn at(&self, revision: u64, answer: AnswerTo<answer::At>) {
         let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
         self.around.tasks.spawn(async move {
             let Some(_turn) = around.replays.turn(&answer.sender()).await else { return answer.no(Refused::TooFast) };
@@ -62,7 +66,7 @@ impl RoomTask {
                 return;
             }
             match at(&around, &id, room, revision, &answer).await {
-                Ok(whole) => answer.show(whole),
+                Ok((at, shown)) => answer.show(at, shown),
                 Err(no) => answer.no(no),
             }
         });
@@ -74,7 +78,7 @@ impl RoomTask {
         revision: u64,
         label: String,
         wish: impl FnOnce(Box<Was>) -> RevertRequest + Send + 'static,
-        answer: AnswerTo,
+        answer: AnswerTo<answer::Saved>,
     ) {
         let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
         let rooms = self.rooms.clone();
@@ -83,7 +87,7 @@ impl RoomTask {
             match replay(&around, &id, room, revision, &answer.sender(), || answer.is_unwanted()).await {
                 Ok(behaviour) => {
                     let was = Box::new(Was { behaviour, label, _turn: Some(turn) });
-                    rooms.tell(&id, RoomCommand::Past(PastRequest::Wish(wish(was)), answer));
+                    rooms.tell(&id, RoomCommand::Past(PastRequest::Wish(wish(was), answer)));
                 }
                 Err(no) => answer.no(no),
             }
@@ -107,13 +111,13 @@ async fn at(
     id: &Id,
     room: Arc<Room>,
     revision: u64,
-    answer: &AnswerTo,
-) -> Result<WholeBehaviour, Refused> {
+    answer: &AnswerTo<answer::At>,
+) -> Result<(answer::At, Arc<ShownBehaviour>), Refused> {
     let sender = answer.sender();
     let was = replay(around, id, room, revision, &sender, || answer.is_unwanted()).await?;
     let room = around.workers.run(sender, move |_| Arc::new(Room::open(was, revision))).await?;
-    let reply = Reply::At { behaviour: id.clone(), revision, records: Box::default(), more: false };
-    Ok(WholeBehaviour { reply, shown: around.past_shown.show(&room, &Weak::new(), &answer.group()) })
+    let at = answer::At { behaviour: id.clone(), revision, records: Box::default(), more: false };
+    Ok((at, around.past_shown.show(&room, &Weak::new(), &answer.group())))
 }
 
 /// A page of lines up to a revision, newest first, and whether there are older ones.

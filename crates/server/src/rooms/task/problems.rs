@@ -7,7 +7,7 @@ use crate::support::message::encode;
 use crate::support::workers::WorkNotDone;
 use behaviour::{BehaviourFile, Problem};
 use futures_util::future::BoxFuture;
-use protocol::Reply;
+use protocol::Event;
 use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
 
@@ -86,8 +86,8 @@ impl RoomTask {
             Ok(found) => {
                 let FoundProblems { revision, problems, fingerprint } = found.clone();
                 self.found = found;
-                let reply = Reply::Problems { behaviour: self.id.clone(), revision, problems, fingerprint };
-                self.problems_text.send_replace(encode(None, reply));
+                let event = Event::Problems { behaviour: self.id.clone(), revision, problems, fingerprint };
+                self.problems_text.send_replace(encode(event));
             }
             // When it is the turn of something else, it is tried again.
             Err(WorkNotDone::TooMuch) => self.finding.mark_due(),

@@ -3,7 +3,6 @@
 //! Moves, notes and groups that wait together are decided one after another, each as if those before it were saved, and saved
 //! in one transaction. The first that cannot be saved is settled alone, and those after it are decided again.
 
-use super::making::MadeChange;
 use crate::rooms::Surroundings;
 use crate::rooms::member::AnswerTo;
 use crate::support::store_call::{bounded, reason, store_no};
@@ -11,7 +10,7 @@ use crate::support::workers::WorkNotDone;
 use behaviour::{
     Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, LockToken, Record, Refusal, Room,
 };
-use protocol::Refused;
+use protocol::{Refused, answer};
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use store::{Append, StoreError};
@@ -20,6 +19,14 @@ use store::{Append, StoreError};
 const MISSED_MAX_CHANGES: u32 = 10_000;
 /// How often a change is decided about while other servers are quicker.
 const TRIES: usize = 8;
+
+/// What came of a wish.
+pub(super) enum MadeChange {
+    /// A change to decide about, with the tokens of who wants it.
+    New(Change, Vec<LockToken>),
+    /// It was made before.
+    Known(Accepted),
+}
 
 /// What came of a job.
 pub(super) enum Saved {
@@ -30,21 +37,21 @@ pub(super) enum Saved {
         /// What came of it.
         outcome: SaveOutcome,
         /// Who asked.
-        from: AnswerTo,
+        from: AnswerTo<answer::Saved>,
     },
     /// A change was made out of what was.
     Made {
         /// What came of it.
         outcome: Box<Result<MadeChange, Refused>>,
         /// Who asked.
-        from: AnswerTo,
+        from: AnswerTo<answer::Saved>,
     },
     /// The store was asked to keep the name of a version, or to let it go.
     Named {
         /// All names now.
         outcome: Result<Checkpoints, Refused>,
         /// Who asked.
-        from: AnswerTo,
+        from: AnswerTo<()>,
     },
     /// The store was asked to keep several changes.
     Together {
@@ -60,7 +67,7 @@ pub(super) enum Saved {
         /// Whether it did.
         outcome: Result<(), Refused>,
         /// Who asked.
-        from: AnswerTo,
+        from: AnswerTo<()>,
         /// Who said so.
         by: String,
     },
@@ -70,7 +77,7 @@ pub(super) enum Saved {
 pub(super) struct Proposal {
     pub(super) change: Change,
     pub(super) tokens: Vec<LockToken>,
-    pub(super) from: AnswerTo,
+    pub(super) from: AnswerTo<answer::Saved>,
 }
 
 /// What came of keeping a change.
@@ -258,7 +265,7 @@ pub(super) async fn refuse(
     id: Id,
     change: Change,
     locked: Refusal,
-    from: AnswerTo,
+    from: AnswerTo<answer::Saved>,
 ) -> Saved {
     let op = change.op.clone();
     let outcome = SaveOutcome::nothing(settle(&around, &id, change, locked).await);
@@ -392,7 +399,7 @@ pub(super) async fn catch_up(around: Arc<Surroundings>, id: Id, revision: u64) -
 }
 
 /// Moves the behaviour to the bin.
-pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: AnswerTo) -> Saved {
+pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: AnswerTo<()>) -> Saved {
     let outcome = if (around.is_running)(&id) {
         Err(Refused::Running)
     } else {

@@ -6,7 +6,7 @@ use crate::rooms::member::AnswerTo;
 use crate::rooms::past::{RevertRequest, VersionNaming};
 use crate::support::identity::{Sender, ShareGroup};
 use behaviour::{Change, Edit, Kind};
-use protocol::Refused;
+use protocol::{Refused, answer};
 use std::collections::{HashMap, VecDeque};
 
 /// Jobs that may wait in one room.
@@ -24,28 +24,26 @@ pub(super) enum SavingJob {
     /// A change.
     Save(Proposal),
     /// A change that has to be made first, out of what was.
-    Make(RevertRequest, AnswerTo),
+    Make(RevertRequest, AnswerTo<answer::Saved>),
     /// A version gets a name, or loses it.
-    Name(VersionNaming, AnswerTo),
+    Name(VersionNaming, AnswerTo<()>),
     /// The behaviour goes to the bin; with who says so.
-    Remove(BinRequest, AnswerTo),
+    Remove(BinRequest, AnswerTo<()>),
 }
 
 impl SavingJob {
     /// For whom it is done.
     pub(super) fn sender(&self) -> Sender {
         match self {
-            Self::Save(Proposal { from, .. }) | Self::Make(_, from) | Self::Name(_, from) | Self::Remove(_, from) => {
-                from.sender()
-            }
+            Self::Save(Proposal { from, .. }) | Self::Make(_, from) => from.sender(),
+            Self::Name(_, from) | Self::Remove(_, from) => from.sender(),
         }
     }
 
     pub(super) fn no(self, no: Refused) {
         match self {
-            Self::Save(Proposal { from, .. }) | Self::Make(_, from) | Self::Name(_, from) | Self::Remove(_, from) => {
-                from.no(no)
-            }
+            Self::Save(Proposal { from, .. }) | Self::Make(_, from) => from.no(no),
+            Self::Name(_, from) | Self::Remove(_, from) => from.no(no),
         }
     }
 }
@@ -162,7 +160,7 @@ mod tests {
         fn unfollow(&self, _: Id) {}
     }
 
-    fn answer(session: u64) -> AnswerTo {
+    fn answer<A>(session: u64) -> AnswerTo<A> {
         AnswerTo::Client { to: Arc::new(Silent(session, guest("a", &session.to_string()))), ask: 1, held: None }
     }
 
@@ -188,11 +186,14 @@ mod tests {
         }
         assert_eq!(ops, ["move", "note"], "then it is the turn of a connector");
         let rest: Vec<_> = waiting.take_all().iter().map(SavingJob::sender).collect();
-        assert_eq!((rest, waiting.is_empty()), ([1, 2, 2].map(|session| answer(session).sender()).to_vec(), true));
+        assert_eq!(
+            (rest, waiting.is_empty()),
+            ([1, 2, 2].map(|session| answer::<()>(session).sender()).to_vec(), true)
+        );
     }
 
     fn put(waiting: &mut WaitingJobs, session: u64, by: &str) -> bool {
-        let has_room = waiting.has_room(&answer(session).sender());
+        let has_room = waiting.has_room(&answer::<()>(session).sender());
         if has_room {
             let by = BinRequest { client: Id::new("client").unwrap(), name: by.to_owned() };
             waiting.put(SavingJob::Remove(by, answer(session)));
@@ -206,7 +207,7 @@ mod tests {
         let mine = (0..2 * WAITING_PER_SENDER_MAX_JOBS).filter(|_| put(&mut waiting, 1, "Ben")).count();
         assert!(mine == WAITING_PER_SENDER_MAX_JOBS && put(&mut waiting, 2, "Aiko"));
         let mut next = || waiting.take().map(|job| job.sender());
-        assert_eq!([next(), next(), next()], [1, 2, 1].map(|session| Some(answer(session).sender())));
+        assert_eq!([next(), next(), next()], [1, 2, 1].map(|session| Some(answer::<()>(session).sender())));
         let others = (3..9).map(|session| (0..500).filter(|_| put(&mut waiting, session, "Ben")).count());
         assert!(others.sum::<usize>() <= WAITING_PER_GROUP_MAX_JOBS, "of one invitation");
     }

@@ -120,3 +120,23 @@ pub(super) fn tick() {
     bench.wait(760);
     assert_eq!(bench.values("tick"), [1, 2, 3, 4].map(Value::Int));
 }
+
+pub(super) fn time_of_day() {
+    let mut bench = Bench::new();
+    bench.open("time", "TimeOfDay", &[]);
+    let at = |minutes| robot::time_of_day(minutes);
+    let wait = |bench: &mut Bench, tens: u32| (0..tens).for_each(|_| bench.wait(10_000));
+    wait(&mut bench, 5);
+    assert_eq!(bench.values("time"), [at(8 * 60)], "told at first");
+    wait(&mut bench, 2);
+    assert_eq!(bench.values("time"), [at(8 * 60 + 1)], "and at every new minute");
+    bench.edit(&SceneEdit::PassTime { minutes: 59 });
+    bench.wait(100);
+    assert_eq!(bench.values("time"), [at(9 * 60)]);
+    bench.edit(&SceneEdit::PassTime { minutes: 15 * 60 });
+    bench.wait(100);
+    assert_eq!(bench.values("time"), [at(0)], "midnight begins a day");
+    bench.edit(&SceneEdit::Reset);
+    bench.wait(100);
+    assert_eq!(bench.values("time"), [at(8 * 60 + 1)], "robot time goes on");
+}

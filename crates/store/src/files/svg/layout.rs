@@ -1,12 +1,10 @@
 //! The places in the drawing: as people placed things; what has no place stands in layers, values flowing down.
 
-use super::shapes::{chip_width, one_line, wide};
+use super::shapes::{CHIP_HEIGHT, SvgArea, SvgPoint, chip_width, one_line, wide, width};
 use behaviour::layout::{LEVEL, LaidOut, STREAM_HEIGHT as HEIGHT, arranged};
 use behaviour::{BehaviourFile, FileConnector, FileGroup, FileNote, FileStream, Lasting, Place, StreamKind};
 use std::collections::{HashMap, HashSet};
 
-/// The height of a connector's label.
-pub(super) const CHIP_HEIGHT: f64 = 28.0;
 /// The proportions in which a picture is shown, about as large as a stage.
 const SHOWN: (f64, f64) = (960.0, 600.0);
 /// Between two streams in a layer, and around the whole drawing.
@@ -18,12 +16,6 @@ const FRAME_TITLE: f64 = 28.0;
 const FAR: f64 = 1e6;
 /// The longest label of a connector, in characters.
 const LABEL_MAX_CHARS: usize = 60;
-
-/// A point: to the right, downwards.
-pub(super) type SvgPoint = (f64, f64);
-
-/// Left, top, width and height.
-pub(super) type SvgArea = (f64, f64, f64, f64);
 
 /// A connector's label on its way.
 pub(super) struct Chip<'f> {
@@ -105,11 +97,6 @@ fn frame(group: &FileGroup, streams: &[(&FileStream, SvgPoint)]) -> Option<SvgAr
     let (left, top, width, height) = around(&members.map(|(stream, top)| area(stream, *top)).collect::<Vec<_>>())?;
     let wide = (width + 2.0 * FRAME).max(wide(&one_line(&group.title), 13.0) + 2.0 * FRAME);
     Some((left - FRAME, top - FRAME - FRAME_TITLE, wide, height + 2.0 * FRAME + FRAME_TITLE))
-}
-
-/// The width of a stream's shape, by its name.
-pub(super) fn width(stream: &FileStream) -> f64 {
-    (wide(&one_line(&stream.name), 15.0) + 40.0).max(120.0)
 }
 
 /// Names a connector: `map (distance)`, `sample (every 1 second)`.

@@ -1,9 +1,17 @@
 //! The shapes of the drawing, in the colours of the light theme.
 
-use super::layout::{CHIP_HEIGHT, SvgArea, SvgPoint, width};
 use crate::files::xml::{cannot_hold, in_element};
 use behaviour::layout::STREAM_HEIGHT as HEIGHT;
 use behaviour::{FileGroup, FileNote, FileStream, StreamKind};
+
+/// The height of a connector's label.
+pub(super) const CHIP_HEIGHT: f64 = 28.0;
+
+/// A point: to the right, downwards.
+pub(super) type SvgPoint = (f64, f64);
+
+/// Left, top, width and height.
+pub(super) type SvgArea = (f64, f64, f64, f64);
 
 /// The ground, and what stands on it; all pairs have the contrast of the page.
 pub(super) const PAPER: &str = "#f6f7f4";
@@ -130,4 +138,9 @@ pub(super) fn note(note: &FileNote, (x, y): SvgPoint) -> String {
     format!(
         "<g><rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{NOTE}\"/>{lines}</g>"
     )
+}
+
+/// The width of a stream's shape, by its name.
+pub(super) fn width(stream: &FileStream) -> f64 {
+    (wide(&one_line(&stream.name), 15.0) + 40.0).max(120.0)
 }

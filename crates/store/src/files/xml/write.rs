@@ -129,6 +129,7 @@ fn tile_lines(tile: &FileTile) -> Vec<String> {
     let mark = mark.maybe("device", tile.device.clone()).maybe("stream", tile.stream.clone());
     let mark = mark.maybe("value", tile.value.as_ref().map(spaced)).maybe("word", tile.word.clone());
     let mark = mark.maybe("span", tile.span.map(|span| span.to_string()));
+    let mark = mark.maybe("asks", tile.asks.map(|asks| asks.to_string()));
     let inside: Vec<String> = tile.params.iter().flatten().map(|(name, value)| param(name, value)).collect();
     around(mark, "tile", inside)
 }

@@ -1,7 +1,7 @@
 //! Joints: their angles twenty times a second, and moving one of them or a group.
 
 use super::{Beat, DeviceParams, Sense, SimulatedAct, SimulatedDevice, SimulatedDriver, float, number};
-use crate::body::ArmSide;
+use crate::model::ArmSide;
 use crate::model::{arm_motors_and_hand, motor};
 use crate::nao::SimulatedNao;
 use behaviour::Value;

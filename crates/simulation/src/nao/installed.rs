@@ -1,6 +1,6 @@
 //! Names that are installed on the simulated robot: a few of its own, so that everything can be tried without a robot.
 
-use crate::devices::{BEHAVIORS, paths};
+use crate::nao::devices::{BEHAVIORS, paths};
 use robot::Installed;
 use std::sync::{Arc, OnceLock};
 

@@ -1,7 +1,7 @@
 //! The work of the trackers: who asked to follow what, with which part of the body, and until when.
 
-use crate::body::ArmSide;
 use crate::hash::{RunningHash, digest_use};
+use crate::model::ArmSide;
 use robot::{TrackMode, TrackTarget, Use};
 
 /// A tracker follows for so long after a value, in milliseconds.

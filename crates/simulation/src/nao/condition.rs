@@ -1,8 +1,8 @@
 //! The condition of the robot, who has it, and why everything ends.
 
-use crate::devices::{PostureKind, face};
 use crate::hash::RunningHash;
 use crate::nao::SimulatedNao;
+use crate::nao::devices::{PostureKind, face};
 use robot::{Condition, Control, Life, RobotFault};
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Which shoulder angles point an almost straight arm at a place.
 
-use crate::body::ArmSide;
 use crate::math::{Vector, across};
+use crate::model::ArmSide;
 use crate::model::arm_motors;
 use crate::servo::Servo;
 

@@ -1,7 +1,7 @@
 //! Speaking: a short queue, and a log of what was said.
 
-use crate::devices::Voice;
 use crate::hash::{RunningHash, digest_use};
+use crate::nao::devices::Voice;
 use robot::{Millis, RobotFault, Use};
 use std::collections::VecDeque;
 

@@ -22,6 +22,7 @@ mod sonar;
 mod sound;
 mod sound_located;
 mod tick;
+mod time_of_day;
 mod touch;
 mod tracker;
 mod voice;
@@ -38,6 +39,7 @@ pub(crate) use lights::Lights;
 pub(crate) use posture::{Going, PostureKind};
 pub use sound::PlayedSound;
 pub(crate) use sound::Sounds;
+pub(crate) use time_of_day::RoomClock;
 pub(crate) use touch::Pads;
 pub(crate) use tracker::{FollowingBody, PointingArm};
 pub(crate) use voice::Voice;
@@ -86,6 +88,7 @@ const ALL: &[SimulatedDriver] = &[
     sound::DRIVER,
     sound_located::DRIVER,
     tick::DRIVER,
+    time_of_day::DRIVER,
     touch::HAND,
     touch::HEAD,
     tracker::DRIVER,
@@ -172,7 +175,7 @@ pub(crate) fn open(name: &str, given: &Params) -> Result<SimulatedDevice, RobotF
     let kinds = [StreamKind::Sensor, StreamKind::Actuator];
     let known = kinds.into_iter().find_map(|kind| robot::device(kind, name).ok()).ok_or_else(none)?;
     known.check(given)?;
-    known.check_installed(given, &crate::installed::installed())?;
+    known.check_installed(given, &crate::nao::installed::installed())?;
     (driver.open)(&DeviceParams(with_defaults(known.params, given)))
         .ok_or_else(|| RobotFault::Unusable(name.to_owned()))
 }

@@ -6,8 +6,8 @@ mod pointing;
 pub(crate) use follow::{FollowingBody, PointingArm};
 
 use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
-use crate::body::ArmSide;
 use crate::math::{Vector, across};
+use crate::model::ArmSide;
 use crate::model::{HEAD_PITCH, HEAD_YAW, arm_motors};
 use crate::nao::SimulatedNao;
 use crate::servo::STEP_S;

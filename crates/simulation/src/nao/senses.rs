@@ -1,8 +1,8 @@
 //! The open senses: when each is due, and what it gives.
 
-use crate::devices::{Beat, Sense};
 use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
+use crate::nao::devices::{Beat, Sense};
 use robot::{Millis, Reading, Use};
 use std::collections::BTreeMap;
 
