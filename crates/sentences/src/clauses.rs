@@ -43,11 +43,27 @@ const fn clause(
 }
 
 const FELT: &[(&str, &str)] = &[("release", "no")];
-const BOTH: &[(&str, &str)] = &[("release", "yes")];
+pub(crate) const BOTH: &[(&str, &str)] = &[("release", "yes")];
 const TOUCHED: &[ClausePart] = &[ClausePart::Truth("", true)];
 const LET_GO: &[ClausePart] = &[ClausePart::Truth("", false)];
 const HELD: &[ClausePart] = &[ClausePart::Quiet, ClausePart::Truth("", true)];
 const QUIET: &[ClausePart] = &[ClausePart::Quiet];
+
+/// A touch that goes on, as a step: by its rule and that of its opposite, the sense that feels it.
+pub(crate) const TOUCHES: &[(&str, &str, &str)] = &[
+    ("touch.while", "touch.unless", "HeadTouch"),
+    ("hand.while", "hand.unless", "HandTouch"),
+    ("bumper.while", "bumper.unless", "Bumper"),
+];
+
+/// The least and the greatest value of a sense, or of one of its fields: the end of the sonars is at 2.55 m, and no camera
+/// sees anybody beyond 20 m.
+pub(crate) const RANGES: &[(&str, &str, (f64, f64))] = &[
+    ("Battery", "", (0.0, 100.0)),
+    ("Sonar", "", (0.0, 2.55)),
+    ("People", "count", (0.0, f64::INFINITY)),
+    ("People", "distance", (0.0, 20.0)),
+];
 
 /// What is told of senses. Clauses with more connectors come before those of the same sense with fewer.
 pub(crate) const SENSES: &[Clause] = &[
@@ -95,8 +111,10 @@ pub(crate) const SENSES: &[Clause] = &[
     clause("fall.falls", "Fall", FELT, &[]),
     clause("fall.both", "Fall", BOTH, &[]),
     clause("battery.told", "Battery", &[], &[]),
+    clause("button.quiet", "Button", &[], QUIET),
     clause("button.pressed", "Button", &[], &[]),
     clause("tick.ticks", "Tick", &[], &[]),
+    clause("time.told", "TimeOfDay", &[], &[]),
 ];
 
 /// What a test of a sense is about: `{subject} is nearer than 40 cm`. The text is the field; of a ball without a field,
@@ -112,6 +130,8 @@ pub(crate) const SUBJECTS: &[(&str, &str, &str)] = &[
     ("subject.joint", "JointPosition", ""),
     ("subject.posture", "PostureChanged", ""),
     ("subject.tick", "Tick", ""),
+    ("subject.clock", "TimeOfDay", "clock"),
+    ("subject.hour", "TimeOfDay", "hour"),
 ];
 
 /// What is told of actions.

@@ -1,9 +1,14 @@
 //! What connectors do, as far as sentences tell it: from an operation, and back.
 
 use crate::body::{SpokenBodyPart, free_names, parts, skeleton, text_literal};
-use crate::test::{TestPlaces, ValueTest, field_of};
+use crate::test::{Asks, Comparison, TestPlaces, ValueTest, field_of};
 use behaviour::connectors::{ConnectorMeaning, with_meaning};
 use behaviour::{Operation, Parameters, Procedure, Value};
+
+/// The numbers by which an *unless* of a touch tells apart what is held, what is let go, and what comes.
+pub(crate) const HELD: f64 = 1.0;
+pub(crate) const LET_GO: f64 = 0.0;
+pub(crate) const COMES: f64 = 2.0;
 
 /// What a connector does with its values.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +54,8 @@ pub(crate) enum Calc {
     Sum,
     /// The last one of several.
     Last,
+    /// One of these texts, by a number that was drawn.
+    OneOf(Vec<String>),
     /// As it is written, over arguments with these names.
     Written(Vec<String>, String),
 }
@@ -58,6 +65,7 @@ impl PartialEq for Calc {
         match (self, other) {
             (Self::Helper(one), Self::Helper(other)) | (Self::Field(one), Self::Field(other)) => one == other,
             (Self::Text(one), Self::Text(other)) => one == other,
+            (Self::OneOf(one), Self::OneOf(other)) => one == other,
             (Self::Number(one), Self::Number(other)) => one == other,
             (Self::Sum, Self::Sum) | (Self::Last, Self::Last) => true,
             (Self::Written(args, body), Self::Written(other_args, other)) => {
@@ -218,6 +226,9 @@ impl Calc {
         if let Some(field) = field_of(body, args) {
             return Self::Field(field);
         }
+        if let Some(texts) = drawn_texts(body, args) {
+            return Self::OneOf(texts);
+        }
         match parts(body, args).unwrap_or_default().as_slice() {
             [(SpokenBodyPart::Text(text), _)] => Self::Text(text.clone()),
             // Whole numbers are not measured ones, and sentences would not tell them apart.
@@ -241,7 +252,7 @@ impl Calc {
             Self::Helper(_) | Self::Written(..) => true,
             Self::Sum | Self::Last => are_several,
             Self::Field(_) => !are_several,
-            Self::Text(_) | Self::Number(_) => false,
+            Self::Text(_) | Self::Number(_) | Self::OneOf(_) => false,
         };
         match procedure {
             Procedure::Body { body, .. } if !has_words => Self::Written(args.to_vec(), body.clone()),
@@ -255,6 +266,7 @@ impl Calc {
             Self::Helper(name) => return Procedure::Helper(name.clone()),
             Self::Field(field) => format!("{}.{field}", args.first().map_or("", String::as_str)),
             Self::Text(text) => text_literal(text),
+            Self::OneOf(texts) => drawn_body(texts, args.first().map_or("", String::as_str)),
             Self::Number(number) => format!("{number:?}"),
             Self::Sum => args.join(" + "),
             Self::Last => args.last().cloned().unwrap_or_default(),
@@ -296,6 +308,29 @@ impl Calc {
         args.truncate(before.len() + count);
         Self::Written(args, body.to_owned())
     }
+}
+
+/// The most texts of which one is chosen.
+pub(crate) const CHANCES_MAX: usize = 8;
+
+/// The body that chooses one of these texts by a number that was drawn.
+fn drawn_body(texts: &[String], arg: &str) -> String {
+    let mut body = text_literal(texts.last().map_or("", String::as_str));
+    for (place, text) in texts.iter().enumerate().rev().skip(1) {
+        let count = texts.len();
+        body = format!("if {arg} / 256 % {count} == {place} {{ {} }} else {{ {body} }}", text_literal(text));
+    }
+    body
+}
+
+/// The texts of which a body chooses one, if it is such a body.
+fn drawn_texts(body: &str, args: &[String]) -> Option<Vec<String>> {
+    let [arg] = args else { return None };
+    let text = |(part, _)| if let SpokenBodyPart::Text(text) = part { Some(text) } else { None };
+    let texts: Vec<String> = parts(body, args)?.into_iter().filter_map(text).collect();
+    let is_choice =
+        (2..=CHANCES_MAX).contains(&texts.len()) && skeleton(&drawn_body(&texts, arg), args) == skeleton(body, args);
+    is_choice.then_some(texts)
 }
 
 impl RememberedKind {
@@ -349,4 +384,11 @@ impl RememberedKind {
         }
         Parameters { start: Some(self.start()), ..Procedure::body(&self.body(args)).into() }
     }
+}
+
+/// True if only what comes while nothing is held goes on.
+pub(crate) fn is_kept(holds: &SpokenConnector, keeps: &SpokenConnector) -> bool {
+    let asks = Asks::Numbers(vec![(Comparison::Is, COMES)]);
+    *holds == SpokenConnector::Remember(RememberedKind::Held)
+        && *keeps == SpokenConnector::Keep(ValueTest { field: None, asks })
 }

@@ -2,6 +2,7 @@
 
 mod chain;
 mod fill;
+mod held;
 mod starts;
 mod steps;
 mod why;
@@ -11,10 +12,11 @@ use crate::does::SpokenConnector;
 use crate::fits::{is_part, params_fit};
 use crate::pattern::grammar;
 use crate::sentence::{Phrase, Piece, Sentence};
+use crate::test::Asks;
 use crate::token::quoted;
 use crate::words::{LanguageWords, words};
 use crate::{Language, carried::CarriedKind};
-use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind, connectors};
+use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind, Value, connectors};
 use chain::{Chain, ChainConnector, ChainStart, KnownGraph};
 use robot::Device;
 use starts::tight;
@@ -42,7 +44,8 @@ pub fn explain(
         let Some(action) = behaviour.stream(&connector.output) else { continue };
         let chain = known.chain(input);
         let mut teller = SentenceTeller::new(&known, unit, language);
-        let otherwise = before.take().and_then(|before| follows(&before, &chain));
+        let otherwise =
+            before.take().and_then(|before| follows(&before, &chain)).filter(|at| !is_never(behaviour, &chain, *at));
         teller.sentence(&chain, otherwise, (id, connector, action), told.contains(&connector.output));
         told.push(connector.output.clone());
         sentences.push(Sentence { action: connector.output.clone(), phrases: teller.phrases });
@@ -58,6 +61,18 @@ fn follows(before: &Chain, chain: &Chain) -> Option<usize> {
     let at = chain.links.iter().position(|link| link.from == last.from)?;
     let is_test = matches!(chain.links[at].does, SpokenConnector::Keep(_) | SpokenConnector::KeepBy(_));
     (is_test && chain.links[at].does.is_opposite_of(&last.does)).then_some(at)
+}
+
+/// True if nothing is ever kept out: a touch that is told only when it begins is always true.
+fn is_never(behaviour: &Behaviour, chain: &Chain, at: usize) -> bool {
+    let link = &chain.links[at];
+    let is_plain = matches!(&link.does, SpokenConnector::Keep(test) if test.field.is_none() && matches!(test.asks, Asks::Truth(_)));
+    let told_once = |stream: &Stream| {
+        let device = stream.device.as_deref().and_then(|name| robot::device(StreamKind::Sensor, name).ok());
+        let may_tell = device.is_some_and(|device| device.params.iter().any(|param| param.name == "release"));
+        may_tell && stream.params.get("release").and_then(Value::as_text) != Some("yes")
+    };
+    is_plain && behaviour.stream(link.from).is_some_and(told_once)
 }
 
 /// Tells one sentence.
@@ -158,7 +173,7 @@ impl<'a> SentenceTeller<'a> {
             let seen = chain.sense().and_then(|sense| TARGETS.iter().find(|(_, by)| *by == sense));
             let seen = seen.map(|(target, _)| *target);
             let fills = fill::Fills { device: Some((device, &connector.output, stream)), seen, links };
-            self.filled(grammar.told(clause.id), &fills, crate::fits::number_unit(clause))
+            self.filled(grammar.told(clause.id), &fills, crate::fits::number_unit(clause, &stream.params))
         });
         pieces.extend(said.unwrap_or_else(|| self.named_pieces("action.named", &stream.name)));
         let mut phrase = Phrase { pieces, streams: vec![connector.output.clone()], connectors: vec![id.clone()] };
@@ -187,6 +202,7 @@ impl<'a> SentenceTeller<'a> {
         if !matches!(chain.start, ChainStart::Any(..))
             && let Some((first, rest)) = links.split_first()
             && let Some(id) = tight(&first.does)
+            && self.unless_held(links).is_none()
         {
             let pieces = self.step_pieces(id, first);
             self.push(pieces, &links[..1], &[]);

@@ -8,6 +8,7 @@ mod matcher;
 mod meaning;
 mod names;
 mod parse;
+mod ranges;
 mod spoken;
 mod tree;
 
@@ -84,10 +85,10 @@ pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Opti
     let end = text.char_indices().nth(TEXT_MAX_CHARS).map_or(text.len(), |(at, _)| at);
     let known = &text[..end];
     let repaired = doubts::repaired(known, tokens(known, language), language);
-    reading_of(repaired, text, end, language, helpers, behaviour)
+    reading_of(repaired, text, end, language, helpers, behaviour, None)
 }
 
-/// What was read, of the first `end` bytes of a text.
+/// What was read, of the first `end` bytes of a text. With a lexicon, what makes no sense is in doubt, and that says why.
 fn reading_of(
     repaired: Repaired,
     text: &str,
@@ -95,6 +96,7 @@ fn reading_of(
     language: Language,
     helpers: &[&Helper],
     behaviour: Option<&Behaviour>,
+    lexicon: Option<&Lexicon>,
 ) -> TextReading {
     let Repaired { told, tokens, mut doubts } = repaired;
     let mut builder = GraphBuilder::new(behaviour, language);
@@ -104,6 +106,9 @@ fn reading_of(
         suggestions: Vec::new(),
         why: None,
     }));
+    if let Some(lexicon) = lexicon {
+        doubts.extend(senseless(&builder, &tokens, lexicon));
+    }
     if end < text.len() {
         doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new(), why: None });
     }
@@ -143,7 +148,11 @@ pub fn read_speech(
     let exact = doubts::exact(known, tokens(known, language), language)
         .filter(|exact| !exact.told.iter().any(tree::ToldSentence::is_guess));
     if let Some(exact) = exact {
-        let told = reading_of(exact, text, end, language, helpers, behaviour);
+        let told = reading_of(exact, text, end, language, helpers, behaviour, Some(lexicon));
+        let is_impossible = |told: &TextReading| told.doubts.iter().all(|doubt| doubt.why.is_some());
+        if !told.is_whole() && is_impossible(&told) {
+            return told;
+        }
         if told.is_whole() {
             // A word without its number is shown with the number that it got.
             let spoken = read_words(text, end, language, lexicon, behaviour);
@@ -191,6 +200,7 @@ fn read_words(
             suggestions: Vec::new(),
             why: None,
         }));
+        doubts.extend(senseless(&builder, &tokens, lexicon));
         if builder.acts.is_empty() && doubts.is_empty() {
             doubts.push(Doubt { range: text.len()..text.len(), suggestions: Vec::new(), why: None });
         }
@@ -208,6 +218,16 @@ fn read_words(
     reading.vague = speech.vague.into_iter().map(told).collect();
     reading.doubts = doubts;
     reading
+}
+
+/// Doubts about what makes no sense, each with the reason.
+fn senseless(builder: &GraphBuilder, tokens: &[Placed], lexicon: &Lexicon) -> Vec<Doubt> {
+    let doubt = |(span, why): &(TokenSpan, &'static str)| Doubt {
+        range: bytes(tokens, span),
+        suggestions: Vec::new(),
+        why: lexicon.gap(why).map(str::to_owned),
+    };
+    builder.senseless.iter().map(doubt).collect()
 }
 
 /// Whether the library has a helper, or starts with it.

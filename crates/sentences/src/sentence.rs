@@ -1,6 +1,7 @@
 //! Sentences as the page shows them: phrases that mean parts of the graph, made of words and of what can be changed in place.
 
 use behaviour::Id;
+use protocol::ProgramSentence;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -12,6 +13,18 @@ pub struct Sentence {
     pub action: Id,
     /// Its phrases in the order of reading; their texts in a row are the sentence.
     pub phrases: Vec<Phrase>,
+}
+
+impl Sentence {
+    /// Returns it as pages show it that do not make sentences: cut where it begins to say what is done.
+    #[must_use]
+    pub fn told(&self) -> ProgramSentence {
+        let action = self.phrases.iter().rposition(|phrase| phrase.streams.contains(&self.action));
+        let (lead, does) = self.phrases.split_at(action.unwrap_or(self.phrases.len().saturating_sub(1)));
+        let text = |phrases: &[Phrase]| phrases.iter().flat_map(|phrase| &phrase.pieces).map(Piece::text).collect();
+        let connector = self.phrases.last().and_then(|phrase| phrase.connectors.first()).cloned();
+        ProgramSentence { lead: text(lead), does: text(does), connector }
+    }
 }
 
 /// The words that one part of the graph means.

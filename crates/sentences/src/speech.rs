@@ -7,12 +7,16 @@ mod act;
 mod assemble;
 mod atoms;
 mod clause;
+mod clocks;
+mod frames;
 mod lexicon;
 pub(crate) mod meaning;
+mod never;
 mod phrases;
 mod segments;
 mod tokens;
 mod turned;
+mod unsure;
 
 pub use lexicon::Lexicon;
 
@@ -21,6 +25,7 @@ pub(crate) use assemble::{ended, own_event};
 use crate::Language;
 use assemble::SaidSoFar;
 use atoms::{Atom, atoms};
+use clocks::with_times;
 use meaning::{MeantRule, SensedEvent, TouchPhase, TouchedPart, VagueWord};
 use std::ops::Range;
 use tokens::{SpeechTokenKind, tokens};
@@ -71,19 +76,31 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> UnderstoodSpeech 
     let mut said = SaidSoFar::default();
     let mut spans: Vec<(Range<usize>, Option<&'static str>)> = Vec::new();
     let mut known: Vec<Range<usize>> = Vec::new();
+    let mut unsure = unsure::UnsureWords::new();
+    let mut manners: Vec<Range<usize>> = Vec::new();
+    // *!head touched*: the sign may deny it.
+    if all.first().is_some_and(|token| token.what == SpeechTokenKind::Sign('!')) && all.len() > 1 {
+        spans.push((0..1, None));
+    }
     let mut at = 0;
     while at < all.len() {
-        let stops = |at: usize| matches!(all[at].what, SpeechTokenKind::Sign('.' | '!' | '?' | ';'));
+        let stops = |end: usize| {
+            matches!(all[end].what, SpeechTokenKind::Sign('.' | '!' | '?' | ';')) || parts_arrows(&all, at, end)
+        };
         let end = (at..all.len()).find(|end| stops(*end)).unwrap_or(all.len());
-        let part = turned(atoms(&all, at, end, lexicon, language), language);
+        let plain = with_times(atoms(&all, at, end, lexicon, language), language);
+        let asks = all.get(end).is_some_and(|token| token.what == SpeechTokenKind::Sign('?'));
+        unsure.extend(unsure::unsure(&plain, language, asks));
+        let part = turned(plain, language);
         if !part.is_empty() {
             said.spoken_of = spoken_of(&all[..end], lexicon, language, said.spoken_of);
-            let asks = all.get(end).is_some_and(|token| token.what == SpeechTokenKind::Sign('?'));
             let cover = segments::cover(&part, language, asks, &source);
+            manners.extend(part.iter().filter(|atom| atom.is("manner", "")).map(|atom| atom.span.clone()));
             known.extend(part.iter().filter(|atom| !atom.is_unknown()).map(|atom| bytes(&atom.span)));
             for doubt in cover.doubts {
                 spans.push((doubt.clone(), why(&part, &doubt, lexicon)));
             }
+            unsure.extend(unsure::unquoted(&part, &cover.texts));
             speech.texts.extend(cover.texts.iter().map(bytes));
             said.sentence(&cover.segments, &(at..end));
         }
@@ -94,8 +111,22 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> UnderstoodSpeech 
         spans.retain(|(_, why)| why.is_some());
     } else {
         spans.extend(said.doubts.iter().cloned().map(|span| (span, None)));
+        // Only where all the rest is clear: other words may say more of it.
+        if spans.is_empty() {
+            unsure.append(&mut said.unsure);
+            spans.extend(unsure.into_iter().map(|(span, why)| (span, Some(lexicon.gap(why).unwrap_or_default()))));
+            spans.extend(said.never.iter().cloned().map(|span| (span, Some(lexicon.never()))));
+        }
     }
-    speech.doubts = spans.iter().map(|(span, why)| (bytes(span), Vec::new(), *why)).collect();
+    for (span, why) in &mut spans {
+        if why.is_none() && manners.contains(span) {
+            *why = lexicon.gap("manner");
+        }
+    }
+    let offers = |why: &Option<&'static str>| {
+        why.and_then(|why| lexicon.offer(why)).map(str::to_owned).into_iter().collect::<Vec<_>>()
+    };
+    speech.doubts = spans.iter().map(|(span, why)| (bytes(span), offers(why), *why)).collect();
     if speech.doubts.is_empty() && (said.is_missing || said.rules.is_empty()) {
         speech.doubts.push((text.len()..text.len(), Vec::new(), None));
     }
@@ -113,10 +144,23 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> UnderstoodSpeech 
     speech
 }
 
+/// True for the comma of *head touched -> wave, hand touched -> sit*: a sign that leads to what is done stands before and
+/// after it.
+fn parts_arrows(all: &[tokens::SpeechToken], from: usize, at: usize) -> bool {
+    let is_sign = |token: &tokens::SpeechToken, sign: char| token.what == SpeechTokenKind::Sign(sign);
+    let is_arrow = |at: usize| {
+        let before = at.checked_sub(1).map_or(0, |before| all[before].range.end);
+        is_sign(&all[at], ':') && before < all[at].range.start
+    };
+    let next = (at + 1..all.len()).find(|next| matches!(all[*next].what, SpeechTokenKind::Sign(_)));
+    is_sign(&all[at], ',') && (from..at).any(is_arrow) && next.is_some_and(is_arrow)
+}
+
 /// Why words in doubt cannot be done, if they mean something.
 fn why(atoms: &[Atom], span: &Range<usize>, lexicon: &Lexicon) -> Option<&'static str> {
     let atom = atoms.iter().find(|atom| atom.span == *span)?;
-    let is_gap = atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague") || sense.arg == "ongoing");
+    let is_gap =
+        atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague" | "daypart") || sense.arg == "ongoing");
     let sense = atom.of("gap").or_else(|| atom.of("vague")).filter(|_| is_gap);
     match sense {
         Some(sense) => Some(lexicon.gap(sense.arg).unwrap_or("")),

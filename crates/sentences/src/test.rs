@@ -149,6 +149,51 @@ impl ValueTest {
     }
 }
 
+/// True if there is a number that all comparisons are true of; with `is_whole`, a whole one.
+pub(crate) fn is_possible(all: &[(Comparison, f64)], is_whole: bool) -> bool {
+    // The ends of the range, and whether they belong to it.
+    let (mut low, mut high) = ((f64::NEG_INFINITY, true), (f64::INFINITY, true));
+    for (comparison, value) in all {
+        let (value, closed) = match comparison {
+            Comparison::Less if is_whole => (value.ceil() - 1.0, true),
+            Comparison::More if is_whole => (value.floor() + 1.0, true),
+            Comparison::Less | Comparison::More => (*value, false),
+            _ => (*value, true),
+        };
+        let is_above = matches!(comparison, Comparison::More | Comparison::AtLeast | Comparison::Is);
+        let is_below = matches!(comparison, Comparison::Less | Comparison::AtMost | Comparison::Is);
+        if is_below && (value < high.0 || value == high.0 && !closed) {
+            high = (value, closed);
+        }
+        if is_above && (value > low.0 || value == low.0 && !closed) {
+            low = (value, closed);
+        }
+    }
+    let is_point = low.0 == high.0 && low.1 && high.1;
+    low.0 < high.0 || is_point && !all.contains(&(Comparison::IsNot, low.0))
+}
+
+/// True if a value can pass all of these tests; those of other fields than the first one's do not count.
+pub(crate) fn can_pass(tests: &[&ValueTest]) -> bool {
+    let Some(first) = tests.first() else { return true };
+    let asks = || tests.iter().filter(|test| test.field == first.field).map(|test| &test.asks);
+    let numbers: Vec<(Comparison, f64)> = asks()
+        .filter_map(|asks| if let Asks::Numbers(numbers) = asks { Some(numbers) } else { None })
+        .flatten()
+        .copied()
+        .collect();
+    let denied = |one: &Asks| match one {
+        Asks::Truth(truth) => asks().any(|other| *other == Asks::Truth(!truth)),
+        Asks::Text(is, text) => asks().any(|other| match other {
+            Asks::Text(other_is, other) if *is && *other_is => other != text,
+            Asks::Text(other_is, other) => is != other_is && other == text,
+            _ => false,
+        }),
+        Asks::Numbers(_) => false,
+    };
+    is_possible(&numbers, false) && !asks().any(denied)
+}
+
 /// `x`, `!x`, `x.field` or `!x.field`.
 fn truth(parts: &[(SpokenBodyPart, Range<usize>)]) -> Option<(Option<String>, bool)> {
     let (truth, rest) = match parts {
@@ -199,7 +244,8 @@ pub(crate) fn field_of(body: &str, args: &[String]) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::ValueTest;
+    use super::Comparison::{AtLeast, AtMost, Is, IsNot, Less, More};
+    use super::{ValueTest, can_pass, is_possible};
 
     #[test]
     fn simple_bodies_are_tests_and_tests_are_bodies() {
@@ -230,5 +276,32 @@ mod tests {
         assert_eq!(test.opposite().unwrap().body("x", true), "x > 0.5");
         assert_eq!(test.opposite().unwrap().opposite(), Some(test));
         assert_eq!(places, [(2..4, 5..9)]);
+    }
+
+    #[test]
+    fn a_range_is_empty_only_if_no_number_is_in_it() {
+        assert!(!is_possible(&[(Less, 30.0), (More, 100.0)], false));
+        assert!(is_possible(&[(Less, 100.0), (More, 30.0)], false));
+        assert!(is_possible(&[(AtMost, 100.0), (AtLeast, 100.0)], false));
+        assert!(!is_possible(&[(Less, 100.0), (AtLeast, 100.0)], false));
+        assert!(!is_possible(&[(Is, 2.0), (IsNot, 2.0)], true));
+        assert!(!is_possible(&[(More, 2.0), (Less, 3.0)], true));
+        assert!(is_possible(&[(More, 2.0), (Less, 3.0)], false));
+        assert!(is_possible(&[], false));
+    }
+
+    #[test]
+    fn tests_that_deny_each_other_let_nothing_pass() {
+        let args = ["x".to_owned()];
+        let passes = |bodies: &[&str]| {
+            let tests: Vec<ValueTest> = bodies.iter().map(|body| ValueTest::of(body, &args).unwrap().0).collect();
+            can_pass(&tests.iter().collect::<Vec<_>>())
+        };
+        assert!(!passes(&["x < 30 && x > 100"]));
+        assert!(!passes(&["x.d < 30", "x.d > 100"]));
+        assert!(passes(&["x.d < 30", "x.x > 100"]));
+        assert!(!passes(&["x", "!x"]));
+        assert!(!passes(&["x == \"a\"", "x == \"b\""]));
+        assert!(passes(&["x == \"a\"", "x != \"b\""]));
     }
 }

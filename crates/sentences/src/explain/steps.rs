@@ -14,14 +14,26 @@ use behaviour::Procedure;
 impl<'a> SentenceTeller<'a> {
     /// Links after a start, each after a comma.
     pub(super) fn steps(&mut self, links: &[ChainConnector<'a>]) {
-        for (at, link) in links.iter().enumerate() {
+        let mut at = 0;
+        while let Some(link) = links.get(at) {
             self.text(self.words.comma);
+            if is_drawn(&links[at..]) {
+                let pieces = self.step_pieces("step.chance", &links[at + 2]);
+                self.push(pieces, &links[at..at + DRAWN_LINKS], &[]);
+                at += DRAWN_LINKS;
+                continue;
+            }
+            if let Some(used) = self.held(&links[at..]) {
+                at += used;
+                continue;
+            }
             if link.connector.inputs.len() > 1 {
                 self.join(link);
             } else {
                 let pieces = self.step_pieces(self.step_rule(link), link);
                 self.push(pieces, &links[at..=at], &[]);
             }
+            at += 1;
         }
     }
 
@@ -65,6 +77,7 @@ impl<'a> SentenceTeller<'a> {
             Calc::Helper(_) => "step.helper",
             Calc::Field(_) => "step.field",
             Calc::Text(_) => "step.text",
+            Calc::OneOf(_) => "step.oneOf",
             Calc::Number(_) => "step.number",
             Calc::Sum | Calc::Last | Calc::Written(..) => "step.code",
         }
@@ -140,6 +153,10 @@ impl<'a> SentenceTeller<'a> {
                 "field",
                 SpokenConnector::Make(Calc::Field(field)) | SpokenConnector::Changed(Some(Calc::Field(field))),
             ) => one(self.field(field)),
+            ("texts", SpokenConnector::Make(Calc::OneOf(texts))) => {
+                let texts: Vec<String> = texts.iter().map(|text| quoted(text, self.language)).collect();
+                one(texts.join(self.words.or))
+            }
             ("quoted", SpokenConnector::Make(Calc::Text(text))) => one(quoted(text, self.language)),
             ("n", SpokenConnector::Make(Calc::Number(number))) => {
                 Some(vec![Piece::Number(numbers::number(*number, "", whole_body(link), None))])
@@ -241,6 +258,23 @@ impl<'a> SentenceTeller<'a> {
             Piece::Choice(SentenceChoice { text, options, chosen, at: place(sign.clone()) })
         };
         filled(rule(comparison), &mut fill, &mut mark).map_or_else(Vec::new, |filling| filling.pieces)
+    }
+}
+
+/// The links that choose one of several texts by chance.
+const DRAWN_LINKS: usize = 3;
+
+/// True if one of several texts is chosen by chance here.
+fn is_drawn(links: &[ChainConnector]) -> bool {
+    let alone = |link: &ChainConnector| link.connector.inputs.len() == 1;
+    match links {
+        [stamp, draws, choice, ..] => {
+            stamp.does == SpokenConnector::Stamp
+                && draws.does == SpokenConnector::Remember(RememberedKind::Draws)
+                && matches!(choice.does, SpokenConnector::Make(Calc::OneOf(_)))
+                && [stamp, draws, choice].into_iter().all(alone)
+        }
+        _ => false,
     }
 }
 

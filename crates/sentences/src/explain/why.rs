@@ -216,7 +216,8 @@ impl<'a> Answers<'a> {
         let teller = SentenceTeller::new(&self.known, self.unit, self.language);
         let clause = teller.action_clause(device, stream, &[])?;
         let fills = Fills { device: Some((device, id, stream)), seen: None, links: &[] };
-        let pieces = teller.filled(grammar(self.language).told(clause.id), &fills, number_unit(clause))?;
+        let pieces =
+            teller.filled(grammar(self.language).told(clause.id), &fills, number_unit(clause, &stream.params))?;
         Some((pieces.iter().map(Piece::text).collect(), clause.id.ends_with(".value")))
     }
 

@@ -1,13 +1,15 @@
 //! From sentences that were read to the parts of a graph; equal ways from a sense on are one.
 
 use super::clauses::comparison;
-use super::meaning::{does_of, params, part_of, test, wanted_unit};
+use super::meaning::{before, does_of, params, part_of, test, wanted_unit};
+use super::ranges;
 use super::tree::{HoleFilling, SaidAction, SaidWords, TokenSpan, ToldSentence, ValueWay, WayStart};
 use crate::Language;
 use crate::carried::{CarriedKind, ValueMeasure};
-use crate::clauses::{Clause, ClausePart, TARGETS, distance_helper, goes_by_distance, usual};
-use crate::does::{Calc, SpokenConnector};
-use behaviour::{Behaviour, Id, Params, StreamKind, Value, look_same};
+use crate::clauses::{BOTH, Clause, ClausePart, TARGETS, TOUCHES, distance_helper, goes_by_distance, usual};
+use crate::does::{COMES, Calc, HELD, LET_GO, RememberedKind, SpokenConnector};
+use crate::test::{Asks, Comparison, ValueTest, can_pass};
+use behaviour::{Behaviour, Id, Params, RATE_MS, StreamKind, Value, look_same};
 use robot::Device;
 
 /// Where the values of a stream come from.
@@ -48,6 +50,9 @@ pub(super) struct GraphBuilder<'a> {
     pub(super) acts: Vec<FedAction>,
     /// Words that mean nothing: an “otherwise” after no test.
     pub(super) unmeant: Vec<TokenSpan>,
+    /// Words that are understood and make no sense: tests that no value or every value passes, times that are too long.
+    /// Each with the name of the gap of the lexicon that says why.
+    pub(super) senseless: Vec<(TokenSpan, &'static str)>,
     /// The nodes that “otherwise” made: each follows its test, as one made by a button does.
     pub(super) otherwise: Vec<usize>,
     language: Language,
@@ -65,6 +70,7 @@ impl<'a> GraphBuilder<'a> {
             nodes: Vec::new(),
             acts: Vec::new(),
             unmeant: Vec::new(),
+            senseless: Vec::new(),
             otherwise: Vec::new(),
             behaviour,
             before: Vec::new(),
@@ -158,6 +164,7 @@ impl<'a> GraphBuilder<'a> {
         };
         let test = self.before[place];
         let StreamSource::Made(does, inputs, measured) = self.nodes[test].source.clone() else { return test };
+        self.tells_end(&does, inputs[0]);
         chain.extend_from_slice(&self.before[..place]);
         let opposite = does.opposite().unwrap_or_else(|| match &does {
             SpokenConnector::Keep(test) => {
@@ -172,6 +179,18 @@ impl<'a> GraphBuilder<'a> {
             self.otherwise.push(at);
         }
         at
+    }
+
+    /// Lets a touch tell when it is over as well: else nothing is ever kept out of the test whether it is one.
+    fn tells_end(&mut self, test: &SpokenConnector, at: usize) {
+        let asks_touch =
+            matches!(test, SpokenConnector::Keep(test) if test.field.is_none() && matches!(test.asks, Asks::Truth(_)));
+        if let StreamSource::Sense(device, params) = &mut self.nodes[at].source
+            && asks_touch
+            && device.params.iter().any(|param| param.name == "release")
+        {
+            params.insert("release".to_owned(), Value::text("yes"));
+        }
     }
 
     fn sense(&mut self, name: &'static str, fixed: &[(&str, &str)], said: &SaidWords) -> usize {
@@ -220,10 +239,34 @@ impl<'a> GraphBuilder<'a> {
     ) -> usize {
         let field = if let SpokenConnector::Keep(test) = &does { test.field.as_deref() } else { None };
         let measured = self.is_measured(inputs[0], field);
+        if let SpokenConnector::Keep(test) = &does
+            && !can_pass(&self.tests_before(test, inputs[0]))
+        {
+            self.senseless.push((span.clone(), "never"));
+        } else if let SpokenConnector::Keep(test) = &does
+            && ranges::is_senseless(test, &self.nodes[inputs[0]].carried)
+        {
+            self.senseless.push((span.clone(), "range"));
+        }
+        if let SpokenConnector::Every(period) | SpokenConnector::Later(period) | SpokenConnector::Quiet(period) = &does
+            && !RATE_MS.contains(period)
+        {
+            self.senseless.push((span.clone(), "hour"));
+        }
         let carried = self.nodes[inputs[0]].carried.after(&does);
         let at = self.node(StreamSource::Made(does, inputs, measured), carried, span);
         chain.push(at);
         at
+    }
+
+    /// A test, and those that a value has passed before it.
+    fn tests_before<'t>(&'t self, test: &'t ValueTest, mut at: usize) -> Vec<&'t ValueTest> {
+        let mut all = vec![test];
+        while let StreamSource::Made(SpokenConnector::Keep(test), inputs, _) = &self.nodes[at].source {
+            all.push(test);
+            at = inputs[0];
+        }
+        all
     }
 
     /// True if what a node carries is measured, and so written with a decimal point.
@@ -280,13 +323,53 @@ impl<'a> GraphBuilder<'a> {
             let field = said.text("field").map(str::to_owned);
             return self.ask(at, test, field, chain);
         }
+        for (held, unless, sense) in TOUCHES {
+            if said.rule == *held || said.rule == *unless {
+                let sense = self.sense(sense, BOTH, said);
+                let touch = (sense, &said.span);
+                return if said.rule == *held {
+                    self.while_held(at, touch, chain)
+                } else {
+                    self.unless_held(at, touch, chain)
+                };
+            }
+        }
         let mut inputs = vec![at];
         if let Some(HoleFilling::Ways(ways)) = said.hole("others") {
             inputs.extend(ways.iter().map(|way| self.way(way, &mut Vec::new(), false)).collect::<Vec<_>>());
         }
+        for does in before(said) {
+            inputs[0] = self.made(does, vec![inputs[0]], &said.span, chain);
+        }
         let inputs = distinct(inputs);
         let does = does_of(said, inputs.len());
         self.made(does, inputs, &said.span, chain)
+    }
+
+    /// The node of what comes while something is held.
+    fn while_held(&mut self, at: usize, (sense, span): (usize, &TokenSpan), chain: &mut Vec<usize>) -> usize {
+        let latest = self.made(SpokenConnector::Latest(Calc::Last), distinct(vec![at, sense]), span, chain);
+        self.made(truth(true), vec![latest], span, chain)
+    }
+
+    /// The node of what comes while something is not held, which it is not before the first touch.
+    pub(super) fn unless_held(
+        &mut self,
+        at: usize,
+        (sense, span): (usize, &TokenSpan),
+        chain: &mut Vec<usize>,
+    ) -> usize {
+        let number = |number: f64| SpokenConnector::Make(Calc::Number(number));
+        let mut inputs = Vec::new();
+        for (is, number) in [(true, number(HELD)), (false, number(LET_GO))] {
+            let test = self.made(truth(is), vec![sense], span, &mut Vec::new());
+            inputs.push(self.made(number, vec![test], span, &mut Vec::new()));
+        }
+        inputs.insert(0, self.made(number(COMES), vec![at], span, chain));
+        let any = self.made(SpokenConnector::Any, inputs, span, chain);
+        let any = self.made(SpokenConnector::Remember(RememberedKind::Held), vec![any], span, chain);
+        let asks = Asks::Numbers(vec![(Comparison::Is, COMES)]);
+        self.made(SpokenConnector::Keep(ValueTest { field: None, asks }), vec![any], span, chain)
     }
 
     fn action(&mut self, action: &SaidAction, input: usize) {
@@ -326,6 +409,11 @@ impl<'a> GraphBuilder<'a> {
             span: said.span.clone(),
         });
     }
+}
+
+/// A test of whether a value is true, or is not.
+fn truth(is: bool) -> SpokenConnector {
+    SpokenConnector::Keep(ValueTest { field: None, asks: Asks::Truth(is) })
 }
 
 /// Each of them once: a connector takes from a stream once.

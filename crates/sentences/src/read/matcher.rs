@@ -2,6 +2,7 @@
 
 use super::tree::{HoleFilling, SaidWords};
 use crate::Language;
+use crate::does::CHANCES_MAX;
 use crate::pattern::{Grammar, PatternElement, grammar};
 use crate::token::{Placed, SentenceToken};
 use crate::words::{ChosenWords, LanguageWords, words};
@@ -187,6 +188,7 @@ impl<'t> Matcher<'t> {
                 Some(SentenceToken::Quoted(text)) => vec![(HoleFilling::Text(text.clone()), at + 1)],
                 _ => Vec::new(),
             },
+            ("texts", None) => self.texts(at),
             ("code" | "start", None) => match self.token(at) {
                 Some(SentenceToken::Code(text)) => vec![(HoleFilling::Text(text.clone()), at + 1)],
                 _ => Vec::new(),
@@ -194,6 +196,25 @@ impl<'t> Matcher<'t> {
             ("field", None) => self.field(at),
             _ => part(name, at),
         }
+    }
+
+    /// Several texts with “or” between them.
+    fn texts(&self, at: usize) -> Fits<HoleFilling> {
+        let (mut texts, mut end) = (Vec::new(), at);
+        while let Some(SentenceToken::Quoted(text)) = self.token(end)
+            && texts.len() < CHANCES_MAX
+        {
+            texts.push(text.clone());
+            end += 1;
+            match self
+                .words_at(self.words.or, end)
+                .filter(|next| matches!(self.token(*next), Some(SentenceToken::Quoted(_))))
+            {
+                Some(next) => end = next,
+                None => break,
+            }
+        }
+        if texts.len() < 2 { Vec::new() } else { vec![(HoleFilling::Texts(texts), end)] }
     }
 
     fn choice(

@@ -152,6 +152,7 @@ pub(super) fn does_of(said: &SaidWords, inputs: usize) -> SpokenConnector {
         "step.text" | "tight.text" => SpokenConnector::Make(Calc::Text(text("quoted"))),
         "step.number" | "tight.number" => SpokenConnector::Make(Calc::Number(number(said).unwrap_or_default())),
         "step.code" => SpokenConnector::Make(code()),
+        "step.chance" | "step.oneOf" => SpokenConnector::Make(one_of(said)),
         "step.any" => SpokenConnector::Any,
         joined => {
             let calc = match joined.split_once('.').map_or("", |(_, calc)| calc) {
@@ -162,6 +163,22 @@ pub(super) fn does_of(said: &SaidWords, inputs: usize) -> SpokenConnector {
             };
             if joined.starts_with("latest") { SpokenConnector::Latest(calc) } else { SpokenConnector::Together(calc) }
         }
+    }
+}
+
+/// One of the texts that were said.
+fn one_of(said: &SaidWords) -> Calc {
+    match said.hole("texts") {
+        Some(HoleFilling::Texts(texts)) => Calc::OneOf(texts.clone()),
+        _ => Calc::Text(String::new()),
+    }
+}
+
+/// The connectors before that of a step, which says the work of all of them.
+pub(super) fn before(said: &SaidWords) -> Vec<SpokenConnector> {
+    match said.rule {
+        "step.chance" => vec![SpokenConnector::Stamp, SpokenConnector::Remember(RememberedKind::Draws)],
+        _ => Vec::new(),
     }
 }
 

@@ -2,6 +2,8 @@
 
 use super::matcher::{Fits, Matcher, no_parts};
 use super::tree::{HoleFilling, SaidAction, SaidWords, ToldSentence, ValueWay, WayStart};
+use crate::clauses::TOUCHES;
+use behaviour::StreamKind;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -37,6 +39,8 @@ const STEPS: &[&str] = &[
     "step.rests",
     "step.held",
     "step.draws",
+    "step.chance",
+    "step.oneOf",
     "step.rememberCode",
     "step.rememberHelper",
     "step.stamp",
@@ -236,7 +240,12 @@ impl<'m, 't> SentenceParser<'m, 't> {
         let known = self.steps.borrow().get(&at).cloned();
         known.unwrap_or_else(|| {
             let part = |name: &str, at: usize| self.part(name, at);
-            let fits = STEPS.iter().flat_map(|rule| self.matcher.rule(rule, at, None, &part)).collect();
+            let mut fits: Fits<SaidWords> = Vec::new();
+            for (held, unless, sense) in TOUCHES {
+                let device = robot::device(StreamKind::Sensor, sense).ok();
+                fits.extend([held, unless].into_iter().flat_map(|rule| self.matcher.rule(rule, at, device, &part)));
+            }
+            fits.extend(STEPS.iter().flat_map(|rule| self.matcher.rule(rule, at, None, &part)));
             let found = Rc::new(shortened(fits));
             self.steps.borrow_mut().insert(at, Rc::clone(&found));
             found

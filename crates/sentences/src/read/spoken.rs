@@ -1,9 +1,9 @@
 //! From what was said to the parts of a graph.
 
 use super::build::{FedAction as Built, GraphBuilder, StreamSource};
+use super::ranges;
 use super::tree::TokenSpan;
 use crate::Language;
-use crate::body::text_literal;
 use crate::carried::CarriedKind;
 use crate::clauses::{ACTIONS, distance_helper};
 use crate::does::{Calc, RememberedKind, SpokenConnector};
@@ -75,7 +75,8 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
     pub(super) fn rules(&mut self, rules: &[MeantRule]) {
         for (at, rule) in rules.iter().enumerate() {
             let doubts = self.doubts.len();
-            if self.rule(rule, at, rules.iter().any(|other| ends(other, rule))).is_none() {
+            let is_undone = rules.iter().any(|other| ends(other, rule)) || rules.get(at + 1).is_some_and(relights);
+            if self.rule(rule, at, is_undone).is_none() {
                 if self.doubts.len() == doubts {
                     self.doubts.push(rule.event.as_ref().map_or(rule.span.clone(), |event| event.span.clone()));
                 }
@@ -106,11 +107,18 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
             if rule.lasts && !lasts(event, rule) {
                 return None;
             }
+            // *Every two seconds while the head is touched*: a touch is told once, and so the clock goes by it.
+            let told_once = matches!(event.what, SensedEvent::Touch(..) | SensedEvent::Pose(_));
+            let beat = rule.every.filter(|_| rule.lasts && told_once && rule.states.is_empty());
             let follows = rule.acts.iter().find_map(|(_, act, _)| match act {
                 Act::Follow(..) => own_event(act),
                 _ => None,
             });
-            if rule.lasts
+            if let Some(period) = beat {
+                let clock = SenseFeed { params: vec![("period_ms", period.to_string())], ..feed("Tick") };
+                let at = self.sense(&clock, &rule.span)?;
+                self.state(at, event, &mut chain)?
+            } else if rule.lasts
                 && let Some(own) = follows
             {
                 let own = Cond::of(own, rule.span.clone());
@@ -421,6 +429,7 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
                 steps: vec![numbers("", vec![(Comparison::Is, 1.0)])],
                 ..feed("Tick")
             }),
+            (SensedEvent::Clock(minutes), false) if moment => Some(at_clock(*minutes)),
             (SensedEvent::Falls, false) if moment => Some(feed("Fall")),
             (SensedEvent::Up, false) if moment => Some(SenseFeed {
                 params: vec![("release", "yes".to_owned())],
@@ -483,20 +492,12 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
 
     /// Returns the node of what comes while something is not touched: untouched until the first touch.
     fn unless_held(&mut self, at: usize, touch: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
-        let over = Cond { what: ended(&touch.what)?, not: false, ..touch.clone() };
         let SensedEvent::Touch(body, params, _) = &touch.what else { return None };
         let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
         params.push(("release", "yes".to_owned()));
-        let begins = SenseFeed { params, ..feed(self::touch(*body)) };
-        let begins = self.sense(&begins, &touch.span)?;
-        let begins = self.made(truth("", true), vec![begins], &touch.span, &mut Vec::new());
-        let begins = self.made(number(1.0), vec![begins], &touch.span, &mut Vec::new());
-        let ends = self.event(&over, &mut Vec::new(), None)?;
-        let ends = self.made(number(0.0), vec![ends], &touch.span, &mut Vec::new());
-        let comes = self.made(number(2.0), vec![at], &touch.span, chain);
-        let any = self.made(SpokenConnector::Any, vec![comes, begins, ends], &touch.span, chain);
-        let any = self.made(SpokenConnector::Remember(RememberedKind::Held), vec![any], &touch.span, chain);
-        Some(self.made(numbers("", vec![(Comparison::Is, 2.0)]), vec![any], &touch.span, chain))
+        let touch_feed = SenseFeed { params, ..feed(self::touch(*body)) };
+        let sense = self.sense(&touch_feed, &touch.span)?;
+        Some(self.builder.unless_held(at, (sense, &touch.span), chain))
     }
 
     /// Returns the node of what comes while something is in view: it was seen within the last moment.
@@ -624,6 +625,9 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
                 self.put("Walk", &[], at, span)
             }
             Act::Move(joint, value) => {
+                if !ranges::can_turn(joint, *value) {
+                    self.builder.senseless.push((span.clone(), "range"));
+                }
                 let at = self.made(number(*value), vec![at], span, &mut Vec::new());
                 self.put("SetJointPosition", &[("joint", joint)], at, span)
             }
@@ -647,12 +651,7 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
     fn by_chance(&mut self, at: usize, texts: &[String], span: &TokenSpan) -> usize {
         let at = self.made(SpokenConnector::Stamp, vec![at], span, &mut Vec::new());
         let at = self.made(SpokenConnector::Remember(RememberedKind::Draws), vec![at], span, &mut Vec::new());
-        let mut body = text_literal(texts.last().map_or("", String::as_str));
-        for (place, text) in texts.iter().enumerate().rev().skip(1) {
-            let count = texts.len();
-            body = format!("if value / 256 % {count} == {place} {{ {} }} else {{ {body} }}", text_literal(text));
-        }
-        self.made(SpokenConnector::Make(Calc::Written(vec!["value".to_owned()], body)), vec![at], span, &mut Vec::new())
+        self.made(SpokenConnector::Make(Calc::OneOf(texts.to_vec())), vec![at], span, &mut Vec::new())
     }
 
     /// The node of a value that is said whenever something comes.
@@ -674,7 +673,8 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
                 ("People", Some(SpokenConnector::Make(Calc::Field("distance".to_owned()))))
             }
             MeantValue::Distance(Of::Ahead(_)) => ("Sonar", None),
-            MeantValue::Distance(Of::It) | MeantValue::Count => return None,
+            MeantValue::Distance(Of::It) | MeantValue::Count | MeantValue::Counted => return None,
+            MeantValue::Clock => ("TimeOfDay", Some(SpokenConnector::Make(Calc::Field("clock".to_owned())))),
             MeantValue::Pose => ("PostureChanged", None),
             MeantValue::Word => ("WordRecognized", Some(SpokenConnector::Make(Calc::Field("word".to_owned())))),
             MeantValue::Mark => ("Landmark", Some(SpokenConnector::Make(Calc::Field("number".to_owned())))),
@@ -730,6 +730,7 @@ fn lasts(event: &Cond, rule: &MeantRule) -> bool {
         SensedEvent::Button(_)
             | SensedEvent::Words(_)
             | SensedEvent::Start
+            | SensedEvent::Clock(_)
             | SensedEvent::Falls
             | SensedEvent::Up
             | SensedEvent::Mark(_)
@@ -750,6 +751,17 @@ fn ends(rule: &MeantRule, lasting: &MeantRule) -> bool {
     is_end
         && rule.states.is_empty()
         && rule.acts.iter().any(|(later, act, _)| *later == 0 && matches!(act, Act::Eyes(_)))
+}
+
+/// True if a rule says what the eyes do when what the one before lasts for is over.
+fn relights(rule: &MeantRule) -> bool {
+    rule.otherwise && rule.acts.iter().any(|(later, act, _)| *later == 0 && matches!(act, Act::Eyes(_)))
+}
+
+/// The time of day and what is asked of it: it is told at every new minute.
+fn at_clock(minutes: u32) -> SenseFeed {
+    let clock = format!("{:02}:{:02}", minutes / 60, minutes % 60);
+    SenseFeed { steps: vec![keep("clock", Asks::Text(true, clock))], ..feed("TimeOfDay") }
 }
 
 /// The sense of a touch and what is asked of it.
@@ -815,7 +827,8 @@ fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c C
     let lasts = |cond: &Cond| (tested(cond).is_some() || in_view(cond)) && cond.during.is_none();
     if lasts(event)
         && let Some(at) = states.iter().position(|state| {
-            !lasts(state) && !matches!(state.what, SensedEvent::Face(WhichFace::Anybody)) && !state.not
+            let may_last = matches!(state.what, SensedEvent::Face(WhichFace::Anybody));
+            !lasts(state) && (!may_last || matches!(event.what, SensedEvent::Hours(..))) && !state.not
         })
     {
         let mut rest = vec![event];
@@ -866,6 +879,10 @@ fn tested(cond: &Cond) -> Option<(SenseFeed, Option<SpokenConnector>)> {
             }
             Of::It => return None,
         },
+        SensedEvent::Hours(from, to) => {
+            let bounds = vec![(Comparison::AtLeast, f64::from(*from)), (Comparison::Less, f64::from(*to))];
+            (feed("TimeOfDay"), Some(numbers("hour", bounds)))
+        }
         SensedEvent::People(bounds) => (feed("People"), (!bounds.is_empty()).then(|| numbers("count", plain(bounds)))),
         SensedEvent::Charge(bounds) => (feed("Battery"), (!bounds.is_empty()).then(|| numbers("", plain(bounds)))),
         SensedEvent::Joint(joint, bounds) => {
@@ -909,6 +926,7 @@ fn device_of(event: &SensedEvent) -> Option<&'static str> {
         SensedEvent::Charge(_) => "Battery",
         SensedEvent::Words(_) => "WordRecognized",
         SensedEvent::Mark(_) => "Landmark",
+        SensedEvent::Clock(_) => "TimeOfDay",
         SensedEvent::Pose(_) => "PostureChanged",
         _ => return None,
     })

@@ -16,6 +16,8 @@ pub(super) enum HoleFilling {
     Duration(u64),
     /// A text, a name or a procedure.
     Text(String),
+    /// Several texts.
+    Texts(Vec<String>),
     /// A text without quotes, which could be anything.
     Plain(String),
     /// One that can be chosen.

@@ -4,6 +4,7 @@ use super::atoms::{Atom, AtomValue as Said, CountedNumber, form};
 use super::clause::{Bag, Meant, cond, gaps};
 use super::lexicon::FormEnd;
 use super::meaning::{Act, FollowedTarget, MeantValue, Of};
+use crate::does::CHANCES_MAX;
 
 /// How far a raised and a lowered arm stands, in radians, and an open and a closed hand.
 const RAISED: f64 = -1.0;
@@ -12,9 +13,6 @@ const LOWERED: f64 = 1.4;
 /// The head turns so far to a side, and up or down, where nobody says it: about 30 and 20 degrees.
 const TURNED: f64 = 0.52;
 const NODDED: f64 = 0.35;
-
-/// The most texts of which one is said by chance.
-const CHANCES_MAX: usize = 8;
 
 /// What a clause says to do; several where one verb has several objects.
 pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
@@ -30,6 +28,7 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     bag.take_all("adv", "eachtime");
     bag.take_all("adv", "again");
     bag.take_all("robot", "");
+    subject(bag);
     bag.take_all("adv", "first");
     let denies = bag.take("not", "").is_some()
         || atoms
@@ -75,7 +74,31 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     } else if keeps.is_some() {
         acts.push(Act::Keeps);
     }
+    // *Nod for me*, *bow to the child*: nobody else is meant.
+    if acts.iter().all(|act| matches!(act, Act::Gesture(_) | Act::Pose(_) | Act::Play(_) | Act::Eyes(_))) {
+        for at in 1..atoms.len() {
+            let whom = atoms[at].is("who", "") && !atoms[at].is("poss", "");
+            let before = atoms[..at].iter().rposition(|atom| !atom.is("void", ""));
+            if whom && before.is_some_and(|before| atoms[before].is("prep", "for") || atoms[before].is("prep", "to")) {
+                bag.use_up(at);
+            }
+        }
+    }
     Some(Meant { what: acts, left: bag.left() })
+}
+
+/// Uses *it* where the robot is what does something: *it makes a beep*.
+fn subject(bag: &mut Bag) {
+    let Some(it) = bag.atoms.iter().position(|atom| !atom.is("void", "")) else { return };
+    let does = |atom: &Atom| {
+        atom.senses.iter().any(|sense| {
+            matches!(sense.kind, "v" | "do" | "pose") && matches!(sense.form.end, FormEnd::Plain | FormEnd::Third)
+        })
+    };
+    let is_robot = bag.atoms[it].is("it", "") && bag.atoms[it].is("robot", "");
+    if is_robot && bag.atoms.get(it + 1).is_some_and(does) {
+        bag.use_up(it);
+    }
 }
 
 /// Whether a clause begins as what to do does: with a plain verb, in English.
@@ -132,15 +155,7 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
         return count(bag, at).map(|act| vec![act]);
     }
     if let Some(at) = bag.find("v", "remember") {
-        bag.use_up(at);
-        for word in ["face", "name"] {
-            bag.take("noun", word);
-        }
-        for kind in ["it", "who", "poss"] {
-            bag.take_all(kind, "");
-        }
-        bag.take_all("adj", "new");
-        return Some(vec![Act::Remember]);
+        return remember(bag, at).map(|act| vec![act]);
     }
     if bag.take("v", "unfollow").is_some() {
         return unfollow(bag).map(|act| vec![act]);
@@ -209,6 +224,23 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
         return Some(vec![Act::Nothing]);
     }
     None
+}
+
+/// Returns the act of remembering somebody; none if nothing is named: *save*.
+fn remember(bag: &mut Bag, at: usize) -> Option<Act> {
+    bag.use_up(at);
+    let has_object = bag.has("noun", "") || ["it", "who", "whom"].iter().any(|kind| bag.has(kind, ""));
+    if !has_object && form(&bag.atoms[at], "v").end == FormEnd::Plain {
+        return None;
+    }
+    for word in ["face", "name"] {
+        bag.take("noun", word);
+    }
+    for kind in ["it", "who", "poss"] {
+        bag.take_all(kind, "");
+    }
+    bag.take_all("adj", "new");
+    Some(Act::Remember)
 }
 
 /// True if a sound is spoken of that can be played: a voice cannot.
@@ -352,6 +384,11 @@ fn say(bag: &mut Bag) -> Option<Act> {
     if is_left_out && bag.left().is_empty() {
         return Some(Act::SayValue(MeantValue::It));
     }
+    // *Count the presses and tell me*
+    let tells = bag.atoms.iter().any(|atom| atom.is("v", "say") && atom.span.len() > 1);
+    if tells && bag.left().is_empty() {
+        return Some(Act::SayValue(MeantValue::Counted));
+    }
     value(bag).map(Act::SayValue)
 }
 
@@ -401,6 +438,10 @@ fn value(bag: &mut Bag) -> Option<MeantValue> {
         bag.take_all("it", "");
         return Some(MeantValue::Distance(Of::It));
     }
+    if bag.take_all("noun", "clock") {
+        bag.take_all("it", "");
+        return Some(MeantValue::Clock);
+    }
     if bag.take_all("noun", "posture") {
         return Some(MeantValue::Pose);
     }
@@ -412,6 +453,9 @@ fn value(bag: &mut Bag) -> Option<MeantValue> {
     }
     let counts = bag.take_all("noun", "count");
     if counts && bag.take_all("noun", "mark") {
+        // *Of any mark you see*
+        bag.take_all("robot", "");
+        bag.take_all("v", "see");
         bag.take_all("v", "exist");
         return Some(MeantValue::Mark);
     }
@@ -498,6 +542,8 @@ fn follow(bag: &mut Bag) -> Option<Act> {
     for verb in ["follow", "look", "keep", "walk", "go", "point", "approach"] {
         bag.take_all("v", verb);
     }
+    // *The person in front of you*
+    bag.take_all("noun", "ahead");
     let target = if bag.take("noun", "ball").is_some() {
         bag.take("color", "red");
         bag.take("noun", "colored");
@@ -559,6 +605,24 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
         bag.use_up(at);
         bag.take_all("it", "");
         return Some(vec![Act::MoveThem(verb)]);
+    }
+    // *Put it down again*, 3秒後に下ろす
+    let puts = (bag.has("dir", "up") || bag.has("dir", "down")) && verb == "put" && bag.has("it", "");
+    let left_out = matches!(verb, "open" | "close" | "raise" | "lower")
+        && bag.left().len() == 1
+        && form(&bag.atoms[at], "v").end != FormEnd::Plain;
+    if !bag.has("part", "") && (puts || left_out) {
+        bag.use_up(at);
+        bag.take_all("it", "");
+        let up = bag.take("dir", "up").is_some();
+        let down = bag.take("dir", "down").is_some();
+        return Some(vec![Act::MoveThem(if up {
+            "raise"
+        } else if down {
+            "lower"
+        } else {
+            verb
+        })]);
     }
     if !bag.has("part", "") && verb != "look" {
         return None;

@@ -5,7 +5,9 @@ use super::meaning::{
     Act, Cond, FollowedTarget, MeantRule, MeantValue, Of, Repetition, SensedEvent, SpeechSpan, TouchPhase, TouchedPart,
     VagueWord, WhichFace,
 };
+use super::never::never;
 use super::segments::{LaterAction, Lead, Segment};
+use super::unsure::UnsureWords;
 use crate::test::Comparison;
 use std::rc::Rc;
 
@@ -14,6 +16,10 @@ use std::rc::Rc;
 pub(super) struct SaidSoFar {
     pub(super) rules: Vec<MeantRule>,
     pub(super) doubts: Vec<SpeechSpan>,
+    /// Words that can never be so at once.
+    pub(super) never: Vec<SpeechSpan>,
+    /// Words that say more than what was made of them.
+    pub(super) unsure: UnsureWords,
     /// Whether what to do, or when, is missing.
     pub(super) is_missing: bool,
     seen: Option<SensedEvent>,
@@ -29,6 +35,8 @@ pub(super) struct SaidSoFar {
     is_charge: bool,
     /// True if the last sentence says what is not followed any more.
     is_unfollowed: bool,
+    /// True if what happens in this rule is one thing or another.
+    has_either: bool,
     /// Parts that texts speak of.
     pub(super) spoken_of: Vec<SensedEvent>,
 }
@@ -39,12 +47,11 @@ impl SaidSoFar {
         let mut rule = MeantRule { span: span.clone(), ..MeantRule::default() };
         let mut later = 0;
         let mut before: Option<&Segment> = None;
-        let mut goes_on = false;
-        let mut is_open = true;
-        let mut joined_or = false;
+        let (mut goes_on, mut is_open, mut joined_or) = (false, true, false);
         let mut alone = Vec::new();
         // Whether a condition stands after what is done.
         let mut is_trailed = false;
+        self.unsure.extend(out_of_order(segments));
         for (at, segment) in segments.iter().enumerate() {
             let rest = &segments[at + 1..];
             match segment {
@@ -70,8 +77,11 @@ impl SaidSoFar {
                 Segment::AtMost(ms) => rule.at_most = Some(*ms),
                 Segment::Apart(ms) => self.spread(&mut rule, *ms, span),
                 Segment::Once => rule.once = true,
+                Segment::Later(ms, _)
+                    if at > 0 && matches!(segments[at - 1], Segment::Cond(..)) && is_gone_for(&mut rule, *ms) => {}
                 Segment::Later(ms, then) => {
                     let first = rule.acts.is_empty();
+                    self.unused_time(&rule, rest, span);
                     let is_next = first || comes_next(*then, before, rest);
                     later += ms;
                     // One verb may have several objects: *open both hands*.
@@ -120,6 +130,14 @@ impl SaidSoFar {
         self.doubts.append(&mut alone);
         if is_open || !rule.acts.is_empty() || rule.event.is_some() {
             self.finish(rule, goes_on);
+        }
+    }
+
+    /// Doubts a time after which nothing is done.
+    fn unused_time(&mut self, rule: &MeantRule, rest: &[Segment], span: &SpeechSpan) {
+        let is_used = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
+        if rule.acts.is_empty() && rule.unfollows.is_none() && !is_used {
+            self.doubts.push(span.clone());
         }
     }
 
@@ -198,6 +216,12 @@ impl SaidSoFar {
             }
             return;
         }
+        // *After it is nine o'clock* is said of what comes then, not of that moment.
+        let is_clock = matches!(cond.what, SensedEvent::Clock(_));
+        if is_clock && matches!(lead, Lead::After | Lead::While | Lead::Unless) {
+            self.doubts.push(cond.span.clone());
+            return;
+        }
         self.note(&cond.what);
         // *… touches the head and holds it for 3 seconds*
         if cond.during.is_some()
@@ -209,7 +233,15 @@ impl SaidSoFar {
             event.during = cond.during;
             return;
         }
+        if let Some(event) = rule.event.as_mut().filter(|_| rule.acts.is_empty() && rule.states.is_empty())
+            && narrows(event, &cond)
+        {
+            *event = cond;
+            return;
+        }
         cond.lasts |= lead == Lead::While;
+        self.unsure.extend(self.unclear_join(rule, lead, or).map(|why| (cond.span.clone(), why)));
+        self.has_either |= or;
         match lead {
             Lead::Until if rule.until.is_none() => rule.until = Some(cond),
             Lead::Until => self.doubts.push(cond.span.clone()),
@@ -221,30 +253,14 @@ impl SaidSoFar {
                 cond.not = !cond.not;
                 rule.states.push(cond);
             }
-            _ if or => {
-                let Some(event) = rule.event.as_mut().filter(|_| rule.states.is_empty()) else {
-                    self.doubts.push(cond.span.clone());
-                    return;
-                };
-                let plain =
-                    |cond: &Cond| !cond.not && cond.during.is_none() && cond.within.is_none() && cond.times.is_none();
-                if !plain(event) || !plain(&cond) {
-                    self.doubts.push(cond.span.clone());
-                    return;
-                }
-                event.what = match std::mem::replace(&mut event.what, SensedEvent::Noise) {
-                    SensedEvent::Any(mut all) => {
-                        all.push(cond.what);
-                        SensedEvent::Any(all)
-                    }
-                    SensedEvent::Words(mut all) if matches!(cond.what, SensedEvent::Words(_)) => {
-                        if let SensedEvent::Words(more) = cond.what {
-                            all.extend(more);
-                        }
-                        SensedEvent::Words(all)
-                    }
-                    one => SensedEvent::Any(vec![one, cond.what]),
-                };
+            _ if or => self.either(rule, cond),
+            // *While the head is held, say hello when you see a face*
+            Lead::When | Lead::WhenToo | Lead::Once
+                if rule.lasts && rule.acts.is_empty() && rule.states.is_empty() && cond.within.is_none() =>
+            {
+                rule.states.extend(rule.event.replace(cond));
+                rule.lasts = false;
+                return;
             }
             _ if rule.event.is_none() => {
                 if cond.within.is_some() {
@@ -264,6 +280,41 @@ impl SaidSoFar {
         {
             rule.lasts = true;
         }
+    }
+
+    /// Returns why it is asked about that a condition joins the event of a rule; none if it is clear.
+    fn unclear_join(&self, rule: &MeantRule, lead: Lead, or: bool) -> Option<&'static str> {
+        rule.event.as_ref().filter(|_| !or)?;
+        match lead {
+            // *When … and when …*: at either time, or at both?
+            Lead::WhenToo => Some("either"),
+            // *… once a face is seen*: first the one, and then the other.
+            Lead::Once | Lead::After => Some("sequence"),
+            // *… or the button is pressed and a face is seen*: is the last one for both?
+            Lead::None if self.has_either => Some("either"),
+            _ => None,
+        }
+    }
+
+    /// Adds another thing that may happen instead.
+    fn either(&mut self, rule: &mut MeantRule, cond: Cond) {
+        let plain = |cond: &Cond| !cond.not && cond.during.is_none() && cond.within.is_none() && cond.times.is_none();
+        let open = rule.event.as_mut().filter(|event| rule.states.is_empty() && plain(event) && plain(&cond));
+        let Some(event) = open else {
+            self.doubts.push(cond.span);
+            return;
+        };
+        event.what = match (std::mem::replace(&mut event.what, SensedEvent::Noise), cond.what) {
+            (SensedEvent::Any(mut all), what) => {
+                all.push(what);
+                SensedEvent::Any(all)
+            }
+            (SensedEvent::Words(mut all), SensedEvent::Words(more)) => {
+                all.extend(more);
+                SensedEvent::Words(all)
+            }
+            (one, what) => SensedEvent::Any(vec![one, what]),
+        };
     }
 
     /// The rule that an answer is waited for after: that before other answers, and before the same answer.
@@ -315,6 +366,10 @@ impl SaidSoFar {
                 _ => return false,
             },
             SensedEvent::Counted(number) => {
+                if let (None, Some(SensedEvent::People(_))) = (&self.counted, &self.last) {
+                    cond.what = SensedEvent::People(vec![(Comparison::Is, f64::from(*number), "")]);
+                    return true;
+                }
                 let Some(counted) = &self.counted else { return false };
                 let (times, span) = (Some(Repetition::After(*number)), cond.span.clone());
                 *cond = Cond { times, span, ..counted.clone() };
@@ -362,6 +417,7 @@ impl SaidSoFar {
             SensedEvent::Far(Of::Person, _) | SensedEvent::People(_) => {
                 self.seen = Some(SensedEvent::Face(WhichFace::Anybody))
             }
+            SensedEvent::Far(Of::Ahead(_), _) => self.seen = Some(event.clone()),
             SensedEvent::Touch(..) => self.touched = Some(event.clone()),
             SensedEvent::Words(_) => self.seen = self.seen.clone().or(Some(SensedEvent::Face(WhichFace::Anybody))),
             _ => {}
@@ -383,6 +439,10 @@ impl SaidSoFar {
     fn moved_again(&mut self, acts: &Rc<Vec<Act>>, span: &SpeechSpan) -> Vec<Act> {
         let joint = |act: &Act| if let Act::Move(joint, _) = act { Some(*joint) } else { None };
         let meant: Vec<Act> = match acts[..] {
+            // *If I hold your right hand, close it*
+            [Act::MoveThem(verb)] if self.joints.is_empty() => {
+                self.touched.iter().filter_map(hand_joint).filter_map(|joint| moved_by(joint, verb)).collect()
+            }
             [Act::MoveThem(verb)] => self.joints.iter().filter_map(|joint| moved_by(joint, verb)).collect(),
             _ => acts.to_vec(),
         };
@@ -400,15 +460,7 @@ impl SaidSoFar {
         for act in &meant {
             let act = match act {
                 Act::Count(cond) => {
-                    let mut cond = (**cond).clone();
-                    if !self.resolve(&mut cond) || rule.event.is_some() || cond.times.is_some() {
-                        self.doubts.push(span.clone());
-                        continue;
-                    }
-                    self.note(&cond.what);
-                    self.counted = Some(cond.clone());
-                    rule.event = Some(cond);
-                    rule.counts = true;
+                    self.count(rule, (**cond).clone(), span);
                     continue;
                 }
                 Act::Not | Act::NotFor(..) | Act::Keeps | Act::Instead | Act::Unfollow(_) => {
@@ -450,28 +502,26 @@ impl SaidSoFar {
                 _ => {}
             }
             let act = match act {
-                Act::SayValue(MeantValue::Count) | Act::Show(MeantValue::Count) => {
-                    let moment = rule.event.as_ref().is_some_and(|event| {
-                        !event.not
-                            && matches!(
-                                event.what,
-                                SensedEvent::Touch(..)
-                                    | SensedEvent::Button(_)
-                                    | SensedEvent::Noise
-                                    | SensedEvent::Words(_)
-                            )
-                    });
-                    if !rule.counts && !moment {
-                        self.doubts.push(span.clone());
-                        continue;
-                    }
-                    if !rule.counts {
-                        (rule.counts, self.counted) = (true, rule.event.clone());
-                    }
-                    if matches!(act, Act::Show(_)) { Act::Show(MeantValue::It) } else { Act::SayValue(MeantValue::It) }
-                }
-                other => other,
+                Act::SayValue(MeantValue::Counted) if rule.counts => Some(Act::SayValue(MeantValue::It)),
+                Act::SayValue(MeantValue::Counted) => None,
+                Act::SayValue(MeantValue::Count) | Act::Show(MeantValue::Count) => self.said_count(rule, &act),
+                other => Some(other),
             };
+            let Some(act) = act else {
+                self.doubts.push(span.clone());
+                continue;
+            };
+            // *Red for two seconds and then white*
+            let goes_out = match (&act, rule.acts.last()) {
+                (Act::Eyes(_), Some((time, Act::Eyes("off"), lit))) if *time > later && lit != span => Some(*time),
+                _ => None,
+            };
+            if let Some(time) = goes_out {
+                rule.acts.pop();
+                self.did = Some(act.clone());
+                rule.acts.push((time, act, span.clone()));
+                continue;
+            }
             // Two of one kind at once: only the last would count.
             let same = |one: &Act, other: &Act| {
                 matches!((one, other), (Act::Eyes(_), Act::Eyes(_)) | (Act::Pose(_), Act::Pose(_)))
@@ -483,6 +533,37 @@ impl SaidSoFar {
             self.did = Some(act.clone());
             rule.acts.push((later, act, span.clone()));
         }
+    }
+
+    /// Begins to count what happens.
+    fn count(&mut self, rule: &mut MeantRule, mut cond: Cond, span: &SpeechSpan) {
+        if !self.resolve(&mut cond) || rule.event.is_some() || cond.times.is_some() {
+            self.doubts.push(span.clone());
+            return;
+        }
+        self.note(&cond.what);
+        self.counted = Some(cond.clone());
+        rule.event = Some(cond);
+        rule.counts = true;
+    }
+
+    /// Returns how often something came, as it is said or shown; none if nobody knows what is counted.
+    fn said_count(&mut self, rule: &mut MeantRule, act: &Act) -> Option<Act> {
+        let moment = rule.event.as_ref().is_some_and(|event| {
+            !event.not
+                && matches!(
+                    event.what,
+                    SensedEvent::Touch(..) | SensedEvent::Button(_) | SensedEvent::Noise | SensedEvent::Words(_)
+                )
+        });
+        if !rule.counts && !moment {
+            return None;
+        }
+        if !rule.counts {
+            (rule.counts, self.counted) = (true, rule.event.clone());
+        }
+        let shows = matches!(act, Act::Show(_));
+        Some(if shows { Act::Show(MeantValue::It) } else { Act::SayValue(MeantValue::It) })
     }
 
     /// An action with what “it” is in the place of “it”; none if nobody knows.
@@ -533,6 +614,41 @@ impl SaidSoFar {
         }
     }
 
+    /// Says how often the rule before may do what it does.
+    fn limit(&mut self, rule: &MeantRule) {
+        if rule.at_most.is_none() && !rule.once {
+            return;
+        }
+        match self.rules.last_mut() {
+            Some(last) => {
+                last.at_most = last.at_most.or(rule.at_most);
+                last.once |= rule.once;
+            }
+            None => self.is_missing = true,
+        }
+    }
+
+    /// ただし…とき…ない: what was said is not done then.
+    fn deny(&mut self, rule: MeantRule, span: SpeechSpan) {
+        let conds: Vec<Cond> = rule.event.into_iter().chain(rule.states).collect();
+        match (self.rules.last_mut(), &conds[..]) {
+            (Some(last), [cond]) => {
+                last.states.push(Cond { not: !cond.not, ..cond.clone() });
+                self.never.extend(never(last));
+            }
+            _ => self.doubts.push(span),
+        }
+    }
+
+    /// Ends the only rule before at this.
+    fn stop(&mut self, end: Cond, rule: &MeantRule) {
+        let plain = rule.states.is_empty() && !rule.once && !rule.lasts && rule.at_most.is_none();
+        match &mut self.rules[..] {
+            [last] if plain && last.until.is_none() && !last.once && !last.otherwise => last.until = Some(end),
+            _ => self.doubts.push(end.span),
+        }
+    }
+
     /// True if a time after the start is said: *after 5 minutes, …*
     fn is_after_start(&self, rule: &MeantRule) -> bool {
         let says_when = rule.event.is_some() || rule.every.is_some() || rule.until.is_some() || !rule.states.is_empty();
@@ -541,35 +657,31 @@ impl SaidSoFar {
 
     /// A rule is over.
     fn finish(&mut self, mut rule: MeantRule, goes_on: bool) {
+        self.has_either = false;
         let is_empty = rule.acts.is_empty() && rule.event.is_none() && rule.states.is_empty() && rule.every.is_none();
-        if is_empty && !rule.otherwise && rule.unfollows.is_none() {
-            if rule.at_most.is_some() || rule.once {
-                match self.rules.last_mut() {
-                    Some(last) => {
-                        last.at_most = last.at_most.or(rule.at_most);
-                        last.once |= rule.once;
-                    }
-                    None => self.is_missing = true,
-                }
-            }
+        // *Stop when the head is touched.*
+        if is_empty && let Some(end) = rule.until.take() {
+            self.stop(end, &rule);
             return;
         }
-        // ただし…とき…ない: what was said is not done then.
+        if is_empty && !rule.otherwise && rule.unfollows.is_none() && rule.denied.is_none() {
+            self.limit(&rule);
+            return;
+        }
         if let Some(span) = rule.denied.take() {
-            let conds: Vec<Cond> = rule.event.take().into_iter().chain(rule.states.drain(..)).collect();
-            match (self.rules.last_mut(), &conds[..]) {
-                (Some(last), [cond]) => {
-                    let mut cond = cond.clone();
-                    cond.not = !cond.not;
-                    last.states.push(cond);
-                }
-                _ => self.doubts.push(span),
-            }
+            self.deny(rule, span);
             return;
         }
         if let Some((span, target)) = rule.unfollows.take() {
+            // *Stop following it and say “pause”*
+            let more = std::mem::take(&mut rule.acts);
+            let event = rule.event.clone();
             self.unfollow(rule, &span, target);
-            return;
+            if more.is_empty() || event.is_none() {
+                return;
+            }
+            self.is_unfollowed = false;
+            rule = MeantRule { event, acts: more, span, ..MeantRule::default() };
         }
         if rule.acts.is_empty() {
             self.is_missing = true;
@@ -628,8 +740,24 @@ impl SaidSoFar {
             return;
         }
         rule.is_own = needs_event;
+        self.unsure.extend(unclear_time(&rule));
+        self.never.extend(never(&rule));
         self.rules.push(rule);
     }
+}
+
+/// True if a condition says again what a rule waits for, and more of it: *when you see a face, if it is a new one*,
+/// 前に物があって、50センチより近かったら.
+fn narrows(event: &Cond, more: &Cond) -> bool {
+    let plain = |cond: &Cond| !cond.not && cond.during.is_none() && cond.within.is_none() && cond.times.is_none();
+    let says_more = match (&event.what, &more.what) {
+        (SensedEvent::Face(WhichFace::Anybody), SensedEvent::Face(which)) => *which != WhichFace::Anybody,
+        (SensedEvent::Far(of, _), SensedEvent::Far(other, _)) => {
+            of == other && event.vague.is_some() && more.vague.is_none()
+        }
+        _ => false,
+    };
+    says_more && plain(event) && plain(more)
 }
 
 /// True if what one rule waits for and what another one waits for cannot come at once.
@@ -652,14 +780,115 @@ fn excludes(one: Option<&MeantRule>, other: &MeantRule) -> bool {
     }
 }
 
+/// 顔が見えなくなって5秒たったら: notes that what a rule waits for was not there for so long; true if it tells that.
+fn is_gone_for(rule: &mut MeantRule, ms: u64) -> bool {
+    let is_first = rule.acts.is_empty();
+    let is_gone = |cond: &&mut Cond| {
+        let seen = matches!(
+            cond.what,
+            SensedEvent::Face(WhichFace::Anybody) | SensedEvent::Ball(_) | SensedEvent::Thing(_) | SensedEvent::Mark(_)
+        );
+        seen && cond.not && cond.during.is_none() && cond.times.is_none() && cond.within.is_none()
+    };
+    let gone = rule.event.as_mut().filter(|gone| is_first && is_gone(gone));
+    gone.map(|gone| gone.during = Some(ms)).is_some()
+}
+
+/// Words by which one thing comes after another one, where a rule would do both at once.
+fn out_of_order(segments: &[Segment]) -> UnsureWords {
+    let mut all = two_who_act(segments);
+    // Whether what was said last is what comes before the rest; whether the body moves already, and what comes then.
+    let (mut comes_after, mut moves, mut then) = (false, false, false);
+    for segment in segments {
+        match segment {
+            // *After the head is touched, when a face is seen, …*
+            Segment::Cond(lead, cond) => {
+                if comes_after && !matches!(lead, Lead::Until | Lead::Unless) {
+                    all.push((cond.span.clone(), "sequence"));
+                }
+                (comes_after, moves, then) = (*lead == Lead::After, false, false);
+            }
+            // *Wave, then sit down*
+            Segment::Acts(acts, span) => {
+                let also = acts.iter().any(moves_body);
+                if also && moves && then {
+                    all.push((span.clone(), "sequence"));
+                }
+                (comes_after, moves, then) = (false, moves || also, false);
+            }
+            Segment::Then => then = true,
+            Segment::Later(..) | Segment::Otherwise | Segment::Unheard(_) => (moves, then) = (false, false),
+            _ => {}
+        }
+    }
+    all
+}
+
+/// *I press the button and say yes, …*: what somebody else does looks like what the robot does.
+fn two_who_act(segments: &[Segment]) -> UnsureWords {
+    let plain: Vec<&Segment> = segments.iter().filter(|segment| !matches!(segment, Segment::Nothing)).collect();
+    let joined = |three: &[&Segment]| match three {
+        [Segment::Cond(lead, _), Segment::And, Segment::Acts(_, span)] if *lead != Lead::None => Some(span.clone()),
+        _ => None,
+    };
+    let leads = |at: usize| !plain[..at].iter().any(|before| matches!(before, Segment::Acts(..)));
+    let all = plain.windows(3).enumerate().filter(|(at, _)| leads(*at));
+    all.filter_map(|(_, three)| Some((joined(three)?, "whodoes"))).collect()
+}
+
+/// *When the button is pressed, wave every minute*: a moment that is looked at every minute is missed, and what goes on
+/// from it needs an end.  *At nine o'clock … until ten o'clock*: both are moments.
+fn unclear_time(rule: &MeantRule) -> UnsureWords {
+    let happens = |event: &&Cond| {
+        !event.not
+            && event.during.is_none()
+            && matches!(
+                event.what,
+                SensedEvent::Touch(..)
+                    | SensedEvent::Button(_)
+                    | SensedEvent::Words(_)
+                    | SensedEvent::Noise
+                    | SensedEvent::Falls
+                    | SensedEvent::Up
+                    | SensedEvent::Start
+                    | SensedEvent::Clock(_)
+            )
+    };
+    let is_clock = |cond: &&Cond| matches!(cond.what, SensedEvent::Clock(_));
+    let mut all = UnsureWords::new();
+    let event = rule.event.as_ref();
+    if rule.every.is_some() && !rule.lasts {
+        all.extend(event.filter(happens).map(|event| (event.span.clone(), "repeats")));
+    }
+    if let (Some(_), Some(until)) = (event.filter(is_clock), rule.until.as_ref().filter(is_clock)) {
+        all.push((until.span.clone(), "clock"));
+    }
+    all
+}
+
 /// True if something happens and is over at once.
 fn is_moment(event: &SensedEvent) -> bool {
     matches!(event, SensedEvent::Button(_) | SensedEvent::Words(_) | SensedEvent::Falls)
 }
 
+/// True if the whole body moves, so that nothing else can move it.
+fn moves_body(act: &Act) -> bool {
+    matches!(act, Act::Gesture(_) | Act::Pose(_) | Act::Walk)
+}
+
 /// True if words are said.
 fn says(act: &Act) -> bool {
     matches!(act, Act::Say(_) | Act::SayAny(_) | Act::SayValue(_))
+}
+
+/// Returns the joint of a hand that was touched, if it was said which one.
+fn hand_joint(event: &SensedEvent) -> Option<&'static str> {
+    let SensedEvent::Touch(TouchedPart::Hand, params, _) = event else { return None };
+    match params.iter().find(|(name, _)| *name == "hand").map(|(_, side)| *side) {
+        Some("left") => Some("LHand"),
+        Some("right") => Some("RHand"),
+        _ => None,
+    }
 }
 
 /// Returns the touch of a joint that is moved; `before` for a joint of no hand.
@@ -689,7 +918,7 @@ fn comes_next(then: LaterAction, before: Option<&Segment>, rest: &[Segment]) -> 
     let after_join = matches!(before, Some(Segment::And | Segment::Then | Segment::But) | None);
     let follows = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
     let parted = matches!(rest.first(), Some(Segment::Sign | Segment::And | Segment::Then | Segment::Cond(..)));
-    after_join || then == LaterAction::Next || (then == LaterAction::NextIfThere && follows && !parted)
+    follows && (after_join || then == LaterAction::Next || (then == LaterAction::NextIfThere && !parted))
 }
 
 /// What an action that needs no word for when goes by.
@@ -704,6 +933,7 @@ pub(crate) fn own_event(act: &Act) -> Option<SensedEvent> {
         Act::Nearer(Of::Ahead(side)) => Some(SensedEvent::Far(Of::Ahead(side), Vec::new())),
         Act::Show(MeantValue::Charge) => Some(SensedEvent::Charge(Vec::new())),
         Act::Show(MeantValue::Distance(of)) => Some(SensedEvent::Far(*of, Vec::new())),
+        Act::SayValue(MeantValue::Mark) => Some(SensedEvent::Mark(None)),
         Act::Show(MeantValue::Name) => Some(SensedEvent::Face(WhichFace::Anybody)),
         _ => None,
     }

@@ -41,6 +41,8 @@ pub(super) enum CountedNumber {
     People(f64),
     /// The number of a mark.
     Mark(f64),
+    /// A time of day, in minutes after midnight.
+    Clock(u32),
 }
 
 /// What a token costs that is not known, and a word.
@@ -140,6 +142,11 @@ fn word(token: &SpeechToken) -> &str {
     match &token.what {
         SpeechTokenKind::Word(word) => word,
         SpeechTokenKind::Sign('%') => "%",
+        SpeechTokenKind::Sign('<') => "<",
+        SpeechTokenKind::Sign('>') => ">",
+        SpeechTokenKind::Sign('≤') => "≤",
+        SpeechTokenKind::Sign('≥') => "≥",
+        SpeechTokenKind::Sign('=') => "=",
         _ => "\0",
     }
 }
@@ -184,21 +191,18 @@ fn measure(
         let (end, sense) = found.iter().filter(|(_, sense)| sense.kind == "unit").max_by_key(|(end, _)| *end)?;
         Some((*end, sense.arg))
     };
-    // *A quarter*, of the battery
-    let share = lexicon.at(words, at).into_iter().filter(|(_, sense)| sense.kind == "share");
-    if let Some((end, sense)) = share.max_by_key(|(end, _)| *end) {
-        return Some((end, CountedNumber::Share(sense.arg.parse().ok()?)));
+    if let Some(named) = named_measure(lexicon, words, at) {
+        return Some(named);
     }
     // *Every second press* counts presses.
-    let counts = |(_, sense): &(usize, WritingSense)| {
-        sense.kind == "time" || sense.kind == "v" && ["touch", "press", "hold", "clap", "bump"].contains(&sense.arg)
-    };
-    if words.get(at) == Some(&"second") && at > 0 && lexicon.at(words, at + 1).iter().any(counts) {
+    if words.get(at) == Some(&"second") && at > 0 && lexicon.at(words, at + 1).iter().any(counts_more) {
         return None;
     }
     let is = |at: usize, wanted: &[&str]| words.get(at..at + wanted.len()).is_some_and(|words| words == wanted);
     if language == Language::Japanese {
+        // 半分 is a half, and no time.
         if words[at] == "半"
+            && words.get(at + 1) != Some(&"分")
             && let Some((end, unit)) = unit(at + 1)
         {
             return Some((end, measured(0.5, unit)?));
@@ -237,6 +241,9 @@ fn measure(
         return matches!(time, CountedNumber::Time(_)).then_some((end, time));
     }
     let article = is(at, &["a"]) || is(at, &["an"]) || is(at, &["one"]);
+    if is(at, &["a"]) && is(at + 1, &["second"]) && lexicon.at(words, at + 2).iter().any(is_next) {
+        return None;
+    }
     if article
         && let Some((end, unit)) = unit(at + 1)
         && !["times", "foot"].contains(&unit)
@@ -262,6 +269,28 @@ fn measure(
     }))
 }
 
+/// True for what is counted after *every second*.
+fn counts_more((_, sense): &(usize, WritingSense)) -> bool {
+    let felt = ["touch", "press", "hold", "clap", "bump"].contains(&sense.arg);
+    sense.kind == "time" || sense.kind == "v" && felt
+}
+
+/// True for what may be the next one of its kind: *a second person*.
+fn is_next(found: &(usize, WritingSense)) -> bool {
+    matches!(found.1.kind, "who" | "whom" | "part" | "noun") || counts_more(found)
+}
+
+/// A measure that has words of its own: *a quarter of an hour*, and *a quarter*, of the battery.
+fn named_measure(lexicon: &Lexicon, words: &[&str], at: usize) -> Option<(usize, CountedNumber)> {
+    let found = lexicon.at(words, at);
+    let longest = |kind: &str| found.iter().filter(|(_, sense)| sense.kind == kind).max_by_key(|(end, _)| *end);
+    if let Some((end, sense)) = longest("span") {
+        return Some((*end, CountedNumber::Time(sense.arg.parse().ok()?)));
+    }
+    let (end, sense) = longest("share")?;
+    Some((*end, CountedNumber::Share(sense.arg.parse().ok()?)))
+}
+
 /// *1 minute 30 seconds* is one time.
 fn more_time(
     first: CountedNumber,
@@ -271,6 +300,10 @@ fn more_time(
     match (first, next(end)) {
         (CountedNumber::Time(long), Some((end, CountedNumber::Time(short)))) if short < long && long >= 60_000 => {
             (end, CountedNumber::Time(long + short))
+        }
+        // １ｍ５０ｃｍ
+        (CountedNumber::Length(long, "m"), Some((end, CountedNumber::Length(short, "cm")))) if short < 100.0 => {
+            (end, CountedNumber::Length((long * 100.0 + short).round() / 100.0, "m"))
         }
         _ => (end, first),
     }

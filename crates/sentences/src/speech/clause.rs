@@ -193,8 +193,12 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     }
     let mut not = bag.take("not", "").is_some();
     let mut over = bag.take("nolonger", "").is_some();
-    if bag.take("anymore", "").is_some() && not {
-        (over, not) = (true, false);
+    if bag.take("anymore", "").is_some() {
+        if not {
+            (over, not) = (true, false);
+        } else if bag.has("v", "touch") && bag.take("none", "who").is_some() {
+            over = true;
+        }
     }
     let mut lasts = bag.take("v", "keep").is_some();
     let what = event(bag, &mut not, over, &mut lasts)?;
@@ -226,7 +230,8 @@ pub(super) fn gaps(atoms: &[Atom]) -> Vec<SpeechSpan> {
 fn told_gaps(atoms: &[Atom]) -> Vec<SpeechSpan> {
     let is_gap = |atom: &&Atom| {
         atom.is("gap", "") && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague" | "do"))
-            || !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"))
+            || !atom.senses.is_empty()
+                && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague" | "daypart"))
     };
     atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
 }
@@ -282,6 +287,9 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     if is_anothers_body(bag.atoms) {
         return None;
     }
+    if let Some(clock) = clock(bag, *not) {
+        return clock;
+    }
     if let Some(touch) = touches::touch(bag, over, lasts) {
         return touch;
     }
@@ -289,6 +297,20 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     *not |= over;
     let found = measured::measured(bag, not).or_else(|| seen::heard(bag, not));
     found.or_else(|| body(bag)).or_else(|| seen::seen(bag, not, nobody, nothing))
+}
+
+/// *It is nine o'clock*, 9時になる. The time alone is no clause: *after nine o'clock* is another thing.
+fn clock(bag: &mut Bag, not: bool) -> Option<Option<SensedEvent>> {
+    let (minutes, _) =
+        bag.measure(|measure| if let CountedNumber::Clock(minutes) = measure { Some(minutes) } else { None })?;
+    let verbs = ["turn", "come", "exist", "strike", "shine", "go"];
+    let tells = bag.atoms.iter().any(|atom| atom.is("aux", "be") || verbs.iter().any(|verb| atom.is("v", verb)));
+    for verb in verbs {
+        bag.take_all("v", verb);
+    }
+    bag.take_all("it", "");
+    bag.take_all("noun", "clock");
+    Some((tells && !not).then_some(SensedEvent::Clock(minutes)))
 }
 
 /// True if a part of somebody's body is spoken of: *the child's hand* is none that the robot feels.
@@ -355,12 +377,20 @@ fn agent(bag: &mut Bag) {
 /// A clause of which only the side or the part is said: *the right one*, 右手なら.
 pub(super) fn elliptic(atoms: &[Atom]) -> Option<Meant<Cond>> {
     let mut bag = Bag::new(atoms);
-    if atoms.iter().any(|atom| atom.is("v", "")) {
+    // 10回になったら
+    let is_number = |atom: &Atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Times(_)));
+    let turns = atoms.iter().any(is_number) && bag.take("v", "turn").is_some();
+    if atoms.iter().any(|atom| atom.is("v", "") && !(turns && atom.is("v", "turn"))) {
         return None;
     }
     let span = bag.span();
     let cond = |what| Cond::of(what, span.clone());
     let part = bag.arg("part").map(|(part, _)| part);
+    // *If it is just one*
+    let counts = |atom: &Atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Number(_)));
+    if atoms.iter().any(|atom| atom.is("aux", "be")) && atoms.iter().any(counts) && !bag.has("side", "") {
+        return counted(bag, cond);
+    }
     if let Some(what) = touches::same(&mut bag) {
         let SensedEvent::Same(params, _) = what else { return None };
         return Some(Meant { what: cond(SensedEvent::Same(params, part)), left: bag.left() });
@@ -372,6 +402,12 @@ pub(super) fn elliptic(atoms: &[Atom]) -> Option<Meant<Cond>> {
     if let Some(quote) = bag.quote() {
         return Some(Meant { what: cond(SensedEvent::Words(vec![quote])), left: bag.left() });
     }
+    counted(bag, cond)
+}
+
+/// *When it is three*, of what was counted.
+fn counted(mut bag: Bag, cond: impl Fn(SensedEvent) -> Cond) -> Option<Meant<Cond>> {
+    let atoms = bag.atoms;
     let number = bag.measure(|measure| match measure {
         CountedNumber::Number(value) | CountedNumber::Times(value)
             if value >= 1.0 && value.fract() == 0.0 && value <= 1_000.0 =>
@@ -381,6 +417,11 @@ pub(super) fn elliptic(atoms: &[Atom]) -> Option<Meant<Cond>> {
         _ => None,
     });
     let (number, _) = number?;
+    // *If it is just one*
+    if atoms.iter().any(|atom| atom.is("aux", "be")) {
+        bag.take_all("it", "");
+        bag.take_all("only", "");
+    }
     bag.take_all("v", "touch");
     Some(Meant { what: cond(SensedEvent::Counted(number)), left: bag.left() })
 }

@@ -2,7 +2,8 @@
 //!
 //! `child, children = who` gives two writings one meaning. `tap ~ = v touch` has the regular forms of English verbs, and
 //! `hold|holds|held|holding = v hold` other ones. `触,さわ/る = v touch` has those of the table of inflection that is named
-//! after the `/`. `! cry = …` is what is said of a meaning that no sense or action has.
+//! after the `/`. `! cry = …` is what is said of a meaning that no sense or action has, and `? pink = magenta` what may be
+//! said in its place.
 
 use crate::Language;
 use std::collections::BTreeMap;
@@ -18,6 +19,8 @@ pub(super) struct WordForm {
     pub(super) not: bool,
     /// Whether it lasts.
     pub(super) lasts: bool,
+    /// True if it is said to go on: 触り続けたら.
+    pub(super) keeps: bool,
 }
 
 /// How a form ends a clause or leads on.
@@ -71,6 +74,8 @@ pub struct Lexicon {
     endings: BTreeMap<&'static str, Vec<(String, WordForm)>>,
     /// By what is meant: why it cannot be done.
     gaps: BTreeMap<&'static str, &'static str>,
+    /// By what is meant: what may be said in its place.
+    offers: BTreeMap<&'static str, &'static str>,
     /// Whether words have spaces between them.
     is_spaced: bool,
 }
@@ -94,6 +99,8 @@ impl Lexicon {
             let (left, right) = (left.trim(), right.trim());
             if let Some(gap) = left.strip_prefix('!') {
                 lexicon.gaps.insert(gap.trim(), right);
+            } else if let Some(gap) = left.strip_prefix('?') {
+                lexicon.offers.insert(gap.trim(), right);
             } else if let Some(class) = left.strip_prefix('%') {
                 tables.insert(class.trim(), right.split_whitespace().collect());
             } else if let Some(chain) = left.strip_prefix('+') {
@@ -205,8 +212,19 @@ impl Lexicon {
     }
 
     /// Why a meaning cannot be sensed or done.
-    pub(super) fn gap(&self, arg: &str) -> Option<&'static str> {
+    pub(crate) fn gap(&self, arg: &str) -> Option<&'static str> {
         self.gaps.get(arg).copied()
+    }
+
+    /// What may be said in the place of words for what cannot be done, by the reason.
+    pub(super) fn offer(&self, why: &str) -> Option<&'static str> {
+        let (gap, _) = self.gaps.iter().find(|(_, said)| **said == why)?;
+        self.offers.get(gap).copied()
+    }
+
+    /// Why conditions that can never be so at once are asked about.
+    pub(crate) fn never(&self) -> &'static str {
+        self.gap("never").unwrap_or_default()
     }
 
     /// Words that look like this one: one letter other, too many, missing, or two in each other's place; the likest first.
@@ -364,7 +382,7 @@ fn inflect(
         let ending = if voiced { voiced_ending(ending) } else { (*ending).to_owned() };
         let whole = format!("{before}{stem}{ending}");
         let mut now = form;
-        let mut goes_on = false;
+        let (mut goes_on, mut is_again) = (false, false);
         for word in means.split_whitespace() {
             match word {
                 "dict" => now.end = FormEnd::Dict,
@@ -374,14 +392,21 @@ fn inflect(
                 "ba" => now.end = FormEnd::Ba,
                 "stem" => now.end = FormEnd::Stem,
                 "not" => now.not = true,
-                "passive" => (now.passive, goes_on) = (true, true),
-                "lasts" => (now.lasts, goes_on) = (true, true),
+                "keeps" => now.keeps = true,
+                "passive" => {
+                    is_again |= form.passive;
+                    (now.passive, goes_on) = (true, true);
+                }
+                "lasts" => {
+                    is_again |= form.lasts;
+                    (now.lasts, goes_on) = (true, true);
+                }
                 _ => {}
             }
         }
         if !goes_on {
             to.push((whole, now));
-        } else if depth < 2 && !(now.passive && form.passive) && !(now.lasts && form.lasts) {
+        } else if depth < 2 && !is_again {
             inflect(&ONE, chains, &whole, now, depth + 1, to);
         }
     }

@@ -76,6 +76,10 @@ pub(crate) enum SensedEvent {
     Up,
     /// The program starts.
     Start,
+    /// A time of day begins, in minutes after midnight.
+    Clock(u32),
+    /// The hour is from the first one up to the second.
+    Hours(u32, u32),
     Charge(Vec<MeasuredBound>),
     /// The posture, by its name among values.
     Pose(&'static str),
@@ -185,10 +189,14 @@ pub(crate) enum MeantValue {
     It,
     /// How often something came.
     Count,
+    /// The number of those counted before: *count it and tell me*.
+    Counted,
     People,
     Charge,
     Name,
     Distance(Of),
+    /// The time of day.
+    Clock,
     Pose,
     Word,
     Mark,

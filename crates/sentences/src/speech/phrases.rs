@@ -3,6 +3,7 @@
 
 use super::atoms::{Atom, AtomValue, CountedNumber};
 use super::clause::cond;
+use super::lexicon::{FormEnd, WordForm, WritingSense};
 use super::meaning::Act;
 use super::segments::{Chart, Edge, Lead, Segment, prices};
 use std::rc::Rc;
@@ -63,8 +64,50 @@ impl Chart<'_> {
         all.extend(self.clear_cond(&self.atoms[at..end], end).map(|edge| (false, edge)));
     }
 
+    /// *Head touched: wave*, *the child says “red”, eyes red*: what happens has no word that leads it in.
+    pub(super) fn told_before(&mut self, at: usize, most: usize, all: &mut Vec<(bool, Edge)>) {
+        if !self.atoms[..at].iter().all(|atom| atom.is("void", "")) {
+            return;
+        }
+        let parts = |end: &usize| [':', ','].iter().any(|sign| self.atoms[*end].is_sign(*sign));
+        let Some(end) = (at + 1..most).find(parts) else { return };
+        let told = &self.atoms[at..end];
+        // *Press the button, …* may be an order.
+        let orders = |atom: &Atom| {
+            atom.senses.iter().any(|sense| {
+                matches!(sense.kind, "v" | "do" | "pose") && matches!(sense.form.end, FormEnd::Plain | FormEnd::Ing)
+            })
+        };
+        let leads = |atom: &Atom| ["lead", "every", "polite", "only"].iter().any(|kind| atom.is(kind, ""));
+        // *I touch your head: wave*, *you fall: say “ouch”*
+        let subject = told.iter().find(|atom| !atom.is("void", ""));
+        let felt = |atom: &Atom| ["fall", "see", "hear", "rise"].iter().any(|verb| atom.is("v", verb));
+        let is_told = subject.is_some_and(|first| match first.is("robot", "") {
+            true => told.iter().any(felt),
+            false => first.is("who", ""),
+        });
+        let is_order = told.iter().any(|atom| orders(atom) || atom.is("robot", "") && atom.is("who", "you"));
+        if told.iter().any(leads) || is_order && !is_told {
+            return;
+        }
+        self.tried();
+        let edge = self.clear_cond(told, end);
+        // *Any face: “hello”* names only what is seen.
+        let edge = edge.or_else(|| {
+            let names = |atom: &Atom| ["noun", "who", "whom", "none"].iter().any(|kind| atom.is(kind, ""));
+            let bare = self.atoms[end].is_sign(':') && told.iter().any(names);
+            let exists = WritingSense { kind: "v", arg: "exist", form: WordForm::default() };
+            let exists = Atom { senses: vec![exists], value: AtomValue::Nothing, ..told.last()?.clone() };
+            let all: Vec<Atom> = told.iter().cloned().chain([exists]).collect();
+            if bare { self.clear_cond(&all, end) } else { None }
+        });
+        all.extend(edge.map(|edge| (false, edge)));
+    }
+
     /// True if what people do begins here: *press the button*, *three claps*.
     fn begins_as_asked(&self, at: usize) -> bool {
+        let somebody = |atom: &Atom| atom.is("who", "") && !atom.is("robot", "");
+        let at = if somebody(&self.atoms[at]) && self.atoms.get(at + 1).is_some() { at + 1 } else { at };
         let counts =
             matches!(self.atoms[at].value, AtomValue::Measure(CountedNumber::Number(_) | CountedNumber::Times(_)));
         self.atoms[at].is("v", "") || counts && self.atoms.get(at + 1).is_some_and(|next| next.is("v", ""))
@@ -110,7 +153,8 @@ impl Chart<'_> {
     /// 目を赤く、…: only the colour is said, and what follows says the rest.
     pub(super) fn leaves_verb_out(&self, at: usize, end: usize) -> bool {
         let goes_on = self.atoms.get(end).is_some_and(|next| next.is_sign(','));
-        let last = &self.atoms[end - 1];
+        let means = |atom: &&Atom| !atom.is("prep", "") || atom.is("color", "");
+        let Some(last) = self.atoms[at..end].iter().rfind(means) else { return false };
         goes_on && last.is("color", "") && self.atoms[at..end].iter().any(|atom| atom.is("part", "eyes"))
     }
 }

@@ -54,6 +54,10 @@ pub(super) enum LaterAction {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lead {
     When,
+    /// *… and when*.
+    WhenToo,
+    /// *Once*, *as soon as*.
+    Once,
     While,
     Until,
     Unless,
@@ -91,7 +95,7 @@ const CLAUSE_MAX: usize = 40;
 enum SegmentBefore {
     Else,
     Cond,
-    /// A condition and an *and* or *or*.
+    /// A condition and an *and*, *or* or *but*.
     Joined,
 }
 
@@ -138,7 +142,7 @@ pub(super) fn cover(atoms: &[Atom], language: Language, asks: bool, source: &dyn
                     continue;
                 }
                 let after = match (&edge.segment, before) {
-                    (Segment::And | Segment::Or, SegmentBefore::Cond) => SegmentBefore::Joined,
+                    (Segment::And | Segment::Or | Segment::But, SegmentBefore::Cond) => SegmentBefore::Joined,
                     (Segment::Sign | Segment::Nothing, before) => *before,
                     _ => edge.after,
                 };
@@ -157,7 +161,7 @@ pub(super) fn cover(atoms: &[Atom], language: Language, asks: bool, source: &dyn
         let slot = BEFORES.iter().position(|known| *known == before).unwrap_or(0);
         let Some((_, Some(edge))) = &best[at][slot] else { break };
         before = match (&edge.segment, before) {
-            (Segment::And | Segment::Or, SegmentBefore::Cond) => SegmentBefore::Joined,
+            (Segment::And | Segment::Or | Segment::But, SegmentBefore::Cond) => SegmentBefore::Joined,
             (Segment::Sign | Segment::Nothing, before) => before,
             _ => edge.after,
         };
@@ -208,6 +212,15 @@ impl Chart<'_> {
         {
             all.push((false, plain(at + 1, Segment::Nothing, 3)));
         }
+        // *Over and over every two seconds*
+        let repeats = |at: usize| self.is(at, "every", "") && self.time(at + 1).is_some();
+        if atom.is("repeat", "") && (0..self.atoms.len()).any(repeats) {
+            all.push((false, plain(at + 1, Segment::Nothing, 3)));
+        }
+        // *Afterwards only wave*
+        if atom.is("only", "") && self.atoms.get(at + 1).is_some_and(|_| is_order(&self.atoms[at + 1..])) {
+            all.push((false, plain(at + 1, Segment::Nothing, 3)));
+        }
         // *NAO, …*
         let next = if self.atoms.get(at + 1).is_some_and(|next| next.is("void", "")) { at + 2 } else { at + 1 };
         if atom.is("robot", "") && self.atoms.get(next).is_some_and(|next| next.is_sign(',')) {
@@ -231,6 +244,10 @@ impl Chart<'_> {
     /// An edge that leaves nothing in doubt.
     pub(super) fn plain(&self, to: usize, segment: Segment, cost: usize) -> Edge {
         Edge { to, segment, cost, doubts: Vec::new(), texts: Vec::new(), after: SegmentBefore::Else }
+    }
+
+    pub(super) fn is_japanese(&self) -> bool {
+        self.language == Language::Japanese
     }
 
     /// True if enough was tried.
@@ -336,7 +353,9 @@ impl Chart<'_> {
         // *Three times in five seconds* is no time after.
         let counted = at > 0
             && (is(at - 1, "times", "") || matches!(atoms[at - 1].value, AtomValue::Measure(CountedNumber::Times(_))));
-        if (is(at, "lead", "after") || is(at, "v", "wait") || (is(at, "within", "in") && !counted))
+        // 触れたときから5秒間 is how long, not when.
+        let after = is(at, "lead", "after") && self.language == Language::English;
+        if (after || is(at, "v", "wait") || (is(at, "within", "in") && !counted))
             && let Some(ms) = time(fillers(at + 1))
         {
             let end = fillers(at + 1) + 1;
@@ -344,6 +363,7 @@ impl Chart<'_> {
             found.push((end, Segment::Later(ms, if is(at, "v", "wait") { LaterAction::Next } else { self.then(end) })));
         }
         self.limits(at, &mut found);
+        self.times_of_day(at, &mut found);
         found
     }
 
@@ -447,6 +467,7 @@ impl Chart<'_> {
             "gap",
             "robot",
             "void",
+            "daypart",
         ];
         matches!(atom.value, AtomValue::Sign(_) | AtomValue::Measure(_))
             || kinds.iter().any(|kind| atom.is(kind, ""))
@@ -455,14 +476,16 @@ impl Chart<'_> {
             || atom.is("within", "")
             || atom.is("result", "")
             || self.is_relative(at)
+            || self.begins_time(at)
     }
 
     fn english(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
         let atom = &self.atoms[at];
         let leads: Vec<Lead> =
-            atom.senses.iter().filter(|sense| sense.kind == "lead").map(|sense| lead(sense.arg)).collect();
+            atom.senses.iter().filter(|sense| sense.kind == "lead").map(|sense| self.lead(at, sense.arg)).collect();
         let most = (at + CLAUSE_MAX).min(self.atoms.len());
         self.relative(at, most, all);
+        self.told_before(at, most, all);
         self.asked_of_people(at, most, all);
         self.text_alone(at, all);
         // *With every fifth pat …*: at every so many, and not at the fifth.
@@ -501,7 +524,7 @@ impl Chart<'_> {
                     }
                     all.push((false, edge));
                 }
-                let alone = matches!(lead, Lead::After | Lead::When | Lead::Until);
+                let alone = !matches!(lead, Lead::While | Lead::Unless | Lead::None);
                 let edge = if alone { elliptic(&self.atoms[start..end]) } else { None };
                 if let Some(edge) = edge.filter(|meant| meant.left.is_empty()) {
                     all.push((false, self.met(*lead, edge, end, CLAUSE + 5)));
@@ -553,12 +576,30 @@ impl Chart<'_> {
         }
     }
 
+    /// How the word here leads a clause in.
+    fn lead(&self, at: usize, arg: &str) -> Lead {
+        let before = self.atoms[..at].iter().rposition(|atom| !atom.is("void", "") && !atom.is_sign(','));
+        let follows_and = before.is_some_and(|before| self.atoms[before].is("and", ""));
+        match lead(arg) {
+            Lead::When if self.is(at, "sequence", "") => Lead::Once,
+            Lead::When if self.is(at, "eithertime", "") => Lead::WhenToo,
+            Lead::When if follows_and && !self.is(at, "if", "") && !self.is(at, "lead", "first") => Lead::WhenToo,
+            lead => lead,
+        }
+    }
+
     fn cond_edge(&self, lead: Lead, start: usize, end: usize, cost: usize) -> Option<Edge> {
         let atoms = &self.atoms[start..end];
         if atoms.is_empty() {
             return None;
         }
         let mut best = cond(atoms).map(|meant| self.met(lead, meant, end, cost));
+        if let Some(meant) = either(atoms) {
+            let edge = self.met(lead, meant, end, cost + 2);
+            if best.as_ref().is_none_or(|best| edge.cost < best.cost) {
+                best = Some(edge);
+            }
+        }
         if let Some((heard, texts, price)) = self.heard(atoms)
             && let Some(meant) = cond(&heard)
         {
@@ -737,6 +778,11 @@ impl Chart<'_> {
                 {
                     to -= 3;
                 }
+                // *Say hello to me*
+                let told = to >= 2 && atoms[to - 1].is("who", "") && !atoms[to - 1].is("hi", "");
+                if told && to - from > 2 && atoms[to - 2].is("prep", "to") {
+                    to -= 2;
+                }
                 // *Say hello to everyone you know*
                 if to - from > 1 && atoms[to - 1].is("prep", "to") && self.is_relative(end) {
                     to -= 1;
@@ -760,7 +806,10 @@ impl Chart<'_> {
             .filter(|atom| {
                 ["manner", "chance", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
                     || atom.is("adv", "again")
-                    || matches!(atom.value, AtomValue::Measure(CountedNumber::Times(_) | CountedNumber::Time(_)))
+                    || matches!(
+                        atom.value,
+                        AtomValue::Measure(CountedNumber::Times(_) | CountedNumber::Time(_) | CountedNumber::Clock(_))
+                    )
             })
             .map(|atom| atom.span.clone())
             .collect();
@@ -884,6 +933,30 @@ impl Chart<'_> {
     }
 }
 
+/// *A face or the red ball is seen*, 顔か赤いボールが見えたら: one of two, told by what follows both.
+fn either(atoms: &[Atom]) -> Option<Meant<Cond>> {
+    let or = atoms.iter().position(|atom| atom.is("or", "")).filter(|or| *or > 0)?;
+    let tells = |atom: &Atom| atom.is("aux", "") || atom.is("v", "") || atom.is("p", "ga");
+    if atoms[..or].iter().any(|atom| tells(atom) || super::act::is_quote(atom)) {
+        return None;
+    }
+    let tail = or + 1 + atoms[or + 1..].iter().position(tells)?;
+    let first: Vec<Atom> = atoms[..or].iter().chain(&atoms[tail..]).cloned().collect();
+    let clear = |atoms: &[Atom]| cond(atoms).filter(|meant| meant.left.is_empty()).map(|meant| meant.what);
+    let (one, other) = (clear(&first)?, clear(&atoms[or + 1..])?);
+    let plain = |cond: &Cond| {
+        !cond.not && cond.during.is_none() && cond.within.is_none() && cond.times.is_none() && cond.vague.is_none()
+    };
+    if !plain(&one) || !plain(&other) || one.what == other.what {
+        return None;
+    }
+    let what = SensedEvent::Any(vec![one.what, other.what]);
+    Some(Meant {
+        what: Cond { span: one.span.start.min(other.span.start)..one.span.end.max(other.span.end), what, ..other },
+        left: Vec::new(),
+    })
+}
+
 fn lead(arg: &str) -> Lead {
     match arg {
         "while" => Lead::While,
@@ -944,7 +1017,11 @@ fn is_suspicious(text: &[Atom]) -> bool {
     }
     // *How many faces you can see*
     let tells_value = |atom: &Atom| {
-        atom.is("noun", "count") || atom.is("noun", "distance") || atom.is("gap", "whatever") || atom.is("gap", "time")
+        atom.is("noun", "count")
+            || atom.is("noun", "distance")
+            || atom.is("gap", "whatever")
+            || atom.is("gap", "time")
+            || atom.is("noun", "clock")
     };
     if text.iter().any(tells_value) {
         return true;
@@ -967,5 +1044,5 @@ fn is_suspicious(text: &[Atom]) -> bool {
         return true;
     }
     first.is("void", "det")
-        || ["poss", "noun", "it", "gap", "vague", "every", "num"].iter().any(|kind| first.is(kind, ""))
+        || ["poss", "noun", "it", "gap", "vague", "every", "num", "manner"].iter().any(|kind| first.is(kind, ""))
 }

@@ -39,7 +39,7 @@ fn plain(c: char) -> char {
         '。' => '.',
         '’' | '‘' => '\'',
         '−' | '–' => '-',
-        '—' => ':',
+        '—' | '→' | '⇒' => ':',
         '…' => '.',
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),
         // Several lines are several sentences.
@@ -102,8 +102,17 @@ fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (u
     }
     let is_digit = |at: usize| chars.get(at).is_some_and(|(_, c)| plain(*c).is_ascii_digit());
     if c.is_ascii_digit() || (c == '-' && is_digit(at + 1) && !is_word_before) {
-        let rest: String = chars[at..].iter().take(NUMBER_MAX_CHARS).map(|(_, c)| plain(*c)).collect();
+        let rest: String = chars[at..]
+            .iter()
+            .take(NUMBER_MAX_CHARS)
+            .take_while(|(_, c)| !is_list(*c))
+            .map(|(_, c)| plain(*c))
+            .collect();
         return match number_at(&rest) {
+            // 2,3秒 is two or three.
+            Some((TypedNumber::Is(_), length)) if language == Language::Japanese && rest[..length].contains(',') => {
+                (at + length, Some(SpeechTokenKind::Unsure))
+            }
             Some((number, length)) => {
                 let next = at + rest[..length].chars().count();
                 let what = match number {
@@ -117,6 +126,11 @@ fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (u
                 (at + length, Some(SpeechTokenKind::Unsure))
             }
         };
+    }
+    // *9 a.m.* does not end a sentence.
+    let dotted: String = chars[at..].iter().take(4).map(|(_, c)| c.to_ascii_lowercase()).collect();
+    if !is_word_before && matches!(&dotted[..], "a.m." | "p.m.") {
+        return (at + 4, Some(SpeechTokenKind::Word(dotted.replace('.', ""))));
     }
     let is_letter = |c: char| {
         if language == Language::Japanese { c.is_ascii_alphabetic() } else { c.is_alphabetic() && c < '\u{2e80}' }
@@ -134,6 +148,20 @@ fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (u
         }
         return (next, Some(SpeechTokenKind::Word(word)));
     }
+    let equals = chars.get(at + 1).is_some_and(|(_, c)| plain(*c) == '=');
+    if equals && matches!(c, '<' | '>') {
+        return (at + 2, Some(SpeechTokenKind::Sign(if c == '<' { '≤' } else { '≥' })));
+    }
+    // *2-3 people*, 2〜3人
+    if matches!(c, '-' | '~' | '〜') && is_word_before && is_digit(at + 1) && plain(chars[at - 1].1).is_ascii_digit() {
+        return (at + 1, Some(SpeechTokenKind::Sign('~')));
+    }
+    // *Head touched -> wave*, *head touched - wave*
+    let next = chars.get(at + 1).map(|(_, c)| *c);
+    let is_alone = at > 0 && chars[at - 1].1 == ' ' && next == Some(' ');
+    if c == '-' && (next == Some('>') || is_alone) {
+        return (at + if is_alone { 1 } else { 2 }, Some(SpeechTokenKind::Sign(':')));
+    }
     let what = if c.is_whitespace() || matches!(c, '-' | '\'' | '・') {
         None
     } else if c.is_alphanumeric() || c == 'ー' || c == '々' {
@@ -142,6 +170,11 @@ fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (u
         Some(SpeechTokenKind::Sign(c))
     };
     (at + 1, what)
+}
+
+/// True for a comma that never stands inside of a number: 2、3人.
+fn is_list(c: char) -> bool {
+    matches!(c, '、' | '､')
 }
 
 /// Where the quote that begins here ends; none if nothing begins or nobody ended it.

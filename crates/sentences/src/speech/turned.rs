@@ -3,6 +3,7 @@
 
 use super::act::is_quote;
 use super::atoms::{Atom, AtomValue, CountedNumber};
+use super::frames::framed;
 use super::lexicon::{FormEnd, WordForm, WritingSense};
 use crate::Language;
 
@@ -12,9 +13,167 @@ const WHOM_MAX: usize = 10;
 /// The atoms in the usual order.
 pub(super) fn turned(atoms: Vec<Atom>, language: Language) -> Vec<Atom> {
     if language == Language::Japanese {
-        return clocked(atoms);
+        return said_alone(clocked(cleft(led_in(asked_first(whichever(ranged(placed(marks(atoms)))))))));
     }
-    caused(answered(told(greeted(marked(denied(atoms))))))
+    caused(answered(told(greeted(marked(denied(framed(placed(atoms))))))))
+}
+
+/// 後頭部, *forehead*: a place of the head as the place and the head.
+fn placed(atoms: Vec<Atom>) -> Vec<Atom> {
+    let both = |atom: &Atom| atom.is("part", "head") && atom.is("place", "");
+    let split = |atom: Atom| {
+        if !both(&atom) {
+            return vec![atom];
+        }
+        let (place, part) = atom.senses.iter().copied().partition(|sense| sense.kind == "place");
+        vec![Atom { senses: place, ..atom.clone() }, Atom { senses: part, ..atom }]
+    };
+    atoms.into_iter().flat_map(split).collect()
+}
+
+/// Particles by what stands before them: 触れていても, 3人までなら, 1人も.
+fn marks(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let ends = |atom: &Atom, wanted: FormEnd| {
+        let verb = |sense: &WritingSense| matches!(sense.kind, "v" | "do" | "pose" | "gap") && sense.form.end == wanted;
+        atom.senses.iter().any(verb)
+    };
+    let word = |kind: &'static str, arg: &'static str| WritingSense { kind, arg, form: WordForm::default() };
+    for at in 1..atoms.len() {
+        let goes_on = |kind: &str| atoms.get(at + 1).is_some_and(|next| next.is(kind, ""));
+        let counted = |value: &AtomValue| match value {
+            AtomValue::Measure(CountedNumber::People(count) | CountedNumber::Number(count)) => Some(*count),
+            _ => None,
+        };
+        if atoms[at].is("void", "too") && ends(&atoms[at - 1], FormEnd::Te) && !goes_on("void") {
+            atoms[at].senses = vec![word("gap", "even")];
+        } else if atoms[at].is("void", "too") && counted(&atoms[at - 1].value) == Some(1.0) {
+            atoms[at - 1].senses = vec![word("none", "who")];
+            atoms[at - 1].value = AtomValue::Nothing;
+        } else if atoms[at].is("only", "")
+            && atoms[at].is("lead", "until")
+            && goes_on("lead")
+            && counted(&atoms[at - 1].value).is_some()
+        {
+            atoms[at].senses = vec![word("cmp", "atmost")];
+        }
+    }
+    atoms
+}
+
+/// 20%以上、かつ50%以下 as 20%以上50%以下.
+fn ranged(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let bounds = |atom: &Atom| ["atleast", "atmost", "less", "more"].iter().any(|word| atom.is("cmp", word));
+    let is_measure = |atom: &Atom| matches!(atom.value, AtomValue::Measure(_));
+    let found = (1..atoms.len().saturating_sub(1)).find_map(|at| {
+        let and = if atoms[at].is_sign(',') { at + 1 } else { at };
+        let joins = atoms.get(and)?.is("and", "") && bounds(&atoms[at - 1]) && is_measure(atoms.get(and + 1)?);
+        joins.then_some(at..and + 1)
+    });
+    if let Some(joint) = found {
+        atoms.drain(joint);
+    }
+    atoms
+}
+
+/// どちらの手でも、触られたら without its comma.
+fn whichever(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let found = (1..atoms.len()).find(|at| atoms[*at].is_sign(',') && atoms[at - 1].is("whichever", ""));
+    if let Some(comma) = found {
+        atoms.remove(comma);
+    }
+    atoms
+}
+
+/// 電池が何パーセントか、頭を触ったときに教えて as 頭を触ったときに電池が何パーセントか教えて.
+fn asked_first(atoms: Vec<Atom>) -> Vec<Atom> {
+    let names = |atom: &Atom| ["noun", "p", "prep", "void"].iter().any(|kind| atom.is(kind, ""));
+    let leads = |atom: &Atom| {
+        let ends = |sense: &WritingSense| matches!(sense.form.end, FormEnd::Tara | FormEnd::Ba);
+        atom.is("lead", "when") || atom.senses.iter().any(ends)
+    };
+    let turned = || {
+        let comma = atoms.iter().position(|atom| atom.is_sign(','))?;
+        let asked = &atoms[..comma];
+        let is_asked = asked.last()?.is("noun", "level") && asked.first()?.is("noun", "battery");
+        let end = comma + 1 + atoms[comma + 1..].iter().position(leads)? + 1;
+        let end = if atoms.get(end)?.is("prep", "") || atoms[end].is_sign(',') { end + 1 } else { end };
+        let tells = atoms.get(end)?.is("v", "say");
+        let all = || [&atoms[comma + 1..end], asked, &atoms[end..]].concat();
+        (is_asked && tells && asked.iter().all(names)).then(all)
+    };
+    turned().unwrap_or(atoms)
+}
+
+/// 頭タッチで, 「開いて」で and ボタンを押す→ lead in what is done then.
+fn led_in(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let felt = |atom: &Atom| {
+        let plain = |sense: &WritingSense| {
+            sense.kind == "v"
+                && ["touch", "press", "bump", "clap"].contains(&sense.arg)
+                && sense.form.end == FormEnd::Plain
+        };
+        atom.senses.iter().any(plain)
+    };
+    let told = |atom: &Atom| {
+        let ends = |sense: &WritingSense| matches!(sense.form.end, FormEnd::Dict | FormEnd::Did) && sense.kind == "v";
+        atom.senses.iter().any(ends)
+    };
+    for at in 1..atoms.len().saturating_sub(1) {
+        let by = atoms[at].is("by", "")
+            && (felt(&atoms[at - 1])
+                || atoms[at - 1].is("cmp", "")
+                || is_quote(&atoms[at - 1]) && !says(&atoms[at + 1..]));
+        let sign = atoms[at].is_sign(':') && told(&atoms[at - 1]);
+        if by || sign {
+            atoms[at].senses = vec![WritingSense { kind: "lead", arg: "when", form: WordForm::default() }];
+            atoms[at].value = AtomValue::Nothing;
+            break;
+        }
+    }
+    atoms
+}
+
+/// True if something is said before the next clause.
+fn says(atoms: &[Atom]) -> bool {
+    let clause = atoms.iter().take_while(|atom| !atom.is_sign(','));
+    clause.into_iter().any(|atom| atom.is("v", "say") || is_quote(atom))
+}
+
+/// 人がいたら「こんにちは」、いなければ座る: the text is said, though no verb says so.
+fn said_alone(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let leads = |atom: &Atom| {
+        let ends = |sense: &WritingSense| matches!(sense.form.end, FormEnd::Tara | FormEnd::Ba);
+        atom.is("lead", "") || atom.senses.iter().any(ends)
+    };
+    let found = (1..atoms.len()).find(|at| {
+        let over = atoms.get(at + 1).is_none_or(|next| next.is_sign(','));
+        is_quote(&atoms[*at])
+            && leads(&atoms[at - 1])
+            && over
+            && !atoms[at + 1..].iter().any(|atom| atom.is("v", "say"))
+    });
+    if let Some(at) = found {
+        let form = WordForm { end: FormEnd::Te, ..WordForm::default() };
+        let senses = vec![WritingSense { kind: "v", arg: "say", form }];
+        atoms.insert(at + 1, Atom { senses, value: AtomValue::Nothing, ..atoms[at].clone() });
+    }
+    atoms
+}
+
+/// 目を青くするのは、静かなとき without its comma.
+fn cleft(mut atoms: Vec<Atom>) -> Vec<Atom> {
+    let ends = |atom: &Atom| {
+        let tells = |sense: &WritingSense| matches!(sense.kind, "v" | "do" | "pose") && sense.form.end == FormEnd::Dict;
+        atom.senses.iter().any(tells)
+    };
+    let is_prep = |atom: &Atom| atom.is("prep", "") || atom.is("void", "");
+    let found = (3..atoms.len()).find(|at| {
+        atoms[*at].is_sign(',') && is_prep(&atoms[at - 1]) && is_prep(&atoms[at - 2]) && ends(&atoms[at - 3])
+    });
+    if let Some(comma) = found {
+        atoms.remove(comma);
+    }
+    atoms
 }
 
 /// 人数を10秒ごとに言う as 10秒ごとに人数を言う.
@@ -116,7 +275,10 @@ fn answering(atoms: &[Atom]) -> Option<Vec<Atom>> {
 /// *Touch the head and the robot waves*, *three claps and you wave* as *touch the head to make it wave*.
 fn caused(mut atoms: Vec<Atom>) -> Vec<Atom> {
     let is_measure = |atom: &Atom| matches!(atom.value, AtomValue::Measure(_));
-    let is_filler = |atom: &Atom| atom.is("void", "") || atom.is("polite", "");
+    let is_filler = |atom: &Atom| {
+        let somebody = atom.is("who", "") && !atom.is("robot", "");
+        atom.is("void", "") || atom.is("polite", "") || somebody
+    };
     let first = atoms.iter().position(|atom| !is_filler(atom) && !is_measure(atom));
     let felt = ["touch", "hold", "press", "clap", "bump"];
     let plain = |atom: &Atom| felt.iter().any(|verb| atom.is("v", verb));
@@ -163,7 +325,7 @@ fn with(atoms: &[Atom], verb: usize) -> Option<Vec<Atom>> {
     let rest = &atoms[verb + 1..];
     let with = rest.iter().take(WHOM_MAX).position(|atom| atom.is("prep", "with") || ends(atom))?;
     let what = rest[with + 1..].iter().position(|atom| !atom.is("void", "det")).map(|at| with + 1 + at);
-    let what = what.filter(|_| with > 0 && rest[with].is("prep", "with"))?;
+    let what = what.filter(|_| rest[with].is("prep", "with"))?;
     let form = atoms[verb].sense("v", "greet").map(|sense| sense.form).unwrap_or_default();
     let gesture = ["do", "pose"].iter().any(|kind| rest[what].is(kind, ""));
     if !is_quote(&rest[what]) && !gesture {

@@ -241,7 +241,9 @@ const SENSES: &[Rule] = &[
             "somebody presses button {label}",
         ],
     ),
+    ("button.quiet", &["the button {label} was not pressed for {d}", "button {label} is not pressed for {d}"]),
     ("tick.ticks", &["the clock ticks every {period_ms}", "clock ticks each {period_ms}"]),
+    ("time.told", &["a new minute begins", "minute begins", "time of day changes"]),
     ("named", &["{name} has a value", "{name} comes"]),
 ];
 
@@ -258,6 +260,8 @@ const TOUCHES: &[Rule] = &[
     ),
     ("touch.felt", &["the {part} feels a touch", "{part} feels hand"]),
     ("touch.both", &["the {part} is touched or let go"]),
+    ("touch.while", &["while the {part} is held", "while {part} is touched"]),
+    ("touch.unless", &["unless the {part} is held", "unless {part} is touched"]),
     (
         "hand.touched",
         &[
@@ -275,6 +279,8 @@ const TOUCHES: &[Rule] = &[
     ("hand.quiet", &["the {hand}[ on its {part}] was not touched for {d}", "{hand} is not touched for {d}"]),
     ("hand.felt", &["the {hand}[ on its {part}] feels a touch"]),
     ("hand.both", &["the {hand}[ on its {part}] is touched or let go"]),
+    ("hand.while", &["while the {hand}[ on its {part}] is held", "while {hand}[ on its {part}] is touched"]),
+    ("hand.unless", &["unless the {hand}[ on its {part}] is held", "unless {hand}[ on its {part}] is touched"]),
     (
         "bumper.touched",
         &[
@@ -289,6 +295,8 @@ const TOUCHES: &[Rule] = &[
     ("bumper.quiet", &["the {foot} did not bump into anything for {d}"]),
     ("bumper.felt", &["the {foot} feels a bump", "bumper of {foot} is pressed"]),
     ("bumper.both", &["the {foot} bumps into something or is free again"]),
+    ("bumper.while", &["while the {foot} bumps into something"]),
+    ("bumper.unless", &["unless the {foot} bumps into something"]),
 ];
 
 const SUBJECTS: &[Rule] = &[
@@ -302,6 +310,8 @@ const SUBJECTS: &[Rule] = &[
     ("subject.joint", &["the angle of the {joint}", "{joint}"]),
     ("subject.posture", &["the posture", "posture of robot"]),
     ("subject.tick", &["the count of every {period_ms}", "clock"]),
+    ("subject.clock", &["the time of day", "time"]),
+    ("subject.hour", &["the hour of the day", "hour"]),
     ("subject.named", &["{name}"]),
 ];
 
@@ -418,7 +428,9 @@ const STEPS: &[Rule] = &[
     ("step.rounds", &["going round from 1 to {n}"]),
     ("step.rests", &["resting for {d} after each"]),
     ("step.held", &["with 3 for a 2 after 1"]),
-    ("step.draws", &["drawing a number"]),
+    ("step.draws", &["drawing lots"]),
+    ("step.chance", &["choosing {texts} by chance"]),
+    ("step.oneOf", &["choosing {texts} by its number"]),
     ("step.rememberCode", &["remembering {code} and starting from {start}"]),
     ("step.rememberHelper", &["remembering {helper} and starting from {start}"]),
     ("step.stamp", &["with the time", "timed"]),
@@ -773,6 +785,8 @@ const FIELDS: &[ChosenWords] = &[
     ("number", &["number"]),
     ("heading", &["turn"]),
     ("word", &["word"]),
+    ("clock", &["clock time"]),
+    ("hour", &["hour"]),
     ("confidence", &["sureness"]),
     ("azimuth", &["direction to the side"]),
     ("elevation", &["direction upwards"]),

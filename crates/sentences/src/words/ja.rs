@@ -136,7 +136,9 @@ const SENSES: &[Rule] = &[
     ("fall.both", &["転んだか、また立った"]),
     ("battery.told", &["バッテリーが変わった", "バッテリーの残りが変わった"]),
     ("button.pressed", &["ボタン{label}が押された", "{label}が押された", "{label}を押した", "ボタン{label}を押した"]),
+    ("button.quiet", &["ボタン{label}が {d}間押されなかった", "ボタン{label}が {d}押されなかった"]),
     ("tick.ticks", &["{period_ms}ごとに時計が鳴った", "時計が{period_ms}ごとに鳴った"]),
+    ("time.told", &["時刻が変わった", "時刻が進んだ"]),
     ("named", &["{name}に値が来た", "{name}が来た"]),
 ];
 
@@ -160,6 +162,8 @@ const TOUCHES: &[Rule] = &[
     ("touch.quiet", &["{part}に {d}間触られなかった", "{part}に {d}触らなかった"]),
     ("touch.felt", &["{part}に手が触れた", "{part}に手を感じた", "{part}に何かが触れた"]),
     ("touch.both", &["{part}に触られたか手が離れた"]),
+    ("touch.while", &["{part}に触れている間", "{part}に触っている間"]),
+    ("touch.unless", &["{part}に触れていなければ", "{part}に触っていなければ"]),
     (
         "hand.touched",
         &["{hand}[の{part}]に触られた", "{hand}[の{part}]を触った", "{hand}[の{part}]に触った", "{hand}に触れた"],
@@ -169,12 +173,16 @@ const TOUCHES: &[Rule] = &[
     ("hand.quiet", &["{hand}[の{part}]に {d}間触られなかった"]),
     ("hand.felt", &["{hand}[の{part}]に何かが触れた"]),
     ("hand.both", &["{hand}[の{part}]に触られたか手が離れた"]),
+    ("hand.while", &["{hand}[の{part}]に触れている間"]),
+    ("hand.unless", &["{hand}[の{part}]に触れていなければ"]),
     ("bumper.touched", &["{foot}が何かに当たった", "{foot}がぶつかった", "{foot}が当たった"]),
     ("bumper.released", &["{foot}が何かから離れた", "{foot}が離れた"]),
     ("bumper.held", &["{foot}が {d}間何かに当たった"]),
     ("bumper.quiet", &["{foot}が {d}間何にも当たらなかった"]),
     ("bumper.felt", &["{foot}に何かを感じた", "{foot}のバンパーが押された"]),
     ("bumper.both", &["{foot}が何かに当たったか離れた"]),
+    ("bumper.while", &["{foot}が何かに当たっている間"]),
+    ("bumper.unless", &["{foot}が何かに当たっていなければ"]),
 ];
 
 const SUBJECTS: &[Rule] = &[
@@ -188,6 +196,8 @@ const SUBJECTS: &[Rule] = &[
     ("subject.joint", &["{joint}の角度", "{joint}"]),
     ("subject.posture", &["姿勢"]),
     ("subject.tick", &["{period_ms}ごとの数"]),
+    ("subject.clock", &["時刻", "今の時刻"]),
+    ("subject.hour", &["今の時間"]),
     ("subject.named", &["{name}"]),
 ];
 
@@ -256,6 +266,8 @@ const STEPS: &[Rule] = &[
     ("step.rests", &["そのたびに {d}休んで"]),
     ("step.held", &["1 のあとの 2 を 3 にして"]),
     ("step.draws", &["くじを引いて"]),
+    ("step.chance", &["{texts}からくじで選んで"]),
+    ("step.oneOf", &["{texts}からその番号で選んで"]),
     ("step.rememberCode", &["{start} から始めて {code} を覚えて"]),
     ("step.rememberHelper", &["{start} から始めて関数{helper}の結果を覚えて"]),
     ("step.stamp", &["時刻を付けて"]),
@@ -513,6 +525,8 @@ const FIELDS: &[ChosenWords] = &[
     ("number", &["番号"]),
     ("heading", &["傾き"]),
     ("word", &["言葉"]),
+    ("clock", &["時と分"]),
+    ("hour", &["時間"]),
     ("confidence", &["確かさ"]),
     ("azimuth", &["左右の向き"]),
     ("elevation", &["上下の向き"]),

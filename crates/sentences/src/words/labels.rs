@@ -22,6 +22,7 @@ const JAPANESE: &[(&str, &str)] = &[
     ("Battery", "バッテリー"),
     ("Button", "ボタン"),
     ("Tick", "時計"),
+    ("TimeOfDay", "時刻"),
     ("Tracker", "トラッカー"),
     ("SayInput", "値を言う"),
     ("SayParameter", "文を言う"),

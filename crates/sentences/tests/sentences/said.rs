@@ -42,6 +42,8 @@ const EVENTS: [&[&str]; 2] = [
         "somebody stays closer than 70 cm for 3 seconds",
         "the program starts",
         "you see the red ball and the button is pressed",
+        "it is nine o'clock",
+        "you see a face in the morning",
     ],
     &[
         "頭を触ったら",
@@ -80,6 +82,8 @@ const EVENTS: [&[&str]; 2] = [
         "人が3秒間見えていたら",
         "プログラムが始まったら",
         "ボールが見えてボタンが押されたら",
+        "朝9時になったら",
+        "朝、頭を触ったら",
     ],
 ];
 
@@ -142,12 +146,19 @@ const ACTS: [&[&str]; 2] = [
     ],
 ];
 
+/// What may be held meanwhile, in English and Japanese.
+const HELD: [[&str; 4]; 2] =
+    [["head", "left hand", "right hand", "back of the head"], ["頭", "左手", "右手", "後頭部"]];
+
 /// A sentence of random clauses.
 pub(crate) fn random(dice: &mut Dice, language: Language) -> String {
     let at = usize::from(language == Language::Japanese);
     let (event, act, other) = (dice.one(EVENTS[at]), dice.one(ACTS[at]), dice.one(ACTS[at]));
     if at == 0 {
-        return match dice.below(14) {
+        return match dice.below(17) {
+            13 => format!("While the {} is held, {act} every 2 seconds.", dice.one(&HELD[0])),
+            14 => format!("When {event}, {act} unless the {} is touched.", dice.one(&HELD[0])),
+            15 => format!("When {event} while the {} is held, {act}.", dice.one(&HELD[0])),
             0 => format!("{act} when {event}"),
             1 => format!("When {event}, {act}, but at most once a minute."),
             2 => format!("When {event}, {act} once."),
@@ -166,7 +177,9 @@ pub(crate) fn random(dice: &mut Dice, language: Language) -> String {
             _ => format!("When {event}, {act}"),
         };
     }
-    match dice.below(10) {
+    match dice.below(12) {
+        10 => format!("{}を触っている間、2秒ごとに{act}。", dice.one(&HELD[1])),
+        11 => format!("{}を触っていないかぎり、{event}{act}。", dice.one(&HELD[1])),
         6 => format!("{event}{act}。そのあと20秒間は言わない。"),
         7 => format!("知らない人には手を振る。{event}{act}。"),
         8 => format!("頭を触っている間は歩く。{event}{act}。"),

@@ -4,7 +4,7 @@ use crate::dice::Dice;
 use crate::said::{random, strange};
 use crate::support::{draft_behaviour, same_acting, sentences_of};
 use behaviour::Helper;
-use sentences::{Language, Lexicon, TextReading, explain, read_speech};
+use sentences::{Language, Lexicon, TEXT_MAX_CHARS, TextReading, explain, read_speech};
 
 /// Sentences with what the program does that they make, or with the words that are asked about.
 const SAID: [(Language, &str); 2] =
@@ -69,6 +69,10 @@ fn is_understood_again(text: &str, language: Language) -> bool {
     }
     let first = draft_behaviour(&reading.draft);
     let told = told(&reading, language);
+    // A longer text is not read.
+    if told.chars().count() > TEXT_MAX_CHARS {
+        return false;
+    }
     let again = heard(&told, language);
     assert!(again.doubts.is_empty(), "{text}\n{told}\n{:?}", again.doubts);
     let second = draft_behaviour(&again.draft);

@@ -16,7 +16,7 @@ fn bounds(
     made: &dyn Fn(CountedNumber) -> Option<(f64, &'static str)>,
 ) -> Vec<MeasuredBound> {
     let first = bag.measure(made);
-    let Some(((value, unit), _)) = first else {
+    let Some(((value, unit), first_at)) = first else {
         let Some([near, far]) = vague else { return Vec::new() };
         for (word, bound) in [("near", near), ("far", far)] {
             let at = bag.find("adj", word);
@@ -33,9 +33,11 @@ fn bounds(
     };
     let pair = bag.has("cmp", "between") || bag.has("cmp", "to");
     let second = bag.measure(made).or_else(|| if pair { bag.measure(plain) } else { None });
-    if let Some(((other, other_unit), _)) = second {
-        // 50センチ以上1メートル以下
-        let both = bag.has("cmp", "atleast") && bag.has("cmp", "atmost");
+    if let Some(((other, other_unit), second_at)) = second {
+        // 50センチ以上1メートル以下, in the order in which they are said
+        let (least, most) = (bag.find("cmp", "atleast"), bag.find("cmp", "atmost"));
+        let both = least.is_some() && most.is_some();
+        let is_swapped = both && least > most;
         if both {
             bag.take("cmp", "atleast");
             bag.take("cmp", "atmost");
@@ -43,11 +45,13 @@ fn bounds(
         let is_between = both || bag.take("cmp", "between").is_some() || bag.take("cmp", "to").is_some();
         bag.take_all("adj", "away");
         bag.take("cmp", "to");
-        let (low, high) = if value * scale(unit) <= other * scale(other_unit) {
-            ((value, unit), (other, other_unit))
-        } else {
-            ((other, other_unit), (value, unit))
-        };
+        let (one, two) = ((value, unit), (other, other_unit));
+        let (low, high) = if (first_at < second_at) != is_swapped { (one, two) } else { (two, one) };
+        // *From 50 to 20 percent*: it goes down, and 以内 with 以上 of more is no range.
+        let in_cm = |(value, unit): (f64, &str)| if unit == "m" { value * 100.0 } else { value };
+        if is_between && in_cm(low) > in_cm(high) {
+            return Vec::new();
+        }
         if is_between {
             return vec![(Comparison::AtLeast, low.0, low.1), (Comparison::AtMost, high.0, high.1)];
         }
@@ -76,10 +80,6 @@ fn bounds(
         bag.take_all("adj", "far");
     }
     comparison.map(|comparison| (comparison, value, unit)).into_iter().collect()
-}
-
-fn scale(unit: &str) -> f64 {
-    if unit == "m" { 100.0 } else { 1.0 }
 }
 
 fn length(measure: CountedNumber) -> Option<(f64, &'static str)> {
@@ -208,7 +208,21 @@ fn charge(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
     for verb in ["fall", "exist", "rise", "come", "turn", "go"] {
         bag.take("v", verb);
     }
-    let mut found = bounds(bag, None, &share);
+    // *Half empty*: that is half full, and *low* is another thing.
+    let is_share = |atom: &Atom| matches!(atom.value, AtomValue::Measure(CountedNumber::Share(_)));
+    let partly = bag.has("adj", "half") || bag.find("cmp", "").is_none() && bag.atoms.iter().any(is_share);
+    if partly && bag.has("adj", "low") && !bag.has("adj", "few") {
+        return None;
+    }
+    // *10 percent full*: so full, no more and no less.
+    let alone = bag.has("adj", "full") && bag.find("cmp", "").is_none();
+    let so_full = if alone { bag.measure(share).map(|(share, _)| share.0) } else { None };
+    let half = (alone && bag.take("adj", "half").is_some()).then_some(50.0);
+    let mut found: Vec<MeasuredBound> =
+        so_full.or(half).map(|value| (Comparison::Is, value, "%")).into_iter().collect();
+    if found.is_empty() {
+        found = bounds(bag, None, &share);
+    }
     if found.is_empty() && bag.take("adj", "half").is_some() {
         let comparisons = [
             ("less", Comparison::Less),
@@ -294,6 +308,10 @@ fn people(bag: &mut Bag, not: &mut bool) -> Option<Option<SensedEvent>> {
                 _ => None,
             });
             let Some(number) = number else { return Some(None) };
+            // 人が二人いなければ: fewer, or another number?
+            if *not && !bag.has("noun", "people") {
+                return Some(None);
+            }
             found = vec![(Comparison::Is, number, "")];
         }
         for verb in ["see", "exist", "come", "appear", "turn"] {

@@ -22,6 +22,11 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
     if let Some(at) = speaks
         && let Some(words) = words(bag, at)
     {
+        // *It hears …*: the robot.
+        let hears = bag.atoms[at].is("v", "hear") && form(&bag.atoms[at], "v").end == FormEnd::Third;
+        if let Some(it) = bag.find("it", "").filter(|it| hears && *it < at) {
+            bag.use_up(it);
+        }
         agent(bag);
         bag.take_all("robot", "");
         bag.take_all("noun", "toyou");
@@ -30,15 +35,32 @@ pub(super) fn heard(bag: &mut Bag, not: &mut bool) -> Option<SensedEvent> {
         }
         return Some(SensedEvent::Words(words));
     }
+    // *You have not heard anything*
+    let hears = bag.has("v", "hear") && *not && bag.has("noun", "thing");
+    if hears && bag.take("v", "hear").is_some() {
+        bag.take_all("noun", "thing");
+        bag.take_all("robot", "");
+        return Some(SensedEvent::Noise);
+    }
     if bag.take("noun", "quiet").is_some() {
         *not = true;
         for verb in ["turn", "come", "exist", "shine", "go"] {
             bag.take_all("v", verb);
         }
-        bag.take_all("it", "");
+        for word in ["it", "who"] {
+            bag.take_all(word, "");
+        }
+        bag.take_all("noun", "room");
+        bag.take_all("noun", "view");
         return Some(SensedEvent::Noise);
     }
-    if let Some(at) = bag.find("noun", "sound").or_else(|| bag.find("v", "clap")) {
+    // *The hand is clapped*: which sound is that?
+    let claps = bag.find("v", "clap").filter(|at| {
+        let is_passive =
+            form(&bag.atoms[*at], "v").end == FormEnd::Past && bag.atoms[..*at].iter().any(|atom| atom.is("aux", "be"));
+        !(is_passive && bag.has("part", "hand"))
+    });
+    if let Some(at) = bag.find("noun", "sound").or(claps) {
         bag.use_up(at);
         bag.take_all("noun", "sound");
         bag.take_all("v", "clap");
@@ -83,6 +105,12 @@ fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
     }
     let orders = bag.atoms[verb].of("v").is_some_and(|sense| sense.form.end == FormEnd::Plain && sense.arg == "say");
     if orders && !bag.atoms[..verb].iter().any(|atom| atom.is("who", "") || atom.is("none", "who")) {
+        return None;
+    }
+    // 「元気？」と聞いて、「うん」と言ったら: two who speak.
+    let speaks = |atom: &Atom| atom.is("v", "say") || atom.is("v", "hear");
+    let quotes = bag.atoms.iter().filter(|atom| super::super::act::is_quote(atom)).count();
+    if quotes > 1 && bag.atoms.iter().filter(|atom| speaks(atom)).count() > 1 && bag.has("p", "") {
         return None;
     }
     let mut all = Vec::new();

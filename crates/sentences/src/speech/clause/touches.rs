@@ -8,14 +8,6 @@ use crate::speech::meaning::{SensedEvent, TouchPhase, TouchedPart};
 /// What is touched; none if this tells of no touch, nothing inside if it tells of one that cannot be felt.
 pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Option<SensedEvent>> {
     given(bag);
-    // No sense tells how gently something is touched.
-    let denies = |atom: &Atom| {
-        ["not", "none", "but"].iter().any(|kind| atom.is(kind, "")) || atom.senses.iter().any(|sense| sense.form.not)
-    };
-    let touches = ["touch", "hold", "press", "bump"].iter().any(|verb| bag.has("v", verb));
-    if touches && !bag.atoms.iter().any(denies) {
-        bag.take_all("manner", "soft");
-    }
     if let Some(let_go) = let_go(bag) {
         return Some(Some(let_go));
     }
@@ -27,7 +19,8 @@ pub(super) fn touch(bag: &mut Bag, over: bool, lasts: &mut bool) -> Option<Optio
     }
     for verb in ["release", "touch", "press", "hold", "bump"] {
         let Some(at) = bag.find("v", verb) else { continue };
-        if bag.has("part", "") || bag.has("it", "") || verb == "touch" || verb == "bump" {
+        let names = bag.has("part", "") || bag.has("it", "") || bag.atoms[at].is("hand", "") && bag.has("side", "");
+        if names || verb == "touch" || verb == "bump" {
             return Some(by_verb(bag, verb, at, over, lasts));
         }
     }
@@ -45,6 +38,8 @@ fn given(bag: &mut Bag) {
     };
     if (give + 1..bag.atoms.len()).any(|at| is_touch(&at)) {
         bag.use_up(give);
+        // A pat is gentle by itself.
+        bag.take_all("manner", "soft");
     }
 }
 
@@ -127,6 +122,13 @@ fn by_verb(bag: &mut Bag, verb: &str, at: usize, over: bool, lasts: &mut bool) -
     }
     if bag.has("part", "") {
         return touched(bag, verb == "release" || over);
+    }
+    // 右手をはなす is 右 and 手をはなす.
+    if verb == "release"
+        && bag.atoms[at].is("hand", "")
+        && let Some((side, _)) = bag.arg("side")
+    {
+        return Some(SensedEvent::Touch(TouchedPart::Hand, vec![("hand", side)], TouchPhase::Ends));
     }
     if bag.take("it", "").is_none() && (bag.has("noun", "one") || bag.has("side", "") || bag.has("place", "")) {
         return same(bag);
