@@ -7,6 +7,7 @@
   var SAID_MS = 4000;
   var ESCAPES_WITHIN_MS = 600;
   var CLICK_WITHIN_MS = 1000;
+  var NUMBER = "rrp-stops";
 
   function form() {
     return document.getElementById("stop-form");
@@ -32,11 +33,19 @@
 
   // ---- Requests -------------------------------------------------------------------------------------------------------
 
+  // The number of this Stop is left for the program: what is pressed from now on was pressed after it.
+  function leave(number) {
+    if (number) window.rrpStops = +number;
+  }
+
   // Goes on where the page ends meanwhile.
   function byFetch(address, answered, failed) {
     var how = { method: "POST", headers: { accept: "application/json" }, keepalive: true, cache: "no-store" };
     var sent = window.fetch(address, how);
-    sent.then(function (answer) { answered(answer.ok); }, failed);
+    sent.then(function (answer) {
+      answered(answer.ok);
+      leave(answer.headers.get(NUMBER));
+    }, failed);
     return true;
   }
 
@@ -44,7 +53,10 @@
     var request = new XMLHttpRequest();
     var isSent = false;
     request.onloadstart = function () { isSent = true; };
-    request.onload = function () { answered(request.status === 200); };
+    request.onload = function () {
+      answered(request.status === 200);
+      leave(request.getResponseHeader(NUMBER));
+    };
     request.onerror = failed;
     request.onabort = failed;
     request.open("POST", address, true);

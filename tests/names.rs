@@ -6,7 +6,7 @@ use house::Outcome;
 use house::sources::{Source, none, product};
 
 /// The folders whose types may share a name: each robot's own driver of the device of that name.
-const DRIVERS: [&str; 2] = ["crates/nao/src/devices", "crates/simulation/src/devices"];
+const DRIVERS: [&str; 2] = ["crates/nao/src/devices", "crates/simulation/src/nao/devices"];
 
 /// The names that mean two things all the same, each with the reason. The list may only get shorter.
 const SHARED: &[(&str, &str)] = &[
@@ -43,7 +43,7 @@ fn a_name_with_two_meanings_is_found() {
     let file = |path: &str, text: &str| Source { path: path.to_owned(), text: text.to_owned() };
     let files = [
         file("crates/nao/src/devices/say.rs", "struct Say;"),
-        file("crates/simulation/src/devices/say.rs", "struct Say;"),
+        file("crates/simulation/src/nao/devices/say.rs", "struct Say;"),
         file("crates/nao/src/a.rs", "struct Kept;"),
         file("crates/nao/src/b.rs", "enum Kept {}"),
         file("crates/store/src/c.rs", "struct Alone;"),

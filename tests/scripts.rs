@@ -15,7 +15,7 @@ const YOUNGER_THAN_ES5: [&str; 17] = [
 ];
 
 /// The names of a browser that stop.js may use: there in Internet Explorer 10, or asked for before they are used.
-const OLD: [&str; 46] = [
+const OLD: [&str; 47] = [
     "Infinity",
     "XMLHttpRequest",
     "accept",
@@ -29,6 +29,7 @@ const OLD: [&str; 46] = [
     "event",
     "getAttribute",
     "getElementById",
+    "getResponseHeader",
     "headers",
     "hidden",
     "id",
@@ -64,7 +65,7 @@ const OLD: [&str; 46] = [
     "value",
 ];
 /// The names that it uses where they are there: in a `try` of its own, or left by us.
-const TRIED: [&str; 6] = ["fetch", "ok", "then", "rrpBegan", "rrpHeard", "window"];
+const TRIED: [&str; 8] = ["fetch", "get", "ok", "then", "rrpBegan", "rrpHeard", "rrpStops", "window"];
 
 /// The names that boot.js uses and some browser got since 2015, and since when. Everything else it uses is listed as
 /// old.

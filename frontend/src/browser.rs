@@ -38,6 +38,12 @@ pub(crate) fn is_calm() -> bool {
     query.is_some_and(|query| query.matches())
 }
 
+/// A whole number that the plain part of the page left for the program.
+pub(crate) fn global_number(name: &str) -> Option<u64> {
+    window()?;
+    js_sys::Reflect::get(&js_sys::global(), &name.into()).ok()?.as_f64().map(|number| number as u64)
+}
+
 /// Milliseconds since the page was loaded.
 pub(crate) fn now_ms() -> f64 {
     window().and_then(|window| window.performance()).map_or(0.0, |clock| clock.now())
@@ -108,6 +114,13 @@ pub(crate) fn after(ms: i32, act: impl FnOnce() + 'static) {
     let Some(window) = window() else { return };
     let act = Closure::once_into_js(act);
     let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(act.unchecked_ref(), ms);
+}
+
+/// Does something before the browser draws next, whatever becomes of the component that asked.
+pub(crate) fn next_frame(act: impl FnOnce() + 'static) {
+    if let Some(window) = window() {
+        let _ = window.request_animation_frame(Closure::once_into_js(act).unchecked_ref());
+    }
 }
 
 /// Does something again and again for as long as the page lives.
@@ -209,6 +222,11 @@ pub(crate) fn copy(text: &str) -> bool {
         let _ = before.focus();
     }
     done.and_then(|done| done.as_bool()).unwrap_or_default()
+}
+
+/// The part of the address between `?` and `#`.
+pub(crate) fn search() -> String {
+    window().and_then(|window| window.location().search().ok()).unwrap_or_default()
 }
 
 /// The part of the address after `#`.

@@ -56,6 +56,7 @@ pub(crate) use notes::notes;
 pub(crate) use offer::offer;
 pub(crate) use paper::PaperTitle;
 pub(crate) use pointers::edit;
+pub(crate) use rename::name_field;
 pub(crate) use several::several;
 pub(crate) use stage::Stage;
 pub(crate) use strip::strip;
@@ -72,7 +73,6 @@ use node::StreamNode;
 use paper::Paper;
 use people::Pointers;
 use plus::Pluses;
-use rename::Renaming;
 use several::Lasso;
 use wasm_bindgen::JsCast;
 use wire::{Handles, WireLine, WireWords};
@@ -101,7 +101,7 @@ pub(crate) fn Canvas() -> impl IntoView {
     stage.follow(&desk);
     keep_keyboard(&desk);
     stage.follow_asked(&desk);
-    let (glides, wiring) = (stage.glides.clone(), stage.targets.clone());
+    let (glides, wiring, renaming) = (stage.glides.clone(), stage.targets.clone(), stage.renaming.clone());
     let compares = compares_memo(&desk);
     let offering = stage.offering.clone();
     let offers = ArcMemo::new(move |_| offering.with(Option::is_some));
@@ -161,7 +161,7 @@ pub(crate) fn Canvas() -> impl IntoView {
                 <Lasso />
                 <WireLine />
                 <Handles />
-                <Renaming />
+                {move || renaming.get().map(|id| view! { <Later show=move |rest| (rest.name_field)(id.clone()) /> })}
                 <Pointers />
             </div>
             <Told />

@@ -1,6 +1,6 @@
 //! Everything that can be done, with its key: what the palette of commands and the help list.
 
-use crate::desk::{Desk, Dialog, LineUp, Selected};
+use crate::desk::{Desk, Dialog, LineUp, OpenPast, Selected};
 use crate::keys::PressedKey;
 use crate::{panels, words};
 use behaviour::StreamKind;
@@ -306,6 +306,12 @@ pub(crate) static ALL: &[PageCommand] = &[
     )
     .on(&[On::Ground])
     .of_graph(),
+    command(CommandGroup::View, words::over_time, "L", Role::Viewer, CommandWork::Desk(over_time))
+        .on(&[On::Programs, On::Phone, On::Stream])
+        .icon("history"),
+    command(CommandGroup::View, words::recordings, "", Role::Viewer, CommandWork::Desk(recordings))
+        .on(PROGRAMS)
+        .icon("print"),
     command(CommandGroup::View, words::operate, "", Role::Viewer, CommandWork::Desk(operate))
         .on(&[On::Phone])
         .icon("play"),
@@ -429,6 +435,18 @@ fn line_up(desk: &Desk, how: LineUp) {
 fn operate(desk: &Desk) {
     let robot = desk.robots.chosen_id().map(|robot| format!("/{robot}")).unwrap_or_default();
     let _ = window().location().set_href(&format!("{}{robot}{}", protocol::OPERATE_PATH, crate::browser::hash()));
+}
+
+/// Shows what runs over time, with the lane of the selected stream.
+pub(crate) fn over_time(desk: &Desk) {
+    let selected = desk.document.selected.get_untracked();
+    let stream = if let Some(Selected::Stream(id)) = selected { Some(id) } else { None };
+    desk.past.set(Some(OpenPast::Running(stream)));
+}
+
+/// Opens the recordings beside this page.
+fn recordings(_: &Desk) {
+    let _ = window().open_with_url_and_target(&panels::recordings_address(), "_blank");
 }
 
 /// Prints once all of the graph is in the page: the browser waits for nothing that comes later.

@@ -24,7 +24,7 @@ pub(crate) use document::{
 pub(crate) use inviting::NewInvitation;
 pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, first_file};
 pub(crate) use robots::Unused;
-pub(crate) use tab::{Dialog, GraphChoice, LinkEnd, LinkState, new_id, settled};
+pub(crate) use tab::{Dialog, GraphChoice, LinkEnd, LinkState, OpenPast, PAST_QUERY, new_id, settled};
 
 use document::{Document, DocumentEvent};
 use leptos::prelude::*;
@@ -74,8 +74,10 @@ impl Desk {
     /// Connects, and opens what the address or this browser remembers.
     pub(crate) fn start_up(&self) {
         self.name_wanted.set(identity::is_name_wanted());
-        self.document.restore_queue();
-        self.document.restore_conflicts();
+        self.document.restore();
+        if crate::browser::search().contains(PAST_QUERY) {
+            self.past.set(Some(OpenPast::Address));
+        }
         self.library.hear_drops();
         self.document.follow_address();
         crate::link::start(self.clone());
@@ -111,9 +113,11 @@ impl Desk {
     fn hear_document(&self, event: DocumentEvent) {
         match event {
             DocumentEvent::Chosen => self.library.forget_making(),
+            DocumentEvent::Opened => self.robots.follow_opened(),
+            DocumentEvent::Made(accepted) => self.robots.note_before(&accepted),
             DocumentEvent::Left => self.robots.leave(),
             DocumentEvent::Saved => self.robots.start_if_saved(),
-            DocumentEvent::NotSaved => self.robots.forget_wish(),
+            DocumentEvent::NotSaved => self.robots.give_up_press(),
             DocumentEvent::Rewritten(connector) => self.robots.rewritten(&connector),
         }
     }

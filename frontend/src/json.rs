@@ -198,7 +198,7 @@ impl<'de, V: Visitor<'de>> DeserializeSeed<'de> for NamedFields<V> {
 mod tests {
     use super::read;
     use behaviour::{Id, Value};
-    use protocol::{Message, Refused, Reply, RobotFindings, RunPhase, Summary};
+    use protocol::{Event, Message, Refused, RobotFindings, RunPhase, Summary, answer};
     use serde::Deserialize;
 
     #[derive(Debug, PartialEq, Deserialize)]
@@ -236,14 +236,15 @@ mod tests {
 
     #[test]
     fn what_the_server_says_comes_as_it_was_said() {
+        let checked = Box::new(RobotFindings { name: "NAO".into(), ..RobotFindings::default() });
         let said = [
-            Reply::Done,
-            Reply::No { no: Refused::CannotStart("no".into()) },
-            Reply::No { no: Refused::TooFast },
-            Reply::RobotChecked { checked: Box::new(RobotFindings { name: "NAO".into(), ..RobotFindings::default() }) },
+            Message::Answer { ask: 3, answer: ().into() },
+            Message::Answer { ask: 3, answer: answer::RobotChecked { checked }.into() },
+            Message::No { ask: Some(3), no: Refused::CannotStart("no".into()) },
+            Message::No { ask: None, no: Refused::TooFast },
+            Event::ProgramsChanged.into(),
         ];
-        for reply in said {
-            let message = Message { ask: Some(3), reply };
+        for message in said {
             let text = serde_json::to_string(&message).unwrap();
             assert_eq!(read::<Message>(&text).unwrap(), message, "{text}");
         }

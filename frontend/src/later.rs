@@ -7,7 +7,7 @@
 
 use crate::browser;
 use crate::commands::On;
-use crate::desk::{Desk, Dialog, LinkState, Selected};
+use crate::desk::{Desk, Dialog, LinkState, Selected, use_desk};
 use crate::layout::{self, Tidy};
 use crate::panels::{SentenceField, ToolMenu};
 use crate::{canvas, panels, words};
@@ -86,12 +86,14 @@ pub(crate) struct LazyViews {
     pub(crate) tool_items: fn(ToolMenu) -> AnyView,
     /// In the robot box, what runs together.
     pub(crate) running: fn() -> AnyView,
-    /// The recordings that are kept.
-    pub(crate) recordings: fn() -> AnyView,
     /// What may happen in the simulated room.
     pub(crate) room_tools: fn() -> AnyView,
     /// What the robot's camera sees.
     pub(crate) camera: fn() -> AnyView,
+    /// On the graph, the field for another name of what stands there.
+    pub(crate) name_field: fn(Id) -> AnyView,
+    /// The field for one's name, which others see.
+    pub(crate) asks_name: fn() -> AnyView,
     /// Which robot is meant, while another one answers.
     pub(crate) stranger: fn() -> AnyView,
     /// What is known of a selected stream or connector, and what can be done with it.
@@ -104,22 +106,52 @@ fn operating() -> Result<fn() -> AnyView, NotLoaded> {
     Ok(panels::operate)
 }
 
+/// Fetches the panel that looks back, a piece of its own.
+#[wasm_split(past, wasm_split_path = leptos::wasm_split, fallible)]
+fn looking_back() -> Result<fn() -> AnyView, NotLoaded> {
+    Ok(panels::past)
+}
+
 /// The operator's page: nothing until it is here, and a sentence if it does not come.
 #[component]
 pub(crate) fn Operate() -> impl IntoView {
-    let shown = RwSignal::new(Some(None::<fn() -> AnyView>));
-    let fetch = move || {
+    let shown = RwSignal::new(Some(None));
+    apart(
+        shown,
+        Callback::new(move |()| {
+            leptos::task::spawn_local(async move {
+                shown.set(operating().await.ok().map(Some));
+            })
+        }),
+    )
+}
+
+/// The panel that looks back, while somebody does.
+#[component]
+pub(crate) fn LookBack() -> impl IntoView {
+    let past = use_desk().past.clone();
+    let is_open = Memo::new(move |_| past.with(Option::is_some));
+    let shown = RwSignal::new(Some(None));
+    let fetch = Callback::new(move |()| {
         leptos::task::spawn_local(async move {
-            let fetched = operating().await.ok();
-            shown.set(fetched.map(Some));
-        });
-    };
-    fetch();
-    move || match shown.get() {
+            shown.set(looking_back().await.ok().map(Some));
+        })
+    });
+    move || is_open.get().then(|| apart(shown, fetch))
+}
+
+/// A view whose code is a piece of its own: `Some(None)` until the piece is here, `None` when it did not come.
+type Piece = Option<Option<fn() -> AnyView>>;
+
+/// Shows what comes in a piece of its own: nothing until it is here, and a sentence if it does not come.
+fn apart(shown: RwSignal<Piece>, fetch: Callback<()>) -> AnyView {
+    fetch.run(());
+    (move || match shown.get() {
         Some(Some(show)) => show(),
         Some(None) => ().into_any(),
-        None => view! { <Failed again=Callback::new(move |()| fetch()) /> }.into_any(),
-    }
+        None => view! { <Failed again=fetch /> }.into_any(),
+    })
+    .into_any()
 }
 
 /// A piece did not come, and another try.
@@ -176,9 +208,10 @@ fn rest() -> Result<LazyViews, NotLoaded> {
         recorded: panels::recorded,
         tool_items: panels::tool_items,
         running: panels::running,
-        recordings: panels::recordings,
         room_tools: panels::room_tools,
         camera: panels::camera,
+        name_field: canvas::name_field,
+        asks_name: panels::asks_name,
         stranger: panels::stranger,
         selected: panels::selected,
     })

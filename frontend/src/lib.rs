@@ -101,6 +101,7 @@ fn Page(phone: ArcRwSignal<bool>) -> impl IntoView {
             view! { <Canvas /> }.into_any()
         }}
         <panels::RightColumn />
+        <later::LookBack />
         <panels::Files />
         <panels::Dialogs />
         <panels::Notices />

@@ -4,7 +4,11 @@ mod socket;
 
 use crate::browser;
 use crate::desk::{Desk, LinkEnd};
-use protocol::{Ask, Assembly, Message, Refused, Reply, Request};
+pub(crate) use editor::NoAnswer;
+
+use editor::EditorRequest;
+use protocol::{AnyAnswer, Assembly, Event, Message, Request, STOPS_PER_START, Unanswered, answer, request};
+use serde::Serialize;
 use socket::Socket;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -17,21 +21,14 @@ const BACK_OFF_MS: [f64; 2] = [250.0, 8_000.0];
 const SILENCE_MS: f64 = 5_700.0;
 /// How often it is looked whether the server still speaks, in milliseconds.
 const LISTEN_MS: i32 = 200;
+/// The number of one's own newest Stop that was answered, as `static/stop.js` leaves it.
+const OWN_STOP: &str = "rrpStops";
 
-/// Why there is no answer to what was asked.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NoAnswer {
-    /// The server says no.
-    Refused(Refused),
-    /// There is no link, or it broke.
-    Unreachable,
-}
+/// What is done with an answer, or without one.
+pub(crate) type OnAnyAnswer = Box<dyn FnOnce(Result<AnyAnswer, NoAnswer>)>;
 
-/// What is done with a reply; none when the link broke before it came.
-type OnReply = Box<dyn FnOnce(Option<&Reply>)>;
-
-/// The work that is done with every message.
-type Ear = Rc<dyn Fn(&Reply)>;
+/// The work that is done with every event.
+type Ear = Rc<dyn Fn(&Event)>;
 
 #[derive(Default)]
 struct PageLink {
@@ -45,10 +42,12 @@ struct PageLink {
     opened_ms: f64,
     tries: i32,
     asked: u32,
-    answers: BTreeMap<u32, OnReply>,
+    /// The newest Stop that was heard of, and on which socket.
+    stops: Option<(u32, u64)>,
+    answers: BTreeMap<u32, OnAnyAnswer>,
     /// There will be no link again: the invitation ended, or another page has the place of this one.
     is_over: bool,
-    /// The listener that hears every message before the desk does.
+    /// The listener that hears every event before the desk does.
     ear: Option<Ear>,
     /// What comes in parts.
     assembly: Assembly,
@@ -89,8 +88,8 @@ fn listen() {
     }
 }
 
-/// From now on every message is heard here too, before the desk hears it.
-pub(crate) fn overhear(ear: impl Fn(&Reply) + 'static) {
+/// From now on every event is heard here too, before the desk hears it.
+pub(crate) fn overhear(ear: impl Fn(&Event) + 'static) {
     with(|link| link.ear = Some(Rc::new(ear)));
 }
 
@@ -99,43 +98,127 @@ pub(crate) fn is_up() -> bool {
     with(|link| link.greeted)
 }
 
-/// Asks; the answer is called once, with none if the link is down or breaks. Returns whether it was sent.
-pub(crate) fn ask(request: Request, answer: impl FnOnce(Option<&Reply>) + 'static) -> bool {
+/// Asks; `then` is called once with the answer, also if the link breaks first. A link that is down is not asked, and nothing is
+/// called. Returns whether it was sent.
+pub(crate) fn ask<R: Request>(request: R, then: impl FnOnce(Result<R::Answer, NoAnswer>) + 'static) -> bool {
+    is_up() && ask_written(stops(), &WrittenRequest::of(&request), typed::<R>(then))
+}
+
+/// Asks like [`ask`]; a link that is down is unreachable at once.
+pub(crate) fn ask_even_down<R: Request>(request: R, then: impl FnOnce(Result<R::Answer, NoAnswer>) + 'static) {
+    ask_any(&WrittenRequest::of(&request), typed::<R>(then));
+}
+
+/// Asks like [`ask_even_down`] what is written already.
+pub(crate) fn ask_any(request: &WrittenRequest, then: OnAnyAnswer) {
+    ask_pressed(stops(), request, then);
+}
+
+/// Asks like [`ask_any`] for what was pressed when so many Stops had been heard of: a robot that was stopped since refuses it.
+pub(crate) fn ask_pressed(stops: Option<u64>, request: &WrittenRequest, then: OnAnyAnswer) {
+    if is_up() {
+        ask_written(stops, request, then);
+    } else {
+        then(Err(NoAnswer::Unreachable));
+    }
+}
+
+/// Says something that is not answered.
+pub(crate) fn tell<R: Request<Answer = Unanswered>>(request: R) {
+    if is_up() {
+        send(0, stops(), &WrittenRequest::of(&request));
+    }
+}
+
+/// Another answer than that of the request counts as none.
+fn typed<R: Request>(then: impl FnOnce(Result<R::Answer, NoAnswer>) + 'static) -> OnAnyAnswer {
+    Box::new(move |answer| then(editor::typed(answer)))
+}
+
+/// A request as JSON. Each is written where it is asked, so that code which loads later brings its own; from there on all
+/// requests share their code.
+pub(crate) struct WrittenRequest {
+    name: &'static str,
+    fields: String,
+}
+
+impl WrittenRequest {
+    /// Writes a request.
+    #[inline(never)]
+    pub(crate) fn of<R: Request>(request: &R) -> Self {
+        Self::named(R::NAME, request)
+    }
+
+    /// Writes a request of the editor, which is data.
+    pub(crate) fn of_editor(request: &EditorRequest) -> Self {
+        Self::named(request.name(), request)
+    }
+
+    fn named(name: &'static str, request: &impl Serialize) -> Self {
+        let mut fields = Vec::new();
+        // What could not be written is no request, and the server says so.
+        let _ = request.serialize(&mut serde_json::Serializer::new(&mut fields));
+        Self { name, fields: String::from_utf8(fields).unwrap_or_default() }
+    }
+
+    /// The message that [`protocol::Ask`] is, with its number and the newest Stop.
+    fn message(&self, number: u32, stops: Option<u64>) -> String {
+        let (name, rest) = (request::wire_name(self.name), self.fields.strip_prefix('{').unwrap_or("}"));
+        let comma = if rest == "}" { "" } else { "," };
+        let stops = stops.map(|stops| format!(r#""stops":{stops},"#)).unwrap_or_default();
+        format!(r#"{{"ask":{number},{stops}"request":{{"is":"{name}"{comma}{rest}}}"#)
+    }
+}
+
+fn ask_written(stops: Option<u64>, request: &WrittenRequest, then: OnAnyAnswer) -> bool {
     let number = with(|link| {
         link.asked = link.asked.wrapping_add(1);
-        link.greeted.then_some(link.asked)
+        link.answers.insert(link.asked, then);
+        link.asked
     });
-    let sent = number.is_some_and(|number| {
-        with(|link| link.answers.insert(number, Box::new(answer)));
-        send(number, request)
-    });
-    if let (Some(number), false) = (number, sent)
-        && let Some(answer) = with(|link| link.answers.remove(&number))
-    {
-        answer(None);
+    let sent = send(number, stops, request);
+    if !sent {
+        answered(number, Err(NoAnswer::Unreachable));
     }
     sent
 }
 
-/// Asks like [`ask`]; a link that is down is answered with none at once.
-pub(crate) fn ask_even_down(request: Request, answer: impl FnOnce(Option<&Reply>) + 'static) {
-    if is_up() {
-        ask(request, answer);
-    } else {
-        answer(None);
+/// Calls whoever waits for this answer; false if nobody does.
+fn answered(number: u32, answer: Result<AnyAnswer, NoAnswer>) -> bool {
+    let then = with(|link| link.answers.remove(&number));
+    let waits = then.is_some();
+    if let Some(then) = then {
+        then(answer);
     }
+    waits
 }
 
-/// Says something without waiting for an answer.
-pub(crate) fn tell(request: Request) {
-    if is_up() {
-        send(0, request);
-    }
-}
-
-fn send(number: u32, request: Request) -> bool {
-    let Ok(text) = serde_json::to_string(&Ask { ask: number, request }) else { return false };
+fn send(number: u32, stops: Option<u64>, request: &WrittenRequest) -> bool {
+    let text = request.message(number, stops);
     text.len() <= protocol::MESSAGE_MAX_BYTES && with(|link| link.socket.as_ref().is_some_and(|s| s.send(&text)))
+}
+
+/// The newest Stop of which the person at this page could know, be it by the link or by the answer to their own press of Stop.
+/// What makes a robot move is refused where one came since.
+pub(crate) fn stops() -> Option<u64> {
+    let own = browser::global_number(OWN_STOP);
+    with(|link| {
+        link.stops = with_own_stop(link.stops, own);
+        link.stops.map(|(_, stops)| stops)
+    })
+}
+
+/// The answer to one's own Stop counts where the server that gave it is still the one of the link. Pure.
+fn with_own_stop(known: Option<(u32, u64)>, own: Option<u64>) -> Option<(u32, u64)> {
+    let start_of = |stops: u64| stops / STOPS_PER_START;
+    let own = |known: u64| own.filter(|own| start_of(*own) == start_of(known));
+    known.map(|(of, stops)| (of, own(stops).map_or(stops, |own| own.max(stops))))
+}
+
+/// The first of a socket counts as it is, as the server may be another one; later ones may come out of order.
+fn newest_stop(known: Option<(u32, u64)>, (of, stops): (u32, u64)) -> (u32, u64) {
+    let before = known.filter(|known| known.0 == of).map_or(0, |known| known.1);
+    (of, stops.max(before))
 }
 
 fn connect() {
@@ -166,7 +249,23 @@ fn hurry() {
 
 fn greet(generation: u32) {
     if let Some(desk) = with(|link| link.desk.clone().filter(|_| link.generation == generation)) {
-        send(0, desk.greeting());
+        let greeting = desk.greeting();
+        let then = typed::<request::Hello>(move |answer| greeted(&desk, answer));
+        ask_written(stops(), &WrittenRequest::of(&greeting), then);
+    }
+}
+
+/// The server greeted back, or said why not.
+fn greeted(desk: &Desk, answer: Result<answer::Welcome, NoAnswer>) {
+    match answer {
+        Ok(welcome) => {
+            with(|link| (link.greeted, link.tries) = (true, 0));
+            desk.link_up();
+            desk.listen(0.0);
+            desk.welcome(welcome);
+        }
+        Err(NoAnswer::Refused(no)) => desk.say_no(&no),
+        Err(NoAnswer::Unreachable) => {}
     }
 }
 
@@ -181,22 +280,25 @@ fn hear(generation: u32, text: &str) {
         Ok(None) => return,
         Err(_) => return lose(generation),
     };
-    if matches!(message.reply, Reply::Welcome { .. }) {
-        with(|link| (link.greeted, link.tries) = (true, 0));
-        desk.link_up();
-    }
     desk.listen(0.0);
-    let answer = message.ask.and_then(|number| with(|link| link.answers.remove(&number)));
-    let unasked_no = answer.is_none();
-    if let Some(answer) = answer {
-        answer(Some(&message.reply));
+    if let Some(stops) = message.stops() {
+        with(|link| link.stops = Some(newest_stop(link.stops, (generation, stops))));
     }
-    if let Some(ear) = with(|link| link.ear.clone()) {
-        ear(&message.reply);
-    }
-    match message.reply {
-        Reply::No { no } if unasked_no => desk.say_no(&no),
-        reply => desk.hear(reply),
+    match message {
+        Message::Answer { ask, answer } => drop(answered(ask, Ok(answer))),
+        Message::No { ask, no } => {
+            if !ask.is_some_and(|ask| answered(ask, Err(NoAnswer::Refused(no.clone())))) {
+                desk.say_no(&no);
+            }
+        }
+        Message::Event(event) => {
+            if let Some(ear) = with(|link| link.ear.clone()) {
+                ear(&event);
+            }
+            desk.hear(event);
+        }
+        // They were put together.
+        Message::Records { .. } => {}
     }
 }
 
@@ -231,7 +333,7 @@ fn lose(generation: u32) {
     if let Some(desk) = desk {
         desk.link_lost();
     }
-    answers.into_values().for_each(|answer| answer(None));
+    answers.into_values().for_each(|then| then(Err(NoAnswer::Unreachable)));
     let wait = wait_ms(tries, browser::random());
     browser::after(wait, hurry);
 }
@@ -245,7 +347,51 @@ fn wait_ms(tries: i32, chance: f64) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    use super::wait_ms;
+    use super::{WrittenRequest, newest_stop, wait_ms, with_own_stop};
+    use behaviour::Id;
+    use protocol::{AnyRequest, Ask, Request, request};
+
+    /// Compares what is sent with what the protocol says.
+    fn is_as_the_protocol_says<R: Request + Clone>(request: &R) {
+        for stops in [None, Some(7_000_001)] {
+            let text = WrittenRequest::of(request).message(7, stops);
+            let request: AnyRequest = request.clone().into();
+            assert_eq!(text, serde_json::to_string(&Ask { stops, ..Ask::new(7, request) }).unwrap());
+        }
+    }
+
+    #[test]
+    fn a_request_is_sent_as_the_protocol_says() {
+        let behaviour = Id::new("b").unwrap();
+        is_as_the_protocol_says(&request::Tags {});
+        is_as_the_protocol_says(&request::Open { behaviour: behaviour.clone() });
+        is_as_the_protocol_says(&request::TakeBack {
+            behaviour: behaviour.clone(),
+            op: behaviour,
+            again: true,
+            tokens: vec![],
+        });
+        is_as_the_protocol_says(&request::CallMe { name: "\"Aiko\" {}".to_owned() });
+    }
+
+    #[test]
+    fn the_answer_to_ones_own_stop_counts_before_the_link_tells_of_it() {
+        let known = Some((1, 7_000_002));
+        assert_eq!(with_own_stop(known, Some(7_000_003)), Some((1, 7_000_003)));
+        assert_eq!(with_own_stop(known, Some(7_000_001)), known, "an answer that came late");
+        assert_eq!(with_own_stop(known, Some(8_000_001)), known, "of another start of the server");
+        assert_eq!(with_own_stop(known, None), known);
+        assert_eq!(with_own_stop(None, Some(7_000_003)), None, "the link has told of no server yet");
+    }
+
+    #[test]
+    fn the_newest_stop_is_of_the_server_that_is_there_now() {
+        let first = newest_stop(None, (1, 7_000_002));
+        assert_eq!(first, (1, 7_000_002));
+        assert_eq!(newest_stop(Some(first), (1, 7_000_001)), first, "said before, but later here");
+        assert_eq!(newest_stop(Some(first), (1, 7_000_003)), (1, 7_000_003));
+        assert_eq!(newest_stop(Some(first), (2, 3_000_000)), (2, 3_000_000), "a store that was put back");
+    }
 
     #[test]
     fn waits_grow_up_to_a_bound() {

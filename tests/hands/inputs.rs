@@ -96,7 +96,7 @@ async fn the_menus_of_the_bar_are_drawn_from_the_list_of_commands() -> Outcome<(
     aiko.tap("button", "Menu").await?;
     aiko.find("menuitem", "Load program").await?;
     let all = "Load program, Add a program, Remove program, Open a file …, Save as file, Undo (off), Redo (off), History, -, \
-               Add sensor, Add a helper, Edit helper, Problems, -, Operator’s page, 日本語 (Japanese), Keys and gestures, -, Invite";
+               Add sensor, Add a helper, Edit helper, Problems, -, Recordings, Operator’s page, 日本語 (Japanese), Keys and gestures, -, Invite";
     assert_eq!(aiko.eval(ITEMS).await?, all);
     picture(&aiko, "phone-menu").await?;
     aiko.tap("menuitem", "Add sensor").await?;
@@ -106,6 +106,9 @@ async fn the_menus_of_the_bar_are_drawn_from_the_list_of_commands() -> Outcome<(
     aiko.size(1180, 820, true).await?;
     aiko.tap("button", "Program").await?;
     aiko.find("menuitem", "Load program").await?;
-    assert_eq!(aiko.eval(ITEMS).await?, "Load program, Add a program, Remove program, Open a file …, Save as file");
+    assert_eq!(
+        aiko.eval(ITEMS).await?,
+        "Load program, Add a program, Remove program, Open a file …, Save as file, -, Recordings"
+    );
     aiko.no_errors()
 }

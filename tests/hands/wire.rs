@@ -2,6 +2,7 @@
 
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
+use protocol::{AnyAnswer, Message as Told};
 use serde_json::{Value, json};
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message;
@@ -24,7 +25,7 @@ impl Wire {
         Self { url: server.url() }
     }
 
-    async fn ask(&self, request: Value) -> Outcome<Value> {
+    async fn ask(&self, request: Value) -> Outcome<AnyAnswer> {
         let asked = shell::handshake(&self.url).await.map_err(broken)?;
         let (mut socket, _) = tokio_tungstenite::connect_async(asked).await.map_err(broken)?;
         let hello = json!({ "is": "hello", "version": protocol::VERSION, "name": "Hands" });
@@ -54,16 +55,14 @@ impl Wire {
     }
 }
 
-async fn ask(socket: &mut Socket, number: u32, request: Value) -> Outcome<Value> {
+async fn ask(socket: &mut Socket, number: u32, request: Value) -> Outcome<AnyAnswer> {
     let message = json!({ "ask": number, "request": request }).to_string();
     socket.send(Message::text(message)).await.map_err(broken)?;
     while let Some(message) = socket.next().await {
         let Message::Text(text) = message.map_err(broken)? else { continue };
-        let mut message: Value = serde_json::from_str(&text)?;
-        if message["ask"] == number {
-            let reply = message["reply"].take();
-            let refused = reply.get("no").is_some();
-            return if refused { Err(format!("The server said no: {reply}").into()) } else { Ok(reply) };
+        let told: Told = serde_json::from_str(&text)?;
+        if let Some(outcome) = told.answer_to(number) {
+            return outcome.map_err(|no| format!("The server said no: {no}").into());
         }
     }
     Err("The server closed the socket.".into())

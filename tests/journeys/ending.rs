@@ -1,7 +1,7 @@
 //! A server ends in order, whatever asks it to: the robots stop, people are told, and what is written is finished.
 
 use house::{InTerminal, Outcome, Server, Terminal, Trouble, skip};
-use protocol::{Reply, Request, RunPhase};
+use protocol::{Event, RunPhase, request};
 use shell::{Client, NoLink};
 use std::path::Path;
 
@@ -30,7 +30,7 @@ async fn a_server_that_is_to_outlive_its_terminal_does() -> Outcome<()> {
     let aiko = recorded_run(&url).await?;
     let server = server.close();
     let ben = Client::connect(&url, "Ben").await?;
-    drop(ben.ask(Request::Runs).await?);
+    drop(ben.ask(request::Runs {}).await?);
     house::signal(server.id(), "TERM").await?;
     let status = server.ended().await?;
     assert!(status.success(), "without a screen: {status}");
@@ -55,23 +55,16 @@ async fn every_signal_that_ends_it_lets_the_robots_stop_first() -> Outcome<()> {
 async fn recorded_run(url: &str) -> Outcome<Client> {
     let mut aiko = Client::connect(url, "Aiko").await?;
     let behaviour = behaviour::Id::new("recorded")?;
-    let create = Request::Create {
+    let create = request::Create {
         behaviour: behaviour.clone(),
         name: "Recorded".into(),
         template: Some("Reflect ball color".into()),
     };
     drop(aiko.ask(create).await?);
-    drop(
-        aiko.ask(Request::Start {
-            behaviour,
-            robot: None,
-            record: true,
-            session: protocol::RecordedSession::default(),
-        })
-        .await?,
-    );
-    let runs = |reply: &Reply| match reply {
-        Reply::Runs { runs } => runs.iter().any(|run| run.phase == RunPhase::Running),
+    let session = protocol::RecordedSession::default();
+    aiko.ask(request::Start { behaviour, robot: None, record: true, session }).await?;
+    let runs = |event: &Event| match event {
+        Event::Runs { runs, .. } => runs.iter().any(|run| run.phase == RunPhase::Running),
         _ => false,
     };
     drop(aiko.until(runs).await?);

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use house::{Outcome, Page, Trouble, skip};
-use protocol::{Refused, Reply, Request};
+use protocol::{Refused, request};
 
 use crate::steps::*;
 use crate::visitor::{Visitor, id};
@@ -156,10 +156,10 @@ pub(crate) async fn make(visitor: &mut Visitor, name: &str, template: Option<&st
     let behaviour = id(&name.to_lowercase().replace(' ', "-"))?;
     loop {
         let (behaviour, template) = (behaviour.clone(), template.map(str::to_owned));
-        match visitor.ask(Request::Create { behaviour, name: name.to_owned(), template }).await? {
-            Reply::Created { .. } => return Ok(()),
-            Reply::No { no: Refused::TooFast } => tokio::time::sleep(Duration::from_millis(50)).await,
-            other => return Err(Trouble(format!("Making {name} was answered with {other:?}."))),
+        match visitor.try_to(request::Create { behaviour, name: name.to_owned(), template }).await? {
+            Ok(_) => return Ok(()),
+            Err(Refused::TooFast) => tokio::time::sleep(Duration::from_millis(50)).await,
+            Err(other) => return Err(Trouble(format!("Making {name} was answered with {other:?}."))),
         }
     }
 }

@@ -1,41 +1,55 @@
 //! The operator's page: with fingers and with keys, two operators at once, with a link that is cut, and for who may only look.
 
-use house::{GAME, Outcome, Page, Switch, skip};
-use protocol::{Reply, Request};
+use house::{GAME, Outcome, Page, Switch, TILES, skip};
+use protocol::request;
 
 use crate::invite::{follow, invite};
 use crate::steps::*;
 use crate::visitor::Visitor;
 
 /// Puts the program in, and leads this page to the operator's page with it.
-async fn operates(stage: &Stage, page: &Page) -> Outcome<()> {
+pub(crate) async fn operates(stage: &Stage, page: &Page) -> Outcome<()> {
     page.goto(&stage.server.url()).await?;
     usable(page).await?;
     page.brings_game().await?;
+    opens(stage, page, GAME).await
+}
+
+/// Puts the program with tiles of its own in, and leads this page to the operator's page with it.
+pub(crate) async fn operates_tiles(stage: &Stage, page: &Page) -> Outcome<()> {
+    page.goto(&stage.server.url()).await?;
+    usable(page).await?;
+    page.brings_tiles().await?;
+    opens(stage, page, TILES).await
+}
+
+async fn opens(stage: &Stage, page: &Page, name: &str) -> Outcome<()> {
     page.goto(&format!("{}operate", stage.server.url())).await?;
     usable(page).await?;
-    page.press("button", GAME).await?;
+    page.press("button", name).await?;
     says(page, "Ready to start").await
 }
 
 /// Starts it with this code.
-async fn starts(page: &Page, code: &str) -> Outcome<()> {
+pub(crate) async fn starts(page: &Page, code: &str) -> Outcome<()> {
     page.press("button", "Start …").await?;
-    let card = page.within("dialog", "Start Ball game");
+    let card = page.within("dialog", "Start *");
     card.fill("textbox", "Participant code*", code).await?;
     card.press("button", "Start").await?;
-    page.find("button", "Running").await.map(drop)
+    page.find("button", "Running").await?;
+    // What lay over the tiles is long gone by then.
+    page.until("document.querySelector('.op-clock b').textContent >= '0:02'", "the clock goes").await.map(drop)
 }
 
 /// The words that a tile shows.
-fn shows(label: &str) -> String {
+pub(crate) fn shows(label: &str) -> String {
     format!(
         "[...document.querySelectorAll('.op-tile')].find(tile => tile.querySelector('b').textContent === '{label}')?.dataset.state"
     )
 }
 
 /// The presses that the page has heard of.
-const DOTS: &str = "document.querySelectorAll('.dots i').length";
+pub(crate) const DOTS: &str = "document.querySelectorAll('.dots i').length";
 
 #[tokio::test]
 async fn a_session_is_run_with_fingers_from_start_to_stop() -> Outcome<()> {
@@ -81,13 +95,11 @@ async fn a_session_is_run_with_fingers_from_start_to_stop() -> Outcome<()> {
 }
 
 /// The field of that name of the newest recording's marks, from the server.
-async fn of_recording(stage: &Stage, field: &str) -> Outcome<Vec<String>> {
+pub(crate) async fn of_recording(stage: &Stage, field: &str) -> Outcome<Vec<String>> {
     let mut visitor = Visitor::enter(&stage.server).await?;
-    let Reply::Recordings { recordings } = visitor.ask(Request::Recordings).await? else {
-        return Err("no list".into());
-    };
+    let recordings = visitor.ask(request::Recordings {}).await?.recordings;
     let file = recordings.first().ok_or("no recording")?.file.clone();
-    let Reply::Marks { marks, .. } = visitor.ask(Request::Marks { file }).await? else { return Err("no marks".into()) };
+    let marks = visitor.ask(request::Marks { file }).await?.marks;
     let value = |mark| {
         serde_json::to_value(&mark)
             .ok()?
@@ -223,8 +235,47 @@ async fn a_link_that_is_cut_presses_nothing_later_and_a_mark_keeps_its_moment() 
     socket.mend().await
 }
 
+/// The moment of the mark in the list of marks, in seconds of the day.
+const MARKED_S: &str = "(() => { const at = document.querySelector('.op-list .op-at')?.textContent.split(':').map(Number); return at ? (at[0] * 60 + at[1]) * 60 + at[2] : null; })()";
+
+#[tokio::test]
+async fn a_mark_is_where_it_was_after_a_reload_and_when_the_clock_is_set() -> Outcome<()> {
+    skip::unless!(ready("journey: the moments of marks"));
+    let stage = Stage::set().await?;
+    let aiko = stage.nobody("aiko").await?;
+    operates(&stage, &aiko).await?;
+    starts(&aiko, "").await?;
+    aiko.key("m").await?;
+    says(&aiko, "Add a note …").await?;
+    let pressed = format!(
+        "(() => {{ const list = document.querySelector('.op-newest .op-at').textContent; return {SECONDS}(list); }})()"
+    );
+    let pressed = aiko.eval(&pressed).await?.as_f64().ok_or("no mark")?;
+    aiko.until("Number(document.querySelector('.op-undo').textContent.match(/[0-9]+/)[0]) < 7", "three seconds pass")
+        .await?;
+    aiko.reload().await?;
+    usable(&aiko).await?;
+    let again = aiko.until(MARKED_S, "the mark is told again").await?.as_f64().ok_or("no mark")?;
+    assert!(
+        (again - pressed + 1.0).rem_euclid(86_400.0) <= 2.0,
+        "marked at {pressed} s, and at {again} s after a reload"
+    );
+    // The tablet's clock is set forty seconds ahead: the clock of the run stays right, and the mark stays in its run.
+    let before = aiko.eval(RUN_MS).await?.as_f64().ok_or("no clock")?;
+    aiko.eval("(() => { const was = Date.now; Date.now = () => was() + 40000; })(), 0").await?;
+    let moved = format!("({MARKED_S} - {again} - 39 + 86400) % 86400 <= 2");
+    aiko.until(&moved, "the mark moves with the clock").await?;
+    let right = format!("{RUN_MS} >= {before} && {RUN_MS} < {before} + 40000");
+    aiko.until(&right, "the clock of the run is right").await?;
+    stop(&aiko).await?;
+    calm(&aiko)
+}
+
+/// The seconds of the day of a text.
+const SECONDS: &str = "(text => { const at = text.split(':').map(Number); return (at[0] * 60 + at[1]) * 60 + at[2]; })";
+
 /// The time of the run, in milliseconds.
-const RUN_MS: &str = "(() => { const [m, s] = document.querySelector('.op-clock b').textContent.split(':').map(Number); return (m * 60 + s) * 1000; })()";
+pub(crate) const RUN_MS: &str = "(() => { const [m, s] = document.querySelector('.op-clock b').textContent.split(':').map(Number); return (m * 60 + s) * 1000; })()";
 
 #[tokio::test]
 async fn who_may_only_look_presses_none() -> Outcome<()> {

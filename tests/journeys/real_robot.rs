@@ -5,7 +5,7 @@ use house::{Outcome, Page, StandIn, skip};
 use crate::steps::*;
 
 /// Opens the dialog and types an address.
-async fn add_at(page: &Page, address: &str) -> Outcome<()> {
+pub(crate) async fn add_at(page: &Page, address: &str) -> Outcome<()> {
     page.press("button", "Robot: *").await?;
     page.press("menuitem", "Add a NAO or Pepper").await?;
     let dialog = page.within("dialog", "Add a NAO or Pepper");

@@ -58,7 +58,7 @@ async fn two_robots_run_the_same_program_and_each_has_its_stop() -> Outcome<()> 
     calm(&ben)
 }
 
-async fn add_robot(page: &Page, name: &str) -> Outcome<()> {
+pub(crate) async fn add_robot(page: &Page, name: &str) -> Outcome<()> {
     page.press("button", "Robot: Simulated NAO").await?;
     page.press("menuitem", "Add a simulated robot").await?;
     page.within("dialog", "Add a simulated robot").fill("textbox", "Name", name).await?;
@@ -66,7 +66,7 @@ async fn add_robot(page: &Page, name: &str) -> Outcome<()> {
     page.find("button", &format!("Robot: {name}")).await.map(drop)
 }
 
-async fn look_at(page: &Page, name: &str) -> Outcome<()> {
+pub(crate) async fn look_at(page: &Page, name: &str) -> Outcome<()> {
     page.press("button", "Robot: *").await?;
     page.press("menuitemradio", name).await
 }

@@ -1,7 +1,7 @@
 //! Stop works whatever else does not.
 
 use house::{Outcome, Page, skip};
-use protocol::{Reply, Request};
+use protocol::request;
 use serde_json::json;
 
 use crate::steps::*;
@@ -65,17 +65,8 @@ async fn stop_works_without_the_program() -> Outcome<()> {
 
     let mut visitor = Visitor::enter(&stage.server).await?;
     let program = visitor.open_newest().await?;
-    assert_eq!(
-        visitor
-            .ask(Request::Start {
-                behaviour: program.id,
-                robot: None,
-                record: false,
-                session: protocol::RecordedSession::default()
-            })
-            .await?,
-        Reply::Done
-    );
+    let session = protocol::RecordedSession::default();
+    visitor.ask(request::Start { behaviour: program.id, robot: None, record: false, session }).await?;
     aiko.find("button", "Running").await?;
     silent(&ben, "Stopped. The robot holds still.").await?;
     escape_twice(&ben).await?;

@@ -3,7 +3,7 @@
 
 use behaviour::Id;
 use house::{Outcome, Page, Trouble, skip};
-use protocol::{Reply, Request, RunPhase};
+use protocol::{Event, RunPhase, request};
 use serde_json::json;
 use shell::Client;
 use std::fmt::Write;
@@ -45,29 +45,22 @@ impl Scene {
         let aiko = Client::connect(&stage.server.url(), "Aiko").await?;
         let program = Id::new("to-be-stopped")?;
         let template = Some("Reflect ball color".to_owned());
-        let create = Request::Create { behaviour: program.clone(), name: "To be stopped".to_owned(), template };
+        let create = request::Create { behaviour: program.clone(), name: "To be stopped".to_owned(), template };
         drop(aiko.ask(create).await?);
         Ok(Self { stage, aiko, program })
     }
 
     async fn start(&mut self) -> Outcome<()> {
-        drop(
-            self.aiko
-                .ask(Request::Start {
-                    behaviour: self.program.clone(),
-                    robot: None,
-                    record: false,
-                    session: protocol::RecordedSession::default(),
-                })
-                .await?,
-        );
+        let session = protocol::RecordedSession::default();
+        let behaviour = self.program.clone();
+        self.aiko.ask(request::Start { behaviour, robot: None, record: false, session }).await?;
         self.runs(1).await
     }
 
     /// Waits until so many programs run.
     async fn runs(&mut self, wanted: usize) -> Outcome<()> {
-        let are = |reply: &Reply| match reply {
-            Reply::Runs { runs } => runs.iter().filter(|run| run.phase == RunPhase::Running).count() == wanted,
+        let are = |event: &Event| match event {
+            Event::Runs { runs, .. } => runs.iter().filter(|run| run.phase == RunPhase::Running).count() == wanted,
             _ => false,
         };
         Ok(self.aiko.until(are).await.map(drop)?)

@@ -2,7 +2,7 @@
 //! new, and nothing that somebody wrote or pressed is lost.
 
 use house::{Outcome, Page, skip};
-use protocol::{Message, Refused, Reply};
+use protocol::{Message, Refused};
 use std::process::Command;
 
 use crate::steps::*;
@@ -193,7 +193,7 @@ async fn an_undo_that_came_too_fast_is_sent_again_in_its_order() -> Outcome<()> 
 
 /// Answers changes and undo of the page with “too fast”, as often as `refuse` says, in place of the server.
 async fn refuse_when_asked(page: &Page) -> Outcome<()> {
-    let no = serde_json::to_string(&Message { ask: Some(0), reply: Reply::No { no: Refused::TooFast } })?;
+    let no = serde_json::to_string(&Message::No { ask: Some(0), no: Refused::TooFast })?;
     let source = format!(
         "const Real = WebSocket;
         globalThis.refuse = 0;
@@ -203,7 +203,9 @@ async fn refuse_when_asked(page: &Page) -> Outcome<()> {
                 const isChange = ['propose', 'takeBack'].includes(asked.request.is);
                 if (!isChange || !globalThis.refuse) return super.send(text);
                 globalThis.refuse -= 1;
-                const data = JSON.stringify({{ ...{no}, ask: asked.ask }});
+                const refusal = {no};
+                refusal.no.ask = asked.ask;
+                const data = JSON.stringify(refusal);
                 setTimeout(() => this.dispatchEvent(new MessageEvent('message', {{ data }})));
             }}
         }};"

@@ -6,7 +6,7 @@ use behaviour::{
     Behaviour, Change, Edit, Group, Helper, Id, Kind, LockToken, Note, Procedure, Record, RecordId, Settings,
 };
 use house::{Outcome, Page, Switch, skip};
-use protocol::{LIBRARY, Reply, Request};
+use protocol::{LIBRARY, Refused, answer, request};
 use serde_json::json;
 
 use crate::steps::*;
@@ -253,8 +253,8 @@ impl Two<'_> {
         Ok(Change::of(id(&format!("ben-{}", self.next))?, "Ben", "Edit"))
     }
 
-    async fn propose(&mut self, behaviour: Id, change: Change) -> Outcome<Reply> {
-        self.ben.ask(Request::Propose { behaviour, change, tokens: Vec::new() }).await
+    async fn propose(&mut self, behaviour: Id, change: Change) -> Outcome<Result<answer::Saved, Refused>> {
+        self.ben.try_to(request::Propose { behaviour, change, tokens: Vec::new() }).await
     }
 
     /// Ben puts everything back as it was at first.
@@ -276,11 +276,11 @@ impl Two<'_> {
     }
 
     /// Ben tries something, and is answered.
-    async fn tries(&mut self, event: Event, record: &RecordId) -> Outcome<Reply> {
+    async fn tries(&mut self, event: Event, record: &RecordId) -> Outcome<Result<answer::Saved, Refused>> {
         let change = self.change()?;
         if event == Event::TakesBack {
             let (behaviour, op) = (self.program.clone(), change.op);
-            return self.ben.ask(Request::TakeBack { behaviour, op, again: false, tokens: Vec::new() }).await;
+            return self.ben.try_to(request::TakeBack { behaviour, op, again: false, tokens: Vec::new() }).await;
         }
         let now = self.now().await?.records;
         let number = self.next;
@@ -359,11 +359,8 @@ impl Two<'_> {
     }
 }
 
-fn agreed(reply: Reply, what: &str) -> Outcome<()> {
-    match reply {
-        Reply::No { no } => Err(format!("{what}: Ben could not: {no}").into()),
-        _ => Ok(()),
-    }
+fn agreed<A>(outcome: Result<A, Refused>, what: &str) -> Outcome<()> {
+    outcome.map(drop).map_err(|no| format!("{what}: Ben could not: {no}").into())
 }
 
 /// Other words or another number in a record, by Ben.
@@ -406,8 +403,8 @@ fn made(change: Change, now: &Behaviour, event: Event, key: &RecordId, number: u
 /// Ben makes the program, and Aiko opens it.
 async fn two<'a>(stage: &Stage, aiko: &'a Page) -> Outcome<Two<'a>> {
     let (mut ben, program) = (Visitor::enter_as(&stage.server, "Ben").await?, id("two-people")?);
-    let create = Request::Create { behaviour: program.clone(), name: "Two people".into(), template: None };
-    agreed(ben.ask(create).await?, "making it")?;
+    let create = request::Create { behaviour: program.clone(), name: "Two people".into(), template: None };
+    ben.ask(create).await?;
     let mut first = program_with(&ben.open(&program).await?.records)?;
     let mut two = Two { aiko, ben, program, first: first.clone(), next: 0 };
     two.reset().await?;
@@ -445,8 +442,8 @@ async fn what_one_types_into_nobody_else_changes_and_they_are_told_who_types() -
         two.ben.edited(&record, "Aiko").await?;
         for event in place.events() {
             let said = match two.tries(event, &record).await? {
-                Reply::No { no } => no.to_string(),
-                other => return Err(format!("{}: {event:?} was answered with {other:?}", place.name).into()),
+                Err(no) => no.to_string(),
+                Ok(other) => return Err(format!("{}: {event:?} was answered with {other:?}", place.name).into()),
             };
             assert!(said.starts_with("Aiko is editing "), "{}, {event:?}: {said}", place.name);
             two.is_untouched(place).await?;
@@ -630,7 +627,7 @@ fn asks(now: &Behaviour, connector: &str) -> Outcome<String> {
 
 impl Two<'_> {
     /// Ben edits a filter; an otherwise follows, as it does in a page.
-    async fn edits(&mut self, connector: &str, body: &str) -> Outcome<Reply> {
+    async fn edits(&mut self, connector: &str, body: &str) -> Outcome<Result<answer::Saved, Refused>> {
         let (now, change) = (self.now().await?.records, self.change()?);
         let key = RecordId::new(Kind::Connector, &id(connector)?);
         let mut record = now.records.get(&key).cloned().ok_or("no filter")?;
@@ -693,8 +690,8 @@ async fn an_otherwise_follows_whoever_is_first_and_nobody_who_types_at_it_loses_
     two.types(&rest).await?;
     two.ben.edited(&rest.key()?, "Aiko").await?;
     match two.edits("near", "distance < 0.6").await? {
-        Reply::No { no } => assert!(no.to_string().starts_with("Aiko is editing "), "{no}"),
-        other => return Err(format!("the test was edited: {other:?}").into()),
+        Err(no) => assert!(no.to_string().starts_with("Aiko is editing "), "{no}"),
+        Ok(other) => return Err(format!("the test was edited: {other:?}").into()),
     }
     two.is_untouched(&rest).await?;
     aiko.key("Escape").await?;
@@ -743,9 +740,7 @@ impl Two<'_> {
         // A person who opens a program once more gives back their locks there, so Ben looks before.
         let now = self.now().await?.records;
         let (behaviour, records) = (self.program.clone(), [record].into());
-        let Reply::Locked { grant } = self.ben.ask(Request::Lock { behaviour, records }).await? else {
-            return Err("Ben has no lock".into());
-        };
+        let grant = self.ben.ask(request::Lock { behaviour, records }).await?.grant;
         socket.mend().await?;
         says(aiko, "Ben is editing this. What you changed is kept").await?;
         says(aiko, "All other changes saved").await?;
@@ -771,9 +766,9 @@ async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
             // Refused if hers was saved before.
             let change = made(two.change()?, &now, Event::Saves, &record, 0);
             let (behaviour, tokens) = (behaviour.clone(), vec![token]);
-            agreed(two.ben.ask(Request::Propose { behaviour, change, tokens }).await?, "Ben saves")?;
+            agreed(two.ben.try_to(request::Propose { behaviour, change, tokens }).await?, "Ben saves")?;
         }
-        agreed(two.ben.ask(Request::Unlock { behaviour, token }).await?, "Ben is done")?;
+        agreed(two.ben.try_to(request::Unlock { behaviour, token }).await?, "Ben is done")?;
         if saves {
             aiko.find("dialog", "Ben changed this filter too").await?;
             aiko.press("button", "Keep mine").await?;

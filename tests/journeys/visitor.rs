@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 use behaviour::{Behaviour, Change, Id, RecordId};
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
-use protocol::{Ask, ListQuery, LockShown, Message, Reply, Request, RunPhase, RunState};
+use protocol::{
+    Ask, Event, ListQuery, LockShown, Message, Refused, Request, RequestAnswer, RunPhase, RunState, request,
+};
 use robot::Scene;
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message as Frame;
@@ -51,47 +53,47 @@ impl Visitor {
         let connected = tokio_tungstenite::connect_async(asked).await;
         let (socket, _) = connected.map_err(|error| Trouble(format!("{address}: {error}")))?;
         let mut visitor = Self { socket, asked: 0, locks: Vec::new() };
-        let hello = Request::Hello { version: protocol::VERSION, name: name.to_owned(), again: None };
-        match visitor.ask(hello).await? {
-            Reply::Welcome { .. } => Ok(visitor),
-            other => Err(Trouble(format!("The greeting was answered with {other:?}."))),
-        }
+        let hello = request::Hello { version: protocol::VERSION, name: name.to_owned(), again: None };
+        visitor.ask(hello).await?;
+        Ok(visitor)
     }
 
-    /// Asks, and reads on until the answer.
-    pub(crate) async fn ask(&mut self, request: Request) -> Outcome<Reply> {
+    /// Asks what must not be refused, and reads on until the answer.
+    pub(crate) async fn ask<R: Request>(&mut self, request: R) -> Outcome<R::Answer> {
+        self.try_to(request).await?.map_err(|no| Trouble(format!("This was refused: {no}")))
+    }
+
+    /// Asks what may be refused, and reads on until the answer.
+    pub(crate) async fn try_to<R: Request>(&mut self, request: R) -> Outcome<Result<R::Answer, Refused>> {
         self.asked += 1;
-        let text = serde_json::to_string(&Ask { ask: self.asked, request })?;
+        let text = serde_json::to_string(&Ask::new(self.asked, request))?;
         self.socket.send(Frame::text(text)).await.map_err(|error| Trouble(error.to_string()))?;
         let mine = self.asked;
-        self.hear(|message| (message.ask == Some(mine)).then_some(message.reply), "the answer").await
+        match self.hear(|message| message.answer_to(mine), "the answer").await? {
+            Ok(answer) => Ok(Ok(R::Answer::of(answer).ok_or("Something else was answered.")?)),
+            Err(no) => Ok(Err(no)),
+        }
     }
 
     /// Opens the behaviour that was changed last.
     pub(crate) async fn open_newest(&mut self) -> Outcome<Opened> {
         let query = ListQuery::default();
-        let Reply::Programs { programs, .. } = self.ask(Request::List { query }).await? else {
-            return Err("No list came.".into());
-        };
+        let programs = self.ask(request::List { query }).await?.programs;
         let newest = programs.first().ok_or("There is no program.")?;
         self.open(&id(&newest.id)?).await
     }
 
     /// Opens a behaviour, or looks at it again.
     pub(crate) async fn open(&mut self, behaviour: &Id) -> Outcome<Opened> {
-        match self.ask(Request::Open { behaviour: behaviour.clone() }).await? {
-            Reply::Opened { behaviour, revision, records, .. } => {
-                Ok(Opened { id: behaviour, revision, records: *records })
-            }
-            other => Err(Trouble(format!("Opening was answered with {other:?}."))),
-        }
+        let opened = self.ask(request::Open { behaviour: behaviour.clone() }).await?;
+        Ok(Opened { id: opened.behaviour, revision: opened.revision, records: *opened.records })
     }
 
     /// Proposes a change that must be refused; answers with the sentence.
     pub(crate) async fn refused(&mut self, behaviour: &Id, change: Change) -> Outcome<String> {
-        match self.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await? {
-            Reply::No { no } => Ok(no.to_string()),
-            other => Err(Trouble(format!("A bad edit was answered with {other:?}."))),
+        match self.try_to(request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await? {
+            Err(no) => Ok(no.to_string()),
+            Ok(other) => Err(Trouble(format!("A bad edit was answered with {other:?}."))),
         }
     }
 
@@ -113,7 +115,7 @@ impl Visitor {
             return Ok(());
         }
         let look = |message: Message| {
-            let Reply::Locks { locks, .. } = message.reply else { return None };
+            let Message::Event(Event::Locks { locks, .. }) = message else { return None };
             by(&locks).then_some(())
         };
         self.hear(look, what).await
@@ -122,7 +124,7 @@ impl Visitor {
     /// Waits until so many programs run.
     pub(crate) async fn runs(&mut self, what: &str, wanted: usize) -> Outcome<()> {
         let look = |message: Message| {
-            let Reply::Runs { runs } = message.reply else { return None };
+            let Message::Event(Event::Runs { runs, .. }) = message else { return None };
             (runs.iter().filter(|run| run.phase == RunPhase::Running).count() == wanted).then_some(())
         };
         self.hear(look, what).await
@@ -131,7 +133,7 @@ impl Visitor {
     /// The newest run.
     pub(crate) async fn newest_run(&mut self) -> Outcome<RunState> {
         let look = |message: Message| {
-            let Reply::Runs { runs } = message.reply else { return None };
+            let Message::Event(Event::Runs { runs, .. }) = message else { return None };
             runs.into_iter().max_by_key(|run| run.run)
         };
         self.hear(look, "what runs").await
@@ -140,9 +142,9 @@ impl Visitor {
     /// The first picture of the room from now on that is as wanted; `what` says it in words.
     pub(crate) async fn scene(&mut self, what: &str, wanted: impl Fn(&Scene) -> bool) -> Outcome<Scene> {
         let mut last = None;
-        let look = |message: Message| match message.reply {
-            Reply::Scene { scene, .. } if wanted(&scene) => Some(*scene),
-            Reply::Scene { scene, .. } => {
+        let look = |message: Message| match message {
+            Message::Event(Event::Scene { scene, .. }) if wanted(&scene) => Some(*scene),
+            Message::Event(Event::Scene { scene, .. }) => {
                 last = Some(scene);
                 None
             }
@@ -159,7 +161,7 @@ impl Visitor {
             match tokio::time::timeout(left, self.socket.next()).await {
                 Ok(Some(Ok(Frame::Text(text)))) => {
                     let message: Message = serde_json::from_str(&text)?;
-                    if let Reply::Locks { locks, .. } = &message.reply {
+                    if let Message::Event(Event::Locks { locks, .. }) = &message {
                         self.locks.clone_from(locks);
                     }
                     if let Some(found) = look(message) {

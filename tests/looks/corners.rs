@@ -21,7 +21,7 @@ const DIALOGS: [(&str, &str); 9] = [
 
 /// What is typed where things are found, with a word that nobody knows.
 const TYPED: [(&str, &str); 2] =
-    [("en", "When the head is toched, the eyes turn green."), ("ja", "頭をぺたぺたしたとき、目が緑に光ります。")];
+    [("en", "When the head is toched, the eyes turn green."), ("ja", "頭をむぎむぎしたとき、目が緑に光ります。")];
 
 #[tokio::test]
 async fn axe_finds_nothing_in_small_dialogs() -> Outcome<()> {

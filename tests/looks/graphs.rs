@@ -5,7 +5,7 @@ use behaviour::{
 };
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
-use protocol::{Ask, Message, Reply, Request};
+use protocol::{AnyRequest, Ask, Message, request};
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite;
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
@@ -53,14 +53,14 @@ impl Names {
 pub(crate) async fn make(server: &Server, names: Names, count: usize) -> Outcome<Id> {
     let mut line = Line::open(server).await?;
     let behaviour = id(&format!("looks-{names:?}-{count}"))?;
-    line.ask(Request::Create { behaviour: behaviour.clone(), name: names.title(count), template: None }).await?;
-    line.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+    line.ask(request::Create { behaviour: behaviour.clone(), name: names.title(count), template: None }).await?;
+    line.ask(request::Open { behaviour: behaviour.clone() }).await?;
     let mut change = Change::of(id(&format!("op-{names:?}-{count}"))?, "looks", "Add streams");
     let none = Behaviour::default();
     for (record_id, record) in records(names, count)? {
         change = change.put(&none, record_id, record);
     }
-    line.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await?;
+    line.ask(request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await?;
     Ok(behaviour)
 }
 
@@ -68,9 +68,9 @@ pub(crate) async fn make(server: &Server, names: Names, count: usize) -> Outcome
 pub(crate) async fn make_parts(server: &Server, count: usize) -> Outcome<Id> {
     let mut line = Line::open(server).await?;
     let behaviour = id(&format!("parts-{count}"))?;
-    line.ask(Request::Create { behaviour: behaviour.clone(), name: format!("Parts of {count}"), template: None })
+    line.ask(request::Create { behaviour: behaviour.clone(), name: format!("Parts of {count}"), template: None })
         .await?;
-    line.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+    line.ask(request::Open { behaviour: behaviour.clone() }).await?;
     let none = Behaviour::default();
     let numbers: Vec<usize> = (0..count).collect();
     for some in numbers.chunks(PROPOSED_AT_ONCE) {
@@ -90,7 +90,7 @@ pub(crate) async fn make_parts(server: &Server, count: usize) -> Outcome<Id> {
                 change = change.put(&none, key, Record::Connector(connector));
             }
         }
-        line.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await?;
+        line.ask(request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await?;
     }
     Ok(behaviour)
 }
@@ -99,7 +99,7 @@ pub(crate) async fn make_parts(server: &Server, count: usize) -> Outcome<Id> {
 pub(crate) async fn make_ball(server: &Server, name: &str) -> Outcome<Id> {
     let mut line = Line::open(server).await?;
     let behaviour = id("fight")?;
-    line.ask(Request::Create { behaviour: behaviour.clone(), name: name.to_owned(), template: None }).await?;
+    line.ask(request::Create { behaviour: behaviour.clone(), name: name.to_owned(), template: None }).await?;
     let ball = [("ball", StreamKind::Sensor, "Ball", "RedBall", Place { x: 0.0, y: 0.0 })];
     line.add(&behaviour, &ball).await?;
     Ok(behaviour)
@@ -155,14 +155,14 @@ impl Line {
         let connected = tokio_tungstenite::connect_async(asked).await;
         let (socket, _) = connected.map_err(|error| Trouble(format!("There is no socket: {error}")))?;
         let mut line = Line { socket, asks: 0 };
-        let hello = Request::Hello { version: protocol::VERSION, name: "Looks".to_owned(), again: None };
+        let hello = request::Hello { version: protocol::VERSION, name: "Looks".to_owned(), again: None };
         line.ask(hello).await?;
         Ok(line)
     }
 
     /// Adds streams of devices; what acts is told by the ball.
     async fn add(&mut self, behaviour: &Id, streams: &[(&str, StreamKind, &str, &str, Place)]) -> Outcome<()> {
-        self.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+        self.ask(request::Open { behaviour: behaviour.clone() }).await?;
         let none = Behaviour::default();
         let mut change = Change::of(id(&format!("add-{}", streams.len()))?, "looks", "Add streams");
         for (at, (key, kind, name, device, place)) in streams.iter().enumerate() {
@@ -179,22 +179,20 @@ impl Line {
                 change = change.put(&none, RecordId::new(Kind::Connector, &key), Record::Connector(connector));
             }
         }
-        self.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await
+        self.ask(request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await
     }
 
     /// Asks, and waits for a yes.
-    async fn ask(&mut self, request: Request) -> Outcome<()> {
+    async fn ask(&mut self, request: impl Into<AnyRequest>) -> Outcome<()> {
         self.asks += 1;
-        let text = serde_json::to_string(&Ask { ask: self.asks, request })?;
+        let text = serde_json::to_string(&Ask::new(self.asks, request))?;
         let sent = self.socket.send(tungstenite::Message::text(text)).await;
         sent.map_err(|error| Trouble(format!("The socket takes nothing: {error}")))?;
         while let Some(Ok(told)) = self.socket.next().await {
             let Ok(text) = told.to_text() else { continue };
             let Ok(message) = serde_json::from_str::<Message>(text) else { continue };
-            match message.reply {
-                Reply::No { no } if message.ask == Some(self.asks) => return Err(Trouble(no.to_string())),
-                _ if message.ask == Some(self.asks) => return Ok(()),
-                _ => {}
+            if let Some(outcome) = message.answer_to(self.asks) {
+                return outcome.map(drop).map_err(|no| Trouble(no.to_string()));
             }
         }
         Err("The socket has ended.".into())

@@ -17,6 +17,7 @@ mod load;
 mod locks;
 mod look;
 mod operate;
+mod past;
 mod presence;
 mod recordings;
 mod rules;

@@ -3,7 +3,7 @@
 use crate::look::{DESKTOP, PHONE, WINDOWS, Window, colours, keeps_pictures, measures, set};
 use crate::screens::{nothing, rests, says, usable};
 use crate::words::Words;
-use house::{Browser, GAME, Outcome, Page, Server, Switch, skip};
+use house::{Browser, GAME, Outcome, Page, Server, Switch, TILES, WallClock, skip};
 
 #[tokio::test]
 async fn the_operators_page_keeps_the_rules_and_axe_finds_nothing() -> Outcome<()> {
@@ -54,6 +54,48 @@ async fn every_state(words: &Words) -> Outcome<()> {
     page.until("document.querySelectorAll('.op-flag').length === 2", "a mark waits").await?;
     found.extend(look(&page, words, "operate-lost").await?);
     nothing("findings about the operator's page", &found)
+}
+
+#[tokio::test]
+async fn tiles_that_ask_and_marks_that_are_judged_keep_the_rules() -> Outcome<()> {
+    skip::unless!(ready("tiles that ask at every size"));
+    own_tiles(&Words::english()).await
+}
+
+#[tokio::test]
+async fn tiles_that_ask_and_marks_that_are_judged_keep_the_rules_in_japanese() -> Outcome<()> {
+    skip::unless!(ready_in_japanese("tiles that ask in Japanese"));
+    own_tiles(&Words::japanese()?).await
+}
+
+/// A program with tiles of its own: one asks, a span goes on, and the verdict of a mark is asked.
+async fn own_tiles(words: &Words) -> Outcome<()> {
+    let folder = house::folder()?;
+    let server = Server::start(folder.path()).await?;
+    let browser = Browser::launch().await?;
+    let page = browser.person("aiko").await?;
+    page.media("prefers-reduced-motion", "reduce").await?;
+    page.size(1440, 900, false).await?;
+    let clock = WallClock::install(&page).await?;
+    words.open(&page, &server.url()).await?;
+    usable(&page).await?;
+    page.brings_tiles().await?;
+    page.goto(&format!("{}operate", server.url())).await?;
+    usable(&page).await?;
+    page.press("button", TILES).await?;
+    page.press("button", &words.say("Start …")).await?;
+    page.fill("textbox", &words.begins("Participant code"), "P-07").await?;
+    page.key("Enter").await?;
+    page.find("button", &words.say("Running")).await?;
+    clock.hold().await?;
+    clock.forward(1_000).await?;
+    page.key("9").await?;
+    page.key("4").await?;
+    let held = "dispatchEvent(new KeyboardEvent('keydown', { key: '7', code: 'Digit7', cancelable: true })), 0";
+    page.eval(held).await?;
+    page.until("document.querySelector('.op-verdict') && document.querySelector('[data-state=asks]') && document.querySelector('[data-state=on]')", "it is all there").await?;
+    let found = look(&page, words, "operate-asks").await?;
+    nothing("findings about tiles that ask", &found)
 }
 
 /// Looks at a state in every window, and keeps a picture of each.

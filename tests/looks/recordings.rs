@@ -16,6 +16,13 @@ const GREET: &str = "2026-11-21T18-34-06Z-greet.jsonl";
 /// The page, if it would have to scroll sideways.
 const SIDEWAYS: &str = "(document.documentElement.scrollWidth > innerWidth ? [`${document.documentElement.scrollWidth} wide in ${innerWidth}`] : [])";
 
+/// Whether every sheet that something is written on is dark.
+const IS_DARK: &str = "['html', 'main', 'input', '.button'].every(part => {
+    const element = document.querySelector(part);
+    const [red, green, blue] = (element ? getComputedStyle(element).backgroundColor : '').match(/[0-9]+/g).map(Number);
+    return red + green + blue < 3 * 128;
+})";
+
 /// A data folder with several sessions of one participant.
 fn prepare(data: &Path) -> Outcome<()> {
     let folder = data.join("recordings");
@@ -59,9 +66,17 @@ async fn recordings_and_reports_fit_every_window_in_both_languages() -> Outcome<
             ("recordings", format!("recordings?language={language}&offset=0&chosen={GREET}")),
             ("report", format!("recordings/{GREET}/report?language={language}&offset=0")),
         ] {
+            page.media("prefers-color-scheme", "light").await?;
             page.goto(&format!("{}{path}", server.url())).await?;
             for window in [DESKTOP, TABLET, PHONE] {
                 found.extend(fits(&page, &window, &format!("{place}-{language}")).await?);
+            }
+            // A report is paper; the list is dark where the page is.
+            page.media("prefers-color-scheme", "dark").await?;
+            let is_dark = page.eval(IS_DARK).await? == true;
+            assert_eq!(is_dark, place == "recordings", "{place} in the dark");
+            if is_dark {
+                found.extend(fits(&page, &DESKTOP, &format!("{place}-{language}-dark")).await?);
             }
         }
     }

@@ -4,6 +4,7 @@ use super::plus::plus_below;
 use super::pointers::edit;
 use super::walk::{StepDirection, walk};
 use super::{Stage, flyout};
+use crate::commands::over_time;
 use crate::desk::{Desk, Selected};
 use crate::escape;
 use crate::keys::PressedKey;
@@ -75,6 +76,7 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         "n" | "N" => then(|| stage.add_note()),
         "f" | "F" => fold(stage, here),
         "i" | "I" => here.is_some_and(|here| stage.insert_before(&here)),
+        "l" | "L" => then(|| over_time(desk)),
         "F2" => rename(stage, here),
         "Enter" if !on_button => with(here, |here| open(desk, stage, &here)),
         " " if !on_button && event.shift_key() => with(here, |here| desk.document.choose_too(here)),

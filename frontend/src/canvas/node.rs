@@ -4,7 +4,7 @@ use super::Stage;
 use super::differs::{Differs, differs_memo};
 use super::mark::{self, MarkBadge, mark_memo};
 use super::stage::Edited;
-use crate::desk::{Desk, Selected, StreamSignals, use_desk};
+use crate::desk::{Desk, OpenPast, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
 use crate::live::{measured, rate_words, sparkline};
@@ -192,7 +192,7 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
                 view! { <span class="value quiet" aria-hidden="true" style:max-width=width><b title=words.clone()>{words.clone()}</b></span> }
                     .into_any()
             }
-            None => view! { <NewestValue live=live.clone() kind=kind.clone() width=width /> }.into_any(),
+            None => view! { <NewestValue id=id.clone() live=live.clone() kind=kind.clone() width=width /> }.into_any(),
         }
     }
 }
@@ -213,11 +213,13 @@ fn told_by(desk: &Desk, action: &Id) -> Option<Id> {
 
 #[component]
 fn NewestValue(
+    id: Id,
     live: ArcRwSignal<crate::live::LiveStream>,
     kind: ArcMemo<Option<ValueType>>,
     width: String,
 ) -> impl IntoView {
     let (value, rate, points) = (live.clone(), live.clone(), live);
+    let past = use_desk().past.clone();
     let has_line = {
         let points = points.clone();
         ArcMemo::new(move |_| points.with(|live| live.recent.len() > 2))
@@ -227,9 +229,10 @@ fn NewestValue(
             <b>{move || value.with(|live| live.value.as_ref().map(|value| kind.with(|kind| measured(value, kind.as_ref()))).unwrap_or_default())}</b>
             <i>{move || rate.with(|live| rate_words(live.rate))}</i>
             {move || {
-                let points = points.clone();
+                let (points, past, id) = (points.clone(), past.clone(), id.clone());
                 has_line.get().then(|| view! {
-                    <svg class="spark" width=SPARK.0 height=SPARK.1 aria-hidden="true" focusable="false">
+                    <svg class="spark" width=SPARK.0 height=SPARK.1 aria-hidden="true" focusable="false"
+                        on:click=move |_| past.set(Some(OpenPast::Running(Some(id.clone()))))>
                         <polyline points=move || points.with(|live| sparkline(&live.recent, SPARK.0, SPARK.1)) />
                     </svg>
                 })

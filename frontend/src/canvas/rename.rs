@@ -59,10 +59,8 @@ fn renamed(desk: &Desk, id: &Id) -> Option<Renamed> {
 }
 
 /// The field for the new name, over what has it.
-#[component]
-pub(super) fn Renaming() -> impl IntoView {
-    let renaming = expect_context::<Stage>().renaming;
-    move || renaming.get().map(|id| view! { <NameField id /> })
+pub(crate) fn name_field(id: Id) -> AnyView {
+    view! { <NameField id /> }.into_any()
 }
 
 #[component]

@@ -3,16 +3,16 @@
 mod address;
 mod build;
 mod choosing;
-mod conflict;
+#[cfg(test)]
+mod conflict_tests;
 mod conflicts;
-mod editing;
 mod gestures;
 mod ghost;
 #[cfg(test)]
 mod graph_tests;
 mod grouping;
 mod groups;
-mod history;
+mod input;
 mod kinds;
 mod locks;
 mod mend;
@@ -21,45 +21,36 @@ mod opening;
 mod part;
 mod presence;
 mod procedures;
-mod propose;
-mod queue;
-mod reading;
 mod rewire;
-mod save_state;
 mod server;
 mod session;
 mod several;
 mod signals;
-mod signs;
-mod silence;
-mod steps;
-mod undo;
 mod versions;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
 pub(crate) use choosing::Put;
-pub(crate) use conflict::{Conflict, wording};
 pub(crate) use conflicts::draft_key;
-pub(crate) use editing::{Asking, EditReading, Editing, OwnLock, WriteRight};
 pub(super) use gestures::short;
 pub(crate) use ghost::{Ghost, GhostConnector, GhostStream};
-use history::HistoryPanel;
-pub(crate) use kinds::{
-    ConnectPlan, ConnectorSignals, GroupSignals, Lit, NewSpot, NoteSignals, Output, Saving, Selected, StreamSignals,
-    UnsavedMark,
-};
+pub(crate) use kinds::{ConnectPlan, ConnectorSignals, GroupSignals, NewSpot, NoteSignals, Output, StreamSignals};
 pub(crate) use locks::OtherEditor;
 pub(crate) use part::ProgramPart;
 pub(crate) use rewire::{Gap, Joining, WireEnd, wire_ends};
 pub(crate) use session::EditSession;
 pub(crate) use several::LineUp;
-pub(crate) use signs::{Sign, initials, signs};
-pub(crate) use steps::bare;
 pub(crate) use versions::{ComparedVersions, Comparing, OpenVersion};
 
-use super::tab::Tab;
+pub(crate) use editor::{
+    Asking, Conflict, EditReading, Editing, Lit, OwnLock, Saving, Selected, Sign, UnsavedMark, WriteRight, bare,
+    initials, signs, wording,
+};
+
+use super::tab::{Tab, new_id};
 use crate::layout::Tidy;
-use behaviour::{Behaviour, Checkpoint, Id, Place, Problem, RecordId, ValueType};
+use crate::naming;
+use behaviour::{Accepted, Behaviour, Checkpoint, Id, Place, Problem, RecordId, ValueType};
+use editor::{Editor, HistoryPanel, Removers, conflict};
 use leptos::prelude::*;
 use protocol::{LockShown, Person};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -99,7 +90,7 @@ pub(crate) struct DocumentFields {
     /// Tells whether what runs would run differently if it were started now.
     pub(crate) fingerprint: ArcRwSignal<u32>,
     /// The people who removed something of the open behaviour and of the library, by its id.
-    pub(crate) removed_by: ArcRwSignal<HashMap<Id, Remover>>,
+    pub(crate) removed_by: ArcRwSignal<Removers>,
     /// The locks that show who is editing what, this tab included.
     pub(crate) locks: ArcRwSignal<Vec<LockShown>>,
     /// The editor that is open here.
@@ -141,10 +132,9 @@ pub(crate) struct DocumentFields {
 }
 
 /// The state that is not shown itself.
-#[derive(Default)]
 struct DocumentState {
-    /// The open behaviour as the server has it.
-    confirmed: Behaviour,
+    /// All that is not shown itself, and decides.
+    editor: Editor,
     streams: BTreeMap<Id, StreamSignals>,
     connectors: BTreeMap<Id, ConnectorSignals>,
     notes: BTreeMap<Id, NoteSignals>,
@@ -155,25 +145,17 @@ struct DocumentState {
     tidy: Option<Tidy>,
     /// The width and height in which all of it shall be seen.
     stage: (f64, f64),
-    queue: queue::Queue,
-    saves: save_state::SaveState,
-    silence: silence::Silence,
-    mine: undo::Mine,
-    /// A page of the history is asked for.
-    reads_history: bool,
-    /// The behaviour that this tab wants to have open.
-    wanted: Option<Id>,
     presence: presence::Presence,
-    /// The number of editors that were opened in this tab.
-    editors: u32,
-    /// The time when typing was told last.
-    typed_ms: f64,
 }
 
 /// The events that others on the desk follow.
 pub(super) enum DocumentEvent {
     /// Somebody here chose what is to be open.
     Chosen,
+    /// The program that is to be open is shown.
+    Opened,
+    /// A change that was saved was made here too.
+    Made(Accepted),
     /// The behaviour that was open is not shown any more.
     Left,
     /// Nothing waits to be saved.
@@ -191,14 +173,6 @@ impl Deref for Document {
     fn deref(&self) -> &DocumentFields {
         &self.0
     }
-}
-
-/// The person who removed something.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Remover {
-    pub(crate) name: String,
-    /// By this they are told apart from others of that name; none in changes of older versions.
-    pub(crate) client: Option<Id>,
 }
 
 impl Document {
@@ -243,7 +217,17 @@ impl Document {
             laid_out: ArcTrigger::new(),
             conflicts: ArcRwSignal::default(),
             waits: ArcRwSignal::default(),
-            state: Mutex::default(),
+            state: Mutex::new(DocumentState {
+                editor: Editor::new(new_id, naming::followed),
+                streams: BTreeMap::new(),
+                connectors: BTreeMap::new(),
+                notes: BTreeMap::new(),
+                groups: BTreeMap::new(),
+                fallback: BTreeMap::new(),
+                tidy: None,
+                stage: (0.0, 0.0),
+                presence: presence::Presence::default(),
+            }),
             listener: OnceLock::new(),
         }))
     }
@@ -254,7 +238,7 @@ impl Document {
     }
 
     /// Tells what happened; nobody may hold the state meanwhile.
-    fn happened(&self, event: DocumentEvent) {
+    pub(super) fn happened(&self, event: DocumentEvent) {
         if let Some(listener) = self.listener.get() {
             listener(event);
         }
@@ -282,16 +266,12 @@ impl Document {
 
     /// The open behaviour with what waits to be sent; not reactive (read `revision` for that).
     pub(crate) fn behaviour(&self) -> Behaviour {
-        let state = self.state();
-        match &state.wanted {
-            Some(open) => state.queue.on_top_of(open, &state.confirmed),
-            None => Behaviour::default(),
-        }
+        self.state().editor.behaviour()
     }
 
     /// Looks at the open behaviour as the server has it; `look` asks the document for nothing.
     pub(super) fn with_confirmed<T>(&self, look: impl FnOnce(&Behaviour) -> T) -> T {
-        look(&self.state().confirmed)
+        look(self.state().editor.confirmed())
     }
 
     /// True if this behaviour is the open one.

@@ -6,7 +6,7 @@ use crate::{browser, link};
 use behaviour::Id;
 use browser::Drawer;
 use leptos::prelude::*;
-use protocol::{Credential, Reply, Request};
+use protocol::{Credential, request};
 
 const TAB_KEY: &str = "rrp.client";
 const ALIVE_KEY: &str = "rrp.alive";
@@ -19,8 +19,8 @@ const GUEST: &str = "Guest ";
 
 impl Desk {
     /// The greeting of this tab.
-    pub(crate) fn greeting(&self) -> Request {
-        Request::Hello { version: protocol::VERSION, name: my_name(), again: kept_credential() }
+    pub(crate) fn greeting(&self) -> request::Hello {
+        request::Hello { version: protocol::VERSION, name: my_name(), again: kept_credential() }
     }
 
     /// Sets the name of this person that others see; keeps it in this browser, and tells them at once.
@@ -48,8 +48,8 @@ impl Desk {
     /// Without a link the next greeting tells it.
     fn tell_my_name(&self, name: String) {
         let me = self.me.clone();
-        link::ask(Request::CallMe { name: name.clone() }, move |reply| {
-            if matches!(reply, Some(Reply::Done)) {
+        link::ask(request::CallMe { name: name.clone() }, move |answer| {
+            if answer.is_ok() {
                 me.update(|me| me.iter_mut().for_each(|me| me.name.clone_from(&name)));
             }
         });

@@ -3,7 +3,8 @@
 use super::tab::Tab;
 use crate::link::NoAnswer;
 use behaviour::Id;
-use protocol::{Invitation, Lasts, Reply, Request, Role};
+use leptos::prelude::*;
+use protocol::{Invitation, Lasts, Role, answer, request};
 
 /// An invitation that was just made, with what is told of it only then.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,29 +24,27 @@ impl Tab {
         (role, lasts, label): (Role, Lasts, String),
         then: impl FnOnce(Result<NewInvitation, NoAnswer>) + 'static,
     ) {
-        self.look_up(Request::Invite { role, lasts, label }, move |answer| match answer {
-            Ok(Reply::Invited { invitation, link, qr, fingerprint }) => then(Ok(NewInvitation {
-                invitation: (**invitation).clone(),
-                link: link.clone(),
-                qr: qr.clone(),
-                fingerprint: fingerprint.clone(),
-            })),
-            Ok(_) => {}
-            Err(why) => then(Err(why)),
+        self.look_up(request::Invite { role, lasts, label }, move |answer| {
+            then(answer.map(|answer::Invited { invitation, link, qr, fingerprint }| NewInvitation {
+                invitation: *invitation,
+                link,
+                qr,
+                fingerprint,
+            }));
         });
     }
 
-    /// Asks for the invitations; the answer, and every change of them later, is heard.
+    /// Asks for the invitations; every change of them later is told.
     pub(crate) fn list_invitations(&self, on_no: impl FnOnce(NoAnswer) + 'static) {
-        self.look_up(Request::Invitations, move |answer| {
-            if let Err(why) = answer {
-                on_no(why);
-            }
+        let tab = self.clone();
+        self.look_up(request::Invitations {}, move |answer| match answer {
+            Ok(answer) => tab.invitations.set(answer.invitations),
+            Err(why) => on_no(why),
         });
     }
 
     /// Ends an invitation: whoever came by it is out.
     pub(crate) fn revoke(&self, invitation: &Id) {
-        self.ask_or_say(Request::Revoke { invitation: invitation.clone() }, |_| {});
+        self.ask_or_say_no(request::Revoke { invitation: invitation.clone() });
     }
 }

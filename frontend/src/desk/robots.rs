@@ -17,7 +17,7 @@ use super::library::LibraryPanel;
 use super::tab::Tab;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Recording, RobotState, RunState, Values};
+use protocol::{RobotState, RunState, Values};
 use robot::Scene;
 use std::collections::BTreeSet;
 use std::ops::Deref;
@@ -40,8 +40,6 @@ pub(crate) struct RobotsFields {
     pub(crate) runs: ArcRwSignal<Vec<RunState>>,
     /// True if the next Start is recorded.
     pub(crate) records: ArcRwSignal<bool>,
-    /// The recordings that are kept, as they were when somebody looked.
-    pub(crate) recordings: ArcRwSignal<Vec<Recording>>,
     pub(crate) scene: ArcRwSignal<Scene>,
     /// The failures in the run of the open behaviour, or in its last one; the one that began last first.
     pub(crate) failing: ArcRwSignal<Vec<failing::Failing>>,
@@ -61,8 +59,8 @@ struct RobotsState {
     wanted: Option<Id>,
     /// The robot whose room and values the server tells.
     watched: Option<Id>,
-    /// The wish that is put to the robot as soon as everything is saved.
-    when_saved: Option<starting::StartIntent>,
+    /// The press that is put to the robot as soon as everything is saved.
+    when_saved: Option<starting::WaitingPress>,
     /// The run the live values belong to.
     run: u64,
     /// Values that wait to be shown, while nothing shall change often.
@@ -91,7 +89,6 @@ impl RobotsPanel {
             chosen: ArcRwSignal::default(),
             runs: ArcRwSignal::default(),
             records: ArcRwSignal::default(),
-            recordings: ArcRwSignal::default(),
             scene: ArcRwSignal::default(),
             failing: ArcRwSignal::default(),
             unused: ArcRwSignal::default(),

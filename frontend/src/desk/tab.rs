@@ -1,26 +1,19 @@
 //! The state of this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
 use super::{CarriedItem, Gap, NewSpot, Pasted};
-use crate::link::{self, NoAnswer};
-use crate::words;
+use crate::link::{self, NoAnswer, WrittenRequest};
+use crate::{browser, words};
+pub(crate) use editor::LinkState;
+
+use behaviour::Id;
 use behaviour::connectors::Spec;
-use behaviour::{Id, Refusal};
 use leptos::prelude::*;
-use protocol::{Invitation, Person, Refused, Reply, Request, Role};
+use protocol::{AnyAnswer, Invitation, Person, Refused, Request, RequestAnswer, Role};
 use std::ops::Deref;
 use std::sync::Arc;
 
 /// The time until something that could not be done just now is asked again.
 pub(super) const AGAIN_MS: i32 = 1_000;
-
-/// The state of the link to the server.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum LinkState {
-    #[default]
-    Connecting,
-    Online,
-    Offline,
-}
 
 /// The reasons why there will be no link again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,6 +97,18 @@ pub(crate) enum Dialog {
     Help,
 }
 
+/// The part of the address that names a recording to look back on, before its name.
+pub(crate) const PAST_QUERY: &str = "past=";
+
+/// A past on which somebody looks back.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum OpenPast {
+    /// The recording that the address of the page names.
+    Address,
+    /// The running program, with the lane of this stream.
+    Running(Option<Id>),
+}
+
 /// One sentence for the person.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Notice {
@@ -133,6 +138,8 @@ pub(crate) struct TabFields {
     pub(crate) online: ArcRwSignal<LinkState>,
     /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
     pub(crate) unheard: ArcRwSignal<Option<u32>>,
+    /// The start of the server that greeted last; 0 before any did. Its runs are counted from it.
+    pub(crate) epoch: ArcRwSignal<u64>,
     pub(crate) me: ArcRwSignal<Option<Person>>,
     /// The role of this person, once the server said so.
     pub(crate) role: ArcRwSignal<Option<Role>>,
@@ -144,6 +151,8 @@ pub(crate) struct TabFields {
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
+    /// The past on which somebody looks back, while they do.
+    pub(crate) past: ArcRwSignal<Option<OpenPast>>,
     /// The words that only screen readers are told, as everybody else sees it.
     pub(crate) whisper: ArcRwSignal<String>,
     /// A choice that is to be offered where the graph is shown.
@@ -194,6 +203,17 @@ impl Tab {
         }
     }
 
+    /// Shows what follows from something that is being refused just now: after the reason, where one is shown.
+    pub(super) fn say_beside_reason(&self, text: String) {
+        let number = |notice: &Option<Notice>| notice.as_ref().map_or(0, |notice| notice.number);
+        let (tab, before) = (self.clone(), self.notice.with_untracked(number));
+        browser::after(0, move || {
+            let reason = tab.notice.get_untracked().filter(|notice| notice.bad && notice.number > before);
+            let text = reason.map_or(text.clone(), |reason| words::one_after_other(&reason.text, &text));
+            tab.say(&text, true);
+        });
+    }
+
     /// Shows why something was not done.
     pub(crate) fn say_no(&self, no: &Refused) {
         self.say(&words::told_by(no), true);
@@ -211,33 +231,61 @@ impl Tab {
     }
 
     /// Asks something; a no, or a missing link, is shown as a notice.
-    pub(super) fn ask_or_say(&self, request: Request, on_yes: impl FnOnce(&Reply) + 'static) {
+    pub(super) fn ask_or_say<R: Request>(&self, request: R, on_yes: impl FnOnce(R::Answer) + 'static) {
+        self.ask_or_say_as_of(link::stops(), request, on_yes);
+    }
+
+    /// Asks for what was pressed when so many Stops had been heard of; a no, or a missing link, is shown as a notice.
+    pub(super) fn ask_or_say_as_of<R: Request>(
+        &self,
+        stops: Option<u64>,
+        request: R,
+        on_yes: impl FnOnce(R::Answer) + 'static,
+    ) {
+        let on_any = move |any| R::Answer::of(any).map(on_yes).is_some();
+        self.ask_any_or_say(stops, &WrittenRequest::of(&request), Box::new(on_any));
+    }
+
+    /// Asks for something of which only a no, or a missing link, is shown.
+    pub(super) fn ask_or_say_no(&self, request: impl Request) {
+        self.ask_any_or_say_no(&WrittenRequest::of(&request));
+    }
+
+    fn ask_any_or_say_no(&self, request: &WrittenRequest) {
+        self.ask_any_or_say(link::stops(), request, Box::new(|_| true));
+    }
+
+    /// Asks; `on_yes` tells whether it was the answer to that.
+    fn ask_any_or_say(&self, stops: Option<u64>, request: &WrittenRequest, on_yes: Box<dyn FnOnce(AnyAnswer) -> bool>) {
         let tab = self.clone();
-        link::ask_even_down(request, move |reply| match reply {
-            Some(Reply::No { no }) => tab.say_no(no),
-            Some(reply) => on_yes(reply),
-            None => tab.say_unreachable(),
-        });
+        let then = move |answer: Result<AnyAnswer, NoAnswer>| match answer {
+            Ok(any) => {
+                if !on_yes(any) {
+                    tab.say_unreachable();
+                }
+            }
+            Err(why) => tab.say_no_answer(why),
+        };
+        link::ask_pressed(stops, request, Box::new(then));
+    }
+
+    /// Shows why there is no answer.
+    pub(super) fn say_no_answer(&self, why: NoAnswer) {
+        match why {
+            NoAnswer::Refused(no) => self.say_no(&no),
+            NoAnswer::Unreachable => self.say_unreachable(),
+        }
     }
 
     /// Asks something that changes nothing; a no or a missing link is answered with that.
-    pub(crate) fn look_up(&self, request: Request, then: impl FnOnce(Result<&Reply, NoAnswer>) + 'static) {
-        link::ask_even_down(request, move |reply| match reply {
-            Some(Reply::No { no }) => then(Err(NoAnswer::Refused(no.clone()))),
-            Some(reply) => then(Ok(reply)),
-            None => then(Err(NoAnswer::Unreachable)),
-        });
+    pub(crate) fn look_up<R: Request>(&self, request: R, then: impl FnOnce(Result<R::Answer, NoAnswer>) + 'static) {
+        link::ask_even_down(request, then);
     }
 
     /// The name of who sits here, empty before the server has greeted back.
     pub(super) fn my_name(&self) -> String {
         self.me.with_untracked(|me| me.as_ref().map_or_else(String::new, |me| me.name.clone()))
     }
-}
-
-/// True if what was refused may work in a moment.
-pub(super) fn may_pass(no: &Refused) -> bool {
-    matches!(no, Refused::Store(_) | Refused::TooFast | Refused::Change(Refusal::NotSaved(_)))
 }
 
 /// Sets a signal only if that changes something, so that nothing is drawn twice.

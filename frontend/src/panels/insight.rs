@@ -6,7 +6,7 @@ use crate::icons::Icon;
 use crate::words;
 use behaviour::{Graph, Id, Stream, StreamKind};
 use leptos::prelude::*;
-use protocol::{ActionDriver, Reply, Request};
+use protocol::{ActionDriver, answer, request};
 use robot::UnfitStream;
 
 /// How many streams or programs are named.
@@ -59,8 +59,8 @@ fn OtherPrograms(action: String) -> impl IntoView {
     let desk = hold();
     let found: RwSignal<(Vec<ActionDriver>, u64)> = RwSignal::new((Vec::new(), 0));
     let open = desk.desk().document.open.get_untracked();
-    desk.desk().look_up(Request::Drivers { actuator: action.clone() }, move |answer| {
-        if let Ok(Reply::Drivers { drivers, total }) = answer {
+    desk.desk().look_up(request::Drivers { actuator: action.clone() }, move |answer| {
+        if let Ok(answer::Drivers { drivers, total }) = answer {
             let others: Vec<_> =
                 drivers.iter().filter(|driver| Some(&driver.behaviour) != open.as_ref()).cloned().collect();
             let here = (drivers.len() - others.len()) as u64;

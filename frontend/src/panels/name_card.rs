@@ -3,6 +3,7 @@
 use super::hold::hold;
 use crate::escape;
 use crate::icons::Icon;
+use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
 
@@ -23,9 +24,14 @@ pub(super) fn NameCard() -> impl IntoView {
         is_asked.get().then(|| words::others_see_you_as(&me))
     };
     view! {
-        <Show when=move || is_asked.get()><Asked /></Show>
+        <Show when=move || is_asked.get()><Later show=|rest| (rest.asks_name)() /></Show>
         <p class="sr" role="status">{said}</p>
     }
+}
+
+/// The field for one's name.
+pub(crate) fn asks_name() -> AnyView {
+    view! { <Asked /> }.into_any()
 }
 
 #[component]

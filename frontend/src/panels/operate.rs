@@ -18,6 +18,7 @@ mod seen;
 mod starting;
 mod tiles;
 mod trouble;
+mod verdict;
 
 use super::hold::{DeskHold, hold};
 use crate::browser;
@@ -52,6 +53,8 @@ struct OperateShared {
     seen: RwSignal<VecDeque<seen::SeenPress>>,
     /// The marks of the run.
     marks: marks::SessionMarks,
+    /// The long press on something that marks, and what it asks.
+    verdict: verdict::VerdictAsked,
     /// True while what is asked at Start is open.
     asks: RwSignal<bool>,
     /// True from a press of Start until the run is told.
@@ -73,6 +76,7 @@ pub(crate) fn operate() -> AnyView {
         presses: RwSignal::default(),
         seen: RwSignal::default(),
         marks: marks::SessionMarks::new(),
+        verdict: verdict::VerdictAsked::new(),
         asks: RwSignal::new(false),
         starts: RwSignal::new(false),
         uncovered: RwSignal::new(0.0),
@@ -84,7 +88,7 @@ pub(crate) fn operate() -> AnyView {
     });
     hearing::overhear(op);
     keys::listen(op);
-    marks::when_back(op);
+    marks::waiting::when_back(op);
     quiet::stay_awake(op);
     look_at_asked(op);
     follow_what_runs(op);

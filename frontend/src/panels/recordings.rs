@@ -1,11 +1,11 @@
-//! Recording a run: whether the next Start is recorded, how a recording goes, and the recordings that are kept.
+//! Recording a run: whether the next Start is recorded, how a recording goes, and the way to the recordings that are kept.
 
 use super::hold::hold;
 use super::may::may_operate;
 use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{MARK_MAX_CHARS, RECORDINGS_PATH, REPORTS_PATH, Recorded, Recording};
+use protocol::{MARK_MAX_CHARS, REPORTS_PATH, Recorded};
 use web_sys::SubmitEvent;
 
 /// The row under Start: a box to tick before it, and how it goes while it runs.
@@ -97,55 +97,15 @@ fn Mark(note: RwSignal<String>, #[prop(optional)] idle: bool) -> impl IntoView {
     }
 }
 
-/// The recordings that are kept, behind a line that opens.
+/// The way to the recordings that are kept: a page of the server, which finds, names and compares them. It opens beside this one,
+/// which stays with the robot.
 #[component]
 pub(crate) fn Recordings() -> impl IntoView {
-    let desk = hold();
-    let opened = RwSignal::new(false);
-    let toggle = move |_| {
-        opened.set(true);
-        desk.desk().robots.list_recordings();
-    };
-    view! {
-        <details class="recordings" on:toggle=toggle>
-            <summary>{words::recordings()}</summary>
-            <Show when=move || opened.get()><Later show=|rest| (rest.recordings)() /></Show>
-        </details>
-    }
+    view! { <p class="recordings"><a href=recordings_address() target="_blank">{words::recordings()}</a></p> }
 }
 
-/// The recordings that are kept, as a view.
-pub(crate) fn recordings() -> AnyView {
-    let desk = hold();
-    let list = move || desk.desk().robots.recordings.get();
-    let rows = move || list().into_iter().map(|recording| view! { <Row recording /> }).collect_view();
-    view! {
-        <p><a href=page_address("") target="_blank">{words::all_recordings()}</a></p>
-        <p class="faint" hidden=move || !list().is_empty()>{words::no_recordings()}</p>
-        <ul>{rows}</ul>
-    }
-    .into_any()
-}
-
-/// The address of the recordings as a page of their own, or with an end of one of them, in the language of this page. Both open
-/// beside the page, which stays with the robot.
-fn page_address(end: &str) -> String {
+/// The address of the recordings, in the language of this page.
+pub(crate) fn recordings_address() -> String {
     let language = if words::language::is_second() { "ja" } else { "en" };
-    format!("{REPORTS_PATH}{end}?language={language}")
-}
-
-#[component]
-fn Row(recording: Recording) -> impl IntoView {
-    let address = format!("{RECORDINGS_PATH}/{}", recording.file);
-    let about = words::recording_about(&recording.robot, &recording.began, recording.bytes, recording.cut_off);
-    let report = page_address(&format!("/{}/report", recording.file));
-    let label = words::download_recording(&recording.name);
-    let report_label = words::report_of(&recording.name);
-    view! {
-        <li>
-            <a href=address download=recording.file aria-label=label>{recording.name}</a>
-            <span class="faint">{about}</span>
-            <a href=report target="_blank" aria-label=report_label>{words::report()}</a>
-        </li>
-    }
+    format!("{REPORTS_PATH}?language={language}")
 }

@@ -4,7 +4,7 @@ use super::buttons::Buttons;
 use super::condition::Lights;
 use super::hold::{DeskHold, hold};
 use super::recordings::{RecordRow, Recordings};
-use super::robots::RobotPicker;
+use super::robots::{RobotPicker, lamp_words};
 use super::to_stop::tab_to_stop;
 use crate::desk::{Dialog, LinkState};
 use crate::icons::Icon;
@@ -108,18 +108,6 @@ fn Asked() -> impl IntoView {
         <Show when=move || strange.get()>
             <Later show=|rest| (rest.stranger)() />
         </Show>
-    }
-}
-
-/// The look of the lamp, and what it says.
-pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
-    match health {
-        Health::Connecting => ("connecting", words::health_connecting().to_owned()),
-        Health::Ready => ("ready", words::robot_ready().to_owned()),
-        Health::Degraded(why) => ("limited", words::titled(words::health_limited(), &words::translated(why))),
-        Health::Lost(why) => ("lost", words::titled(words::health_lost(), &words::translated(why))),
-        Health::Safe => ("safe", words::robot_safe().to_owned()),
-        Health::Stranger(_) => ("limited", words::another_answers().to_owned()),
     }
 }
 

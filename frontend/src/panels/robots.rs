@@ -3,13 +3,12 @@
 use super::hold::{DeskHold, hold};
 use super::may::may_operate;
 use super::menu::{Menu, MenuItem};
-use super::robot_box::lamp_words;
 use crate::desk::Dialog;
 use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{ROBOTS_MAX, RobotState, Role, RunPhase};
-use robot::{Control, Life};
+use robot::{Control, Health, Life};
 
 /// The name of the robot, and the others behind it.
 #[component]
@@ -116,4 +115,16 @@ fn item(desk: DeskHold, robot: RobotState) -> impl IntoView {
     let id = robot.robot;
     let choose = Callback::new(move |()| desk.desk().robots.choose(&id));
     view! { <MenuItem label=robot.name icon="" lamp=lamp note chosen=here choose /> }
+}
+
+/// The look of the lamp, and what it says.
+pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
+    match health {
+        Health::Connecting => ("connecting", words::health_connecting().to_owned()),
+        Health::Ready => ("ready", words::robot_ready().to_owned()),
+        Health::Degraded(why) => ("limited", words::titled(words::health_limited(), &words::translated(why))),
+        Health::Lost(why) => ("lost", words::titled(words::health_lost(), &words::translated(why))),
+        Health::Safe => ("safe", words::robot_safe().to_owned()),
+        Health::Stranger(_) => ("limited", words::another_answers().to_owned()),
+    }
 }

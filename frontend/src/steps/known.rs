@@ -1,9 +1,17 @@
 //! The kind of value on a stream, as far as the page knows: by what the server found, else by what makes it, else by
 //! what was seen last. Pure.
 
-use super::suggest::StreamKnowledge;
 use crate::carries::made_by;
-use behaviour::{Behaviour, Helper, Id, StreamKind, ValueType};
+use behaviour::{Behaviour, Helper, Id, StreamKind, Value, ValueType};
+
+/// The knowledge about the stream for which steps are looked for.
+#[derive(Default)]
+pub(super) struct StreamKnowledge<'a> {
+    /// The kind that the server found on it.
+    pub(super) kind: Option<&'a ValueType>,
+    /// The newest value of the running program.
+    pub(super) value: Option<&'a Value>,
+}
 
 /// The kind of value on a stream.
 pub(super) fn kind_of(behaviour: &Behaviour, helpers: &[Helper], id: &Id, known: &StreamKnowledge) -> ValueType {

@@ -1,6 +1,7 @@
 //! Likely next steps as buttons: picture, label, and what they do in a sentence.
 
-use super::suggest::{Step, StreamKnowledge, suggest};
+use super::known::StreamKnowledge;
+use super::suggest::{Step, suggest};
 use super::take::takes_one;
 use crate::desk::Desk;
 use crate::words;

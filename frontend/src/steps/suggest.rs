@@ -1,10 +1,10 @@
 //! The steps that a person is likely to take next with a stream, best first. Pure.
 
-use super::known::{kind_of, signature};
+use super::known::{StreamKnowledge, kind_of, signature};
 use crate::carries::{carried_by, carries};
 use crate::few::sort_few;
 use behaviour::connectors::{self, Carries, Spec};
-use behaviour::{Behaviour, Fit, Graph, Helper, Id, Params, Procedure, StreamKind, Unit, Value, ValueType};
+use behaviour::{Behaviour, Fit, Graph, Helper, Id, Params, Procedure, StreamKind, Unit, ValueType};
 use robot::Device;
 
 /// The number of helpers that are likely, of those that take just what there is; the others are in the list of all.
@@ -23,15 +23,6 @@ pub(crate) enum Step {
     Action(&'static Device, Params),
     /// The value in another unit, and then perhaps a helper or an action that wants it so.
     Converted(Unit, Unit, Option<Box<Step>>),
-}
-
-/// The knowledge about the stream for which steps are looked for.
-#[derive(Default)]
-pub(super) struct StreamKnowledge<'a> {
-    /// The kind that the server found on it.
-    pub(super) kind: Option<&'a ValueType>,
-    /// The newest value of the running program.
-    pub(super) value: Option<&'a Value>,
 }
 
 /// The most actions that are offered.

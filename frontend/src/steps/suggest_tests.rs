@@ -1,6 +1,7 @@
 //! Tests of the suggestions along the way of the thesis.
 
-use super::{Step, StreamKnowledge, suggest};
+use super::{Step, suggest};
+use crate::steps::known::StreamKnowledge;
 use behaviour::{
     Behaviour, Connector, Declared, Helper, Id, Kind, Operation, Params, Procedure, Record, RecordId, Stream,
     StreamKind, Unit, Value, ValueType, connectors,

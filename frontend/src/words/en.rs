@@ -10,6 +10,7 @@ mod lists;
 mod locks;
 mod names;
 mod operate;
+mod past;
 mod people;
 mod robots;
 mod teaching;
@@ -26,6 +27,7 @@ pub(crate) use lists::*;
 pub(crate) use locks::*;
 pub(crate) use names::*;
 pub(crate) use operate::*;
+pub(crate) use past::*;
 pub(crate) use people::*;
 pub(crate) use robots::*;
 pub(crate) use teaching::*;
@@ -151,9 +153,6 @@ sentences! {
     mark_hint: "What happens now?";
     marked: "Marked in the recording.";
     recordings: "Recordings";
-    no_recordings: "Nothing was recorded yet.";
-    all_recordings: "All recordings, to find, name and compare";
-    report: "Report";
     open_first: "Open a program to start it.";
     nothing_to_run: "There is nothing in it yet. Add a sense, and lead it to an action.";
     only_watches: "Nothing leads to an action yet: the robot only watches.";
@@ -727,29 +726,22 @@ pub(crate) fn oldest_gave_way(count: u64) -> String {
     say!("To make room, the oldest recordings were removed: {count}.", count)
 }
 
-pub(crate) fn report_of(name: &str) -> String {
-    say!("Report of {name}", name)
-}
-
-pub(crate) fn recording_about(robot: &str, began: &str, bytes: u64, cut_off: bool) -> String {
-    let (day, time) = began.split_once('T').unwrap_or((began, ""));
-    let time = time.get(..5).unwrap_or_default();
-    let size = if bytes < 1 << 20 {
-        say!("{div_ceil} KB", div_ceil = bytes.div_ceil(1 << 10))
-    } else {
-        say!("{bytes} MB", bytes = bytes >> 20)
-    };
-    let robot = (!robot.is_empty()).then(|| robot.to_owned());
-    let end = cut_off.then(|| said("its end is missing").to_owned());
-    listed(robot.into_iter().chain([format!("{day} {time}"), size]).chain(end))
-}
-
-pub(crate) fn download_recording(name: &str) -> String {
-    say!("Download the recording of {name}", name)
-}
-
 pub(crate) fn applied(revision: u64) -> String {
     say!("The robot goes on with version {revision}.", revision)
+}
+
+/// A press that waited until what was changed is saved, and did nothing then; `button` is what was pressed.
+pub(crate) fn press_given_up(button: &str) -> String {
+    say!(
+        "{button} waited for your changes to be saved and was given up. Press {button} again once they are saved.",
+        button
+    )
+}
+
+/// Two sentences as one text.
+pub(crate) fn one_after_other(first: &str, second: &str) -> String {
+    let between = if super::language::is_second() { "" } else { " " };
+    format!("{first}{between}{second}")
 }
 
 pub(crate) fn other_runs(name: &str) -> String {

@@ -14,7 +14,7 @@ impl Document {
         if let Some(id) = &wanted {
             browser::set_hash(&hash_of(id));
         }
-        self.state().wanted = wanted;
+        self.input(|editor| editor.begin_with(wanted));
         let document = self.clone();
         if let Some(window) = browser::window() {
             browser::hear(&window, "hashchange", move |_| document.address_changed());
@@ -22,7 +22,7 @@ impl Document {
     }
 
     fn address_changed(&self) {
-        let wanted = self.state().wanted.clone();
+        let wanted = self.state().editor.wanted().cloned();
         match in_hash(&browser::hash()) {
             Some(id) if Some(&id) != wanted.as_ref() => self.open_program(&id),
             None if wanted.is_some() => self.close_program(),

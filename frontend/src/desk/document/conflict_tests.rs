@@ -1,11 +1,13 @@
 //! Tests of refused changes.
 
-use super::{Conflict, brought_back, is_shown_beside, since_seen};
-use crate::desk::document::build;
+use super::build;
+use crate::naming;
 use behaviour::{
     Accepted, Behaviour, Change, Connector, Id, Kind, Params, Procedure, Record, RecordId, Refusal, Stream, StreamKind,
     connectors,
 };
+
+use editor::conflict::{Conflict, beside, brought_back, is_shown_beside, since_seen};
 
 fn id(text: &str) -> Id {
     Id::new(text).unwrap()
@@ -71,7 +73,7 @@ fn conflict(mine: Change, theirs: Vec<Accepted>, now: &Behaviour) -> Conflict {
 
 /// The behaviour after *Keep mine*; nothing that is there now may be overwritten unseen.
 fn kept(conflict: &Conflict, now: &Behaviour) -> Behaviour {
-    let top = conflict.on_top(now, change("top", "Aiko"));
+    let top = conflict.on_top(now, change("top", "Aiko"), naming::followed);
     for edit in &top.edits {
         assert_eq!(now.records.get(&edit.id), edit.before.as_ref(), "it is on top of what there is");
     }
@@ -196,7 +198,7 @@ fn when_both_want_the_same_nothing_is_left_to_do() {
     let mine = with_test(&now, "mine", "Aiko", "distance < 35");
     let theirs = with_test(&now, "yuki", "Yuki", "distance < 35");
     let theirs = made(&mut now, vec![theirs]);
-    assert!(conflict(mine, theirs, &now).on_top(&now, change("top", "Aiko")).edits.is_empty());
+    assert!(conflict(mine, theirs, &now).on_top(&now, change("top", "Aiko"), naming::followed).edits.is_empty());
 }
 
 #[test]
@@ -269,9 +271,9 @@ fn what_both_changed_apart_from_each_other_is_no_conflict() {
     let with = |value: i64| Params::from([("speed".to_owned(), behaviour::Value::Int(value))]);
     let theirs = Stream { params: with(2), ..seen.clone() };
     let both = Stream { params: with(2), ..mine.clone() };
-    assert_eq!(super::beside(&seen, &mine, &theirs), Some(both));
+    assert_eq!(beside(&seen, &mine, &theirs), Some(both));
     let theirs = Stream { name: "Theirs".into(), ..seen.clone() };
-    assert_eq!(super::beside(&seen, &mine, &theirs), None);
+    assert_eq!(beside(&seen, &mine, &theirs), None);
 }
 
 #[test]

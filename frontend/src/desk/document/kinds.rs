@@ -1,66 +1,9 @@
-//! Small words of the document: what is selected, how saving goes, a record's signals, a new connector.
+//! Small words of the document: a record's signals, a new connector.
 
 use super::rewire::Gap;
 use crate::live::{LiveConnector, LiveStream};
-use behaviour::{Connector, Group, Id, Kind, Note, Operation, Params, Place, RecordId, Stream};
+use behaviour::{Connector, Group, Id, Note, Operation, Params, Place, Stream};
 use leptos::prelude::{ArcMemo, ArcRwSignal};
-
-/// The state of saving; the number counts changes that wait.
-#[expect(clippy::enum_variant_names, reason = "saving is saved, saving, offline or away")]
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Saving {
-    #[default]
-    Saved,
-    Saving,
-    Offline(usize),
-    /// The server is there, but its store is not; why, if the server said so.
-    Away(usize, Option<String>),
-}
-
-/// The one thing a person has chosen.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Selected {
-    Stream(Id),
-    Connector(Id),
-    Note(Id),
-    Group(Id),
-}
-
-impl Selected {
-    /// Returns the id of what is selected.
-    pub(crate) fn id(&self) -> &Id {
-        match self {
-            Self::Stream(id) | Self::Connector(id) | Self::Note(id) | Self::Group(id) => id,
-        }
-    }
-
-    /// The record that it is.
-    pub(crate) fn record(&self) -> RecordId {
-        let kind = match self {
-            Self::Stream(_) => Kind::Stream,
-            Self::Connector(_) => Kind::Connector,
-            Self::Note(_) => Kind::Note,
-            Self::Group(_) => Kind::Group,
-        };
-        RecordId::new(kind, self.id())
-    }
-}
-
-/// The parts of the graph that some words mean, while somebody points at them.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Lit {
-    pub(crate) streams: Vec<Id>,
-    pub(crate) connectors: Vec<Id>,
-}
-
-/// The mark of a part of the behaviour, as long as this tab has something of it that nobody else has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum UnsavedMark {
-    /// A change waits to be sent.
-    Waits,
-    /// A change was refused, as somebody was first; its author has not decided yet.
-    Undecided,
-}
 
 /// One stream.
 #[derive(Clone)]

@@ -8,7 +8,7 @@ use behaviour::{
     Change, Edit, Fix, Id, Kind, Place, Problem, ProblemKind, Record, RecordId, SeenKinds, Unit, Value, ValueType,
 };
 use leptos::prelude::*;
-use protocol::{Reply, Request};
+use protocol::{answer, request};
 
 /// Of so many streams the server is told what was seen on them.
 const SEEN_MAX: usize = 300;
@@ -32,11 +32,11 @@ impl Document {
                 | ProblemKind::WholeDivision { .. }
         );
         let Some(behaviour) = self.open.get_untracked().filter(|_| may_be_mended) else { return };
-        self.tab.look_up(Request::Fixes { behaviour, problem: problem.clone(), seen: self.seen() }, |answer| {
-            if let Ok(Reply::Fixes { fixes }) = answer
+        self.tab.look_up(request::Fixes { behaviour, problem: problem.clone(), seen: self.seen() }, |answer| {
+            if let Ok(answer::Fixes { fixes }) = answer
                 && !fixes.is_empty()
             {
-                then(fixes.clone());
+                then(fixes);
             }
         });
     }
@@ -72,14 +72,14 @@ impl Document {
     pub(crate) fn ask_types(&self) {
         let Some(behaviour) = self.open.get_untracked() else { return };
         let (document, asked, at) = (self.clone(), behaviour.clone(), self.revision.get_untracked());
-        self.tab.look_up(Request::Types { behaviour, seen: self.seen() }, move |answer| {
-            if let Ok(Reply::Types { types, hints }) = answer
+        self.tab.look_up(request::Types { behaviour, seen: self.seen() }, move |answer| {
+            if let Ok(answer::Types { types, hints }) = answer
                 && document.is_open(&asked)
             {
-                set_if_new(&document.types, types.clone());
+                set_if_new(&document.types, types);
                 // What was wrong before a change may be mended by it.
                 if document.revision.get_untracked() == at {
-                    document.hear_hints(hints);
+                    document.hear_hints(&hints);
                 }
             }
         });

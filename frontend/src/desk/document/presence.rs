@@ -1,11 +1,11 @@
 //! Presence: where this person is, told to the others and never saved; and following where somebody else is.
 
-use super::signs::{Sign, signs};
 use super::{Document, Selected};
 use crate::{browser, link, words};
 use behaviour::Id;
+use editor::{Sign, signs};
 use leptos::prelude::*;
-use protocol::{CanvasArea, Person, Pointer, Request};
+use protocol::{CanvasArea, Person, Pointer, request};
 
 /// The least time between two messages that tell others where this person is, in milliseconds.
 const PRESENCE_MS: f64 = 50.0;
@@ -97,7 +97,7 @@ impl Document {
             is_new.then_some(now)
         };
         if let Some((pointer, selected, view)) = news {
-            link::tell(Request::Present { pointer, selected, view });
+            link::tell(request::Present { pointer, selected, view });
         }
     }
 

@@ -3,7 +3,7 @@
 use super::Document;
 use crate::link;
 use behaviour::Value;
-use protocol::{Reply, Request, UnknownName};
+use protocol::{UnknownName, answer, request};
 
 /// The results of a procedure for given values: why it cannot run at all, one result per set of values, and a name in
 /// it that means nothing.
@@ -18,9 +18,9 @@ impl Document {
         inputs: Vec<Vec<Value>>,
         on_answer: impl FnOnce(ProcedureResults) + 'static,
     ) {
-        link::ask(Request::Check { arguments, body, inputs }, move |reply| {
-            if let Some(Reply::Checked { error, results, unknown }) = reply {
-                on_answer((error.clone(), results.clone(), unknown.clone()));
+        link::ask(request::Check { arguments, body, inputs }, move |answer| {
+            if let Ok(answer::Checked { error, results, unknown }) = answer {
+                on_answer((error, results, unknown));
             }
         });
     }

@@ -1,90 +1,56 @@
 //! The server's messages about the open behaviour.
 
-use super::{Document, Remover};
+use super::{Document, DocumentEvent};
 use crate::desk::tab::{Gone, set_if_new};
-use crate::{link, words};
-use behaviour::{Accepted, Behaviour, Id, Kind, Problem};
+use crate::words;
+use behaviour::{Accepted, Grant, Id, LockEvent, Problem};
 use leptos::prelude::*;
-use protocol::{Person, Request};
-
-/// Of so many removed things it is remembered who removed them.
-const REMOVED_MAX: usize = 2_000;
+use protocol::{LockShown, Person, Refused};
 
 impl Document {
-    /// Shows what was opened, at its revision; false if something else is wanted by now.
-    pub(in crate::desk) fn opened(
-        &self,
-        id: &Id,
-        (revision, records): (u64, Behaviour),
-        problems: Vec<Problem>,
-        people: Vec<Person>,
-    ) -> bool {
-        let is_wanted = self.is_wanted(id);
-        if is_wanted {
-            let known = self.revision.get_untracked();
-            self.show_whole(records);
-            self.revision.set(revision);
-            set_if_new(&self.problems, problems);
-            set_if_new(&self.people, people);
-            set_if_new(&self.open, Some(id.clone()));
-            self.begin_history(revision);
-            self.compare_again();
-            self.lock_again();
-            self.propose_all_kept();
-            self.told_what_was_missed(id, known);
-            self.present_anew();
-        }
-        is_wanted
+    /// A change was saved; whoever made it here is told.
+    pub(in crate::desk) fn hear_accepted(&self, to: &Id, accepted: &Accepted) {
+        self.input(|editor| editor.hear_accepted(to, accepted));
     }
 
-    /// Takes in a change that was saved; true if it is the next one, and so was made here too.
-    pub(in crate::desk) fn accepted(&self, to: &Id, accepted: &Accepted) -> bool {
-        let known = self.revision.get_untracked();
-        if !self.is_open(to) || accepted.revision <= known {
-            return false;
-        }
-        if accepted.revision > known + 1 {
-            self.ask_newer(to.clone());
-            return false;
-        }
-        self.state().confirmed.apply(&accepted.change);
-        let touched: Vec<_> = accepted.change.edits.iter().map(|edit| edit.id.clone()).collect();
-        self.note_removed(accepted);
-        self.told_while_typing(to, accepted);
-        self.refresh(&touched);
-        self.revision.set(accepted.revision);
-        self.note_history(accepted);
+    /// The next change was made, by whomever.
+    pub(super) fn made(&self, accepted: Accepted) {
         self.compare_again();
-        true
+        self.happened(DocumentEvent::Made(accepted));
+    }
+
+    /// The server said yes or no to a change of this tab.
+    pub(in crate::desk) fn answered(&self, op: &Id, answer: Result<(), Refused>) {
+        self.input(|editor| editor.answered(op, answer));
     }
 
     /// Remembers who removed what, for whoever has it open in a dialog.
     pub(in crate::desk) fn note_removed(&self, accepted: &Accepted) {
-        let gone = accepted.change.edits.iter().filter(|edit| edit.after.is_none());
-        let gone: Vec<Id> = gone.filter(|edit| edit.id.kind != Kind::Place).map(|edit| edit.id.id.clone()).collect();
-        if !gone.is_empty() {
-            self.removed_by.update(|by| {
-                if by.len() > REMOVED_MAX {
-                    by.clear();
-                }
-                let remover = Remover { name: accepted.change.author.clone(), client: accepted.change.by.clone() };
-                by.extend(gone.into_iter().map(|id| (id, remover.clone())));
-            });
-        }
+        self.input(|editor| editor.note_removed(accepted));
     }
 
     pub(in crate::desk) fn hear_ping(&self, open: Option<(Id, u64)>) {
-        if let Some((id, revision)) = open
-            && self.is_open(&id)
-            && revision > self.revision.get_untracked()
-        {
-            self.ask_newer(id);
-        }
+        self.input(|editor| editor.hear_ping(open));
     }
 
-    /// Asks for what is newer than what is known.
-    pub(in crate::desk) fn ask_newer(&self, behaviour: Id) {
-        link::tell(Request::Since { behaviour, revision: self.revision.get_untracked() });
+    /// The server says whether it can save.
+    pub(in crate::desk) fn hear_store(&self, away: Option<String>) {
+        self.input(|editor| editor.hear_store(away));
+    }
+
+    /// A lock was given unasked.
+    pub(in crate::desk) fn hear_grant(&self, grant: &Grant) {
+        self.input(|editor| editor.hear_grant(grant));
+    }
+
+    /// Everyone is told who is editing what.
+    pub(in crate::desk) fn hear_locks(&self, of: &Id, locks: Vec<LockShown>) {
+        self.input(|editor| editor.hear_locks(of, locks));
+    }
+
+    /// Something happened to a lock that is held or wanted here.
+    pub(in crate::desk) fn hear_lock_event(&self, of: &Id, now_ms: u64, event: &LockEvent) {
+        self.input(|editor| editor.hear_lock_event(of, now_ms, event));
     }
 
     pub(in crate::desk) fn hear_fingerprint(&self, of: &Id, fingerprint: u32) {
@@ -114,7 +80,7 @@ impl Document {
         let name = self.name.get_untracked();
         let mine = self.tab.removing.with_untracked(|removing| removing.as_ref() == Some(id));
         self.close_program();
-        self.forget_waiting(id);
+        self.input(|editor| editor.forget_waiting(id));
         if !mine {
             let gone = Gone { id: id.clone(), name };
             self.tab.say_gone(&words::program_removed_by(by, &gone.name), gone);

@@ -1,33 +1,28 @@
-//! From accepted changes to signals: the one signal of every touched record, and nothing else.
+//! From the editor to signals: the one signal of every touched record, and nothing else.
 
 use super::{ConnectorSignals, Document, DocumentEvent, DocumentState, Selected, StreamSignals};
 use crate::desk::tab::set_if_new;
 use crate::layout::{self, Tidy};
 use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream, StreamKind};
+use editor::RecordNews;
 use leptos::prelude::*;
 use std::collections::{BTreeMap, HashMap};
 
 impl Document {
-    /// Shows a whole behaviour in place of what was shown.
-    pub(super) fn show_whole(&self, records: Behaviour) {
-        let touched = {
-            let mut state = self.state();
-            let mut touched: Vec<_> = state.confirmed.records.keys().cloned().collect();
-            touched.extend(records.records.keys().cloned());
+    /// Brings the signals of the records up to what the editor says is another one now.
+    pub(super) fn show_records(&self, news: RecordNews) {
+        let mut touched = news.touched;
+        if news.is_whole {
+            let state = &mut *self.state();
             touched.extend(state.streams.keys().map(|id| RecordId::new(Kind::Stream, id)));
             touched.extend(state.connectors.keys().map(|id| RecordId::new(Kind::Connector, id)));
             touched.extend(state.notes.keys().map(|id| RecordId::new(Kind::Note, id)));
             touched.extend(state.groups.keys().map(|id| RecordId::new(Kind::Group, id)));
-            state.confirmed = records;
-            if let Some(open) = state.wanted.clone() {
-                touched.extend(state.queue.touched(&open));
-            }
-            state.fallback = layout::missing_places(&state.confirmed, state.tidy, state.stage);
-            let places: Vec<_> = state.confirmed.streams().map(|(id, _)| RecordId::new(Kind::Place, id)).collect();
-            touched.extend(places);
-            touched
-        };
-        self.refresh(&touched);
+            state.fallback = layout::missing_places(state.editor.confirmed(), state.tidy, state.stage);
+        }
+        if !touched.is_empty() {
+            self.refresh(&touched);
+        }
     }
 
     /// Lays out with `tidy` what nobody placed, from now on: it may come later than the behaviour that needs it.
@@ -35,11 +30,11 @@ impl Document {
         let places: Vec<_> = {
             let mut state = self.state();
             state.tidy = Some(tidy);
-            let ids: Vec<Id> = state.confirmed.streams().map(|(id, _)| id.clone()).collect();
-            if ids.is_empty() || ids.iter().any(|id| state.confirmed.place(id).is_some()) {
+            let ids: Vec<Id> = state.editor.confirmed().streams().map(|(id, _)| id.clone()).collect();
+            if ids.is_empty() || ids.iter().any(|id| state.editor.confirmed().place(id).is_some()) {
                 return;
             }
-            state.fallback = tidy(&state.confirmed, state.stage);
+            state.fallback = tidy(state.editor.confirmed(), state.stage);
             ids.iter().map(|id| RecordId::new(Kind::Place, id)).collect()
         };
         self.refresh(&places);
@@ -180,7 +175,7 @@ impl Document {
 
     fn refresh_notes(&self) {
         let text = |record: &Record| if let Record::Note(note) = record { Some(note.text.clone()) } else { None };
-        let notes = self.state().confirmed.records.values().filter_map(text).collect();
+        let notes = self.state().editor.confirmed().records.values().filter_map(text).collect();
         set_if_new(&self.notes, notes);
     }
 
@@ -203,19 +198,12 @@ impl Document {
 impl DocumentState {
     /// A record as it is to be shown.
     pub(super) fn record(&self, key: &RecordId) -> Option<Record> {
-        let waiting = match &self.wanted {
-            Some(open) if self.saves.shows_waiting() => self.queue.record(open, key),
-            _ => None,
-        };
-        waiting.unwrap_or_else(|| self.confirmed.records.get(key).cloned())
+        self.editor.record(key)
     }
 
     /// Returns the place where something was put.
     pub(super) fn saved_place(&self, id: &Id) -> Option<Place> {
-        match self.record(&RecordId::new(Kind::Place, id)) {
-            Some(Record::Place(place)) => Some(place),
-            _ => None,
-        }
+        self.editor.saved_place(id)
     }
 
     /// Returns the place of a stream; a stream that nobody placed gets a free spot for as long as this page is open.
@@ -226,7 +214,7 @@ impl DocumentState {
         if let Some(place) = self.fallback.get(id) {
             return *place;
         }
-        let place = layout::missing_places(&self.confirmed, self.tidy, self.stage)
+        let place = layout::missing_places(self.editor.confirmed(), self.tidy, self.stage)
             .get(id)
             .copied()
             .unwrap_or(Place { x: 0.0, y: 0.0 });

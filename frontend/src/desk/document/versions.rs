@@ -1,12 +1,12 @@
 //! Looking at versions of the open behaviour: two are compared on the graph, one has a name, one is gone back to.
 
 use super::Document;
-use super::queue::SendMode;
 use crate::desk::tab::set_if_new;
 use crate::link::{self, NoAnswer};
-use behaviour::{Behaviour, Change, Checkpoint, Id, RecordId, VersionComparison};
+use behaviour::{Behaviour, Checkpoint, Id, RecordId, VersionComparison};
+use editor::queue::SendMode;
 use leptos::prelude::*;
-use protocol::{Refused, Reply, Request, Role};
+use protocol::{Role, answer, request};
 use std::sync::Arc;
 
 /// A version of the open behaviour.
@@ -76,20 +76,20 @@ impl Document {
     fn ask_version(&self, revision: u64) {
         let Some(behaviour) = self.open.get_untracked() else { return };
         let (document, of) = (self.clone(), behaviour.clone());
-        self.tab.look_up(Request::At { behaviour, revision }, move |answer| {
+        self.tab.look_up(request::At { behaviour, revision }, move |answer| {
             if document.is_open(&of) {
                 document.hear_version(revision, answer);
             }
         });
     }
 
-    fn hear_version(&self, revision: u64, answer: Result<&Reply, NoAnswer>) {
+    fn hear_version(&self, revision: u64, answer: Result<answer::At, NoAnswer>) {
         if !self.comparing.with_untracked(|now| now.as_ref().is_some_and(|now| is_of(now, revision))) {
             return;
         }
         match answer {
-            Ok(Reply::At { records, .. }) => {
-                let behaviour = Arc::new((**records).clone());
+            Ok(answer::At { records, .. }) => {
+                let behaviour = Arc::new(*records);
                 self.comparing.update(|now| {
                     if let Some(now) = now {
                         now.known.push((revision, behaviour));
@@ -97,13 +97,8 @@ impl Document {
                 });
                 self.compare_again();
             }
-            Ok(_) => {}
-            Err(NoAnswer::Refused(no)) => {
-                self.tab.say_no(&no);
-                self.end_comparing();
-            }
-            Err(NoAnswer::Unreachable) => {
-                self.tab.say_unreachable();
+            Err(why) => {
+                self.tab.say_no_answer(why);
                 self.end_comparing();
             }
         }
@@ -141,15 +136,15 @@ impl Document {
     /// Gives a version a name.
     pub(crate) fn name_version(&self, revision: u64, name: &str, then: impl FnOnce(Result<(), NoAnswer>) + 'static) {
         if let Some(behaviour) = self.open.get_untracked() {
-            let request = Request::NameVersion { behaviour, revision, name: name.to_owned() };
-            self.tab.look_up(request, move |answer| then(answer.map(drop)));
+            let request = request::NameVersion { behaviour, revision, name: name.to_owned() };
+            self.tab.look_up(request, then);
         }
     }
 
     /// Takes the name of a version away.
     pub(crate) fn unname_version(&self, name: &str) {
         if let Some(behaviour) = self.open.get_untracked() {
-            self.tab.ask_or_say(Request::UnnameVersion { behaviour, name: name.to_owned() }, |_| {});
+            self.tab.ask_or_say_no(request::UnnameVersion { behaviour, name: name.to_owned() });
         }
     }
 
@@ -166,12 +161,14 @@ impl Document {
 
     /// Asks for a change that only the server can make.
     fn wish(&self, label: &str, way: SendMode) {
-        let Some(open) = self.open.get_untracked().filter(|_| !self.tab.refuses(Role::Editor)) else { return };
+        if self.open.with_untracked(Option::is_none) || self.tab.refuses(Role::Editor) {
+            return;
+        }
         if !link::is_up() {
             return self.tab.say_unreachable();
         }
-        let (change, tab): (Change, _) = (self.change(label), self.tab.clone());
-        self.queue_up(open, (change, way), move |answer: Result<(), Refused>| tab.say_refusal(answer));
+        let change = self.change(label);
+        self.input(|editor| editor.wish(change, way));
     }
 }
 

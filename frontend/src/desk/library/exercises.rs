@@ -3,7 +3,7 @@
 use super::LibraryPanel;
 use crate::link::NoAnswer;
 use leptos::prelude::*;
-use protocol::{Exercise, RehearsalResult, Reply, Request};
+use protocol::{Exercise, RehearsalResult, request};
 
 impl LibraryPanel {
     /// The exercise that the open program is of: its settings say so, in programs made before a note. Reactive.
@@ -23,11 +23,7 @@ impl LibraryPanel {
         then: impl FnOnce(Result<RehearsalResult, NoAnswer>) + 'static,
     ) {
         let Some(behaviour) = self.document.open.get_untracked() else { return };
-        let request = Request::TryExercise { behaviour, exercise: exercise.start.id.clone(), answers };
-        self.tab.look_up(request, move |answer| match answer {
-            Ok(Reply::Tried { tried }) => then(Ok(tried.clone())),
-            Ok(_) => {}
-            Err(why) => then(Err(why)),
-        });
+        let request = request::TryExercise { behaviour, exercise: exercise.start.id.clone(), answers };
+        self.tab.look_up(request, move |answer| then(answer.map(|answer| answer.tried)));
     }
 }

@@ -1,12 +1,12 @@
 //! The helpers: as the server has them, and the changes that people make to them.
 
 use super::LibraryPanel;
-use crate::desk::document::{as_seen, helper_gone, helper_put, short};
+use crate::desk::document::{DocumentEvent, as_seen, helper_gone, helper_put, short};
 use crate::desk::tab::{new_id, set_if_new};
 use crate::link::{self, NoAnswer};
 use crate::words;
 use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record, Refusal};
-use protocol::{LIBRARY, Refused, Reply, Request, Role, Summary};
+use protocol::{LIBRARY, Refused, Role, Summary, answer, request};
 
 /// Of so many helpers it is remembered who changed them.
 const CHANGED_MAX: usize = 2_000;
@@ -51,17 +51,16 @@ impl LibraryPanel {
             return on_answer(Err(no));
         }
         let tab = self.tab.clone();
-        let request = Request::RenameHelper { helper, seen: Box::new(seen), after: Box::new(after) };
+        let request = request::RenameHelper { helper, seen: Box::new(seen), after: Box::new(after) };
         self.tab.look_up(request, move |answer| match answer {
-            Ok(Reply::HelperRenamed { programs, left }) => {
+            Ok(answer::HelperRenamed { programs, left }) => {
                 on_answer(Ok(()));
                 if !left.is_empty() {
-                    tab.say(&words::old_name_stays(&words::listed(left)), true);
-                } else if *programs > 0 {
-                    tab.say(&words::helper_renamed(*programs), false);
+                    tab.say(&words::old_name_stays(&words::listed(&left)), true);
+                } else if programs > 0 {
+                    tab.say(&words::helper_renamed(programs), false);
                 }
             }
-            Ok(_) => on_answer(Ok(())),
             Err(NoAnswer::Refused(no)) => on_answer(Err(no)),
             Err(NoAnswer::Unreachable) => {
                 on_answer(Err(Refused::Change(Refusal::NotSaved(words::unreachable().to_owned()))));
@@ -82,7 +81,7 @@ impl LibraryPanel {
     }
 
     /// Takes in a change that was saved; true if it is the next one, and so was made here too.
-    pub(in crate::desk) fn accepted(&self, accepted: &Accepted) -> bool {
+    fn accepted(&self, accepted: &Accepted) -> bool {
         let known = self.state().revision;
         if accepted.revision > known + 1 {
             self.ask_newer();
@@ -107,6 +106,14 @@ impl LibraryPanel {
         true
     }
 
+    /// A change was saved; whoever made it here is told.
+    pub(in crate::desk) fn hear_accepted(&self, accepted: &Accepted) {
+        if self.accepted(accepted) {
+            self.document.happened(DocumentEvent::Made(accepted.clone()));
+        }
+        self.document.answered(&accepted.change.op, Ok(()));
+    }
+
     pub(in crate::desk) fn hear_ping(&self, revision: u64) {
         let known = self.state().revision;
         if revision > known {
@@ -115,10 +122,21 @@ impl LibraryPanel {
     }
 
     /// Asks for what is newer than what is known.
-    pub(in crate::desk) fn ask_newer(&self) {
+    fn ask_newer(&self) {
         let revision = self.state().revision;
         if let Ok(behaviour) = Id::new(LIBRARY) {
-            link::tell(Request::Since { behaviour, revision });
+            let library = self.clone();
+            link::ask(request::Since { behaviour, revision }, move |answer| match answer {
+                Ok(answer::Newer::Missed(answer::Missed { changes, more, .. })) => {
+                    changes.iter().for_each(|accepted| library.hear_accepted(accepted));
+                    if more {
+                        library.ask_newer();
+                    }
+                }
+                // The library is never told as a whole but in the welcome.
+                Ok(answer::Newer::Opened(_)) | Err(NoAnswer::Unreachable) => {}
+                Err(NoAnswer::Refused(no)) => library.tab.say_no(&no),
+            });
         }
     }
 

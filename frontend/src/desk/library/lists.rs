@@ -5,7 +5,7 @@ use crate::desk::tab::set_if_new;
 use crate::link::NoAnswer;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Cursor, ListQuery, Reply, Request, Summary};
+use protocol::{Cursor, ListQuery, Summary, answer, request};
 
 /// The number of newest programs that the menu and the first screen show.
 const NEWEST_MAX: u32 = 12;
@@ -46,12 +46,8 @@ impl LibraryPanel {
 
     /// Asks for a page of the list.
     pub(crate) fn ask_page(&self, query: ListQuery, then: impl FnOnce(Result<ProgramPage, NoAnswer>) + 'static) {
-        self.tab.look_up(Request::List { query }, move |answer| match answer {
-            Ok(Reply::Programs { programs, next, total }) => {
-                then(Ok(ProgramPage { lines: programs.clone(), next: next.clone(), total: *total }));
-            }
-            Ok(_) => {}
-            Err(why) => then(Err(why)),
+        self.tab.look_up(request::List { query }, move |answer| {
+            then(answer.map(|answer::Programs { programs, next, total }| ProgramPage { lines: programs, next, total }));
         });
     }
 }

@@ -1,12 +1,13 @@
 //! Making and removing programs, and taking them out of the bin. What only the moment stands against is asked again.
 
 use super::LibraryPanel;
-use crate::desk::tab::{AGAIN_MS, Gone, may_pass, new_id, set_if_new};
+use crate::desk::tab::{AGAIN_MS, Gone, new_id, set_if_new};
 use crate::link::NoAnswer;
 use crate::{browser, link, words};
 use behaviour::Id;
+use editor::may_pass;
 use leptos::prelude::*;
-use protocol::{Refused, Reply, Request, Summary};
+use protocol::{Refused, Summary, request};
 
 /// A program that is to be made; asked twice with one id, the server makes one.
 #[derive(Clone)]
@@ -41,14 +42,14 @@ impl LibraryPanel {
         let making = self.state().making.clone().filter(|making| making.behaviour == behaviour);
         let Some(ProgramMaking { behaviour, name, template, .. }) = making else { return };
         let (library, made) = (self.clone(), behaviour.clone());
-        link::ask_even_down(Request::Create { behaviour, name, template }, move |reply| match reply {
-            Some(Reply::No { no }) if !may_pass(no) => {
+        link::ask_even_down(request::Create { behaviour, name, template }, move |answer| match answer {
+            Ok(_) if library.is_making(&made) => library.document.open_program(&made),
+            Ok(_) => {}
+            Err(NoAnswer::Refused(no)) if !may_pass(&no) => {
                 library.forget_making();
-                library.tab.say_no(no);
+                library.tab.say_no(&no);
             }
-            Some(Reply::Created { .. }) if library.is_making(&made) => library.document.open_program(&made),
-            Some(Reply::No { .. }) | None => library.make_again(made),
-            Some(_) => {}
+            Err(_) => library.make_again(made),
         });
     }
 
@@ -72,12 +73,10 @@ impl LibraryPanel {
     pub(crate) fn remove_program(&self, id: &Id, name: &str) {
         let (library, id, name) = (self.clone(), id.clone(), name.to_owned());
         self.tab.removing.set(Some(id.clone()));
-        self.tab.look_up(Request::Remove { behaviour: id.clone() }, move |answer| {
+        self.tab.look_up(request::Remove { behaviour: id.clone() }, move |answer| {
             set_if_new(&library.tab.removing, None);
-            match answer {
-                Ok(_) => {}
-                Err(NoAnswer::Refused(no)) => return library.tab.say_no(&no),
-                Err(NoAnswer::Unreachable) => return library.tab.say_unreachable(),
+            if let Err(why) = answer {
+                return library.tab.say_no_answer(why);
             }
             if library.document.is_wanted(&id) {
                 library.document.close_program();
@@ -93,12 +92,11 @@ impl LibraryPanel {
     /// more, somebody else was first, and opening it says whether it is there.
     pub(crate) fn bring_back(&self, gone: &Gone) {
         let (library, Gone { id, name }) = (self.clone(), gone.clone());
-        self.tab.look_up(Request::Restore { behaviour: id.clone() }, move |answer| {
+        self.tab.look_up(request::Restore { behaviour: id.clone() }, move |answer| {
             match answer {
                 Ok(_) => library.tab.say(&words::is_back(&name), false),
                 Err(NoAnswer::Refused(Refused::NoBehaviour)) => {}
-                Err(NoAnswer::Refused(no)) => return library.tab.say_no(&no),
-                Err(NoAnswer::Unreachable) => return library.tab.say_unreachable(),
+                Err(why) => return library.tab.say_no_answer(why),
             }
             set_if_new(&library.gone, None);
             if library.document.open.with_untracked(Option::is_none) {
@@ -111,6 +109,6 @@ impl LibraryPanel {
     pub(crate) fn restore_program(&self, program: &Summary) {
         let (tab, name) = (self.tab.clone(), program.name.clone());
         let Ok(behaviour) = Id::new(&program.id) else { return };
-        self.tab.ask_or_say(Request::Restore { behaviour }, move |_| tab.say(&words::is_back(&name), false));
+        self.tab.ask_or_say(request::Restore { behaviour }, move |_| tab.say(&words::is_back(&name), false));
     }
 }

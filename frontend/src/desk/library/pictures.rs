@@ -4,7 +4,7 @@ use super::LibraryPanel;
 use crate::browser;
 use behaviour::{FillFrom, Id};
 use leptos::prelude::*;
-use protocol::{GraphOutline, PICTURES_MAX, PictureOf, Reply, Request};
+use protocol::{GraphOutline, PICTURES_MAX, PictureOf, answer, request};
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 use std::sync::Arc;
 
@@ -41,13 +41,13 @@ impl LibraryPanel {
     fn ask_pictures(&self) {
         let of = self.state().wanted_pictures.take();
         let (library, asked) = (self.clone(), of.clone());
-        self.tab.look_up(Request::Pictures { of }, move |answer| match answer {
-            Ok(Reply::Pictures { pictures }) => library.got_pictures(&asked, pictures),
-            Ok(_) | Err(_) => library.state().wanted_pictures.forget(&asked),
+        self.tab.look_up(request::Pictures { of }, move |answer| match answer {
+            Ok(answer::Pictures { pictures }) => library.got_pictures(&asked, pictures),
+            Err(_) => library.state().wanted_pictures.forget(&asked),
         });
     }
 
-    fn got_pictures(&self, asked: &[PictureOf], got: &[(Id, GraphOutline)]) {
+    fn got_pictures(&self, asked: &[PictureOf], got: Vec<(Id, GraphOutline)>) {
         let revisions: HashMap<&Id, u64> = asked.iter().map(|of| (&of.behaviour, of.revision)).filled();
         self.pictures.update(|kept| {
             if kept.len() + got.len() > PICTURES_KEPT_MAX {
@@ -55,8 +55,8 @@ impl LibraryPanel {
                 self.state().wanted_pictures.asked.clear();
             }
             for (id, picture) in got {
-                let revision = revisions.get(id).copied().unwrap_or_default();
-                kept.insert(id.to_string(), (revision, Arc::new(picture.clone())));
+                let revision = revisions.get(&id).copied().unwrap_or_default();
+                kept.insert(id.to_string(), (revision, Arc::new(picture)));
             }
         });
     }

@@ -6,7 +6,7 @@ use crate::desk::tab::new_id;
 use crate::link;
 use crate::link::NoAnswer;
 use behaviour::{Behaviour, Change, Engine, Id, Record, RecordId, Settings};
-use protocol::{Reply, Request, Role};
+use protocol::{Role, request};
 use serde::Deserialize;
 
 /// The changes of a program's settings.
@@ -103,11 +103,8 @@ impl LibraryPanel {
             if change.edits.is_empty() {
                 return then(Ok(after));
             }
-            link::ask_even_down(Request::Propose { behaviour: id, change, tokens: Vec::new() }, |reply| match reply {
-                Some(Reply::No { no }) => then(Err(NoAnswer::Refused(no.clone()))),
-                Some(_) => then(Ok(after)),
-                None => then(Err(NoAnswer::Unreachable)),
-            });
+            let propose = request::Propose { behaviour: id, change, tokens: Vec::new() };
+            link::ask_even_down(propose, |answer| then(answer.map(|_| after)));
         });
     }
 }

@@ -7,7 +7,7 @@ use crate::link::NoAnswer;
 use crate::{link, words};
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{FoundRobot, RealRobot, Reply, Request, RobotFindings, RobotState, RunPhase, RunState, STOP_PATH};
+use protocol::{FoundRobot, RealRobot, RobotFindings, RobotState, RunPhase, RunState, STOP_PATH, request};
 use robot::{Control, Health, Identity, Scene};
 
 const ROBOT_KEY: &str = "rrp.robot";
@@ -30,7 +30,7 @@ impl RobotsPanel {
     /// Adds a robot, simulated or real, and looks at it.
     pub(crate) fn add(&self, name: &str, real: Option<RealRobot>) {
         let (robots, robot) = (self.clone(), new_id());
-        let request = Request::AddRobot { robot: robot.clone(), name: name.to_owned(), real: real.map(Box::new) };
+        let request = request::AddRobot { robot: robot.clone(), name: name.to_owned(), real: real.map(Box::new) };
         self.tab.ask_or_say(request, move |_| robots.choose(&robot));
     }
 
@@ -47,18 +47,18 @@ impl RobotsPanel {
 
     /// Gives a robot another name.
     pub(crate) fn rename(&self, robot: &Id, name: &str) {
-        self.tab.ask_or_say(Request::RenameRobot { robot: robot.clone(), name: name.to_owned() }, |_| {});
+        self.tab.ask_or_say_no(request::RenameRobot { robot: robot.clone(), name: name.to_owned() });
     }
 
     /// Gives a robot another address.
     pub(crate) fn reach(&self, robot: &Id, real: RealRobot) {
-        self.tab.ask_or_say(Request::ReachRobot { robot: robot.clone(), real: Box::new(real) }, |_| {});
+        self.tab.ask_or_say_no(request::ReachRobot { robot: robot.clone(), real: Box::new(real) });
     }
 
     /// From now on the body that answers is the robot that this tab looks at.
     pub(crate) fn accept(&self, found: Identity) {
         if let Some(robot) = self.chosen_id() {
-            self.tab.ask_or_say(Request::AcceptRobot { robot, found: Box::new(found) }, |_| {});
+            self.tab.ask_or_say_no(request::AcceptRobot { robot, found: Box::new(found) });
         }
     }
 
@@ -69,17 +69,15 @@ impl RobotsPanel {
         robot: Option<Id>,
         then: impl FnOnce(Result<RobotFindings, NoAnswer>) + 'static,
     ) {
-        self.tab.look_up(Request::CheckRobot { real: Box::new(real), robot }, move |answer| match answer {
-            Ok(Reply::RobotChecked { checked }) => then(Ok((**checked).clone())),
-            Ok(_) => then(Err(NoAnswer::Unreachable)),
-            Err(why) => then(Err(why)),
+        self.tab.look_up(request::CheckRobot { real: Box::new(real), robot }, move |answer| {
+            then(answer.map(|answer| *answer.checked));
         });
     }
 
     /// Looks for robots that announce themselves; none if that cannot be done.
     pub(crate) fn find(&self, then: impl FnOnce(Vec<FoundRobot>) + 'static) {
-        self.tab.look_up(Request::FindRobots, move |answer| {
-            then(if let Ok(Reply::FoundRobots { robots }) = answer { robots.clone() } else { Vec::new() });
+        self.tab.look_up(request::FindRobots {}, move |answer| {
+            then(answer.map_or_else(|_| Vec::new(), |answer| answer.robots));
         });
     }
 
@@ -93,26 +91,26 @@ impl RobotsPanel {
     /// Has a robot do something, whichever this tab looks at meanwhile.
     pub(crate) fn control_of(&self, robot: RobotState, control: Control) {
         let tab = self.tab.clone();
-        self.tab.ask_or_say(Request::ControlRobot { robot: robot.robot, control: control.clone() }, move |_| {
+        self.tab.ask_or_say(request::ControlRobot { robot: robot.robot, control: control.clone() }, move |_| {
             tab.say(&words::control_done(&robot.name, &control), false);
         });
     }
 
     /// The names under which a robot remembers faces; none if it does not say them.
     pub(crate) fn faces(&self, robot: &Id, then: impl FnOnce(Vec<String>) + 'static) {
-        self.tab.look_up(Request::Faces { robot: robot.clone() }, move |answer| {
-            then(if let Ok(Reply::Faces { faces }) = answer { faces.clone() } else { Vec::new() });
+        self.tab.look_up(request::Faces { robot: robot.clone() }, move |answer| {
+            then(answer.map_or_else(|_| Vec::new(), |answer| answer.faces));
         });
     }
 
     /// Removes a robot.
     pub(crate) fn remove(&self, robot: &Id) {
-        self.tab.ask_or_say(Request::RemoveRobot { robot: robot.clone() }, |_| {});
+        self.tab.ask_or_say_no(request::RemoveRobot { robot: robot.clone() });
     }
 
     /// Stops everything on all robots.
     pub(crate) fn stop_all(&self) {
-        self.tab.ask_or_say(Request::Stop { behaviour: None, robot: None }, |_| {});
+        self.tab.ask_or_say_no(request::Stop { behaviour: None, robot: None });
     }
 
     /// The robot that this tab looks at; not reactive.
@@ -178,7 +176,7 @@ impl RobotsPanel {
         self.aim_stop();
         if watched.as_ref() != Some(&id) {
             set_if_new(&self.scene, Scene::default());
-            link::tell(Request::Watch { robot: Some(id), scene: true, values: true });
+            link::ask(request::Watch { robot: Some(id), scene: true, values: true }, |_| {});
             self.values_of_open();
         }
     }

@@ -5,7 +5,7 @@ use crate::few::sort_few;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Request, RunPhase, RunState};
+use protocol::{RunPhase, RunState, request};
 
 impl RobotsPanel {
     /// Everything that runs on the robot that this tab looks at, from the top of the order. Reactive.
@@ -30,7 +30,7 @@ impl RobotsPanel {
     /// Puts a running behaviour just above another one, or at the end.
     pub(crate) fn place(&self, behaviour: &Id, above: Option<Id>) {
         let robot = self.chosen_id();
-        self.tab.ask_or_say(Request::Place { behaviour: behaviour.clone(), robot, above }, |_| {});
+        self.tab.ask_or_say_no(request::Place { behaviour: behaviour.clone(), robot, above });
     }
 
     /// Puts one in the place of another one of the list: from above it comes to stand below that one.
@@ -46,6 +46,6 @@ impl RobotsPanel {
     /// Stops one behaviour; the others run on.
     pub(crate) fn stop_one(&self, behaviour: &Id) {
         let robot = self.chosen_id();
-        self.tab.ask_or_say(Request::Stop { behaviour: Some(behaviour.clone()), robot }, |_| {});
+        self.tab.ask_or_say_no(request::Stop { behaviour: Some(behaviour.clone()), robot });
     }
 }

@@ -37,8 +37,7 @@ impl RobotsPanel {
 
     /// Leaves what was open: nothing is wished for, and values belong to no run.
     pub(in crate::desk) fn leave(&self) {
-        let mut state = self.state();
-        state.when_saved = None;
-        state.run = 0;
+        self.give_up_press();
+        self.state().run = 0;
     }
 }

@@ -7,7 +7,7 @@ use crate::link;
 use crate::live::LiveConnector;
 use behaviour::{Accepted, Behaviour, Connector, FillFrom, Helper, Id, Kind, Procedure, Record, RecordId, Stream};
 use leptos::prelude::*;
-use protocol::{Reply, Request};
+use protocol::{answer, request};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Records as they were at some revision; none for one that was not there.
@@ -50,12 +50,12 @@ impl RobotsPanel {
 
     fn ask_before(&self, behaviour: Id, revision: u64) {
         let (robots, version) = (self.clone(), self.state().version);
-        link::ask(Request::Since { behaviour, revision }, move |reply| {
-            if let Some(Reply::Missed { changes, .. }) = reply
+        link::ask(request::Since { behaviour, revision }, move |answer| {
+            if let Ok(answer::Newer::Missed(answer::Missed { changes, .. })) = answer
                 && robots.state().version == version
             {
-                robots.note_authors(changes);
-                robots.state().before.extend(before(changes));
+                robots.note_authors(&changes);
+                robots.state().before.extend(before(&changes));
                 robots.renew_unused();
             }
         });

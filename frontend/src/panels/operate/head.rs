@@ -8,9 +8,10 @@ use crate::desk::{LinkState, Sign};
 use crate::escape;
 use crate::link::NoAnswer;
 use crate::panels::people::in_color;
+use crate::panels::recordings_address;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{RecordedSession, Records, Request};
+use protocol::{RecordedSession, Records, request};
 use robot::{Health, Network};
 
 /// So many people have a sign; of the rest there is the number.
@@ -85,7 +86,12 @@ fn Robot(op: OperateShared) -> impl IntoView {
             Health::Safe => "safe",
         }
     };
-    let state = move || state(op);
+    let state = Memo::new(move |_| state(op));
+    // The seconds of a silence are seen and not said: nobody wants to hear them count.
+    let said = Memo::new(move |_| match op.desk.desk().unheard.read().is_some() {
+        true => words::no_answer().to_owned(),
+        false => state.get(),
+    });
     let several = Memo::new(move |_| desk.desk().robots.all.read().len() > 1);
     let choices = move || {
         let all = desk.desk().robots.all.get();
@@ -103,7 +109,8 @@ fn Robot(op: OperateShared) -> impl IntoView {
             <Show when=move || several.get() fallback=move || view! { <b class="cut" title=move || desk.desk().robots.name()>{move || desk.desk().robots.name()}</b> }>
                 <select class="op-select" aria-label=words::robot() on:change=choose>{choices}</select>
             </Show>
-            <span class="op-state cut" role="status" title=state>{state}</span>
+            <span class="op-state cut" aria-hidden="true" title=move || state.get()>{move || state.get()}</span>
+            <span class="sr" role="status">{move || said.get()}</span>
         </p>
     }
 }
@@ -186,6 +193,9 @@ pub(super) fn Programs(op: OperateShared) -> impl IntoView {
                 {choices}
             </select>
         </Show>
+        <Show when=move || op.run().is_none()>
+            <p class="op-ways"><a href=recordings_address() target="_blank">{words::recordings()}</a></p>
+        </Show>
     }
 }
 
@@ -209,27 +219,26 @@ fn Recorded(op: OperateShared) -> impl IntoView {
             open.set(false);
         }
     });
-    let ask = move |request: Request| {
-        let desk = desk.desk();
-        let told = desk.clone();
+    let asked = move || {
+        let told = desk.desk();
         open.set(false);
-        desk.look_up(request, move |answer| match answer {
-            Ok(_) => {}
+        move |answer| match answer {
+            Ok(()) => {}
             Err(NoAnswer::Refused(no)) => told.say_no(&no),
             Err(NoAnswer::Unreachable) => told.say(words::not_known_if_done(), true),
-        });
+        }
     };
     let kept = RwSignal::new(Records::All);
     let of_run = move || untrack(|| op.run()).map(|run| (run.behaviour, Some(run.robot)));
     let end = move |_| {
         if let Some((behaviour, robot)) = of_run() {
-            ask(Request::EndRecording { behaviour, robot });
+            desk.desk().look_up(request::EndRecording { behaviour, robot }, asked());
         }
     };
     let begin = move |_| {
         if let Some((behaviour, robot)) = of_run() {
             let session = RecordedSession { records: kept.get_untracked(), ..RecordedSession::default() };
-            ask(Request::Record { behaviour, robot, session });
+            desk.desk().look_up(request::Record { behaviour, robot, session }, asked());
         }
     };
     view! {

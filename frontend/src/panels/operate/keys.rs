@@ -1,6 +1,8 @@
-//! The keys of this page: 1 to 9 press tiles, M marks, N writes the note of the newest mark. A key that is held counts once.
+//! The keys of this page: 1 to 9 press tiles, 0 says no to one that asks, M marks, N writes the note of the newest mark. A key
+//! that is held counts once; of one that marks it asks for the verdict.
 
 use super::OperateShared;
+use crate::browser;
 use crate::keys::PressedKey;
 use crate::panels::buttons::is_plain;
 use crate::panels::focus;
@@ -25,12 +27,14 @@ pub(super) fn listen(op: OperateShared) {
         let key = event.pressed().to_lowercase();
         let heard = match key.as_str() {
             "m" => {
-                untrack(|| op.mark(""));
+                let made = op.made_by(|| untrack(|| op.mark("", browser::today_ms())));
+                op.key_down(made);
                 true
             }
+            "0" => op.say_no(None),
             "n" => write_note(op),
             _ => match key.parse::<usize>() {
-                Ok(number @ 1..) => untrack(|| op.press(number)),
+                Ok(number @ 1..) => press_tile(op, number),
                 _ => false,
             },
         };
@@ -38,7 +42,20 @@ pub(super) fn listen(op: OperateShared) {
             event.prevent_default();
         }
     });
-    on_cleanup(move || handle.remove());
+    let up = window_event_listener(leptos::ev::keyup, move |_| op.let_go());
+    let away = window_event_listener(leptos::ev::blur, move |_| op.let_go());
+    on_cleanup(move || [handle, up, away].map(WindowListenerHandle::remove).into_iter().collect());
+}
+
+/// Presses a tile, and asks for the verdict of what it marks if its key stays down; whether there is one.
+fn press_tile(op: OperateShared, number: usize) -> bool {
+    let before = op.open_span_of(number);
+    let mut is_one = false;
+    let made = op.made_by(|| is_one = untrack(|| op.press(number, browser::today_ms())));
+    if is_one && op.is_word(number) {
+        op.key_down(before.or(made));
+    }
+    is_one
 }
 
 /// Opens the note of the newest mark, which gets the keyboard; whether there is one.

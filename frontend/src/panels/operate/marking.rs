@@ -5,12 +5,14 @@ use super::clock::{length, time_of_day};
 use super::marks::Mark;
 use super::pad::TileWork;
 use super::seen::Face;
+use super::verdict::{HeldMark, Verdict};
+use crate::browser;
 use crate::escape;
 use crate::icons::Icon;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{MARK_MAX_CHARS, MARK_WORD_MAX_CHARS};
+use protocol::{MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, MarkSort};
 use web_sys::SubmitEvent;
 
 /// Marks that are listed.
@@ -30,8 +32,7 @@ pub(super) fn Marking(op: OperateShared) -> impl IntoView {
         op.marks.words.get().into_iter().filter(|word| !has(word)).take(WORDS_MAX).collect::<Vec<_>>()
     });
     let word = move |word: String| {
-        let (press, title) = (word.clone(), word.clone());
-        view! { <button class="button op-word" type="button" title=title disabled=move || !can.get() on:click=move |_| op.mark(&press)>{word}</button> }
+        view! { <MarkButton op class="op-word" word=word.clone()>{word}</MarkButton> }
     };
     let send = move |event: SubmitEvent| {
         event.prevent_default();
@@ -47,9 +48,7 @@ pub(super) fn Marking(op: OperateShared) -> impl IntoView {
     view! {
         <section class="op-marks" aria-label=words::marks_name()>
             <div class="op-mark-row">
-                <button class="button op-mark" type="button" aria-keyshortcuts="M" disabled=move || !can.get() on:click=move |_| op.mark("")>
-                    <Icon name="flag" />{words::mark()}
-                </button>
+                <MarkButton op class="op-mark" word=String::new()><Icon name="flag" />{words::mark()}</MarkButton>
                 {move || words.get().into_iter().map(word).collect_view()}
                 <button class="button op-more" type="button" aria-label=words::mark_with_word() title=words::mark_with_word()
                     aria-expanded=move || types.get().to_string() disabled=move || !can.get() on:click=move |_| types.update(|types| *types = !*types)>
@@ -65,9 +64,27 @@ pub(super) fn Marking(op: OperateShared) -> impl IntoView {
                 </form>
             </Show>
             <Newest op />
+            <Verdict op />
             {move || why().map(|why| view! { <p class="op-why">{why}</p> })}
             <List op />
         </section>
+    }
+}
+
+/// A button that marks; held, it asks for the verdict too.
+#[component]
+pub(super) fn MarkButton(op: OperateShared, class: &'static str, word: String, children: Children) -> impl IntoView {
+    let (held, press) = (HeldMark::Word(word.clone()), word.clone());
+    let title = (!word.is_empty()).then_some(word);
+    let key = title.is_none().then_some("M");
+    view! {
+        <button class=format!("button {class}") type="button" title=title aria-keyshortcuts=key disabled=move || !op.can_mark()
+            on:pointerdown=move |event| op.finger_down(&event, held.clone())
+            on:pointerup=move |_| op.let_go() on:pointercancel=move |_| op.let_go() on:pointerleave=move |_| op.let_go()
+            on:contextmenu=|event| event.prevent_default()
+            on:click=move |_| if !op.ends_long_press() { op.mark(&press, browser::today_ms()) }>
+            {children()}
+        </button>
     }
 }
 
@@ -124,13 +141,15 @@ fn List(op: OperateShared) -> impl IntoView {
         let newest = op.marks.mine.get();
         let all = op.marks.all.read();
         // The newest of one's own stands above already, unless there is more to say of it.
-        let has_more = |mark: &&Mark| mark.open || !mark.note.is_empty() || (mark.waits && op.rests());
+        let has_more =
+            |mark: &&Mark| mark.open || !mark.note.is_empty() || !mark.sort.is_note() || (mark.waits && op.rests());
         let others = all.iter().rev().filter(|mark| Some(&mark.id) != newest.as_ref() || has_more(mark));
         others.take(LISTED_MAX).cloned().collect::<Vec<_>>()
     });
     view! {
+        <Show when=move || op.can_mark() && op.marks.all.read().is_empty()><p class="op-why">{words::hold_for_verdict()}</p></Show>
         <ul class="op-list">
-            <For each=move || shown.get() key=|mark| (mark.id.clone(), mark.until.map(|until| until as u64), mark.note.clone(), mark.waits, mark.open)
+            <For each=move || shown.get() key=|mark| (mark.id.clone(), (mark.at / 1_000.0) as u64, mark.until.map(|until| until as u64), mark.note.clone(), mark.sort as u8, mark.waits, mark.open)
                 children=move |mark| view! { <Row op mark /> } />
         </ul>
     }
@@ -151,12 +170,14 @@ fn Row(op: OperateShared, mark: Mark) -> impl IntoView {
     };
     let note = (!mark.word.is_empty() && !mark.note.is_empty()).then(|| words::saying(&mark.note));
     let waits = mark.waits;
+    let sort = (mark.sort != MarkSort::Note).then(|| words::verdict(mark.sort));
     let nobody = Id::new("nobody").ok();
     view! {
         <li>
             <span class="op-at">{time_of_day(at)}</span>
             <span class="op-what">
                 {text}" "{note}
+                {sort.map(|sort| view! { <small class="op-sort">{sort}</small> })}
                 <small>{lasts}{waits.then(|| view! { <i aria-hidden="true"></i>{words::mark_waits()} })}</small>
             </span>
             {nobody.map(|client| view! { <Face op client name=mark.by.clone() /> })}

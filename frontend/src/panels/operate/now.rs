@@ -7,19 +7,18 @@ use crate::browser;
 use crate::panels::hold::Soon;
 use crate::panels::language::language;
 use crate::words;
-use behaviour::Helper;
 use leptos::prelude::*;
-use sentences::Sentence;
+use protocol::{ProgramSentence, answer, request};
 
 /// An action that was fed within this time is said to happen now, in milliseconds.
 const NOW_MS: f64 = 1_000.0;
-/// So soon after a change the sentences are made again, in milliseconds.
-const SOON_MS: i32 = 60;
+/// So soon after a change the sentences are asked for again, in milliseconds.
+const SOON_MS: i32 = 250;
 /// Sentences that are shown; more do not fit at arm's length.
 const SENTENCES_MAX: usize = 6;
 
 /// A sentence, and when its action was fed last (`performance.now()`), if it was.
-type FedSentence = (Sentence, Option<f64>);
+type FedSentence = (ProgramSentence, Option<f64>);
 
 #[component]
 pub(super) fn Now(op: OperateShared) -> impl IntoView {
@@ -33,7 +32,7 @@ pub(super) fn Now(op: OperateShared) -> impl IntoView {
         let all = times.get();
         let newest = newest(&all).map(|(sentence, _)| sentence.clone());
         let row = |(sentence, at): &FedSentence| {
-            let text = words::without_code(&sentence.to_string());
+            let text = words::without_code(&format!("{}{}", sentence.lead, sentence.does));
             let is_last = quiet.get() && newest.as_ref() == Some(sentence);
             (text, !quiet.get() && runs.get() && is_now(*at), is_last)
         };
@@ -72,40 +71,48 @@ pub(super) fn Now(op: OperateShared) -> impl IntoView {
     }
 }
 
-/// The sentences, made again soon after each change of the program or of a helper.
-fn told(op: OperateShared) -> RwSignal<Vec<Sentence>> {
+/// The sentences, asked for again soon after each change of the program or of a helper. The server makes them: what makes
+/// sentences is a large part of the code of the page with the graph.
+fn told(op: OperateShared) -> RwSignal<Vec<ProgramSentence>> {
     let told = RwSignal::new(Vec::new());
-    let make = move || {
-        let desk = op.desk.desk();
-        let behaviour = desk.document.behaviour();
-        let made = desk.library.helpers.with_untracked(|helpers| {
-            let helpers: Vec<&Helper> = helpers.iter().map(|(_, helper)| helper).collect();
-            let unit = |id: &_| Some(untrack(|| desk.document.unit(id))).filter(|unit| !unit.is_empty());
-            sentences::explain(&behaviour, &helpers, &|id| unit(id).map(str::to_owned), language())
+    let of = StoredValue::new(None);
+    let ask = move || {
+        let Some(open) = op.desk.desk().document.open.get_untracked() else { return told.set(Vec::new()) };
+        let (behaviour, language) = (open.clone(), language().code().to_owned());
+        op.desk.desk().look_up(request::Told { behaviour, language }, move |answer| {
+            let is_open = op.desk.desk().document.open.with_untracked(|now| now.as_ref() == Some(&open));
+            if let (Ok(answer::Told { sentences }), true) = (answer, is_open) {
+                of.set_value(Some(open));
+                if told.try_with_untracked(|old| *old != sentences) == Some(true) {
+                    told.set(sentences);
+                }
+            }
         });
-        if told.try_with_untracked(|old| *old != made) == Some(true) {
-            told.set(made);
-        }
     };
-    make();
-    let soon = StoredValue::new_local(Soon::new(make));
+    let soon = StoredValue::new_local(Soon::new(ask));
     Effect::new(move |_| {
         let desk = op.desk.desk();
         desk.document.edited.track();
-        desk.document.open.track();
         desk.library.helpers.track();
-        desk.document.types.track();
-        soon.with_value(|soon| soon.within(SOON_MS));
+        desk.online.track();
+        let open = desk.document.open.get();
+        if of.get_value() == open {
+            soon.with_value(|soon| soon.within(SOON_MS));
+        } else {
+            // Those of another program are wrong from the first moment.
+            of.set_value(open);
+            told.set(Vec::new());
+            ask();
+        }
     });
     told
 }
 
 /// When what leads to the action of a sentence passed something on. Reactive, and renewed twice a second.
-fn fed(op: OperateShared, sentence: &Sentence) -> Option<f64> {
+fn fed(op: OperateShared, sentence: &ProgramSentence) -> Option<f64> {
     let desk = op.desk.desk();
     desk.robots.clock.track();
-    let connector = sentence.phrases.last()?.connectors.first()?.clone();
-    let live = desk.document.connector(&connector)?.live;
+    let live = desk.document.connector(sentence.connector.as_ref()?)?.live;
     live.with(|live| (live.fired > 0).then_some(live.fired_at))
 }
 
@@ -139,11 +146,8 @@ fn title(op: OperateShared, all: &[FedSentence]) -> String {
 }
 
 /// Returns what a sentence says that is done: its last words.
-fn action_words(sentence: &Sentence) -> String {
-    let last = sentence.phrases.iter().rfind(|phrase| phrase.streams.contains(&sentence.action));
-    let last = last.or(sentence.phrases.last());
-    let text: String = last.into_iter().flat_map(|phrase| &phrase.pieces).map(|piece| piece.text()).collect();
-    let text = words::without_code(&text);
+fn action_words(sentence: &ProgramSentence) -> String {
+    let text = words::without_code(&sentence.does);
     words::capitalised(text.trim().trim_end_matches(['.', '。', ',', '、']))
 }
 
@@ -164,10 +168,6 @@ fn under(op: OperateShared, all: &[FedSentence]) -> String {
 }
 
 /// Returns what a sentence says before that: when it is done.
-fn lead_words(sentence: &Sentence) -> String {
-    let action = sentence.phrases.iter().rposition(|phrase| phrase.streams.contains(&sentence.action));
-    let before = action.unwrap_or(sentence.phrases.len().saturating_sub(1));
-    let text: String =
-        sentence.phrases[..before].iter().flat_map(|phrase| &phrase.pieces).map(|piece| piece.text()).collect();
-    words::without_code(&text).trim().trim_end_matches([',', '、']).to_owned()
+fn lead_words(sentence: &ProgramSentence) -> String {
+    words::without_code(&sentence.lead).trim().trim_end_matches([',', '、']).to_owned()
 }

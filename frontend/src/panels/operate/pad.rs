@@ -16,6 +16,8 @@ pub(super) struct PadTile {
     /// The name of its picture.
     pub(super) icon: &'static str,
     pub(super) does: TileWork,
+    /// True if a press asks first.
+    pub(super) asks: bool,
 }
 
 /// The work of a tile.
@@ -74,7 +76,7 @@ fn tiles(behaviour: &Behaviour) -> Vec<PadTile> {
             TileAction::Pretend { stream, value } => TileWork::Pretend { stream, value },
             TileAction::Word { word, span } => TileWork::Word { word, span },
         };
-        PadTile { key: usize::from(key), label, icon, does }
+        PadTile { key: usize::from(key), label, icon, does, asks: tile.asks }
     };
     pad.tiles.into_iter().map(tile).collect()
 }

@@ -10,7 +10,7 @@ use crate::panels::may::may_operate;
 use crate::{browser, words};
 use behaviour::{Id, Value};
 use leptos::prelude::*;
-use protocol::{Press, Reply, Request};
+use protocol::{Press, request};
 use robot::Health;
 
 /// A tile rests so long after its press, in milliseconds.
@@ -24,6 +24,8 @@ const WHY_MS: f64 = 8_000.0;
 const GESTURE_MS: f64 = 3_000.0;
 const LETTER_MS: f64 = 75.0;
 const SPEECH_MIN_MS: f64 = 900.0;
+/// The time in which a second press says yes to a tile that asks, in milliseconds; silence is no.
+const ASKS_MS: f64 = 2_000.0;
 
 /// The newest press of a tile.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +41,8 @@ pub(super) struct PressedTile {
 /// The outcome of a press.
 #[derive(Clone, Debug, PartialEq)]
 enum Became {
+    /// It asks until then, by this computer's clock: another press says yes, while it is the same robot and nobody pressed Stop.
+    Asks { until: f64, about: AskedAbout },
     /// The answer is not here yet.
     Asked,
     /// It was done: it goes on until then, by this computer's clock.
@@ -46,6 +50,9 @@ enum Became {
     /// With the reason.
     Not(String),
 }
+
+/// The newest Stop that was heard of, and the robot that is looked at, when a tile asked.
+type AskedAbout = (Option<u64>, Option<Id>);
 
 /// The states that a tile shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +63,8 @@ pub(super) enum TileState {
     Going(&'static str, u8),
     /// It waits until another one is over.
     Next,
+    /// It asks, and how much of the time for an answer is over, from 0 to 100.
+    Asks(u8),
     /// It was not done; with the reason.
     Refused(String),
     /// It cannot be done now; with the reason.
@@ -101,49 +110,58 @@ impl OperateShared {
         }
     }
 
-    /// Presses the tile with this number, from 1; whether there is one that can be pressed. Not reactive.
-    pub(super) fn press(self, number: usize) -> bool {
+    /// Presses the tile with this number, from 1, at this moment by this computer's clock; whether there is one that can be
+    /// pressed. Not reactive.
+    pub(super) fn press(self, number: usize, now: f64) -> bool {
         let tile = self.pad.with_untracked(|pad| pad.iter().find(|tile| tile.key == number).cloned());
         let Some(tile) = tile else { return false };
         if let Some(why) = untrack(|| self.cannot(&tile.does)) {
             self.whisper(&words::titled(&tile.label, &why));
             return true;
         }
-        let now = browser::today_ms();
-        let rests = |pressed: &&PressedTile| pressed.does == tile.does && pressed.by.is_none();
-        let before = self.presses.with_untracked(|all| all.iter().find(rests).map(|pressed| pressed.at));
-        if before.is_some_and(|before| (0.0..RESTS_MS).contains(&(now - before))) {
-            return true;
-        }
-        let became = match tile.does {
-            // A mark is there at once, whatever the link does.
-            TileWork::Word { .. } => Became::Done { from: now, until: now + PRETENDED_MS },
-            TileWork::Hand { .. } | TileWork::Pretend { .. } => Became::Asked,
+        let mine = |pressed: &&PressedTile| pressed.does == tile.does && pressed.by.is_none();
+        let before = self.presses.with_untracked(|all| all.iter().find(mine).cloned());
+        let about = (crate::link::stops(), self.desk.desk().robots.chosen_id());
+        let became = match press_counts(before.as_ref(), tile.asks, &about, now) {
+            PressCounts::Not => return true,
+            PressCounts::Asks => Became::Asks { until: now + ASKS_MS, about },
+            PressCounts::Yes => match tile.does {
+                // A mark is there at once, whatever the link does.
+                TileWork::Word { .. } => Became::Done { from: now, until: now + PRETENDED_MS },
+                TileWork::Hand { .. } | TileWork::Pretend { .. } => Became::Asked,
+            },
         };
+        let asks = matches!(became, Became::Asks { .. });
         self.put(PressedTile { does: tile.does.clone(), at: now, by: None, name: String::new(), became });
         match tile.does {
-            TileWork::Word { ref word, span } => self.mark_word(word, span),
+            _ if asks => self.whisper(&words::asks_for_yes(&tile.label, number)),
+            TileWork::Word { ref word, span } => self.mark_word(word, span, now),
             _ => self.ask(tile, now),
         }
         true
     }
 
+    /// Says no to what this tile asks, or to all that is asked; whether something was. Not reactive.
+    pub(super) fn say_no(self, of: Option<&TileWork>) -> bool {
+        let is_it = |pressed: &PressedTile| {
+            matches!(pressed.became, Became::Asks { until, .. } if browser::today_ms() < until)
+                && of.is_none_or(|does| *does == pressed.does)
+        };
+        let some = self.presses.with_untracked(|all| all.iter().any(is_it));
+        if some {
+            self.presses.update(|all| all.retain(|pressed| !is_it(pressed)));
+            self.whisper(words::not_done());
+        }
+        some
+    }
+
     fn ask(self, tile: PadTile, at: f64) {
         let desk = self.desk.desk();
         let (robot, open) = (desk.robots.chosen_id(), desk.document.open.get_untracked());
-        let request = match (&tile.does, open) {
-            (TileWork::Hand { device, params, value }, _) => {
-                Request::Hand { robot, device: device.clone(), params: params.clone(), value: value.clone() }
-            }
-            (TileWork::Pretend { stream, value }, Some(behaviour)) => {
-                Request::Stimulate { behaviour, robot, stream: stream.clone(), value: value.clone() }
-            }
-            _ => return,
-        };
-        desk.look_up(request, move |answer| {
+        let does = tile.does.clone();
+        let then: Box<dyn FnOnce(Result<(), NoAnswer>)> = Box::new(move |answer| {
             let became = match answer {
-                Ok(Reply::Done) => self.done(&tile.does),
-                Ok(_) => return,
+                Ok(()) => self.done(&tile.does),
                 Err(NoAnswer::Refused(no)) => Became::Not(words::told_by(&no)),
                 Err(NoAnswer::Unreachable) => Became::Not(words::not_known_if_done().to_owned()),
             };
@@ -152,6 +170,15 @@ impl OperateShared {
             }
             self.put(PressedTile { does: tile.does, at, by: None, name: String::new(), became });
         });
+        match (does, open) {
+            (TileWork::Hand { device, params, value }, _) => {
+                desk.look_up(request::Hand { robot, device, params, value }, then);
+            }
+            (TileWork::Pretend { stream, value }, Some(behaviour)) => {
+                desk.look_up(request::Stimulate { behaviour, robot, stream, value }, then);
+            }
+            _ => {}
+        }
     }
 
     /// It was done: it begins now, or after what uses the same part of the robot.
@@ -216,14 +243,14 @@ impl OperateShared {
             _ if pressed.by.is_some() && now - pressed.at < OTHER_MS => {
                 TileState::By(pressed.by.unwrap_or_else(crate::desk::new_id), pressed.name)
             }
+            Became::Asks { until, .. } if now < until => TileState::Asks(share(until - ASKS_MS, until, now)),
             Became::Asked => TileState::Going(words::sent_just_now(), 0),
             Became::Not(why) if now - pressed.at < WHY_MS => TileState::Refused(why),
             Became::Done { from, .. } if now < from => TileState::Next,
-            Became::Done { from, until } if now < until => TileState::Going(
-                going_words(&tile.does),
-                (100.0 * (now - from) / (until - from)).clamp(0.0, 100.0) as u8,
-            ),
-            Became::Done { .. } | Became::Not(_) => TileState::Ready,
+            Became::Done { from, until } if now < until => {
+                TileState::Going(going_words(&tile.does), share(from, until, now))
+            }
+            Became::Asks { .. } | Became::Done { .. } | Became::Not(_) => TileState::Ready,
         }
     }
 
@@ -236,6 +263,36 @@ impl OperateShared {
     pub(super) fn may(self) -> bool {
         may_operate(self.desk)
     }
+}
+
+/// The meaning of a press.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum PressCounts {
+    /// The tile rests: the second tap of two is none.
+    Not,
+    /// It asks first.
+    Asks,
+    /// It does it.
+    Yes,
+}
+
+/// The meaning of a press now, after one's own last press of the same tile. A question from before a Stop, or about another robot, is
+/// none any more. Pure.
+fn press_counts(before: Option<&PressedTile>, asks: bool, about: &AskedAbout, now: f64) -> PressCounts {
+    let rests = before.is_some_and(|before| (0.0..RESTS_MS).contains(&(now - before.at)));
+    let is_open =
+        |became: &Became| matches!(became, Became::Asks { until, about: asked } if now < *until && asked == about);
+    let is_answer = before.is_some_and(|before| is_open(&before.became));
+    match () {
+        () if rests => PressCounts::Not,
+        () if asks && !is_answer => PressCounts::Asks,
+        () => PressCounts::Yes,
+    }
+}
+
+/// How much of a time is over, from 0 to 100. Pure.
+fn share(from: f64, until: f64, now: f64) -> u8 {
+    (100.0 * (now - from) / (until - from)).clamp(0.0, 100.0) as u8
 }
 
 /// About how long it goes on, in milliseconds.
@@ -263,5 +320,49 @@ fn same_part(one: &TileWork, other: &TileWork) -> bool {
     match (one, other) {
         (TileWork::Hand { device, .. }, TileWork::Hand { device: other, .. }) => device == other,
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ASKS_MS, Became, PressCounts, PressedTile, RESTS_MS, TileWork, press_counts};
+    use behaviour::{Id, Params, Value};
+
+    fn pressed(at: f64, became: Became) -> PressedTile {
+        let does = TileWork::Hand { device: "Walk".into(), params: Params::default(), value: Value::Null };
+        PressedTile { does, at, by: None, name: String::new(), became }
+    }
+
+    #[test]
+    fn a_tile_that_asks_takes_a_second_press_for_yes_and_silence_or_a_double_tap_for_no() {
+        let here = (Some(7), None);
+        let asked = pressed(1_000.0, Became::Asks { until: 1_000.0 + ASKS_MS, about: here.clone() });
+        let press_counts = |before, asks, now| press_counts(before, asks, &here, now);
+        assert_eq!(press_counts(None, true, 1_000.0), PressCounts::Asks);
+        assert_eq!(press_counts(Some(&asked), true, 1_000.0 + RESTS_MS - 1.0), PressCounts::Not, "a double tap");
+        assert_eq!(press_counts(Some(&asked), true, 1_000.0 + RESTS_MS), PressCounts::Yes);
+        assert_eq!(press_counts(Some(&asked), true, 999.0 + ASKS_MS), PressCounts::Yes);
+        assert_eq!(press_counts(Some(&asked), true, 1_000.0 + ASKS_MS), PressCounts::Asks, "silence was no");
+        let done = pressed(4_000.0, Became::Done { from: 4_000.0, until: 7_000.0 });
+        assert_eq!(press_counts(Some(&done), true, 5_000.0), PressCounts::Asks, "each time anew");
+    }
+
+    #[test]
+    fn a_stop_or_another_robot_ends_what_a_tile_asks() {
+        let robot = |name: &str| Some(Id::new(name).unwrap());
+        let asked = pressed(0.0, Became::Asks { until: ASKS_MS, about: (Some(7), robot("nao")) });
+        let again = |stops, name| press_counts(Some(&asked), true, &(Some(stops), robot(name)), RESTS_MS);
+        assert_eq!(again(7, "nao"), PressCounts::Yes);
+        assert_eq!(again(8, "nao"), PressCounts::Asks, "Stop came in between");
+        assert_eq!(again(7, "other"), PressCounts::Asks, "another robot was chosen in between");
+    }
+
+    #[test]
+    fn other_tiles_do_it_at_once_and_rest_after_that() {
+        let done = pressed(0.0, Became::Asked);
+        let press_counts = |before, asks, now| press_counts(before, asks, &(None, None), now);
+        assert_eq!(press_counts(None, false, 0.0), PressCounts::Yes);
+        assert_eq!(press_counts(Some(&done), false, RESTS_MS - 1.0), PressCounts::Not);
+        assert_eq!(press_counts(Some(&done), false, RESTS_MS), PressCounts::Yes);
     }
 }

@@ -2,6 +2,7 @@
 //! button and never at its place, so that a double tap starts nothing.
 
 use super::OperateShared;
+use super::marking::MarkButton;
 use crate::browser::{self, Drawer};
 use crate::desk::LinkState;
 use crate::escape;
@@ -11,7 +12,7 @@ use crate::panels::focus;
 use crate::panels::to_stop::tab_to_stop;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{CODE_MAX_CHARS, RecordedSession, Records, Request, Role, RunPhase};
+use protocol::{CODE_MAX_CHARS, RecordedSession, Records, Role, RunPhase, request};
 use robot::Health;
 use web_sys::SubmitEvent;
 
@@ -51,9 +52,7 @@ pub(super) fn Foot(op: OperateShared) -> impl IntoView {
     tab_to_stop(button);
     view! {
         <div class="op-foot right">
-            <button class="button op-foot-mark" type="button" disabled=move || !op.can_mark() on:click=move |_| op.mark("")>
-                <Icon name="flag" />{words::mark()}
-            </button>
+            <MarkButton op class="op-foot-mark" word=String::new()><Icon name="flag" />{words::mark()}</MarkButton>
             <button class="start op-start" node_ref=button type="button" aria-pressed=move || (runs.get() && !quiet.get()).to_string()
                 aria-expanded=move || (!runs.get() && !paused.get()).then(|| op.asks.get().to_string())
                 disabled=move || blocked.get() on:click=press>
@@ -200,7 +199,7 @@ impl OperateShared {
         }
         self.starts.set(true);
         let told = desk.clone();
-        desk.look_up(Request::Start { behaviour, robot, record, session }, move |answer| {
+        desk.look_up(request::Start { behaviour, robot, record, session }, move |answer| {
             browser::after(SETTLE_MS, move || {
                 self.starts.try_set(false);
             });

@@ -4,6 +4,8 @@ use super::OperateShared;
 use super::pad::{PadTile, TileWork};
 use super::press::TileState;
 use super::seen::Face;
+use super::verdict::HeldMark;
+use crate::browser;
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
@@ -27,12 +29,13 @@ pub(super) fn Tiles(op: OperateShared) -> impl IntoView {
 #[component]
 fn One(op: OperateShared, tile: PadTile) -> impl IntoView {
     let number = tile.key;
-    let (label, icon, does) = (tile.label.clone(), tile.icon, tile.does.clone());
+    let (label, icon, does, asks) = (tile.label.clone(), tile.icon, tile.does.clone(), tile.asks);
     let shows = Memo::new(move |_| op.shows(&tile));
     let state = move || match &*shows.read() {
         TileState::Ready => "ready",
         TileState::Going(..) => "going",
         TileState::Next => "next",
+        TileState::Asks(_) => "asks",
         TileState::Refused(_) => "refused",
         TileState::Cannot(_) => "cannot",
         TileState::By(..) => "by",
@@ -42,7 +45,10 @@ fn One(op: OperateShared, tile: PadTile) -> impl IntoView {
     // The reason that all of them have stands above them.
     let all_rest = Memo::new(move |_| op.rests());
     let line = move || match shows.get() {
-        TileState::Ready => None,
+        TileState::Ready => asks.then(|| view! { <span>{words::asks_first()}</span> }.into_any()),
+        TileState::Asks(_) => {
+            Some(view! { <span>{words::asks_now()}</span><kbd aria-hidden="true">{number}</kbd> }.into_any())
+        }
         TileState::Cannot(_) if all_rest.get() && op.may() => None,
         TileState::Going(words, _) => Some(view! { <span>{words}</span> }.into_any()),
         TileState::Next => {
@@ -55,22 +61,40 @@ fn One(op: OperateShared, tile: PadTile) -> impl IntoView {
         TileState::On(ms) => Some(view! { <span>{words::again_ends_it(&super::clock::length(ms))}</span> }.into_any()),
     };
     let share = move || match *shows.read() {
-        TileState::Going(_, percent) => format!("{percent}%"),
+        TileState::Going(_, percent) | TileState::Asks(percent) => format!("{percent}%"),
         _ => "0%".to_owned(),
     };
     let span = matches!(does, TileWork::Word { span: true, .. });
+    let word = matches!(does, TileWork::Word { .. });
+    let asking = Memo::new(move |_| matches!(*shows.read(), TileState::Asks(_)));
+    let no_label = words::no_to(&label);
+    let look = does.look();
+    let no =
+        move || {
+            let (does, label) = (does.clone(), no_label.clone());
+            asking.get().then(|| view! {
+            <button class="button op-no" type="button" aria-label=label.clone() title=label aria-keyshortcuts="0"
+                on:click=move |_| { op.say_no(Some(&does)); }><Icon name="close" /></button>
+        })
+        };
     view! {
-        <button class="op-tile" type="button" data-look=does.look() data-state=state disabled=move || disabled.get()
+        <div class="op-cell">
+        <button class="op-tile" type="button" data-look=look data-state=state disabled=move || disabled.get()
             aria-keyshortcuts=number.to_string() style=("--share", share)
             aria-pressed=move || span.then(|| matches!(*shows.read(), TileState::On(_)).to_string())
             on:keydown=|event| if event.repeat() { event.prevent_default() }
-            on:click=move |_| if !op.is_just_uncovered() { op.press(number); }>
+            on:pointerdown=move |event| if word && !op.is_just_uncovered() { op.finger_down(&event, HeldMark::Tile(number)) }
+            on:pointerup=move |_| if word { op.let_go() } on:pointercancel=move |_| if word { op.let_go() }
+            on:pointerleave=move |_| if word { op.let_go() } on:contextmenu=|event| event.prevent_default()
+            on:click=move |_| if !(op.is_just_uncovered() || word && op.ends_long_press()) { op.press(number, browser::today_ms()); }>
             <span class="op-kind"><Icon name=icon /></span>
             <span class="op-words">
                 <b>{label}</b>
                 <small>{line}</small>
             </span>
-            <kbd aria-hidden="true">{number}</kbd>
+            <kbd class="op-key" aria-hidden="true">{number}</kbd>
         </button>
+        {no}
+        </div>
     }
 }

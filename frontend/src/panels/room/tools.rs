@@ -73,6 +73,8 @@ fn More(part: RwSignal<Touchable>) -> impl IntoView {
         let cable = if plugged { words::unplug() } else { words::plug() };
         all.push((cable.to_owned(), SceneEdit::Plug { plugged: !plugged }));
         all.push((words::battery_low().to_owned(), SceneEdit::SetBattery { percent: LOW_PERCENT }));
+        all.push((words::minute_passes().to_owned(), SceneEdit::PassTime { minutes: 1 }));
+        all.push((words::hour_passes().to_owned(), SceneEdit::PassTime { minutes: 60 }));
         let falls = if scene.body.fallen {
             (words::help_up().to_owned(), SceneEdit::HelpUp)
         } else {

@@ -1,6 +1,7 @@
 //! The operator's page.
 
 use crate::words::language::{said, translated};
+use protocol::MarkSort;
 
 sentences! {
     operate: "Operator’s page";
@@ -51,6 +52,12 @@ sentences! {
     moving_now: "moving …";
     done_just_now: "done";
     comes_next: "next";
+    asks_first: "asks first";
+    asks_now: "asks: now?";
+    not_done: "It is not done.";
+    how_was_it: "How was it?";
+    it_should_now: "Now it should …";
+    hold_for_verdict: "Hold a mark to say if it was good.";
     last_two_minutes: "The last 2 minutes";
     no_connection_now: "no connection";
     nothing_yet: "Nothing yet.";
@@ -131,6 +138,26 @@ pub(crate) fn just_now(name: &str) -> String {
     say!("{name}, just now", name)
 }
 
+/// Says that a tile asks first to who does not see it.
+pub(crate) fn asks_for_yes(label: &str, key: usize) -> String {
+    say!("{label}: now? Press {key} again within two seconds, else it is not done.", label, key)
+}
+
+/// Says no to what a tile asks.
+pub(crate) fn no_to(label: &str) -> String {
+    say!("Not now: {label}", label)
+}
+
+/// The verdict of a mark on its moment.
+pub(crate) fn verdict(sort: MarkSort) -> &'static str {
+    match sort {
+        MarkSort::Note => "",
+        MarkSort::Good => said("good"),
+        MarkSort::Bad => said("not good"),
+        MarkSort::Now => said("it should have"),
+    }
+}
+
 /// On the tile of a span that goes on.
 pub(crate) fn again_ends_it(time: &str) -> String {
     say!("{time} · again ends it", time)
@@ -158,6 +185,14 @@ pub(crate) fn undo_for(seconds: u64) -> String {
 /// Says that a mark waited longer than the server takes its moment back.
 pub(crate) fn mark_too_old(time: &str) -> String {
     say!("The mark of {time} waited longer than a minute. It stands at a minute before it was sent.", time)
+}
+
+/// Says that a mark waited for a run that an earlier start of the server knew.
+pub(crate) fn mark_of_earlier_start(time: &str) -> String {
+    say!(
+        "The server was started anew, and its run ended. The mark of {time} cannot be added here; note it in its recording.",
+        time
+    )
 }
 
 pub(crate) fn no_connection_for(seconds: u32) -> String {

@@ -53,6 +53,8 @@ sentences! {
     plug: "Put it on the cable";
     unplug: "Take it off the cable";
     battery_low: "Battery nearly empty";
+    minute_passes: "A minute passes";
+    hour_passes: "An hour passes";
     push: "Push it over";
     help_up: "Help it up";
     buttons: "Buttons of the program";

@@ -7,7 +7,7 @@ use crate::panels::palette::users_of;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{HelperUse, LIBRARY, Reply, Request};
+use protocol::{HelperUse, LIBRARY, request};
 
 /// How many programs and helpers are named.
 const SHOWN_MAX: usize = 6;
@@ -17,8 +17,8 @@ const SHOWN_MAX: usize = 6;
 pub(super) fn UsedIn(name: String) -> impl IntoView {
     let desk = hold();
     let others: RwSignal<Option<Vec<HelperUse>>> = RwSignal::new(None);
-    desk.desk().look_up(Request::WhereUsed { helper: name.clone() }, move |answer| {
-        let uses = if let Ok(Reply::WhereUsed { uses, .. }) = answer { once_each(uses) } else { Vec::new() };
+    desk.desk().look_up(request::WhereUsed { helper: name.clone() }, move |answer| {
+        let uses = answer.map_or_else(|_| Vec::new(), |answer| once_each(&answer.uses));
         others.try_set(Some(uses));
     });
     let here = Memo::new(move |_| connectors_here(desk, &name));

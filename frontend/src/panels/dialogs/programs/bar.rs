@@ -1,6 +1,6 @@
 //! Above the list: programs, templates or bin, what is searched for, in which order, and whose.
 
-use super::list::go;
+use super::list::{SEARCH_ID, go};
 use super::shelf::{ShelfPlace, ShownShelf};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
@@ -11,9 +11,6 @@ use crate::words;
 use leptos::prelude::*;
 use protocol::Tagged;
 use web_sys::KeyboardEvent;
-
-/// The id of the search box.
-pub(super) const SEARCH_ID: &str = "program-search";
 
 /// The bar.
 #[component]

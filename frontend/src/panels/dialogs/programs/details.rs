@@ -18,7 +18,7 @@ use behaviour::Id;
 use leptos::html::Button;
 use leptos::prelude::*;
 use name::Name;
-use protocol::{Reply, Request, Similar, Summary};
+use protocol::{Similar, Summary, request};
 use tags::Tags;
 
 /// The program, with the way back to the list.
@@ -85,13 +85,8 @@ fn SimilarPrograms(id: String) -> impl IntoView {
     let desk = hold();
     let found: RwSignal<Option<Result<Vec<Similar>, NoAnswer>>> = RwSignal::new(None);
     if let Ok(behaviour) = Id::new(&id) {
-        desk.desk().look_up(Request::Similar { behaviour }, move |answer| {
-            let answer = match answer {
-                Ok(Reply::Similar { similar }) => Ok(similar.clone()),
-                Ok(_) => Ok(Vec::new()),
-                Err(why) => Err(why),
-            };
-            found.try_set(Some(answer));
+        desk.desk().look_up(request::Similar { behaviour }, move |answer| {
+            found.try_set(Some(answer.map(|answer| answer.similar)));
         });
     }
     let line = move |similar: Similar| {

@@ -1,6 +1,5 @@
 //! One line of the list: a small picture, the name, and who changed it when.
 
-use super::list::line_id;
 use super::shelf::{ShelfPlace, ShownShelf};
 use super::window::LINE_PX;
 use crate::browser;
@@ -104,4 +103,9 @@ fn Removed(shown: ShownShelf, summary: Summary, place: usize) -> impl IntoView {
 pub(super) fn when(changed_ms: u64) -> String {
     let seconds = (browser::today_ms() as u64).saturating_sub(changed_ms) / 1_000;
     words::ago(seconds).unwrap_or_else(|| words::on_day(&browser::day_words(changed_ms as f64)))
+}
+
+/// The id of the button of a line.
+pub(super) fn line_id(line: usize) -> String {
+    format!("program-line-{line}")
 }

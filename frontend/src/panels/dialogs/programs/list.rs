@@ -1,7 +1,6 @@
 //! The list itself: only the lines that are seen are drawn, and arrow keys walk through all of them.
 
-use super::bar::SEARCH_ID;
-use super::line::Line;
+use super::line::{Line, line_id};
 use super::shelf::{Loading, ShelfPlace, ShownShelf};
 use super::window::{LINE_PX, drawn, is_near_end, scroll_to};
 use crate::keys::PressedKey;
@@ -11,6 +10,8 @@ use crate::words;
 use leptos::prelude::*;
 use web_sys::{HtmlElement, KeyboardEvent};
 
+/// The id of the search box.
+pub(super) const SEARCH_ID: &str = "program-search";
 /// A box that is not measured yet is taken for this high, in pixels.
 const HEIGHT_PX: f64 = 600.0;
 
@@ -162,11 +163,6 @@ pub(super) fn go(shown: ShownShelf, line: usize) {
         }
     }
     let _ = request_animation_frame(move || focus_line(line));
-}
-
-/// The id of the button of a line.
-pub(super) fn line_id(line: usize) -> String {
-    format!("program-line-{line}")
 }
 
 fn focus_line(line: usize) {

@@ -6,7 +6,7 @@ use crate::panels::hold::{DeskHold, Soon};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
-use protocol::{Cursor, ListQuery, Reply, Request, Sort, Summary, Tagged};
+use protocol::{Cursor, ListQuery, Sort, Summary, Tagged, answer, request};
 
 /// How soon typing is searched for, in milliseconds.
 const SOON_MS: i32 = 180;
@@ -127,9 +127,9 @@ impl ShownShelf {
 
     /// Asks which tags there are; a server that does not answer leaves those that were there.
     fn ask_tags(self) {
-        self.desk.desk().look_up(Request::Tags, move |answer| {
-            if let Ok(Reply::Tags { tags }) = answer {
-                self.tags.try_set(tags.clone());
+        self.desk.desk().look_up(request::Tags {}, move |answer| {
+            if let Ok(answer::Tags { tags }) = answer {
+                self.tags.try_set(tags);
             }
         });
     }

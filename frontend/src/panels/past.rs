@@ -1,0 +1,246 @@
+//! *Over time*: what a run sensed and did, as lanes over one axis of time, with a cursor that everything else follows. It looks at
+//! a recording that is kept, or at the last minutes of what runs now.
+//!
+//! It is a piece of the code of its own, which fetches its sheet (`static/past.css`) itself. What is looked at is a
+//! `lanes::Viewer`; here it is drawn, filled from the server, and told what hands and keys do.
+
+mod asking;
+mod clock;
+mod filling;
+mod hands;
+mod head;
+mod keys;
+mod media;
+mod painting;
+mod rows;
+mod signs;
+mod table;
+
+use super::focus;
+use super::hold::{DeskHold, hold};
+use crate::browser;
+use crate::desk::{LinkState, OpenPast};
+use crate::words;
+use lanes::{Density, LaneAct, Viewer};
+use leptos::html;
+use leptos::leptos_dom::helpers::IntervalHandle;
+use leptos::prelude::*;
+use media::{COARSE, NARROW, holds, when_changed};
+use protocol::{OpenedPast, PastOf};
+use std::sync::Arc;
+use wasm_bindgen::JsCast;
+
+/// The sheet of this panel.
+const SHEET: &str = "/past.css";
+/// The time between two steps of playing for who wants little motion, in milliseconds.
+const CALM_STEP_MS: f64 = 1_000.0;
+/// The longest time that one step of playing takes up, in milliseconds: a page that was away does not jump.
+const STEP_MAX_MS: f64 = 250.0;
+/// The state that the parts of the panel share.
+#[derive(Clone, Copy)]
+struct PastShared {
+    desk: DeskHold,
+    /// The past that is looked at, once that is known.
+    of: StoredValue<Option<PastOf>>,
+    /// What there is to be seen of it, once it is open.
+    opened: RwSignal<Option<Arc<OpenedPast>>>,
+    /// Why it is not shown, or the last thing that was not answered.
+    trouble: RwSignal<Option<String>>,
+    viewer: RwSignal<Viewer>,
+    /// The width of the lanes, in pixels.
+    width: RwSignal<f64>,
+    /// True while the values of the chosen lane are shown as a table, and not only read out.
+    shows_table: RwSignal<bool>,
+    asked: StoredValue<asking::AskedLanes>,
+    /// Looks every second at a run that goes on.
+    looking: StoredValue<Option<IntervalHandle>>,
+}
+
+/// The panel, as a view.
+pub(crate) fn past() -> AnyView {
+    let desk = hold();
+    let past = PastShared {
+        desk,
+        of: StoredValue::new(None),
+        opened: RwSignal::new(None),
+        trouble: RwSignal::new(None),
+        viewer: RwSignal::new(Viewer::recorded(0.0, 0.0)),
+        width: RwSignal::new(0.0),
+        shows_table: RwSignal::new(false),
+        asked: StoredValue::default(),
+        looking: StoredValue::new(None),
+    };
+    let density = RwSignal::new(density());
+    let root = NodeRef::<html::Section>::new();
+    Effect::new(move |_| {
+        let density = density.get();
+        past.viewer.update(|viewer| viewer.set_density(density));
+    });
+    past.begin();
+    past.play_on();
+    past.fetch_what_is_seen();
+    Effect::new(move |_| {
+        if let Some(root) = root.get() {
+            focus::focus(&root);
+        }
+    });
+    for query in [NARROW, COARSE] {
+        when_changed(query, move || {
+            density.try_set(self::density());
+        });
+    }
+    on_cleanup(move || {
+        if let Some(looking) = past.looking.try_get_value().flatten() {
+            looking.clear();
+        }
+    });
+    let is_there = move || past.opened.read().is_some();
+    view! {
+        <link rel="stylesheet" href=SHEET />
+        <section
+            class="past"
+            class:past-narrow=move || density.get() == Density::Narrow
+            class:past-with-table=move || past.shows_table.get()
+            node_ref=root
+            tabindex="-1"
+            aria-label=words::over_time()
+            on:keydown=move |event| keys::key(&event, past)
+        >
+            <head::Head past />
+            <p class="past-note" role="status">{move || past.note()}</p>
+            <Show when=is_there>
+                <div class="past-body">
+                    <rows::Lanes past />
+                    <table::Table past />
+                </div>
+            </Show>
+        </section>
+    }
+    .into_any()
+}
+
+/// The room that lanes have in this window.
+fn density() -> Density {
+    match () {
+        () if holds(NARROW) => Density::Narrow,
+        () if holds(COARSE) => Density::Coarse,
+        () => Density::Fine,
+    }
+}
+
+/// Closes the panel; the keyboard goes back to the graph.
+fn close(past: PastShared) {
+    past.desk.desk().past.set(None);
+    if let Some(window) = browser::window()
+        && let (Ok(history), Ok(hash)) = (window.history(), window.location().hash())
+    {
+        let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some(&format!("/{hash}")));
+    }
+    if let Some(stage) = focus::by_id("stage") {
+        focus::focus(&stage);
+    }
+}
+
+impl PastShared {
+    /// True once the panel is gone; then nothing of it may be touched.
+    fn is_gone(self) -> bool {
+        self.viewer.is_disposed()
+    }
+
+    /// Does what a hand or a key does.
+    fn act(self, act: LaneAct) {
+        self.viewer.update(|viewer| viewer.act(act));
+    }
+
+    /// Begins to look at what was asked for.
+    fn begin(self) {
+        // Whoever comes by the address is here before the server has greeted; a link that broke comes back.
+        Effect::new(move |_| {
+            let desk = self.desk.desk();
+            if desk.online.get() == LinkState::Online && self.opened.with_untracked(Option::is_none) {
+                untrack(|| self.open_wanted());
+            }
+        });
+        // Another stream may be asked for while the panel is open.
+        Effect::new(move |before: Option<Option<OpenPast>>| {
+            let now = self.desk.desk().past.get();
+            if before.is_some_and(|before| before != now) && matches!(now, Some(OpenPast::Running(_))) {
+                match untrack(|| self.running()) {
+                    Some(run) if self.of.get_value().as_ref() != Some(&run) => self.open(Some(run)),
+                    _ => self.add_wanted(),
+                }
+            }
+            now
+        });
+    }
+
+    /// Opens what was asked for.
+    fn open_wanted(self) {
+        match self.desk.desk().past.get_untracked() {
+            Some(OpenPast::Address) => self.open(asked_by_address().map(PastOf::Recording)),
+            Some(OpenPast::Running(_)) => self.open(self.running()),
+            None => {}
+        }
+    }
+
+    /// What runs here now. Not reactive.
+    fn running(self) -> Option<PastOf> {
+        untrack(|| self.desk.desk().robots.running()).map(|run| PastOf::Run(run.run))
+    }
+
+    /// Why nothing is shown, or what is not as it was. Reactive.
+    fn note(self) -> Option<String> {
+        if let Some(trouble) = self.trouble.get() {
+            return Some(trouble);
+        }
+        let opened = self.opened.get();
+        let Some(opened) = opened else { return Some(words::past_comes().to_owned()) };
+        if opened.streams.iter().all(|stream| stream.count == 0) {
+            return Some(words::past_is_empty().to_owned());
+        }
+        if opened.cut {
+            return Some(words::past_is_cut().to_owned());
+        }
+        let differs = opened.differs_ms.map(|ms| ms.saturating_sub(opened.from_ms) as f64);
+        differs.map(|ms| words::differs_from(&clock::time(&opened, ms, false)))
+    }
+
+    /// Moves the cursor while it plays, once for each picture that the browser draws.
+    fn play_on(self) {
+        let plays = Memo::new(move |_| self.viewer.read().plays());
+        Effect::new(move |_| {
+            if plays.get() {
+                step(self, browser::now_ms());
+            }
+        });
+    }
+}
+
+/// Draws the next picture of playing, and goes on for as long as it plays.
+fn step(past: PastShared, last: f64) {
+    browser::next_frame(move || {
+        if past.is_gone() || !past.viewer.read_untracked().plays() {
+            return;
+        }
+        let now = browser::now_ms();
+        let rests = browser::is_calm() && now - last < CALM_STEP_MS;
+        if !rests {
+            let longest = if browser::is_calm() { 2.0 * CALM_STEP_MS } else { STEP_MAX_MS };
+            past.act(LaneAct::Pass((now - last).min(longest)));
+        }
+        step(past, if rests { last } else { now });
+    });
+}
+
+/// The name of the recording's file that the address asks for.
+fn asked_by_address() -> Option<String> {
+    let search = browser::search();
+    let mut parts = search.strip_prefix('?')?.split('&');
+    let name = parts.find_map(|part| part.strip_prefix(crate::desk::PAST_QUERY))?;
+    js_sys::decode_uri_component(name).ok()?.as_string()
+}
+
+/// The element that an event is about.
+fn target(event: &web_sys::Event) -> Option<web_sys::Element> {
+    event.target()?.dyn_into().ok()
+}

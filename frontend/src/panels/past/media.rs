@@ -1,0 +1,43 @@
+//! What is known of the window and the theme, and hearing when it changes.
+
+use crate::browser;
+use leptos::prelude::*;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::MediaQueryList;
+
+/// Below this width labels stand above their lanes.
+pub(super) const NARROW: &str = "(max-width: 767px)";
+/// Where fingers are the usual pointer.
+pub(super) const COARSE: &str = "(pointer: coarse)";
+/// Where the theme is dark.
+pub(super) const DARK: &str = "(prefers-color-scheme: dark)";
+
+/// Something that is heard for as long as it is kept.
+struct MediaWatch(MediaQueryList, Closure<dyn FnMut(JsValue)>);
+
+/// True if this holds now.
+pub(super) fn holds(query: &str) -> bool {
+    let query = browser::window().and_then(|window| window.match_media(query).ok().flatten());
+    query.is_some_and(|query| query.matches())
+}
+
+/// Calls `changed` whenever this begins or ceases to hold, as long as the component is there that is being made.
+pub(super) fn when_changed(query: &str, mut changed: impl FnMut() + 'static) {
+    let watch = || {
+        let query = browser::window()?.match_media(query).ok()??;
+        let changed = Closure::<dyn FnMut(JsValue)>::new(move |_| changed());
+        query.add_event_listener_with_callback("change", changed.as_ref().unchecked_ref()).ok()?;
+        Some(MediaWatch(query, changed))
+    };
+    let watch: StoredValue<Option<MediaWatch>, LocalStorage> = StoredValue::new_local(watch());
+    on_cleanup(move || {
+        watch.try_update_value(Option::take);
+    });
+}
+
+impl Drop for MediaWatch {
+    fn drop(&mut self) {
+        let _ = self.0.remove_event_listener_with_callback("change", self.1.as_ref().unchecked_ref());
+    }
+}

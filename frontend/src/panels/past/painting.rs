@@ -1,0 +1,156 @@
+//! Painting: what `lanes` says is to be drawn, on a canvas, in the colours of the theme.
+
+use crate::browser;
+use lanes::{Align, DrawnForm, Ink};
+use wasm_bindgen::JsCast;
+use web_sys::{CanvasRenderingContext2d, Element, HtmlCanvasElement};
+
+/// The size of texts, in pixels.
+pub(super) const TEXT_PX: u32 = 12;
+/// The height of a flag's pole, and the size of its cloth.
+const POLE: f64 = 15.0;
+const CLOTH: (f64, f64) = (10.0, 7.0);
+/// A dashed line goes so far, and leaves out so much.
+const DASH: f64 = 4.0;
+
+/// The colours, each with the token that it has in the stylesheet.
+const INKS: [(Ink, &str); 11] = [
+    (Ink::Sense, "sensor"),
+    (Ink::Stream, "stream"),
+    (Ink::Action, "actuator"),
+    (Ink::Line, "line"),
+    (Ink::Ink, "ink"),
+    (Ink::Ink2, "ink-2"),
+    (Ink::Pulse, "pulse"),
+    (Ink::Focus, "focus"),
+    (Ink::FocusTint, "focus-tint"),
+    (Ink::Surface, "surface"),
+    (Ink::OnInk, "paper"),
+];
+
+/// A canvas that is drawn on.
+pub(super) struct Painter {
+    pen: CanvasRenderingContext2d,
+    colors: Vec<(Ink, String)>,
+}
+
+impl Painter {
+    /// Takes a canvas of this size, empty. None where the browser cannot draw.
+    pub(super) fn new(canvas: &HtmlCanvasElement, (width, height): (f64, f64)) -> Option<Self> {
+        let window = browser::window()?;
+        let ratio = window.device_pixel_ratio().clamp(1.0, 3.0);
+        let pixels = |length: f64| (length * ratio).round().clamp(1.0, 16_000.0) as u32;
+        let size = (pixels(width), pixels(height));
+        if (canvas.width(), canvas.height()) != size {
+            canvas.set_width(size.0);
+            canvas.set_height(size.1);
+        }
+        let pen: CanvasRenderingContext2d = canvas.get_context("2d").ok()??.dyn_into().ok()?;
+        pen.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0).ok()?;
+        pen.clear_rect(0.0, 0.0, width, height);
+        let letters = window.get_computed_style(canvas).ok()??.get_property_value("font-family").ok()?;
+        pen.set_font(&format!("400 {TEXT_PX}px {letters}"));
+        pen.set_text_baseline("middle");
+        pen.set_line_join("round");
+        let colors = INKS.into_iter().map(|(ink, token)| (ink, color(canvas, token).unwrap_or_default())).collect();
+        Some(Self { pen, colors })
+    }
+
+    fn color(&self, ink: Ink) -> &str {
+        self.colors.iter().find(|(known, _)| *known == ink).map_or("", |(_, color)| color)
+    }
+
+    /// Draws all of it, in order.
+    pub(super) fn draw(&self, all: &[DrawnForm]) {
+        all.iter().for_each(|one| self.one(one));
+    }
+
+    fn one(&self, one: &DrawnForm) {
+        match one {
+            DrawnForm::Bar { x, y, width, height, radius, ink } => {
+                self.around((*x, *y), (*width, *height), *radius);
+                self.fill(*ink);
+            }
+            DrawnForm::Frame { x, y, width, height, radius, ink } => {
+                self.around((*x, *y), (*width, *height), *radius);
+                self.stroke(2.0, *ink);
+            }
+            DrawnForm::Disc { x, y, radius, ink, is_hollow } => {
+                self.pen.begin_path();
+                let _ = self.pen.arc(*x, *y, *radius, 0.0, std::f64::consts::TAU);
+                self.fill(if *is_hollow { Ink::Surface } else { *ink });
+                if *is_hollow {
+                    self.stroke(2.0, *ink);
+                }
+            }
+            DrawnForm::Line { points, width, ink, is_dashed } => {
+                self.pen.begin_path();
+                points
+                    .iter()
+                    .enumerate()
+                    .for_each(|(at, (x, y))| if at == 0 { self.pen.move_to(*x, *y) } else { self.pen.line_to(*x, *y) });
+                let dash =
+                    if *is_dashed { js_sys::Array::of2(&DASH.into(), &DASH.into()) } else { js_sys::Array::new() };
+                let _ = self.pen.set_line_dash(&dash);
+                self.stroke(*width, *ink);
+                let _ = self.pen.set_line_dash(&js_sys::Array::new());
+            }
+            DrawnForm::Text { x, y, text, ink, align } => {
+                self.pen.set_text_align(match align {
+                    Align::Left => "left",
+                    Align::Middle => "center",
+                    Align::Right => "right",
+                });
+                self.pen.set_fill_style_str(self.color(*ink));
+                let _ = self.pen.fill_text(text, *x, *y);
+            }
+            DrawnForm::Flag { x, y, ink } => self.flag(*x, *y, *ink),
+        }
+    }
+
+    fn flag(&self, x: f64, y: f64, ink: Ink) {
+        let (width, height) = CLOTH;
+        let top = y - POLE;
+        self.pen.begin_path();
+        self.pen.move_to(x, y);
+        self.pen.line_to(x, top);
+        self.pen.line_to(x + width, top);
+        self.pen.line_to(x + width - 3.0, top + height / 2.0);
+        self.pen.line_to(x + width, top + height);
+        self.pen.line_to(x, top + height);
+        self.stroke(1.5, ink);
+    }
+
+    fn around(&self, (x, y): (f64, f64), (width, height): (f64, f64), radius: f64) {
+        self.pen.begin_path();
+        let radius = radius.min(width / 2.0).min(height / 2.0).max(0.0);
+        let rounded = self.pen.round_rect_with_f64(x, y, width, height, radius);
+        if rounded.is_err() {
+            self.pen.rect(x, y, width, height);
+        }
+    }
+
+    fn fill(&self, ink: Ink) {
+        self.pen.set_fill_style_str(self.color(ink));
+        self.pen.fill();
+    }
+
+    fn stroke(&self, width: f64, ink: Ink) {
+        self.pen.set_line_width(width);
+        self.pen.set_stroke_style_str(self.color(ink));
+        self.pen.stroke();
+    }
+}
+
+/// A colour of the theme as it is just now: the stylesheet gives it to a sign beside the canvas.
+fn color(canvas: &Element, token: &str) -> Option<String> {
+    let window = browser::window()?;
+    let panel = canvas.closest(".past-lanes").ok()??;
+    let swatch = panel.query_selector(&format!("[data-ink={token}]")).ok()??;
+    window.get_computed_style(&swatch).ok()??.get_property_value("color").ok()
+}
+
+/// The tokens of all colours.
+pub(super) fn tokens() -> impl Iterator<Item = &'static str> {
+    INKS.into_iter().map(|(_, token)| token)
+}

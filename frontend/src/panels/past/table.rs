@@ -1,0 +1,54 @@
+//! The values of the chosen lane around the cursor, as a table: shown where somebody wants it, and always there for screen readers.
+
+use super::rows::dot_words;
+use super::{PastShared, clock, filling};
+use crate::words;
+use leptos::prelude::*;
+
+/// The table.
+#[component]
+pub(super) fn Table(past: PastShared) -> impl IntoView {
+    let name = move || {
+        let opened = past.opened.get();
+        let viewer = past.viewer.read();
+        let label = |key: &str| opened.as_ref().map(|opened| filling::label(opened, &filling::name(key)));
+        viewer.chosen().and_then(|lane| label(&lane.key)).unwrap_or_default()
+    };
+    let rows = Memo::new(move |_| {
+        let opened = past.opened.get();
+        let viewer = past.viewer.read();
+        let (dots, newest) = viewer.around();
+        let row = |(at, dot): (usize, &lanes::Dot)| {
+            let time = opened.as_ref().map(|opened| clock::time(opened, dot.t, true)).unwrap_or_default();
+            (dot.t, time, dot_words(dot), newest == Some(at))
+        };
+        dots.iter().enumerate().map(row).collect::<Vec<_>>()
+    });
+    let none = move || {
+        let told_together = past.viewer.read().chosen().is_some_and(|lane| !lane.is_empty());
+        if told_together { words::values_come() } else { words::no_values_then() }
+    };
+    view! {
+        <div class="past-table" class:sr=move || !past.shows_table.get()>
+            <table>
+                <caption>{name}</caption>
+                <thead><tr><th scope="col">{words::time_of_value()}</th><th scope="col">{words::value_name()}</th></tr></thead>
+                <tbody>
+                    {move || {
+                        let row = |(t, time, text, is_now): (f64, String, String, bool)| {
+                            let current = is_now.then_some("true");
+                            view! {
+                                <tr aria-current=current>
+                                    <td><button class="link" type="button" on:click=move |_| past.seek(t)>{time}</button></td>
+                                    <td>{text}</td>
+                                </tr>
+                            }
+                        };
+                        rows.get().into_iter().map(row).collect_view()
+                    }}
+                </tbody>
+            </table>
+            <Show when=move || rows.read().is_empty()><p class="faint">{none}</p></Show>
+        </div>
+    }
+}
