@@ -60,6 +60,12 @@ pub(crate) fn sentences(workspace: &Workspace, words: &[&str]) -> ToolResult<()>
     tools::run(cargo.args(words), "The benchmark of typed sentences")
 }
 
+/// Measures looking back at an hour.
+pub(crate) fn past(workspace: &Workspace) -> ToolResult<()> {
+    let mut cargo = workspace.cargo(&["bench", "--package", "past", "--bench", "hour"]);
+    tools::run(&mut cargo, "The benchmark of looking back")
+}
+
 /// Measures the engine, how long runaway procedures hold it, and the hand-overs between the threads around it; `words`
 /// pick a part.
 pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {

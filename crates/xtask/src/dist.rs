@@ -7,21 +7,25 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-use crate::split;
-
 /// File contents by their name relative to a folder, with `/` between the parts.
 pub(crate) type DistFiles = BTreeMap<String, Vec<u8>>;
 
 /// Kinds that are compressed already.
 const COMPRESSED: [&str; 15] =
     ["png", "jpg", "jpeg", "gif", "webp", "avif", "woff2", "mp3", "ogg", "opus", "mp4", "webm", "zip", "gz", "br"];
-/// The effort of brotli, up to 11: as hard as it can for the files that everybody waits for, and half as long, for 4 %
-/// more, for those that come later.
+/// The effort of brotli, up to 11: as hard as it can.
 const QUALITY: i32 = 11;
-const QUALITY_LATER: i32 = 10;
-/// A way to compress, by the ending of the file that it makes: of a file with this name and content.
-type Compression = (&'static str, fn(&str, &[u8]) -> io::Result<Vec<u8>>);
-const PRESSES: [Compression; 2] = [("br", brotlied), ("gz", |_, content| compression::gzip(content))];
+/// A way to compress a content, by the ending of the file that it makes.
+type Compression = (&'static str, fn(&[u8]) -> io::Result<Vec<u8>>);
+const PRESSES: [Compression; 2] = [("br", |content| compression::brotli(content, QUALITY)), ("gz", compression::gzip)];
+
+/// The beginnings of the names of files that are loaded later.
+pub(crate) const PIECES: [&str; 4] = ["later-", "operate-", "past-", "common-"];
+
+/// True if a file of the page is one that is loaded later.
+pub(crate) fn is_later(name: &str) -> bool {
+    PIECES.iter().any(|piece| name.starts_with(piece))
+}
 
 /// Reads every file below `folder`; a folder that is not there holds none.
 pub(crate) fn read(folder: &Path) -> Result<DistFiles, String> {
@@ -87,7 +91,7 @@ fn press_all(mut waiting: Vec<(&String, &[u8], &Compression)>) -> Result<DistFil
     let next = || lock(&waiting).pop();
     let work = || {
         while let Some((name, content, (kind, press))) = next() {
-            let pressed = press(name, content).map_err(|error| format!("{name} cannot be compressed: {error}."));
+            let pressed = press(content).map_err(|error| format!("{name} cannot be compressed: {error}."));
             let mut done = lock(&done);
             match (pressed, done.as_mut()) {
                 (Ok(smaller), Ok(files)) if smaller.len() < content.len() => {
@@ -107,7 +111,7 @@ fn lock<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// The size of a page in a few words: as it is and as it travels, first and later.
-pub(crate) fn sizes(folder: &Path, is_later: fn(&str) -> bool) -> Result<String, String> {
+pub(crate) fn sizes(folder: &Path) -> Result<String, String> {
     let files = listing(folder)?;
     let sum = |wanted: &dyn Fn(&str) -> bool| -> u64 { files.iter().filter(|f| wanted(f.0)).map(|f| f.1).sum() };
     let whole = sum(&|name| !name.ends_with(".br") && !name.ends_with(".gz"));
@@ -134,10 +138,6 @@ pub(crate) fn sizes(folder: &Path, is_later: fn(&str) -> bool) -> Result<String,
 fn is_compressed(name: &str) -> bool {
     let kind = Path::new(name).extension().and_then(|kind| kind.to_str());
     kind.is_some_and(|kind| COMPRESSED.contains(&kind.to_ascii_lowercase().as_str()))
-}
-
-fn brotlied(name: &str, content: &[u8]) -> io::Result<Vec<u8>> {
-    compression::brotli(content, if split::is_later(name) { QUALITY_LATER } else { QUALITY })
 }
 
 /// Puts `content` in place at once: a server that reads meanwhile sees the old file or the new one.

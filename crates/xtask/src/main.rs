@@ -35,6 +35,7 @@ cargo xtask COMMAND
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
   bench nao [PART]          measure a robot over the link against the stand-in, beside the Python client of libqi; PART is
                             calls, reactions, stops or calm
+  bench past                measure looking back at an hour: opening it, moments, causes, an edited program, memory
   bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 9
   bench sentences           measure how long typed sentences take to be read
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
@@ -79,6 +80,7 @@ fn obey(words: &[String]) -> ToolResult<()> {
             bench::nao(&Workspace::here()?, rest)
         }
         ["bench", "sentences", rest @ ..] => bench::sentences(&Workspace::here()?, rest),
+        ["bench", "past"] => bench::past(&Workspace::here()?),
         ["bench", "stores"] => bench::stores(&Workspace::here()?),
         ["test"] => test::all(&Workspace::here()?),
         ["test", filter] if !filter.starts_with('-') => test::only(&Workspace::here()?, filter),

@@ -26,10 +26,6 @@ const FORMAT: u32 = 7;
 /// from growing with all that is in it: a sixth of the page's bytes, and half of the time to compile it.
 const FLAGS: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS";
 const ERASED: &str = "--cfg erase_components";
-/// The passes of LLVM that make the page small, in place of all that it has for the sake of speed too: three tenths less of the
-/// time to compile the page's own code, for 12 KB more at first. The level of each crate still says how far it is inlined.
-const SMALL: &str = "-C no-prepopulate-passes -C passes=cgscc(inline,function-attrs,function(sroa,early-cse,simplifycfg,\
-                     instcombine<no-verify-fixpoint>,memcpyopt,simplifycfg)),deadargelim,globaldce,mergefunc";
 
 /// The amount of work that goes into the page.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -79,9 +75,7 @@ fn compile(workspace: &Workspace, package: &str, mode: PageMode) -> ToolResult<P
     let folder = workspace.target.join("page-build");
     let mut cargo = workspace.cargo(&["build", "--lib", "--target", WASM, "--package", package]);
     cargo.args(["--profile", mode.profile(), "--target-dir"]).arg(&folder);
-    let small = (mode == PageMode::Small).then_some(SMALL);
-    let flags: Vec<&str> = [ERASED, split::FLAGS].into_iter().chain(small).collect();
-    cargo.env(FLAGS, flags.join(" "));
+    cargo.env(FLAGS, [ERASED, split::FLAGS].join(" "));
     tools::run(&mut cargo, "Building the page")?;
     let wasm = folder.join(WASM).join(mode.folder()).join(package.replace('-', "_")).with_extension("wasm");
     if !wasm.is_file() {
@@ -104,11 +98,7 @@ fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: PageMode) -> ToolR
     }
     let files = join(bind(target, &code, mode)?, statics)?;
     let changed = dist::write(&page, &files, mode == PageMode::Small)?;
-    println!(
-        "The page is in {}: {}, {changed} of its files new.",
-        page.display(),
-        dist::sizes(&page, split::is_later)?
-    );
+    println!("The page is in {}: {}, {changed} of its files new.", page.display(), dist::sizes(&page)?);
     stamp.save(&page)
 }
 

@@ -7,12 +7,10 @@ use std::time::Instant;
 
 use crate::beside::CommandsBeside;
 use crate::page::{self, PageMode};
-use crate::tools::{self, ToolResult, Workspace};
+use crate::tools::{self, SERVE_PROFILE, ToolResult, Workspace};
 
 /// The package that people run: the one that carries the page.
 const PROGRAM: &str = "rrp";
-/// The profile that it is built with: optimised where values pass, as little as may be elsewhere.
-pub(crate) const PROFILE: &str = "serve";
 /// Leaves out what speaks to a Neo4j, a thirtieth of all that is compiled: who starts here keeps programs in a folder.
 pub(crate) const WITHOUT_NEO4J: &str = "--no-default-features";
 
@@ -64,7 +62,7 @@ fn optimise(workspace: &Workspace, neo4j: bool) -> ToolResult<PathBuf> {
     let page = CommandsBeside::begin(vec![page::builder()?], workspace.target.join("page.txt"))?;
     let packages = packages(workspace)?;
     let cargo = |what: &[&str]| {
-        let mut cargo = workspace.cargo(&["build", "--profile", PROFILE]);
+        let mut cargo = workspace.cargo(&["build", "--profile", SERVE_PROFILE]);
         cargo.args(packages.iter().flat_map(|package| ["--package", package])).args(what);
         cargo.args(if neo4j { [].as_slice() } else { &[WITHOUT_NEO4J] });
         cargo

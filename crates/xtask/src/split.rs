@@ -10,7 +10,7 @@ use wasm_encoder::{ImportSection, Module, RawSection};
 use wasm_split_cli_support::Options;
 use wasmparser::{Parser, Payload};
 
-use crate::dist::{self, DistFiles};
+use crate::dist::{self, DistFiles, PIECES, is_later};
 use crate::tools::ToolResult;
 
 /// The flags by which the linker leaves in the code what is needed to cut it.
@@ -24,8 +24,6 @@ const MAIN: &str = "main.wasm";
 const CUT: &str = "split_";
 /// The beginning of the names of what several of them have in common, which comes with the first of those.
 const COMMON: &str = "chunk_";
-/// The beginnings of the names of the pieces as people get them.
-const PIECES: [&str; 3] = ["later-", "operate-", "common-"];
 
 /// Marks functions in whose place wasm-bindgen puts an import. They have to stay in the first piece; what cuts the code
 /// knows the mark by the name only that it had in older versions of wasm-bindgen.
@@ -40,11 +38,6 @@ pub(crate) struct PagePieces {
     pub(crate) later: DistFiles,
     /// The JavaScript that loads them.
     loader: String,
-}
-
-/// True if a file of the page is one that is loaded later.
-pub(crate) fn is_later(name: &str) -> bool {
-    PIECES.iter().any(|piece| name.starts_with(piece))
 }
 
 /// Cuts `code`, which was linked with `FLAGS`, into pieces for the page's own `module`. `folder` is for what comes about on

@@ -9,7 +9,7 @@ const FOLDER: &str = "styles/";
 const SHEET: &str = "page.css";
 /// The sheets of screens whose code comes in a piece of its own, which fetches them; nobody else does.
 #[cfg(test)]
-const APART: [&str; 1] = ["operate.css"];
+const APART: [&str; 2] = ["operate.css", "past.css"];
 /// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
 /// small screens after it, and the canvas last.
 const ORDER: [&str; 51] = [

@@ -11,13 +11,13 @@ use crate::page;
 use crate::qi_python;
 use crate::serve;
 use crate::supply;
-use crate::tools::{self, ToolResult, Workspace};
+use crate::tools::{self, SERVE_PROFILE, ToolResult, Workspace};
 
 /// The packages that are optimised: the server as people run it, which is attacked, and the hostile corpus, as stacks,
 /// overflows and comparisons differ between debug and release. Selected together, so that what both use is compiled
 /// once.
 const OPTIMISED: [&str; 9] =
-    ["--profile", serve::PROFILE, serve::WITHOUT_NEO4J, "--package", "rrp", "--package", "engine", "--test", "hostile"];
+    ["--profile", SERVE_PROFILE, serve::WITHOUT_NEO4J, "--package", "rrp", "--package", "engine", "--test", "hostile"];
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
 const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];

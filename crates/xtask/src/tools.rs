@@ -4,13 +4,14 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::serve;
-
 /// A result whose error is a sentence for the person at the terminal.
 pub(crate) type ToolResult<T> = Result<T, String>;
 
 /// The target triple of the page.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
+
+/// The profile of the server that people start: optimised where values pass, as little as may be elsewhere.
+pub(crate) const SERVE_PROFILE: &str = "serve";
 
 /// Names under which Chromium is looked for on PATH, best first. That without windows of its own, which Debian has too, needs
 /// a fifth less for the same tests.
@@ -69,7 +70,7 @@ impl Workspace {
 
     /// The build of the server that people run first.
     pub(crate) fn served(&self) -> PathBuf {
-        self.program(serve::PROFILE)
+        self.program(SERVE_PROFILE)
     }
 
     /// The optimised build of the server, which is measured.
