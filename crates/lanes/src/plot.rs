@@ -129,7 +129,7 @@ mod tests {
         let drawn = lines(&lane, &Axis::new(1e6, 1e6), 700.0, ROWS);
         let points: usize = drawn.iter().map(Vec::len).sum();
         assert!(drawn.len() == 1 && points <= 4 * 701, "{points} points");
-        assert!(drawn[0].iter().any(|point| *point == (point.0, 0.0)), "the peak is drawn");
+        assert!(drawn[0].iter().any(|(_, y)| *y == 0.0), "the peak is drawn");
     }
 
     #[test]
