@@ -61,7 +61,7 @@ const LISTENS: &str = "(() => {
     return 0;
 })()";
 
-/// What was read aloud again with nothing but another number in it.
+/// The texts that were read aloud again with nothing but another number in them.
 const COUNTED: &str = "(() => {
     const plain = globalThis.aloud.map(said => said.replace(/[0-9]+/g, '#'));
     return globalThis.aloud.filter((said, at) => plain.indexOf(plain[at]) !== at);

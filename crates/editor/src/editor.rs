@@ -66,7 +66,7 @@ pub struct Editor {
     pub(crate) looks_who_was_first: bool,
     /// The number of editors that were opened.
     pub(crate) editors: u32,
-    /// When typing was told last.
+    /// The time at which typing was told last.
     pub(crate) typed_ms: f64,
     news: RecordNews,
     effects: Vec<Effect>,

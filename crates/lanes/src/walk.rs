@@ -1,4 +1,4 @@
-//! Where keys lead: from value to value, from mark to mark.
+//! Keys lead from value to value, from mark to mark.
 
 use crate::lane::{Dot, LaneMark, ShownLane};
 

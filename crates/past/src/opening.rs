@@ -38,7 +38,7 @@ pub struct Opening {
     past: Past,
     /// The time at which an edited program was applied and its revision, if it follows with the next file.
     applied: Option<(u64, u64)>,
-    /// When the last reading came.
+    /// The time at which the last reading came.
     last_ms: u64,
     bytes: usize,
     starts_bytes: usize,

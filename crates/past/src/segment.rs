@@ -13,7 +13,7 @@ pub(crate) struct PastSegment {
     pub(crate) start: Option<Box<Handover>>,
     /// The first instant of it; all before is closed.
     pub(crate) starts_ms: u64,
-    /// When the last reading before it came.
+    /// The time at which the last reading before it came.
     pub(crate) before_ms: u64,
     pub(crate) tape: Tape,
 }

@@ -116,7 +116,7 @@ struct SoughtValue {
     until_ms: u64,
     left: usize,
     found: Option<Arc<Cause>>,
-    /// When the first one came.
+    /// The time at which the first one came.
     first: Option<u64>,
 }
 

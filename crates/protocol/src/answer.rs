@@ -157,7 +157,7 @@ answers! {
     Programs {
         /// One each, in the order asked for.
         programs: Vec<Summary>,
-        /// Where the next page begins, if there is one.
+        /// The place at which the next page begins, if there is one.
         next: Option<Cursor>,
         /// The number of behaviours in that place altogether, whatever was asked for.
         total: u64,
@@ -299,7 +299,7 @@ answers! {
     }
     /// The state of a wish to edit what somebody else is editing.
     Asked {
-        /// When this was said, on the clock of [`AskResult`].
+        /// The time at which this was said, on the clock of [`AskResult`].
         now_ms: u64,
         /// The state of the wish.
         asked: AskResult,

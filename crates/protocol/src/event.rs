@@ -90,7 +90,7 @@ events! {
     LockNews {
         /// In which behaviour.
         behaviour: Id,
-        /// When this was said, on the clock of the event.
+        /// The time at which this was said, on the clock of the event.
         now_ms: u64,
         /// The event.
         event: Box<LockEvent>,

@@ -162,7 +162,7 @@ pub struct OpenedPast {
     pub name: String,
     /// The name of the robot.
     pub robot: String,
-    /// When logical time began: `2026-11-21T18:34:06Z`.
+    /// The instant at which logical time began: `2026-11-21T18:34:06Z`.
     pub began: String,
     /// The first moment of which anything is known; not 0 of a run whose beginning is forgotten.
     pub from_ms: u64,

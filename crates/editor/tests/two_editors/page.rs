@@ -28,7 +28,7 @@ pub(crate) struct Entry {
     pub(crate) record: RecordId,
     pub(crate) text: String,
     pub(crate) fate: Fate,
-    /// When its author wanted it last: made it, put it on top, or did it again.
+    /// The time at which its author wanted it last: made it, put it on top, or did it again.
     pub(crate) wanted: u64,
     /// True if nobody else could touch the record when it was made.
     is_safe: bool,

@@ -26,7 +26,7 @@ pub(crate) struct World {
     pages: Vec<Page>,
     wires: BTreeMap<u64, (usize, Wire)>,
     sessions: u64,
-    /// When each page makes its link anew.
+    /// The times at which each page makes its link anew.
     connects: BTreeMap<usize, u64>,
     store_ms: Option<u64>,
     ping_ms: u64,

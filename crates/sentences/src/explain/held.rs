@@ -13,7 +13,7 @@ use robot::Device;
 /// A touch: its stream and its sense.
 type HeldTouch<'a> = (&'a Id, &'a Stream, &'static Device);
 
-/// What an *unless* is made of: the touch, and besides its own links the connectors that tell of it.
+/// The parts of an *unless*: the touch, and besides its own links the connectors that tell of it.
 pub(super) struct Unless<'a> {
     touch: HeldTouch<'a>,
     connectors: Vec<(&'a Id, &'a Connector)>,
@@ -26,7 +26,7 @@ impl<'a> KnownGraph<'a> {
         chain.links.is_empty().then_some((id, stream, device))
     }
 
-    /// What comes at a connector unless something is held, if that is what it is for.
+    /// The value that comes at a connector unless something is held, if that is what it is for.
     pub(super) fn unless(&self, any: &'a Connector) -> Option<Unless<'a>> {
         let [comes, begins, ends] = &any.inputs[..] else { return None };
         let made = |stream: &'a Id| self.graph.into_stream(stream).first().copied();
@@ -72,7 +72,7 @@ impl<'a> SentenceTeller<'a> {
         }
     }
 
-    /// What the next links make of what comes unless something is held.
+    /// The next links make this of a value that comes unless something is held.
     pub(super) fn unless_held(&self, links: &[ChainConnector<'a>]) -> Option<Unless<'a>> {
         let [_, any, holds, keeps, ..] = links else { return None };
         let fits = any.does == SpokenConnector::Any && is_kept(&holds.does, &keeps.does);

@@ -57,7 +57,7 @@ fn asked(atoms: Vec<Atom>) -> Vec<Atom> {
     all
 }
 
-/// Where the words end that only ask for what follows.
+/// The place at which the words end that only ask for what follows.
 fn frame_end(atoms: &[Atom], start: usize) -> Option<usize> {
     let skip =
         |at: usize, fits: &dyn Fn(&Atom) -> bool| (at..).find(|at| !atoms.get(*at).is_some_and(fits)).unwrap_or(at);

@@ -1,4 +1,4 @@
-//! What every new behaviour needs: a name that is one, and its first change saved.
+//! Saves what every new behaviour needs: a name that is one, and its first change saved.
 
 use super::LibraryService;
 use crate::support::store_call::{bounded, reason};

@@ -47,7 +47,7 @@ pub(super) struct StoppedSince;
 /// Somebody who presses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Presser<'a> {
-    /// What they are called.
+    /// The names by which they are told.
     pub(crate) by: &'a str,
     /// The newest Stop of which they had heard; none if their client has heard of none.
     pub(crate) stops: Option<u64>,

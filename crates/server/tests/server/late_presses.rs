@@ -85,7 +85,7 @@ async fn until_told(client: &mut Client, play: &Id, is_so: impl Fn(&RunPhase) ->
     client.until(newest).await.unwrap();
 }
 
-/// Who stops it while the link of the one who presses stalls.
+/// The person who stops it while the link of the one who presses stalls.
 async fn stop(house: &House, ben: &Client, way: &str) {
     match way {
         "socket" => {

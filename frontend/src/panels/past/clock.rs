@@ -5,7 +5,7 @@ use protocol::OpenedPast;
 
 const DAY_MS: f64 = 86_400_000.0;
 
-/// When it began, since 1970; 0 where that is not said.
+/// The time at which it began, since 1970; 0 where that is not said.
 pub(super) fn began(opened: &OpenedPast) -> f64 {
     let ms = js_sys::Date::parse(&opened.began);
     if ms.is_finite() { ms } else { 0.0 }

@@ -1,4 +1,4 @@
-//! What the server tells of lanes, as lanes that can be drawn.
+//! Makes lanes that can be drawn of what the server tells.
 
 use super::PastShared;
 use crate::live::{measured, unit};

@@ -9,7 +9,7 @@ use web_sys::{PointerEvent, WheelEvent};
 
 /// A hand that goes less far taps, in pixels.
 const TAP: f64 = 5.0;
-/// How much a turn of the wheel zooms.
+/// The factor by which a turn of the wheel zooms.
 const WHEEL: f64 = 0.0015;
 /// The most fingers that count.
 const FINGERS_MAX: usize = 2;
@@ -24,7 +24,7 @@ struct Finger {
     has_moved: bool,
 }
 
-/// What the hand on the overview or the ruler does.
+/// The gesture of a hand on the overview or the ruler.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum HeldPlace {
     Overview,
@@ -155,7 +155,7 @@ pub(super) fn wheel(past: PastShared, event: &WheelEvent) {
     past.act(LaneAct::Zoom { x: f64::from(event.offset_x()), width, factor: (along * WHEEL).exp() });
 }
 
-/// Where on its canvas a pointer is.
+/// The place of a pointer on its canvas.
 fn place(event: &PointerEvent) -> (f64, f64) {
     let corner = target(event).map(|canvas| canvas.get_bounding_client_rect());
     let (left, top) = corner.map_or((0.0, 0.0), |corner| (corner.left(), corner.top()));
@@ -169,7 +169,7 @@ fn capture(event: &PointerEvent) {
     }
 }
 
-/// How far from what is meant a pointer of this kind may be.
+/// The distance that a pointer of this kind may have from what is meant.
 fn reach(event: &PointerEvent) -> f64 {
     if event.pointer_type() == "mouse" { MOUSE_REACH } else { FINGER_REACH }
 }

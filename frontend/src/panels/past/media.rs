@@ -1,4 +1,4 @@
-//! What is known of the window and the theme, and hearing when it changes.
+//! Asks about the window and the theme, and hears when they change.
 
 use crate::browser;
 use leptos::prelude::*;
@@ -8,9 +8,9 @@ use web_sys::MediaQueryList;
 
 /// Below this width labels stand above their lanes.
 pub(super) const NARROW: &str = "(max-width: 767px)";
-/// Where fingers are the usual pointer.
+/// True on devices where fingers are the usual pointer.
 pub(super) const COARSE: &str = "(pointer: coarse)";
-/// Where the theme is dark.
+/// True while the theme is dark.
 pub(super) const DARK: &str = "(prefers-color-scheme: dark)";
 
 /// Something that is heard for as long as it is kept.

@@ -1,4 +1,4 @@
-//! How requests are answered, by what they wait for. Each way takes the request and asks for its own answer, so that no other
+//! Answers requests, by what they wait for. Each way takes the request and asks for its own answer, so that no other
 //! one can be given.
 
 use super::ClientSession;
@@ -15,7 +15,7 @@ impl ClientSession {
         &self.connections.state
     }
 
-    /// Who asks.
+    /// The person who asks.
     pub(super) fn starter(&self) -> Starter {
         Starter { name: self.me.name.clone(), sender: self.sender(), entry: self.entry.clone(), stops: self.stops }
     }

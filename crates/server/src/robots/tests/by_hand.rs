@@ -6,9 +6,12 @@ use super::together::head;
 use super::{id, until};
 use crate::recordings::Recordings;
 use crate::robots::{ByHand, Host};
+use crate::support::lock;
 use behaviour::{Params, Value};
 use engine::Limits;
 use protocol::{BY_HAND, HAND_MAX_BYTES, Refused};
+use std::sync::{Mutex, mpsc};
+use std::task::{Context, Waker};
 
 mod courses;
 
@@ -66,8 +69,15 @@ async fn a_hand_that_cannot_be_says_why() {
     assert!(puppet.told(0).is_empty());
     robots.hand(by_hand("Print", Value::Int(7)), None).await.unwrap();
     assert_eq!(puppet.told(0), [Value::Int(7)], "without any program");
+    // The robot's thread is busy until all of them are there.
+    let (let_go, held) = mpsc::channel::<()>();
+    let held = Mutex::new(held);
+    puppet.when_told(move |_| drop(lock(&held).recv()));
     let many = (0..64).map(|_| robots.hand(by_hand("Print", Value::Int(1)), None));
-    let answers = futures_util::future::join_all(many).await;
+    let mut many = std::pin::pin!(futures_util::future::join_all(many));
+    assert!(many.as_mut().poll(&mut Context::from_waker(Waker::noop())).is_pending());
+    drop(let_go);
+    let answers = many.await;
     assert!(answers.contains(&Err(Refused::TooFast)), "what may wait is bounded");
     assert!(answers.iter().any(Result::is_ok));
 }

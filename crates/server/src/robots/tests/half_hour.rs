@@ -20,7 +20,7 @@ const MINUTES: u64 = 30;
 /// Time goes on by so much at a turn, in milliseconds.
 const TURN_MS: u64 = 500;
 
-/// What happens in the turn at a time since Start; marks go their own way.
+/// Does what happens in the turn at a time since Start; marks go their own way.
 fn post(at_ms: u64) -> Post {
     let (minute, in_minute) = (at_ms / 60_000, at_ms % 60_000);
     let reading =
@@ -115,7 +115,7 @@ fn half_an_hour_is_reported_as_it_was_and_gives_its_actions_again() {
     }
 }
 
-/// What the page says of the script above: what comes again within a second counts once, from its first to its last value.
+/// The page says this of the script above: what comes again within a second counts once, from its first to its last value.
 const WANTED: [&str; 8] = [
     "Session report: C-07 one , version 1",
     "(30:00) People Aiko , Ben , Cleo Robot NAO",

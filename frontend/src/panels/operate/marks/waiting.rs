@@ -109,7 +109,7 @@ fn refused(waiting: &mut VecDeque<WaitingMark>, all: &mut Vec<Mark>) -> bool {
     true
 }
 
-/// What this tab kept of marks before its page was loaded again.
+/// The marks that this tab kept before its page was loaded again.
 pub(in crate::panels::operate) fn kept() -> VecDeque<WaitingMark> {
     let kept = Drawer::Tab.get(KEPT_KEY).and_then(|text| crate::json::read::<VecDeque<WaitingMark>>(&text).ok());
     kept.unwrap_or_default().into_iter().take(WAITING_MAX).collect()
