@@ -158,7 +158,7 @@ const PLAIN: [&str; 25] = [
     "tests/src/",
 ];
 /// The most such lines in all other files. A ratchet: it may only go down.
-const VERBLESS_MAX: usize = 1511;
+const VERBLESS_MAX: usize = 1_470;
 
 #[test]
 fn plain_rooms_use_only_the_libraries_on_their_list() -> Outcome<()> {

@@ -39,7 +39,7 @@ pub(crate) enum NotImported {
 }
 
 impl NotImported {
-    /// Whether somebody else was quicker, so that it may go well another time.
+    /// True if somebody else was quicker, so that it may go well another time.
     fn is_overtaken(&self) -> bool {
         matches!(self, Self::Refused(no) if is_overtaken(no))
     }
@@ -181,7 +181,7 @@ pub(crate) async fn shelve(library: &Arc<LibraryService>, brought: &Import) -> R
     }
 }
 
-/// Whether somebody changed the library between judging and saving.
+/// True if somebody changed the library between judging and saving.
 pub(crate) fn is_overtaken(no: &Refused) -> bool {
     matches!(no, Refused::Change(Refusal::Stale(_) | Refusal::NameTaken(_)))
 }

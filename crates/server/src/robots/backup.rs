@@ -63,7 +63,7 @@ fn is_told(body: &BackedUpBody) -> bool {
     [&body.name, &body.kind, &body.serial, &body.head].into_iter().all(fits)
 }
 
-/// Whether these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early and
+/// True if these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early and
 /// goes on.
 ///
 /// # Errors

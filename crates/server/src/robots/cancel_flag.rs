@@ -22,7 +22,7 @@ impl CancelFlag {
         !self.is_cancelled.swap(true, Ordering::SeqCst)
     }
 
-    /// Whether commands do not pass any more.
+    /// True if commands do not pass any more.
     pub(super) fn is_cancelled(&self) -> bool {
         self.is_cancelled.load(Ordering::SeqCst)
     }

@@ -31,12 +31,12 @@ const TEXTS_MAX: usize = 8;
 pub(super) struct CommandQueue {
     stop: AtomicBool,
     end: AtomicBool,
-    /// Whether the robot is to be made anew, in another way.
+    /// True if the robot is to be made anew, in another way.
     renewal: AtomicBool,
     rung: AtomicBool,
-    /// Whether the robot's senses have read something.
+    /// True if the robot's senses have read something.
     sensed: AtomicBool,
-    /// Whether runs ended whose devices are not given back yet.
+    /// True if runs ended whose devices are not given back yet.
     closing: AtomicBool,
     /// The robot's thread.
     thread: OnceLock<Thread>,
@@ -72,7 +72,7 @@ pub(super) struct OpeningRun {
     pub(super) mailbox: Arc<RunMailbox>,
     /// Its devices, actions before senses.
     pub(super) devices: Vec<WantedDevice>,
-    /// Whether it follows a run with the same number, whose devices it takes over as far as they are the same.
+    /// True if it follows a run with the same number, whose devices it takes over as far as they are the same.
     pub(super) follows: bool,
     /// Gets the answer; never waited for.
     pub(super) answer: SyncSender<Result<(), StartError>>,
@@ -131,7 +131,7 @@ pub(super) struct WantedDevice {
 }
 
 impl WantedDevice {
-    /// Whether both are the same device with the same parameters for the same stream.
+    /// True if both are the same device with the same parameters for the same stream.
     pub(super) fn is_same_use(&self, other: &Self) -> bool {
         (&self.stream, &self.device, &self.params) == (&other.stream, &other.device, &other.params)
     }
@@ -158,7 +158,7 @@ impl CommandQueue {
         self.ring();
     }
 
-    /// Whether somebody wanted that since the last question.
+    /// True if somebody wanted that since the last question.
     pub(super) fn take_stop(&self) -> bool {
         self.stop.swap(false, Ordering::SeqCst)
     }
@@ -169,12 +169,12 @@ impl CommandQueue {
         self.ring();
     }
 
-    /// Whether they have, and nobody has taken it yet.
+    /// True if they have, and nobody has taken it yet.
     pub(super) fn has_sensed(&self) -> bool {
         self.sensed.load(Ordering::SeqCst)
     }
 
-    /// Whether they have since the last question.
+    /// True if they have since the last question.
     pub(super) fn take_sensed(&self) -> bool {
         self.sensed.swap(false, Ordering::SeqCst)
     }
@@ -185,7 +185,7 @@ impl CommandQueue {
         self.ring();
     }
 
-    /// Whether the robot's thread is to end.
+    /// True if the robot's thread is to end.
     pub(super) fn is_ended(&self) -> bool {
         self.end.load(Ordering::SeqCst)
     }
@@ -196,12 +196,12 @@ impl CommandQueue {
         self.ring();
     }
 
-    /// Whether the robot is to be made anew.
+    /// True if the robot is to be made anew.
     pub(super) fn is_renewed(&self) -> bool {
         self.renewal.load(Ordering::SeqCst)
     }
 
-    /// Whether that was wanted since the last question.
+    /// True if that was wanted since the last question.
     pub(super) fn take_renewal(&self) -> bool {
         self.renewal.swap(false, Ordering::SeqCst)
     }

@@ -34,7 +34,7 @@ pub(super) struct EmissionSink<'a> {
     step: RecordedStep,
     /// Values that took too long in this step.
     late: u64,
-    /// Whether Stop ended a procedure in this step.
+    /// True if Stop ended a procedure in this step.
     cut: bool,
 }
 

@@ -37,7 +37,7 @@ impl<K: Ord + Clone, T> Fair<K, T> {
         std::mem::take(&mut self.items).into_values()
     }
 
-    /// Whether nothing waits.
+    /// True if nothing waits.
     pub(super) fn is_empty(&self) -> bool {
         self.items.is_empty()
     }

@@ -56,7 +56,7 @@ pub(crate) struct StartOrder {
     pub(crate) revision: u64,
     /// The behaviour at that revision, with its helpers.
     pub(crate) file: Arc<BehaviourFile>,
-    /// Whether it is recorded.
+    /// True if it is recorded.
     pub(crate) record: bool,
     /// The session that its recording is part of, and what the recording has.
     pub(crate) session: RecordedSession,
@@ -74,7 +74,7 @@ pub(crate) struct AnnouncedRun {
 }
 
 impl AnnouncedRun {
-    /// Whether somebody pressed Stop meanwhile.
+    /// True if somebody pressed Stop meanwhile.
     pub(crate) fn is_cancelled(&self) -> bool {
         self.cancel.is_cancelled()
     }
@@ -134,7 +134,7 @@ impl Host {
         &self.shared().robot
     }
 
-    /// Whether nothing runs on it, and nothing is about to.
+    /// True if nothing runs on it, and nothing is about to.
     pub(super) fn is_idle(&self) -> bool {
         lock(&self.shared().table).is_idle()
     }
@@ -481,12 +481,12 @@ impl Host {
         lock(&self.shared().table).get(run).map(|entry| entry.live.clone())
     }
 
-    /// Whether a behaviour runs.
+    /// True if a behaviour runs.
     pub(crate) fn is_running(&self, behaviour: &Id) -> bool {
         lock(&self.shared().table).running_of(behaviour).is_some()
     }
 
-    /// Whether a behaviour runs or is about to.
+    /// True if a behaviour runs or is about to.
     pub(super) fn has(&self, behaviour: &Id) -> bool {
         lock(&self.shared().table).has(behaviour)
     }

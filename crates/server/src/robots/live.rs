@@ -92,7 +92,7 @@ pub(super) struct Changes {
 }
 
 impl Changes {
-    /// Whether there is nothing to tell.
+    /// True if there is nothing to tell.
     pub(super) fn is_empty(&self) -> bool {
         self.streams.is_empty() && self.connectors.is_empty()
     }

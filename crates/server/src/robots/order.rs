@@ -47,14 +47,14 @@ impl RobotOrder {
         self.change(|list| *list = order)
     }
 
-    /// Whether the first stands above the second.
+    /// True if the first stands above the second.
     pub(super) fn is_above(&self, one: &Id, other: &Id) -> bool {
         let list = lock(&self.list);
         let place = |id: &Id| list.iter().position(|known| known == id).unwrap_or(usize::MAX);
         place(one) < place(other)
     }
 
-    /// Whether it has a place: it ran on this robot.
+    /// True if it has a place: it ran on this robot.
     pub(super) fn has(&self, behaviour: &Id) -> bool {
         lock(&self.list).contains(behaviour)
     }

@@ -49,7 +49,7 @@ impl Register {
         this
     }
 
-    /// Whether it was ever written: people added or removed a robot.
+    /// True if it was ever written: people added or removed a robot.
     pub(super) fn is_kept(&self) -> bool {
         self.path.as_ref().is_some_and(|path| path.is_file())
     }
@@ -173,7 +173,7 @@ impl Register {
     }
 }
 
-/// Whether a robot may be reached like this.
+/// True if a robot may be reached like this.
 pub(super) fn check_real(real: &RealRobot) -> Result<(), RobotsUnchanged> {
     let is_short = |text: &Option<String>| text.as_ref().is_none_or(|text| text.chars().count() <= LOGIN_MAX_CHARS);
     let address = &real.address;

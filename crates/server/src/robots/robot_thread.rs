@@ -237,7 +237,7 @@ impl<'a> RobotThread<'a> {
         }
     }
 
-    /// Whether nobody above holds what the stream uses; then it is its own.
+    /// True if nobody above holds what the stream uses; then it is its own.
     fn may_move(&mut self, user: &Use) -> Result<(), HeldBy> {
         let (now, users, order) = (self.now(), &self.users, &self.shared.order);
         let wanted = users.get(&user.run).and_then(|known| known.devices.iter().find(|one| one.stream == user.stream));

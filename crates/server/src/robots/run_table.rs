@@ -96,9 +96,9 @@ pub(super) struct RunEntry {
     pub(super) recent: Arc<RecentReadings>,
     /// What runs.
     pub(super) file: Arc<BehaviourFile>,
-    /// Whether an edited behaviour is about to follow.
+    /// True if an edited behaviour is about to follow.
     pub(super) applying: Applying,
-    /// Whether it can move the robot.
+    /// True if it can move the robot.
     pub(super) acts: bool,
     /// By which invitation came who started it.
     pub(super) invitation: Option<Id>,
@@ -123,12 +123,12 @@ impl RunTable {
         has_room
     }
 
-    /// Whether nothing runs, and nothing is about to.
+    /// True if nothing runs, and nothing is about to.
     pub(super) fn is_idle(&self) -> bool {
         self.preparing.is_empty() && self.running().next().is_none()
     }
 
-    /// Whether anything runs.
+    /// True if anything runs.
     pub(super) fn runs_any(&self) -> bool {
         self.running().next().is_some()
     }
@@ -232,7 +232,7 @@ impl RunTable {
         });
     }
 
-    /// Whether a behaviour runs or is about to.
+    /// True if a behaviour runs or is about to.
     pub(super) fn has(&self, behaviour: &Id) -> bool {
         let prepares = |waiting: &Preparing| waiting.behaviour == *behaviour && !waiting.cancel.is_cancelled();
         self.running_of(behaviour).is_some() || self.preparing.values().any(prepares)

@@ -209,7 +209,7 @@ pub(super) fn senses(run: &Run, devices: &[WantedDevice]) -> RunSenses {
     devices.iter().filter(is_sense).map(of).collect()
 }
 
-/// Whether it can move the robot.
+/// True if it can move the robot.
 pub(super) fn acts(run: &Run, devices: &[WantedDevice]) -> bool {
     senses(run, devices).len() < devices.len()
 }

@@ -54,7 +54,7 @@ impl ListNews {
     }
 }
 
-/// Whether another name or other tags come of it.
+/// True if another name or other tags come of it.
 fn renames(edit: &Edit) -> bool {
     let shown = |record: &Option<Record>| match record {
         Some(Record::Settings(settings)) => (settings.name.clone(), settings.tags.clone()),

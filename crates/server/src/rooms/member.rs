@@ -15,7 +15,7 @@ pub(crate) trait Recipient: Send + Sync {
     fn session(&self) -> u64;
     /// Whose link it is.
     fn person(&self) -> &PersonIdentity;
-    /// Whether the link ended, so that nobody hears what is sent.
+    /// True if the link ended, so that nobody hears what is sent.
     fn is_gone(&self) -> bool;
     /// Sends a message.
     fn send(&self, text: Utf8Bytes);
@@ -127,7 +127,7 @@ impl<A: RequestAnswer> AnswerTo<A> {
         }
     }
 
-    /// Whether whoever asked is gone.
+    /// True if whoever asked is gone.
     pub(crate) fn is_unwanted(&self) -> bool {
         match self {
             Self::Client { to, .. } => to.is_gone(),

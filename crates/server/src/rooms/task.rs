@@ -35,7 +35,7 @@ use tokio::sync::{mpsc, oneshot, watch};
 use tokio::time::Instant;
 use waiting::{SavingJob, WaitingJobs};
 
-/// Whether a behaviour is there.
+/// True if a behaviour is there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stay {
     /// It is.

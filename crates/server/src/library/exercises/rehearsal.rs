@@ -89,7 +89,7 @@ fn action(info: &StreamInfo) -> Option<ToldAction> {
     Some(ToldAction { device, params, told: Vec::new() })
 }
 
-/// Whether a part of the trace is what this stream senses.
+/// True if a part of the trace is what this stream senses.
 fn is_meant(info: &StreamInfo, part: &SensePart) -> bool {
     let params = || chosen(info);
     info.kind == StreamKind::Sensor

@@ -125,7 +125,7 @@ impl Puppet {
         lock(&self.0).sensed.push(value);
     }
 
-    /// Whether what it wanted to end everything for was heard.
+    /// True if what it wanted to end everything for was heard.
     pub(super) fn has_told_halt(&self) -> bool {
         lock(&self.0).halts.is_none()
     }

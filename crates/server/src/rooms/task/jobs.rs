@@ -34,7 +34,7 @@ impl SavingStage {
         Self::UnderWay(Box::pin(store_call::by(by, work)))
     }
 
-    /// Whether the store works on something.
+    /// True if the store works on something.
     pub(super) fn is_under_way(&self) -> bool {
         matches!(self, Self::UnderWay(_))
     }
@@ -142,12 +142,12 @@ impl RoomTask {
         self.saving = SavingStage::work(by, saving::decide_together(around, id, Arc::clone(&self.room), all));
     }
 
-    /// Whether a change belongs here and the locks let it in; then it is to be decided about.
+    /// True if a change belongs here and the locks let it in; then it is to be decided about.
     fn is_let_in(&mut self, proposal: &Proposal) -> bool {
         self.stranger(&proposal.change).is_none() && self.let_in(proposal).is_ok()
     }
 
-    /// Whether the locks let a change in, which is then decided about.
+    /// True if the locks let a change in, which is then decided about.
     fn let_in(&mut self, proposal: &Proposal) -> Result<(), Refusal> {
         let Proposal { change, tokens, from } = proposal;
         let member = from.session().and_then(|session| self.members.get(&session));

@@ -71,7 +71,7 @@ impl LockBook {
         text
     }
 
-    /// Whether nobody holds a lock, also none that is kept for who may come back.
+    /// True if nobody holds a lock, also none that is kept for who may come back.
     pub(super) fn are_free(&self) -> bool {
         self.locks.held().next().is_none()
     }
@@ -94,7 +94,7 @@ impl LockBook {
         Ok(())
     }
 
-    /// Whether nobody edits what a change of the server's own touches.
+    /// True if nobody edits what a change of the server's own touches.
     ///
     /// # Errors
     /// What is locked, and by whom.
@@ -140,7 +140,7 @@ impl LockBook {
     }
 }
 
-/// Whether all of these can be locked: only what is there. Nobody else knows the id of what somebody is about to make, and
+/// True if all of these can be locked: only what is there. Nobody else knows the id of what somebody is about to make, and
 /// names of nothing would fill the book.
 fn are_there<'a>(mut records: impl Iterator<Item = &'a RecordId>, room: &Room) -> bool {
     records.all(|record| record.kind == Kind::Place || room.behaviour().records.contains_key(record))

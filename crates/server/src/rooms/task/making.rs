@@ -35,7 +35,7 @@ pub(super) async fn make(
     Saved::Made { outcome: Box::new(outcome), from }
 }
 
-/// Whether a change that has the op id of a wish can have come of it.
+/// True if a change that has the op id of a wish can have come of it.
 fn is_answer(wish: &RevertRequest, made: &Change) -> bool {
     matches!(wish.what, WantedChange::Undo | WantedChange::Redo) == made.undoes.is_some()
 }

@@ -21,7 +21,7 @@ pub(super) struct FoundProblems {
     pub(super) fingerprint: u32,
 }
 
-/// Whether the problems that were found are those of the newest revision.
+/// True if the problems that were found are those of the newest revision.
 pub(super) enum Finding {
     /// They are.
     Current,

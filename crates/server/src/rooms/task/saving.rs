@@ -88,7 +88,7 @@ pub(super) struct SaveOutcome {
     pub(super) after: Option<Arc<Room>>,
     /// What who asked is told.
     pub(super) answer: Result<Accepted, Refused>,
-    /// Whether the store may have more than the room knows.
+    /// True if the store may have more than the room knows.
     pub(super) is_uncertain: bool,
 }
 

@@ -48,7 +48,7 @@ impl SavingJob {
     }
 }
 
-/// Whether a change is decided about at once, so that nobody waits for it if it is saved with others: moves, notes and groups.
+/// True if a change is decided about at once, so that nobody waits for it if it is saved with others: moves, notes and groups.
 pub(super) fn is_small(change: &Change) -> bool {
     let is_light = |edit: &Edit| matches!(edit.id.kind, Kind::Place | Kind::Note | Kind::Group);
     change.edits.iter().all(is_light) && change.bytes() <= SMALL_MAX_BYTES
@@ -64,7 +64,7 @@ pub(super) struct WaitingJobs {
 }
 
 impl WaitingJobs {
-    /// Whether one more job of this sender finds room.
+    /// True if one more job of this sender finds room.
     pub(super) fn has_room(&self, sender: &Sender) -> bool {
         let mine = self.of.get(sender).map_or(0, VecDeque::len);
         let group = sender.group();

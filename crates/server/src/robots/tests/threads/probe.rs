@@ -53,7 +53,7 @@ impl Probe {
         Host::new(state, feed, Box::new(make), Limits::default, recordings, RobotOrder::default()).unwrap()
     }
 
-    /// Whether the ball is read in every step.
+    /// True if the ball is read in every step.
     pub(super) fn beats(&self, beats: bool) {
         lock(&self.0).beats = beats;
     }
