@@ -2,7 +2,8 @@
 //! lost link comes back.
 
 use super::OperateShared;
-use super::pad::{PadTile, TileWork, speaks};
+use super::pad::{PadTile, TileWork};
+use crate::pad::speaks;
 use super::seen::SeenPress;
 use crate::desk::LinkState;
 use crate::link::NoAnswer;
