@@ -30,6 +30,7 @@ pub(crate) use save_file::NoPicture;
 
 use super::focus;
 use super::hold::{DeskHold, hold};
+use crate::browser;
 use crate::desk::{Dialog, TILES_QUERY};
 use crate::later::{NotHere, second_piece};
 use crate::words;
@@ -62,12 +63,13 @@ pub(crate) fn Dialogs() -> impl IntoView {
 
 /// Opens the tiles of the first program that is open, where the address asks for that.
 fn open_asked(desk: DeskHold) {
-    let search = crate::browser::search();
+    let search = browser::search();
     if search.trim_start_matches('?').split('&').any(|part| part == TILES_QUERY) {
         Effect::new(move |done: Option<bool>| {
             let is_done = done == Some(true);
             let is_open = desk.desk().document.open.read().is_some();
             if is_open && !is_done {
+                browser::drop_from_search(TILES_QUERY);
                 desk.desk().dialog.set(Some(Dialog::Tiles));
             }
             is_open || is_done
