@@ -12,11 +12,9 @@ use crate::visitor::Visitor;
 /// The dialog's name.
 const DIALOG: &str = "Tiles of the operator’s page";
 /// The words of the tiles in the dialog, with their keys.
-const CHOSEN: &str =
-    "[...document.querySelectorAll('button.tile:not(.empty)')].map(tile => tile.querySelector('kbd').innerText + ' ' + tile.querySelector('b').innerText).join('|')";
+const CHOSEN: &str = "[...document.querySelectorAll('button.tile:not(.empty)')].map(tile => tile.querySelector('kbd').innerText + ' ' + tile.querySelector('b').innerText).join('|')";
 /// The words of the tiles on the operator's page, with their keys.
-const SHOWN: &str =
-    "[...document.querySelectorAll('.op-tile')].map(tile => tile.querySelector('.op-key').innerText + ' ' + tile.querySelector('b').innerText).join('|')";
+const SHOWN: &str = "[...document.querySelectorAll('.op-tile')].map(tile => tile.querySelector('.op-key').innerText + ' ' + tile.querySelector('b').innerText).join('|')";
 
 /// Waits until the tiles are these.
 async fn are(page: &Page, which: &str, tiles: &str) -> Outcome<()> {

@@ -6,8 +6,8 @@
 
 use crate::build;
 use behaviour::{
-    Accepted, Behaviour, Change, Connector, Edit, FillFrom, Group, Id, Kind, Params, Pad, Procedure, Record,
-    RecordId, Refusal, Settings, Stream,
+    Accepted, Behaviour, Change, Connector, Edit, FillFrom, Group, Id, Kind, Pad, Params, Procedure, Record, RecordId,
+    Refusal, Settings, Stream,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;

@@ -566,7 +566,11 @@ fn two_people_who_choose_other_tiles_at_once_lose_nothing_and_decide_nothing() {
     puts_tile(&mut table, AIKO, 1, "laughs");
     puts_tile(&mut table, BEN, 2, "hides");
     table.settle();
-    assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 laughs 2 hides", "1 laughs 2 hides"], "both are the first");
+    assert_eq!(
+        [AIKO, BEN].map(|who| tiles(&table, who)),
+        ["1 laughs 2 hides", "1 laughs 2 hides"],
+        "both are the first"
+    );
     table.cut(AIKO);
     puts_tile(&mut table, AIKO, 1, "waves");
     puts_tile(&mut table, AIKO, 3, "runs");

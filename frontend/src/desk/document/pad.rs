@@ -37,8 +37,7 @@ impl Document {
         let now = pad::of(&self.behaviour());
         let seen = now.with(key, seen);
         let change = self.pad_change(now.with(key, tile));
-        let change =
-            if seen == now { change } else { build::as_seen_at(change, &RecordId::pad(), Record::Pad(seen)) };
+        let change = if seen == now { change } else { build::as_seen_at(change, &RecordId::pad(), Record::Pad(seen)) };
         self.propose_and(change, on_answer);
     }
 

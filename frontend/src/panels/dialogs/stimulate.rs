@@ -9,8 +9,8 @@ use crate::panels::hold::hold;
 use crate::words;
 use behaviour::{Id, Params, Unit, Value};
 use leptos::prelude::*;
-use robot::Device;
 use parts::{ValuePart, ValuePartKind, number, of_part, parts, pretended, with_part};
+use robot::Device;
 
 /// What is sent: as text, and as the value that the text was last.
 #[derive(Clone, Copy)]

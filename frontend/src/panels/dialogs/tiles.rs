@@ -7,7 +7,6 @@ mod places;
 use super::frame::{Frame, focus_again};
 use crate::icons::Icon;
 use crate::pad;
-use crate::panels::focus;
 use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Pad, Tile};
@@ -22,6 +21,8 @@ struct TilesShared {
     pad: Memo<Pad>,
     /// The place whose form is open.
     opened: RwSignal<Option<u8>>,
+    /// The place whose form was open last: the keyboard goes back there.
+    last: StoredValue<Option<u8>>,
     /// Told to who does not see what became of a tile.
     said: RwSignal<String>,
     /// Saves what is in the form, while one is open.
@@ -38,12 +39,11 @@ impl TilesShared {
 
     /// Goes back to all tiles, to this one.
     fn back(self, key: u8, said: String) {
-        if self.opened.try_set(None).is_some() {
-            return;
-        }
+        self.last.set_value(Some(key));
         self.save.set_value(None);
         self.said.set(said);
-        focus::soon(0, &format!("#tile-{key}"), focus::focus);
+        self.opened.set(None);
+        focus_again();
     }
 }
 
@@ -55,6 +55,7 @@ pub(super) fn EditTiles() -> impl IntoView {
         desk,
         pad: Memo::new(move |_| desk.desk().document.pad()),
         opened: RwSignal::new(None),
+        last: StoredValue::new(None),
         said: RwSignal::default(),
         save: StoredValue::new(None),
     };

@@ -3,10 +3,10 @@
 
 use super::OperateShared;
 use super::pad::{PadTile, TileWork};
-use crate::pad::speaks;
 use super::seen::SeenPress;
 use crate::desk::LinkState;
 use crate::link::NoAnswer;
+use crate::pad::speaks;
 use crate::panels::may::may_operate;
 use crate::{browser, words};
 use behaviour::{Id, Value};

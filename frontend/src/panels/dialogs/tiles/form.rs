@@ -47,9 +47,10 @@ impl TileEditing {
             if now == seen || seen.is_none() {
                 return;
             }
-            let at = self.shared.pad.with(|pad| {
-                pad.tiles.iter().find(|(_, tile)| Some(*tile) == seen.as_ref()).map(|(key, _)| *key)
-            });
+            let at = self
+                .shared
+                .pad
+                .with(|pad| pad.tiles.iter().find(|(_, tile)| Some(*tile) == seen.as_ref()).map(|(key, _)| *key));
             if let Some(at) = at {
                 self.key.set(at);
                 let label = seen.map(|tile| tile.label).unwrap_or_default();
@@ -113,11 +114,7 @@ pub(super) fn TileForm(shared: TilesShared, key: u8) -> impl IntoView {
     let draft = editing.draft;
     editing.follow_moves();
     shared.save.set_value(Some(Callback::new(move |()| editing.save())));
-    let kinds = [
-        (HAND, words::tile_by_hand()),
-        (PRETEND, words::tile_pretends()),
-        (WORD, words::tile_marks()),
-    ];
+    let kinds = [(HAND, words::tile_by_hand()), (PRETEND, words::tile_pretends()), (WORD, words::tile_marks())];
     let does = move || match draft.kind.read().as_str() {
         PRETEND => view! { <PretendFields draft /> }.into_any(),
         WORD => view! { <WordFields draft /> }.into_any(),

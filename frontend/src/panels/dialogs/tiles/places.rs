@@ -52,8 +52,9 @@ fn Place(shared: TilesShared, key: u8) -> impl IntoView {
         }
         .into_any(),
     };
+    let first = (shared.last.get_value() == Some(key)).then_some("");
     view! {
-        <button id=format!("tile-{key}") class="tile" type="button" class:empty=move || tile.read().is_none()
+        <button id=format!("tile-{key}") class="tile" type="button" data-first=first class:empty=move || tile.read().is_none()
             on:click=move |_| shared.open(key)>
             {shown}
             <span class="sr">{words::tile_key(key)}</span>
