@@ -89,7 +89,7 @@ pub(super) fn ValueFields(
     device: Option<&'static Device>,
     params: Params,
     told: SentValue,
-    /// What follows the press of something that can be pretended.
+    /// Called after the press of something that can be pretended.
     send: Callback<()>,
 ) -> impl IntoView {
     let parts = device.map(|device| parts(device, &params)).unwrap_or_default();

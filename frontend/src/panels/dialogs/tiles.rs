@@ -11,6 +11,7 @@ use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Pad, Tile};
 use form::TileForm;
+use leptos::html::Div;
 use leptos::prelude::*;
 use places::Places;
 
@@ -34,7 +35,6 @@ impl TilesShared {
     fn open(self, key: u8) {
         self.said.set(String::new());
         self.opened.set(Some(key));
-        focus_again();
     }
 
     /// Goes back to all tiles, to this one.
@@ -43,8 +43,18 @@ impl TilesShared {
         self.save.set_value(None);
         self.said.set(said);
         self.opened.set(None);
-        focus_again();
     }
+}
+
+/// Gives what came into the dialog the keyboard, once it is there.
+fn focused() -> NodeRef<Div> {
+    let body = NodeRef::<Div>::new();
+    Effect::new(move |_| {
+        if body.get().is_some() {
+            focus_again();
+        }
+    });
+    body
 }
 
 /// The dialog.

@@ -44,14 +44,14 @@ pub(crate) fn tile_place(key: u8, all: u8) -> String {
     say!("Key {key} of {all}", key, all)
 }
 
-/// What somebody else made of the tile that is edited.
+/// Says that somebody else changed the tile that is edited.
 pub(crate) fn tile_changed_meanwhile(label: &str) -> String {
     say!("Somebody changed this tile meanwhile. Now it is “{label}”.", label)
 }
 
 /// Says to who does not see it what became of a tile.
 pub(crate) fn tile_is_saved(label: &str, key: u8) -> String {
-    say!("“{label}” is on key {key}.", label, key)
+    say!("{label}: key {key}", label, key)
 }
 
 /// Says to who does not see it that a place is empty now.
@@ -62,4 +62,9 @@ pub(crate) fn tile_is_away(key: u8) -> String {
 /// In a comparison: the tile of a key.
 pub(crate) fn tile_on(key: u8) -> String {
     say!("Tile {key}", key)
+}
+
+/// The longest words of a tile.
+pub(crate) fn at_most_chars(most: usize) -> String {
+    say!("At most {most} characters.", most)
 }

@@ -1,7 +1,7 @@
 //! The form of one tile, and where it stands among the others.
 
 use super::draft::{HAND, MOMENT, PRETEND, SPAN, TileDraft, WORD, senses};
-use super::{TilesShared, picture};
+use super::{TilesShared, focused, picture};
 use crate::fields::{Choice, ChoiceOptions, ParamFields, Select, TextField};
 use crate::panels::dialogs::frame::Refused;
 use crate::panels::dialogs::stimulate::{ToldParts, ValueFields};
@@ -132,13 +132,13 @@ pub(super) fn TileForm(shared: TilesShared, key: u8) -> impl IntoView {
         })
     };
     view! {
-        <div class="dialog-body">
+        <div class="dialog-body" node_ref=focused()>
             <Top editing />
             <Meanwhile editing />
             <Choice label=words::tile_does() options=options(&kinds) value=draft.kind side_by_side=true />
             {does}
             <div on:input=move |_| draft.is_worded.set(true)>
-                <TextField label=words::tile_words() value=draft.label max_chars=TILE_MAX_CHARS id="tile-label" />
+                <TextField label=words::tile_words() value=draft.label max_chars=TILE_MAX_CHARS hint=words::at_most_chars(TILE_MAX_CHARS) />
             </div>
             {asks}
             <Refused why=editing.refusal />

@@ -1,6 +1,6 @@
 //! The nine places.
 
-use super::{TilesShared, picture};
+use super::{TilesShared, focused, picture};
 use crate::icons::Icon;
 use crate::panels::dialogs::frame::close;
 use crate::words;
@@ -26,7 +26,7 @@ pub(super) fn Places(shared: TilesShared) -> impl IntoView {
     let says = move || if own.get() { words::tiles_says() } else { words::tiles_are_usual() };
     let reason = move || (!own.get()).then_some("true");
     view! {
-        <div class="dialog-body">
+        <div class="dialog-body" node_ref=focused()>
             <p class="second">{says}</p>
             <div class="tile-grid" role="group" aria-label=words::edit_tiles()>
                 {TILE_KEYS.map(|key| view! { <Place shared key /> }).collect_view()}
