@@ -1,7 +1,7 @@
 //! A therapist chooses the tiles of the operator's page, with keys alone and with a finger alone; an operator presses one. Two
 //! people choose at once.
 
-use house::{GAME, Outcome, Page, TILES, skip};
+use house::{GAME, Outcome, Page, TILES, Within, skip};
 
 use crate::by_keyboard::Hands;
 use crate::by_touch::Fingers;
@@ -19,6 +19,10 @@ const SHOWN: &str = "[...document.querySelectorAll('.op-tile')].map(tile => tile
 /// Waits until the tiles are these.
 async fn are(page: &Page, which: &str, tiles: &str) -> Outcome<()> {
     page.until(&format!("({which}).startsWith('{tiles}')"), &format!("the tiles are {tiles}")).await.map(drop)
+}
+
+fn in_dialog(page: &Page) -> Within<'_> {
+    page.within("dialog", DIALOG)
 }
 
 /// Opens the dialog, out of the list of commands.
@@ -134,7 +138,7 @@ async fn tiles_are_chosen_with_a_finger_alone_and_taken_back() -> Outcome<()> {
     are(page, CHOSEN, "1 Hello|4 Wave|7 laughs|9 looks away").await?;
 
     // A sense that is pretended, at the first empty place.
-    fingers.tap_in(dialog, "button", "Add a tile*Key 2").await?;
+    fingers.tap_in(dialog, "button", "Add a tile Key 2").await?;
     page.tap("radio", "pretends a sense").await?;
     page.find("combobox", "Sense").await?;
     fingers.tap_in(dialog, "button", "Save").await?;
@@ -151,10 +155,10 @@ async fn tiles_are_chosen_with_a_finger_alone_and_taken_back() -> Outcome<()> {
     page.until(&format!("/^1 As if: [^|]*.3 Hello.4 Wave.9 looks away$/.test({CHOSEN})"), "they stand there").await?;
     // Nothing can be saved without words; what was written stays.
     fingers.tap_in(dialog, "button", "Wave*").await?;
-    page.fill("textbox", "Words on the tile", "").await?;
+    in_dialog(page).fill("textbox", "Words on the tile", "").await?;
     fingers.tap_in(dialog, "button", "Save").await?;
     says(page, "Write the words that the tile shows.").await?;
-    page.fill("textbox", "Words on the tile", "Big wave").await?;
+    in_dialog(page).fill("textbox", "Words on the tile", "Big wave").await?;
     fingers.tap_in(dialog, "button", "Save").await?;
     page.until(&format!("({CHOSEN}).includes('4 Big wave')"), "it is called so").await?;
 
@@ -183,42 +187,42 @@ async fn two_people_who_choose_tiles_at_once_lose_nothing() -> Outcome<()> {
     are(yuki, CHOSEN, "1 Hello|4 Wave").await?;
 
     // Each writes into another tile; both stand, and neither loses a letter.
-    aiko.press("button", "Hello*").await?;
-    yuki.press("button", "Wave*").await?;
-    aiko.fill("textbox", "Words on the tile", "Hello there").await?;
-    yuki.fill("textbox", "Words on the tile", "Big wa").await?;
-    aiko.press("button", "Save").await?;
+    in_dialog(aiko).press("button", "Hello*").await?;
+    in_dialog(yuki).press("button", "Wave*").await?;
+    in_dialog(aiko).fill("textbox", "Words on the tile", "Hello there").await?;
+    in_dialog(yuki).fill("textbox", "Words on the tile", "Big wa").await?;
+    in_dialog(aiko).press("button", "Save").await?;
     are(aiko, CHOSEN, "1 Hello there|4 Wave").await?;
     yuki.type_text("ve").await?;
-    assert_eq!(yuki.text("textbox", "Words on the tile").await?, "Big wave");
-    yuki.press("button", "Save").await?;
+    assert_eq!(in_dialog(yuki).text("textbox", "Words on the tile").await?, "Big wave");
+    in_dialog(yuki).press("button", "Save").await?;
     for page in [aiko, yuki] {
         are(page, CHOSEN, "1 Hello there|4 Big wave|7 laughs").await?;
     }
 
     // The same tile: what is being written stays, and its author decides.
-    aiko.press("button", "Hello there*").await?;
-    yuki.press("button", "Hello there*").await?;
-    yuki.fill("textbox", "Words on the tile", "Good morning").await?;
-    aiko.fill("textbox", "Words on the tile", "Welcome").await?;
-    aiko.press("button", "Save").await?;
+    in_dialog(aiko).press("button", "Hello there*").await?;
+    in_dialog(yuki).press("button", "Hello there*").await?;
+    in_dialog(yuki).fill("textbox", "Words on the tile", "Good morning").await?;
+    in_dialog(aiko).fill("textbox", "Words on the tile", "Welcome").await?;
+    in_dialog(aiko).press("button", "Save").await?;
     says(yuki, "Somebody changed this tile meanwhile. Now it is “Welcome”.").await?;
-    assert_eq!(yuki.text("textbox", "Words on the tile").await?, "Good morning");
-    yuki.press("button", "Save").await?;
+    assert_eq!(in_dialog(yuki).text("textbox", "Words on the tile").await?, "Good morning");
+    in_dialog(yuki).press("button", "Save").await?;
     says(yuki, "Choose one of both first.").await?;
-    yuki.press("button", "Keep mine").await?;
-    yuki.press("button", "Save").await?;
+    in_dialog(yuki).press("button", "Keep mine").await?;
+    in_dialog(yuki).press("button", "Save").await?;
     for page in [aiko, yuki] {
         are(page, CHOSEN, "1 Good morning|4 Big wave|7 laughs").await?;
     }
 
     // A tile that somebody moves takes the open form along.
-    yuki.press("button", "Good morning*").await?;
-    aiko.press("button", "Good morning*").await?;
-    yuki.fill("textbox", "Words on the tile", "Good evening").await?;
-    aiko.press("button", "Later").await?;
+    in_dialog(yuki).press("button", "Good morning*").await?;
+    in_dialog(aiko).press("button", "Good morning*").await?;
+    in_dialog(yuki).fill("textbox", "Words on the tile", "Good evening").await?;
+    in_dialog(aiko).press("button", "Later").await?;
     says(yuki, "Key 2 of 9").await?;
-    yuki.press("button", "Save").await?;
+    in_dialog(yuki).press("button", "Save").await?;
     are(yuki, CHOSEN, "2 Good evening|4 Big wave|7 laughs").await?;
     aiko.goto(&format!("{}operate", stage.server.url())).await?;
     usable(aiko).await?;
