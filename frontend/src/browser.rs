@@ -229,6 +229,16 @@ pub(crate) fn search() -> String {
     window().and_then(|window| window.location().search().ok()).unwrap_or_default()
 }
 
+/// Takes a part out of what stands between `?` and `#`, without a step that Back undoes.
+pub(crate) fn drop_from_search(part: &str) {
+    let search = search();
+    let kept: Vec<&str> = search.trim_start_matches('?').split('&').filter(|other| *other != part).collect();
+    let address = format!("?{}{}", kept.join("&"), hash());
+    if let Some(history) = window().and_then(|window| window.history().ok()) {
+        let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some(&address));
+    }
+}
+
 /// The part of the address after `#`.
 pub(crate) fn hash() -> String {
     window().and_then(|window| window.location().hash().ok()).unwrap_or_default()

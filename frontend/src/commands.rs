@@ -165,6 +165,10 @@ pub(crate) static ALL: &[PageCommand] = &[
         CommandWork::Opens(|| Dialog::RenameProgram),
     )
     .needs(Needs::OpenProgram),
+    command(CommandGroup::Program, words::edit_tiles, "", Role::Editor, CommandWork::Opens(|| Dialog::Tiles))
+        .on(PROGRAMS)
+        .needs(Needs::OpenProgram)
+        .icon("row"),
     command(
         CommandGroup::Program,
         words::remove_program,

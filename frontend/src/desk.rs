@@ -24,7 +24,7 @@ pub(crate) use document::{
 pub(crate) use inviting::NewInvitation;
 pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, first_file};
 pub(crate) use robots::Unused;
-pub(crate) use tab::{Dialog, GraphChoice, LinkEnd, LinkState, OpenPast, PAST_QUERY, new_id, settled};
+pub(crate) use tab::{Dialog, GraphChoice, LinkEnd, LinkState, OpenPast, PAST_QUERY, TILES_QUERY, new_id, settled};
 
 use document::{Document, DocumentEvent};
 use leptos::prelude::*;

@@ -17,6 +17,7 @@ mod layout;
 mod link;
 mod live;
 mod naming;
+mod pad;
 mod panels;
 mod steps;
 mod words;

@@ -31,21 +31,25 @@ const HERE: &str = "(() => {
 })()";
 
 /// Somebody with a keyboard only, whose keys are counted.
-struct Hands<'a> {
+pub(crate) struct Hands<'a> {
     page: &'a Page,
     keys: AtomicU32,
 }
 
-impl Hands<'_> {
+impl<'a> Hands<'a> {
+    pub(crate) fn of(page: &'a Page) -> Self {
+        Self { page, keys: AtomicU32::new(0) }
+    }
+
     /// Presses a key; afterwards something has the keyboard and shows it.
-    async fn key(&self, chord: &str) -> Outcome<String> {
+    pub(crate) async fn key(&self, chord: &str) -> Outcome<String> {
         self.keys.fetch_add(1, Ordering::Relaxed);
         self.page.key(chord).await?;
         self.here(&format!("after {chord} something has the keyboard and shows it")).await
     }
 
     /// Presses a key that leads elsewhere: what comes then is looked at afterwards.
-    async fn press(&self, chord: &str) -> Outcome<()> {
+    pub(crate) async fn press(&self, chord: &str) -> Outcome<()> {
         self.keys.fetch_add(1, Ordering::Relaxed);
         self.page.key(chord).await
     }
@@ -55,13 +59,13 @@ impl Hands<'_> {
         Ok(here.as_str().unwrap_or_default().to_owned())
     }
 
-    async fn types(&self, text: &str) -> Outcome<()> {
+    pub(crate) async fn types(&self, text: &str) -> Outcome<()> {
         self.keys.fetch_add(u32::try_from(text.chars().count()).unwrap_or(u32::MAX), Ordering::Relaxed);
         self.page.type_text(text).await
     }
 
     /// Waits until the keyboard is on something with this name, or one that begins like this.
-    async fn comes_to(&self, name: &str) -> Outcome<()> {
+    pub(crate) async fn comes_to(&self, name: &str) -> Outcome<()> {
         let quoted = serde_json::Value::from(name);
         self.page
             .until(&format!("({HERE}).startsWith({quoted})"), &format!("the keyboard is on {name}"))
@@ -70,7 +74,7 @@ impl Hands<'_> {
     }
 
     /// Presses a key, again and again, until the keyboard is on something whose name begins like this.
-    async fn goes_to(&self, key: &str, name: &str) -> Outcome<()> {
+    pub(crate) async fn goes_to(&self, key: &str, name: &str) -> Outcome<()> {
         let mut seen = Vec::new();
         for _ in 0..TABS_MAX {
             let here = self.key(key).await?;
@@ -101,7 +105,7 @@ impl Hands<'_> {
     }
 
     /// Waits for a dialog, in which the keyboard is then.
-    async fn in_dialog(&self, dialog: &str) -> Outcome<()> {
+    pub(crate) async fn in_dialog(&self, dialog: &str) -> Outcome<()> {
         self.page.find("dialog", dialog).await?;
         let inside = "!!document.activeElement?.closest('[role=dialog] :is(.dialog-body, form)')";
         self.page.until(inside, "the keyboard is in the dialog").await?;
@@ -154,7 +158,7 @@ async fn the_walkthrough_by_keyboard_alone() -> Outcome<()> {
     skip::unless!(ready("journey: by keyboard"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
-    let hands = Hands { page, keys: AtomicU32::new(0) };
+    let hands = Hands::of(page);
     hands.makes_program("By keys").await?;
     hands.key("Enter").await?;
     hands.comes_to("Red ball, sensor stream").await?;
@@ -196,7 +200,7 @@ async fn the_walkthrough_by_keyboard_alone() -> Outcome<()> {
 async fn says_a_program(name: &str, sentence: &str, follows: &str, trackers: u32) -> Outcome<()> {
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
-    let hands = Hands { page, keys: AtomicU32::new(0) };
+    let hands = Hands::of(page);
     hands.makes_program(name).await?;
     hands.key("Control+f").await?;
     hands.types(sentence).await?;
@@ -241,7 +245,7 @@ async fn the_tour_by_keyboard_alone() -> Outcome<()> {
     skip::unless!(ready("journey: tour by keyboard"));
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
-    let hands = Hands { page, keys: AtomicU32::new(0) };
+    let hands = Hands::of(page);
     hands.goes_to("Tab", "Take the tour").await?;
     hands.key("Enter").await?;
     step_is(page, 1).await?;

@@ -13,20 +13,20 @@ const LOOKS: u32 = 100;
 const LOOK: Duration = Duration::from_millis(50);
 
 /// Somebody with fingers only. On a phone the graph is a list.
-struct Fingers<'a> {
-    page: &'a Page,
-    on_phone: bool,
+pub(crate) struct Fingers<'a> {
+    pub(crate) page: &'a Page,
+    pub(crate) on_phone: bool,
 }
 
 impl<'a> Fingers<'a> {
     /// Touches something that is large enough for it.
-    async fn tap(&self, role: &str, name: &str) -> Outcome<()> {
+    pub(crate) async fn tap(&self, role: &str, name: &str) -> Outcome<()> {
         large_enough(name, async || self.page.hit_size(role, name).await).await?;
         self.page.tap(role, name).await
     }
 
     /// The same inside of something.
-    async fn tap_in(&self, place: Within<'_>, role: &str, name: &str) -> Outcome<()> {
+    pub(crate) async fn tap_in(&self, place: Within<'_>, role: &str, name: &str) -> Outcome<()> {
         large_enough(name, async || place.hit_size(role, name).await).await?;
         place.tap(role, name).await
     }

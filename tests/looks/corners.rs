@@ -93,8 +93,27 @@ pub(crate) async fn dialogs(
     // The first Escape takes back what is typed.
     escape(page).await?;
     leave(page).await?;
+    tiles(page, words, &visit).await?;
     robots(page, words, &visit).await?;
     tour(page, words, &visit).await
+}
+
+/// The tiles of the operator's page, and a tile of each kind.
+async fn tiles(page: &Page, words: &Words, visit: &impl AsyncFn(&str, &[Window]) -> Outcome<()>) -> Outcome<()> {
+    command(page, "tiles of the operator").await?;
+    opened(page).await?;
+    visit("tiles", &WINDOWS).await?;
+    page.eval("document.getElementById('tile-9').click()").await?;
+    page.until("!!document.querySelector('.tile-top')", "its form is open").await?;
+    visit("tile-by-hand", &WINDOWS).await?;
+    for (state, kind) in [("tile-pretends", "pretends a sense"), ("tile-marks", "marks the moment")] {
+        page.press("radio", &words.say(kind)).await?;
+        visit(state, &WINDOWS).await?;
+    }
+    // The first Escape goes back to all tiles.
+    escape(page).await?;
+    page.until("!!document.querySelector('.tile-grid')", "all tiles are there").await?;
+    leave(page).await
 }
 
 /// The dialogs about robots.

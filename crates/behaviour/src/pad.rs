@@ -113,6 +113,42 @@ impl<S> TileAction<S> {
 }
 
 impl Pad {
+    /// Returns this pad with another tile at a key, or none there.
+    #[must_use]
+    pub fn with(&self, key: u8, tile: Option<Tile>) -> Self {
+        let mut tiles = self.tiles.clone();
+        match tile {
+            Some(tile) => tiles.insert(key, tile),
+            None => tiles.remove(&key),
+        };
+        Self { tiles }
+    }
+
+    /// Returns this pad with the tiles of two keys in each other's place.
+    #[must_use]
+    pub fn swapped(&self, one: u8, other: u8) -> Self {
+        let of = |key| self.tiles.get(&key).cloned();
+        self.with(one, of(other)).with(other, of(one))
+    }
+
+    /// Returns the pad that two people made of the one that both saw, each at other keys; none if both made something else of
+    /// one key.
+    #[must_use]
+    pub fn merged(seen: &Self, mine: &Self, theirs: &Self) -> Option<Self> {
+        let is_free = |key: u8| {
+            let [seen, mine, theirs] = [seen, mine, theirs].map(|pad| pad.tiles.get(&key));
+            mine == theirs || seen == mine || seen == theirs
+        };
+        TILE_KEYS.into_iter().all(is_free).then(|| Self::on_top(seen, mine, theirs))
+    }
+
+    /// Returns the pad as others have it with what one person changed of the one that they saw on top.
+    #[must_use]
+    pub fn on_top(seen: &Self, mine: &Self, theirs: &Self) -> Self {
+        let changed = TILE_KEYS.into_iter().filter(|key| seen.tiles.get(key) != mine.tiles.get(key));
+        changed.fold(theirs.clone(), |pad, key| pad.with(key, mine.tiles.get(&key).cloned()))
+    }
+
     /// Every name that people read in it.
     pub(crate) fn names(&self) -> Vec<&str> {
         fn of(tile: &Tile) -> Vec<&str> {
@@ -168,4 +204,40 @@ fn named(what: &str, text: &str) -> Result<(), Refusal> {
     }
     let fits = text.chars().count() <= TILE_MAX_CHARS;
     if fits { Ok(()) } else { Err(Refusal::TooLong(what.to_owned(), TILE_MAX_CHARS)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Pad, Tile, TileAction};
+
+    /// A pad whose tiles mark these words, written with their keys: `1 laughs 3 hides`.
+    fn pad(written: &str) -> Pad {
+        let words: Vec<&str> = written.split(' ').filter(|word| !word.is_empty()).collect();
+        let tile = |word: &str| Tile {
+            label: word.to_owned(),
+            does: TileAction::Word { word: word.to_owned(), span: false },
+            asks: false,
+        };
+        words.chunks(2).fold(Pad::default(), |pad, one| pad.with(one[0].parse().unwrap(), Some(tile(one[1]))))
+    }
+
+    #[test]
+    fn tiles_change_places_also_with_an_empty_one() {
+        assert_eq!(pad("1 laughs 2 hides").swapped(1, 2), pad("1 hides 2 laughs"));
+        assert_eq!(pad("1 laughs").swapped(1, 2), pad("2 laughs"));
+        assert_eq!(pad("1 laughs").with(1, None), pad(""));
+    }
+
+    #[test]
+    fn what_two_people_made_of_other_keys_stands_beside_each_other() {
+        let merged = |seen, mine, theirs| Pad::merged(&pad(seen), &pad(mine), &pad(theirs));
+        assert_eq!(merged("1 a 2 b", "1 x 2 b", "1 a 2 y"), Some(pad("1 x 2 y")));
+        assert_eq!(merged("1 a", "1 a 5 x", ""), Some(pad("5 x")), "one was taken away, another one added");
+        assert_eq!(merged("1 a", "1 x", "1 x 2 b"), Some(pad("1 x 2 b")), "both did the same");
+        assert_eq!(merged("1 a 2 b 3 c", "1 b 2 a 3 c", "1 a 2 b"), Some(pad("1 b 2 a")), "two changed places");
+        assert_eq!(merged("1 a", "1 x", "1 y"), None);
+        assert_eq!(merged("1 a", "", "1 y"), None, "taken away, and changed");
+        assert_eq!(merged("", "3 x", "3 y"), None, "both added one there");
+        assert_eq!(Pad::on_top(&pad("1 a 2 b"), &pad("1 x 2 b"), &pad("1 y 2 z")), pad("1 x 2 z"));
+    }
 }

@@ -6,7 +6,7 @@
 
 use crate::build;
 use behaviour::{
-    Accepted, Behaviour, Change, Connector, Edit, FillFrom, Group, Id, Kind, Params, Procedure, Record, RecordId,
+    Accepted, Behaviour, Change, Connector, Edit, FillFrom, Group, Id, Kind, Pad, Params, Procedure, Record, RecordId,
     Refusal, Settings, Stream,
 };
 use serde::{Deserialize, Serialize};
@@ -22,6 +22,9 @@ const THEIRS_MAX_BYTES: usize = 128 << 10;
 /// Returns the name of a stream that follows its connector, if it was made from what that did: the behaviour, the name as it
 /// is, the connector as it was and as it is now. How streams are named is the page's, in its language.
 pub type FollowName = fn(&Behaviour, &str, &Connector, &Connector) -> Option<String>;
+
+/// Returns the tiles that people are shown of a behaviour in which nobody chose any. Their words are the page's.
+pub type UsualPad = fn(&Behaviour) -> Pad;
 
 /// A refused change; it stays until its author decides.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -54,8 +57,8 @@ fn yes() -> bool {
     true
 }
 
-/// True if a refused change is shown beside what others saved: one that makes or edits streams or connectors, or that words
-/// something anew, and comes too late. Moves and removals are small enough to be made anew.
+/// True if a refused change is shown beside what others saved: one that makes or edits streams, connectors or tiles, or that
+/// words something anew, and comes too late. Moves and removals are small enough to be made anew.
 pub fn is_shown_beside(change: &Change, no: &Refusal) -> bool {
     matches!(no, Refusal::Stale(_) | Refusal::MissingStream) && is_worth_keeping(change)
 }
@@ -74,9 +77,10 @@ fn is_part(id: &RecordId) -> bool {
     matches!(id.kind, Kind::Stream | Kind::Connector)
 }
 
-/// True if a change with this edit can be what somebody typed: of a part, or of a text of its own.
+/// True if a change with this edit can be what somebody typed: of a part, of the tiles, or of a text of its own.
 fn is_about(edit: &Edit) -> bool {
     is_part(&edit.id)
+        || edit.id.kind == Kind::Pad
         || matches!((edit.before.as_ref().map(wording), edit.after.as_ref().map(wording)), (Some(Some(seen)), Some(Some(mine))) if seen != mine)
 }
 
@@ -309,6 +313,11 @@ impl Conflict {
                 (Some(Record::Group(seen)), Some(Record::Group(mine))) => {
                     if let Some(Record::Group(theirs)) = whole.records.get_mut(&edit.id) {
                         *theirs = merged_group(seen, mine, theirs);
+                    }
+                }
+                (Some(Record::Pad(seen)), Some(Record::Pad(mine))) => {
+                    if let Some(Record::Pad(theirs)) = whole.records.get_mut(&edit.id) {
+                        *theirs = Pad::on_top(seen, mine, theirs);
                     }
                 }
                 (Some(Record::Settings(seen)), Some(Record::Settings(mine))) => {

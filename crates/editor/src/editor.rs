@@ -3,7 +3,7 @@
 mod silence;
 pub(crate) mod undo;
 
-use crate::conflict::{Conflict, FollowName};
+use crate::conflict::{Conflict, FollowName, UsualPad};
 use crate::editing::Editing;
 use crate::effect::{Announcement, EditorEvent, Effect, Purpose, Saver};
 use crate::history::HistoryPanel;
@@ -24,6 +24,7 @@ const REMOVED_MAX: usize = 2_000;
 pub struct Editor {
     new_id: Box<dyn FnMut() -> Id + Send>,
     pub(crate) follow: FollowName,
+    pub(crate) usual_pad: UsualPad,
     pub(crate) now: Now,
     pub(crate) me: Me,
     pub(crate) link: LinkState,
@@ -144,10 +145,11 @@ pub struct RecordNews {
 impl Editor {
     /// An editor in which nothing is open. It gets new ids from `new_id`, and new names of streams from `follow`.
     #[must_use]
-    pub fn new(new_id: impl FnMut() -> Id + Send + 'static, follow: FollowName) -> Self {
+    pub fn new(new_id: impl FnMut() -> Id + Send + 'static, follow: FollowName, usual_pad: UsualPad) -> Self {
         Self {
             new_id: Box::new(new_id),
             follow,
+            usual_pad,
             now: Now::default(),
             me: Me::default(),
             link: LinkState::default(),

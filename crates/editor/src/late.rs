@@ -5,7 +5,7 @@ use crate::Editor;
 use crate::conflict::{is_late, is_shown_beside, since_seen};
 use crate::effect::{Announcement, Effect, Look};
 use crate::queue::{LateChange, SendMode, WaitingChange};
-use behaviour::{Accepted, Change, Id, Refusal, without_late_followers};
+use behaviour::{Accepted, Change, Id, Pad, Record, RecordId, Refusal, without_late_followers};
 use protocol::{LIBRARY, Refused};
 
 impl Editor {
@@ -75,6 +75,10 @@ impl Editor {
 
     /// A refused change is shown beside what was first, or it is said who that was.
     fn give_to_author(&mut self, waiting: &WaitingChange, no: Refusal, log: Vec<Accepted>) {
+        if let Some(merged) = self.beside_other_tiles(waiting) {
+            self.rename(&waiting.change.op, &merged.op);
+            return self.propose(merged);
+        }
         let theirs = since_seen(log, &waiting.change);
         let op = waiting.change.op.clone();
         let may_be_kept = waiting.behaviour.as_str() != LIBRARY && is_shown_beside(&waiting.change, &no);
@@ -86,6 +90,22 @@ impl Editor {
             let saver = self.saver(&last.change);
             self.say(Announcement::WasFirst(saver, what));
         }
+    }
+
+    /// Returns the change of tiles anew beside what others made of other tiles meanwhile; none if both changed the same one.
+    fn beside_other_tiles(&mut self, waiting: &WaitingChange) -> Option<Change> {
+        let is_meant = waiting.way == SendMode::Propose && self.is_open(&waiting.behaviour);
+        let [edit] = waiting.change.edits.as_slice() else { return None };
+        let (Some(Record::Pad(mine)), Some(theirs), true) = (&edit.after, self.confirmed.pad(), is_meant) else {
+            return None;
+        };
+        let seen = match &edit.before {
+            Some(Record::Pad(seen)) => seen.clone(),
+            _ => (self.usual_pad)(&self.confirmed),
+        };
+        let merged = Pad::merged(&seen, mine, theirs)?;
+        let start = Change { op: self.next_id(), edits: Vec::new(), ..waiting.change.clone() };
+        Some(start.put(&self.confirmed, RecordId::pad(), Record::Pad(merged)))
     }
 
     /// A change goes on under another name.

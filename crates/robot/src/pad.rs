@@ -2,7 +2,7 @@
 
 use crate::devices::DONE_BY_HAND;
 use crate::{Device, ParamKind, device};
-use behaviour::{Behaviour, Id, Pad, Stream, StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile, TileAction, Value};
+use behaviour::{Behaviour, Id, Pad, Params, Stream, StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile, TileAction, Value};
 
 /// Returns the tiles of a behaviour without a pad: its buttons, then what it says and its animations, then what each of its
 /// other senses can be pretended to tell; nine at most, each once.
@@ -15,7 +15,7 @@ pub fn usual_pad(behaviour: &Behaviour) -> Pad {
     };
     let buttons = with_device(StreamKind::Sensor).filter(|(.., sense)| sense.button.is_some());
     let pressed = buttons.flat_map(|(id, stream, sense)| {
-        let written = sense.button.and_then(|param| written(stream, sense, param));
+        let written = sense.button.and_then(|param| written(&stream.params, sense, param));
         pretended(id, sense, written)
     });
     let by_hand = DONE_BY_HAND.into_iter().flat_map(|offered| {
@@ -45,10 +45,19 @@ fn pretended(id: &Id, sense: &Device, label: Option<String>) -> Vec<Tile> {
     sense.pretend.iter().filter_map(tile).collect()
 }
 
-/// The tile for an action, with the words of its last parameter that says which one of many it is.
+/// The tile for an action.
 fn by_hand((_, stream, action): (&Id, &Stream, &Device)) -> Option<Tile> {
+    let label = label_by_hand(action, &stream.params)?;
+    let (device, params) = (action.name.to_owned(), stream.params.clone());
+    let does = TileAction::Hand { device, params, value: serde_json::from_str(action.example).ok()? };
+    Some(Tile { label, does, asks: false })
+}
+
+/// Returns the words of the last parameter that says which one of many an action is; none if no parameter does.
+#[must_use]
+pub fn label_by_hand(action: &Device, params: &Params) -> Option<String> {
     let label = action.params.iter().rev().find_map(|param| {
-        let chosen = written(stream, action, param.name)?;
+        let chosen = written(params, action, param.name)?;
         let of_choice =
             |options: &[(&str, &'static str)]| options.iter().find(|(value, _)| *value == chosen).map(|one| one.1);
         match param.kind {
@@ -57,14 +66,12 @@ fn by_hand((_, stream, action): (&Id, &Stream, &Device)) -> Option<Tile> {
         }
         .filter(|label| !label.trim().is_empty())
     })?;
-    let (device, params) = (action.name.to_owned(), stream.params.clone());
-    let does = TileAction::Hand { device, params, value: serde_json::from_str(action.example).ok()? };
-    Some(Tile { label: shortened(&label), does, asks: false })
+    Some(shortened(&label))
 }
 
 /// The text of a parameter, or what it is where nobody chose.
-fn written(stream: &Stream, device: &Device, param: &str) -> Option<String> {
-    let all = crate::with_defaults(device.params, &stream.params);
+fn written(params: &Params, device: &Device, param: &str) -> Option<String> {
+    let all = crate::with_defaults(device.params, params);
     all.get(param).and_then(Value::as_text).map(str::to_owned)
 }
 

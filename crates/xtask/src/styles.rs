@@ -12,7 +12,7 @@ const SHEET: &str = "page.css";
 const APART: [&str; 2] = ["operate.css", "past.css"];
 /// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
 /// small screens after it, and the canvas last.
-const ORDER: [&str; 51] = [
+const ORDER: [&str; 52] = [
     "tokens",
     "base",
     "frame",
@@ -42,6 +42,7 @@ const ORDER: [&str; 51] = [
     "conflict",
     "presence",
     "invite",
+    "tiles",
     "stop",
     "tablet",
     "phone",

@@ -18,6 +18,7 @@ mod locks;
 mod mend;
 mod notes;
 mod opening;
+mod pad;
 mod part;
 mod presence;
 mod procedures;
@@ -218,7 +219,7 @@ impl Document {
             conflicts: ArcRwSignal::default(),
             waits: ArcRwSignal::default(),
             state: Mutex::new(DocumentState {
-                editor: Editor::new(new_id, naming::followed),
+                editor: Editor::new(new_id, naming::followed, crate::pad::usual),
                 streams: BTreeMap::new(),
                 connectors: BTreeMap::new(),
                 notes: BTreeMap::new(),

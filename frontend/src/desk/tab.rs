@@ -67,6 +67,8 @@ pub(crate) enum Dialog {
     RenameProgram,
     /// Opening a whole program that was pasted, as a text.
     OpenPasted(Pasted),
+    /// The tiles of the operator's page.
+    Tiles,
     /// Sending a value to a sensor stream by hand.
     Stimulate(Id),
     /// A change of one's own, by its name, beside what somebody else saved.
@@ -99,6 +101,9 @@ pub(crate) enum Dialog {
 
 /// The part of the address that names a recording to look back on, before its name.
 pub(crate) const PAST_QUERY: &str = "past=";
+
+/// The part of the address of the page with the graph that opens the tiles of its program.
+pub(crate) const TILES_QUERY: &str = "tiles";
 
 /// A past on which somebody looks back.
 #[derive(Clone, Debug, PartialEq, Eq)]

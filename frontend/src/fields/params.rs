@@ -42,6 +42,11 @@ impl ParamForm {
         self.rows.iter().for_each(|row| row.text.set(row.saved.with_untracked(|saved| saved.1.clone())));
     }
 
+    /// Tells when somebody writes or chooses something else.
+    pub(crate) fn track(&self) {
+        self.rows.iter().for_each(|row| row.text.track());
+    }
+
     /// Whether a parameter has the value that it has when nobody chose.
     pub(crate) fn is_default(&self, name: &str, value: &Value) -> bool {
         self.rows.iter().any(|row| row.param.name == name && row.param.default() == *value)

@@ -19,6 +19,14 @@ pub(crate) enum Unfilled {
     Rate(u64),
     /// What was typed may be either of two numbers; with the sentence that asks which.
     TwoWays(String),
+    /// A tile has no words.
+    Label,
+    /// A tile marks with no word.
+    Word,
+    /// A tile pretends no sense.
+    Sense,
+    /// What is told is no value.
+    Value,
     /// A parameter does not fit; with what the catalogue says.
     Param(String),
 }

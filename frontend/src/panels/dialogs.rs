@@ -23,13 +23,15 @@ mod real_robot;
 mod save_file;
 mod stimulate;
 mod stream;
+mod tiles;
 mod waiting;
 
 pub(crate) use save_file::NoPicture;
 
 use super::focus;
 use super::hold::{DeskHold, hold};
-use crate::desk::Dialog;
+use crate::browser;
+use crate::desk::{Dialog, TILES_QUERY};
 use crate::later::{NotHere, second_piece};
 use crate::words;
 use frame::Frame;
@@ -49,12 +51,29 @@ pub(crate) fn Dialogs() -> impl IntoView {
             desk.desk().dialog.set(None);
         }
     });
+    open_asked(desk);
     give_focus_back(open);
     show_refused(desk, open);
     let piece = second_piece();
     move || {
         let dialog = open.get()?;
         Some(piece.get().map_or_else(|| view! { <Coming /> }.into_any(), |rest| (rest.dialog)(undecided(desk, dialog))))
+    }
+}
+
+/// Opens the tiles of the first program that is open, where the address asks for that.
+fn open_asked(desk: DeskHold) {
+    let search = browser::search();
+    if search.trim_start_matches('?').split('&').any(|part| part == TILES_QUERY) {
+        Effect::new(move |done: Option<bool>| {
+            let is_done = done == Some(true);
+            let is_open = desk.desk().document.open.read().is_some();
+            if is_open && !is_done {
+                browser::drop_from_search(TILES_QUERY);
+                desk.desk().dialog.set(Some(Dialog::Tiles));
+            }
+            is_open || is_done
+        });
     }
 }
 
@@ -98,7 +117,8 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::AddProgram
         | Dialog::RemoveProgram
         | Dialog::OpenPasted(_)
-        | Dialog::RenameProgram => Role::Editor,
+        | Dialog::RenameProgram
+        | Dialog::Tiles => Role::Editor,
         Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot | Dialog::ForgetFaces => {
             Role::Operator
         }
@@ -146,6 +166,7 @@ pub(crate) fn dialog(dialog: Dialog) -> AnyView {
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::People => view! { <people::People /> }.into_any(),
         Dialog::Invite => view! { <invite::Invite /> }.into_any(),
+        Dialog::Tiles => view! { <tiles::EditTiles /> }.into_any(),
         Dialog::Stimulate(id) => view! { <stimulate::Stimulate id /> }.into_any(),
         Dialog::Conflict(op) => view! { <conflict::Compare op /> }.into_any(),
         Dialog::Waiting => view! { <waiting::WaitingList /> }.into_any(),

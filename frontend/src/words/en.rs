@@ -14,6 +14,7 @@ mod past;
 mod people;
 mod robots;
 mod teaching;
+mod tiles;
 mod told;
 mod warning;
 
@@ -31,6 +32,7 @@ pub(crate) use past::*;
 pub(crate) use people::*;
 pub(crate) use robots::*;
 pub(crate) use teaching::*;
+pub(crate) use tiles::*;
 pub(crate) use told::*;
 pub(crate) use warning::*;
 
@@ -503,6 +505,10 @@ pub(crate) fn unfilled(why: &Unfilled) -> String {
         Unfilled::Start => start_is_no_value().to_owned(),
         Unfilled::Rate(ms) => told_by(&Refusal::Rate(*ms)),
         Unfilled::TwoWays(said) => said.clone(),
+        Unfilled::Label => write_label().to_owned(),
+        Unfilled::Word => write_word().to_owned(),
+        Unfilled::Sense => choose_sense().to_owned(),
+        Unfilled::Value => value_unreadable().to_owned(),
         Unfilled::Param(reason) => whole_sentence(reason),
     }
 }

@@ -66,7 +66,7 @@ fn editor_of(who: usize, life: u32) -> Editor {
         made += 1;
         id(&format!("op-{who}-{life}-{made}"))
     };
-    Editor::new(new_id, |_, _, _, _| None)
+    Editor::new(new_id, |_, _, _, _| None, |_| behaviour::Pad::default())
 }
 
 pub(crate) fn text_of(record: Option<&Record>) -> Option<&str> {

@@ -3,6 +3,7 @@
 use crate::page::Fate;
 use crate::server::StoreAnswer;
 use crate::table::{AIKO, BEN, Table};
+use behaviour::{Pad, Record, RecordId, Tile, TileAction};
 use editor::queue::WAITING_MAX;
 use editor::{Announcement, Asking, Editor, Purpose, Saver, Saving, WriteRight};
 use protocol::Refused;
@@ -521,7 +522,7 @@ fn what_is_typed_just_before_the_lock_is_given_goes_with_it_and_ends_it() {
 #[test]
 fn without_a_role_to_edit_nothing_is_sent() {
     let mut table = Table::laid();
-    let mut editor = Editor::new(|| crate::server::id("x"), |_, _, _, _| None);
+    let mut editor = Editor::new(|| crate::server::id("x"), |_, _, _, _| None, |_| behaviour::Pad::default());
     let no = Refused::Role(protocol::Role::Editor);
     let me = editor::Me { client: None, name: "Eve".to_owned(), refused: Some(no.clone()) };
     editor.at(editor::Now::default(), me).begin_with(Some(table.server.behaviour.clone()));
@@ -537,4 +538,64 @@ fn without_a_role_to_edit_nothing_is_sent() {
     assert_eq!(editor.take_effects(), [editor::Effect::Answered(change.op, Err(no))]);
     assert!(editor.begin_typing(&crate::server::note(0)).is_none() && editor.is_saved());
     table.settle();
+}
+
+/// The words of the tiles with their keys, as this person sees them.
+fn tiles(table: &Table, who: usize) -> String {
+    let behaviour = table.editor(who).behaviour();
+    let pad = behaviour.pad().cloned().unwrap_or_default();
+    pad.tiles.iter().map(|(key, tile)| format!("{key} {}", tile.label)).collect::<Vec<_>>().join(" ")
+}
+
+/// Somebody puts a tile with this word at this key.
+fn puts_tile(table: &mut Table, who: usize, key: u8, word: &str) {
+    let does = TileAction::Word { word: word.to_owned(), span: false };
+    let tile = Tile { label: word.to_owned(), does, asks: false };
+    let put = |editor: &mut Editor| {
+        let behaviour = editor.behaviour();
+        let pad = behaviour.pad().cloned().unwrap_or_else(Pad::default).with(key, Some(tile));
+        let change = editor.change("Edit tiles").put(&behaviour, RecordId::pad(), Record::Pad(pad));
+        editor.propose(change);
+    };
+    table.pages[who].input(put).unwrap();
+}
+
+#[test]
+fn two_people_who_choose_other_tiles_at_once_lose_nothing_and_decide_nothing() {
+    let mut table = Table::laid();
+    puts_tile(&mut table, AIKO, 1, "laughs");
+    puts_tile(&mut table, BEN, 2, "hides");
+    table.settle();
+    assert_eq!(
+        [AIKO, BEN].map(|who| tiles(&table, who)),
+        ["1 laughs 2 hides", "1 laughs 2 hides"],
+        "both are the first"
+    );
+    table.cut(AIKO);
+    puts_tile(&mut table, AIKO, 1, "waves");
+    puts_tile(&mut table, AIKO, 3, "runs");
+    puts_tile(&mut table, BEN, 2, "looks");
+    table.settle();
+    table.connect(AIKO);
+    assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 waves 2 looks 3 runs", "1 waves 2 looks 3 runs"]);
+    assert!([AIKO, BEN].iter().all(|who| table.editor(*who).conflicts.is_empty()));
+}
+
+#[test]
+fn two_people_who_change_the_same_tile_at_once_see_both_and_the_later_one_decides() {
+    let mut table = Table::laid();
+    puts_tile(&mut table, BEN, 1, "laughs");
+    puts_tile(&mut table, BEN, 2, "hides");
+    table.settle();
+    table.cut(AIKO);
+    puts_tile(&mut table, AIKO, 1, "waves");
+    puts_tile(&mut table, BEN, 1, "smiles");
+    puts_tile(&mut table, BEN, 2, "looks");
+    table.settle();
+    table.connect(AIKO);
+    assert_eq!(tiles(&table, AIKO), "1 smiles 2 looks");
+    let kept = table.editor(AIKO).conflicts[0].mine.op.clone();
+    table.does(AIKO, |page| page.input(|editor| editor.keep_mine(&kept, crate::server::id("top"))));
+    assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 waves 2 looks", "1 waves 2 looks"]);
+    assert!(table.editor(AIKO).conflicts.is_empty());
 }

@@ -76,6 +76,7 @@ fn what(conflict: &Conflict) -> &'static str {
             Kind::Note => words::note_word(),
             Kind::Group => words::group_word(),
             Kind::Settings => words::program_word(),
+            Kind::Pad => words::tile_of(),
             _ => words::stream_word(),
         },
     }
@@ -133,6 +134,7 @@ fn subject(conflict: &Conflict, now: &Behaviour) -> String {
         Some(Record::Note(_) | Record::Group(_) | Record::Settings(_)) => {
             return seen.and_then(wording).map(begun).unwrap_or_default();
         }
+        Some(Record::Pad(_)) => return words::the_tiles().to_owned(),
         Some(Record::Connector(connector)) => connector.output.clone(),
         _ => conflict.about.id.clone(),
     };

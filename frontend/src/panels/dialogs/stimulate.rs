@@ -7,24 +7,25 @@ use crate::fields::CodeField;
 use crate::live::short_value;
 use crate::panels::hold::hold;
 use crate::words;
-use behaviour::{Id, Unit, Value};
+use behaviour::{Id, Params, Unit, Value};
 use leptos::prelude::*;
 use parts::{ValuePart, ValuePartKind, number, of_part, parts, pretended, with_part};
+use robot::Device;
 
 /// What is sent: as text, and as the value that the text was last.
 #[derive(Clone, Copy)]
-struct SentValue {
+pub(super) struct SentValue {
     text: RwSignal<String>,
     value: RwSignal<Value>,
 }
 
 impl SentValue {
-    fn new(example: &str) -> Self {
+    pub(super) fn new(example: &str) -> Self {
         let value = crate::json::read(example).unwrap_or(Value::Null);
         Self { text: RwSignal::new(example.to_owned()), value: RwSignal::new(value) }
     }
 
-    fn set(self, value: Value) {
+    pub(super) fn set(self, value: Value) {
         self.text.set(serde_json::to_string(&value).unwrap_or_default());
         self.value.set(value);
     }
@@ -35,8 +36,14 @@ impl SentValue {
     }
 
     /// What the text says, for the parts too.
-    fn read(self) -> Option<Value> {
+    pub(super) fn read(self) -> Option<Value> {
         crate::json::read(&self.text.get_untracked()).ok()
+    }
+
+    /// Tells when another value or text is there.
+    pub(super) fn track(self) {
+        self.text.track();
+        self.value.track();
     }
 }
 
@@ -62,19 +69,11 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
         });
     });
     let title = words::titled(words::stimulate(), &name.get_value());
-    let rows = device.zip(stream).map(|(device, stream)| (device, parts(device, &stream.params)));
-    let knows_parts = rows.as_ref().is_some_and(|(_, parts)| !parts.is_empty());
+    let params = stream.map(|stream| stream.params).unwrap_or_default();
     view! {
         <Frame title narrow=true save=send>
             <div class="dialog-body">
-                {rows.map(|(device, parts)| view! {
-                    <AsIf all=pretended(device, &parts) told send />
-                    {parts.into_iter().map(|part| view! { <PartField part told /> }).collect_view()}
-                })}
-                <details class="insight" open=!knows_parts>
-                    <summary>{words::more_of_value()}</summary>
-                    <Written told />
-                </details>
+                <ValueFields device params told send />
                 <p class="faint">{words::value_hint()}</p>
                 <Refused why=refusal />
                 <p class="second" role="status">{move || sent.get()}</p>
@@ -82,6 +81,33 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
             <Feet save=words::send() />
         </Frame>
     }
+}
+
+/// The fields of a value: what can be pretended at one press, each part, and the whole as it is written.
+#[component]
+pub(super) fn ValueFields(
+    device: Option<&'static Device>,
+    params: Params,
+    told: SentValue,
+    /// Called after the press of something that can be pretended.
+    send: Callback<()>,
+) -> impl IntoView {
+    let parts = device.map(|device| parts(device, &params)).unwrap_or_default();
+    let knows_parts = !parts.is_empty();
+    view! {
+        {device.map(|device| view! { <AsIf all=pretended(device, &parts) told send /> })}
+        {parts.into_iter().map(|part| view! { <PartField part told /> }).collect_view()}
+        <details class="insight" open=!knows_parts>
+            <summary>{words::more_of_value()}</summary>
+            <Written told />
+        </details>
+    }
+}
+
+/// The parts of the value that an action is told; nothing where any value does the same.
+#[component]
+pub(super) fn ToldParts(device: &'static Device, params: Params, told: SentValue) -> impl IntoView {
+    parts(device, &params).into_iter().map(|part| view! { <PartField part told /> }).collect_view()
 }
 
 /// What can be pretended at one press.

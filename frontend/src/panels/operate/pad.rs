@@ -1,11 +1,9 @@
 //! The nine tiles: those of the program's pad, else the usual ones of what is in it.
 
 use crate::panels::hold::DeskHold;
-use crate::words;
-use behaviour::{Behaviour, Id, Params, StreamKind, TileAction, Value};
+use behaviour::{Behaviour, Id, Params, TileAction, Value};
 use leptos::prelude::*;
 use protocol::Press;
-use robot::{Resource, Resources};
 
 /// A tile.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,12 +63,8 @@ pub(super) fn pad(desk: DeskHold) -> Memo<Vec<PadTile>> {
 
 /// The tiles of a program: its own, in their own words, or the usual ones. Pure.
 fn tiles(behaviour: &Behaviour) -> Vec<PadTile> {
-    let own = behaviour.pad().cloned();
-    let is_own = own.is_some();
-    let pad = own.unwrap_or_else(|| robot::usual_pad(behaviour));
     let tile = |(key, tile): (u8, behaviour::Tile)| {
-        let (icon, button) = pictured(behaviour, &tile.does);
-        let label = if is_own { tile.label } else { usual_words(&tile.does, &tile.label, button) };
+        let ((icon, _), label) = (crate::pad::pictured(behaviour, &tile.does), tile.label);
         let does = match tile.does {
             TileAction::Hand { device, params, value } => TileWork::Hand { device, params, value },
             TileAction::Pretend { stream, value } => TileWork::Pretend { stream, value },
@@ -78,36 +72,7 @@ fn tiles(behaviour: &Behaviour) -> Vec<PadTile> {
         };
         PadTile { key: usize::from(key), label, icon, does, asks: tile.asks }
     };
-    pad.tiles.into_iter().map(tile).collect()
-}
-
-/// The picture of what a tile is about, and whether that is a button. Pure.
-fn pictured(behaviour: &Behaviour, does: &TileAction) -> (&'static str, bool) {
-    let device = match does {
-        TileAction::Hand { device, .. } => robot::device(StreamKind::Actuator, device).ok(),
-        TileAction::Pretend { stream, .. } => {
-            let device = behaviour.stream(stream).and_then(|stream| stream.device.as_deref());
-            device.and_then(|device| robot::device(StreamKind::Sensor, device).ok())
-        }
-        TileAction::Word { .. } => return ("flag", false),
-    };
-    device.map_or(("bolt", false), |device| (device.icon, device.button.is_some()))
-}
-
-/// The words on a usual tile: what is said stands in quotes, what is pretended behind “as if”. Pure.
-fn usual_words(does: &TileAction, label: &str, button: bool) -> String {
-    let said = words::translated(label);
-    match does {
-        TileAction::Hand { device, .. } if speaks(device) => words::saying(label),
-        TileAction::Pretend { .. } if !button => words::as_if_there_is(&said),
-        _ => words::capitalised(&said),
-    }
-}
-
-/// True for an action that uses the robot's voice. Pure.
-pub(super) fn speaks(device: &str) -> bool {
-    let device = robot::device(StreamKind::Actuator, device);
-    device.is_ok_and(|device| matches!(device.resources, Resources::Always(parts) if parts.contains(&Resource::Voice)))
+    crate::pad::of(behaviour).tiles.into_iter().map(tile).collect()
 }
 
 #[cfg(test)]

@@ -2,10 +2,11 @@
 //! lost link comes back.
 
 use super::OperateShared;
-use super::pad::{PadTile, TileWork, speaks};
+use super::pad::{PadTile, TileWork};
 use super::seen::SeenPress;
 use crate::desk::LinkState;
 use crate::link::NoAnswer;
+use crate::pad::speaks;
 use crate::panels::may::may_operate;
 use crate::{browser, words};
 use behaviour::{Id, Value};

@@ -6,9 +6,11 @@ use super::press::TileState;
 use super::seen::Face;
 use super::verdict::HeldMark;
 use crate::browser;
+use crate::desk::TILES_QUERY;
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
+use protocol::Role;
 
 /// All of them.
 #[component]
@@ -18,11 +20,28 @@ pub(super) fn Tiles(op: OperateShared) -> impl IntoView {
     let opened = Memo::new(move |_| op.desk.desk().document.open.read().is_some());
     let tiles = move || op.pad.get().into_iter().map(|tile| view! { <One op tile /> }).collect_view();
     view! {
-        <p class="op-rest" role="status">{move || rests.get().then(words::buttons_rest)}</p>
+        <div class="op-over">
+            <p class="op-rest" role="status">{move || rests.get().then(words::buttons_rest)}</p>
+            <Change op />
+        </div>
         <div class="op-tiles" role="group" aria-label=words::tiles_name()>{tiles}</div>
         <Show when=move || opened.get() && !some.get()>
             <p class="op-none">{words::no_tiles()}</p>
         </Show>
+    }
+}
+
+/// The way to choose the tiles, on the page with the graph; not while something runs, as it leads away from here.
+#[component]
+fn Change(op: OperateShared) -> impl IntoView {
+    let open = move || {
+        let desk = op.desk.desk();
+        let is_calm = op.run().is_none() && op.other_runs().is_none();
+        desk.document.open.get().filter(|_| is_calm && desk.may(Role::Editor))
+    };
+    move || {
+        let address = format!("/?graph&{TILES_QUERY}#/b/{}", open()?);
+        Some(view! { <a class="link op-change" href=address>{words::change_tiles()}</a> })
     }
 }
 

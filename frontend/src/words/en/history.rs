@@ -186,6 +186,7 @@ fn thing(of: &str) -> String {
     match (of, connector) {
         ("helper", _) => said("helper").to_owned(),
         ("note", _) => said("note").to_owned(),
+        ("tiles", _) => said("tiles").to_owned(),
         ("a sentence", _) => said("a sentence").to_owned(),
         (_, Some(spec)) => said(spec.word).to_owned(),
         (name, None) => name.to_owned(),

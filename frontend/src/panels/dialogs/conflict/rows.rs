@@ -3,7 +3,9 @@
 use crate::desk::{Conflict, wording};
 use crate::live::short_value;
 use crate::words;
-use behaviour::{Behaviour, Connector, Id, Kind, Procedure, Record, RecordId, Stream, Value};
+use behaviour::{
+    Behaviour, Connector, Id, Kind, Procedure, Record, RecordId, Stream, StreamKind, Tile, TileAction, Value,
+};
 use robot::{Param, ParamKind};
 
 /// One part, as both have it.
@@ -81,9 +83,32 @@ fn facets(record: &Record, name: &dyn Fn(&Id) -> String) -> Vec<Facet> {
     match record {
         Record::Connector(connector) => of_connector(connector, name),
         Record::Stream(stream) => of_stream(stream),
+        Record::Pad(pad) => pad.tiles.iter().map(|(key, tile)| of_tile(*key, tile, name)).collect(),
         Record::Note(note) => vec![Facet::of(words::text_label(), note.text.clone()).always()],
         _ => wording(record).map(|name| Facet::of(words::leads_to(), name.to_owned()).always()).into_iter().collect(),
     }
+}
+
+/// A tile: its words, and what a press does.
+fn of_tile(key: u8, tile: &Tile, name: &dyn Fn(&Id) -> String) -> Facet {
+    let does = match &tile.does {
+        TileAction::Hand { device, params, value } => {
+            let action = robot::device(StreamKind::Actuator, device).ok();
+            let of = |param: &Param| Some(shown(param, params.get(param.name)?));
+            let chosen = action.into_iter().flat_map(|action| action.params).filter_map(of);
+            let told = action.is_none_or(|action| crate::json::read(action.example).ok().as_ref() != Some(value));
+            let action = action.map_or_else(|| device.clone(), |action| words::device(action).to_owned());
+            words::listed([action].into_iter().chain(chosen).chain(told.then(|| short_value(value))))
+        }
+        TileAction::Pretend { stream, value } => words::titled(&name(stream), &short_value(value)),
+        TileAction::Word { word, span } => {
+            let lasts = if *span { words::mark_span() } else { words::mark_moment() };
+            words::listed([word.as_str(), lasts])
+        }
+    };
+    let asks = tile.asks.then(|| words::asks_first().to_owned());
+    let parts = [tile.label.clone(), does].into_iter().chain(asks);
+    Facet::of(&words::tile_on(key), parts.collect::<Vec<_>>().join(" · "))
 }
 
 fn of_connector(connector: &Connector, name: &dyn Fn(&Id) -> String) -> Vec<Facet> {
