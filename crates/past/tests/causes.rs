@@ -121,7 +121,7 @@ fn small(seed: u64, is_frame: bool, compared: &mut Compared) {
     let mut chance = Chance::of(seed + 50_000);
     let mut file = graphs::behaviour(&mut chance);
     let mut trace = graphs::trace(&mut chance, &file, READINGS);
-    let frame_ms = is_frame.then(|| 1 + chance.below(60));
+    let frame_ms = is_frame.then(|| 1 + chance.below(30));
     let until = slower(&mut file, &mut trace, chance.pick(&SLOWER), frame_ms);
     check(&format!("seed {seed}, {:?}", file.engine), &file, &trace, until, compared);
 }
@@ -130,7 +130,7 @@ fn large(seed: u64, is_frame: bool, compared: &mut Compared) {
     let mut chance = Chance::of(seed + 90_000);
     let mut file = graphs::large(&mut chance, LARGE_CONNECTORS);
     let mut trace = graphs::trace(&mut chance, &file, LARGE_READINGS);
-    let until = slower(&mut file, &mut trace, 100, is_frame.then_some(20));
+    let until = slower(&mut file, &mut trace, 100, is_frame.then_some(8));
     check(&format!("large, seed {seed}, {:?}", file.engine), &file, &trace, until, compared);
 }
 
@@ -143,7 +143,10 @@ fn every_value_of_a_past_has_the_cause_of_the_plain_engine() {
     }
     let Compared { values, steps, faults } = compared;
     eprintln!("{values} values with {steps} steps, {faults} faults, of {} graphs in both modes: 0 wrong", graphs());
-    assert!(values > graphs() * 500 && faults > graphs() * 20, "too few to mean anything: {values} values, {faults} faults");
+    assert!(
+        values > graphs() * 500 && faults > graphs() * 20,
+        "too few to mean anything: {values} values, {faults} faults"
+    );
 }
 
 #[test]

@@ -119,7 +119,13 @@ fn beside_a_text(chance: &mut Chance) -> Blocking {
     kept(chance, beside, sign, 1, &mut all);
     let value = |size| Value::object([("color", Value::text("red")), ("size", Value::Float(size))]);
     let values = all.into_iter().map(value).collect();
-    Blocking { body: format!("a.color == \"red\" && a.size{sign}{beside:?}"), device: "Print", values, step: 10.0, unit: "" }
+    Blocking {
+        body: format!("a.color == \"red\" && a.size{sign}{beside:?}"),
+        device: "Print",
+        values,
+        step: 10.0,
+        unit: "",
+    }
 }
 
 /// Numbers around nothing, very small and very large.
@@ -193,7 +199,11 @@ impl Chain {
 
 fn trace(values: &[Value]) -> Vec<Reading> {
     let at = |number: usize| FROM - 200 + number as u64 * 300;
-    values.iter().enumerate().map(|(number, value)| Reading { at: at(number), stream: 0, value: value.clone() }).collect()
+    values
+        .iter()
+        .enumerate()
+        .map(|(number, value)| Reading { at: at(number), stream: 0, value: value.clone() })
+        .collect()
 }
 
 /// The times at which a value comes on a stream of a program that is run from the beginning.
