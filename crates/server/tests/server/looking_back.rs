@@ -316,24 +316,81 @@ async fn stop_is_answered_while_four_analyses_run() {
     scene.house.close().await;
 }
 
+/// `cargo test -p server --test server -- --ignored stop_takes --nocapture` measures, on a machine that does nothing else.
 #[tokio::test]
-async fn as_many_people_look_back_as_can() {
-    let folder = tempfile::tempdir().unwrap();
-    put(folder.path(), NEAR, &near(10, "ball.cm"));
-    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
+#[ignore = "it measures, on a machine that does nothing else"]
+async fn stop_takes_fifty_milliseconds_at_most_while_four_analyses_run() {
+    let scene = Scene::open().await;
+    let heavy = "let x = 0; for i in 0..300 { x += i % 7; } ball.cm + x - x";
     let mut people = Vec::new();
-    for number in 0..8 {
-        let person = house.person(&format!("Person {number}")).await;
-        ask(&person, &recorded(NEAR), PastQuestion::Open).await.unwrap();
+    for number in 0..4 {
+        let name = format!("2026-11-21T18-34-06Z-near-{number}.jsonl");
+        put(scene.data.path(), &name, &near(20_000, heavy));
+        let (browser, _) = scene.guest(Role::Viewer).await;
+        let mut socket = browser.socket("Ben").await.unwrap();
+        let opening = request::LookBack { past: recorded(&name), question: Box::new(PastQuestion::Open) };
+        let asked = socket.send(opening.clone()).await;
+        people.push((socket, opening, asked));
+    }
+    let mut took = Vec::new();
+    for _ in 0..250 {
+        for (socket, opening, asked) in &mut people {
+            let began = std::time::Instant::now();
+            let stop = socket.send(request::Stop { behaviour: None, robot: None }).await;
+            loop {
+                let message = socket.next().await.unwrap();
+                if message.clone().answer_to(*asked).is_some() {
+                    // It goes on being opened.
+                    *asked = socket.send(opening.clone()).await;
+                }
+                if message.answer_to(stop).is_some() {
+                    break;
+                }
+            }
+            took.push(began.elapsed().as_secs_f64() * 1_000.0);
+        }
+    }
+    took.sort_by(f64::total_cmp);
+    let share = |part: usize| took[took.len() * part / 100];
+    eprintln!(
+        "{} Stops: p50 {:.2} ms, p99 {:.2} ms, longest {:.2} ms",
+        took.len(),
+        share(50),
+        share(99),
+        took[took.len() - 1]
+    );
+    assert!(share(99) <= 50.0, "{:.2} ms", share(99));
+    scene.house.close().await;
+}
+
+#[tokio::test]
+async fn as_many_people_look_back_as_can_however_many_links_each_has() {
+    let scene = Scene::open().await;
+    put(scene.data.path(), NEAR, &near(10, "ball.cm"));
+    let open = || request::LookBack { past: recorded(NEAR), question: Box::new(PastQuestion::Open) };
+    let (many, _) = scene.guest(Role::Viewer).await;
+    let mut links = Vec::new();
+    for _ in 0..6 {
+        let mut link = many.socket("Many").await.unwrap();
+        link.ask(open()).await.unwrap();
+        links.push(link);
+    }
+    let mut people = Vec::new();
+    for number in 0..7 {
+        let (browser, _) = scene.guest(Role::Viewer).await;
+        let mut person = browser.socket(&format!("Person {number}")).await.unwrap();
+        person.ask(open()).await.unwrap();
         people.push(person);
     }
-    let late = house.person("Late").await;
-    assert_eq!(refused(ask(&late, &recorded(NEAR), PastQuestion::Open).await), NotSeen::TooMany);
-    drop(people.pop());
+    let (browser, _) = scene.guest(Role::Viewer).await;
+    let mut late = browser.socket("Late").await.unwrap();
+    assert!(matches!(late.ask(open()).await, Err(Refused::NotSeen(NotSeen::TooMany))));
+    links.truncate(1);
+    assert!(matches!(late.ask(open()).await, Err(Refused::NotSeen(NotSeen::TooMany))), "one link is as good as six");
+    links.clear();
     // The server hears of it a moment later.
-    while ask(&late, &recorded(NEAR), PastQuestion::Open).await.is_err() {}
-    make(&late, "Other", None).await;
-    house.close().await;
+    while late.ask(open()).await.is_err() {}
+    scene.house.close().await;
 }
 
 #[tokio::test]
