@@ -153,6 +153,8 @@ pub(crate) struct TabFields {
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
     /// The past on which somebody looks back, while they do.
     pub(crate) past: ArcRwSignal<Option<OpenPast>>,
+    /// The moment that the graph shows in place of now, in milliseconds since Start.
+    pub(crate) then: ArcRwSignal<Option<u64>>,
     /// The words that only screen readers are told, as everybody else sees it.
     pub(crate) whisper: ArcRwSignal<String>,
     /// A choice that is to be offered where the graph is shown.

@@ -15,6 +15,8 @@ mod painting;
 mod rows;
 mod signs;
 mod table;
+mod then;
+mod why;
 
 use super::focus;
 use super::hold::{DeskHold, hold};
@@ -54,6 +56,7 @@ struct PastShared {
     asked: StoredValue<asking::AskedLanes>,
     /// Looks every second at a run that goes on.
     looking: StoredValue<Option<IntervalHandle>>,
+    then: then::ThenState,
 }
 
 /// The panel, as a view.
@@ -69,6 +72,7 @@ pub(crate) fn past() -> AnyView {
         shows_table: RwSignal::new(false),
         asked: StoredValue::default(),
         looking: StoredValue::new(None),
+        then: then::ThenState::new(),
     };
     let density = RwSignal::new(density());
     let root = NodeRef::<html::Section>::new();
@@ -79,6 +83,8 @@ pub(crate) fn past() -> AnyView {
     past.begin();
     past.play_on();
     past.fetch_what_is_seen();
+    past.follow_moment();
+    past.follow_subject();
     Effect::new(move |_| {
         if let Some(root) = root.get() {
             focus::focus(&root);
@@ -100,6 +106,7 @@ pub(crate) fn past() -> AnyView {
         <section
             class="past"
             class:past-narrow=move || density.get() == Density::Narrow
+            class:past-folded=move || past.then.is_folded.get()
             class:past-with-table=move || past.shows_table.get()
             node_ref=root
             tabindex="-1"
@@ -114,6 +121,7 @@ pub(crate) fn past() -> AnyView {
                     <table::Table past />
                 </div>
             </Show>
+            <then::Then past />
         </section>
     }
     .into_any()

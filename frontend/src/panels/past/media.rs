@@ -16,6 +16,11 @@ pub(super) const DARK: &str = "(prefers-color-scheme: dark)";
 /// Something that is heard for as long as it is kept.
 struct MediaWatch(MediaQueryList, Closure<dyn FnMut(JsValue)>);
 
+/// The first element of the page that a selector finds.
+pub(super) fn page_element(selector: &str) -> Option<web_sys::Element> {
+    browser::window()?.document()?.query_selector(selector).ok()?
+}
+
 /// True if this holds now.
 pub(super) fn holds(query: &str) -> bool {
     let query = browser::window().and_then(|window| window.match_media(query).ok().flatten());
