@@ -218,7 +218,9 @@ impl Tab {
 
     /// Shows why something was not done.
     pub(crate) fn say_no(&self, no: &Refused) {
-        self.say(&words::told_by(no), true);
+        let only_looks = matches!(no, Refused::Role(Role::Editor)) && untrack(|| self.is_then());
+        let why = if only_looks { words::only_look_back().to_owned() } else { words::told_by(no) };
+        self.say(&why, true);
     }
 
     /// Shows a refusal as a notice.

@@ -49,6 +49,15 @@ impl Document {
         self.refresh(&touched);
     }
 
+    /// Does something with the open program as it is now, though one of the past may be shown.
+    pub(crate) fn with_now(&self, act: impl FnOnce(&Self)) {
+        let (mut at, then) = (None, self.state().then.take());
+        self.tab.then.update_untracked(|shown| at = shown.take());
+        act(self);
+        self.tab.then.update_untracked(|shown| *shown = at);
+        self.show_then(then);
+    }
+
     /// Lays out with `tidy` what nobody placed, from now on: it may come later than the behaviour that needs it.
     pub(crate) fn lay_out_with(&self, tidy: Tidy) {
         let places: Vec<_> = {

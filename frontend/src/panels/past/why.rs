@@ -6,13 +6,14 @@ pub(super) use view::{Asking, Numbers};
 
 use super::{PastShared, clock, filling};
 use crate::desk::{Lit, Selected};
+use crate::live::short_value;
 use crate::panels::language::language;
 use crate::words;
-use behaviour::{Id, StreamKind};
+use behaviour::{Id, Operation, Procedure, StreamKind, Value};
 use lanes::LaneAct;
 use leptos::prelude::*;
 use protocol::{
-    LaneName, LaneValues, OpenedPast, PastAnswer, PastQuestion, ToldWhy, Why, WhyNot, WhySentence, WhyWith,
+    LaneName, LaneValues, NumberFix, OpenedPast, PastAnswer, PastQuestion, ToldWhy, Why, WhyNot, WhySentence, WhyWith,
 };
 
 /// Why not is asked about so long before the moment, in milliseconds: who misses something is late by that.
@@ -32,6 +33,8 @@ struct AnswerLine {
     /// The time that it is about, in milliseconds since Start.
     t: Option<u64>,
     branches: Vec<AnswerBranch>,
+    /// With which number it would have come, where that is known and the open program is the one that ran.
+    fix: Option<NumberFix>,
 }
 
 /// What was asked: a stream and a moment since Start.
@@ -217,7 +220,7 @@ impl PastShared {
             let text = sentence.map_or_else(|| self.name_of(&step.stream), |said| in_times_of_day(&opened, &said.text));
             let branches =
                 with.iter().map(|(stream, t)| AnswerBranch { name: self.name_of(stream), t: *t }).collect();
-            lines.push(AnswerLine { text, t: Some(step.t), branches });
+            lines.push(AnswerLine { text, t: Some(step.t), branches, fix: None });
         }
         let others = told.why.steps.iter().flat_map(|step| &step.with);
         for with in others {
@@ -233,10 +236,12 @@ impl PastShared {
 
     fn show_why_not(self, asked: AskedReason, told: &ToldWhy<WhyNot>) {
         let Some(opened) = self.opened.get_untracked() else { return };
+        let is_same = self.then.is_same.get_untracked();
         let line = |sentence: &WhySentence| AnswerLine {
             text: in_times_of_day(&opened, &sentence.text),
             t: sentence.t,
             branches: Vec::new(),
+            fix: sentence.fix.clone().filter(|_| is_same),
         };
         let lines = told.sentences.iter().map(line).collect();
         let mut way = Lit { streams: vec![asked.stream.clone()], ..Lit::default() };
@@ -252,6 +257,30 @@ impl PastShared {
         }
         let title = self.title_of(&asked);
         self.show_answer(ShownAnswer { asked, title, lines, numbers, way, note: lost(told.lost) });
+    }
+
+    /// Puts the number with which it would have come into the program of today, as a change that can be taken back; `done` hears
+    /// that it is saved.
+    fn take_fix(self, fix: &NumberFix, done: impl FnOnce() + 'static) {
+        let desk = self.desk.desk();
+        let Ok(id) = Id::new(&fix.connector) else { return };
+        let after = desk.clone();
+        desk.document.with_now(|document| {
+            let now = document.behaviour();
+            let seen = now.connector(&id).cloned();
+            let operation = seen.as_ref().and_then(|seen| with_number(&seen.operation, fix));
+            let (Some(seen), Some(operation)) = (seen, operation) else {
+                return after.say(words::fix_is_late(), true);
+            };
+            let inputs = seen.inputs.clone();
+            let said = after.clone();
+            document.edit_connector((&id, seen), operation, inputs, None, move |answer| {
+                if answer.is_ok() {
+                    done();
+                }
+                said.say_refusal(answer);
+            });
+        });
     }
 
     fn show_answer(self, answer: ShownAnswer) {
@@ -277,6 +306,23 @@ impl PastShared {
         let opened = self.opened.get_untracked();
         opened.map(|opened| clock::time(&opened, at as f64 - opened.from_ms as f64, has_tenths)).unwrap_or_default()
     }
+}
+
+/// A number of a fix with its unit.
+fn fix_words(fix: &NumberFix) -> String {
+    words::with_unit(short_value(&Value::Float(fix.to)), &fix.unit)
+}
+
+/// An operation with the number of a fix in its body; none if another number stands there by now.
+fn with_number(operation: &Operation, fix: &NumberFix) -> Option<Operation> {
+    let mut operation = operation.clone();
+    let Procedure::Body { body, .. } = operation.procedure_mut()? else { return None };
+    let stands = body.get(fix.start..fix.end)?.trim().parse::<f64>().ok()?;
+    if (stands - fix.from).abs() > 1e-9 * fix.from.abs().max(1.0) {
+        return None;
+    }
+    body.replace_range(fix.start..fix.end, &fix.written);
+    Some(operation)
 }
 
 /// That an answer may be wrong, as lines of the recording are missing.
@@ -324,7 +370,26 @@ fn since_start(time: &str, digits: usize) -> Option<u64> {
 
 #[cfg(test)]
 mod tests {
-    use super::with_times;
+    use super::{with_number, with_times};
+    use behaviour::Procedure;
+    use protocol::NumberFix;
+
+    #[test]
+    fn a_fix_goes_where_its_number_stands_and_nowhere_else() {
+        let test = |body: &str| behaviour::connectors::filter::SPEC.with(Procedure::body(body));
+        let fix = NumberFix {
+            connector: "c".into(),
+            start: 11,
+            end: 15,
+            from: 0.75,
+            to: 95.0,
+            written: "0.95".into(),
+            unit: "cm".into(),
+        };
+        assert_eq!(with_number(&test("distance < 0.75"), &fix), Some(test("distance < 0.95")));
+        assert_eq!(with_number(&test("distance < 0.80"), &fix), None, "somebody changed it since");
+        assert_eq!(with_number(&test("d < 1"), &fix), None);
+    }
 
     #[test]
     fn times_since_start_become_times_of_day_and_other_numbers_stay() {

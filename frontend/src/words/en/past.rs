@@ -16,6 +16,8 @@ sentences! {
     ask_why: "Why?";
     ask_why_not: "Why not …";
     close_answer: "Close the answer";
+    changes_today: "This changes the program of today and can be undone.";
+    fix_is_late: "Another number stands there by now. Go back to now and change it there.";
     past_comes: "It is being opened …";
     past_is_empty: "Nothing came while this was recorded.";
     past_is_cut: "The rest is left out, as it is larger than can be looked at.";
@@ -75,6 +77,15 @@ pub(crate) fn why_no(name: &str, time: &str) -> String {
 
 pub(crate) fn used_besides(name: &str) -> String {
     say!("With it: {name}", name)
+}
+
+/// `Make it 95 cm`
+pub(crate) fn make_it(number: &str) -> String {
+    say!("Make it {number}", number)
+}
+
+pub(crate) fn fix_made(number: &str) -> String {
+    say!("In the program of today it is {number} now.", number)
 }
 
 pub(crate) fn lines_missing(lines: u64) -> String {

@@ -2,9 +2,9 @@
 
 use super::super::PastShared;
 use super::super::media::page_element as element;
-use super::{AnswerLine, ShownAnswer};
+use super::{AnswerLine, ShownAnswer, fix_words};
 use crate::browser;
-use crate::desk::Lit;
+use crate::desk::{Document, Lit};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::stream_width;
@@ -14,6 +14,7 @@ use behaviour::Id;
 use lanes::Density;
 use leptos::portal::Portal;
 use leptos::prelude::*;
+use protocol::{NumberFix, Role};
 use wasm_bindgen::JsCast;
 
 /// The id of the answer.
@@ -134,7 +135,7 @@ fn Line(past: PastShared, at: usize, line: AnswerLine, is_not: bool) -> impl Int
         let from = past.opened.get_untracked().map_or(0, |opened| opened.from_ms);
         past.seek(t.saturating_sub(from) as f64);
     };
-    let AnswerLine { text, t, branches } = line;
+    let AnswerLine { text, t, branches, fix } = line;
     let is_here = move || (past.then.at.get() == t && t.is_some()).then_some("true");
     let time = t.map(|t| past.time_words(t, true));
     let number = (at + 1).to_string();
@@ -158,7 +159,40 @@ fn Line(past: PastShared, at: usize, line: AnswerLine, is_not: bool) -> impl Int
     };
     let branches = (!branches.is_empty())
         .then(|| view! { <ul class="why-branches">{branches.into_iter().map(branch).collect_view()}</ul> });
-    view! { <li class:nearest=is_not && at == 0>{step}{branches}</li> }
+    let fix = fix.map(|fix| view! { <Fixing past fix /> });
+    view! { <li class:nearest=is_not && at == 0>{step}{branches}{fix}</li> }
+}
+
+/// The number with which it would have come, as a change of the program of today that can be taken back.
+#[component]
+fn Fixing(past: PastShared, fix: NumberFix) -> impl IntoView {
+    let number = fix_words(&fix);
+    let (made, fix) = (RwSignal::new(false), StoredValue::new(fix));
+    // Whether this person may edit at all: while they look back nobody may.
+    let may = move || past.desk.desk().role.get().is_none_or(|role| role >= Role::Editor);
+    let take = move |_| {
+        fix.with_value(|fix| {
+            past.take_fix(fix, move || {
+                made.try_set(true);
+            });
+        });
+    };
+    let undo = move |_| {
+        past.desk.desk().document.with_now(Document::undo);
+        made.set(false);
+    };
+    let said = words::fix_made(&number);
+    let label = words::make_it(&number);
+    let button = move || {
+        if made.get() {
+            let said = said.clone();
+            view! { <p role="status">{said}" "<button class="link" type="button" on:click=undo>{words::undo()}</button></p> }.into_any()
+        } else {
+            let label = label.clone();
+            view! { <button class="link" type="button" on:click=take>{label}</button><p>{words::changes_today()}</p> }.into_any()
+        }
+    };
+    view! { <Show when=may><div class="why-fix">{button.clone()}</div></Show> }
 }
 
 /// The numbers of the steps on the graph, at the corners of their streams; what words mean meanwhile gives way to the answer again.
