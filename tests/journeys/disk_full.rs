@@ -29,6 +29,8 @@ async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
     rename_program(&aiko, "Ours", "Ours, later").await?;
     says(&aiko, "The disk is full").await?;
     says(&aiko, "Not saved: 1 change waits here").await?;
+    aiko.press("button", "Start").await?;
+    says(&aiko, "Start waited for your changes to be saved and was given up.").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     says(&ben, "Nothing can be saved now (The disk is full").await?;
     ben.find("button", "Red ball, sensor stream").await?;

@@ -95,7 +95,7 @@ impl Past {
 }
 
 /// One edited program that is played.
-struct EditedSide<'p> {
+pub(crate) struct EditedSide<'p> {
     run: Run,
     /// By program and stream of what ran the stream that takes its readings.
     takes: Vec<Vec<Option<StreamIx>>>,
@@ -104,7 +104,7 @@ struct EditedSide<'p> {
 
 impl<'p> EditedSide<'p> {
     /// From the beginning of a segment: what did not change keeps what it remembered then.
-    fn at(past: &Past, from: usize, edited: EditedRun, out: &'p mut dyn FnMut(usize, u64, &Value)) -> Self {
+    pub(crate) fn at(past: &Past, from: usize, edited: EditedRun, out: &'p mut dyn FnMut(usize, u64, &Value)) -> Self {
         let EditedRun { file, mut run } = edited;
         let segment = &past.segments[from];
         if let Some(start) = &segment.start {
@@ -115,13 +115,13 @@ impl<'p> EditedSide<'p> {
         Self { run, takes, out }
     }
 
-    fn feed(&mut self, program: usize, TapedReading { at_ms, stream, value, .. }: &TapedReading) {
+    pub(crate) fn feed(&mut self, program: usize, TapedReading { at_ms, stream, value, .. }: &TapedReading) {
         let Some(to) = self.takes[program].get(stream.index()).copied().flatten() else { return };
         let out = &mut *self.out;
         self.run.feed(Millis(*at_ms), to, value.clone(), &mut |emission| hear(&emission, out));
     }
 
-    fn until(&mut self, at_ms: u64) {
+    pub(crate) fn until(&mut self, at_ms: u64) {
         let out = &mut *self.out;
         self.run.until(Millis(at_ms), &mut |emission| hear(&emission, out));
     }
@@ -130,6 +130,13 @@ impl<'p> EditedSide<'p> {
 fn hear(emission: &Emission, out: &mut dyn FnMut(usize, u64, &Value)) {
     if let Emission::Value { at, stream, value, by: Some(_) } = emission {
         out(stream.index(), at.0, value);
+    }
+}
+
+impl EditedSide<'_> {
+    /// The reason why it goes no further, if it does not.
+    pub(crate) fn ended(&self) -> Option<End> {
+        self.run.ended()
     }
 }
 

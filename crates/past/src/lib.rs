@@ -9,6 +9,7 @@
 mod answer;
 mod change;
 mod cut;
+mod fix;
 mod hook;
 mod interruptions;
 mod lanes;
@@ -22,7 +23,6 @@ mod segment;
 mod series;
 mod sparse;
 mod tape;
-
 mod why;
 
 pub use change::EditedRun;

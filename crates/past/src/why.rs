@@ -9,7 +9,7 @@ use crate::program::PlayedProgram;
 use behaviour::{Helper, Id, Knowledge};
 use causes::Cause;
 use engine::StreamIx;
-use protocol::{NotSeen, ToldWhy, Why, WhyNot, WhySentence, WhyWith};
+use protocol::{NotSeen, NumberFix, ToldWhy, Why, WhyNot, WhySentence, WhyWith};
 use recording::SinceStart;
 use robot::Millis;
 use sentences::{AnswerSentence, Answers, Language};
@@ -57,12 +57,36 @@ impl Past {
         let cause = came.found.ok_or(NotSeen::NoValue)?;
         let mut why = traced.tracer().tell(&cause);
         shorten(&mut why);
-        let answers = |answers: &Answers| answers.why(&why);
+        let answers = |answers: &Answers| answers.why(&why).into_iter().map(|said| said_of(said, None)).collect();
         let sentences = told(&self.programs[program], language, knowledge, &answers);
         while recording::json(&why).len() > WHY_MAX_BYTES && why.steps.len() > 1 {
             why.steps.pop();
         }
         Ok(ToldWhy { program, why, sentences, lost: self.lost_until(at_ms) })
+    }
+
+    /// Tells why each value came in a time, in their order, as [`Past::why`] does for one of them, but whole.
+    ///
+    /// # Errors
+    /// If it cannot be played.
+    pub fn each_why(
+        &self,
+        (from_ms, until_ms): (u64, u64),
+        hook: &Hook,
+        out: &mut dyn FnMut(Why),
+    ) -> Result<(), NotSeen> {
+        let (from_ms, until_ms) = (self.moment(from_ms)?, self.moment(until_ms)?);
+        let mut came = Vec::new();
+        let mut hear = |cause: &Arc<Cause>| {
+            if (from_ms..=until_ms).contains(&cause.at().0) {
+                came.push(Arc::clone(cause));
+            }
+        };
+        let (from, mut player) = TracedPlayer::before(self, self.segment_at(from_ms), hook, &mut hear)?;
+        play(self, from, until_ms, &mut player)?;
+        let traced = player.traced;
+        came.iter().for_each(|cause| out(traced.tracer().tell(cause)));
+        Ok(())
     }
 
     /// Tells why nothing came on a stream in a time.
@@ -94,8 +118,14 @@ impl Past {
         }
         let mut why = traced.why_not(at, Millis(from_ms));
         why.blocked.truncate(STEPS_MAX);
+        let whole = why.clone();
         why.blocked.iter_mut().for_each(|blocked| blocked.value = cut(&blocked.value));
-        let answers = |answers: &Answers| answers.why_not(&why);
+        let answers = |answers: &Answers| {
+            let mut fixes: Vec<_> = whole.blocked.iter().map(|blocked| answers.fix(blocked)).collect();
+            self.leave_what_helps(&mut fixes, (stream, from_ms, until_ms), hook);
+            let fixes = fixes.into_iter().chain(std::iter::repeat(None));
+            answers.why_not(&why).into_iter().zip(fixes).map(|(said, fix)| said_of(said, fix)).collect()
+        };
         let sentences = told(&self.programs[program], language, knowledge, &answers);
         Ok(ToldWhy { program, why, sentences, lost: self.lost_until(until_ms) })
     }
@@ -154,7 +184,7 @@ fn told(
     program: &PlayedProgram,
     language: Language,
     knowledge: &dyn Knowledge,
-    say: &dyn Fn(&Answers) -> Vec<AnswerSentence>,
+    say: &dyn Fn(&Answers) -> Vec<WhySentence>,
 ) -> Vec<WhySentence> {
     let Ok(behaviour) = program.file.records(|_| None) else { return Vec::new() };
     let library = program.file.library();
@@ -163,5 +193,9 @@ fn told(
     let types = behaviour::infer(&behaviour, &helpers, knowledge);
     let unit = |id: &Id| unit_of(types.get(id));
     let answers = Answers::of(&behaviour, &helpers, &unit, &clock, language);
-    say(&answers).into_iter().map(|AnswerSentence { text, stream, t }| WhySentence { text, stream, t }).collect()
+    say(&answers)
+}
+
+fn said_of(AnswerSentence { text, stream, t }: AnswerSentence, fix: Option<NumberFix>) -> WhySentence {
+    WhySentence { text, stream, t, fix }
 }

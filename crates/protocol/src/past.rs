@@ -23,8 +23,6 @@ pub const INTERRUPTIONS_MAX: usize = 200;
 pub const PAST_PROGRAMS_MAX: usize = 200;
 /// The most moments that one stream tells of what an edit would change; all are counted.
 pub const CHANGED_MOMENTS_MAX: usize = 300;
-/// The latest moment that anything is asked about, in milliseconds: a hundred days.
-pub const PAST_MAX_MS: u64 = 100 * 86_400_000;
 
 /// The past that somebody looks at.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -348,7 +346,7 @@ pub struct ToldWhy<T> {
 }
 
 /// A sentence of an answer, with the moment that it is about. Its times stand in it as `0:04.200` since Start.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WhySentence {
     /// The sentence.
     pub text: String,
@@ -357,6 +355,29 @@ pub struct WhySentence {
     /// The time that it is about; none where nothing came.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub t: Option<u64>,
+    /// Where nothing came because of one number, another number with which it comes: tried on the readings of this past.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fix: Option<NumberFix>,
+}
+
+/// Another number of a test, with which a value passes that was kept back.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NumberFix {
+    /// The id of the connector that keeps the test, in the program that ran.
+    pub connector: String,
+    /// The first byte of the number in the body of the connector.
+    pub start: usize,
+    /// The byte after its last one.
+    pub end: usize,
+    /// The number as it is.
+    pub from: f64,
+    /// The number as it would have to be, a round one in its unit.
+    pub to: f64,
+    /// The new number as the body writes it, in the place of those bytes.
+    pub written: String,
+    /// The unit of both as it is shown; empty if there is none.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub unit: String,
 }
 
 /// The changes that an edited program would have made with the readings of a past.

@@ -2,6 +2,7 @@
 
 mod chain;
 mod fill;
+mod fix;
 mod held;
 mod starts;
 mod steps;

@@ -12,10 +12,20 @@ pub(crate) fn written(value: f64) -> String {
 
 /// A number that a body or a parameter holds, with its unit; units that are phrases are part of the words around it.
 pub(crate) fn number(value: f64, unit: &str, at: LiteralPlace, limits: Option<(f64, f64, f64)>) -> Number {
-    let unit = if unit.contains(' ') { "" } else { unit };
+    let unit = shown_unit(unit);
     let text = if unit.is_empty() { written(value) } else { format!("{} {unit}", written(value)) };
     let (min, max, step) = limits.unwrap_or_else(|| usual(value, unit));
     Number { text, value, unit: unit.to_owned(), min: min.min(value), max: max.max(value), step, at, scale: 1.0 }
+}
+
+/// A unit as it stands behind a number; none that is a phrase.
+pub(crate) fn shown_unit(unit: &str) -> &str {
+    if unit.contains(' ') { "" } else { unit }
+}
+
+/// The step in which a number with this unit is changed.
+pub(crate) fn step(value: f64, unit: &str) -> f64 {
+    usual(value, shown_unit(unit)).2
 }
 
 /// The range and step of a number with this unit.

@@ -44,6 +44,18 @@ impl Comparison {
         }
     }
 
+    /// True if a number passes beside this one.
+    pub(crate) fn passes(self, number: f64, beside: f64) -> bool {
+        match self {
+            Self::Less => number < beside,
+            Self::AtMost => number <= beside,
+            Self::More => number > beside,
+            Self::AtLeast => number >= beside,
+            Self::Is => number == beside,
+            Self::IsNot => number != beside,
+        }
+    }
+
     /// Whether it bounds a value from one side, so that two of them make a range.
     pub(crate) fn bounds(self) -> bool {
         !matches!(self, Self::Is | Self::IsNot)
@@ -72,12 +84,29 @@ pub(crate) enum Asks {
 /// The places in a body of what a test compares with: of each comparison its sign and its number.
 pub(crate) type TestPlaces = Vec<(Range<usize>, Range<usize>)>;
 
-/// A side of `&&`: its field, its comparison and the literal.
-struct TestSide {
-    field: Option<String>,
-    comparison: Comparison,
-    literal: SpokenBodyPart,
+/// A side of `&&` or `||`: its field, its comparison and the literal.
+pub(crate) struct TestSide {
+    pub(crate) field: Option<String>,
+    pub(crate) comparison: Comparison,
+    pub(crate) literal: SpokenBodyPart,
     places: (Range<usize>, Range<usize>),
+}
+
+impl TestSide {
+    /// The bytes of its literal in the body.
+    pub(crate) fn literal_at(&self) -> Range<usize> {
+        self.places.1.clone()
+    }
+}
+
+/// The comparisons of a body over one argument, and true if one of them is enough. None if it is anything else.
+pub(crate) fn comparisons(body: &str, args: &[String]) -> Option<(Vec<TestSide>, bool)> {
+    let [_] = args else { return None };
+    let all = parts(body, args)?;
+    let any = all.iter().any(|(part, _)| *part == SpokenBodyPart::Sign("||"));
+    let joint = SpokenBodyPart::Sign(if any { "||" } else { "&&" });
+    let sides: Option<Vec<TestSide>> = all.split(|(part, _)| *part == joint).map(side).collect();
+    Some((sides?, any))
 }
 
 impl ValueTest {

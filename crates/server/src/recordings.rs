@@ -4,6 +4,7 @@ mod bin;
 pub(crate) mod clock;
 mod described;
 mod looked;
+mod looking_places;
 mod marks;
 mod pasts;
 mod recorder;

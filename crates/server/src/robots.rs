@@ -32,7 +32,7 @@ mod surroundings;
 mod tally;
 #[cfg(test)]
 mod tests;
-mod told_states;
+mod told_times;
 
 pub use backup::{check_robots, put_robots, robots_in};
 pub(crate) use command_queue::ByHand;

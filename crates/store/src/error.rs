@@ -49,7 +49,7 @@ pub enum StoreError {
     #[error("The data cannot be used now: {0}. Try again later.")]
     Unavailable(String),
     /// The store did not answer in time.
-    #[error("Saving takes too long. Check the disk, then try again.")]
+    #[error("The data does not answer in time. Check the disk, then try again.")]
     Timeout,
 }
 

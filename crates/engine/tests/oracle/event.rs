@@ -24,8 +24,9 @@ pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64) -> Vec<(S
     let (held, known, memory, waiting) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
     let mut slow = Slow { file, held, known, memory, since: BTreeMap::new(), waiting, said: Vec::new() };
     let order = by_rank(file);
+    let mut readings = trace.iter().peekable();
     for now in 0..=until {
-        for reading in trace.iter().filter(|reading| reading.at == now) {
+        while let Some(reading) = readings.next_if(|reading| reading.at == now) {
             slow.put(now, reading.stream, &reading.value, None, Vec::new(), &Vec::new());
         }
         for sample in &order {
@@ -73,7 +74,7 @@ impl Slow<'_> {
         self.said.push((Said::Value(now, on, value.clone()), way.clone()));
         for (at, connector) in self.file.connectors.iter().enumerate() {
             for (slot, input) in connector.inputs.iter().enumerate() {
-                if stream(self.file, input) == on {
+                if *input == self.file.streams[on].id {
                     self.react(now, at, slot, &way);
                 }
             }

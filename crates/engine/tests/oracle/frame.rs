@@ -38,12 +38,13 @@ pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64, length: u
     let (now, held, next, known) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
     let (memory, waiting, ways, since) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
     let mut slow = Slow { file, now, ways, held, next, known, memory, since, waiting, said: Vec::new() };
+    let order = by_rank(file);
     for frame in 1..=until.div_ceil(length) {
         slow.now.clear();
         slow.ways.clear();
         slow.gather(trace, frame, length);
-        for connector in by_rank(file) {
-            slow.visit(frame * length, connector);
+        for connector in &order {
+            slow.visit(frame * length, *connector);
         }
     }
     slow.said
@@ -74,8 +75,12 @@ impl Slow<'_> {
             Ok(None) => {}
             Ok(Some(Given { carried, from, with })) => {
                 let output = stream(self.file, &connector.output);
-                let earlier = |said: &Said| matches!(said, Said::Value(t, on, _) if *t == time && *on == output);
-                self.said.retain(|(said, _)| !earlier(said));
+                // What was said on it earlier in this frame counts no more.
+                let is_earlier = |said: &Said| matches!(said, Said::Value(_, on, _) if *on == output);
+                let begins = self.said.partition_point(|(said, _)| said.at() < time);
+                if let Some(earlier) = self.said[begins..].iter().position(|(said, _)| is_earlier(said)) {
+                    self.said.remove(begins + earlier);
+                }
                 let value = carried.0.clone();
                 let mut way = vec![Step { connector: Some(at), stream: output, at: time, value: value.clone(), with }];
                 way.extend(from);

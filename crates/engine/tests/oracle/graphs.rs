@@ -146,6 +146,34 @@ fn some_of(chance: &mut Chance, sources: &[String]) -> Vec<String> {
     some
 }
 
+/// Many behaviours side by side that hear the same senses: so many connectors at least.
+#[allow(dead_code, reason = "not every test has large ones")]
+pub(crate) fn large(chance: &mut Chance, least: usize) -> BehaviourFile {
+    let mut all = behaviour(chance);
+    let senses: Vec<String> = all.streams.iter().filter(|one| one.kind == StreamKind::Sensor).map(|one| one.id.clone()).collect();
+    for part in 1.. {
+        if all.connectors.len() >= least {
+            break;
+        }
+        let other = behaviour(chance);
+        let is_sense = |id: &str| other.streams.iter().any(|one| one.id == id && one.kind == StreamKind::Sensor);
+        let mut renamed = |id: &str| {
+            if is_sense(id) { chance.pick(&senses) } else { format!("{id}of{part}") }
+        };
+        for mut connector in other.connectors.clone() {
+            connector.id = format!("{}of{part}", connector.id);
+            connector.output = renamed(&connector.output);
+            connector.inputs.iter_mut().for_each(|input| *input = renamed(input));
+            all.connectors.push(connector);
+        }
+        for mut stream in other.streams.iter().filter(|one| one.kind != StreamKind::Sensor).cloned() {
+            stream.id = renamed(&stream.id);
+            all.streams.push(stream);
+        }
+    }
+    all
+}
+
 /// So many readings, often at one instant.
 pub(crate) fn trace(chance: &mut Chance, file: &BehaviourFile, readings: usize) -> Vec<Reading> {
     let sensors = file.streams.iter().enumerate().filter(|(_, stream)| stream.kind == StreamKind::Sensor);

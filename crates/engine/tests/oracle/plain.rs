@@ -12,6 +12,15 @@ pub(crate) enum Said {
     Fault(u64, usize),
 }
 
+impl Said {
+    /// The time at which it is said.
+    pub(crate) fn at(&self) -> u64 {
+        match self {
+            Self::Value(at, ..) | Self::Fault(at, _) => *at,
+        }
+    }
+}
+
 /// The way on which a value came, as a plain list: the value itself, the one that triggered it, and so on to a reading.
 pub(crate) type Way = Vec<Step>;
 
@@ -41,17 +50,24 @@ pub(crate) fn stream(file: &BehaviourFile, id: &str) -> usize {
     file.streams.iter().position(|stream| stream.id == id).unwrap()
 }
 
-/// The length of the longest path from a source, by asking again and again.
-pub(crate) fn rank(file: &BehaviourFile, connector: &FileConnector) -> usize {
-    let feeding = |input: &String| file.connectors.iter().filter(|other| other.output == *input).collect::<Vec<_>>();
-    let above = connector.inputs.iter().flat_map(feeding);
-    1 + above.map(|other| rank(file, other)).max().unwrap_or(0)
-}
-
-/// The connectors by rank, then place.
+/// The connectors by the length of the longest path from a source, then by place. Lengths grow until nothing changes.
 pub(crate) fn by_rank(file: &BehaviourFile) -> Vec<usize> {
+    let mut ranks = vec![1_usize; file.connectors.len()];
+    loop {
+        let before = ranks.clone();
+        for (at, connector) in file.connectors.iter().enumerate() {
+            for (other, feeding) in file.connectors.iter().enumerate() {
+                if connector.inputs.contains(&feeding.output) {
+                    ranks[at] = ranks[at].max(ranks[other] + 1);
+                }
+            }
+        }
+        if ranks == before {
+            break;
+        }
+    }
     let mut order: Vec<usize> = (0..file.connectors.len()).collect();
-    order.sort_by_key(|&at| (rank(file, &file.connectors[at]), at));
+    order.sort_by_key(|&at| (ranks[at], at));
     order
 }
 

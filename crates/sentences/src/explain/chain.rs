@@ -84,6 +84,19 @@ impl<'a> KnownGraph<'a> {
         Chain { start, links }
     }
 
+    /// A connector as the link after the chain to its first input; none if it takes from nothing.
+    pub(super) fn link(&self, id: &'a Id, connector: &'a Connector) -> Option<ChainConnector<'a>> {
+        let from = connector.inputs.first()?;
+        let (does, places) = SpokenConnector::of(&connector.operation, &self.behaviour.arguments(connector));
+        let chain = self.chain(from);
+        let carried = match (chain.links.last(), &chain.start) {
+            (Some(last), _) => self.after(&last.carried, &last.does),
+            (None, ChainStart::Sense(_, _, device)) => CarriedKind::Sense(device.name),
+            (None, ChainStart::Any(..) | ChainStart::Named(..)) => CarriedKind::Other,
+        };
+        Some(ChainConnector { id, connector, does, places, from, carried })
+    }
+
     /// True if what comes here goes on, unless something is held meanwhile; `after` is what comes later, the last first.
     fn is_unless(&self, any: &'a Connector, after: &[ChainConnector], seen: &BTreeSet<&'a Id>) -> bool {
         let ends = match after {

@@ -215,6 +215,17 @@ impl<'a> SentenceTeller<'a> {
         }
     }
 
+    /// The kind of words in which a link compares its values or a field of them, and their unit.
+    pub(super) fn measured(&self, link: &ChainConnector, field: Option<&str>) -> (&'static str, String) {
+        match link.carried.measure(field) {
+            ValueMeasure::Distance(unit) => ("near", unit.to_owned()),
+            ValueMeasure::Number(unit) if unit.is_empty() && field.is_none() => {
+                ("plain", (self.unit)(link.from).unwrap_or_default())
+            }
+            ValueMeasure::Number(unit) => ("plain", unit),
+        }
+    }
+
     fn comparison(
         &self,
         link: &ChainConnector,
@@ -224,13 +235,7 @@ impl<'a> SentenceTeller<'a> {
         more: bool,
     ) -> Vec<Piece> {
         let (comparison, value) = number;
-        let (class, unit) = match link.carried.measure(test.field.as_deref()) {
-            ValueMeasure::Distance(unit) => ("near", unit.to_owned()),
-            ValueMeasure::Number(unit) if unit.is_empty() && test.field.is_none() => {
-                ("plain", (self.unit)(link.from).unwrap_or_default())
-            }
-            ValueMeasure::Number(unit) => ("plain", unit),
-        };
+        let (class, unit) = self.measured(link, test.field.as_deref());
         let (sign, literal) = link.places.get(at).cloned().unwrap_or_default();
         let place = |range: std::ops::Range<usize>| LiteralPlace::Body {
             connector: link.id.clone(),

@@ -33,10 +33,10 @@ pub struct AnswerSentence {
 
 /// The teller of answers about one behaviour: what its streams are called and measured in, and how times are written.
 pub struct Answers<'a> {
-    known: KnownGraph<'a>,
-    unit: &'a dyn Fn(&Id) -> Option<String>,
+    pub(super) known: KnownGraph<'a>,
+    pub(super) unit: &'a dyn Fn(&Id) -> Option<String>,
     clock: &'a dyn Fn(u64) -> String,
-    language: Language,
+    pub(super) language: Language,
 }
 
 impl<'a> Answers<'a> {
@@ -267,10 +267,10 @@ impl<'a> Answers<'a> {
         behaviour.streams().find(|(known, _)| known.as_str() == id)
     }
 
-    /// The link that a connector is in the chain to its output.
-    fn link(&self, id: &str) -> Option<ChainConnector<'a>> {
+    /// A connector as the link after the chain to its first input.
+    pub(super) fn link(&self, id: &str) -> Option<ChainConnector<'a>> {
         let (id, connector) = self.connector(id)?;
-        self.known.chain(&connector.output).links.into_iter().next_back().filter(|link| link.id == id)
+        self.known.link(id, connector)
     }
 
     /// A stream by its name, in quotes.

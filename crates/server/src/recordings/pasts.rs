@@ -2,7 +2,9 @@
 //! anything here.
 
 use super::looked::{Lines, Version};
+use super::looking_places::LookingPlaces;
 use super::{NotRecorded, Recordings, later, marks_of};
+use crate::support::identity::PersonIdentity;
 use crate::support::lock;
 use crate::support::until::Until;
 use past::{Opening, Past};
@@ -10,7 +12,6 @@ use protocol::{NotSeen, PastOf, RecordingMark, Refused};
 use recording::{Entry, Header, json, read_line};
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
 
 /// The most pasts that are kept open.
@@ -23,10 +24,6 @@ const CAUSES_BYTES: usize = 12 << 20;
 const OPEN_MS: u64 = 8_000;
 /// The time after which an opening ends also in the middle of a reading, in milliseconds.
 const OPEN_MAX_MS: u64 = 12_000;
-/// The most people who look back at once.
-const PEOPLE_MAX: usize = 8;
-/// The time for which a person keeps a place without asking anything, in milliseconds.
-const PLACE_MS: u64 = 60_000;
 
 /// The past of a run that goes on.
 pub(crate) struct LivePast {
@@ -46,7 +43,7 @@ pub(crate) struct Pasts {
     kept: Arc<Mutex<KeptPasts>>,
     /// Taken while one is opened: what is gathered for it is large.
     opening: Arc<Mutex<()>>,
-    people: Arc<Mutex<Vec<(u64, Instant)>>>,
+    places: Arc<Mutex<LookingPlaces>>,
 }
 
 #[derive(Debug, Default)]
@@ -83,21 +80,9 @@ impl KeptPasts {
 }
 
 impl Pasts {
-    /// A place for somebody who looks back, by the number of their link. False if as many do as can.
-    pub(crate) fn enter(&self, session: u64) -> bool {
-        self.enter_at(session, Instant::now())
-    }
-
-    fn enter_at(&self, session: u64, now: Instant) -> bool {
-        let mut people = lock(&self.people);
-        people.retain(|(known, at)| {
-            *known != session && now.saturating_duration_since(*at) < Duration::from_millis(PLACE_MS)
-        });
-        let has_room = people.len() < PEOPLE_MAX;
-        if has_room {
-            people.push((session, now));
-        }
-        has_room
+    /// A place for a person who asks about a past on a link. False if as many people look back as can.
+    pub(crate) fn enter(&self, by: &PersonIdentity, link: u64, of: &PastOf) -> bool {
+        lock(&self.places).enter(by, link, of)
     }
 
     /// A recording is gone, and what was opened of it goes too.
@@ -105,9 +90,9 @@ impl Pasts {
         lock(&self.kept).all.retain(|kept| !matches!(&kept.of, PastOf::Recording(known) if known == name));
     }
 
-    /// Somebody is gone.
-    pub(crate) fn leave(&self, session: u64) {
-        lock(&self.people).retain(|(known, _)| *known != session);
+    /// A link ended.
+    pub(crate) fn leave(&self, link: u64) {
+        lock(&self.places).leave(link);
     }
 }
 
@@ -187,22 +172,4 @@ fn open_live(live: LivePast, token: &CancellationToken) -> Result<Past, Refused>
     }
     let marks: String = marks.iter().map(|mark| json(mark) + "\n").collect();
     opening.finish(&marks, Some(now_ms)).map_err(Refused::from)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{PEOPLE_MAX, PLACE_MS, Pasts};
-    use std::time::{Duration, Instant};
-
-    #[test]
-    fn as_many_people_look_back_as_can_and_who_is_silent_gives_way() {
-        let (pasts, now) = (Pasts::default(), Instant::now());
-        let after = |ms: u64| now + Duration::from_millis(ms);
-        assert!((0..PEOPLE_MAX as u64).all(|person| pasts.enter_at(person, now)));
-        assert!(!pasts.enter_at(100, after(1_000)), "there is no place left");
-        assert!(pasts.enter_at(0, after(2_000)), "who is in stays in");
-        pasts.leave(3);
-        assert!(pasts.enter_at(100, after(3_000)) && !pasts.enter_at(101, after(3_000)));
-        assert!(pasts.enter_at(101, after(PLACE_MS)), "the others said nothing for a minute");
-    }
 }

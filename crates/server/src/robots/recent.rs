@@ -9,6 +9,7 @@ use engine::{Handover, StreamIx};
 use recording::{Entry, Header};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex};
+use std::time::Instant;
 
 /// The time that is kept at least, in milliseconds.
 const KEPT_MS: u64 = 120_000;
@@ -30,6 +31,10 @@ struct Recent {
     began: String,
     parts: VecDeque<Part>,
     closed_ms: u64,
+    /// Since when the run goes on; none once it ended.
+    since: Option<Instant>,
+    /// The instant at which the run does something by itself next, if it waits.
+    due_ms: Option<u64>,
     readings: usize,
     bytes: usize,
 }
@@ -73,7 +78,7 @@ struct RecentCopy {
 impl Robots {
     /// The last minutes of a run, also of one that ended lately.
     pub(crate) fn live_past(&self, run: u64) -> Option<LivePast> {
-        let recent = self.hosts().iter().find_map(|host| host.recent(run))?.copy()?;
+        let recent = self.hosts().iter().find_map(|host| host.recent(run))?.copy(Instant::now())?;
         let about = self.runs().borrow().iter().find(|known| known.run == run).cloned();
         let named = |robot: &Id| {
             self.states().borrow().iter().find(|known| known.robot == *robot).map(|known| known.name.clone())
@@ -94,15 +99,17 @@ impl Robots {
 }
 
 impl RecentReadings {
-    /// A program begins, or goes on from what it remembers. `applied` says that it took over from another one.
+    /// A program begins, or goes on from what it remembers, in logical time since then. `applied` says that it took over from
+    /// another one.
     pub(super) fn begin(
         &self,
         (file, revision): (&Arc<BehaviourFile>, u64),
         memory: Option<Handover>,
-        from_ms: u64,
+        (since, from_ms): (Instant, u64),
         applied: bool,
     ) {
         let mut recent = lock(&self.inner);
+        (recent.since, recent.due_ms) = (Some(since), Some(from_ms));
         if recent.parts.is_empty() {
             recent.began = clock::ago(from_ms);
         }
@@ -114,6 +121,7 @@ impl RecentReadings {
     pub(super) fn reading(&self, at_ms: u64, stream: StreamIx, value: &Value, by: Option<&Arc<str>>) {
         let mut recent = lock(&self.inner);
         let bytes = 48 + bytes_of(value);
+        recent.due_ms = Some(at_ms);
         let Some(part) = recent.parts.back_mut() else { return };
         part.readings.push(RecentReading { at_ms, stream, value: value.clone(), by: by.cloned() });
         part.bytes += bytes;
@@ -122,10 +130,10 @@ impl RecentReadings {
         recent.forget(at_ms);
     }
 
-    /// All instants up to one are closed. `memory` is asked for now and then.
-    pub(super) fn closed(&self, at_ms: u64, memory: impl FnOnce() -> Option<Handover>) {
+    /// All instants up to one are closed, and until `due_ms` the run does nothing by itself. `memory` is asked for now and then.
+    pub(super) fn closed(&self, at_ms: u64, due_ms: Option<u64>, memory: impl FnOnce() -> Option<Handover>) {
         let mut recent = lock(&self.inner);
-        recent.closed_ms = at_ms;
+        (recent.closed_ms, recent.due_ms) = (at_ms, due_ms);
         recent.forget(at_ms);
         let Some(last) = recent.parts.back() else { return };
         if at_ms < last.from_ms + PART_MS
@@ -142,13 +150,20 @@ impl RecentReadings {
         }
     }
 
+    /// The run ended.
+    pub(super) fn end(&self, now: Instant) {
+        let mut recent = lock(&self.inner);
+        recent.closed_ms = recent.closed_by(now);
+        recent.since = None;
+    }
+
     /// A copy of what is known; none before the run began.
-    fn copy(&self) -> Option<RecentCopy> {
+    fn copy(&self, now: Instant) -> Option<RecentCopy> {
         let recent = lock(&self.inner);
         let first = recent.parts.front()?;
         let (file, revision) = (Arc::clone(&first.file), first.revision);
         let copy: Vec<Part> = recent.parts.iter().map(Part::copy).collect();
-        let (began, closed_ms) = (recent.began.clone(), recent.closed_ms);
+        let (began, closed_ms) = (recent.began.clone(), recent.closed_by(now));
         drop(recent);
         let entries = copy.into_iter().enumerate().flat_map(|(at, part)| part.entries(at == 0)).collect();
         Some(RecentCopy { began, entries, file, revision, closed_ms })
@@ -156,6 +171,14 @@ impl RecentReadings {
 }
 
 impl Recent {
+    /// The last instant that is closed by now: also those in which nothing came, before the run does something by itself.
+    fn closed_by(&self, now: Instant) -> u64 {
+        let Some(since) = self.since else { return self.closed_ms };
+        let now_ms = u64::try_from(now.saturating_duration_since(since).as_millis()).unwrap_or(u64::MAX);
+        let quiet_ms = self.due_ms.map_or(u64::MAX, |due_ms| due_ms.saturating_sub(1));
+        now_ms.min(quiet_ms).max(self.closed_ms)
+    }
+
     fn push(&mut self, mut part: Part) {
         part.bytes = part.memory.as_ref().map_or(0, |memory| memory.bytes());
         self.bytes += part.bytes;
@@ -176,7 +199,8 @@ impl Recent {
         }
         // So much came since the last moment that none was kept between: nothing is known but what comes now.
         if self.readings > 2 * READINGS_MAX || self.bytes > 2 * KEPT_MAX_BYTES {
-            *self = Self { began: std::mem::take(&mut self.began), closed_ms: self.closed_ms, ..Self::default() };
+            let (began, closed_ms) = (std::mem::take(&mut self.began), self.closed_ms);
+            *self = Self { began, closed_ms, since: self.since, due_ms: self.due_ms, ..Self::default() };
         }
     }
 }
@@ -215,5 +239,35 @@ fn bytes_of(value: &Value) -> usize {
         Value::Text(text) => 16 + text.len(),
         Value::List(items) => 40 + items.iter().map(|item| 24 + bytes_of(item)).sum::<usize>(),
         Value::Map(fields) => 64 + fields.values().iter().map(|item| 24 + bytes_of(item)).sum::<usize>(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::RecentReadings;
+    use behaviour::{BehaviourFile, Value};
+    use engine::StreamIx;
+    use std::sync::Arc;
+    use std::time::{Duration, Instant};
+
+    #[test]
+    fn a_quiet_minute_is_a_minute_of_the_past() {
+        let file = serde_json::json!({"format": "rrp-behaviour/1", "name": "Quiet", "helpers": [], "connectors": [],
+            "streams": [{"id": "touch", "kind": "sensor", "name": "Touch"}]});
+        let file: Arc<BehaviourFile> = Arc::new(serde_json::from_value(file).unwrap());
+        let (recent, since) = (RecentReadings::default(), Instant::now());
+        let closed = |ms: u64| recent.copy(since + Duration::from_millis(ms)).map(|copy| copy.closed_ms);
+        assert_eq!(closed(10), None);
+        recent.begin((&file, 1), None, (since, 0), false);
+        assert_eq!(closed(10), Some(0), "nothing is closed before the run says so");
+        recent.closed(20, None, || None);
+        assert_eq!((closed(20), closed(60_020)), (Some(20), Some(60_020)));
+        recent.reading(60_100, StreamIx::of(0), &Value::Bool(true), None);
+        assert_eq!(closed(70_000), Some(60_099), "the instant of a reading is open");
+        recent.closed(60_100, Some(60_400), || None);
+        assert_eq!((closed(60_300), closed(90_000)), (Some(60_300), Some(60_399)), "what is due has to come first");
+        recent.closed(60_400, None, || None);
+        recent.end(since + Duration::from_millis(61_000));
+        assert_eq!(closed(99_000), Some(61_000), "its end is the end");
     }
 }

@@ -5,7 +5,7 @@ use super::live::LiveValues;
 use super::mailbox::{ReadingsKept, RunMailbox};
 use super::recent::RecentReadings;
 use super::run_marks::{PressOutcome, RunMarks};
-use super::told_states::ToldStates;
+use super::told_times::ToldTimes;
 use behaviour::{BehaviourFile, Id};
 use engine::{Handover, StreamIx};
 use protocol::{RecordingMark, RunPhase, RunState};
@@ -45,8 +45,8 @@ pub(super) struct PausedMemory {
     pub(super) memory: Handover,
     /// The next instant of its logical time, which stands still meanwhile.
     pub(super) open_ms: u64,
-    /// What its senses of states told last.
-    pub(super) states: ToldStates,
+    /// What its senses of times told last.
+    pub(super) times: ToldTimes,
     /// The marks, as they are when it goes on: they can be changed until then. The run that goes on shows them too.
     pub(super) marks: Arc<RunMarks>,
 }

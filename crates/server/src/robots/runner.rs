@@ -14,7 +14,7 @@ use super::shared::RobotShared;
 use super::successor::{RunHandover, Successor};
 use super::surroundings::RecordedSurroundings;
 use super::tally::RunTally;
-use super::told_states::ToldStates;
+use super::told_times::ToldTimes;
 use crate::recordings::{About, NotRecorded, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
@@ -132,7 +132,7 @@ pub(super) fn begin<'a>(
     let kept = lock(&job.shared.table).take_memory(&job.start.behaviour);
     let before = kept.map(|kept| runner.go_on(kept)).unwrap_or_default();
     let memory = (runner.open_ms > 0).then(|| runner.run.handover());
-    runner.sink.recent.begin((&job.start.file, job.start.revision), memory, runner.open_ms, false);
+    runner.sink.recent.begin((&job.start.file, job.start.revision), memory, (runner.began, runner.open_ms), false);
     entry.recent = runner.sink.recent.clone();
     entry.marks.begin(runner.began, before);
     runner.marks = entry.marks.clone();
@@ -254,8 +254,8 @@ pub(super) struct Runner<'a> {
     open_ms: u64,
     /// Who follows, as soon as no frame is open.
     successor: Option<Successor>,
-    /// What its senses of states told last.
-    states: ToldStates,
+    /// What its senses of times told last.
+    times: ToldTimes,
     /// The state of the robot and its room, as a recording has it.
     surroundings: RecordedSurroundings,
     /// The marks that people make meanwhile.
@@ -275,19 +275,19 @@ impl<'a> Runner<'a> {
     ) -> Self {
         let sink = EmissionSink::new(job, tally, &run, clock);
         let (surroundings, begun_with) = (RecordedSurroundings::default(), Vec::new());
-        let (marks, states, began) = (Arc::default(), ToldStates::of(&run), (job.clock)());
-        Self { run, mailbox, sink, began, open_ms: 0, successor: None, states, surroundings, marks, begun_with }
+        let (marks, times, began) = (Arc::default(), ToldTimes::of(&run), (job.clock)());
+        Self { run, mailbox, sink, began, open_ms: 0, successor: None, times, surroundings, marks, begun_with }
     }
 
-    /// This run with the time, the marks, the states that were told, and the recording of the run that it follows.
+    /// This run with the time, the marks, the times that were told, and the recording of the run that it follows.
     pub(super) fn since(
         mut self,
         (began, open_ms): (Instant, u64),
-        (marks, states): (Arc<RunMarks>, &ToldStates),
+        (marks, times): (Arc<RunMarks>, &ToldTimes),
         recorder: Option<Recorder>,
     ) -> Self {
         (self.began, self.open_ms, self.marks) = (began, open_ms, marks);
-        self.states = self.states.since(states);
+        self.times = self.times.since(times);
         if let Some(mut recorder) = recorder {
             let start = &self.sink.job.start;
             recorder.applied(open_ms.saturating_sub(1), start.revision, &start.file);
@@ -306,7 +306,7 @@ impl<'a> Runner<'a> {
     /// its marks.
     fn go_on(&mut self, kept: PausedMemory) -> Vec<ToldMark> {
         self.run.resume_from(kept.memory, &Matching::between(&kept.file, &self.sink.job.start.file));
-        self.states = std::mem::take(&mut self.states).since(&kept.states);
+        self.times = std::mem::take(&mut self.times).since(&kept.times);
         self.open_ms = kept.open_ms;
         self.began = self.began.checked_sub(Duration::from_millis(kept.open_ms)).unwrap_or(self.began);
         if let Some(recorder) = &mut self.sink.recorder {
@@ -323,7 +323,7 @@ impl<'a> Runner<'a> {
                 file: job.start.file.clone(),
                 memory: self.run.handover(),
                 open_ms: self.open_ms,
-                states: self.states.clone(),
+                times: self.times.clone(),
                 marks: Arc::clone(&self.marks),
             };
             lock(&job.shared.table).keep_memory(job.run, memory);
@@ -376,6 +376,7 @@ impl<'a> Runner<'a> {
         self.mark(last.marks);
         self.mark(ended);
         self.sink.tally.tell(&self.run, self.now_ms(), true);
+        self.sink.recent.end((self.sink.job.clock)());
         let (run, dropped) = (self.sink.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
         if reason.is_none() {
@@ -415,7 +416,7 @@ impl<'a> Runner<'a> {
             tally: self.sink.tally,
             recorder: self.sink.recorder,
             marks: self.marks,
-            states: self.states,
+            times: self.times,
             recent: self.sink.recent,
             began: self.began,
             open_ms: self.open_ms,
@@ -428,7 +429,7 @@ impl<'a> Runner<'a> {
         if self.sink.job.cancel.is_cancelled() || self.run.ended().is_some() {
             return;
         }
-        if reading.by.is_none() && !self.states.is_news(reading.stream, &reading.value) {
+        if reading.by.is_none() && !self.times.is_news(reading.stream, &reading.value) {
             return;
         }
         let arrived_ms = self.ms_at(reading.at);
@@ -441,7 +442,7 @@ impl<'a> Runner<'a> {
         let told = reading.value.clone();
         self.run.feed(at, reading.stream, reading.value, &mut |emission| sink.note(emission));
         if sink.settle(&self.run) && !sink.job.cancel.is_cancelled() {
-            self.states.note(reading.stream, told);
+            self.times.note(reading.stream, told);
         }
     }
 
@@ -469,7 +470,8 @@ impl<'a> Runner<'a> {
         self.open_ms = until_ms + 1;
         let run = &self.run;
         let may = run.is_between() && run.ended().is_none();
-        sink.recent.closed(until_ms, || may.then(|| run.handover()));
+        let due_ms = run.next_due().map(|due| due.0);
+        sink.recent.closed(until_ms, due_ms, || may.then(|| run.handover()));
     }
 
     /// Records marks that are new or changed.

@@ -9,7 +9,7 @@ use super::run_table::{RunEntry, RunSenses};
 use super::runner::{self, RunJob, Runner, devices, open, senses};
 use super::shared::RobotShared;
 use super::tally::RunTally;
-use super::told_states::ToldStates;
+use super::told_times::ToldTimes;
 use crate::recordings::Recorder;
 use crate::support::lock;
 use engine::{Handover, Matching, Run};
@@ -36,8 +36,8 @@ pub(super) struct RunHandover {
     pub(super) recorder: Option<Recorder>,
     /// The marks of the run.
     pub(super) marks: Arc<RunMarks>,
-    /// What its senses of states told last.
-    pub(super) states: ToldStates,
+    /// What its senses of times told last.
+    pub(super) times: ToldTimes,
     /// The last minutes of the run.
     pub(super) recent: Arc<RecentReadings>,
     /// Logical time 0.
@@ -98,11 +98,11 @@ pub(super) fn go_on<'a>(
     mailbox: Arc<RunMailbox>,
     clock: Rc<Cell<Instant>>,
 ) -> Runner<'a> {
-    let RunHandover { memory, tally, recorder, marks, states, recent, began, open_ms } = handover;
+    let RunHandover { memory, tally, recorder, marks, times, recent, began, open_ms } = handover;
     run.resume_from(memory, matching);
     let tally = tally.succeeded(&run, matching);
-    recent.begin((&job.start.file, job.start.revision), Some(run.handover()), open_ms, true);
-    let runner = Runner::new(job, run, mailbox, tally, clock).since((began, open_ms), (marks, &states), recorder);
+    recent.begin((&job.start.file, job.start.revision), Some(run.handover()), (began, open_ms), true);
+    let runner = Runner::new(job, run, mailbox, tally, clock).since((began, open_ms), (marks, &times), recorder);
     runner.looked_back_at(recent)
 }
 

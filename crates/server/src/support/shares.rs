@@ -64,10 +64,26 @@ impl Shares {
         } else {
             Some(self.whose_gives_way(by)?)
         };
+        Some(self.put(by, instead_of, now_ms))
+    }
+
+    /// A place for somebody who has one, instead of their own oldest.
+    pub(crate) fn take_instead(&mut self, by: &PersonIdentity, now_ms: u64) -> Option<TakenShare> {
+        let own = self.own_oldest(by, now_ms)?;
+        Some(self.put(by, Some(own), now_ms))
+    }
+
+    fn put(&mut self, by: &PersonIdentity, instead_of: Option<u64>, now_ms: u64) -> TakenShare {
         instead_of.iter().for_each(|number| drop(self.held.remove(number)));
         self.last += 1;
         self.held.insert(self.last, HeldShares { by: by.clone(), moved: (now_ms, self.last) });
-        Some(TakenShare { number: self.last, instead_of })
+        TakenShare { number: self.last, instead_of }
+    }
+
+    /// Frees the places of which nothing came for so long; returns their numbers.
+    pub(crate) fn free_still(&mut self, now_ms: u64, still_ms: u64) -> Vec<u64> {
+        let is_still = |_: &u64, held: &mut HeldShares| now_ms.saturating_sub(held.moved.0) >= still_ms;
+        self.held.extract_if(.., is_still).map(|(number, _)| number).collect()
     }
 
     /// Something came of a place: it is the newest of its holder.

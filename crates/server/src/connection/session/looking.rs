@@ -74,7 +74,7 @@ impl NewestQuestion {
 
 impl ClientSession {
     pub(super) fn look_back(&mut self, ask: u32, of: request::LookBack) {
-        if !self.state().recordings.pasts.enter(self.outbox.session) {
+        if !self.state().recordings.pasts.enter(&self.outbox.person, self.outbox.session, &of.past) {
             return self.outbox.no(ask, Refused::from(NotSeen::TooMany));
         }
         let newest = match &*of.question {
@@ -104,7 +104,7 @@ impl ClientSession {
         });
     }
 
-    /// Somebody else may have the place of this client.
+    /// This link needs no place any more.
     pub(super) fn looks_back_no_more(&self) {
         self.state().recordings.pasts.leave(self.outbox.session);
     }

@@ -8,24 +8,24 @@ use std::collections::BTreeMap;
 
 /// The newest time that each of these senses told a run.
 #[derive(Clone, Debug, Default)]
-pub(super) struct ToldStates(BTreeMap<StreamIx, StateSense>);
+pub(super) struct ToldTimes(BTreeMap<StreamIx, TimeSense>);
 
 /// A stream of such a sense.
 #[derive(Clone, Debug)]
-struct StateSense {
+struct TimeSense {
     id: String,
     device: Option<String>,
     params: Params,
     told: Option<Value>,
 }
 
-impl StateSense {
+impl TimeSense {
     fn is_of(&self, other: &Self) -> bool {
         (&self.id, &self.device, &self.params) == (&other.id, &other.device, &other.params)
     }
 }
 
-impl ToldStates {
+impl ToldTimes {
     /// The senses of a run, which have told nothing yet.
     pub(super) fn of(run: &Run) -> Self {
         let senses = run.streams().enumerate().filter(|(_, info)| {
@@ -34,7 +34,7 @@ impl ToldStates {
         });
         let sense = |(index, info): (StreamIx, &engine::StreamInfo)| {
             let (id, device, params) = (info.id.clone(), info.device.clone(), info.params.clone());
-            (index, StateSense { id, device, params, told: None })
+            (index, TimeSense { id, device, params, told: None })
         };
         Self(senses.map(sense).collect())
     }

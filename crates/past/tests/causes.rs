@@ -1,0 +1,159 @@
+//! Every value of random runs has the cause that the engine's slow, plain twin gives it, as it is told of an opened past: from the
+//! moments that it keeps, in pieces. Both modes, all connectors, faults, and graphs of a thousand connectors.
+//!
+//! `RRP_GRAPHS=1000` tries that many graphs, and eight large ones.
+#![expect(clippy::unwrap_used, reason = "a test may give up")]
+
+#[path = "../../engine/tests/oracle/chance.rs"]
+mod chance;
+#[path = "../../engine/tests/oracle/event.rs"]
+mod event;
+#[path = "../../engine/tests/oracle/frame.rs"]
+mod frame;
+#[path = "../../engine/tests/oracle/graphs.rs"]
+mod graphs;
+#[path = "../../engine/tests/oracle/plain.rs"]
+mod plain;
+#[path = "shared/recorded.rs"]
+mod recorded;
+
+use behaviour::{BehaviourFile, Engine};
+use chance::Chance;
+use graphs::Reading;
+use past::{Hook, Past};
+use plain::{Said, Way, With};
+use protocol::{Why, WhyStep, WhyWith};
+use recorded::{opened, text};
+use std::rc::Rc;
+
+/// The graphs that are tried if nobody says how many.
+const GRAPHS: u64 = 6;
+const READINGS: usize = 560;
+/// The large graphs that are tried where many are.
+const LARGE: u64 = 8;
+const LARGE_CONNECTORS: usize = 1_000;
+const LARGE_READINGS: usize = 40;
+/// The pieces in which a past is asked.
+const PIECES: u64 = 9;
+/// A run is that many times as slow as others, periods and all, so that its past keeps several moments in its midst.
+const SLOWER: [u64; 2] = [12, 30];
+
+/// The number of things that were compared.
+#[derive(Default)]
+struct Compared {
+    values: u64,
+    steps: u64,
+    faults: u64,
+}
+
+fn graphs() -> u64 {
+    std::env::var("RRP_GRAPHS").ok().map_or(GRAPHS, |graphs| graphs.parse().unwrap())
+}
+
+/// A plain way, as the product tells it.
+fn told(file: &BehaviourFile, way: &Way) -> Why {
+    let id = |stream: usize| file.streams[stream].id.clone();
+    let with = |with: &With| match with {
+        With::Value(stream, t, value) => WhyWith::Value { stream: id(*stream), t: *t, value: value.clone() },
+        With::Memory(memory, t) => WhyWith::Memory { memory: memory.clone(), t: *t },
+    };
+    let step = |step: &plain::Step| WhyStep {
+        connector: step.connector.map(|connector| file.connectors[connector].id.clone()),
+        stream: id(step.stream),
+        t: step.at,
+        value: step.value.clone(),
+        with: step.with.iter().map(with).collect(),
+    };
+    Why { stream: id(way[0].stream), t: way[0].at, value: way[0].value.clone(), steps: way.iter().map(step).collect() }
+}
+
+/// The causes of all values of a past, asked piece by piece, the last piece first.
+fn pieces(past: &Past, until: u64) -> Vec<Why> {
+    let hook: Hook = Rc::new(|| false);
+    past.trace(&hook).unwrap();
+    let ends: Vec<u64> = (0..=PIECES).map(|piece| piece * (until + 1) / PIECES).collect();
+    let piece = |ends: &[u64]| {
+        let mut told = Vec::new();
+        past.each_why((ends[0], ends[1] - 1), &hook, &mut |why| told.push(why)).unwrap();
+        told
+    };
+    let mut all: Vec<Vec<Why>> = ends.windows(2).rev().map(piece).collect();
+    all.reverse();
+    all.concat()
+}
+
+fn check(said: &str, file: &BehaviourFile, trace: &[Reading], until: u64, compared: &mut Compared) {
+    let wanted = match file.engine.unwrap() {
+        Engine::Event => event::run(file, trace, until),
+        Engine::Frame { frame_ms } => frame::run(file, trace, until, frame_ms),
+    };
+    let ways: Vec<&Way> =
+        wanted.iter().filter(|(said, _)| matches!(said, Said::Value(..))).map(|(_, way)| way).collect();
+    let past = opened(&text(file, trace, &[], until)).unwrap();
+    let before = past.bytes();
+    let made = pieces(&past, until);
+    assert!(until < 40_000 || past.bytes() > before, "{said}: no moment is kept");
+    assert_eq!(made.len(), ways.len(), "{said}");
+    for (made, way) in made.iter().zip(&ways) {
+        let wanted = told(file, way);
+        assert!(*made == wanted, "{said}: {made:#?} instead of {wanted:#?}");
+        compared.steps += way.len() as u64;
+    }
+    compared.values += made.len() as u64;
+    compared.faults += (wanted.len() - ways.len()) as u64;
+}
+
+/// A run made slower, with its readings up to the end of a frame.
+fn slower(file: &mut BehaviourFile, trace: &mut Vec<Reading>, times: u64, frame_ms: Option<u64>) -> u64 {
+    for connector in &mut file.connectors {
+        connector.period_ms = connector.period_ms.map(|period| period * times);
+    }
+    trace.iter_mut().for_each(|reading| reading.at *= times);
+    let frame_ms = frame_ms.map(|frame_ms| frame_ms * times);
+    file.engine = Some(frame_ms.map_or(Engine::Event, |frame_ms| Engine::Frame { frame_ms }));
+    let ends = trace.last().map_or(0, |last| last.at) + 100 * times;
+    let until = frame_ms.map_or(ends, |frame_ms| ends / frame_ms * frame_ms);
+    trace.retain(|reading| reading.at <= until);
+    until
+}
+
+fn small(seed: u64, is_frame: bool, compared: &mut Compared) {
+    let mut chance = Chance::of(seed + 50_000);
+    let mut file = graphs::behaviour(&mut chance);
+    let mut trace = graphs::trace(&mut chance, &file, READINGS);
+    let frame_ms = is_frame.then(|| 1 + chance.below(60));
+    let until = slower(&mut file, &mut trace, chance.pick(&SLOWER), frame_ms);
+    check(&format!("seed {seed}, {:?}", file.engine), &file, &trace, until, compared);
+}
+
+fn large(seed: u64, is_frame: bool, compared: &mut Compared) {
+    let mut chance = Chance::of(seed + 90_000);
+    let mut file = graphs::large(&mut chance, LARGE_CONNECTORS);
+    let mut trace = graphs::trace(&mut chance, &file, LARGE_READINGS);
+    let until = slower(&mut file, &mut trace, 100, is_frame.then_some(20));
+    check(&format!("large, seed {seed}, {:?}", file.engine), &file, &trace, until, compared);
+}
+
+#[test]
+fn every_value_of_a_past_has_the_cause_of_the_plain_engine() {
+    let mut compared = Compared::default();
+    for seed in 0..graphs() {
+        small(seed, false, &mut compared);
+        small(seed, true, &mut compared);
+    }
+    let Compared { values, steps, faults } = compared;
+    eprintln!("{values} values with {steps} steps, {faults} faults, of {} graphs in both modes: 0 wrong", graphs());
+    assert!(values > graphs() * 500 && faults > graphs() * 20, "too few to mean anything: {values} values, {faults} faults");
+}
+
+#[test]
+fn every_value_of_a_large_graph_has_the_cause_of_the_plain_engine() {
+    let (mut compared, many) = (Compared::default(), if graphs() < 100 { 1 } else { LARGE });
+    for seed in 0..many {
+        large(seed, false, &mut compared);
+        large(seed, true, &mut compared);
+    }
+    let Compared { values, steps, faults } = compared;
+    eprintln!("{values} values with {steps} steps, {faults} faults, of {many} large graphs in both modes: 0 wrong");
+    assert!(values > many * 10_000, "too few to mean anything: {values}");
+}
