@@ -13,11 +13,7 @@ pub(crate) fn question(x: f64, y: f64) -> [DrawnForm; 2] {
         let (sin, cos) = (std::f64::consts::TAU * f64::from(at) / f64::from(CORNERS)).sin_cos();
         (x + RING * cos, y + RING * sin)
     };
-    let ring = DrawnForm::Line {
-        points: (0..=CORNERS).map(corner).collect(),
-        width: 2.0,
-        ink: Ink::Focus,
-        is_dashed: true,
-    };
+    let ring =
+        DrawnForm::Line { points: (0..=CORNERS).map(corner).collect(), width: 2.0, ink: Ink::Focus, is_dashed: true };
     [ring, DrawnForm::Text { x, y, text: "?".to_owned(), ink: Ink::Focus, align: Align::Middle }]
 }

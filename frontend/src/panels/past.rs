@@ -27,7 +27,7 @@ use lanes::{Density, LaneAct, Viewer};
 use leptos::html;
 use leptos::leptos_dom::helpers::IntervalHandle;
 use leptos::prelude::*;
-use media::{COARSE, NARROW, holds, when_changed};
+use media::{COARSE, IN_PLACE, NARROW, holds, when_changed};
 use protocol::{OpenedPast, PastOf};
 use std::sync::Arc;
 use wasm_bindgen::JsCast;
@@ -76,6 +76,10 @@ pub(crate) fn past() -> AnyView {
     };
     let density = RwSignal::new(density());
     let root = NodeRef::<html::Section>::new();
+    let in_place = RwSignal::new(holds(IN_PLACE));
+    when_changed(IN_PLACE, move || {
+        in_place.try_set(holds(IN_PLACE));
+    });
     Effect::new(move |_| {
         let density = density.get();
         past.viewer.update(|viewer| viewer.set_density(density));
@@ -110,6 +114,7 @@ pub(crate) fn past() -> AnyView {
             class:past-with-table=move || past.shows_table.get()
             node_ref=root
             tabindex="-1"
+            role=move || (in_place.get() && !past.then.is_folded.get()).then_some("main")
             aria-label=words::over_time()
             on:keydown=move |event| keys::key(&event, past)
         >

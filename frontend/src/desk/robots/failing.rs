@@ -36,7 +36,10 @@ impl RobotsPanel {
                 Some(kept) => kept.connectors.get(id).cloned().unwrap_or_default(),
                 None => signals.live.get_untracked(),
             };
-            connectors.iter().filter_map(|(id, signals)| failing(&state.before, id, signals, &live(id, signals))).collect()
+            connectors
+                .iter()
+                .filter_map(|(id, signals)| failing(&state.before, id, signals, &live(id, signals)))
+                .collect()
         };
         sort_few(&mut found, |one, other| one.0 > other.0);
         set_if_new(&self.failing, found.into_iter().map(|(_, failing)| failing).collect());

@@ -27,7 +27,8 @@ impl RobotsPanel {
             return;
         }
         let ids = self.document.stream_ids.get_untracked();
-        let streams = ids.into_iter().filter_map(|id| Some((id.clone(), self.document.stream(&id)?.live.get_untracked())));
+        let streams =
+            ids.into_iter().filter_map(|id| Some((id.clone(), self.document.stream(&id)?.live.get_untracked())));
         let connectors = self.document.connectors().into_iter().map(|(id, signals)| (id, signals.live.get_untracked()));
         let kept = ValuesOfNow { streams: streams.collect(), connectors: connectors.collect() };
         self.state().kept = Some(kept);

@@ -10,6 +10,9 @@ use web_sys::MediaQueryList;
 pub(super) const NARROW: &str = "(max-width: 767px)";
 /// Where fingers are the usual pointer.
 pub(super) const COARSE: &str = "(pointer: coarse)";
+/// Where the panel takes the place of the graph beside the robot.
+pub(super) const IN_PLACE: &str =
+    "(min-width: 768px) and (max-width: 1199px), (min-width: 768px) and (max-height: 520px)";
 /// Where the theme is dark.
 pub(super) const DARK: &str = "(prefers-color-scheme: dark)";
 

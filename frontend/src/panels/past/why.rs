@@ -4,6 +4,7 @@ mod view;
 
 pub(super) use view::{Asking, Numbers};
 
+use super::media::page_element;
 use super::{PastShared, clock, filling};
 use crate::desk::{Lit, Selected};
 use crate::live::short_value;
@@ -79,6 +80,7 @@ impl PastShared {
         let lane = Memo::new(move |_| self.viewer.read().chosen().map(|lane| filling::name(&lane.key).stream));
         Effect::new(move |before: Option<Option<String>>| {
             let now = lane.get();
+            untrack(|| self.reveal_chosen());
             let document = self.desk.desk().document;
             let is_other = untrack(|| self.subject()).map(|id| id.to_string()) != now;
             if before.is_some_and(|before| before != now) && is_other {
@@ -99,6 +101,18 @@ impl PastShared {
                 }
             }
         });
+    }
+
+    /// Scrolls the chosen lane into view.
+    fn reveal_chosen(self) {
+        let (rows, chosen) = self.viewer.with(|viewer| (viewer.rows().0, viewer.chosen_index()));
+        let (Some(row), Some(list)) = (rows.get(chosen), page_element(".past-rows")) else { return };
+        let (top, high) = (f64::from(list.scroll_top()), f64::from(list.client_height()));
+        if row.y < top {
+            list.set_scroll_top(row.y as i32);
+        } else if row.y + row.height > top + high {
+            list.set_scroll_top((row.y + row.height - high).ceil() as i32);
+        }
     }
 
     /// The actions of the program on the graph, by id and name. Reactive.
@@ -218,8 +232,7 @@ impl PastShared {
             };
             let with: Vec<(String, u64)> = step.with.iter().filter_map(branch).collect();
             let text = sentence.map_or_else(|| self.name_of(&step.stream), |said| in_times_of_day(&opened, &said.text));
-            let branches =
-                with.iter().map(|(stream, t)| AnswerBranch { name: self.name_of(stream), t: *t }).collect();
+            let branches = with.iter().map(|(stream, t)| AnswerBranch { name: self.name_of(stream), t: *t }).collect();
             lines.push(AnswerLine { text, t: Some(step.t), branches, fix: None });
         }
         let others = told.why.steps.iter().flat_map(|step| &step.with);
@@ -394,7 +407,10 @@ mod tests {
     #[test]
     fn times_since_start_become_times_of_day_and_other_numbers_stay() {
         let told = |text: &str| with_times(text, |ms| format!("<{ms}>"));
-        assert_eq!(told("It said it at 0:04.200: 68 cm is less than 75 cm."), "It said it at <4200>: 68 cm is less than 75 cm.");
+        assert_eq!(
+            told("It said it at 0:04.200: 68 cm is less than 75 cm."),
+            "It said it at <4200>: 68 cm is less than 75 cm."
+        );
         assert_eq!(told("71:00.005、64.5 cm"), "<4260005>、64.5 cm");
         assert_eq!(told("1:30 and 12:3.100 and 0.5"), "1:30 and 12:3.100 and 0.5");
         assert_eq!(told("7分0:01.000に"), "7分<1000>に", "letters of several bytes are no numbers");

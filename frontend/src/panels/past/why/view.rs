@@ -189,7 +189,8 @@ fn Fixing(past: PastShared, fix: NumberFix) -> impl IntoView {
             view! { <p role="status">{said}" "<button class="link" type="button" on:click=undo>{words::undo()}</button></p> }.into_any()
         } else {
             let label = label.clone();
-            view! { <button class="link" type="button" on:click=take>{label}</button><p>{words::changes_today()}</p> }.into_any()
+            view! { <button class="link" type="button" on:click=take>{label}</button><p>{words::changes_today()}</p> }
+                .into_any()
         }
     };
     view! { <Show when=may><div class="why-fix">{button.clone()}</div></Show> }
@@ -215,7 +216,9 @@ pub(in super::super) fn Numbers(past: PastShared) -> impl IntoView {
         };
         Some(view! { <span class="why-number" class:hollow=is_hollow style:transform=at>{sign}</span> })
     };
-    let all = move || past.then.answer.with(|answer| answer.as_ref().map(|answer| answer.numbers.clone()).unwrap_or_default());
+    let all = move || {
+        past.then.answer.with(|answer| answer.as_ref().map(|answer| answer.numbers.clone()).unwrap_or_default())
+    };
     move || {
         let numbers = all();
         let mount = element(".stage .world").filter(|_| !numbers.is_empty());
