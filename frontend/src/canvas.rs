@@ -237,8 +237,8 @@ fn compares_memo(desk: &Desk) -> ArcMemo<bool> {
 
 /// Returns true while a program is open.
 fn open_memo(desk: &Desk) -> ArcMemo<bool> {
-    let open = desk.document.open.clone();
-    ArcMemo::new(move |_| open.with(Option::is_some))
+    let desk = desk.clone();
+    ArcMemo::new(move |_| desk.document.open.with(Option::is_some) || desk.is_then())
 }
 
 /// Returns true while what is chosen has its tools beside it: several things, a note or a group.

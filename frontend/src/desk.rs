@@ -26,7 +26,8 @@ pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, 
 pub(crate) use robots::Unused;
 pub(crate) use tab::{Dialog, GraphChoice, LinkEnd, LinkState, OpenPast, PAST_QUERY, TILES_QUERY, new_id, settled};
 
-use document::{Document, DocumentEvent};
+pub(crate) use document::Document;
+use document::DocumentEvent;
 use leptos::prelude::*;
 use library::LibraryPanel;
 use robots::RobotsPanel;

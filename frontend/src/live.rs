@@ -36,6 +36,8 @@ pub(crate) struct LiveStream {
     pub(crate) recent: Vec<f64>,
     /// The last values of any kind, oldest first, at most five that read differently; fewer where they are large.
     pub(crate) last: VecDeque<Value>,
+    /// While a moment of the past is shown: how long before it the newest came, in milliseconds.
+    pub(crate) earlier_ms: Option<f64>,
 }
 
 impl LiveStream {
@@ -65,9 +67,15 @@ impl LiveStream {
         }
     }
 
+    /// How many whole seconds before the moment of the past that is shown it came, if that is one at least. None for what is of
+    /// now.
+    pub(crate) fn earlier(&self) -> Option<Option<u32>> {
+        self.earlier_ms.map(|ms| (ms >= 1_000.0).then_some((ms / 1_000.0) as u32))
+    }
+
     /// For how many whole seconds nothing came, if that is long; `now` is `performance.now()`.
     pub(crate) fn quiet_for(&self, now: f64) -> Option<u32> {
-        let silence = now - self.received;
+        let silence = self.earlier_ms.unwrap_or(now - self.received);
         (self.value.is_some() && silence >= QUIET_MS).then_some((silence / 1_000.0) as u32)
     }
 }

@@ -4,9 +4,9 @@ use crate::steps::*;
 use house::{Outcome, Page, SESSION, keep_session, skip};
 
 /// The moment that is looked at, in milliseconds since Start.
-const CURSOR: &str = "Number(document.querySelector('.past-canvas').dataset.cursor)";
+pub(crate) const CURSOR: &str = "Number(document.querySelector('.past-canvas').dataset.cursor)";
 /// True once all lanes are there with their values.
-const THERE: &str = "document.querySelectorAll('.past-label').length > 4 && \
+pub(crate) const THERE: &str = "document.querySelectorAll('.past-label').length > 4 && \
     document.querySelectorAll('.past-table tbody tr').length > 2";
 
 async fn cursor(page: &Page) -> Outcome<f64> {
@@ -14,7 +14,7 @@ async fn cursor(page: &Page) -> Outcome<f64> {
 }
 
 /// A person who has come to the session by the list of recordings.
-async fn at_session(stage: &Stage, touch: bool) -> Outcome<Page> {
+pub(crate) async fn at_session(stage: &Stage, touch: bool) -> Outcome<Page> {
     let page = stage.nobody("aiko").await?;
     if touch {
         page.size(390, 844, true).await?;

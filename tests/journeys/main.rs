@@ -21,6 +21,7 @@ mod library;
 mod link;
 mod locks;
 mod look_back;
+mod look_back_why;
 mod operate;
 mod operate_marks;
 mod operate_session;

@@ -1,6 +1,6 @@
 //! Looks at the panel that looks back: a recorded session at every size, light and dark, in both languages.
 
-use crate::look::{DESKTOP, PHONE, WINDOWS, Window, colours, keeps_pictures, measures, set};
+use crate::look::{DESKTOP, PHONE, TABLET, WINDOWS, Window, colours, keeps_pictures, measures, set};
 use crate::screens::{nothing, rests, usable};
 use crate::words::Words;
 use house::{Browser, Outcome, Page, SESSION, Server, keep_session, skip};
@@ -42,10 +42,64 @@ async fn every_window(words: &Words) -> Outcome<()> {
         }
         found.extend(measures(&page, &window, "past").await?);
     }
+    found.extend(why(&page, words).await?);
     nothing("findings about looking back", &found)
 }
 
+/// The past on the graph with the reasons of an action, in every window; where lanes hide the graph, once more with these folded.
+async fn why(page: &Page, words: &Words) -> Outcome<Vec<String>> {
+    let mut found = Vec::new();
+    set(page, &DESKTOP).await?;
+    page.eval("document.querySelector('.past-canvas').focus(), 0").await?;
+    for _ in 0..12 {
+        if page.eval("document.querySelector('.past-row.chosen').dataset.kind").await? == "actuator" {
+            break;
+        }
+        page.key("ArrowDown").await?;
+    }
+    page.until("document.documentElement.hasAttribute('data-then')", "the graph shows the moment").await?;
+    page.key("w").await?;
+    page.until("document.querySelectorAll('.why-steps > li').length > 2", "the reasons are there").await?;
+    for window in WINDOWS {
+        set(page, &window).await?;
+        keep_as(page, words, &window, "why").await?;
+        if words.code() == "en" {
+            found.extend(colours(page, &format!("why-{}", window.0)).await?);
+            page.theme(false).await?;
+        }
+        found.extend(measures(page, &window, "why").await?);
+        if [PHONE.0, TABLET.0].contains(&window.0) {
+            let fold = "document.querySelector('.past-fold').click(), 0";
+            page.eval(fold).await?;
+            page.until("!!document.querySelector('.past-folded')", "the graph has the room").await?;
+            keep_as(page, words, &window, "why-graph").await?;
+            found.extend(measures(page, &window, "why on the graph").await?);
+            page.eval(fold).await?;
+            page.until("!document.querySelector('.past-folded')", "the lanes are back").await?;
+        }
+    }
+    // Why not: an action that had nothing to do then.
+    set(page, &DESKTOP).await?;
+    page.eval("document.querySelector('.past-canvas').focus(), 0").await?;
+    page.key("ArrowUp").await?;
+    page.eval("document.querySelectorAll('.then-ask .button')[1].click(), 0").await?;
+    page.until(
+        "!!document.querySelector('.why-not .why-steps > li') || !!document.querySelector('.then-offers button')",
+        "it is answered, or asked which",
+    )
+    .await?;
+    page.eval("document.querySelector('.then-offers button')?.click(), 0").await?;
+    page.until("!!document.querySelector('.why-not .why-steps > li')", "why not is told").await?;
+    keep_as(page, words, &DESKTOP, "why-not").await?;
+    found.extend(measures(page, &DESKTOP, "why not").await?);
+    Ok(found)
+}
+
 async fn keep(page: &Page, words: &Words, window: &Window) -> Outcome<()> {
+    keep_as(page, words, window, "past").await
+}
+
+async fn keep_as(page: &Page, words: &Words, window: &Window, state: &str) -> Outcome<()> {
     if !keeps_pictures() {
         return Ok(());
     }
@@ -53,7 +107,7 @@ async fn keep(page: &Page, words: &Words, window: &Window) -> Outcome<()> {
     for (dark, theme) in [(true, "dark"), (false, "light")] {
         page.theme(dark).await?;
         rests(page).await?;
-        page.screenshot(&house::target().join(format!("{place}/past-{}-{theme}.png", window.0))).await?;
+        page.screenshot(&house::target().join(format!("{place}/{state}-{}-{theme}.png", window.0))).await?;
     }
     Ok(())
 }

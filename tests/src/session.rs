@@ -22,16 +22,24 @@ const AWAY_MS: u64 = 10_000;
 /// # Errors
 /// If the file cannot be written.
 pub fn keep_session(data: &Path) -> Outcome<()> {
+    keep_session_of(data, "tracker")
+}
+
+/// Puts the session into the data folder of a server as one of the program with this id.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn keep_session_of(data: &Path, program: &str) -> Outcome<()> {
     let folder = data.join("recordings");
     std::fs::create_dir_all(&folder)?;
-    std::fs::write(folder.join(SESSION), session()?)?;
+    std::fs::write(folder.join(SESSION), session(program)?)?;
     Ok(())
 }
 
-fn session() -> Outcome<String> {
+fn session(id: &str) -> Outcome<String> {
     let program: serde_json::Value = serde_json::from_str(PROGRAM)?;
     let header = json!({
-        "format": "rrp-recording/2", "behaviour": "tracker", "name": "Track far and close balls", "revision": 1, "mode": "event",
+        "format": "rrp-recording/2", "behaviour": id, "name": "Track far and close balls", "revision": 1, "mode": "event",
         "by": "Aiko", "began": "2026-11-24T11:54:17Z", "run": 1, "robot": "NAO", "participant": "P-07",
     });
     let mut lines = format!("{header}\n{}\n", json!({ "t": 0, "mark": "file", "revision": 1, "file": program }));

@@ -13,6 +13,7 @@ mod layout;
 mod overview;
 mod play;
 mod plot;
+mod question;
 mod ruler;
 mod spans;
 mod viewer;

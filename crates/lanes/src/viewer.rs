@@ -8,6 +8,7 @@ use crate::lane::{Dot, LaneFilling, LaneMark, LaneShape, ShownLane};
 use crate::layout::{Density, Row, row_at, rows};
 use crate::overview::{Grip, Overview, grip};
 use crate::play::Play;
+use crate::question::question;
 use crate::ruler::{RulerMark, ticks};
 use crate::walk::{dot_from, mark_from, value_from};
 use std::collections::BTreeSet;
@@ -123,6 +124,8 @@ pub struct Viewer {
     axis: Axis,
     lanes: Vec<ShownLane>,
     marks: Vec<LaneMark>,
+    /// The lane, by its key, and the moment at which somebody asks why nothing came.
+    question: Option<(String, f64)>,
     folded: BTreeSet<String>,
     chosen: usize,
     near: Option<NearValues>,
@@ -160,6 +163,7 @@ impl Viewer {
             axis: Axis::new(length, FIRST_SPAN_MS),
             lanes: Vec::new(),
             marks: Vec::new(),
+            question: None,
             folded: BTreeSet::new(),
             chosen: 0,
             near: None,
@@ -283,6 +287,11 @@ impl Viewer {
         self.marks = marks;
     }
 
+    /// Shows in a lane, by its key, that somebody asks why nothing came there at a moment; none takes that away.
+    pub fn set_question(&mut self, question: Option<(String, f64)>) {
+        self.question = question;
+    }
+
     /// Takes the room that lanes have.
     pub fn set_density(&mut self, density: Density) {
         self.density = density;
@@ -379,6 +388,10 @@ impl Viewer {
         let (rows, marks) = self.rows();
         let mut to = Vec::new();
         self.lanes.iter().zip(&rows).for_each(|(lane, row)| sheet.lane(lane, row, &mut to));
+        if let Some((key, t)) = &self.question {
+            let asked = self.lanes.iter().zip(&rows).find(|(lane, row)| lane.key == *key && !row.is_folded);
+            to.extend(asked.into_iter().flat_map(|(_, row)| question(self.axis.x(*t, width), row.middle)));
+        }
         sheet.marks(&self.marks, &marks, &mut to);
         let ink = if self.follows { Ink::Pulse } else { Ink::Ink };
         to.push(upright(self.axis.x(self.cursor, width), 0.0, marks.y + marks.height, ink));

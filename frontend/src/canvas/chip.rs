@@ -261,7 +261,12 @@ struct RunWords {
 /// chip that is not used yet says nothing: the robot runs another version of it.
 fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<bool>) -> ArcMemo<Option<RunWords>> {
     let (desk, id, record, unused) = (desk.clone(), id.clone(), signals.record.clone(), unused.clone());
+    let live = signals.live.clone();
     ArcMemo::new(move |_| {
+        if desk.is_then() {
+            let (faults, why) = live.with(|live| (live.faults, live.error.clone()));
+            return why.map(|why| RunWords { text: words::failed(faults, &why), faults: Some(faults) });
+        }
         if unused.get() || desk.robots.running().is_none() {
             return None;
         }

@@ -7,7 +7,7 @@ use super::stage::Edited;
 use crate::desk::{Desk, OpenPast, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
-use crate::live::{measured, rate_words, sparkline};
+use crate::live::{LiveStream, measured, rate_words, sparkline};
 use crate::words;
 use behaviour::{Id, Kind, Place, Problem, ProblemKind, RecordId, Stream, StreamKind, ValueType};
 use leptos::prelude::*;
@@ -172,6 +172,9 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
                 .with(|live| live.value.as_ref().map(|value| own.with(|kind| measured(value, kind.as_ref()))))
                 .unwrap_or_default()
         };
+        if let Some(earlier) = quiet.with(LiveStream::earlier) {
+            return earlier.map(|seconds| words::value_earlier(&value(), seconds));
+        }
         match (running.get(), desk.unheard.get()) {
             (false, _) => Some(words::last_was(&value())),
             (true, Some(seconds)) => Some(words::value_ago(&value(), seconds)),
@@ -214,7 +217,7 @@ fn told_by(desk: &Desk, action: &Id) -> Option<Id> {
 #[component]
 fn NewestValue(
     id: Id,
-    live: ArcRwSignal<crate::live::LiveStream>,
+    live: ArcRwSignal<LiveStream>,
     kind: ArcMemo<Option<ValueType>>,
     width: String,
 ) -> impl IntoView {
@@ -244,7 +247,7 @@ fn NewestValue(
 /// Returns true while the robot does not use something yet as it is now.
 pub(super) fn unused_memo(desk: &Desk, id: &Id) -> ArcMemo<bool> {
     let (desk, id) = (desk.clone(), id.clone());
-    ArcMemo::new(move |_| desk.robots.unused.with(|unused| unused.contains(&id)))
+    ArcMemo::new(move |_| desk.robots.unused.with(|unused| unused.contains(&id)) && !desk.is_then())
 }
 
 /// The first problem of something as a sentence, and whether it keeps the behaviour from running. What leads nowhere
@@ -256,6 +259,9 @@ pub(super) fn problem_memo(stage: &Stage, at: RecordId) -> ArcMemo<Option<(Strin
             problem.kind != ProblemKind::Unused
                 || (finished.get() && (running.get() || is_left_over(&desk, &problem.at.id)))
         };
+        if desk.is_then() {
+            return None;
+        }
         desk.document.problems.with(|problems| {
             let first = problems.iter().find(|problem| problem.at == at && is_shown(problem))?;
             Some((words::told_by(first), first.blocks))

@@ -133,7 +133,7 @@ impl Stage {
         let rests = ArcRwSignal::new(true);
         let running = {
             let desk = desk.clone();
-            ArcMemo::new(move |_| desk.robots.running().is_some())
+            ArcMemo::new(move |_| desk.is_then() || desk.robots.running().is_some())
         };
         let finished = finished_memo(desk, running.clone());
         let (dragged, stop) = (ArcRwSignal::default(), ArcRwSignal::default());
@@ -450,7 +450,7 @@ impl Stage {
         Effect::new(move |before: Option<Option<Id>>| {
             desk.document.laid_out.track();
             let (open, _) = (desk.document.open.get(), empty.get());
-            if open.is_some() {
+            if open.is_some() || desk.is_then() {
                 if before.is_some_and(|before| before != open) {
                     stage.stop.set(None);
                 }
@@ -667,6 +667,9 @@ pub(super) struct Edited {
 fn edited_signal(desk: Desk) -> ArcRwSignal<HashMap<Id, Edited>> {
     settled(move || {
         let mut edited = HashMap::new();
+        if desk.is_then() {
+            return edited;
+        }
         for (record, editor) in desk.document.edited_by_others() {
             let output = desk.document.connector(&record.id).map(|signals| signals.record.with(|at| at.output.clone()));
             if let Some(output) = output {
@@ -680,7 +683,7 @@ fn edited_signal(desk: Desk) -> ArcRwSignal<HashMap<Id, Edited>> {
 
 fn others_signal(desk: Desk) -> ArcRwSignal<Vec<(Id, u8, String)>> {
     settled(move || {
-        let others = desk.document.others().into_iter();
+        let others = desk.document.others().into_iter().filter(|_| !desk.is_then());
         others.filter_map(|(sign, person)| Some((person.selected?, sign.color, sign.name))).collect()
     })
 }

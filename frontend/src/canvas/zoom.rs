@@ -20,7 +20,10 @@ pub(super) fn Zoom() -> impl IntoView {
     let [smaller, real, shown, larger, whole] = [(); 5].map(|()| stage.clone());
     let drawing = {
         let desk = desk.clone();
-        ArcMemo::new(move |_| desk.document.open.with(Option::is_some) && !desk.document.stream_ids.with(Vec::is_empty))
+        ArcMemo::new(move |_| {
+            (desk.document.open.with(Option::is_some) || desk.is_then())
+                && !desk.document.stream_ids.with(Vec::is_empty)
+        })
     };
     let may = desk.clone();
     let piece = second_piece();

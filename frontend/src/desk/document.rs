@@ -147,6 +147,8 @@ struct DocumentState {
     /// The width and height in which all of it shall be seen.
     stage: (f64, f64),
     presence: presence::Presence,
+    /// The program that is shown in place of the open one, only to look at.
+    then: Option<Behaviour>,
 }
 
 /// The events that others on the desk follow.
@@ -228,6 +230,7 @@ impl Document {
                 tidy: None,
                 stage: (0.0, 0.0),
                 presence: presence::Presence::default(),
+                then: None,
             }),
             listener: OnceLock::new(),
         }))
@@ -265,9 +268,11 @@ impl Document {
         self.state().connectors.iter().map(|(id, signals)| (id.clone(), signals.clone())).collect()
     }
 
-    /// The open behaviour with what waits to be sent; not reactive (read `revision` for that).
+    /// The behaviour that is shown: the open one with what waits to be sent, or one of the past; not reactive (read `revision`
+    /// for that).
     pub(crate) fn behaviour(&self) -> Behaviour {
-        self.state().editor.behaviour()
+        let state = self.state();
+        state.then.clone().unwrap_or_else(|| state.editor.behaviour())
     }
 
     /// Looks at the open behaviour as the server has it; `look` asks the document for nothing.

@@ -68,6 +68,8 @@ struct RobotsState {
     /// The version of the open behaviour that runs, if it runs, and what it has of what was changed since.
     version: Option<unused::RobotVersion>,
     before: unused::RecordsBefore,
+    /// Values of now, while the graph shows those of a moment of the past.
+    kept: Option<values::ValuesOfNow>,
     authors: theirs::Authors,
 }
 

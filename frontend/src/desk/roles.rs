@@ -13,7 +13,13 @@ impl Tab {
 
     /// Says why this person may not do what needs that role, if so. Reactive.
     pub(crate) fn may_not(&self, least: Role) -> Option<&'static str> {
-        self.role.get().filter(|role| *role < least).map(words::may_not)
+        let no = self.role.get().filter(|role| *role < least).map(words::may_not);
+        no.or_else(|| (least == Role::Editor && self.is_then()).then(words::only_look_back))
+    }
+
+    /// True while the graph shows a moment of the past. Reactive.
+    pub(crate) fn is_then(&self) -> bool {
+        self.then.with(Option::is_some)
     }
 
     /// Returns the refusal, for who tries all the same.

@@ -158,6 +158,8 @@ pub(crate) struct TabFields {
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
     /// The past on which somebody looks back, while they do.
     pub(crate) past: ArcRwSignal<Option<OpenPast>>,
+    /// The moment that the graph shows in place of now, in milliseconds since Start.
+    pub(crate) then: ArcRwSignal<Option<u64>>,
     /// The words that only screen readers are told, as everybody else sees it.
     pub(crate) whisper: ArcRwSignal<String>,
     /// A choice that is to be offered where the graph is shown.
@@ -221,7 +223,9 @@ impl Tab {
 
     /// Shows why something was not done.
     pub(crate) fn say_no(&self, no: &Refused) {
-        self.say(&words::told_by(no), true);
+        let only_looks = matches!(no, Refused::Role(Role::Editor)) && untrack(|| self.is_then());
+        let why = if only_looks { words::only_look_back().to_owned() } else { words::told_by(no) };
+        self.say(&why, true);
     }
 
     /// Shows a refusal as a notice.

@@ -34,7 +34,7 @@ pub(crate) fn just_made() {
 #[component]
 pub(crate) fn EmptyStage() -> impl IntoView {
     let desk = hold();
-    let none_open = Memo::new(move |_| desk.desk().document.open.read().is_none());
+    let none_open = Memo::new(move |_| desk.desk().document.open.read().is_none() && !desk.desk().is_then());
     // The drawing of what a typed sentence would add takes the place of what is offered.
     let is_empty = Memo::new(move |_| {
         desk.desk().document.stream_ids.read().is_empty() && desk.desk().document.ghost.read().is_none()

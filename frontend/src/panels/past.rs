@@ -15,6 +15,8 @@ mod painting;
 mod rows;
 mod signs;
 mod table;
+mod then;
+mod why;
 
 use super::focus;
 use super::hold::{DeskHold, hold};
@@ -25,7 +27,7 @@ use lanes::{Density, LaneAct, Viewer};
 use leptos::html;
 use leptos::leptos_dom::helpers::IntervalHandle;
 use leptos::prelude::*;
-use media::{COARSE, NARROW, holds, when_changed};
+use media::{COARSE, IN_PLACE, NARROW, holds, when_changed};
 use protocol::{OpenedPast, PastOf};
 use std::sync::Arc;
 use wasm_bindgen::JsCast;
@@ -54,6 +56,7 @@ struct PastShared {
     asked: StoredValue<asking::AskedLanes>,
     /// Looks every second at a run that goes on.
     looking: StoredValue<Option<IntervalHandle>>,
+    then: then::ThenState,
 }
 
 /// The panel, as a view.
@@ -69,9 +72,14 @@ pub(crate) fn past() -> AnyView {
         shows_table: RwSignal::new(false),
         asked: StoredValue::default(),
         looking: StoredValue::new(None),
+        then: then::ThenState::new(),
     };
     let density = RwSignal::new(density());
     let root = NodeRef::<html::Section>::new();
+    let in_place = RwSignal::new(holds(IN_PLACE));
+    when_changed(IN_PLACE, move || {
+        in_place.try_set(holds(IN_PLACE));
+    });
     Effect::new(move |_| {
         let density = density.get();
         past.viewer.update(|viewer| viewer.set_density(density));
@@ -79,6 +87,8 @@ pub(crate) fn past() -> AnyView {
     past.begin();
     past.play_on();
     past.fetch_what_is_seen();
+    past.follow_moment();
+    past.follow_subject();
     Effect::new(move |_| {
         if let Some(root) = root.get() {
             focus::focus(&root);
@@ -100,9 +110,11 @@ pub(crate) fn past() -> AnyView {
         <section
             class="past"
             class:past-narrow=move || density.get() == Density::Narrow
+            class:past-folded=move || past.then.is_folded.get()
             class:past-with-table=move || past.shows_table.get()
             node_ref=root
             tabindex="-1"
+            role=move || (in_place.get() && !past.then.is_folded.get()).then_some("main")
             aria-label=words::over_time()
             on:keydown=move |event| keys::key(&event, past)
         >
@@ -114,6 +126,7 @@ pub(crate) fn past() -> AnyView {
                     <table::Table past />
                 </div>
             </Show>
+            <then::Then past />
         </section>
     }
     .into_any()

@@ -122,6 +122,7 @@ fn Start() -> impl IntoView {
         (true, true) => words::was_running(),
         (true, false) => words::running(),
         (false, _) if paused.get() => words::go_on(),
+        (false, _) if desk.desk().is_then() => words::start_now(),
         (false, _) => words::start(),
     };
     let press = move |_| match desk.desk().robots.running() {

@@ -170,6 +170,7 @@ fn saving_line(desk: DeskHold) -> String {
         (LinkState::Online, Saving::Saved) if !desk.document.conflicts_here().is_empty() => {
             words::other_saved().to_owned()
         }
+        (LinkState::Online, Saving::Saved) if desk.is_then() => words::only_to_look_at().to_owned(),
         (LinkState::Online, Saving::Saved) if !desk.may(Role::Operator) => words::you_look().to_owned(),
         (LinkState::Online, Saving::Saved) if !desk.may(Role::Editor) => words::you_operate().to_owned(),
         (LinkState::Online, Saving::Saved) if desk.document.open.read().is_some() => words::all_saved().to_owned(),

@@ -6,7 +6,7 @@ use crate::layout::{self, Tidy};
 use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream, StreamKind};
 use editor::RecordNews;
 use leptos::prelude::*;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 impl Document {
     /// Brings the signals of the records up to what the editor says is another one now.
@@ -23,6 +23,39 @@ impl Document {
         if !touched.is_empty() {
             self.refresh(&touched);
         }
+    }
+
+    /// Shows the records of another program in place of the open one, only to look at; with none the open one again.
+    pub(crate) fn show_then(&self, then: Option<Behaviour>) {
+        let touched = {
+            let state = &mut *self.state();
+            if then.is_none() && state.then.is_none() {
+                return;
+            }
+            let before = state.then.take();
+            state.then = then;
+            let shown = state.then.as_ref().unwrap_or(state.editor.confirmed());
+            for (id, place) in layout::missing_places(shown, state.tidy, state.stage) {
+                state.fallback.entry(id).or_insert(place);
+            }
+            let open = state.editor.behaviour();
+            let all = [before.as_ref(), Some(shown), Some(&open)];
+            let mut touched: BTreeSet<RecordId> =
+                all.into_iter().flatten().flat_map(|one| one.records.keys().cloned()).collect();
+            let placed: Vec<RecordId> = touched.iter().map(|id| RecordId::new(Kind::Place, &id.id)).collect();
+            touched.extend(placed);
+            touched.into_iter().collect::<Vec<_>>()
+        };
+        self.refresh(&touched);
+    }
+
+    /// Does something with the open program as it is now, though one of the past may be shown.
+    pub(crate) fn with_now(&self, act: impl FnOnce(&Self)) {
+        let (mut at, then) = (None, self.state().then.take());
+        self.tab.then.update_untracked(|shown| at = shown.take());
+        act(self);
+        self.tab.then.update_untracked(|shown| *shown = at);
+        self.show_then(then);
     }
 
     /// Lays out with `tidy` what nobody placed, from now on: it may come later than the behaviour that needs it.
@@ -175,7 +208,11 @@ impl Document {
 
     fn refresh_notes(&self) {
         let text = |record: &Record| if let Record::Note(note) = record { Some(note.text.clone()) } else { None };
-        let notes = self.state().editor.confirmed().records.values().filter_map(text).collect();
+        let notes = {
+            let state = self.state();
+            let shown = state.then.as_ref().unwrap_or(state.editor.confirmed());
+            shown.records.values().filter_map(text).collect()
+        };
         set_if_new(&self.notes, notes);
     }
 
@@ -198,12 +235,18 @@ impl Document {
 impl DocumentState {
     /// A record as it is to be shown.
     pub(super) fn record(&self, key: &RecordId) -> Option<Record> {
-        self.editor.record(key)
+        match &self.then {
+            Some(then) => then.records.get(key).cloned(),
+            None => self.editor.record(key),
+        }
     }
 
     /// Returns the place where something was put.
     pub(super) fn saved_place(&self, id: &Id) -> Option<Place> {
-        self.editor.saved_place(id)
+        match &self.then {
+            Some(then) => then.place(id),
+            None => self.editor.saved_place(id),
+        }
     }
 
     /// Returns the place of a stream; a stream that nobody placed gets a free spot for as long as this page is open.

@@ -6,6 +6,7 @@ use crate::desk::document::ConnectorSignals;
 use crate::desk::tab::set_if_new;
 use crate::few::sort_few;
 use crate::layout::chip_words;
+use crate::live::LiveConnector;
 use behaviour::{Connector, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
 
@@ -30,8 +31,15 @@ impl RobotsPanel {
     pub(super) fn renew_failing(&self) {
         let connectors = self.document.connectors();
         let mut found: Vec<_> = {
-            let before = &self.state().before;
-            connectors.iter().filter_map(|(id, signals)| failing(before, id, signals)).collect()
+            let state = self.state();
+            let live = |id: &Id, signals: &ConnectorSignals| match &state.kept {
+                Some(kept) => kept.connectors.get(id).cloned().unwrap_or_default(),
+                None => signals.live.get_untracked(),
+            };
+            connectors
+                .iter()
+                .filter_map(|(id, signals)| failing(&state.before, id, signals, &live(id, signals)))
+                .collect()
         };
         sort_few(&mut found, |one, other| one.0 > other.0);
         set_if_new(&self.failing, found.into_iter().map(|(_, failing)| failing).collect());
@@ -39,8 +47,12 @@ impl RobotsPanel {
 }
 
 /// A connector that fails, and since when; it is called what it was called in the version that runs.
-fn failing(before: &RecordsBefore, id: &Id, signals: &ConnectorSignals) -> Option<(f64, Failing)> {
-    let live = signals.live.read_untracked();
+fn failing(
+    before: &RecordsBefore,
+    id: &Id,
+    signals: &ConnectorSignals,
+    live: &LiveConnector,
+) -> Option<(f64, Failing)> {
     let why = live.error.clone().filter(|_| live.faults > 0)?;
     let name = match before.get(&RecordId::new(Kind::Connector, id)) {
         Some(Some(Record::Connector(ran))) => whole(ran),

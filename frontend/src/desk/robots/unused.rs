@@ -41,6 +41,9 @@ impl RobotsPanel {
 
     /// The counts of a version that is gone do not stand beside what was written since.
     fn forget_unused(&self) {
+        if self.state().kept.is_some() {
+            return;
+        }
         let unused = self.unused.get_untracked();
         unused
             .iter()

@@ -8,11 +8,53 @@ use crate::live::{LIT_MS, LiveConnector, LiveStream};
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{ConnectorSample, RunState, StreamSample, Values};
+use std::collections::HashMap;
 
 /// Between two changes of what is shown to who wants little motion, in milliseconds.
 const CALM_MS: i32 = 500;
 
+/// What streams and connectors are doing now, while the graph shows something else.
+#[derive(Default)]
+pub(super) struct ValuesOfNow {
+    streams: HashMap<Id, LiveStream>,
+    pub(super) connectors: HashMap<Id, LiveConnector>,
+}
+
 impl RobotsPanel {
+    /// From now on the signals of values are free for those of the past; those of now are kept, and what is told goes on.
+    pub(crate) fn keep_now(&self) {
+        if self.state().kept.is_some() {
+            return;
+        }
+        let ids = self.document.stream_ids.get_untracked();
+        let streams =
+            ids.into_iter().filter_map(|id| Some((id.clone(), self.document.stream(&id)?.live.get_untracked())));
+        let connectors = self.document.connectors().into_iter().map(|(id, signals)| (id, signals.live.get_untracked()));
+        let kept = ValuesOfNow { streams: streams.collect(), connectors: connectors.collect() };
+        self.state().kept = Some(kept);
+        set_if_new(&self.has_values, true);
+    }
+
+    /// The signals of values tell what is now again.
+    pub(crate) fn show_now(&self) {
+        let (kept, run) = {
+            let mut state = self.state();
+            (state.kept.take(), state.run)
+        };
+        let Some(mut kept) = kept else { return };
+        for id in self.document.stream_ids.get_untracked() {
+            if let Some(signals) = self.document.stream(&id) {
+                set_if_new(&signals.live, kept.streams.remove(&id).unwrap_or_default());
+            }
+        }
+        for (id, signals) in self.document.connectors() {
+            let live = kept.connectors.remove(&id).unwrap_or_default();
+            set_if_new(&signals.live, LiveConnector { lit: false, ..live });
+        }
+        set_if_new(&self.has_values, run != 0);
+        self.renew_failing();
+    }
+
     pub(in crate::desk) fn hear_runs(&self, runs: Vec<RunState>) {
         set_if_new(&self.runs, runs);
         self.clock.set(browser::now_ms());
@@ -82,6 +124,10 @@ impl RobotsPanel {
         if std::mem::replace(&mut self.state().run, run) == run {
             return;
         }
+        if let Some(kept) = &mut self.state().kept {
+            *kept = ValuesOfNow::default();
+            return;
+        }
         self.document.streams().iter().for_each(|signals| set_if_new(&signals.live, LiveStream::default()));
         self.document.connectors().iter().for_each(|(_, signals)| set_if_new(&signals.live, LiveConnector::default()));
         set_if_new(&self.has_values, run != 0);
@@ -90,12 +136,15 @@ impl RobotsPanel {
 
     /// A connector does something else than before: what it did is forgotten, unless a run may still tell of it.
     pub(in crate::desk) fn rewritten(&self, connector: &ConnectorSignals) {
-        if self.run_of_open().is_none() {
+        if self.run_of_open().is_none() && self.state().kept.is_none() {
             set_if_new(&connector.live, LiveConnector::default());
         }
     }
 
     fn hear_stream(&self, sample: StreamSample, now: f64) {
+        if let Some(kept) = &mut self.state().kept {
+            return kept.streams.entry(sample.stream.clone()).or_default().hear(sample, now);
+        }
         if let Some(signals) = self.document.stream(&sample.stream) {
             signals.live.update(|live| live.hear(sample, now));
         }
@@ -103,6 +152,10 @@ impl RobotsPanel {
 
     /// The connector's id if it has just passed something on.
     fn hear_connector(&self, sample: ConnectorSample, now: f64) -> Option<Id> {
+        if let Some(kept) = &mut self.state().kept {
+            kept.connectors.entry(sample.connector.clone()).or_default().hear(sample, now);
+            return None;
+        }
         let signals = self.document.connector(&sample.connector)?;
         let id = sample.connector.clone();
         let (fired, begins_to_fail) =
@@ -116,6 +169,9 @@ impl RobotsPanel {
 
     /// Ends the light of connectors that have not fired again.
     fn dim(&self, fired: &[Id]) {
+        if self.state().kept.is_some() {
+            return;
+        }
         let now = browser::now_ms();
         for signals in fired.iter().filter_map(|id| self.document.connector(id)) {
             let old = signals.live.with_untracked(|live| live.lit && now - live.fired_at >= f64::from(LIT_MS));

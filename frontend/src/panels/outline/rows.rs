@@ -30,6 +30,8 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
         let value = live.value.as_ref().map(|value| desk.desk().document.measured(&own, value));
         match (value, unheard) {
             (None, _) => String::new(),
+            (Some(value), _) if let Some(Some(seconds)) = live.earlier() => words::value_earlier(&value, seconds),
+            (Some(value), _) if live.earlier_ms.is_some() => value,
             (Some(value), _) if desk.desk().robots.running().is_none() => words::last_was(&value),
             (Some(value), Some(seconds)) => words::value_ago(&value, seconds),
             (Some(_), None) if quiet > QUIET_MS => words::quiet_for((quiet / 1_000.0) as u64),
@@ -86,7 +88,7 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
     let mark = Memo::new(move |_| desk.desk().document.mark_of(&marked));
     let is_chosen = move || (desk.desk().document.selected.read().as_ref() == Some(&chosen)).then_some("true");
     let used = what.id().clone();
-    let unused = Memo::new(move |_| desk.desk().robots.unused.read().contains(&used));
+    let unused = Memo::new(move |_| desk.desk().robots.unused.read().contains(&used) && !desk.desk().is_then());
     view! {
         <button class="twig" type="button" data-row=what.id().to_string() aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
             on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))
@@ -129,6 +131,9 @@ fn other_person(desk: DeskHold, what: &Selected) -> Option<(&'static str, String
 
 fn problem_of(desk: DeskHold, what: &Selected) -> Option<String> {
     let desk = desk.desk();
+    if desk.is_then() {
+        return None;
+    }
     if desk.robots.fails_now() > 0
         && let Some(failing) = desk.robots.failing.read().iter().find(|failing| failing.connector == *what.id())
     {

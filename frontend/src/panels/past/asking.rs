@@ -317,7 +317,7 @@ impl PastShared {
     }
 
     /// Asks; the answer is none if it is a no, which is told, or if the link is down.
-    fn ask(self, question: PastQuestion, then: impl FnOnce(Option<&PastAnswer>) + 'static) {
+    pub(super) fn ask(self, question: PastQuestion, then: impl FnOnce(Option<&PastAnswer>) + 'static) {
         let Some(past) = self.of.get_value() else { return };
         let request = request::LookBack { past, question: Box::new(question) };
         self.desk.desk().look_up(request, move |answer| {

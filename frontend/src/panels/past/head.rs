@@ -1,7 +1,7 @@
 //! The head of the panel: which moment is looked at, playing, how much is seen, more lanes, and the way back to now.
 
 use super::signs::{BACK, FORWARD, PAUSE, Sign};
-use super::{PastShared, clock, close, filling};
+use super::{PastShared, clock, close, filling, then};
 use crate::browser;
 use crate::icons::Icon;
 use crate::panels::focus;
@@ -23,6 +23,7 @@ pub(super) fn Head(past: PastShared) -> impl IntoView {
             <h2>{move || title(past)}</h2>
             <p class="past-of cut" title=of>{of}</p>
             <Show when=is_there><Play past /><Zoom past /><More past /></Show>
+            <then::Folding past />
             <button class="past-close button" type="button" aria-label=words::back_to_now() title=words::back_to_now() on:click=move |_| close(past)>
                 <Icon name="close" /><span>{words::back_to_now()}</span>
             </button>

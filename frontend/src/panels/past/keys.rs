@@ -33,6 +33,11 @@ pub(super) fn key(event: &KeyboardEvent, past: PastShared) {
         "End" => LaneAct::End,
         "+" | "=" => LaneAct::ZoomHere(0.5),
         "-" => LaneAct::ZoomHere(2.0),
+        "w" | "W" => {
+            past.ask_why();
+            event.prevent_default();
+            return;
+        }
         "l" | "L" => {
             super::head::to_add_lane();
             event.prevent_default();

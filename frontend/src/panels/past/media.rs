@@ -10,11 +10,19 @@ use web_sys::MediaQueryList;
 pub(super) const NARROW: &str = "(max-width: 767px)";
 /// True on devices where fingers are the usual pointer.
 pub(super) const COARSE: &str = "(pointer: coarse)";
+/// True where the panel takes the place of the graph beside the robot.
+pub(super) const IN_PLACE: &str =
+    "(min-width: 768px) and (max-width: 1199px), (min-width: 768px) and (max-height: 520px)";
 /// True while the theme is dark.
 pub(super) const DARK: &str = "(prefers-color-scheme: dark)";
 
 /// Something that is heard for as long as it is kept.
 struct MediaWatch(MediaQueryList, Closure<dyn FnMut(JsValue)>);
+
+/// The first element of the page that a selector finds.
+pub(super) fn page_element(selector: &str) -> Option<web_sys::Element> {
+    browser::window()?.document()?.query_selector(selector).ok()?
+}
 
 /// True if this holds now.
 pub(super) fn holds(query: &str) -> bool {

@@ -44,6 +44,7 @@ pub(super) fn SentenceLine(told: RwSignal<Vec<Sentence>>, at: usize) -> impl Int
         sentence.read().as_ref().map(|sentence| sentence.phrases.iter().map(kinds).collect::<Vec<_>>())
     });
     let now = Memo::new(move |_| sentence.read().as_ref().is_some_and(|sentence| is_now(&desk.desk(), sentence)));
+    let happens = move || if desk.desk().is_then() { words::happened_then() } else { words::happens_now() };
     let row = NodeRef::<leptos::html::Li>::new();
     let phrases = move || {
         stay(row);
@@ -55,7 +56,7 @@ pub(super) fn SentenceLine(told: RwSignal<Vec<Sentence>>, at: usize) -> impl Int
     view! {
         <li class="sentence" class:now=move || now.get() node_ref=row>
             {phrases}
-            {move || now.get().then(|| view! { <span class="now"><i aria-hidden="true"></i>{words::happens_now()}</span> })}
+            {move || now.get().then(|| view! { <span class="now"><i aria-hidden="true"></i>{happens()}</span> })}
         </li>
     }
 }
@@ -76,7 +77,7 @@ fn stay(row: NodeRef<leptos::html::Li>) {
 
 /// Whether what leads to its action passed something on within the last second. Reactive.
 fn is_now(desk: &Desk, sentence: &Sentence) -> bool {
-    if desk.robots.running().is_none() || desk.unheard.get().is_some() {
+    if !desk.is_then() && (desk.robots.running().is_none() || desk.unheard.get().is_some()) {
         return false;
     }
     desk.robots.clock.track();

@@ -2,6 +2,22 @@
 
 sentences! {
     over_time: "Over time";
+    only_look_back: "This is the past, only to look at. Back to now leads to the program of today.";
+    only_to_look_at: "only to look at";
+    paused_for_you: "paused for you";
+    happened_then: "then";
+    start_now: "Start now";
+    then_name: "The past on the graph";
+    show_graph: "Show the graph";
+    show_lanes: "Show the lanes";
+    room_not_recorded: "The room was not recorded.";
+    nothing_came_until_then: "nothing came until then";
+    it_came_then: "It did come at this very moment. Ask why it came.";
+    ask_why: "Why?";
+    ask_why_not: "Why not …";
+    close_answer: "Close the answer";
+    changes_today: "This changes the program of today and can be undone.";
+    fix_is_late: "Another number stands there by now. Go back to now and change it there.";
     past_comes: "It is being opened …";
     past_is_empty: "Nothing came while this was recorded.";
     past_is_cut: "The rest is left out, as it is larger than can be looked at.";
@@ -28,6 +44,52 @@ sentences! {
     time_of_value: "Time";
     values_come: "The values are on their way.";
     no_values_then: "Nothing came on this lane.";
+}
+
+/// `red · 5 s earlier`
+pub(crate) fn value_earlier(value: &str, seconds: u32) -> String {
+    say!("{value} · {seconds} s earlier", value, seconds)
+}
+
+pub(crate) fn version_then(revision: u64) -> String {
+    say!("version {revision}", revision)
+}
+
+pub(crate) fn at_time(time: &str) -> String {
+    say!("At {time}", time)
+}
+
+pub(crate) fn lane_value(lane: &str, value: &str) -> String {
+    say!("{lane}: {value}", lane, value)
+}
+
+pub(crate) fn why_this(name: &str) -> String {
+    say!("Why “{name}”?", name)
+}
+
+pub(crate) fn why_not_this(name: &str) -> String {
+    say!("Why not “{name}”?", name)
+}
+
+pub(crate) fn why_no(name: &str, time: &str) -> String {
+    say!("Why no “{name}” at {time}?", name, time)
+}
+
+pub(crate) fn used_besides(name: &str) -> String {
+    say!("With it: {name}", name)
+}
+
+/// `Make it 95 cm`
+pub(crate) fn make_it(number: &str) -> String {
+    say!("Make it {number}", number)
+}
+
+pub(crate) fn fix_made(number: &str) -> String {
+    say!("In the program of today it is {number} now.", number)
+}
+
+pub(crate) fn lines_missing(lines: u64) -> String {
+    say!("{lines} lines of the recording are missing before: this may be wrong.", lines)
 }
 
 pub(crate) fn moment_recorded(time: &str) -> String {
