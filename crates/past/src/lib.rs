@@ -21,6 +21,7 @@ mod program;
 mod segment;
 mod series;
 mod sparse;
+mod stretches;
 mod tape;
 
 mod why;
