@@ -4,6 +4,7 @@ mod apply;
 mod away;
 mod by_keyboard;
 mod by_touch;
+mod compare;
 mod conflicts;
 mod disk_full;
 mod edits;

@@ -3,6 +3,7 @@
 use super::{PastShared, target};
 use crate::keys::PressedKey;
 use lanes::LaneAct;
+use leptos::prelude::ReadUntracked;
 use web_sys::KeyboardEvent;
 
 /// Does what a key says, unless it is for the field or the button that has the keyboard.
@@ -33,6 +34,13 @@ pub(super) fn key(event: &KeyboardEvent, past: PastShared) {
         "End" => LaneAct::End,
         "+" | "=" => LaneAct::ZoomHere(0.5),
         "-" => LaneAct::ZoomHere(2.0),
+        "b" | "B" => {
+            if past.opened.read_untracked().is_some() {
+                past.toggle_compare();
+                event.prevent_default();
+            }
+            return;
+        }
         "l" | "L" => {
             super::head::to_add_lane();
             event.prevent_default();
