@@ -1,4 +1,4 @@
-//! What would change: a number is turned over a recorded session, and its counts are there before it is saved; by the keyboard
+//! Comparing: a number is turned over a recorded session, and its counts are there before it is saved; by the keyboard
 //! alone, by a finger alone, and with somebody else who edits.
 
 use crate::steps::*;
@@ -78,12 +78,16 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
     aiko.key("Tab").await?;
     aiko.key("Tab").await?;
     aiko.until(THUMB, "the keyboard is on the slider").await?;
-    held(&aiko, &format!("{UNSAVED} && /only before/.test({COUNTS})"), "the counts are there before it is saved").await?;
+    held(&aiko, &format!("{UNSAVED} && /only before/.test({COUNTS})"), "the counts are there before it is saved")
+        .await?;
     saved(&aiko).await?;
     aiko.until(&format!("!({UNSAVED}) && /only before/.test({COUNTS})"), "and once it is saved").await?;
     let first = "document.querySelector('.past-row .past-label span').textContent";
-    aiko.until(&format!("['Close ball', 'Far ball', 'Head and body tracker'].includes({first})"), "what changed is first")
-        .await?;
+    aiko.until(
+        &format!("['Close ball', 'Far ball', 'Head and body tracker'].includes({first})"),
+        "what changed is first",
+    )
+    .await?;
     aiko.until("/→/.test(document.querySelector('.past-row .past-label b').textContent)", "with its counts").await?;
     says(&aiko, "What the participant would have done otherwise is not known.").await?;
     says(&aiko, "The head would have looked elsewhere.").await?;
@@ -117,8 +121,11 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
     aiko.eval("document.querySelector('.past').focus(), 0").await?;
     aiko.key("b").await?;
     aiko.until("!document.querySelector('.past-compare')", "it is over").await?;
-    aiko.until("document.querySelector('.past-row .past-label span').textContent === 'Ball'", "the lanes are as before")
-        .await?;
+    aiko.until(
+        "document.querySelector('.past-row .past-label span').textContent === 'Ball'",
+        "the lanes are as before",
+    )
+    .await?;
     aiko.no_errors()
 }
 

@@ -37,7 +37,8 @@ pub fn keep_session(data: &Path) -> Outcome<()> {
 /// If the server does not take it.
 pub async fn keep_session_program(url: &str) -> Outcome<Client> {
     // It has its work in itself: helpers are those of the library.
-    let text = PROGRAM.replace(r#""helper": "ball_to_distance""#, r#""args": ["ball"], "body": "0.03 / sin(ball.size)""#);
+    let text =
+        PROGRAM.replace(r#""helper": "ball_to_distance""#, r#""args": ["ball"], "body": "0.03 / sin(ball.size)""#);
     let file: BehaviourFile = serde_json::from_str(&text)?;
     let flawed = |flaws| Trouble(format!("{flaws:?}"));
     let records = file.records(|_| None).map_err(flawed)?.records;

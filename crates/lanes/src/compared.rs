@@ -173,7 +173,13 @@ impl LaneArea<'_> {
     }
 
     /// The stretches before, hollow, and over them those now.
-    fn compared_bars(&self, lane: &ShownLane, compared: &ComparedLane, (y, height): (f64, f64), to: &mut Vec<DrawnForm>) {
+    fn compared_bars(
+        &self,
+        lane: &ShownLane,
+        compared: &ComparedLane,
+        (y, height): (f64, f64),
+        to: &mut Vec<DrawnForm>,
+    ) {
         let ink = ink(lane.kind);
         let is_seen = |(begin, end): &&(f64, f64)| *end >= self.axis.begin() && *begin <= self.axis.end();
         let place = |(begin, end): &(f64, f64)| {

@@ -43,7 +43,7 @@ pub enum Ink {
     Surface,
     /// Text on [`Ink::Ink`], and signs on what is drawn in a full colour.
     OnInk,
-    /// What is not as it was, and asks to be looked at.
+    /// Things that are not as they were, and ask to be looked at.
     Warn,
 }
 

@@ -67,8 +67,12 @@ impl Past {
         let from_ms = self.moment(from_ms.unwrap_or(self.from_ms))?;
         let from = self.segment_at(from_ms);
         let until_ms = self.until_ms.min(self.closed_ms.max(from_ms));
-        let comparing =
-            RefCell::new(ProgramComparison::of(self, before.as_ref().map(|run| &run.file), &now.file, (from_ms, streams)));
+        let comparing = RefCell::new(ProgramComparison::of(
+            self,
+            before.as_ref().map(|run| &run.file),
+            &now.file,
+            (from_ms, streams),
+        ));
         let (mut hear_ran, mut hear_before, mut hear_now) = (
             |played: Played| {
                 let places = &self.programs[played.program].places;
@@ -235,7 +239,7 @@ struct ComparedStream {
     told: ChangedStream,
     moves: bool,
     matched: Matched,
-    /// Its moments, where these are asked for.
+    /// The moments, where these are asked for.
     moments: Option<ComparedMoments>,
 }
 
@@ -248,12 +252,7 @@ struct ComparedMoments {
 }
 
 impl ProgramComparison {
-    fn of(
-        past: &Past,
-        before: Option<&BehaviourFile>,
-        now: &BehaviourFile,
-        (from_ms, told): (u64, &[String]),
-    ) -> Self {
+    fn of(past: &Past, before: Option<&BehaviourFile>, now: &BehaviourFile, (from_ms, told): (u64, &[String])) -> Self {
         let mut comparing = Self { from_ms, ran: Vec::new(), before: Vec::new(), now: Vec::new(), all: Vec::new() };
         let mut places: Lookup<String, usize> = Lookup::new();
         for stream in &past.streams.all {

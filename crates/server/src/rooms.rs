@@ -294,12 +294,7 @@ impl Rooms {
     }
 
     /// A behaviour as it was after a revision, looked up for somebody.
-    pub(crate) async fn look_at(
-        &self,
-        behaviour: &Id,
-        revision: u64,
-        sender: Sender,
-    ) -> Result<Behaviour, Refused> {
+    pub(crate) async fn look_at(&self, behaviour: &Id, revision: u64, sender: Sender) -> Result<Behaviour, Refused> {
         let (waiting, answer) = oneshot::channel();
         self.tell(behaviour, RoomCommand::Past(PastRequest::LookAt(revision, sender, waiting)));
         answer.await.unwrap_or(Err(Refused::NoBehaviour))

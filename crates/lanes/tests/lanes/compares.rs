@@ -1,7 +1,9 @@
 //! Lanes of two programs: what stays, comes, goes and moves has its own form, and words stand beside it.
 
 use super::{lane, session};
-use lanes::{ComparedDot, ComparedLane, ComparedLanes, DotChange, DrawnForm, Ink, LaneAct, LaneKind, LaneShape, Viewer};
+use lanes::{
+    ComparedDot, ComparedLane, ComparedLanes, DotChange, DrawnForm, Ink, LaneAct, LaneKind, LaneShape, Viewer,
+};
 
 const WIDTH: f64 = 600.0;
 
@@ -97,10 +99,7 @@ fn bars_of_before_are_hollow_under_those_of_now() {
         _ => None,
     };
     let bars: Vec<_> = drawn.iter().filter_map(place).collect();
-    assert_eq!(
-        bars,
-        [("hollow", 50.0, 40.0), ("hollow", 250.0, 40.0), ("solid", 50.0, 20.0), ("solid", 500.0, 40.0)]
-    );
+    assert_eq!(bars, [("hollow", 50.0, 40.0), ("hollow", 250.0, 40.0), ("solid", 50.0, 20.0), ("solid", 500.0, 40.0)]);
     assert_eq!((strokes(&drawn, Ink::Action), strokes(&drawn, Ink::OnInk)), (1, 2), "a minus and a plus");
 }
 
@@ -160,7 +159,8 @@ fn changed_lanes_come_first_and_the_chosen_one_stays_chosen() {
 fn as_much_as_is_ever_told_is_drawn_in_few_forms() {
     let (viewer, _) = four_fates(LaneShape::Marbles);
     let dots = (0..600).map(|at| dot(f64::from(at) * 100.0, "Hello", DotChange::OnlyNow)).collect();
-    let stretches: Vec<(f64, f64)> = (0..120).map(|at| (f64::from(at) * 500.0, f64::from(at) * 500.0 + 200.0)).collect();
+    let stretches: Vec<(f64, f64)> =
+        (0..120).map(|at| (f64::from(at) * 500.0, f64::from(at) * 500.0 + 200.0)).collect();
     let compared = ComparedLane { dots, is_complete: true, before: stretches.clone(), now: stretches };
     assert!(with(viewer, compared).draw(WIDTH, &wide).len() < 400);
 }

@@ -1,8 +1,8 @@
 //! What people want of the past of a behaviour: to read it, to take things back, to give versions names.
 
 use super::member::AnswerTo;
-use crate::support::lookups::LookupTurn;
 use crate::support::identity::Sender;
+use crate::support::lookups::LookupTurn;
 use behaviour::{Behaviour, Id, LockToken};
 use protocol::{Person, Refused, answer};
 use tokio::sync::oneshot;

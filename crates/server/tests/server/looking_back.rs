@@ -210,7 +210,10 @@ async fn an_edited_program_shows_what_it_would_have_done() {
         assert_eq!((first.t, &first.value, first.what), (2_600, &Value::Int(74), MomentChange::OnlyBefore));
         assert_eq!((out.moments.len(), out.more), (10, false));
         assert_eq!((out.same_ms.len(), out.same_ms[0]), (38, 3_100));
-        assert_eq!((&*out.came_before, &*out.comes_now), (&[(2_600, 4_900), (7_600, 9_900)][..], &[(3_100, 4_900), (8_100, 9_900)][..]));
+        assert_eq!(
+            (&*out.came_before, &*out.comes_now),
+            (&[(2_600, 4_900), (7_600, 9_900)][..], &[(3_100, 4_900), (8_100, 9_900)][..])
+        );
     }
     let broken =
         connect(connectors::filter::SPEC.with(Procedure::Body { body: "far <".into(), args: None }), &["far"], "close");
@@ -235,15 +238,18 @@ async fn two_revisions_of_the_history_are_compared() {
         let question = PastQuestion::Compare { before: Some(before), now, from_ms: None, streams: vec![] };
         let PastAnswer::Changes(told) = ask(&aiko, &recorded(NEAR), question).await.unwrap() else { panic!() };
         let out = told.streams.into_iter().find(|one| one.stream == "out").unwrap();
-        assert_eq!((out.moments.len(), out.same_ms.len(), out.comes_now.len()), (0, 0, 0), "only what is asked is told");
+        assert_eq!(
+            (out.moments.len(), out.same_ms.len(), out.comes_now.len()),
+            (0, 0, 0),
+            "only what is asked is told"
+        );
         (out.before, out.now, out.same)
     };
     assert_eq!(counts(at(Some(first)), at(Some(first + 1))).await, (48, 38, 38));
     assert_eq!(counts(at(Some(first + 1)), at(Some(first))).await, (38, 48, 38));
     assert_eq!(counts(at(Some(first)), at(None)).await, (48, 78, 48));
     for none in [0, first + 3] {
-        let question =
-            PastQuestion::Compare { before: None, now: at(Some(none)), from_ms: None, streams: Vec::new() };
+        let question = PastQuestion::Compare { before: None, now: at(Some(none)), from_ms: None, streams: Vec::new() };
         let no = ask(&aiko, &recorded(NEAR), question).await;
         assert!(matches!(no, Err(ClientError::No(Refused::NoVersion))), "{no:?}");
     }

@@ -1,4 +1,4 @@
-//! What is turned or typed and not saved yet, for whoever shows what would come of it.
+//! The record that is turned or typed and not saved yet, for whoever shows what would come of it.
 
 use super::{Document, Saving};
 use behaviour::{Behaviour, Change, Edit, Record, RecordId, with_otherwise};

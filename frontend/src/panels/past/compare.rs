@@ -20,13 +20,13 @@ use std::sync::Arc;
 const LIVE_MS: u64 = 120_000;
 /// At most so many changed lanes are put first.
 const RAISED_MAX: usize = 8;
-/// What changed is said at most once in so many milliseconds.
+/// The counts are said at most once in so many milliseconds.
 const SAY_MS: i32 = 1_000;
 
 /// The two programs that are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CompareForm {
-    /// What ran, with the open program as it is now.
+    /// The program that ran, with the open program as it is now.
     Edits,
     /// Two revisions of the open program; no second one means as it is now.
     Revisions { before: u64, now: Option<u64> },
@@ -53,7 +53,7 @@ impl NewestWish {
     }
 }
 
-/// How many moments of streams are the same, and how many are not.
+/// The numbers of moments of streams that are the same, and that are not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct ChangeCounts {
     pub(super) same: u64,
@@ -88,7 +88,7 @@ impl ChangeCounts {
     }
 }
 
-/// What is compared, and what came of it.
+/// The comparison: its two programs, and what came of it.
 #[derive(Clone, Copy)]
 pub(super) struct CompareState {
     pub(super) is_on: RwSignal<bool>,
@@ -101,7 +101,7 @@ pub(super) struct CompareState {
     wish: StoredValue<NewestWish>,
     /// True if all of it takes too long, so that only its last minutes are compared.
     is_short: StoredValue<bool>,
-    /// How the lanes stood before.
+    /// The lanes as they stood before, by their keys.
     order: StoredValue<Vec<String>>,
     /// The changed lanes that were put first.
     raised: StoredValue<Vec<String>>,
@@ -140,7 +140,7 @@ impl CompareState {
         self.strange.with_value(|strange| strange.iter().any(|one| one == stream))
     }
 
-    /// What changed of a stream, once that is known. Reactive.
+    /// The changes of a stream, once they are known. Reactive.
     pub(super) fn of(self, stream: &str) -> Option<ChangedStream> {
         let changes = self.changes.read();
         changes.as_ref()?.streams.iter().find(|one| one.stream == stream).cloned()
@@ -327,7 +327,8 @@ impl PastShared {
     fn comparison(self, opened: &OpenedPast, streams: Vec<String>) -> Option<PastQuestion> {
         let document = self.desk.desk().document;
         let behaviour = document.open.get_untracked()?;
-        let as_it_is = || EditedProgram { behaviour: behaviour.clone(), revision: None, change: document.unsaved().map(Box::new) };
+        let as_it_is =
+            || EditedProgram { behaviour: behaviour.clone(), revision: None, change: document.unsaved().map(Box::new) };
         let at = |revision| EditedProgram { behaviour: behaviour.clone(), revision: Some(revision), change: None };
         let (before, now) = match self.compare.form.get_untracked() {
             CompareForm::Edits => (None, as_it_is()),

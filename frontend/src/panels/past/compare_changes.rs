@@ -1,4 +1,4 @@
-//! What would change, stream by stream, as a table, and what nobody can know.
+//! The changes stream by stream, as a table, and what nobody can know.
 
 use super::compare::ChangeCounts;
 use super::{PastShared, clock, filling};
@@ -63,7 +63,7 @@ fn ChangedRow(past: PastShared, one: ChangedStream) -> impl IntoView {
     }
 }
 
-/// How much a moment moved, if it did.
+/// Says by how much a moment moved, if it did.
 fn moved_words(one: &ChangedMoment) -> Option<String> {
     let MomentChange::MovedTo(to) = one.what else { return None };
     Some(change_words(one.t as f64, DotChange::MovedTo(to as f64)))
@@ -82,7 +82,7 @@ pub(super) fn change_words(t: f64, change: DotChange) -> String {
     }
 }
 
-/// What has to be said of a comparison: of which time it is, from when on it is not sure, and what nobody knows.
+/// The remarks to a comparison: of which time it is, from when on it is not sure, and what nobody knows.
 fn remarks(past: PastShared, changes: &PastChanges) -> Vec<String> {
     let Some(opened) = past.opened.get_untracked() else { return Vec::new() };
     let mut all = vec![words::the_same_readings().to_owned()];
@@ -110,7 +110,7 @@ fn remarks(past: PastShared, changes: &PastChanges) -> Vec<String> {
     all
 }
 
-/// What the senses would have noticed of a part of the robot that does something else.
+/// Says what the senses would have noticed of a part of the robot that does something else.
 fn elsewhere(part: Resource) -> Option<&'static str> {
     match part {
         Resource::Head => Some(words::head_elsewhere()),
@@ -136,7 +136,8 @@ impl PastShared {
     /// Chooses the lane of a stream, and adds it if it is not there.
     fn show_lane(self, stream: &str) {
         let name = LaneName { stream: stream.to_owned(), field: None };
-        let at = self.viewer.with_untracked(|viewer| viewer.lanes().iter().position(|lane| lane.key == filling::key(&name)));
+        let at =
+            self.viewer.with_untracked(|viewer| viewer.lanes().iter().position(|lane| lane.key == filling::key(&name)));
         match at {
             Some(at) => self.act(LaneAct::Choose(at)),
             None => self.add_lane(&name),

@@ -121,8 +121,9 @@ fn RevisionChoice(past: PastShared, is_now: bool) -> impl IntoView {
 /// The revisions that can be chosen, with their names or what they changed. Reactive.
 fn revisions(past: PastShared, chosen: Option<u64>) -> Vec<(u64, String)> {
     let document = past.desk.desk().document;
-    let mut all: Vec<(u64, String)> =
-        document.versions.with(|all| all.iter().rev().map(|version| (version.revision, version.name.clone())).collect());
+    let mut all: Vec<(u64, String)> = document
+        .versions
+        .with(|all| all.iter().rev().map(|version| (version.revision, version.name.clone())).collect());
     document.history.with(|history| {
         for line in history.newest_first().take(CHOICES_MAX) {
             if all.iter().all(|(revision, _)| *revision != line.revision) {

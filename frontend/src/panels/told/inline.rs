@@ -131,7 +131,8 @@ fn NumberField(opened: OpenedNumber, typed: RwSignal<Option<String>>) -> impl In
     Effect::new(move |_| {
         let value = typed.get().as_deref().and_then(parsed);
         let record = number.with_value(|number| {
-            let value = value.map(|value| value.clamp(number.min, number.max)).filter(|value| *value != number.value)?;
+            let value =
+                value.map(|value| value.clamp(number.min, number.max)).filter(|value| *value != number.value)?;
             let seen = session.with_value(EditSession::seen);
             let record = drafted(&number.at, seen, New::Number(value * number.scale))?;
             Some((record_of(&number.at), record))

@@ -1,4 +1,4 @@
-//! What another program would have done with the same readings.
+//! Another program with the same readings.
 
 use super::{listed, seconds_unit, with_unit};
 
@@ -29,7 +29,7 @@ sentences! {
     changed_lanes: "Changed";
 }
 
-/// How many are the same and how many are not; what is none is left out.
+/// Counts what is the same and what is not; what is none is left out.
 pub(crate) fn counted_changes(same: u64, only_now: u64, only_before: u64, moved: u64) -> String {
     let all = [
         (same, count_same(same)),
@@ -57,7 +57,7 @@ pub(crate) fn count_moved(many: u64) -> String {
     say!("{many} moved", many)
 }
 
-/// How often something came, and how often it would.
+/// Says how often something came, and how often it would.
 pub(crate) fn before_and_now(name: &str, before: u64, now: u64) -> String {
     say!("{name} {before} → {now}", name, before, now)
 }
