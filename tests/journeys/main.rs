@@ -5,6 +5,7 @@ mod away;
 mod by_keyboard;
 mod by_touch;
 mod choose_tiles;
+mod compare;
 mod conflicts;
 mod disk_full;
 mod edits;

@@ -51,7 +51,7 @@ pub use host::host_line;
 pub use page::{Cpu, Page};
 pub use paths::{folder, optimised, root, server, target};
 pub use server::{Server, signal};
-pub use session::{SESSION, SESSION_MS, keep_session, keep_session_of};
+pub use session::{SESSION, SESSION_MS, keep_session, keep_session_of, keep_session_program};
 pub use standin::StandIn;
 pub use switch::Switch;
 #[cfg(unix)]

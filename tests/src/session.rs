@@ -1,7 +1,10 @@
 //! A recorded session for tests that look back: ten minutes with a ball, as a file in the data folder of a server.
 
-use crate::Outcome;
+use crate::{Outcome, Trouble};
+use behaviour::{BehaviourFile, Id, Kind};
+use protocol::request;
 use serde_json::json;
+use shell::{Client, ClientError};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -34,6 +37,29 @@ pub fn keep_session_of(data: &Path, program: &str) -> Outcome<()> {
     std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join(SESSION), session(program)?)?;
     Ok(())
+}
+
+/// Saves the program that ran, under the ids that it had then, on a server that runs.
+///
+/// # Errors
+/// If the server does not take it.
+pub async fn keep_session_program(url: &str) -> Outcome<Client> {
+    // It has its work in itself: helpers are those of the library.
+    let text =
+        PROGRAM.replace(r#""helper": "ball_to_distance""#, r#""args": ["ball"], "body": "0.03 / sin(ball.size)""#);
+    let file: BehaviourFile = serde_json::from_str(&text)?;
+    let flawed = |flaws| Trouble(format!("{flaws:?}"));
+    let records = file.records(|_| None).map_err(flawed)?.records;
+    let said = |why: ClientError| Trouble(why.to_string());
+    let client = Client::connect(url, "Yuki").await.map_err(said)?;
+    let behaviour = Id::new("tracker").map_err(|why| Trouble(format!("{why:?}")))?;
+    let create = request::Create { behaviour: behaviour.clone(), name: file.name.clone(), template: None };
+    client.ask(create).await.map_err(said)?;
+    let now = client.load(&behaviour).await.map_err(said)?.records;
+    let records = records.into_iter().filter(|(id, _)| id.kind != Kind::Settings);
+    let change = client.change("Add all of it", &now, records.map(|(id, record)| (id, Some(record))).collect());
+    client.ask(request::Propose { behaviour, change, tokens: Vec::new() }).await.map_err(said)?;
+    Ok(client)
 }
 
 fn session(id: &str) -> Outcome<String> {

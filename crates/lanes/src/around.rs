@@ -9,10 +9,15 @@ const BEFORE: usize = 5;
 
 /// The values around a moment, the earliest first, and the place of the newest until then.
 pub(crate) fn around(dots: &[Dot], cursor: f64) -> (&[Dot], Option<usize>) {
-    let until = dots.partition_point(|dot| dot.t <= cursor);
-    let last = (until.saturating_sub(BEFORE) + AROUND_MAX).min(dots.len());
+    around_of(dots, cursor, |dot| dot.t)
+}
+
+/// The same of anything that has a moment.
+pub(crate) fn around_of<T>(all: &[T], cursor: f64, t: impl Fn(&T) -> f64) -> (&[T], Option<usize>) {
+    let until = all.partition_point(|one| t(one) <= cursor);
+    let last = (until.saturating_sub(BEFORE) + AROUND_MAX).min(all.len());
     let first = last.saturating_sub(AROUND_MAX);
-    (&dots[first..last], until.checked_sub(first + 1))
+    (&all[first..last], until.checked_sub(first + 1))
 }
 
 #[cfg(test)]

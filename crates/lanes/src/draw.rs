@@ -8,13 +8,13 @@ use crate::{plot, spans};
 /// Above so many marbles in view a lane is drawn as bars of presence.
 pub const MARBLES_MAX: usize = 300;
 /// The radius of a marble.
-const MARBLE: f64 = 5.0;
+pub(crate) const MARBLE: f64 = 5.0;
 /// The height of a bar.
-const BAR: f64 = 12.0;
+pub(crate) const BAR: f64 = 12.0;
 /// The least width of a bar, so that one value is seen.
-const BAR_LEAST: f64 = 2.0;
+pub(crate) const BAR_LEAST: f64 = 2.0;
 /// The space between a marble and its text.
-const TEXT_SPACE: f64 = 9.0;
+pub(crate) const TEXT_SPACE: f64 = 9.0;
 /// The radius of the ring at the value under the cursor.
 const RING: f64 = 5.0;
 
@@ -41,8 +41,10 @@ pub enum Ink {
     FocusTint,
     /// The ground.
     Surface,
-    /// Text on [`Ink::Ink`].
+    /// Text on [`Ink::Ink`], and signs on what is drawn in a full colour.
     OnInk,
+    /// Things that are not as they were, and ask to be looked at.
+    Warn,
 }
 
 /// At which of its ends a text is held.
@@ -150,7 +152,7 @@ pub(crate) struct LaneArea<'a> {
 }
 
 impl LaneArea<'_> {
-    fn x(&self, t: f64) -> f64 {
+    pub(crate) fn x(&self, t: f64) -> f64 {
         self.axis.x(t, self.width)
     }
 
@@ -170,7 +172,7 @@ impl LaneArea<'_> {
         }
     }
 
-    fn baseline(&self, y: f64, to: &mut Vec<DrawnForm>) {
+    pub(crate) fn baseline(&self, y: f64, to: &mut Vec<DrawnForm>) {
         to.push(level(y, self.width, Ink::Line, false));
     }
 
@@ -221,7 +223,7 @@ impl LaneArea<'_> {
             let x = self.x(dot.t);
             to.push(DrawnForm::Disc { x, y: row.middle, radius: MARBLE, ink: ink(lane.kind), is_hollow: false });
             let next = seen.get(index + 1).map_or(self.width + TEXT_SPACE, |next| self.x(next.t) - MARBLE);
-            let place = self.text_place(&dot.text, x, taken, next);
+            let place = self.text_place(&dot.text, (x, x), taken, next);
             taken = x + MARBLE;
             if let Some((place, align, end)) = place {
                 to.push(DrawnForm::Text { x: place, y: row.middle, text: dot.text.to_string(), ink: Ink::Ink2, align });
@@ -230,16 +232,23 @@ impl LaneArea<'_> {
         }
     }
 
-    /// The place of a text beside its marble: to the right, else to the left; nowhere without room.
-    fn text_place(&self, text: &str, x: f64, left: f64, right: f64) -> Option<(f64, Align, f64)> {
+    /// The place of a text beside its marble, or the first and the last of its marbles: to the right, else to the left;
+    /// nowhere without room.
+    pub(crate) fn text_place(
+        &self,
+        text: &str,
+        (first, last): (f64, f64),
+        left: f64,
+        right: f64,
+    ) -> Option<(f64, Align, f64)> {
         if text.is_empty() {
             return None;
         }
         let needed = (self.measure)(text) + TEXT_SPACE;
-        if x + needed + TEXT_SPACE <= right {
-            return Some((x + TEXT_SPACE, Align::Left, x + needed));
+        if last + needed + TEXT_SPACE <= right {
+            return Some((last + TEXT_SPACE, Align::Left, last + needed));
         }
-        (x - needed - TEXT_SPACE >= left.max(0.0)).then_some((x - TEXT_SPACE, Align::Right, x))
+        (first - needed - TEXT_SPACE >= left.max(0.0)).then_some((first - TEXT_SPACE, Align::Right, last))
     }
 
     pub(crate) fn marks(&self, marks: &[LaneMark], row: &Row, to: &mut Vec<DrawnForm>) {
@@ -260,7 +269,8 @@ impl LaneArea<'_> {
                 flagged = x;
             }
             let next = seen.get(index + 1).map_or(self.width + TEXT_SPACE, |next| self.x(next.t));
-            let place = self.text_place(&mark.text, x + TEXT_SPACE / 2.0, f64::INFINITY, next);
+            let x = x + TEXT_SPACE / 2.0;
+            let place = self.text_place(&mark.text, (x, x), f64::INFINITY, next);
             if let Some((x, align, _)) = place {
                 to.push(DrawnForm::Text { x, y: row.middle, text: mark.text.clone(), ink: Ink::Ink2, align });
             }

@@ -1,7 +1,8 @@
 //! The viewer holds a past as somebody looks at it, and does what their hands and keys do with it.
 
-use crate::around::around;
+use crate::around::{around, around_of};
 use crate::axis::Axis;
+use crate::compared::{ComparedLane, ComparedLanes, DotChange, compared_dots};
 use crate::draw::{DrawnForm, Ink, LaneArea, Measure, under_cursor, upright};
 use crate::hit::{Hit, nearest, nearest_mark};
 use crate::lane::{Dot, LaneFilling, LaneMark, LaneShape, ShownLane};
@@ -129,6 +130,7 @@ pub struct Viewer {
     folded: BTreeSet<String>,
     chosen: usize,
     near: Option<NearValues>,
+    compared: Option<ComparedLanes>,
     cursor: f64,
     play: Play,
     overview: Overview,
@@ -167,6 +169,7 @@ impl Viewer {
             folded: BTreeSet::new(),
             chosen: 0,
             near: None,
+            compared: None,
             cursor: 0.0,
             play: Play::default(),
             overview: Overview::default(),
@@ -363,6 +366,47 @@ impl Viewer {
         around(self.single(), self.cursor)
     }
 
+    /// Takes the comparison with another program; none ends it.
+    pub fn set_compared(&mut self, compared: Option<ComparedLanes>) {
+        self.compared = compared;
+    }
+
+    /// True while lanes are compared.
+    #[must_use]
+    pub fn is_compared(&self) -> bool {
+        self.compared.is_some()
+    }
+
+    fn compared_lane(&self, key: &str) -> Option<(&ComparedLane, f64)> {
+        let compared = self.compared.as_ref()?;
+        compared.lanes.get(key).map(|lane| (lane, compared.from))
+    }
+
+    /// The chosen lane's values around the cursor as [`Viewer::around`] tells them, each with its change, if that is known.
+    #[must_use]
+    pub fn around_compared(&self) -> (Vec<(Dot, Option<DotChange>)>, Option<usize>) {
+        let compared = self.chosen().and_then(|lane| self.compared_lane(&lane.key));
+        match compared {
+            Some((compared, _)) => {
+                let all = compared_dots(compared, self.single());
+                let (all, newest) = around_of(&all, self.cursor, |(dot, _)| dot.t);
+                (all.to_vec(), newest)
+            }
+            None => {
+                let (all, newest) = self.around();
+                (all.iter().map(|dot| (dot.clone(), None)).collect(), newest)
+            }
+        }
+    }
+
+    /// Puts lanes first, in the order of `keys`; the others follow as they stood.
+    pub fn put_first(&mut self, keys: &[String]) {
+        let place = |lane: &ShownLane| keys.iter().position(|key| *key == lane.key).unwrap_or(keys.len());
+        let mut lanes = self.lanes.clone();
+        lanes.sort_by_key(place);
+        self.set_lanes(lanes);
+    }
+
     fn value_from(&self, forward: bool) -> Option<f64> {
         let near = self.near_chosen().filter(|near| near.from <= self.cursor && self.cursor <= near.until);
         let single = near.and_then(|near| dot_from(&near.dots, self.cursor, forward));
@@ -387,7 +431,12 @@ impl Viewer {
         let sheet = LaneArea { axis: &self.axis, width, cursor: self.cursor, measure };
         let (rows, marks) = self.rows();
         let mut to = Vec::new();
-        self.lanes.iter().zip(&rows).for_each(|(lane, row)| sheet.lane(lane, row, &mut to));
+        for (lane, row) in self.lanes.iter().zip(&rows) {
+            match self.compared_lane(&lane.key) {
+                Some(compared) => sheet.compared_lane(lane, compared, row, &mut to),
+                None => sheet.lane(lane, row, &mut to),
+            }
+        }
         if let Some((key, t)) = &self.question {
             let asked = self.lanes.iter().zip(&rows).find(|(lane, row)| lane.key == *key && !row.is_folded);
             to.extend(asked.into_iter().flat_map(|(_, row)| question(self.axis.x(*t, width), row.middle)));

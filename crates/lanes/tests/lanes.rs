@@ -1,5 +1,7 @@
 //! Lanes from the outside: what hands and keys do, what is drawn, and how much.
 
+#[path = "lanes/compares.rs"]
+mod compares;
 #[path = "lanes/draws.rs"]
 mod draws;
 #[path = "lanes/hands.rs"]

@@ -7,6 +7,7 @@ use crate::matched::{CameMoment, Found, Matched};
 use crate::past::Past;
 use crate::play::{PlainPlayer, Played, Plays, play};
 use crate::program::build;
+use crate::stretches::Stretches;
 use crate::tape::TapedReading;
 use behaviour::{BehaviourFile, Lookup, StreamKind, Value};
 use engine::{Claim, Emission, End, Matching, Run, StreamIx};
@@ -66,8 +67,12 @@ impl Past {
         let from_ms = self.moment(from_ms.unwrap_or(self.from_ms))?;
         let from = self.segment_at(from_ms);
         let until_ms = self.until_ms.min(self.closed_ms.max(from_ms));
-        let comparing =
-            RefCell::new(ProgramComparison::of(self, before.as_ref().map(|run| &run.file), &now.file, from_ms));
+        let comparing = RefCell::new(ProgramComparison::of(
+            self,
+            before.as_ref().map(|run| &run.file),
+            &now.file,
+            (from_ms, streams),
+        ));
         let (mut hear_ran, mut hear_before, mut hear_now) = (
             |played: Played| {
                 let places = &self.programs[played.program].places;
@@ -90,7 +95,7 @@ impl Past {
             return Err(NotSeen::TooLong);
         }
         drop(both);
-        Ok(comparing.into_inner().finish(streams, until_ms, self.differs_ms))
+        Ok(comparing.into_inner().finish(until_ms, self.differs_ms))
     }
 }
 
@@ -241,11 +246,20 @@ struct ComparedStream {
     told: ChangedStream,
     moves: bool,
     matched: Matched,
-    moments: Vec<ChangedMoment>,
+    /// The moments, where these are asked for.
+    moments: Option<ComparedMoments>,
+}
+
+#[derive(Default)]
+struct ComparedMoments {
+    changed: Vec<ChangedMoment>,
+    same_ms: Vec<u64>,
+    before: Stretches,
+    now: Stretches,
 }
 
 impl ProgramComparison {
-    fn of(past: &Past, before: Option<&BehaviourFile>, now: &BehaviourFile, from_ms: u64) -> Self {
+    fn of(past: &Past, before: Option<&BehaviourFile>, now: &BehaviourFile, (from_ms, told): (u64, &[String])) -> Self {
         let mut comparing = Self { from_ms, ran: Vec::new(), before: Vec::new(), now: Vec::new(), all: Vec::new() };
         let mut places: Lookup<String, usize> = Lookup::new();
         for stream in &past.streams.all {
@@ -258,6 +272,9 @@ impl ProgramComparison {
             comparing.before = comparing.places(&mut places, file);
         }
         comparing.now = comparing.places(&mut places, now);
+        for stream in comparing.all.iter_mut().filter(|one| told.contains(&one.told.stream)) {
+            stream.moments = Some(ComparedMoments::default());
+        }
         comparing
     }
 
@@ -278,7 +295,7 @@ impl ProgramComparison {
             return *place;
         }
         let told = ChangedStream { stream: id.to_owned(), name: name.to_owned(), ..ChangedStream::default() };
-        let (matched, moments) = (Matched::default(), Vec::new());
+        let (matched, moments) = (Matched::default(), None);
         self.all.push(ComparedStream { told, moves, matched, moments });
         places.insert(id.to_owned(), self.all.len() - 1);
         self.all.len() - 1
@@ -305,6 +322,10 @@ impl ProgramComparison {
         let stream = &mut self.all[place];
         let came = CameMoment { at_ms, value: value.clone() };
         let (told, moments) = (&mut stream.told, &mut stream.moments);
+        if let Some(moments) = moments {
+            let stretches = if is_now { &mut moments.now } else { &mut moments.before };
+            stretches.came(at_ms);
+        }
         if is_now {
             told.now += 1;
             stream.matched.now(came, &mut |found| note(told, moments, found));
@@ -321,7 +342,7 @@ impl ProgramComparison {
         }
     }
 
-    fn finish(mut self, streams: &[String], until_ms: u64, differs_ms: Option<u64>) -> PastChanges {
+    fn finish(mut self, until_ms: u64, differs_ms: Option<u64>) -> PastChanges {
         for stream in &mut self.all {
             let (told, moments) = (&mut stream.told, &mut stream.moments);
             std::mem::take(&mut stream.matched).finish(&mut |found| note(told, moments, found));
@@ -335,12 +356,8 @@ impl ProgramComparison {
         let (mut left, mut moments_left) = (STREAMS_MAX_BYTES, MOMENTS_MAX_BYTES);
         let told = |mut one: ComparedStream| {
             left = left.checked_sub(recording::json(&one.told).len() + 1)?;
-            if streams.contains(&one.told.stream) {
-                one.moments.sort_by_key(|moment| moment.t);
-                one.told.moments = one.moments;
-                one.told.moments.retain(|moment| fits(&mut moments_left, moment));
-                let all = one.told.before + one.told.now - 2 * one.told.same - one.told.moved;
-                one.told.more = (one.told.moments.len() as u64) < all;
+            if let Some(moments) = one.moments {
+                tell(&mut one.told, moments, &mut moments_left);
             }
             Some(one.told)
         };
@@ -350,6 +367,28 @@ impl ProgramComparison {
     }
 }
 
+/// Tells the moments of a stream as far as there is room: stretches are few, and times are short.
+fn tell(told: &mut ChangedStream, mut moments: ComparedMoments, left: &mut usize) {
+    let mut has_room = |bytes: usize| {
+        let rest = left.checked_sub(bytes);
+        *left = rest.unwrap_or(*left);
+        rest.is_some()
+    };
+    let stretches = (moments.before.finish(), moments.now.finish());
+    if has_room(recording::json(&stretches).len()) {
+        (told.came_before, told.comes_now) = stretches;
+    }
+    moments.same_ms.sort_unstable();
+    if has_room(recording::json(&moments.same_ms).len()) {
+        told.same_ms = moments.same_ms;
+    }
+    moments.changed.sort_by_key(|moment| moment.t);
+    told.moments = moments.changed;
+    told.moments.retain(|moment| fits(left, moment));
+    let all = told.before + told.now - 2 * told.same - told.moved;
+    told.more = (told.moments.len() as u64) < all;
+}
+
 fn fits(left: &mut usize, moment: &ChangedMoment) -> bool {
     let rest = left.checked_sub(recording::json(moment).len() + 1);
     *left = rest.unwrap_or(*left);
@@ -357,13 +396,18 @@ fn fits(left: &mut usize, moment: &ChangedMoment) -> bool {
 }
 
 /// Counts what was found, and keeps it as far as there is room.
-fn note(told: &mut ChangedStream, moments: &mut Vec<ChangedMoment>, found: Found) {
+fn note(told: &mut ChangedStream, moments: &mut Option<ComparedMoments>, found: Found) {
     match found {
-        Found::Same => told.same += 1,
+        Found::Same(t) => {
+            told.same += 1;
+            if let Some(moments) = moments.as_mut().filter(|all| all.same_ms.len() < CHANGED_MOMENTS_MAX) {
+                moments.same_ms.push(t);
+            }
+        }
         Found::Other(t, value, what) => {
             told.moved += u64::from(matches!(what, MomentChange::MovedTo(_)));
-            if moments.len() < CHANGED_MOMENTS_MAX {
-                moments.push(ChangedMoment { t, value: cut(&value), what });
+            if let Some(moments) = moments.as_mut().filter(|all| all.changed.len() < CHANGED_MOMENTS_MAX) {
+                moments.changed.push(ChangedMoment { t, value: cut(&value), what });
             }
         }
     }

@@ -22,6 +22,7 @@ mod program;
 mod segment;
 mod series;
 mod sparse;
+mod stretches;
 mod tape;
 mod why;
 

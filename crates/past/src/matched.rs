@@ -25,8 +25,8 @@ pub(crate) struct CameMoment {
 /// The fate of a moment, told in the order in which it is known.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Found {
-    /// It is in both.
-    Same,
+    /// It is in both; with its time before.
+    Same(u64),
     /// It is not the same.
     Other(u64, Value, MomentChange),
 }
@@ -66,7 +66,7 @@ impl Matched {
                 let (before, now) = (std::mem::take(&mut self.before), front(&mut self.now, twin));
                 settle(before, now, out);
                 self.now.pop_front();
-                out(Found::Same);
+                out(Found::Same(came.at_ms));
             }
             None => self.before.push_back(came),
         }
@@ -80,8 +80,9 @@ impl Matched {
             Some(twin) => {
                 let (before, now) = (front(&mut self.before, twin), std::mem::take(&mut self.now));
                 settle(before, now, out);
-                self.before.pop_front();
-                out(Found::Same);
+                if let Some(before) = self.before.pop_front() {
+                    out(Found::Same(before.at_ms));
+                }
             }
             None => self.now.push_back(came),
         }

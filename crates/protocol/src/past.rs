@@ -23,6 +23,8 @@ pub const INTERRUPTIONS_MAX: usize = 200;
 pub const PAST_PROGRAMS_MAX: usize = 200;
 /// The most moments that one stream tells of what an edit would change; all are counted.
 pub const CHANGED_MOMENTS_MAX: usize = 300;
+/// The most stretches that one stream tells of when anything came; of more, those that are nearest to each other are one.
+pub const CHANGED_STRETCHES_MAX: usize = 120;
 
 /// The past that somebody looks at.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -120,11 +122,14 @@ pub struct LaneName {
     pub field: Option<String>,
 }
 
-/// A behaviour as it is saved, with what is not saved yet.
+/// A behaviour as it is saved, or as it was once, with what is not saved yet.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EditedProgram {
     /// Which behaviour.
     pub behaviour: Id,
+    /// The revision after which it is taken; none means as it is saved now.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub revision: Option<u64>,
     /// An edit of it that is not saved, such as a slider that is still held.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub change: Option<Box<Change>>,
@@ -421,6 +426,16 @@ pub struct ChangedStream {
     /// True if there are more of them.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub more: bool,
+    /// The times before of the moments that are the same, of streams whose moments are told; at most
+    /// [`CHANGED_MOMENTS_MAX`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub same_ms: Vec<u64>,
+    /// The stretches, from and until, in which moments came before with less than a second between them; told with the moments.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub came_before: Vec<(u64, u64)>,
+    /// The stretches in which moments come now.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub comes_now: Vec<(u64, u64)>,
 }
 
 /// A moment that is not the same.

@@ -9,6 +9,7 @@ pub(crate) mod shown;
 pub(crate) mod snapshot;
 mod task;
 
+use crate::support::identity::Sender;
 use crate::support::lock;
 use crate::support::lookups::Lookups;
 use crate::support::store_health::StoreHealth;
@@ -289,6 +290,13 @@ impl Rooms {
     pub(crate) async fn look(&self, behaviour: &Id) -> Result<SavedLook, Refused> {
         let (waiting, answer) = oneshot::channel();
         self.tell(behaviour, RoomCommand::Look(waiting));
+        answer.await.unwrap_or(Err(Refused::NoBehaviour))
+    }
+
+    /// A behaviour as it was after a revision, looked up for somebody.
+    pub(crate) async fn look_at(&self, behaviour: &Id, revision: u64, sender: Sender) -> Result<Behaviour, Refused> {
+        let (waiting, answer) = oneshot::channel();
+        self.tell(behaviour, RoomCommand::Past(PastRequest::LookAt(revision, sender, waiting)));
         answer.await.unwrap_or(Err(Refused::NoBehaviour))
     }
 

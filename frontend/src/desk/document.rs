@@ -6,6 +6,7 @@ mod choosing;
 #[cfg(test)]
 mod conflict_tests;
 mod conflicts;
+mod drafted;
 mod gestures;
 mod ghost;
 #[cfg(test)]
@@ -50,7 +51,7 @@ pub(crate) use editor::{
 use super::tab::{Tab, new_id};
 use crate::layout::Tidy;
 use crate::naming;
-use behaviour::{Accepted, Behaviour, Checkpoint, Id, Place, Problem, RecordId, ValueType};
+use behaviour::{Accepted, Behaviour, Checkpoint, Id, Place, Problem, Record, RecordId, ValueType};
 use editor::{Editor, HistoryPanel, Removers, conflict};
 use leptos::prelude::*;
 use protocol::{LockShown, Person};
@@ -109,6 +110,8 @@ pub(crate) struct DocumentFields {
     pub(crate) lit: ArcRwSignal<Lit>,
     /// The additions of a sentence that is being typed.
     pub(crate) ghost: ArcRwSignal<Option<Ghost>>,
+    /// The record that is turned or typed here just now, as it would be saved.
+    pub(crate) drafted: ArcRwSignal<Option<(RecordId, Record)>>,
     /// Tells when a stream or a connector is another one than before, saved or not.
     pub(crate) edited: ArcTrigger,
     pub(crate) saving: ArcRwSignal<Saving>,
@@ -209,6 +212,7 @@ impl Document {
             copied: ArcRwSignal::default(),
             lit: ArcRwSignal::default(),
             ghost: ArcRwSignal::default(),
+            drafted: ArcRwSignal::default(),
             edited: ArcTrigger::new(),
             saving: ArcRwSignal::default(),
             undoable: ArcRwSignal::default(),

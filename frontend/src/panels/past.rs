@@ -6,6 +6,9 @@
 
 mod asking;
 mod clock;
+mod compare;
+mod compare_changes;
+mod compare_view;
 mod filling;
 mod hands;
 mod head;
@@ -53,6 +56,7 @@ struct PastShared {
     width: RwSignal<f64>,
     /// True while the values of the chosen lane are shown as a table, and not only read out.
     shows_table: RwSignal<bool>,
+    compare: compare::CompareState,
     asked: StoredValue<asking::AskedLanes>,
     /// Looks every second at a run that goes on.
     looking: StoredValue<Option<IntervalHandle>>,
@@ -70,6 +74,7 @@ pub(crate) fn past() -> AnyView {
         viewer: RwSignal::new(Viewer::recorded(0.0, 0.0)),
         width: RwSignal::new(0.0),
         shows_table: RwSignal::new(false),
+        compare: compare::CompareState::new(),
         asked: StoredValue::default(),
         looking: StoredValue::new(None),
         then: then::ThenState::new(),
@@ -89,6 +94,7 @@ pub(crate) fn past() -> AnyView {
     past.fetch_what_is_seen();
     past.follow_moment();
     past.follow_subject();
+    past.compare_when_changed();
     Effect::new(move |_| {
         if let Some(root) = root.get() {
             focus::focus(&root);
@@ -119,10 +125,12 @@ pub(crate) fn past() -> AnyView {
             on:keydown=move |event| keys::key(&event, past)
         >
             <head::Head past />
+            <compare_view::CompareLine past />
             <p class="past-note" role="status">{move || past.note()}</p>
             <Show when=is_there>
                 <div class="past-body">
                     <rows::Lanes past />
+                    <compare_changes::Changes past />
                     <table::Table past />
                 </div>
             </Show>

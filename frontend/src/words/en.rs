@@ -1,6 +1,7 @@
 //! The page in English.
 
 mod chip;
+mod compare;
 mod conflicts;
 mod editor;
 mod groups;
@@ -19,6 +20,7 @@ mod told;
 mod warning;
 
 pub(crate) use chip::*;
+pub(crate) use compare::*;
 pub(crate) use conflicts::*;
 pub(crate) use editor::*;
 pub(crate) use groups::*;

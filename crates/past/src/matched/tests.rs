@@ -46,7 +46,7 @@ fn plain(before: &[CameMoment], now: &[CameMoment], step_ms: u64) -> Vec<Found> 
         seen[usize::from(is_now)].push(at);
         pairs.extend(other.map(|other| if is_now { (other, at) } else { (at, other) }));
     }
-    let mut found: Vec<Found> = pairs.iter().map(|_| Found::Same).collect();
+    let mut found: Vec<Found> = pairs.iter().map(|(at, _)| Found::Same(before[*at].at_ms)).collect();
     let (mut from_before, mut from_now) = (0, 0);
     for (to_before, to_now) in pairs.into_iter().chain([(before.len(), now.len())]) {
         let mut next = from_now;
@@ -79,10 +79,10 @@ fn moments_are_the_same_moved_or_on_one_side() {
         (came(&[(0, 1), (1_000, 2), (5_000, 3), (9_000, 4)]), came(&[(80, 1), (1_400, 2), (9_000, 4), (12_000, 5)]));
     let value = |value: i64| Value::Int(value);
     let wanted = [
-        Found::Same,
+        Found::Same(0),
         Found::Other(1_000, value(2), MovedTo(1_400)),
         Found::Other(5_000, value(3), OnlyBefore),
-        Found::Same,
+        Found::Same(9_000),
         Found::Other(12_000, value(5), OnlyNow),
     ];
     assert_eq!(counted(&side_by_side(&before, &now, 10)), counted(&wanted));
@@ -92,8 +92,9 @@ fn moments_are_the_same_moved_or_on_one_side() {
 fn a_row_of_the_same_value_that_lacks_its_first_is_not_moved() {
     let before: Vec<_> = (0..20).map(|at| (at * 500, 7)).collect();
     let found = side_by_side(&came(&before), &came(&before[1..]), 10);
-    assert_eq!(found.iter().filter(|one| **one == Found::Same).count(), 19);
-    assert_eq!(found.iter().find(|one| **one != Found::Same), Some(&Found::Other(0, Value::Int(7), OnlyBefore)));
+    let is_same = |one: &&Found| matches!(one, Found::Same(_));
+    assert_eq!(found.iter().filter(is_same).count(), 19);
+    assert_eq!(found.iter().find(|one| !is_same(one)), Some(&Found::Other(0, Value::Int(7), OnlyBefore)));
 }
 
 #[test]

@@ -1,9 +1,11 @@
 //! What people want of the past of a behaviour: to read it, to take things back, to give versions names.
 
 use super::member::AnswerTo;
+use crate::support::identity::Sender;
 use crate::support::lookups::LookupTurn;
 use behaviour::{Behaviour, Id, LockToken};
 use protocol::{Person, Refused, answer};
+use tokio::sync::oneshot;
 
 /// What somebody wants of the past of a behaviour, and the answer to it.
 pub(crate) enum PastRequest {
@@ -11,6 +13,8 @@ pub(crate) enum PastRequest {
     History(Option<u64>, AnswerTo<answer::History>),
     /// The behaviour as it was after a revision.
     At(u64, AnswerTo<answer::At>),
+    /// The same for this server itself, which looks it up for somebody.
+    LookAt(u64, Sender, oneshot::Sender<Result<Behaviour, Refused>>),
     /// A change that comes of the past.
     Wish(RevertRequest, AnswerTo<answer::Saved>),
     /// A name for a version, or none any more.
@@ -23,6 +27,7 @@ impl PastRequest {
         match self {
             Self::History(_, answer) => answer.no(no),
             Self::At(_, answer) => answer.no(no),
+            Self::LookAt(_, _, answer) => drop(answer.send(Err(no))),
             Self::Wish(_, answer) => answer.no(no),
             Self::Name(_, answer) => answer.no(no),
         }

@@ -191,7 +191,7 @@ async fn an_edited_program_shows_what_it_would_have_done() {
     let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
     let (aiko, play) = house.maker("Aiko").await;
     fill(&aiko, 75).await;
-    let edited = |change| EditedProgram { behaviour: play.clone(), change };
+    let edited = |change| EditedProgram { behaviour: play.clone(), revision: None, change };
     let compare = |now, before| PastQuestion::Compare { before, now, from_ms: None, streams: vec!["out".into()] };
     let past = recorded(NEAR);
     let PastAnswer::Changes(same) = ask(&aiko, &past, compare(edited(None), None)).await.unwrap() else { panic!() };
@@ -209,12 +209,50 @@ async fn an_edited_program_shows_what_it_would_have_done() {
         let first = &out.moments[0];
         assert_eq!((first.t, &first.value, first.what), (2_600, &Value::Int(74), MomentChange::OnlyBefore));
         assert_eq!((out.moments.len(), out.more), (10, false));
+        assert_eq!((out.same_ms.len(), out.same_ms[0]), (38, 3_100));
+        assert_eq!(
+            (&*out.came_before, &*out.comes_now),
+            (&[(2_600, 4_900), (7_600, 9_900)][..], &[(3_100, 4_900), (8_100, 9_900)][..])
+        );
     }
     let broken =
         connect(connectors::filter::SPEC.with(Procedure::Body { body: "far <".into(), args: None }), &["far"], "close");
     let change = aiko.change("Broken", &behaviour, vec![(connector_id("f"), Some(broken))]);
     let no = refused(ask(&aiko, &past, compare(edited(Some(Box::new(change))), None)).await);
     assert!(matches!(no, NotSeen::CannotCompare(_)), "{no:?}");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn two_revisions_of_the_history_are_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    put(folder.path(), NEAR, &near(100, "ball.cm"));
+    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    fill(&aiko, 75).await;
+    let first = aiko.open().unwrap().revision;
+    aiko.put("Nearer", connector_id("f"), Some(connect(below(70), &["far"], "close"))).await.unwrap();
+    aiko.put("Farther", connector_id("f"), Some(connect(below(90), &["far"], "close"))).await.unwrap();
+    let at = |revision| EditedProgram { behaviour: play.clone(), revision, change: None };
+    let counts = async |before, now| {
+        let question = PastQuestion::Compare { before: Some(before), now, from_ms: None, streams: vec![] };
+        let PastAnswer::Changes(told) = ask(&aiko, &recorded(NEAR), question).await.unwrap() else { panic!() };
+        let out = told.streams.into_iter().find(|one| one.stream == "out").unwrap();
+        assert_eq!(
+            (out.moments.len(), out.same_ms.len(), out.comes_now.len()),
+            (0, 0, 0),
+            "only what is asked is told"
+        );
+        (out.before, out.now, out.same)
+    };
+    assert_eq!(counts(at(Some(first)), at(Some(first + 1))).await, (48, 38, 38));
+    assert_eq!(counts(at(Some(first + 1)), at(Some(first))).await, (38, 48, 38));
+    assert_eq!(counts(at(Some(first)), at(None)).await, (48, 78, 48));
+    for none in [0, first + 3] {
+        let question = PastQuestion::Compare { before: None, now: at(Some(none)), from_ms: None, streams: Vec::new() };
+        let no = ask(&aiko, &recorded(NEAR), question).await;
+        assert!(matches!(no, Err(ClientError::No(Refused::NoVersion))), "{no:?}");
+    }
     house.close().await;
 }
 

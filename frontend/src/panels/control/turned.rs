@@ -50,6 +50,7 @@ impl Turned {
             if let Some(operation) = operation.try_get_untracked().flatten().filter(|_| session.is_here()) {
                 save(&late, &id, &session, operation);
             }
+            late.document.forget_draft(&RecordId::new(Kind::Connector, &id));
             session.end();
         });
         turned
@@ -75,6 +76,10 @@ impl Turned {
             self.save();
             self.session.with_value(EditSession::end);
         }
+    }
+
+    fn record(self) -> RecordId {
+        self.id.with_value(|id| RecordId::new(Kind::Connector, id))
     }
 
     fn has(self, node: Option<&Node>) -> bool {
@@ -104,6 +109,10 @@ impl Turned {
             return;
         }
         self.typing();
+        if let Some(Record::Connector(seen)) = self.session.with_value(EditSession::seen) {
+            let drafted = Connector { operation: operation.clone(), ..seen };
+            self.desk.desk().document.draft(self.record(), Record::Connector(drafted));
+        }
         self.operation.set(Some(operation));
         let mine = self.presses.get_value() + 1;
         self.presses.set_value(mine);
@@ -132,6 +141,7 @@ impl Turned {
             self.operation.set(None);
             let session = self.session.get_value();
             save(&self.desk.desk(), &self.id.get_value(), &session, operation);
+            self.desk.desk().document.forget_draft(&self.record());
             // Where buttons take no keyboard, nobody leaves.
             if !self.has(focus::active().as_deref().map(AsRef::as_ref)) {
                 session.end();

@@ -145,6 +145,7 @@ impl PastShared {
                 }
             });
             self.viewer.update(|viewer| viewer.grow((opened.until_ms - opened.from_ms) as f64 + since));
+            self.compare.goes_on();
         };
         if let Ok(handle) = set_interval(look, LIVE_EVERY) {
             self.looking.set_value(Some(handle));
@@ -216,7 +217,8 @@ impl PastShared {
     /// The next question.
     fn next(self, opened: &OpenedPast) -> Option<NextQuestion> {
         let (keys, axis, chosen) = self.viewer.with_untracked(|viewer| {
-            let keys: Vec<String> = viewer.lanes().iter().map(|lane| lane.key.clone()).collect();
+            let is_known = |key: &String| !self.compare.is_strange(&name(key).stream);
+            let keys: Vec<String> = viewer.lanes().iter().map(|lane| lane.key.clone()).filter(is_known).collect();
             (keys, *viewer.axis(), viewer.chosen().map(|lane| lane.key.clone()))
         });
         self.asked.with_value(|asked| {

@@ -1,5 +1,6 @@
 //! The head of the panel: which moment is looked at, playing, how much is seen, more lanes, and the way back to now.
 
+use super::compare_view::CompareButton;
 use super::signs::{BACK, FORWARD, PAUSE, Sign};
 use super::{PastShared, clock, close, filling, then};
 use crate::browser;
@@ -8,7 +9,7 @@ use crate::panels::focus;
 use crate::words;
 use lanes::LaneAct;
 use leptos::prelude::*;
-use protocol::{OpenedPast, PastOf};
+use protocol::{LaneName, OpenedPast, PastOf};
 
 /// The id of the field that adds a lane.
 const ADD_ID: &str = "past-add";
@@ -22,7 +23,7 @@ pub(super) fn Head(past: PastShared) -> impl IntoView {
         <div class="past-head">
             <h2>{move || title(past)}</h2>
             <p class="past-of cut" title=of>{of}</p>
-            <Show when=is_there><Play past /><Zoom past /><More past /></Show>
+            <Show when=is_there><Play past /><Zoom past /><More past /><CompareButton past /></Show>
             <then::Folding past />
             <button class="past-close button" type="button" aria-label=words::back_to_now() title=words::back_to_now() on:click=move |_| close(past)>
                 <Icon name="close" /><span>{words::back_to_now()}</span>
@@ -107,11 +108,17 @@ fn More(past: PastShared) -> impl IntoView {
         let viewer = past.viewer.read();
         viewer.lanes().iter().map(|lane| lane.key.clone()).collect::<Vec<_>>()
     });
+    let changed = Memo::new(move |_| past.changed_streams());
     let options = move || {
         let opened = past.opened.get()?;
         let all = filling::all_lanes(&opened).into_iter().filter(|name| !shown.read().contains(&filling::key(name)));
+        let is_changed = |name: &LaneName| name.field.is_none() && changed.read().contains(&name.stream);
+        let (first, others): (Vec<LaneName>, Vec<LaneName>) = all.partition(is_changed);
         let option = |name| view! { <option value=filling::key(&name)>{filling::label(&opened, &name)}</option> };
-        Some(all.map(option).collect_view())
+        let first = (!first.is_empty()).then(|| {
+            view! { <optgroup label=words::changed_lanes()>{first.into_iter().map(option).collect_view()}</optgroup> }
+        });
+        Some((first, others.into_iter().map(option).collect_view()))
     };
     let add = move |event: web_sys::Event| {
         let key = event_target_value(&event);

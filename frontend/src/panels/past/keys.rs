@@ -3,6 +3,7 @@
 use super::{PastShared, target};
 use crate::keys::PressedKey;
 use lanes::LaneAct;
+use leptos::prelude::ReadUntracked;
 use web_sys::KeyboardEvent;
 
 /// Does what a key says, unless it is for the field or the button that has the keyboard.
@@ -36,6 +37,13 @@ pub(super) fn key(event: &KeyboardEvent, past: PastShared) {
         "w" | "W" => {
             past.ask_why();
             event.prevent_default();
+            return;
+        }
+        "b" | "B" => {
+            if past.opened.read_untracked().is_some() {
+                past.toggle_compare();
+                event.prevent_default();
+            }
             return;
         }
         "l" | "L" => {

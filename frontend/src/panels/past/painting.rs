@@ -14,7 +14,7 @@ const CLOTH: (f64, f64) = (10.0, 7.0);
 const DASH: f64 = 4.0;
 
 /// The colours, each with the token that it has in the stylesheet.
-const INKS: [(Ink, &str); 11] = [
+const INKS: [(Ink, &str); 12] = [
     (Ink::Sense, "sensor"),
     (Ink::Stream, "stream"),
     (Ink::Action, "actuator"),
@@ -26,6 +26,7 @@ const INKS: [(Ink, &str); 11] = [
     (Ink::FocusTint, "focus-tint"),
     (Ink::Surface, "surface"),
     (Ink::OnInk, "paper"),
+    (Ink::Warn, "warn"),
 ];
 
 /// A canvas that is drawn on.

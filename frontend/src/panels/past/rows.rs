@@ -1,5 +1,6 @@
 //! The lanes: a label for each, and the canvases on which overview, ruler and lanes are drawn.
 
+use super::compare_changes::lane_counts;
 use super::media::{DARK, when_changed};
 use super::painting::{Painter, TEXT_PX, tokens};
 use super::signs::{FORM, Sign};
@@ -102,7 +103,11 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
         }
     };
     let is_chosen = move || past.viewer.read().chosen_index() == at;
-    let value = Memo::new(move |_| value_at(past, at));
+    let counts = Memo::new(move |_| {
+        let key = past.viewer.read().lanes().get(at).map(|lane| lane.key.clone())?;
+        lane_counts(past, &key)
+    });
+    let value = Memo::new(move |_| counts.get().map_or_else(|| value_at(past, at), |(short, _)| short));
     let (top, height) =
         (move || pixels(place.get().map(|row| row.y)), move || pixels(place.get().map(|row| row.height)));
     let folded = move || place.get().is_some_and(|row| row.is_folded);
@@ -113,6 +118,7 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
                 <i aria-hidden="true"></i>
                 <span class="cut" title=name>{name}</span>
                 <b class="cut" title=value>{value}</b>
+                {move || counts.get().map(|(_, words)| view! { <span class="past-words">{words}</span> })}
             </button>
             <Show when=is_chosen>
                 <span class="past-row-tools">

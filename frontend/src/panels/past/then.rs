@@ -108,11 +108,12 @@ impl PastShared {
         }
     }
 
-    /// The moment under the cursor, in milliseconds since Start; none while now is followed. Reactive.
+    /// The moment under the cursor, in milliseconds since Start; none while now is followed, and while programs are compared:
+    /// then the graph is the one that is edited. Reactive.
     fn wanted_moment(self) -> Option<u64> {
         let opened = self.opened.read();
         let (from_ms, viewer) = (opened.as_ref()?.from_ms, self.viewer.read());
-        (!viewer.follows()).then(|| viewer.cursor().round() as u64 + from_ms)
+        (!viewer.follows() && !self.compare.is_on.get()).then(|| viewer.cursor().round() as u64 + from_ms)
     }
 
     /// Asks for the newest moment that is wanted, unless another one is under way; then for its sparklines.

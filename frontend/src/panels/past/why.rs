@@ -136,6 +136,10 @@ impl PastShared {
     /// Asks why the newest value until the moment came on the subject's stream. While now is followed, that rests first.
     pub(super) fn ask_why(self) {
         let Some(stream) = untrack(|| self.subject()) else { return };
+        // A comparison shows the program that is edited, not the one that ran.
+        if self.compare.is_on.get_untracked() {
+            self.toggle_compare();
+        }
         if self.then.at.get_untracked().is_none() {
             self.rest_then_ask();
             return;

@@ -2,7 +2,7 @@
 
 use crate::desk::Desk;
 use crate::panels::control::{replaced, written_like};
-use behaviour::{Kind, Operation, Parameters, Procedure, RATE_MS, Record, RecordId, Value};
+use behaviour::{Connector, Kind, Operation, Parameters, Procedure, RATE_MS, Record, RecordId, Value};
 use sentences::LiteralPlace;
 
 /// What takes the place of something.
@@ -40,6 +40,22 @@ pub(super) fn put(desk: &Desk, at: &LiteralPlace, seen: Option<Record>, new: New
             desk.document.edit_connector((connector, seen), operation, inputs, None, said);
         }
         _ => {}
+    }
+}
+
+/// The record in which something stands, with something new there; none if that place is gone.
+pub(super) fn drafted(at: &LiteralPlace, seen: Option<Record>, new: New) -> Option<Record> {
+    match (at, seen?) {
+        (LiteralPlace::Param { param, .. }, Record::Stream(mut stream)) => {
+            let new = value(new, stream.params.get(param));
+            stream.params.insert(param.clone(), new);
+            Some(Record::Stream(stream))
+        }
+        (LiteralPlace::Body { .. } | LiteralPlace::Period { .. }, Record::Connector(connector)) => {
+            let operation = with(&connector.operation, at, &new)?;
+            Some(Record::Connector(Connector { operation, ..connector }))
+        }
+        _ => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! What can be changed in a sentence: a number becomes a field with keys in place, a choice is a menu.
 
 use super::OpenFields;
-use super::change::{New, put, record_of};
+use super::change::{New, drafted, put, record_of};
 use crate::browser;
 use crate::desk::{EditSession, OtherEditor};
 use crate::escape;
@@ -127,8 +127,24 @@ fn NumberField(opened: OpenedNumber, typed: RwSignal<Option<String>>) -> impl In
         }
         session.end();
     };
+    let forget = move || number.with_value(|number| desk.desk().document.forget_draft(&record_of(&number.at)));
+    Effect::new(move |_| {
+        let value = typed.get().as_deref().and_then(parsed);
+        let record = number.with_value(|number| {
+            let value =
+                value.map(|value| value.clamp(number.min, number.max)).filter(|value| *value != number.value)?;
+            let seen = session.with_value(EditSession::seen);
+            let record = drafted(&number.at, seen, New::Number(value * number.scale))?;
+            Some((record_of(&number.at), record))
+        });
+        match record {
+            Some((id, record)) => desk.desk().document.draft(id, record),
+            None => forget(),
+        }
+    });
     on_cleanup(move || {
         save();
+        forget();
         session.with_value(EditSession::end);
         typing.ends();
     });

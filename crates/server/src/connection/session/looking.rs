@@ -116,7 +116,7 @@ async fn answer(
     sender: Sender,
     request::LookBack { past: of, question }: request::LookBack,
 ) -> Result<answer::Past, Refused> {
-    let edited = edited(&state, &question).await?;
+    let edited = edited(&state, &question, &sender).await?;
     let (around, opens) = (Arc::clone(&state), matches!(*question, PastQuestion::Open));
     let made = state.analyses.run(sender, move |token| {
         let past = around.recordings.look_back(&of, opens, |run| around.robots.live_past(run), token)?;
@@ -140,28 +140,27 @@ fn within_a_message(answer: String) -> Result<String, Refused> {
 /// The edited programs of a comparison: the one to compare with if there is one, and the edited one.
 type EditedFiles = Option<(Option<BehaviourFile>, BehaviourFile)>;
 
-async fn edited(state: &ServerState, question: &PastQuestion) -> Result<EditedFiles, Refused> {
+async fn edited(state: &ServerState, question: &PastQuestion, sender: &Sender) -> Result<EditedFiles, Refused> {
     let PastQuestion::Compare { before, now, .. } = question else { return Ok(None) };
     let before = match before {
-        Some(before) => Some(file(state, before).await?),
+        Some(before) => Some(file(state, before, sender).await?),
         None => None,
     };
-    Ok(Some((before, file(state, now).await?)))
+    Ok(Some((before, file(state, now, sender).await?)))
 }
 
-/// A behaviour as it is saved, with what is not saved yet.
-async fn file(state: &ServerState, edited: &EditedProgram) -> Result<BehaviourFile, Refused> {
-    let look = state.rooms.look(&edited.behaviour).await?;
+/// A behaviour as it is saved, or was once, with what is not saved yet.
+async fn file(state: &ServerState, edited: &EditedProgram, sender: &Sender) -> Result<BehaviourFile, Refused> {
+    let mut behaviour = match edited.revision {
+        Some(revision) => state.rooms.look_at(&edited.behaviour, revision, sender.clone()).await?,
+        None => state.rooms.look(&edited.behaviour).await?.behaviour().clone(),
+    };
+    if let Some(change) = &edited.change {
+        behaviour.apply(change);
+    }
     let snapshot = state.rooms.snapshot();
     let helpers: Vec<&Helper> = snapshot.helpers();
-    Ok(match &edited.change {
-        None => BehaviourFile::of(look.behaviour(), &helpers),
-        Some(change) => {
-            let mut behaviour = look.behaviour().clone();
-            behaviour.apply(change);
-            BehaviourFile::of(&behaviour, &helpers)
-        }
-    })
+    Ok(BehaviourFile::of(&behaviour, &helpers))
 }
 
 fn told(

@@ -8,9 +8,11 @@ use crate::rooms::member::AnswerTo;
 use crate::rooms::past::{PastRequest, RevertRequest, WantedChange, Was};
 use crate::rooms::shown::ShownBehaviour;
 use crate::rooms::{RoomCommand, Surroundings};
-use behaviour::{Id, Room, without_unseen};
+use crate::support::identity::Sender;
+use behaviour::{Behaviour, Id, Room, without_unseen};
 use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, answer};
 use std::sync::{Arc, Weak};
+use tokio::sync::oneshot;
 
 /// The lines of one page of a history, in bytes; a longer one is alone.
 const LINES_MAX_BYTES: usize = 128 << 10;
@@ -24,6 +26,7 @@ impl RoomTask {
         match past {
             PastRequest::History(before, answer) => self.history(before, answer),
             PastRequest::At(revision, answer) => self.at(revision, answer),
+            PastRequest::LookAt(revision, sender, answer) => self.look_at(revision, sender, answer),
             PastRequest::Wish(
                 RevertRequest { op, who, tokens, what: WantedChange::GoBack(revision, called) },
                 answer,
@@ -69,6 +72,18 @@ impl RoomTask {
                 Ok((at, shown)) => answer.show(at, shown),
                 Err(no) => answer.no(no),
             }
+        });
+    }
+
+    /// One after the other too, though nothing of it is shown.
+    fn look_at(&self, revision: u64, sender: Sender, answer: oneshot::Sender<Result<Behaviour, Refused>>) {
+        let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
+        self.around.tasks.spawn(async move {
+            let was = match around.replays.turn(&sender).await {
+                Some(_turn) => replay(&around, &id, room, revision, &sender, || answer.is_closed()).await,
+                None => Err(Refused::TooFast),
+            };
+            drop(answer.send(was));
         });
     }
 

@@ -1,0 +1,169 @@
+//! Comparing: a number is turned over a recorded session, and its counts are there before it is saved; by the keyboard
+//! alone, by a finger alone, and with somebody else who edits.
+
+use crate::steps::*;
+use behaviour::{Id, Kind, Operation, Procedure, Record, RecordId, connectors};
+use house::{Outcome, Page, SESSION, Trouble, keep_session, keep_session_program, skip};
+use shell::Client;
+
+/// The chip of the condition that keeps close balls.
+const CHIP: &str = "filter (distance < 0.5), connector from Distance to Close ball";
+/// The sum of what changes, in words.
+const COUNTS: &str = "(document.querySelector('.past-counts')?.innerText ?? '')";
+/// True once nothing changes.
+const ALL_SAME: &str = "document.querySelector('.past-sum')?.textContent === 'Nothing would be different.'";
+/// True while what is compared is not saved yet.
+const UNSAVED: &str = "document.querySelector('.past-unsaved')?.hidden === false";
+/// True if the thumb of the slider has the keyboard.
+const THUMB: &str = "document.activeElement.type === 'range'";
+
+/// A server with a recorded session and its program, which somebody else has open too.
+async fn recorded() -> Outcome<(Stage, Client)> {
+    let folder = house::folder()?;
+    keep_session(folder.path())?;
+    let stage = Stage::set_with(folder, &[]).await?;
+    let yuki = keep_session_program(&stage.server.url()).await?;
+    Ok((stage, yuki))
+}
+
+/// Opens the session; its program is there too.
+async fn looks_back(stage: &Stage, page: &Page) -> Outcome<()> {
+    page.goto(&format!("{}?past={SESSION}", stage.server.url())).await?;
+    usable(page).await?;
+    page.until("document.querySelectorAll('.past-label').length > 4", "the lanes are there").await?;
+    page.until("document.querySelectorAll('.stream').length === 6", "the program is open").await.map(drop)
+}
+
+/// Turns the slider again and again, so that it does not rest and nothing is saved, until something is so.
+async fn held(page: &Page, until: &str, what: &str) -> Outcome<()> {
+    let hold = "(() => {
+        const slider = document.querySelector('.flyout .slider input');
+        let at = 0;
+        window.held = setInterval(() => {
+            slider.value = ++at % 2 ? '0.4' : '0.35';
+            slider.dispatchEvent(new Event('input', { bubbles: true }));
+        }, 50);
+    })(), 0";
+    page.eval(hold).await?;
+    page.until(until, what).await?;
+    page.eval("clearInterval(window.held), 0").await.map(drop)
+}
+
+#[tokio::test]
+async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()> {
+    skip::unless!(ready("journey: compare by keyboard"));
+    let (stage, yuki) = recorded().await?;
+    let aiko = stage.nobody("aiko").await?;
+    looks_back(&stage, &aiko).await?;
+    aiko.eval("document.querySelector('.past').focus(), 0").await?;
+    aiko.key("b").await?;
+    aiko.until(ALL_SAME, "it is the program that ran").await?;
+    aiko.until(&format!("/^\\d+ same$/.test({COUNTS}.trim())"), "all are the same").await?;
+
+    // A sentence's number is typed and not saved: its counts are there, in words and for who hears them.
+    aiko.on("button", "0.5 m*", "function () { this.focus(); return true; }").await?;
+    aiko.key("ArrowDown").await?;
+    aiko.until(NUMBER_IS_TYPED, "the number is a field").await?;
+    aiko.until(&format!("/only before/.test({COUNTS})"), "the counts are there").await?;
+    aiko.until(UNSAVED, "it says that it is not saved yet").await?;
+    aiko.until("/only before/.test(document.querySelector('.past-said').textContent)", "it is said").await?;
+    aiko.key("Escape").await?;
+    aiko.until(ALL_SAME, "what was not saved leaves nothing behind").await?;
+    aiko.until(&format!("!({UNSAVED})"), "and nothing waits").await?;
+
+    // The slider of the condition: what it would change is there while it is held.
+    aiko.on("button", CHIP, "function () { this.focus(); return true; }").await?;
+    aiko.key("Enter").await?;
+    aiko.until("document.activeElement.matches('.flyout .stepper input')", "the keyboard is in the number").await?;
+    aiko.key("Tab").await?;
+    aiko.key("Tab").await?;
+    aiko.until(THUMB, "the keyboard is on the slider").await?;
+    held(&aiko, &format!("{UNSAVED} && /only before/.test({COUNTS})"), "the counts are there before it is saved")
+        .await?;
+    saved(&aiko).await?;
+    aiko.until(&format!("!({UNSAVED}) && /only before/.test({COUNTS})"), "and once it is saved").await?;
+    let first = "document.querySelector('.past-row .past-label span').textContent";
+    aiko.until(
+        &format!("['Close ball', 'Far ball', 'Head and body tracker'].includes({first})"),
+        "what changed is first",
+    )
+    .await?;
+    aiko.until("/→/.test(document.querySelector('.past-row .past-label b').textContent)", "with its counts").await?;
+    says(&aiko, "What the participant would have done otherwise is not known.").await?;
+    says(&aiko, "The head would have looked elsewhere.").await?;
+
+    // The table has a column for it.
+    aiko.eval("document.querySelector('.past-canvas').focus(), 0").await?;
+    aiko.until(
+        "[...document.querySelectorAll('.past-table th')].some(one => one.textContent === 'What is different')",
+        "the table says what is different",
+    )
+    .await?;
+    aiko.key("Control+z").await?;
+    aiko.until(ALL_SAME, "undone, all are the same again").await?;
+
+    // Somebody else edits: the counts follow.
+    yuki_edits(&yuki).await?;
+    aiko.until(&format!("/only before/.test({COUNTS})"), "the other's edit counts").await?;
+
+    // The version before and the one now, from the history.
+    let choose = "(() => { const list = document.querySelector('.past-form'); list.value = 'revisions'; \
+        list.dispatchEvent(new Event('change', { bubbles: true })); return true; })()";
+    aiko.eval(choose).await?;
+    aiko.find("combobox", "Version before").await?;
+    aiko.until(&format!("/only before/.test({COUNTS})"), "two versions differ").await?;
+    let same = "(() => { const lists = [...document.querySelectorAll('.past-compare .past-select')].slice(1); \
+        if (lists.length < 2) return false; lists[1].value = lists[0].value; \
+        lists[1].dispatchEvent(new Event('change', { bubbles: true })); return true; })()";
+    aiko.until(same, "both lists are there").await?;
+    aiko.until(ALL_SAME, "a version does what it did").await?;
+
+    aiko.eval("document.querySelector('.past').focus(), 0").await?;
+    aiko.key("b").await?;
+    aiko.until("!document.querySelector('.past-compare')", "it is over").await?;
+    aiko.until(
+        "document.querySelector('.past-row .past-label span').textContent === 'Ball'",
+        "the lanes are as before",
+    )
+    .await?;
+    aiko.no_errors()
+}
+
+/// Somebody else keeps only balls that are closer.
+async fn yuki_edits(yuki: &Client) -> Outcome<()> {
+    let said = |why: shell::ClientError| Trouble(why.to_string());
+    let id = RecordId::new(Kind::Connector, &Id::new("c4").map_err(|why| Trouble(format!("{why:?}")))?);
+    let open = yuki.open().ok_or("nothing is open")?;
+    let Some(Record::Connector(mut filter)) = open.records.records.get(&id).cloned() else {
+        return Err("there is no such connector".into());
+    };
+    let operation: Operation = connectors::filter::SPEC.with(Procedure::body("distance < 0.4"));
+    filter.operation = operation;
+    yuki.put("Nearer", id, Some(Record::Connector(filter))).await.map_err(said)?;
+    Ok(())
+}
+
+#[tokio::test]
+async fn a_slider_is_moved_by_a_finger_and_shows_what_would_change() -> Outcome<()> {
+    skip::unless!(ready("journey: compare by finger"));
+    let (stage, _yuki) = recorded().await?;
+    let aiko = stage.nobody("aiko").await?;
+    aiko.size(1180, 820, true).await?;
+    looks_back(&stage, &aiko).await?;
+    aiko.tap("button", "Compare").await?;
+    aiko.until(ALL_SAME, "it is the program that ran").await?;
+    aiko.tap("button", CHIP).await?;
+    aiko.until("document.querySelector('.flyout .slider input') !== null", "the slider is there").await?;
+    let thumb = "(() => { const box = document.querySelector('.flyout .slider input').getBoundingClientRect(); \
+        return [box.left + box.width * 0.2, box.top + box.height / 2]; })()";
+    let place = aiko.eval(thumb).await?;
+    aiko.tap_at((place[0].as_f64().unwrap_or_default(), place[1].as_f64().unwrap_or_default())).await?;
+    aiko.until(&format!("/only before/.test({COUNTS})"), "the counts are there").await?;
+    saved(&aiko).await?;
+    aiko.tap("button", "Undo*").await?;
+    aiko.until(ALL_SAME, "undone, all are the same again").await?;
+    aiko.tap("button", "Compare").await?;
+    aiko.until("!document.querySelector('.past-compare')", "it is over").await?;
+    aiko.find("button", "Stop*").await?;
+    aiko.no_errors()
+}
