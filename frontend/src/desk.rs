@@ -15,6 +15,7 @@ mod roles;
 mod tab;
 
 pub(crate) use carried::{CarriedItem, CarryStage, ListItem, Moved};
+pub(crate) use document::shown_pad;
 pub(crate) use document::{
     Asking, ComparedVersions, Conflict, ConnectPlan, ConnectorSignals, EditReading, EditSession, Gap, Ghost,
     GhostConnector, GhostStream, GroupSignals, Joining, LineUp, Lit, NewSpot, NoteSignals, OpenVersion, OtherEditor,

@@ -17,7 +17,6 @@ mod layout;
 mod link;
 mod live;
 mod naming;
-mod pad;
 mod panels;
 mod steps;
 mod words;

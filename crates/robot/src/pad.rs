@@ -53,6 +53,12 @@ fn by_hand((_, stream, action): (&Id, &Stream, &Device)) -> Option<Tile> {
     Some(Tile { label, does, asks: false })
 }
 
+/// Returns the action with which a new tile begins.
+#[must_use]
+pub fn first_by_hand() -> &'static Device {
+    DONE_BY_HAND[0]
+}
+
 /// Returns the words of the last parameter that says which one of many an action is; none if no parameter does.
 #[must_use]
 pub fn label_by_hand(action: &Device, params: &Params) -> Option<String> {

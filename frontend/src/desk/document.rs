@@ -27,6 +27,7 @@ mod rewire;
 mod server;
 mod session;
 mod several;
+pub(crate) mod shown_pad;
 mod signals;
 mod versions;
 
@@ -225,7 +226,7 @@ impl Document {
             conflicts: ArcRwSignal::default(),
             waits: ArcRwSignal::default(),
             state: Mutex::new(DocumentState {
-                editor: Editor::new(new_id, naming::followed, crate::pad::usual),
+                editor: Editor::new(new_id, naming::followed, shown_pad::usual),
                 streams: BTreeMap::new(),
                 connectors: BTreeMap::new(),
                 notes: BTreeMap::new(),

@@ -25,7 +25,7 @@ pub(crate) enum Unfilled {
     Word,
     /// A tile pretends no sense.
     Sense,
-    /// What is told is no value.
+    /// The value that is told is none.
     Value,
     /// A parameter does not fit; with what the catalogue says.
     Param(String),

@@ -1,7 +1,7 @@
 //! The tiles of the operator's page: shown, put, moved and given up. Each is one change of the program.
 
+use super::shown_pad as pad;
 use super::{Document, build};
-use crate::pad;
 use behaviour::{Change, Pad, Record, RecordId, Tile};
 use leptos::prelude::*;
 use protocol::Refused;

@@ -5,8 +5,8 @@ mod form;
 mod places;
 
 use super::frame::{Frame, focus_again};
+use crate::desk::shown_pad as pad;
 use crate::icons::Icon;
-use crate::pad;
 use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Pad, Tile};

@@ -64,7 +64,7 @@ pub(super) fn pad(desk: DeskHold) -> Memo<Vec<PadTile>> {
 /// The tiles of a program: its own, in their own words, or the usual ones. Pure.
 fn tiles(behaviour: &Behaviour) -> Vec<PadTile> {
     let tile = |(key, tile): (u8, behaviour::Tile)| {
-        let ((icon, _), label) = (crate::pad::pictured(behaviour, &tile.does), tile.label);
+        let ((icon, _), label) = (crate::desk::shown_pad::pictured(behaviour, &tile.does), tile.label);
         let does = match tile.does {
             TileAction::Hand { device, params, value } => TileWork::Hand { device, params, value },
             TileAction::Pretend { stream, value } => TileWork::Pretend { stream, value },
@@ -72,7 +72,7 @@ fn tiles(behaviour: &Behaviour) -> Vec<PadTile> {
         };
         PadTile { key: usize::from(key), label, icon, does, asks: tile.asks }
     };
-    crate::pad::of(behaviour).tiles.into_iter().map(tile).collect()
+    crate::desk::shown_pad::of(behaviour).tiles.into_iter().map(tile).collect()
 }
 
 #[cfg(test)]

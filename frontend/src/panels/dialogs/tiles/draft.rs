@@ -1,7 +1,7 @@
 //! A tile as it is being written: what it does, its words, and whether it asks first.
 
+use crate::desk::shown_pad as pad;
 use crate::fields::{ParamForm, Unfilled};
-use crate::pad;
 use crate::panels::dialogs::stimulate::SentValue;
 use crate::panels::hold::DeskHold;
 use behaviour::{Behaviour, Id, Params, Stream, StreamKind, Tile, TileAction, Value};
@@ -15,8 +15,6 @@ pub(super) const WORD: &str = "word";
 /// The kinds of a mark.
 pub(super) const MOMENT: &str = "moment";
 pub(super) const SPAN: &str = "span";
-/// The action of a new tile.
-const FIRST_ACTION: &str = "SayParameter";
 
 /// The fields of a tile. A copy is the same fields.
 #[derive(Clone, Copy)]
@@ -64,7 +62,7 @@ impl TileDraft {
         self.kind.set(HAND.to_owned());
         self.word.set(String::new());
         self.lasts.set(MOMENT.to_owned());
-        self.choose_action(FIRST_ACTION);
+        self.choose_action(robot::first_by_hand().name);
         self.choose_sense(senses(&behaviour).first().map(|(id, _)| id.as_str()).unwrap_or_default());
         match tile.map(|tile| &tile.does) {
             Some(TileAction::Hand { device, params, value }) => {
