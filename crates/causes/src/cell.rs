@@ -15,8 +15,8 @@ pub(crate) struct TracedCell {
     known: Vec<Option<SeenValue>>,
     /// Values that it will give by itself.
     waiting: VecDeque<WaitingCause>,
-    /// The result before, and since when.
-    memory: (Value, Millis),
+    /// The result before, and since when; none if that came before there was a tracer.
+    memory: Option<(Value, Millis)>,
     pub(crate) last: Option<Last>,
 }
 
@@ -45,7 +45,12 @@ impl TracedCell {
     /// Returns the cell of a connector that begins.
     pub(crate) fn of(part: &WiredConnector, began: Millis) -> Self {
         let known = if part.knows_inputs() { vec![None; part.inputs.len()] } else { Vec::new() };
-        Self { known, waiting: VecDeque::new(), memory: (part.start.clone(), began), last: None }
+        Self { known, waiting: VecDeque::new(), memory: Some((part.start.clone(), began)), last: None }
+    }
+
+    /// The run goes on from results of which there was no tracer.
+    pub(crate) fn forget_memory(&mut self) {
+        self.memory = None;
     }
 
     /// It stores the value of an input, if it does.
@@ -66,8 +71,8 @@ impl TracedCell {
         self.store(slot, from);
         self.turned(Turn::Gave, from);
         if part.meaning == ConnectorMeaning::Remembers {
-            let (memory, since) = std::mem::replace(&mut self.memory, (made.0.clone(), made.1));
-            return vec![With::Memory(memory, since)];
+            let before = self.memory.replace((made.0.clone(), made.1));
+            return before.map(|(memory, since)| With::Memory(memory, since)).into_iter().collect();
         }
         let others = self.known.iter().enumerate().filter(|(other, _)| *other != slot);
         others.filter_map(|(_, known)| known.clone().map(With::Value)).collect()

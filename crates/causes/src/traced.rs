@@ -127,6 +127,7 @@ impl Traced {
     /// Remembers what an earlier run of the same program remembered, before it was fed anything.
     pub fn resume(&mut self, memory: Handover) {
         self.run.resume_from(memory, &Matching::between(&self.file, &self.file));
+        self.tracer.resume();
     }
 
     /// Returns the moment as it is now. None while readings wait for the end of their frame.

@@ -82,6 +82,11 @@ impl Tracer {
         }
     }
 
+    /// The run remembers results that came before there was a tracer.
+    pub(crate) fn resume(&mut self) {
+        self.core.cells.iter_mut().for_each(TracedCell::forget_memory);
+    }
+
     /// An edited program follows, as `matching` says: what means the same keeps what it remembers.
     pub fn follow(&mut self, file: &BehaviourFile, matching: &Matching, at: Millis) {
         self.settle();

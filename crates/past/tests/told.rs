@@ -4,7 +4,7 @@
 use behaviour::{BehaviourFile, Knowledge, Params, StreamKind, Value};
 use engine::{Limits, Run, StreamIx};
 use past::{EditedRun, Hook, Opening, Past};
-use protocol::{Interrupted, LaneName, LaneValues, MomentChange, NotSeen};
+use protocol::{Interrupted, LaneName, LaneValues, MomentChange, NotSeen, WhyWith};
 use recording::{EndLine, FORMAT, Header, Line, LineNames, json, open};
 use robot::Millis;
 use sentences::Language;
@@ -119,6 +119,8 @@ fn a_run_that_was_recorded_from_its_middle_on_begins_there() {
     text.line(&Line::Memory { at_ms: 10_000, memory: Box::new(run.handover()) });
     text.reading(10_500, 40);
     text.said(10_500, 6);
+    text.reading(10_700, 40);
+    text.said(10_700, 7);
     text.end(11_000);
     let past = opened(&text.text).unwrap();
     assert_eq!((past.about().from_ms, past.about().differs_ms), (10_000, None));
@@ -126,6 +128,10 @@ fn a_run_that_was_recorded_from_its_middle_on_begins_there() {
     assert_eq!(past.seek(9_000, &hook()).unwrap_err(), NotSeen::NoTime);
     let told = past.why(("say", 10_500, 0), Language::English, &NoKnowledge, &hook()).unwrap();
     assert_eq!((told.why.value, told.why.steps.len()), (Value::Int(6), 4));
+    assert!(told.why.steps[1].with.is_empty(), "nobody knows when it counted to five: {:?}", told.why.steps[1].with);
+    let told = past.why(("say", 10_700, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    let memory = WhyWith::Memory { memory: Value::Int(6), t: 10_500 };
+    assert_eq!(told.why.steps[1].with, [memory], "from then on it is known");
 }
 
 #[test]

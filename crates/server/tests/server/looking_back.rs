@@ -1,7 +1,7 @@
 //! Looking back at recordings and at runs that go on, over sockets: everybody who is in may, few at a time, and no Stop waits.
 
 use crate::console::Said;
-use crate::house::{House, connect, connector_id, make, map, plain, printer, sentence, start, stream, stream_id};
+use crate::house::{House, connect, connector_id, map, plain, printer, sentence, start, stream, stream_id};
 use crate::invited::Scene;
 use behaviour::{Id, Operation, Procedure, Record, StreamKind, Value, connectors};
 use protocol::{
