@@ -23,7 +23,7 @@ async fn to_lane(page: &Page, lane: &str) -> Outcome<()> {
     Err(format!("there is no lane {lane}").into())
 }
 
-/// What stands beside a stream on the graph.
+/// The words beside a stream on the graph.
 fn value_of(stream: &str) -> String {
     format!(
         "(document.querySelector('[data-node={stream}]')?.parentElement.querySelector('.value')?.textContent ?? '')"
