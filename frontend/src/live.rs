@@ -67,8 +67,8 @@ impl LiveStream {
         }
     }
 
-    /// How many whole seconds before the moment of the past that is shown it came, if that is one at least. None for what is of
-    /// now.
+    /// Tells the whole seconds by which it came before the moment of the past that is shown, if that is one at least. None for
+    /// values of now.
     pub(crate) fn earlier(&self) -> Option<Option<u32>> {
         self.earlier_ms.map(|ms| (ms >= 1_000.0).then_some((ms / 1_000.0) as u32))
     }

@@ -23,7 +23,7 @@ async fn to_lane(page: &Page, lane: &str) -> Outcome<()> {
     Err(format!("there is no lane {lane}").into())
 }
 
-/// What stands beside a stream on the graph.
+/// The words beside a stream on the graph.
 fn value_of(stream: &str) -> String {
     format!(
         "(document.querySelector('[data-node={stream}]')?.parentElement.querySelector('.value')?.textContent ?? '')"
@@ -125,7 +125,9 @@ async fn the_number_that_kept_an_action_back_is_changed_from_the_past() -> Outco
     aiko.find("button", "Track far and close balls").await?;
     saved(&aiko).await?;
     let id = aiko.eval("location.hash.match(/[0-9a-f-]{8,}/)[0]").await?;
-    keep_session_of(stage.folder(), id.as_str().unwrap_or_default())?;
+    let id = id.as_str().unwrap_or_default();
+    let file = aiko.eval(&format!("fetch('/api/behaviours/{id}.json').then(file => file.text())")).await?;
+    keep_session_of(stage.folder(), id, file.as_str().unwrap_or_default())?;
     let hash = aiko.eval("location.hash").await?;
     aiko.goto(&format!("{}?past={SESSION}{}", stage.server.url(), hash.as_str().unwrap_or_default())).await?;
     usable(&aiko).await?;

@@ -25,17 +25,17 @@ const AWAY_MS: u64 = 10_000;
 /// # Errors
 /// If the file cannot be written.
 pub fn keep_session(data: &Path) -> Outcome<()> {
-    keep_session_of(data, "tracker")
+    keep_session_of(data, "tracker", PROGRAM)
 }
 
-/// Puts the session into the data folder of a server as one of the program with this id.
+/// Puts the session into the data folder of a server as one of the program with this id, told as a file.
 ///
 /// # Errors
-/// If the file cannot be written.
-pub fn keep_session_of(data: &Path, program: &str) -> Outcome<()> {
+/// If the file cannot be written, or the program has other streams.
+pub fn keep_session_of(data: &Path, id: &str, program: &str) -> Outcome<()> {
     let folder = data.join("recordings");
     std::fs::create_dir_all(&folder)?;
-    std::fs::write(folder.join(SESSION), session(program)?)?;
+    std::fs::write(folder.join(SESSION), session(id, program)?)?;
     Ok(())
 }
 
@@ -62,23 +62,29 @@ pub async fn keep_session_program(url: &str) -> Outcome<Client> {
     Ok(client)
 }
 
-fn session(id: &str) -> Outcome<String> {
-    let program: serde_json::Value = serde_json::from_str(PROGRAM)?;
+fn session(id: &str, program: &str) -> Outcome<String> {
+    let program: serde_json::Value = serde_json::from_str(program)?;
+    let stream = |name: &str| -> Outcome<String> {
+        let streams = program["streams"].as_array().into_iter().flatten();
+        let named = streams.filter(|stream| stream["name"] == name).find_map(|stream| stream["id"].as_str());
+        Ok(named.ok_or_else(|| Trouble(format!("The program has no stream “{name}”.")))?.to_owned())
+    };
+    let (ball, head, body) = (stream("Ball")?, stream("Head tracker")?, stream("Head and body tracker")?);
     let header = json!({
         "format": "rrp-recording/2", "behaviour": id, "name": "Track far and close balls", "revision": 1, "mode": "event",
         "by": "Aiko", "began": "2026-11-24T11:54:17Z", "run": 1, "robot": "NAO", "participant": "P-07",
     });
-    let mut lines = format!("{header}\n{}\n", json!({ "t": 0, "mark": "file", "revision": 1, "file": program }));
+    let mut lines = format!("{header}\n{}\n", json!({ "t": 0, "mark": "file", "revision": 1, "file": &program }));
     for t in (0..SESSION_MS).step_by(EVERY_MS as usize) {
         let (into, round) = (t % (SEEN_MS + AWAY_MS), t / (SEEN_MS + AWAY_MS));
         if into < SEEN_MS {
             // It comes nearer and goes away again, each time a little further.
             let way = (into as f64 / SEEN_MS as f64 - 0.5).abs() * 2.0;
             let size = 0.035 + 0.05 * (1.0 - way) + 0.001 * (round % 7) as f64;
-            let ball = json!({ "x": 0.2 - 0.02 * round as f64, "y": 0.05, "size": size, "time": t });
-            writeln!(lines, "{}", json!({ "t": t, "stream": "ball", "value": ball }))?;
+            let seen = json!({ "x": 0.2 - 0.02 * round as f64, "y": 0.05, "size": size, "time": t });
+            writeln!(lines, "{}", json!({ "t": t, "stream": ball, "value": seen }))?;
             let distance = 0.03 / size.sin();
-            let action = if distance >= 0.5 { "head" } else { "body" };
+            let action = if distance >= 0.5 { &head } else { &body };
             writeln!(lines, "{}", json!({ "t": t, "stream": action, "value": distance }))?;
         }
         for (at, note) in [(150_000, "laughs"), (300_000, "looks away"), (420_000, "asks for it"), (580_000, "laughs")]

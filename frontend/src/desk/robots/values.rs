@@ -13,7 +13,7 @@ use std::collections::HashMap;
 /// Between two changes of what is shown to who wants little motion, in milliseconds.
 const CALM_MS: i32 = 500;
 
-/// What streams and connectors are doing now, while the graph shows something else.
+/// Values of streams and connectors as they are now, while the graph shows others.
 #[derive(Default)]
 pub(super) struct ValuesOfNow {
     streams: HashMap<Id, LiveStream>,

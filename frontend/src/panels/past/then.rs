@@ -25,7 +25,7 @@ const SPARK_MS: u64 = 8_000;
 /// The numbers of a sparkline.
 const SPARK_NUMBERS: usize = 32;
 
-/// What was asked of moments, and what is shown of them.
+/// Questions about moments, and the program that is shown.
 #[derive(Clone, Default)]
 struct AskedMoments {
     is_busy: bool,

@@ -38,7 +38,7 @@ struct AnswerLine {
     fix: Option<NumberFix>,
 }
 
-/// What was asked: a stream and a moment since Start.
+/// A question: a stream and a moment since Start.
 #[derive(Clone, Debug, PartialEq)]
 struct AskedReason {
     stream: Id,
@@ -75,7 +75,7 @@ impl PastShared {
         })
     }
 
-    /// What is chosen last counts, a lane or something on the graph.
+    /// Of a lane and something on the graph, the one that was chosen last counts.
     pub(super) fn follow_subject(self) {
         let lane = Memo::new(move |_| self.viewer.read().chosen().map(|lane| filling::name(&lane.key).stream));
         Effect::new(move |before: Option<Option<String>>| {

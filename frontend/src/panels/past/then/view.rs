@@ -13,7 +13,7 @@ use protocol::PastOf;
 /// By this name the style sheets know that the graph shows the past.
 const MARK: &str = "data-then";
 
-/// What stands around the graph while it shows the past.
+/// The frame around the graph while it shows the past, and all that belongs to it.
 #[component]
 pub(in super::super) fn Then(past: PastShared) -> impl IntoView {
     mark_page(past);

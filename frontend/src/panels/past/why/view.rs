@@ -88,7 +88,7 @@ pub(in super::super) fn Asking(past: PastShared) -> impl IntoView {
     }
 }
 
-/// What a stream had at the moment. Reactive.
+/// The value that a stream had at the moment. Reactive.
 fn told_of(past: PastShared, id: &Id) -> Option<String> {
     past.then.at.track();
     let document = past.desk.desk().document;
