@@ -749,7 +749,7 @@ impl SaidSoFar {
             let base = last.acts.last().map_or(0, |(later, ..)| *later);
             last.acts.extend(rule.acts.into_iter().map(|(later, act, span)| (later + base, act, span)));
             last.once |= rule.once;
-            self.doubts.extend(crowded(last));
+            self.unsure.extend(crowded(last));
             return;
         }
         if needs_event && !rule.acts.iter().all(|(_, act, _)| own_event(act).is_some()) {
@@ -757,7 +757,7 @@ impl SaidSoFar {
             return;
         }
         rule.is_own = needs_event;
-        self.doubts.extend(crowded(&rule));
+        self.unsure.extend(crowded(&rule));
         self.unsure.extend(unclear_time(&rule));
         self.never.extend(never(&rule));
         self.rules.push(rule);
@@ -905,7 +905,7 @@ fn takes_ms(act: &Act) -> u64 {
 
 /// The words of something that is done in the midst of what is done several times: *nod twice and bow*; or of that itself,
 /// where it would begin again before it is over.
-fn crowded(rule: &MeantRule) -> Option<SpeechSpan> {
+fn crowded(rule: &MeantRule) -> Option<(SpeechSpan, &'static str)> {
     let ends = |(later, act, _): &(u64, Act, SpeechSpan)| later + takes_ms(act);
     let repeats = |(later, act, span): &&(u64, Act, SpeechSpan)| {
         rule.acts.iter().any(|(first, other, of)| first < later && other == act && of == span)
@@ -913,13 +913,13 @@ fn crowded(rule: &MeantRule) -> Option<SpeechSpan> {
     let last = rule.acts.iter().filter(repeats).max_by_key(|act| act.0)?;
     let period = rule.every.or(rule.at_most);
     if period.is_some_and(|period| period < ends(last)) {
-        return Some(last.2.clone());
+        return Some((last.2.clone(), "crowded"));
     }
     let clashes = |(later, act, span): &&(u64, Act, SpeechSpan)| {
         let moves = moves_body(act) && moves_body(&last.1) || says(act) && says(&last.1);
         *span != last.2 && moves && *later < ends(last)
     };
-    rule.acts.iter().find(clashes).map(|(.., span)| span.clone())
+    rule.acts.iter().find(clashes).map(|(.., span)| (span.clone(), "sequence"))
 }
 
 /// True if words are said.
