@@ -1,4 +1,4 @@
-//! What comes only until something else comes, or while something is so: *until the head is touched*, *while the nearest
+//! Values that pass only until something else comes, or while something is so: *until the head is touched*, *while the nearest
 //! person is nearer than 1 m*.
 
 use super::SentenceTeller;
@@ -36,7 +36,7 @@ impl<'a> KnownGraph<'a> {
         (does == SpokenConnector::Make(Calc::Number(number))).then_some((id, connector))
     }
 
-    /// What comes at a connector until something else comes, if that is what it is for.
+    /// Returns the stream whose values end those of a connector, if that is what it is for.
     pub(super) fn until(&self, any: &'a Connector) -> Option<&'a Id> {
         self.ending(any).map(|ending| ending.other)
     }
@@ -48,7 +48,7 @@ impl<'a> KnownGraph<'a> {
         Some(Restriction { other: ended.1.inputs.first()?, connectors: vec![ended] })
     }
 
-    /// What is seen and, after a time, is not any more, if a stream tells that.
+    /// Returns the stream that is seen and, after a time, is not any more, if `state` tells that.
     fn view(&self, state: &'a Id) -> Option<InView<'a>> {
         let (id, any) = self.graph.into_stream(state).first().copied()?;
         let does = SpokenConnector::of(&any.operation, &self.behaviour.arguments(any)).0;

@@ -178,7 +178,7 @@ pub(crate) enum Act {
     Instead,
     /// The eyes go out so many milliseconds after they were lit.
     GoesOut(u64),
-    /// What was said right before is done so often, one after the other.
+    /// Does the act before it so often, one after the other.
     Repeats(u32),
     /// The robot stops following: the target, if one is named.
     Unfollow(Option<FollowedTarget>),
