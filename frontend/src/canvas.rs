@@ -297,7 +297,7 @@ fn Suggested() -> impl IntoView {
 #[component]
 fn Told() -> impl IntoView {
     let open = open_memo(&use_desk());
-    move || open.get().then(|| view! { <Later show=|rest| (rest.told)() /> })
+    move || open.get().then(|| view! { <Later show=|rest| (rest.sentences_panel)() /> })
 }
 
 /// Shows what is carried here from the left list, if the second piece is there to hear of it.

@@ -45,7 +45,7 @@ pub(crate) struct LazyViews {
     /// What can be done with several things together, a note or a group.
     pub(crate) several: fn() -> AnyView,
     /// What the open program does, in sentences.
-    pub(crate) told: fn() -> AnyView,
+    pub(crate) sentences_panel: fn() -> AnyView,
     /// On the graph, the parts that some words mean.
     pub(crate) lit: fn() -> AnyView,
     /// What is made of a sentence that is typed.
@@ -187,7 +187,7 @@ fn rest() -> Result<LazyViews, NotLoaded> {
         notes: canvas::notes,
         chosen: panels::chosen,
         several: canvas::several,
-        told: panels::told,
+        sentences_panel: panels::sentences_panel,
         lit: canvas::lit,
         typed: panels::typed,
         ghost: canvas::ghost,

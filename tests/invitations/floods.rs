@@ -178,7 +178,7 @@ impl Presser {
     /// Comes in and looks around.
     async fn comes_in(&mut self, link: &str) -> Outcome<()> {
         let came = match self {
-            Self::Browser(browser) => browser.come_in(link).await,
+            Self::Browser(browser) => browser.join(link).await,
             Self::Proxied { to, .. } => {
                 let body = format!("token={}", token(link));
                 let form = "Content-Type: application/x-www-form-urlencoded\r\n";

@@ -67,7 +67,7 @@ pub(crate) async fn guessed(
     let mut guest = Browser::new(data, &link);
     let stranger = guest.stranger();
     let socket = network.do_there(async move {
-        assert_eq!(status(&guest.come_in(&link).await), 303);
+        assert_eq!(status(&guest.join(&link).await), 303);
         let socket = guest.socket("Ben").await.unwrap_or_else(|status| panic!("{status}"));
         (guest, socket)
     });

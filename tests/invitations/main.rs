@@ -190,7 +190,7 @@ async fn without_an_invitation(browser: &Browser) {
 }
 
 async fn as_an_editor(browser: &mut Browser, link: &str, play: Id, change: behaviour::Change) -> Socket {
-    assert_eq!(status(&browser.come_in(link).await), 303);
+    assert_eq!(status(&browser.join(link).await), 303);
     assert!(browser.get("/api/behaviours").await.contains("Yuki morning"));
     let mut ben = browser.socket("Ben").await.unwrap_or_else(|status| panic!("{status}"));
     let opened = ben.ask(request::Open { behaviour: play.clone() }).await;
@@ -208,7 +208,7 @@ async fn as_an_editor(browser: &mut Browser, link: &str, play: Id, change: behav
 }
 
 async fn as_a_viewer(browser: &mut Browser, link: &str, play: &Id) -> Socket {
-    assert_eq!(status(&browser.come_in(link).await), 303);
+    assert_eq!(status(&browser.join(link).await), 303);
     let mut chie = browser.socket("Chie").await.unwrap_or_else(|status| panic!("{status}"));
     let opened = chie.ask(request::Open { behaviour: play.clone() }).await;
     assert!(opened.is_ok(), "{opened:?}");

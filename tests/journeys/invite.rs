@@ -42,7 +42,7 @@ async fn revoke_ben(aiko: &Page) -> Outcome<()> {
 }
 
 /// Somebody who opens the link, comes in, and opens what Aiko has open.
-async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<Page> {
+async fn join(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<Page> {
     let page = follow(stage, name, link).await?;
     says(&page, "Aiko invites you to").await?;
     page.press("button", "Come in").await?;
@@ -107,7 +107,7 @@ async fn a_viewer_comes_by_a_link_looks_and_is_out_when_it_is_revoked() -> Outco
     aiko.press("button", "Copy the link with these steps").await?;
     says(&aiko, "Copied").await?;
     says(&aiko, "Nobody came yet").await?;
-    let ben = come_in(&stage, "ben", &link, &aiko).await?;
+    let ben = join(&stage, "ben", &link, &aiko).await?;
     assert!(!ben.address().await?.contains(link.rsplit('#').next().unwrap_or("#")), "the token left the address bar");
     says(&aiko, "here now").await?;
 
@@ -146,7 +146,7 @@ async fn an_operator_starts_and_stops_and_edits_nothing() -> Outcome<()> {
     skip::unless!(ready("journey: an operator"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "start and stop", "for a day", "").await?;
-    let ben = come_in(&stage, "ben", &link, &aiko).await?;
+    let ben = join(&stage, "ben", &link, &aiko).await?;
     says(&ben, "You may start and stop, not edit.").await?;
     for button in ["Add a program", "Add Red ball", "Tidy"] {
         can_press(&ben, button, false).await?;
@@ -201,7 +201,7 @@ async fn who_stopped_is_said_and_what_a_revoked_person_started_can_be_stopped() 
     skip::unless!(ready("journey: who stopped, who started"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "start and stop", "until you revoke it", "Ben").await?;
-    let ben = come_in(&stage, "ben", &link, &aiko).await?;
+    let ben = join(&stage, "ben", &link, &aiko).await?;
     ben.within("form", "Your name").fill("textbox", "Others see you as", "Ben").await?;
     ben.within("form", "Your name").press("button", "Save").await?;
     says(&aiko, "Ben, here now").await?;
@@ -225,7 +225,7 @@ async fn an_editor_who_says_a_name_is_listed_by_it() -> Outcome<()> {
     skip::unless!(ready("journey: an invited editor"));
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "edit", "once", "Yuki").await?;
-    let yuki = come_in(&stage, "yuki", &link, &aiko).await?;
+    let yuki = join(&stage, "yuki", &link, &aiko).await?;
     yuki.within("form", "Your name").fill("textbox", "Others see you as", "Yuki").await?;
     yuki.within("form", "Your name").press("button", "Save").await?;
     says(&aiko, "Yuki, here now").await?;

@@ -140,7 +140,7 @@ async fn a_press_stops_while_the_page_is_still_opening() -> Outcome<()> {
                 page.hold_back(file).await?;
             }
             page.call("Network.setBlockedURLs", json!({ "urls": PROGRAM })).await?;
-            page.come_in(&scene.stage.server.url()).await?;
+            page.join(&scene.stage.server.url()).await?;
             page.call("Page.navigate", json!({ "url": scene.stage.server.url() })).await?;
             let came = match held {
                 ["boot.js"] => "window.rrpHeard === null",

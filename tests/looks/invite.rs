@@ -25,7 +25,7 @@ async fn axe_finds_nothing_about_inviting_and_who_may_only_look() -> Outcome<()>
     found.extend(look(&aiko, "inviting").await?);
     dialog.press("button", "Make a link").await?;
     let link = dialog.text("textbox", "Link").await?;
-    let ben = come_in(&browser, &link, &aiko, &mut found).await?;
+    let ben = join(&browser, &link, &aiko, &mut found).await?;
     aiko.until("document.body.innerText.includes('here now')", "Ben is there").await?;
     found.extend(look(&aiko, "invited").await?);
 
@@ -55,7 +55,7 @@ async fn axe_finds_nothing_where_nobody_else_reaches_the_server() -> Outcome<()>
 }
 
 /// Somebody who comes by a link and opens what is open, looking at what they meet on the way.
-async fn come_in(browser: &Browser, link: &str, aiko: &Page, found: &mut Vec<String>) -> Outcome<Page> {
+async fn join(browser: &Browser, link: &str, aiko: &Page, found: &mut Vec<String>) -> Outcome<Page> {
     let page = browser.person("ben").await?;
     page.size(1440, 900, false).await?;
     page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;

@@ -92,7 +92,7 @@ impl Page {
 
     /// Goes to `url`, waits until it is loaded, and starts the counters of `network` anew.
     pub async fn goto(&self, url: &str) -> Outcome<()> {
-        self.come_in(url).await?;
+        self.join(url).await?;
         self.watch.begin(url);
         let gone = self.call("Page.navigate", json!({ "url": url })).await?;
         if let Some(why) = gone["errorText"].as_str() {
@@ -102,7 +102,7 @@ impl Page {
     }
 
     /// Has the browser shown as the host's, where a server of ours is and that was not done before. `goto` does it by itself.
-    pub async fn come_in(&self, url: &str) -> Outcome<()> {
+    pub async fn join(&self, url: &str) -> Outcome<()> {
         let origin = url.splitn(4, '/').take(3).collect::<Vec<_>>().join("/");
         if self.in_already.lock().unwrap_or_else(PoisonError::into_inner).contains(&origin) {
             return Ok(());

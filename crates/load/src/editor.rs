@@ -108,7 +108,7 @@ impl LoadEditor {
     }
 
     /// Comes in at first, again if the way there breaks or the store is away.
-    pub(crate) async fn come_in(&mut self) -> Result<(), ClientError> {
+    pub(crate) async fn join(&mut self) -> Result<(), ClientError> {
         let until = Instant::now() + PATIENCE;
         loop {
             match self.connect().await {

@@ -101,7 +101,7 @@ impl Load {
         let course = Arc::new(Course { plan, url, run, behaviours, watch, began: OnceLock::new() });
         let come = kills.into_iter().enumerate().map(|(number, kills)| {
             let mut editor = LoadEditor::new(Arc::clone(&course), number, kills);
-            async move { editor.come_in().await.map(|()| editor) }
+            async move { editor.join().await.map(|()| editor) }
         });
         futures_util::stream::iter(come).buffer_unordered(COMING_MAX).try_collect().await
     }

@@ -68,7 +68,7 @@ pub const CLOSE_REVOKED: u16 = 4001;
 /// came back by itself would take it back.
 pub const CLOSE_GAVE_WAY: u16 = 4002;
 /// Where an invitation's link leads, with its token behind the `#`, which no browser sends and no log keeps.
-pub const COME_IN_PATH: &str = "/come-in";
+pub const JOIN_PATH: &str = "/come-in";
 /// Where a POST of the host makes a link by which another browser becomes theirs.
 pub const HOST_LINK_PATH: &str = "/api/host-link";
 /// Where recordings are, as plain GETs: the list, and under it each file.

@@ -10,6 +10,14 @@ pub(crate) const HELD: f64 = 1.0;
 pub(crate) const LET_GO: f64 = 0.0;
 pub(crate) const COMES: f64 = 2.0;
 
+/// The numbers by which an *until* tells apart what comes, and its end.
+pub(crate) const GOES_ON: f64 = 0.0;
+pub(crate) const ENDED: f64 = 1.0;
+
+/// The numbers of what was seen within the last moment, and of what was not.
+pub(crate) const SEEN: f64 = 1.0;
+pub(crate) const GONE: f64 = 0.0;
+
 /// What a connector does with its values.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum SpokenConnector {
@@ -390,5 +398,12 @@ impl RememberedKind {
 pub(crate) fn is_kept(holds: &SpokenConnector, keeps: &SpokenConnector) -> bool {
     let asks = Asks::Numbers(vec![(Comparison::Is, COMES)]);
     *holds == SpokenConnector::Remember(RememberedKind::Held)
+        && *keeps == SpokenConnector::Keep(ValueTest { field: None, asks })
+}
+
+/// True if two connectors, one after the other, pass what comes until a number says that it is over.
+pub(crate) fn is_until(largest: &SpokenConnector, keeps: &SpokenConnector) -> bool {
+    let asks = Asks::Numbers(vec![(Comparison::Less, ENDED)]);
+    *largest == SpokenConnector::Remember(RememberedKind::Largest)
         && *keeps == SpokenConnector::Keep(ValueTest { field: None, asks })
 }

@@ -4,6 +4,7 @@ mod chain;
 mod fill;
 mod fix;
 mod held;
+mod restricted;
 mod starts;
 mod steps;
 mod why;
@@ -204,6 +205,7 @@ impl<'a> SentenceTeller<'a> {
             && let Some((first, rest)) = links.split_first()
             && let Some(id) = tight(&first.does)
             && self.unless_held(links).is_none()
+            && self.until_comes(links).is_none()
         {
             let pieces = self.step_pieces(id, first);
             self.push(pieces, &links[..1], &[]);
@@ -222,7 +224,10 @@ impl<'a> SentenceTeller<'a> {
     }
 
     /// A phrase that means these links and streams.
-    fn push(&mut self, pieces: Vec<Piece>, links: &[ChainConnector<'a>], streams: &[&Id]) {
+    fn push(&mut self, mut pieces: Vec<Piece>, links: &[ChainConnector<'a>], streams: &[&Id]) {
+        if self.language == Language::Japanese {
+            said_once(&mut pieces);
+        }
         let streams = streams.iter().copied().chain(links.iter().map(|link| &link.connector.output));
         let connectors = links.iter().map(|link| link.id.clone()).collect();
         self.phrases.push(Phrase { pieces, streams: streams.cloned().collect(), connectors });
@@ -256,4 +261,19 @@ fn needs_distance(links: &[ChainConnector]) -> bool {
     let [.., last] = links else { return true };
     let made = links.len() > 1 && is_part(&links[links.len() - 2].does, ClausePart::Helper("ball_to_distance"));
     last.carried.is_ball() && !made
+}
+
+/// Leaves out the 間 that a unit says already: 1 時間 and not 1 時間間.
+fn said_once(pieces: &mut [Piece]) {
+    for at in 1..pieces.len() {
+        let (before, after) = pieces.split_at_mut(at);
+        let (Some(Piece::Number(number)), Some(Piece::Text(text))) = (before.last(), after.first_mut()) else {
+            continue;
+        };
+        if number.unit.ends_with('間')
+            && let Some(rest) = text.strip_prefix('間')
+        {
+            *text = rest.to_owned();
+        }
+    }
 }

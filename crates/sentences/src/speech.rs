@@ -98,7 +98,8 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> UnderstoodSpeech 
             manners.extend(part.iter().filter(|atom| atom.is("manner", "")).map(|atom| atom.span.clone()));
             known.extend(part.iter().filter(|atom| !atom.is_unknown()).map(|atom| bytes(&atom.span)));
             for doubt in cover.doubts {
-                spans.push((doubt.clone(), why(&part, &doubt, lexicon)));
+                let part_of_body = || touches_nowhere(&part, &doubt).then(|| lexicon.gap("touched")).flatten();
+                spans.push((doubt.clone(), why(&part, &doubt, lexicon).or_else(part_of_body)));
             }
             unsure.extend(unsure::unquoted(&part, &cover.texts));
             speech.texts.extend(cover.texts.iter().map(bytes));
@@ -167,6 +168,18 @@ fn why(atoms: &[Atom], span: &Range<usize>, lexicon: &Lexicon) -> Option<&'stati
         // A colour that no sense has.
         None => atom.of("color").and_then(|_| lexicon.gap("eyes")),
     }
+}
+
+/// True if words in doubt tell of a touch, and no words say what is touched: *each tap*.
+fn touches_nowhere(atoms: &[Atom], span: &Range<usize>) -> bool {
+    let touches = |atom: &Atom| {
+        let inside = span.start <= atom.span.start && atom.span.end <= span.end;
+        inside && (atom.is("v", "touch") || atom.is("noun", "touch")) && !atom.is("v", "see")
+    };
+    let names = |atom: &Atom| {
+        atom.is_unknown() || ["part", "it", "gap"].iter().any(|kind| atom.is(kind, "")) || atom.is("noun", "button")
+    };
+    atoms.iter().any(touches) && !atoms.iter().any(names)
 }
 
 /// The parts of the body that texts speak of: “touch my hand”.

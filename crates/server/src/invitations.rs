@@ -26,7 +26,7 @@ use behaviour::{Id, without_unseen};
 use book::{Book, GuestNames, Indexed, InvitationSeed};
 use guesses::Guesses;
 use guest::Live;
-use protocol::{COME_IN_PATH, Invitation, LABEL_MAX_CHARS, Lasts, Refused, Role};
+use protocol::{Invitation, JOIN_PATH, LABEL_MAX_CHARS, Lasts, Refused, Role};
 use reserve::Reserve;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -191,7 +191,7 @@ impl Invitations {
             first(book);
             book.make(made, Terms { label, ..terms })
         })?;
-        let link = format!("{}{COME_IN_PATH}#{token}", way.origin);
+        let link = format!("{}{JOIN_PATH}#{token}", way.origin);
         let (qr, fingerprint) = (qr::rows(&link), way.fingerprint.clone());
         tracing::info!(invitation = %invitation.id, role = ?invitation.role, "somebody is invited");
         Ok(Invited { invitation, link, qr, fingerprint })
@@ -217,7 +217,7 @@ impl Invitations {
     ///
     /// # Errors
     /// If it lets nobody in; then also if too many such links came from there.
-    pub(crate) fn come_in(&self, token: &str, from: GuessSource) -> Result<String, NotIn> {
+    pub(crate) fn join(&self, token: &str, from: GuessSource) -> Result<String, NotIn> {
         let link = Digest::of(token);
         if !self.book.borrow().is_open(&link, now_ms()) {
             return Err(self.guessed(from));
@@ -238,7 +238,7 @@ impl Invitations {
     /// Who invites by a link and as what, without using it.
     ///
     /// # Errors
-    /// As [`Self::come_in`], but for the disk.
+    /// As [`Self::join`], but for the disk.
     pub(crate) fn promise(&self, token: &str, from: GuessSource) -> Result<(String, Role), NotIn> {
         let promise = self.book.borrow().promise(&Digest::of(token), now_ms());
         promise.ok_or_else(|| self.guessed(from))

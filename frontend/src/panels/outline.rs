@@ -109,7 +109,7 @@ fn Outline() -> impl IntoView {
             }>
             <PaperTitle />
             <EmptyStage />
-            {move || is_open.get().then(|| view! { <Later show=|rest| (rest.told)() /> })}
+            {move || is_open.get().then(|| view! { <Later show=|rest| (rest.sentences_panel)() /> })}
             <ProblemCount />
             <ul class="outline"><For each=move || nodes.get() key=|node| node.clone() children=row /></ul>
             <Show when=move || is_open.get() && may_edit(desk)><div class="add-note"><AddNote /></div></Show>

@@ -17,7 +17,7 @@ const NOT_SHOWN: [&str; 8] = [
     "{name:width$}  {kind:6}  {}  Value: {}.",
 ];
 /// Files whose sentences are no sentences of the page, or have their Japanese beside them.
-const OTHER_FILES: [&str; 6] = ["/contract/", "/tests", "_tests", "/come_in/", "/http/stop/", "/samples.rs"];
+const OTHER_FILES: [&str; 6] = ["/contract/", "/tests", "_tests", "/join/", "/http/stop/", "/samples.rs"];
 /// The fewest words of a sentence.
 const WORDS_MIN: usize = 3;
 

@@ -1,7 +1,7 @@
 //! The way of values to an action, as a chain: where it starts, and one connector after another.
 
 use crate::carried::{CarriedKind, is_known_helper};
-use crate::does::{Calc, SpokenConnector, is_kept};
+use crate::does::{Calc, SpokenConnector, is_kept, is_until};
 use crate::test::TestPlaces;
 use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind};
 use robot::Device;
@@ -59,7 +59,7 @@ impl<'a> KnownGraph<'a> {
         let start = loop {
             let Some(&(id, connector)) = self.graph.into_stream(at).first() else { break self.start(at) };
             let (does, places) = SpokenConnector::of(&connector.operation, &self.behaviour.arguments(connector));
-            let goes_on = links.len() + 1 < CHAIN_MAX && self.is_unless(connector, &links, &seen);
+            let goes_on = links.len() + 1 < CHAIN_MAX && self.goes_through(connector, &links, &seen);
             if does == SpokenConnector::Any && connector.inputs.len() > 1 && !goes_on {
                 let few = connector.inputs.len() <= ANY_MAX;
                 break if few { ChainStart::Any(id, connector) } else { self.named(at) };
@@ -97,15 +97,14 @@ impl<'a> KnownGraph<'a> {
         Some(ChainConnector { id, connector, does, places, from, carried })
     }
 
-    /// True if what comes here goes on, unless something is held meanwhile; `after` is what comes later, the last first.
-    fn is_unless(&self, any: &'a Connector, after: &[ChainConnector], seen: &BTreeSet<&'a Id>) -> bool {
-        let ends = match after {
-            [.., keeps, holds] => is_kept(&holds.does, &keeps.does),
-            _ => false,
-        };
+    /// True if what comes here goes on: unless something is held meanwhile, or until something else comes. `after` is what
+    /// comes later, the last first.
+    fn goes_through(&self, any: &'a Connector, after: &[ChainConnector], seen: &BTreeSet<&'a Id>) -> bool {
+        let [.., keeps, before] = after else { return false };
+        let ends = is_kept(&before.does, &keeps.does) && self.unless(any).is_some()
+            || is_until(&before.does, &keeps.does) && self.until(any).is_some();
         let from = any.inputs.first().and_then(|comes| self.graph.into_stream(comes).first());
-        ends && self.unless(any).is_some()
-            && from.is_some_and(|(_, made)| !made.inputs.iter().any(|from| seen.contains(from)))
+        ends && from.is_some_and(|(_, made)| !made.inputs.iter().any(|from| seen.contains(from)))
     }
 
     fn after(&self, carried: &CarriedKind, does: &SpokenConnector) -> CarriedKind {

@@ -52,7 +52,7 @@ impl<'a> SentenceTeller<'a> {
     }
 
     /// A sense and what is asked of it, as its subject and a test; none if that cannot be said so.
-    fn subject(
+    pub(super) fn subject(
         &mut self,
         id: &'a Id,
         stream: &Stream,

@@ -23,7 +23,7 @@ impl<'a> SentenceTeller<'a> {
                 at += DRAWN_LINKS;
                 continue;
             }
-            if let Some(used) = self.held(&links[at..]) {
+            if let Some(used) = self.held(&links[at..]).or_else(|| self.restricted(&links[at..])) {
                 at += used;
                 continue;
             }

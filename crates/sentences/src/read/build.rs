@@ -7,7 +7,7 @@ use super::tree::{HoleFilling, SaidAction, SaidWords, TokenSpan, ToldSentence, V
 use crate::Language;
 use crate::carried::{CarriedKind, ValueMeasure};
 use crate::clauses::{BOTH, Clause, ClausePart, TARGETS, TOUCHES, distance_helper, goes_by_distance, usual};
-use crate::does::{COMES, Calc, HELD, LET_GO, RememberedKind, SpokenConnector};
+use crate::does::{COMES, Calc, ENDED, GOES_ON, GONE, HELD, LET_GO, RememberedKind, SEEN, SpokenConnector};
 use crate::test::{Asks, Comparison, ValueTest, can_pass};
 use behaviour::{Behaviour, Id, Params, RATE_MS, StreamKind, Value, look_same};
 use robot::Device;
@@ -334,6 +334,9 @@ impl<'a> GraphBuilder<'a> {
                 };
             }
         }
+        if let Some(at) = self.restricted(said, at, chain) {
+            return at;
+        }
         let mut inputs = vec![at];
         if let Some(HoleFilling::Ways(ways)) = said.hole("others") {
             inputs.extend(ways.iter().map(|way| self.way(way, &mut Vec::new(), false)).collect::<Vec<_>>());
@@ -344,6 +347,75 @@ impl<'a> GraphBuilder<'a> {
         let inputs = distinct(inputs);
         let does = does_of(said, inputs.len());
         self.made(does, inputs, &said.span, chain)
+    }
+
+    /// Returns the node of what comes until something else comes, or while something is so, if a step says that.
+    fn restricted(&mut self, said: &SaidWords, at: usize, chain: &mut Vec<usize>) -> Option<usize> {
+        let way = [said.hole("other"), said.hole("asked")].into_iter().flatten().next();
+        let Some(HoleFilling::Ways(ways)) = way else { return None };
+        let way = ways.first()?;
+        let known = self.nodes.len();
+        let other = self.way(way, &mut Vec::new(), false);
+        Some(match said.rule {
+            "step.until" => self.until(at, other, &said.span, chain),
+            "step.within" => self.in_view(at, other, said.duration()?, &said.span, chain),
+            _ => {
+                let StreamSource::Made(does, inputs, _) = self.nodes[other].source.clone() else { return None };
+                // The test is asked of the newest value when another one comes: the sense itself is not tested.
+                if other + 1 == self.nodes.len() && other >= known {
+                    self.nodes.pop();
+                }
+                self.while_so(at, *inputs.first()?, does, &said.span, chain)
+            }
+        })
+    }
+
+    /// Returns the node of what comes until `end` comes.
+    pub(super) fn until(&mut self, at: usize, end: usize, span: &TokenSpan, chain: &mut Vec<usize>) -> usize {
+        let number = |number: f64| SpokenConnector::Make(Calc::Number(number));
+        let goes = self.made(number(GOES_ON), vec![at], span, chain);
+        let ends = self.made(number(ENDED), vec![end], span, &mut Vec::new());
+        let any = self.made(SpokenConnector::Any, vec![goes, ends], span, chain);
+        let so_far = self.made(SpokenConnector::Remember(RememberedKind::Largest), vec![any], span, chain);
+        let asks = Asks::Numbers(vec![(Comparison::Less, ENDED)]);
+        self.made(SpokenConnector::Keep(ValueTest { field: None, asks }), vec![so_far], span, chain)
+    }
+
+    /// Returns the node of what comes while `state` passes a test.
+    pub(super) fn while_so(
+        &mut self,
+        at: usize,
+        state: usize,
+        test: SpokenConnector,
+        span: &TokenSpan,
+        chain: &mut Vec<usize>,
+    ) -> usize {
+        if state == at {
+            return self.made(test, vec![at], span, chain);
+        }
+        let latest = self.made(SpokenConnector::Latest(Calc::Last), vec![at, state], span, chain);
+        // The test is of what the state carries.
+        self.nodes[latest].carried = self.nodes[state].carried.clone();
+        self.made(test, vec![latest], span, chain)
+    }
+
+    /// Returns the node of what comes while `seen` came within the last `period` milliseconds.
+    pub(super) fn in_view(
+        &mut self,
+        at: usize,
+        seen: usize,
+        period: u64,
+        span: &TokenSpan,
+        chain: &mut Vec<usize>,
+    ) -> usize {
+        let number = |number: f64| SpokenConnector::Make(Calc::Number(number));
+        let is = self.made(number(SEEN), vec![seen], span, &mut Vec::new());
+        let gone = self.made(SpokenConnector::Quiet(period), vec![is], span, &mut Vec::new());
+        let gone = self.made(number(GONE), vec![gone], span, &mut Vec::new());
+        let state = self.made(SpokenConnector::Any, vec![is, gone], span, &mut Vec::new());
+        let latest = self.made(SpokenConnector::Latest(Calc::Last), distinct(vec![at, state]), span, chain);
+        let asks = Asks::Numbers(vec![(Comparison::Is, SEEN)]);
+        self.made(SpokenConnector::Keep(ValueTest { field: None, asks }), vec![latest], span, chain)
     }
 
     /// The node of what comes while something is held.

@@ -17,6 +17,9 @@ const STEPS: &[&str] = &[
     "together.last",
     "together.code",
     "together.helper",
+    "step.until",
+    "step.while",
+    "step.within",
     "latest.sum",
     "latest.last",
     "latest.code",
@@ -255,9 +258,27 @@ impl<'m, 't> SentenceParser<'m, 't> {
     fn part(&self, name: &str, at: usize) -> Fits<HoleFilling> {
         match name {
             "test" => self.test(at).into_iter().map(|(test, end)| (HoleFilling::Test(test), end)).collect(),
+            "other" => self.other(at).into_iter().map(|(way, end)| (HoleFilling::Ways(vec![way]), end)).collect(),
+            "asked" => self.asked_sense(at),
             "others" => self.others(at).into_iter().map(|(ways, end)| (HoleFilling::Ways(ways), end)).collect(),
             _ => Vec::new(),
         }
+    }
+
+    /// A start without steps, or a way in brackets.
+    fn other(&self, at: usize) -> Fits<ValueWay> {
+        let way = |start: &WayStart| ValueWay { every: None, start: start.clone(), steps: Vec::new() };
+        let mut fits = self.group(at);
+        fits.extend(self.start(at).iter().map(|(start, end)| (way(start), *end)));
+        fits
+    }
+
+    /// A sense and what is asked of it.
+    fn asked_sense(&self, at: usize) -> Fits<HoleFilling> {
+        let way = |start: &WayStart| ValueWay { every: None, start: start.clone(), steps: Vec::new() };
+        let starts = self.start(at);
+        let asked = starts.iter().filter(|(start, _)| matches!(start, WayStart::Asked(Some(_), ..)));
+        asked.map(|(start, end)| (HoleFilling::Ways(vec![way(start)]), *end)).collect()
     }
 
     /// Groups with “and” between them.

@@ -235,12 +235,8 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
     }
 
     fn until(&mut self, at: usize, until: &Cond, chain: &mut Vec<usize>) -> Option<usize> {
-        let goes = self.made(number(0.0), vec![at], &until.span, chain);
         let end = self.event(until, &mut Vec::new(), None)?;
-        let ends = self.made(number(1.0), vec![end], &until.span, chain);
-        let any = self.made(SpokenConnector::Any, vec![goes, ends], &until.span, chain);
-        let so_far = self.made(SpokenConnector::Remember(RememberedKind::Largest), vec![any], &until.span, chain);
-        Some(self.made(numbers("", vec![(Comparison::Less, 1.0)]), vec![so_far], &until.span, chain))
+        Some(self.builder.until(at, end, &until.span, chain))
     }
 
     /// The event of a rule, with how often it is looked at and counted.
@@ -479,15 +475,7 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
         for does in sense.steps {
             state = self.made(does, vec![state], &cond.span, &mut Vec::new());
         }
-        if state == at {
-            return Some(self.made(test?, vec![at], &cond.span, chain));
-        }
-        let latest = self.made(SpokenConnector::Latest(Calc::Last), vec![at, state], &cond.span, chain);
-        // The test is of what the state carries.
-        let carried = self.builder.nodes[state].carried.clone();
-        self.builder.nodes[latest].carried = carried;
-        let kept = self.made(test?, vec![latest], &cond.span, chain);
-        Some(kept)
+        Some(self.builder.while_so(at, state, test?, &cond.span, chain))
     }
 
     /// Returns the node of what comes while something is not touched: untouched until the first touch.
@@ -506,12 +494,7 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
         if seen == at {
             return None;
         }
-        let is = self.made(number(1.0), vec![seen], &cond.span, &mut Vec::new());
-        let gone = self.made(SpokenConnector::Quiet(UNSEEN_MS), vec![is], &cond.span, &mut Vec::new());
-        let gone = self.made(number(0.0), vec![gone], &cond.span, &mut Vec::new());
-        let state = self.made(SpokenConnector::Any, vec![is, gone], &cond.span, &mut Vec::new());
-        let latest = self.made(SpokenConnector::Latest(Calc::Last), vec![at, state], &cond.span, chain);
-        Some(self.made(numbers("", vec![(Comparison::Is, 1.0)]), vec![latest], &cond.span, chain))
+        Some(self.builder.in_view(at, seen, UNSEEN_MS, &cond.span, chain))
     }
 
     fn sense(&mut self, feed: &SenseFeed, span: &TokenSpan) -> Option<usize> {
@@ -643,7 +626,7 @@ impl<'b, 'a> GraphMaking<'b, 'a> {
             | Act::NotFor(..)
             | Act::Text(_)
             | Act::Keeps => None,
-            Act::Instead | Act::Unfollow(_) | Act::GoesOut(_) => None,
+            Act::Instead | Act::Unfollow(_) | Act::GoesOut(_) | Act::Repeats(_) => None,
         }
     }
 

@@ -3,7 +3,7 @@
 use super::atoms::{Atom, AtomValue as Said, CountedNumber, form};
 use super::clause::{Bag, Meant, cond, gaps};
 use super::lexicon::FormEnd;
-use super::meaning::{Act, FollowedTarget, MeantValue, Of};
+use super::meaning::{Act, FollowedTarget, MeantValue, Of, SensedEvent};
 use crate::does::CHANCES_MAX;
 
 /// How far a raised and a lowered arm stands, in radians, and an open and a closed hand.
@@ -56,6 +56,12 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     keeps.into_iter().for_each(|at| bag.use_up(at));
     let instead = bag.take("adv", "instead").is_some();
     let mut acts = done(bag)?;
+    // *Wave twice*
+    if let [Act::Gesture(_) | Act::Say(_) | Act::Play(_) | Act::PlayFile(_)] = acts[..]
+        && let Some(times) = repeated(bag)
+    {
+        acts.push(Act::Repeats(times));
+    }
     if instead {
         acts.push(Act::Instead);
     }
@@ -85,6 +91,19 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
         }
     }
     Some(Meant { what: acts, left: bag.left() })
+}
+
+/// The most times that something is done at one go.
+const REPEATS_MAX: f64 = 10.0;
+
+/// Uses how often something is done, if that is more than once.
+fn repeated(bag: &mut Bag) -> Option<u32> {
+    let often = |times: f64| ((2.0..=REPEATS_MAX).contains(&times) && times.fract() == 0.0).then_some(times as u32);
+    if bag.take("times", "2").is_some() {
+        return Some(2);
+    }
+    let times = |measure| if let CountedNumber::Times(times) = measure { often(times) } else { None };
+    bag.measure(times).map(|(times, _)| times)
 }
 
 /// Uses *it* where the robot is what does something: *it makes a beep*.
@@ -167,6 +186,9 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     }
     if let Some(at) = bag.find("v", "say") {
         bag.use_up(at);
+        if let Some(acts) = said_count(bag, at) {
+            return Some(acts);
+        }
         return say(bag).map(|act| vec![act]);
     }
     if let Some(at) = bag.find("v", "display") {
@@ -342,6 +364,25 @@ fn count(bag: &mut Bag, at: usize) -> Option<Act> {
         }
     }
     Some(Act::Count(Box::new(counted.what)))
+}
+
+/// *Tell me how many times the hand was touched*: what is counted, and said each time.
+fn said_count(bag: &mut Bag, at: usize) -> Option<Vec<Act>> {
+    let counts = bag.find("noun", "count")?;
+    if bag.atoms.iter().any(is_quote) || !bag.atoms.iter().any(|atom| atom.is("v", "") && !atom.is("v", "say")) {
+        return None;
+    }
+    let mut rest: Vec<Atom> = bag.atoms.to_vec();
+    rest.retain(|atom| atom.span != bag.atoms[at].span && atom.span != bag.atoms[counts].span);
+    let counted = cond(&rest).filter(|counted| {
+        let moment = matches!(
+            counted.what.what,
+            SensedEvent::Touch(..) | SensedEvent::Button(_) | SensedEvent::Noise | SensedEvent::Words(_)
+        );
+        counted.left.is_empty() && counted.what.times.is_none() && !counted.what.not && moment
+    })?;
+    (0..bag.atoms.len()).for_each(|at| bag.use_up(at));
+    Some(vec![Act::Count(Box::new(counted.what)), Act::SayValue(MeantValue::Count)])
 }
 
 /// One of several texts, by chance: *say “a” or “b” at random*.
@@ -534,7 +575,9 @@ fn follow(bag: &mut Bag) -> Option<Act> {
     }
     let has_target = bag.has("noun", "ball") || bag.has("noun", "face") || bag.has("who", "") || bag.has("it", "");
     let lacks = |at: usize| bag.atoms[at].is("v", "follow") || bag.atoms[at].is("v", "approach");
-    let may_lack = (looks.is_some_and(lacks) || walks.is_some_and(lacks)) && points.is_none();
+    // 右腕で指さす: what was seen.
+    let has_arm = ["arm", "arm.left", "arm.right"].iter().any(|part| bag.has("part", part));
+    let may_lack = if points.is_some() { has_arm } else { looks.is_some_and(lacks) || walks.is_some_and(lacks) };
     if !has_target && !may_lack {
         return None;
     }

@@ -467,6 +467,10 @@ impl SaidSoFar {
                     self.restrict(rule, act, span);
                     continue;
                 }
+                Act::Repeats(times) => {
+                    self.repeat(rule, *times, span);
+                    continue;
+                }
                 Act::GoesOut(ms) => {
                     rule.acts.push((later + ms, Act::Eyes("off"), span.clone()));
                     continue;
@@ -533,6 +537,18 @@ impl SaidSoFar {
             self.did = Some(act.clone());
             rule.acts.push((later, act, span.clone()));
         }
+    }
+
+    /// Does what was said right before so many times, one after the other.
+    fn repeat(&mut self, rule: &mut MeantRule, times: u32, span: &SpeechSpan) {
+        let Some((first, act, _)) = rule.acts.last().filter(|(.., of)| of == span).cloned() else {
+            self.doubts.push(span.clone());
+            return;
+        };
+        let takes = takes_ms(&act);
+        rule.acts.extend((1..times).map(|time| (first + takes * u64::from(time), act.clone(), span.clone())));
+        // Whether it is done once or as often *again* nobody knows.
+        self.did = None;
     }
 
     /// Begins to count what happens.
@@ -733,6 +749,7 @@ impl SaidSoFar {
             let base = last.acts.last().map_or(0, |(later, ..)| *later);
             last.acts.extend(rule.acts.into_iter().map(|(later, act, span)| (later + base, act, span)));
             last.once |= rule.once;
+            self.unsure.extend(crowded(last));
             return;
         }
         if needs_event && !rule.acts.iter().all(|(_, act, _)| own_event(act).is_some()) {
@@ -740,6 +757,7 @@ impl SaidSoFar {
             return;
         }
         rule.is_own = needs_event;
+        self.unsure.extend(crowded(&rule));
         self.unsure.extend(unclear_time(&rule));
         self.never.extend(never(&rule));
         self.rules.push(rule);
@@ -874,6 +892,34 @@ fn is_moment(event: &SensedEvent) -> bool {
 /// True if the whole body moves, so that nothing else can move it.
 fn moves_body(act: &Act) -> bool {
     matches!(act, Act::Gesture(_) | Act::Pose(_) | Act::Walk)
+}
+
+/// The time until something can be done again, in milliseconds: longer than a gesture takes.
+fn takes_ms(act: &Act) -> u64 {
+    match act {
+        Act::Gesture(_) => 5_000,
+        Act::Say(_) => 3_000,
+        _ => 1_000,
+    }
+}
+
+/// The words of something that is done in the midst of what is done several times: *nod twice and bow*; or of that itself,
+/// where it would begin again before it is over.
+fn crowded(rule: &MeantRule) -> Option<(SpeechSpan, &'static str)> {
+    let ends = |(later, act, _): &(u64, Act, SpeechSpan)| later + takes_ms(act);
+    let repeats = |(later, act, span): &&(u64, Act, SpeechSpan)| {
+        rule.acts.iter().any(|(first, other, of)| first < later && other == act && of == span)
+    };
+    let last = rule.acts.iter().filter(repeats).max_by_key(|act| act.0)?;
+    let period = rule.every.or(rule.at_most);
+    if period.is_some_and(|period| period < ends(last)) {
+        return Some((last.2.clone(), "crowded"));
+    }
+    let clashes = |(later, act, span): &&(u64, Act, SpeechSpan)| {
+        let moves = moves_body(act) && moves_body(&last.1) || says(act) && says(&last.1);
+        *span != last.2 && moves && *later < ends(last)
+    };
+    rule.acts.iter().find(clashes).map(|(.., span)| (span.clone(), "sequence"))
 }
 
 /// True if words are said.

@@ -178,6 +178,8 @@ pub(crate) enum Act {
     Instead,
     /// The eyes go out so many milliseconds after they were lit.
     GoesOut(u64),
+    /// Does the act before it so often, one after the other.
+    Repeats(u32),
     /// The robot stops following: the target, if one is named.
     Unfollow(Option<FollowedTarget>),
 }

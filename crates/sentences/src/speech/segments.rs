@@ -788,6 +788,13 @@ impl Chart<'_> {
                     to -= 1;
                     back = true;
                 }
+                // *Say hello twice*
+                let times = |atom: &Atom| {
+                    atom.is("times", "2") || matches!(atom.value, AtomValue::Measure(CountedNumber::Times(_)))
+                };
+                if to - from == 2 && atoms[from].is("hi", "") && times(&atoms[to - 1]) {
+                    to -= 1;
+                }
                 // *Say hello back*
                 if to - from == 2 && atoms[from].is("hi", "") && atoms[to - 1].is("place", "rear") {
                     to -= 1;
@@ -870,7 +877,9 @@ impl Chart<'_> {
             // 知らない人に…: whom it is done to is what happens.
             if last.is("lead", "whom") && end - at > 1 {
                 self.tries += 1;
-                all.extend(self.clear_cond(&self.atoms[at..end], end).map(|edge| (false, edge)));
+                // 知っている人にだけ…: when it is one of them.
+                let over = if self.is(end, "only", "") { end + 1 } else { end };
+                all.extend(self.clear_cond(&self.atoms[at..end], over).map(|edge| (false, edge)));
             }
             // 右手なら「みぎ」、…
             if end == at + 1 {

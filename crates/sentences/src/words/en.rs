@@ -460,6 +460,9 @@ const JOINS: &[Rule] = &[
     ("alone.helper", &["by itself taking {helper} of it"]),
     ("latest.sum", &["adding the latest of {others}"]),
     ("latest.last", &["recalling the latest of {others}"]),
+    ("step.until", &["until {other}"]),
+    ("step.while", &["while {asked}"]),
+    ("step.within", &["no more than {d} after {other}"]),
     ("latest.code", &["with the latest of {others}, taking {code}"]),
     ("latest.helper", &["with the latest of {others}, taking {helper} of all"]),
 ];

@@ -208,7 +208,7 @@ pub(super) mod tests {
         let terms = Terms { role: Role::Viewer, lasts: Lasts::Once, label: String::new(), made_by: "Aiko".into() };
         let invited = invitations.make(terms).unwrap();
         let token = invited.link.split_once('#').unwrap().1;
-        let cookie = invitations.come_in(token, GuessSource::of("10.0.0.2".parse().unwrap())).unwrap();
+        let cookie = invitations.join(token, GuessSource::of("10.0.0.2".parse().unwrap())).unwrap();
         (invitations, invited.invitation.id, cookie)
     }
 

@@ -1,6 +1,6 @@
 //! The recordings as a page, and the forms on it that change one: by plain HTML, without a program in the browser.
 
-use super::come_in::BrowserLanguage;
+use super::join::BrowserLanguage;
 use super::report::busy;
 use crate::recordings::{ALL_MAX_BYTES, Recordings};
 use crate::support::file_name::encoded;

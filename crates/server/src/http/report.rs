@@ -1,7 +1,7 @@
 //! The report of a recording as a page, and a recording in the forms of other programs: on threads of their own, which nothing
 //! else waits for.
 
-use super::come_in::BrowserLanguage;
+use super::join::BrowserLanguage;
 use crate::recordings::{Recordings, ReportSource};
 use crate::support::file_name::{disposition, encoded};
 use crate::support::identity::Sender;

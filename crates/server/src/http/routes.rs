@@ -1,12 +1,12 @@
 //! The routes.
 
-use super::come_in::BrowserLanguage;
 use super::door::RequestArrival;
 use super::downloads::{Downloads, few_at_once};
 use super::headers::{HEADERS, is_needed};
+use super::join::BrowserLanguage;
 use super::page::PageFiles;
 use super::readiness::Readiness;
-use super::{camera, catalogue, come_in, cut, page, recording_list, recordings, report, stop, transfer, upload};
+use super::{camera, catalogue, cut, join, page, recording_list, recordings, report, stop, transfer, upload};
 use crate::connection::{Connections, NoPlace, session};
 use crate::invitations::{AskedOperation, Identified, Route};
 use crate::state::ServerState;
@@ -114,16 +114,16 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
     let few_at_once = middleware::from_fn_with_state(app.downloads.clone(), few_at_once);
     let handler = match route {
         Route::Page => get(files),
-        Route::ComeIn => get(async |Extension(came): Extension<RequestArrival>, headers: HeaderMap| {
-            come_in::page(&came, BrowserLanguage::of(&headers))
+        Route::Join => get(async |Extension(came): Extension<RequestArrival>, headers: HeaderMap| {
+            join::page(&came, BrowserLanguage::of(&headers))
         })
         .post(enter)
         .layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
-        Route::ComeInStyle => get(|| async { come_in::style() }),
-        Route::ComeInScript => get(|| async { come_in::script() }),
+        Route::JoinStyle => get(|| async { join::style() }),
+        Route::JoinScript => get(|| async { join::script() }),
         Route::Invitation => {
             let ask = async |Extension(came): Extension<RequestArrival>, request: Request| {
-                come_in::invitation(came, request).await
+                join::invitation(came, request).await
             };
             post(ask).layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES))
         }
@@ -198,8 +198,8 @@ async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> R
         Err(no) => no,
     };
     match (entry, route) {
-        (Identified::Stranger, Route::Page) => come_in::ask_for_one(language),
-        (Identified::Unproven, Route::Page) => come_in::ask_for_link(language, tunnel),
+        (Identified::Stranger, Route::Page) => join::ask_for_one(language),
+        (Identified::Unproven, Route::Page) => join::ask_for_link(language, tunnel),
         (Identified::Unproven, _) => (StatusCode::UNAUTHORIZED, NOT_THE_HOST).into_response(),
         (Identified::Stranger, _) => {
             (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response()
@@ -214,7 +214,7 @@ async fn enter(
     Extension(entry): Extension<Identified>,
     request: Request,
 ) -> Response {
-    come_in::come_in(came, &entry, &app.state().files, request).await
+    join::join(came, &entry, &app.state().files, request).await
 }
 
 async fn socket(

@@ -6,7 +6,7 @@ use crate::support::digest::Digest;
 use crate::support::{atomic_file, lock};
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
-use protocol::COME_IN_PATH;
+use protocol::JOIN_PATH;
 use ring::hmac::{self, HMAC_SHA256};
 use std::collections::VecDeque;
 use std::net::SocketAddr;
@@ -53,11 +53,11 @@ impl HostAccess {
             links.pop_front();
         }
         links.push_back(Digest::of(&token));
-        Some(format!("http://{address}{COME_IN_PATH}#{token}"))
+        Some(format!("http://{address}{JOIN_PATH}#{token}"))
     }
 
     /// Exchanges the token of such a link for a cookie, once.
-    pub(crate) fn come_in(&self, token: &str) -> Option<String> {
+    pub(crate) fn join(&self, token: &str) -> Option<String> {
         let wanted = Digest::of(token);
         {
             let mut links = lock(&self.links);
@@ -107,8 +107,8 @@ mod tests {
         let host = HostAccess::within(Some(folder.path())).unwrap();
         let link = host.new_link("127.0.0.1:7130".parse().unwrap()).unwrap();
         assert!(link.starts_with("http://127.0.0.1:7130/come-in#"), "{link}");
-        let cookie = host.come_in(token(&link)).unwrap();
-        assert_eq!(host.come_in(token(&link)), None, "a second time");
+        let cookie = host.join(token(&link)).unwrap();
+        assert_eq!(host.join(token(&link)), None, "a second time");
         assert!(host.knows_cookie(&cookie));
         let again = HostAccess::within(Some(folder.path())).unwrap();
         assert!(again.knows_cookie(&cookie));
@@ -126,8 +126,8 @@ mod tests {
     fn links_that_nobody_uses_are_few() {
         let host = HostAccess::within(None).unwrap();
         let links: Vec<_> = (0..=LINKS_MAX).map(|_| host.new_link("127.0.0.1:1".parse().unwrap()).unwrap()).collect();
-        assert_eq!(host.come_in(token(&links[0])), None, "the oldest gave way");
-        assert!(host.come_in(token(&links[1])).is_some() && host.come_in(token(&links[LINKS_MAX])).is_some());
+        assert_eq!(host.join(token(&links[0])), None, "the oldest gave way");
+        assert!(host.join(token(&links[1])).is_some() && host.join(token(&links[LINKS_MAX])).is_some());
     }
 
     #[test]

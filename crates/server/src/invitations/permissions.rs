@@ -2,9 +2,7 @@
 //! and whoever adds a route is asked here by the compiler.
 
 use super::entry::MinimumRole;
-use protocol::{
-    AnyRequest, COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Role, STOP_PATH, request,
-};
+use protocol::{AnyRequest, HOST_LINK_PATH, JOIN_PATH, PATH, RECORDINGS_PATH, REPORTS_PATH, Role, STOP_PATH, request};
 
 /// An operation that somebody asks for, by whatever way.
 #[derive(Clone, Copy, Debug)]
@@ -25,11 +23,11 @@ pub(crate) enum Route {
     /// The page, and every path that is none of the others.
     Page,
     /// The page of an invitation's link, what it looks like and does, and the exchange of its token.
-    ComeIn,
+    Join,
     /// The sheet of that page.
-    ComeInStyle,
+    JoinStyle,
     /// The script of that page.
-    ComeInScript,
+    JoinScript,
     /// The name of who invites by a link, and what for.
     Invitation,
     /// Opening a socket.
@@ -78,9 +76,9 @@ impl Route {
     /// All of them.
     pub(crate) const ALL: [Self; 25] = [
         Self::Page,
-        Self::ComeIn,
-        Self::ComeInStyle,
-        Self::ComeInScript,
+        Self::Join,
+        Self::JoinStyle,
+        Self::JoinScript,
         Self::Invitation,
         Self::Socket,
         Self::Health,
@@ -108,9 +106,9 @@ impl Route {
     pub(crate) fn path(self) -> Option<String> {
         let path = match self {
             Self::Page => return None,
-            Self::ComeIn => COME_IN_PATH,
-            Self::ComeInStyle => "/come-in.css",
-            Self::ComeInScript => "/come-in.js",
+            Self::Join => JOIN_PATH,
+            Self::JoinStyle => "/come-in.css",
+            Self::JoinScript => "/come-in.js",
             Self::Invitation => "/come-in/invitation",
             Self::Socket => PATH,
             Self::Health => "/healthz",
@@ -149,9 +147,7 @@ pub(crate) fn least(asked: &AskedOperation) -> MinimumRole {
 
 fn of_route(route: Route) -> MinimumRole {
     match route {
-        Route::ComeIn | Route::ComeInStyle | Route::ComeInScript | Route::Invitation | Route::Health => {
-            MinimumRole::Anyone
-        }
+        Route::Join | Route::JoinStyle | Route::JoinScript | Route::Invitation | Route::Health => MinimumRole::Anyone,
         Route::Page
         | Route::Socket
         | Route::Ready

@@ -27,17 +27,17 @@ fn a_restart_forgets_nobody_and_the_disk_gives_nothing_away() {
     let folder = tempfile::tempdir().unwrap();
     let all = opened(Some(folder.path()));
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
-    let cookie = all.come_in(&token, here()).unwrap();
+    let cookie = all.join(&token, here()).unwrap();
     assert_eq!(invited.invitation.label, "for Ben");
     let kept = std::fs::read_to_string(folder.path().join("rrp.invitations.json")).unwrap();
     assert!(!kept.contains(&token) && !kept.contains(&cookie), "{kept}");
     let again = opened(Some(folder.path()));
     assert_eq!(again.guest(&cookie).map(|guest| guest.role), Some(Role::Editor));
-    assert!(again.come_in(&token, here()).is_ok_and(|another| another != cookie), "always a new cookie");
+    assert!(again.join(&token, here()).is_ok_and(|another| another != cookie), "always a new cookie");
     all.revoke(&invited.invitation.id).unwrap();
     let again = opened(Some(folder.path()));
     assert!(again.guest(&cookie).is_none() && again.list()[0].revoked);
-    assert_eq!(again.come_in(&token, here()), Err(NotIn::Unknown));
+    assert_eq!(again.join(&token, here()), Err(NotIn::Unknown));
 }
 
 #[cfg(unix)]
@@ -63,15 +63,15 @@ fn a_disk_that_takes_nothing_new_lets_nobody_in_and_a_restart_lets_in_nobody_who
     let folder = tempfile::tempdir().unwrap();
     let all = opened(Some(folder.path()));
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
-    let cookie = all.come_in(&token, here()).unwrap();
+    let cookie = all.join(&token, here()).unwrap();
     let full = fill(folder.path(), "rrp.invitations.new");
-    assert!(matches!(all.come_in(&token, here()), Err(NotIn::NotKept(_))));
+    assert!(matches!(all.join(&token, here()), Err(NotIn::NotKept(_))));
     assert_eq!(all.revoke(&invited.invitation.id), Ok(()), "in the space that is kept for that");
     assert!(all.guest(&cookie).is_none() && !all.list()[0].unwritten);
     all.write_due();
     let again = opened(Some(folder.path()));
     assert!(again.guest(&cookie).is_none() && again.list()[0].revoked);
-    assert_eq!(again.come_in(&token, here()), Err(NotIn::Unknown));
+    assert_eq!(again.join(&token, here()), Err(NotIn::Unknown));
     std::fs::remove_dir(full).unwrap();
     again.write_due();
     std::fs::remove_file(folder.path().join("rrp.revoked.reserve")).unwrap();
@@ -83,7 +83,7 @@ fn what_stands_nowhere_is_told_and_tried_again_until_it_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let all = opened(Some(folder.path()));
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
-    let cookie = all.come_in(&token, here()).unwrap();
+    let cookie = all.join(&token, here()).unwrap();
     let full = ["rrp.invitations.new", "rrp.revoked.reserve"].map(|file| fill(folder.path(), file));
     assert!(matches!(all.revoke(&invited.invitation.id), Err(Refused::InvitationsNotKept(_))));
     assert!(all.guest(&cookie).is_none() && all.list()[0].unwritten);
@@ -100,7 +100,7 @@ fn revoking_waits_for_nobody_who_writes_and_is_not_lost_by_it() {
     let folder = tempfile::tempdir().unwrap();
     let all = opened(Some(folder.path()));
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
-    let cookie = all.come_in(&token, here()).unwrap();
+    let cookie = all.join(&token, here()).unwrap();
     // As if somebody wrote the book on a disk that takes very long.
     let written = all.change(|_| Ok(all.revoke(&invited.invitation.id)));
     assert_eq!(written, Ok(Ok(())));
@@ -113,7 +113,7 @@ fn a_name_is_known_at_once_and_written_later_with_others() {
     let folder = tempfile::tempdir().unwrap();
     let all = opened(Some(folder.path()));
     let (_, token) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
-    let guests = [(); 2].map(|()| all.guest(&all.come_in(&token, here()).unwrap()).unwrap());
+    let guests = [(); 2].map(|()| all.guest(&all.join(&token, here()).unwrap()).unwrap());
     let kept = || std::fs::read_to_string(folder.path().join("rrp.invitations.json")).unwrap();
     let before = kept();
     let _here = all.arrive(&guests[0], "Ben");
@@ -131,10 +131,10 @@ fn a_name_is_known_at_once_and_written_later_with_others() {
 fn a_hundred_thousand_guesses_are_slowed_and_neither_who_is_in_nor_a_right_link_waits() {
     let all = opened(None);
     let (_, token) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
-    let cookie = all.come_in(&token, here()).unwrap();
+    let cookie = all.join(&token, here()).unwrap();
     let mut told = 0;
     for guess in 0..100_000 {
-        match all.come_in(&format!("guess {guess}"), here()) {
+        match all.join(&format!("guess {guess}"), here()) {
             Err(NotIn::Unknown) => told += 1,
             Err(NotIn::TooMany(seconds)) => assert!(seconds > 0),
             other => panic!("{other:?}"),
@@ -145,19 +145,19 @@ fn a_hundred_thousand_guesses_are_slowed_and_neither_who_is_in_nor_a_right_link_
         }
     }
     assert!(told < 100, "{told}");
-    assert!(all.come_in(&token, here()).is_ok(), "whatever others tried from the same place");
+    assert!(all.join(&token, here()).is_ok(), "whatever others tried from the same place");
     let elsewhere = GuessSource::of("10.0.0.3".parse().unwrap());
-    assert_eq!(all.come_in("a guess", elsewhere), Err(NotIn::Unknown), "another place is not slowed");
+    assert_eq!(all.join("a guess", elsewhere), Err(NotIn::Unknown), "another place is not slowed");
 }
 
 #[test]
 fn a_link_that_ended_is_a_guess_like_any_other() {
     let all = opened(None);
     let (_, token) = invite(&all, Role::Viewer, Lasts::Once);
-    all.come_in(&token, here()).unwrap();
+    all.join(&token, here()).unwrap();
     let (ended, revoked) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
     all.revoke(&ended.invitation.id).unwrap();
-    let tries = (0..40).map(|_| [all.come_in(&token, here()), all.come_in(&revoked, here())]);
+    let tries = (0..40).map(|_| [all.join(&token, here()), all.join(&revoked, here())]);
     let told = tries.flatten().filter(|tried| *tried == Err(NotIn::Unknown)).count();
     assert!(told < 20, "{told}");
 }
@@ -166,7 +166,7 @@ fn a_link_that_ended_is_a_guess_like_any_other() {
 async fn who_is_revoked_is_told_at_once_and_may_only_stop() {
     let all = opened(None);
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
-    let guest = all.guest(&all.come_in(&token, here()).unwrap()).unwrap();
+    let guest = all.guest(&all.join(&token, here()).unwrap()).unwrap();
     let (entry, here) = (Identified::Guest(guest.clone()), all.arrive(&guest, "Ben"));
     assert_eq!(entry.may(AskedOperation::Socket(&request::Runs {}.into())), Ok(()));
     assert!(all.list()[0].came[0].here);
@@ -183,8 +183,8 @@ fn what_was_printed_at_a_start_and_not_used_is_void_after_the_next() {
     let all = opened(None);
     let [first, second] = [(); 2].map(|()| all.make_at_start().unwrap());
     let token = |invited: &Invited| invited.link.split_once('#').unwrap().1.to_owned();
-    assert_eq!(all.come_in(&token(&first), here()), Err(NotIn::Unknown));
-    let cookie = all.come_in(&token(&second), here()).unwrap();
+    assert_eq!(all.join(&token(&first), here()), Err(NotIn::Unknown));
+    let cookie = all.join(&token(&second), here()).unwrap();
     all.make_at_start().unwrap();
     assert!(all.guest(&cookie).is_some(), "who came by it stays");
     assert_eq!(all.list().len(), 2);

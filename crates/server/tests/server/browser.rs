@@ -118,7 +118,7 @@ impl Browser {
     }
 
     /// Presses the button on the page of a link, and keeps the cookie.
-    pub(crate) async fn come_in(&mut self, link: &str) -> String {
+    pub(crate) async fn join(&mut self, link: &str) -> String {
         let answer = self.post("/come-in", &format!("token={}", token(link))).await;
         let cookie = answer.lines().find_map(|line| line.strip_prefix("set-cookie: "));
         if let Some(cookie) = cookie {

@@ -43,7 +43,7 @@ impl Scene {
     pub(crate) async fn guest(&self, role: Role) -> (Browser, Invitation) {
         let (invitation, link) = self.invite(role, Lasts::UntilRevoked).await;
         let mut browser = self.browser();
-        assert_eq!(status(&browser.come_in(&link).await), 303);
+        assert_eq!(status(&browser.join(&link).await), 303);
         (browser, invitation)
     }
 }
@@ -95,7 +95,7 @@ async fn a_stranger_gets_the_asking_page_and_health_and_no_names() {
 async fn a_link_becomes_a_cookie_that_only_the_browser_sees() {
     let scene = Scene::open().await;
     let mut browser = scene.browser();
-    let answer = browser.come_in(&scene.link).await;
+    let answer = browser.join(&scene.link).await;
     assert_eq!(status(&answer), 303);
     let lines: Vec<&str> = answer.lines().collect();
     assert!(lines.contains(&"location: /") && !answer.contains(token(&scene.link)), "{answer}");
@@ -127,7 +127,7 @@ async fn the_page_of_a_link_says_who_invites_and_what_for_and_does_not_use_it_up
         let says = asks(&browser, &link).await;
         assert!(status(&says) == 200 && says.contains("Aiko invites you to ") && says.contains(what_for), "{says}");
         assert!(!says.contains("Yuki") && !says.contains("Ben"), "nothing else is told: {says}");
-        assert_eq!(status(&browser.come_in(&link).await), 303, "it was not used up");
+        assert_eq!(status(&browser.join(&link).await), 303, "it was not used up");
         let used = asks(&browser, &link).await;
         assert!(status(&used) == 403 && used.contains("Ask for another invitation"), "{used}");
         scene.aiko.ask(request::Revoke { invitation: invitation.id }).await.unwrap();
@@ -152,8 +152,8 @@ async fn a_link_for_one_person_is_not_used_up_by_looking_and_works_once() {
     for _ in 0..3 {
         assert!(first.get(page).await.contains("Come in"), "a messenger looks at the link");
     }
-    assert_eq!(status(&first.come_in(&scene.link).await), 303);
-    let replayed = second.come_in(&scene.link).await;
+    assert_eq!(status(&first.join(&scene.link).await), 303);
+    let replayed = second.join(&scene.link).await;
     assert!(status(&replayed) == 403 && second.cookie.is_none() && replayed.contains("Ask for another"), "{replayed}");
     scene.house.close().await;
 }
@@ -164,14 +164,14 @@ async fn a_cookie_that_was_there_before_is_never_made_good() {
     let (mut victim, name) = (scene.browser(), format!("__Host-rrp-{}", scene.browser().address.port()));
     let planted = format!("{name}=planted-by-somebody-else-0123456789abcdefghij");
     victim.cookie = Some(planted.clone());
-    let answer = victim.come_in(&scene.link).await;
+    let answer = victim.join(&scene.link).await;
     assert!(status(&answer) == 303 && victim.cookie.as_ref().is_some_and(|cookie| *cookie != planted));
     let (mut thief, own) = (scene.browser(), victim.cookie.clone());
     thief.cookie = Some(planted);
     assert_eq!(status(&thief.get("/api/behaviours").await), 401);
     // Who is in already and comes by another link gets another cookie, too.
     let (_, link) = scene.invite(Role::Viewer, Lasts::Once).await;
-    assert!(status(&victim.come_in(&link).await) == 303 && victim.cookie != own);
+    assert!(status(&victim.join(&link).await) == 303 && victim.cookie != own);
     scene.house.close().await;
 }
 

@@ -1,6 +1,6 @@
 //! The answer to a press of Stop: a page to who sends a form, a line to everybody else.
 
-use crate::http::come_in::BrowserLanguage;
+use crate::http::join::BrowserLanguage;
 use crate::http::origin::NotAllowed;
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};

@@ -1,6 +1,6 @@
 //! Words of the page after a Stop, in English and in Japanese: it comes where rrp's own page cannot say it.
 
-use crate::http::come_in::BrowserLanguage;
+use crate::http::join::BrowserLanguage;
 use crate::http::origin::NotAllowed;
 
 impl BrowserLanguage {

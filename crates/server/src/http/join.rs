@@ -17,9 +17,9 @@ use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
 
-const PAGE: &str = include_str!("come_in/page.html");
-const STYLE: &str = include_str!("come_in/page.css");
-const SCRIPT: &str = include_str!("come_in/page.js");
+const PAGE: &str = include_str!("join/page.html");
+const STYLE: &str = include_str!("join/page.css");
+const SCRIPT: &str = include_str!("join/page.js");
 
 /// What its button sends.
 #[derive(Deserialize)]
@@ -34,13 +34,13 @@ pub(super) fn page(came: &RequestArrival, language: BrowserLanguage) -> Response
             StatusCode::OK,
             language,
             language.opening(),
-            PageButtons { come_in: Some(EntryMoment::Once), stop: true },
+            PageButtons { join: Some(EntryMoment::Once), stop: true },
         ),
         LetsIn::Guests(_) => show(
             StatusCode::OK,
             language,
             language.invited(),
-            PageButtons { come_in: Some(EntryMoment::Press), stop: false },
+            PageButtons { join: Some(EntryMoment::Press), stop: false },
         ),
     }
 }
@@ -54,7 +54,7 @@ pub(super) fn ask_for_one(language: BrowserLanguage) -> Response {
 pub(super) fn ask_for_link(language: BrowserLanguage, tunnel: Option<u16>) -> Response {
     let [title, text] = language.by_link();
     let text = tunnel.map_or_else(|| text.to_owned(), |port| language.by_link_through(port));
-    show(StatusCode::UNAUTHORIZED, language, [title, &text], PageButtons { come_in: None, stop: true })
+    show(StatusCode::UNAUTHORIZED, language, [title, &text], PageButtons { join: None, stop: true })
 }
 
 /// Says who invites by the link of this token and what for, before it is used; or why it lets nobody in.
@@ -88,7 +88,7 @@ pub(super) fn script() -> Response {
 }
 
 /// Exchanges the token that was sent for a cookie: always a new one, whatever cookie came along.
-pub(super) async fn come_in(came: RequestArrival, entry: &Identified, files: &Workers, request: Request) -> Response {
+pub(super) async fn join(came: RequestArrival, entry: &Identified, files: &Workers, request: Request) -> Response {
     let (source, language) = (came.source(request.headers()), BrowserLanguage::of(request.headers()));
     let token = token(request).await;
     let exchanged = match came.door.lets_in() {
@@ -105,14 +105,14 @@ pub(super) async fn come_in(came: RequestArrival, entry: &Identified, files: &Wo
         // Who is the host already and presses an old link again.
         Err(_) if matches!(entry, Identified::Host) => Redirect::to("/").into_response(),
         Err(NotIn::Unknown) if matches!(entry, Identified::Unproven) => {
-            show(StatusCode::FORBIDDEN, language, language.old_link(), PageButtons { come_in: None, stop: true })
+            show(StatusCode::FORBIDDEN, language, language.old_link(), PageButtons { join: None, stop: true })
         }
         Err(why) => no(&why, language),
     }
 }
 
 fn as_host(host: &HostAccess, token: &str) -> Result<String, NotIn> {
-    host.come_in(token).ok_or(NotIn::Unknown)
+    host.join(token).ok_or(NotIn::Unknown)
 }
 
 async fn as_guest(
@@ -122,7 +122,7 @@ async fn as_guest(
     source: GuessSource,
 ) -> Result<String, NotIn> {
     let sender = PersonIdentity::Stranger.asks(source.number());
-    let exchanged = files.run(sender, move |_| invitations.come_in(&token, source)).await;
+    let exchanged = files.run(sender, move |_| invitations.join(&token, source)).await;
     exchanged.unwrap_or_else(|why| Err(NotIn::NotKept(Refused::from(why).to_string())))
 }
 
@@ -154,7 +154,7 @@ enum EntryMoment {
 /// Which buttons a page has.
 #[derive(Clone, Copy, Default)]
 struct PageButtons {
-    come_in: Option<EntryMoment>,
+    join: Option<EntryMoment>,
     stop: bool,
 }
 
@@ -165,9 +165,9 @@ fn show(status: StatusCode, language: BrowserLanguage, [title, text]: [&str; 2],
     let holes = [
         ("{language}", language.code()),
         ("{title}", title),
-        ("{hidden}", hidden_unless(shows.come_in.is_some())),
-        ("{at once}", if shows.come_in == Some(EntryMoment::Once) { "data-at-once" } else { "" }),
-        ("{come in}", language.come_in()),
+        ("{hidden}", hidden_unless(shows.join.is_some())),
+        ("{at once}", if shows.join == Some(EntryMoment::Once) { "data-at-once" } else { "" }),
+        ("{come in}", language.join()),
         ("{broken}", language.broken()),
         ("{needs script}", language.needs_script()),
         ("{no stop}", hidden_unless(shows.stop)),

@@ -163,7 +163,7 @@ impl BrowserLanguage {
         }
     }
 
-    pub(super) fn come_in(self) -> &'static str {
+    pub(super) fn join(self) -> &'static str {
         self.said("Come in", "入る")
     }
 

@@ -57,7 +57,7 @@ impl OpenFields {
 }
 
 /// The sentences, as a view.
-pub(crate) fn told() -> AnyView {
+pub(crate) fn sentences_panel() -> AnyView {
     view! { <Told /> }.into_any()
 }
 
