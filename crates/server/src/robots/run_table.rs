@@ -45,7 +45,7 @@ pub(super) struct PausedMemory {
     pub(super) memory: Handover,
     /// The next instant of its logical time, which stands still meanwhile.
     pub(super) open_ms: u64,
-    /// What its senses of times told last.
+    /// The times that its senses told last.
     pub(super) times: ToldTimes,
     /// The marks, as they are when it goes on: they can be changed until then. The run that goes on shows them too.
     pub(super) marks: Arc<RunMarks>,

@@ -254,7 +254,7 @@ pub(super) struct Runner<'a> {
     open_ms: u64,
     /// Who follows, as soon as no frame is open.
     successor: Option<Successor>,
-    /// What its senses of times told last.
+    /// The times that its senses told last.
     times: ToldTimes,
     /// The state of the robot and its room, as a recording has it.
     surroundings: RecordedSurroundings,

@@ -36,7 +36,7 @@ pub(super) struct RunHandover {
     pub(super) recorder: Option<Recorder>,
     /// The marks of the run.
     pub(super) marks: Arc<RunMarks>,
-    /// What its senses of times told last.
+    /// The times that its senses told last.
     pub(super) times: ToldTimes,
     /// The last minutes of the run.
     pub(super) recent: Arc<RecentReadings>,
