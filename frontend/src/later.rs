@@ -141,10 +141,10 @@ pub(crate) fn LookBack() -> impl IntoView {
 }
 
 /// A view whose code is a piece of its own: `Some(None)` until the piece is here, `None` when it did not come.
-type Piece = Option<Option<fn() -> AnyView>>;
+type FetchedView = Option<Option<fn() -> AnyView>>;
 
 /// Shows what comes in a piece of its own: nothing until it is here, and a sentence if it does not come.
-fn apart(shown: RwSignal<Piece>, fetch: Callback<()>) -> AnyView {
+fn apart(shown: RwSignal<FetchedView>, fetch: Callback<()>) -> AnyView {
     fetch.run(());
     (move || match shown.get() {
         Some(Some(show)) => show(),

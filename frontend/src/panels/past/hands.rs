@@ -26,7 +26,7 @@ struct Finger {
 
 /// The gesture of a hand on the overview or the ruler.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum HeldPlace {
+enum GrabbedPart {
     Overview,
     Ruler,
 }
@@ -36,7 +36,7 @@ enum HeldPlace {
 pub(super) struct LaneHands {
     past: PastShared,
     fingers: Rc<RefCell<Vec<Finger>>>,
-    holds: Rc<RefCell<Option<HeldPlace>>>,
+    holds: Rc<RefCell<Option<GrabbedPart>>>,
 }
 
 impl LaneHands {
@@ -115,13 +115,13 @@ impl LaneHands {
         }
         let ((x, y), width) = (place(event), self.width());
         let overview = self.past.viewer.with_untracked(|viewer| viewer.density().overview());
-        let holds = if y <= overview { HeldPlace::Overview } else { HeldPlace::Ruler };
+        let holds = if y <= overview { GrabbedPart::Overview } else { GrabbedPart::Ruler };
         *self.holds.borrow_mut() = Some(holds);
         capture(event);
         self.past.act(LaneAct::Hold(true));
         self.past.act(match holds {
-            HeldPlace::Overview => LaneAct::OverviewDown { x, width, reach: reach(event) },
-            HeldPlace::Ruler => LaneAct::Scrub { x, width },
+            GrabbedPart::Overview => LaneAct::OverviewDown { x, width, reach: reach(event) },
+            GrabbedPart::Ruler => LaneAct::Scrub { x, width },
         });
     }
 
@@ -130,8 +130,8 @@ impl LaneHands {
         let ((x, _), width) = (place(event), self.width());
         let Some(holds) = *self.holds.borrow() else { return };
         self.past.act(match holds {
-            HeldPlace::Overview => LaneAct::OverviewMove { x, width },
-            HeldPlace::Ruler => LaneAct::Scrub { x, width },
+            GrabbedPart::Overview => LaneAct::OverviewMove { x, width },
+            GrabbedPart::Ruler => LaneAct::Scrub { x, width },
         });
     }
 
