@@ -53,8 +53,9 @@ pub(crate) fn count_only_before(many: u64) -> String {
     say!("{many} only before", many)
 }
 
-pub(crate) fn count_moved(many: u64) -> String {
-    say!("{many} moved", many)
+/// The hole has a name of its own: what moved on the graph is another text in other languages.
+pub(crate) fn count_moved(count: u64) -> String {
+    say!("{count} moved", count)
 }
 
 /// Says how often something came, and how often it would.
