@@ -173,8 +173,9 @@ async fn tiles_are_chosen_with_a_finger_alone_and_taken_back() -> Outcome<()> {
     page.gone("dialog", DIALOG).await?;
     saved(page).await?;
     page.key("Control+z").await?;
-    opens_tiles(page).await?;
-    page.until(&format!("({CHOSEN}).includes('4 Big wave')"), "they are back").await?;
+    page.goto(&format!("{}operate", stage.server.url())).await?;
+    usable(page).await?;
+    page.until(&format!("({SHOWN}).includes('4 Big wave')"), "they are back").await?;
     calm(page)
 }
 
