@@ -145,7 +145,7 @@ impl Pad {
     /// Returns the pad as others have it with what one person changed of the one that they saw on top.
     #[must_use]
     pub fn on_top(seen: &Self, mine: &Self, theirs: &Self) -> Self {
-        let changed = TILE_KEYS.into_iter().filter(|key| seen.tiles.get(key) != mine.tiles.get(key));
+        let changed = TILE_KEYS.filter(|key| seen.tiles.get(key) != mine.tiles.get(key));
         changed.fold(theirs.clone(), |pad, key| pad.with(key, mine.tiles.get(&key).cloned()))
     }
 

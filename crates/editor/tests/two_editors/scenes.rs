@@ -557,7 +557,7 @@ fn puts_tile(table: &mut Table, who: usize, key: u8, word: &str) {
         let change = editor.change("Edit tiles").put(&behaviour, RecordId::pad(), Record::Pad(pad));
         editor.propose(change);
     };
-    table.pages[who].input(put).unwrap();
+    assert!(table.pages[who].input(put).is_ok(), "the page takes it");
 }
 
 #[test]

@@ -94,7 +94,10 @@ mod tests {
         Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, TILE_MAX_CHARS, TileAction, Value,
     };
 
-    fn with(all: &[(StreamKind, &str, &[(&str, &str)])]) -> Behaviour {
+    /// The kind, the device and the parameters of a stream.
+    type StreamMade<'a> = (StreamKind, &'a str, &'a [(&'a str, &'a str)]);
+
+    fn with(all: &[StreamMade]) -> Behaviour {
         let mut behaviour = Behaviour::default();
         for (order, (kind, device, params)) in (0..).zip(all) {
             let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
