@@ -1,5 +1,5 @@
-//! Comparing: a number is turned over a recorded session by the keyboard, and its counts are there before it is saved; also
-//! while somebody else edits.
+//! Comparing: a number is turned over a recorded session by the keyboard and by a finger, and its counts are there; before it is
+//! saved, and while somebody else edits.
 
 use crate::steps::*;
 use behaviour::{Id, Kind, Operation, Procedure, Record, RecordId, connectors};
@@ -126,6 +126,37 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
         "the lanes are as before",
     )
     .await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_number_is_turned_by_a_finger_and_shows_what_would_change() -> Outcome<()> {
+    skip::unless!(ready("journey: compare by finger"));
+    let (stage, _yuki) = recorded().await?;
+    let aiko = stage.nobody("aiko").await?;
+    aiko.size(1180, 820, true).await?;
+    looks_back(&stage, &aiko).await?;
+    aiko.tap("button", "Compare").await?;
+    aiko.until(ALL_SAME, "it is the program that ran").await?;
+    aiko.tap("button", CHIP).await?;
+    let thumb = |to: &str| {
+        format!(
+            "(() => {{ const slider = document.querySelector('.flyout .slider input'); if (!slider) return false; \
+             const box = slider.getBoundingClientRect(), [min, max] = [Number(slider.min), Number(slider.max)]; \
+             const at = (Number({to}) - min) / (max - min); \
+             return [box.left + box.width * at, box.top + box.height / 2]; }})()"
+        )
+    };
+    aiko.until(&thumb("slider.value"), "the condition is open").await?;
+    aiko.settled().await?;
+    let from: (f64, f64) = serde_json::from_value(aiko.eval(&thumb("slider.value")).await?)?;
+    let to: (f64, f64) = serde_json::from_value(aiko.eval(&thumb("slider.value / 2")).await?)?;
+    aiko.touch_drag(from, to, 8).await?;
+    aiko.until(&format!("/only (now|before)/.test({COUNTS})"), "the counts are there").await?;
+    saved(&aiko).await?;
+    aiko.find("button", "Stop*").await?;
+    aiko.tap("button", "Undo*").await?;
+    aiko.until(ALL_SAME, "undone, all are the same again").await?;
     aiko.no_errors()
 }
 

@@ -215,6 +215,9 @@ fn spoken_of(
 /// that was wrong, only they stay in doubt.
 fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut UnderstoodSpeech) {
     const TRIED_MAX: usize = 12;
+    // A text is read again with each word: a long one with fewer of them.
+    const READ_TOKENS_MAX: usize = 400;
+    let tried_max = (READ_TOKENS_MAX / speech.places.len().max(1)).clamp(2, TRIED_MAX);
     let mut tried = 0;
     let mut mended = text.to_owned();
     let mut left = speech.doubts.len();
@@ -250,7 +253,7 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Under
             let mut best_text = None;
             for word in like {
                 tried += 1;
-                if tried > TRIED_MAX {
+                if tried > tried_max {
                     break;
                 }
                 let mut other = mended.clone();

@@ -180,7 +180,12 @@ impl<'a> NameGiver<'a> {
         };
         let mut mark = |shown: &str| Piece::Text(shown.to_owned());
         let filling = filled(grammar(self.language).told(rule), &mut fill, &mut mark);
-        filling.map_or_else(String::new, |filling| filling.pieces.iter().map(Piece::text).collect())
+        let pieces = filling.map_or_else(Vec::new, |filling| filling.pieces);
+        pieces.iter().map(Piece::text).fold(String::new(), |said, piece| {
+            // A unit may say already what follows a length: 1 時間 and not 1 時間間.
+            let rest = piece.strip_prefix('間').filter(|_| said.ends_with("時間"));
+            said + rest.unwrap_or(piece)
+        })
     }
 
     fn duration(&self, period_ms: u64) -> String {

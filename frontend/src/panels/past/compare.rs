@@ -161,6 +161,7 @@ impl PastShared {
         compare.is_short.set_value(false);
         compare.trouble.set(None);
         compare.is_on.set(true);
+        self.show_whole_graph();
     }
 
     /// Shows the lanes as they were.

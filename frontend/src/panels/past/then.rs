@@ -7,6 +7,7 @@ pub(super) use view::{Folding, Then};
 
 use super::PastShared;
 use super::why::ShownAnswer;
+use crate::browser;
 use crate::desk::Lit;
 use crate::live::{LAST_MAX, LiveConnector, LiveStream};
 use behaviour::{Behaviour, Id, Value};
@@ -254,6 +255,12 @@ impl PastShared {
         if asks_why {
             self.ask_why();
         }
+    }
+
+    /// Shows all of the graph again, once it has the room that the panel leaves now.
+    pub(super) fn show_whole_graph(self) {
+        let document = self.desk.desk().document;
+        browser::after(0, move || document.laid_out.notify());
     }
 
     /// Following ends at the moment under the cursor, and as soon as that is shown it is asked why.

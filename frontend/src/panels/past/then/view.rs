@@ -86,9 +86,7 @@ pub(in super::super) fn Folding(past: PastShared) -> impl IntoView {
     let label = move || if folded() { words::show_lanes() } else { words::show_graph() };
     let fold = move |_| {
         past.then.is_folded.update(|folded| *folded = !*folded);
-        // The graph has another room now, in which all of it is shown again.
-        let document = past.desk.desk().document;
-        browser::after(0, move || document.laid_out.notify());
+        past.show_whole_graph();
     };
     view! {
         <button class="past-tool past-fold" type="button" aria-label=label title=label aria-expanded=move || (!folded()).to_string() on:click=fold>
