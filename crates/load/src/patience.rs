@@ -15,7 +15,7 @@ pub(crate) fn passes(no: &Refused) -> bool {
     matches!(no, Refused::TooFast | Refused::Store(_))
 }
 
-/// Does it again, for [`PATIENCE`], as long as the server says that it is asked too much or that its store is away: a store
+/// Does it again, for 90 seconds, as long as the server says that it is asked too much or that its store is away: a store
 /// that was just started answers its first questions late. What is done must be the same when it is done twice.
 ///
 /// # Errors
