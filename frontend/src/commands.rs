@@ -165,10 +165,6 @@ pub(crate) static ALL: &[PageCommand] = &[
         CommandWork::Opens(|| Dialog::RenameProgram),
     )
     .needs(Needs::OpenProgram),
-    command(CommandGroup::Program, words::edit_tiles, "", Role::Editor, CommandWork::Opens(|| Dialog::Tiles))
-        .on(PROGRAMS)
-        .needs(Needs::OpenProgram)
-        .icon("row"),
     command(
         CommandGroup::Program,
         words::remove_program,
@@ -188,6 +184,10 @@ pub(crate) static ALL: &[PageCommand] = &[
         .on(PROGRAMS)
         .needs(Needs::OpenProgram)
         .icon("save"),
+    command(CommandGroup::Program, words::edit_tiles, "", Role::Editor, CommandWork::Opens(|| Dialog::Tiles))
+        .on(PROGRAMS)
+        .needs(Needs::OpenProgram)
+        .icon("row"),
     command(CommandGroup::Program, words::print, "Ctrl P", Role::Viewer, CommandWork::Desk(print)),
     command(CommandGroup::Program, words::undo, "Ctrl Z", Role::Editor, CommandWork::Desk(Desk::undo))
         .on(&[On::Ground, On::Phone])
