@@ -128,20 +128,7 @@ fn NumberField(opened: OpenedNumber, typed: RwSignal<Option<String>>) -> impl In
         session.end();
     };
     let forget = move || number.with_value(|number| desk.desk().document.forget_draft(&record_of(&number.at)));
-    Effect::new(move |_| {
-        let value = typed.get().as_deref().and_then(parsed);
-        let record = number.with_value(|number| {
-            let value =
-                value.map(|value| value.clamp(number.min, number.max)).filter(|value| *value != number.value)?;
-            let seen = session.with_value(EditSession::seen);
-            let record = drafted(&number.at, seen, New::Number(value * number.scale))?;
-            Some((record_of(&number.at), record))
-        });
-        match record {
-            Some((id, record)) => desk.desk().document.draft(id, record),
-            None => forget(),
-        }
-    });
+    draft_number(desk, typed, number, session);
     on_cleanup(move || {
         save();
         forget();
@@ -192,6 +179,29 @@ fn NumberField(opened: OpenedNumber, typed: RwSignal<Option<String>>) -> impl In
             {(!unit.is_empty()).then(|| view! { <span class="unit">{unit}</span> })}
         </span>
     }
+}
+
+/// Drafts the record with the number that is typed, for as long as it is another one than before.
+fn draft_number(
+    desk: DeskHold,
+    typed: RwSignal<Option<String>>,
+    number: StoredValue<Number>,
+    session: StoredValue<EditSession>,
+) {
+    Effect::new(move |_| {
+        let value = typed.get().as_deref().and_then(parsed);
+        let record = number.with_value(|number| {
+            let value =
+                value.map(|value| value.clamp(number.min, number.max)).filter(|value| *value != number.value)?;
+            let seen = session.with_value(EditSession::seen);
+            let record = drafted(&number.at, seen, New::Number(value * number.scale))?;
+            Some((record_of(&number.at), record))
+        });
+        match record {
+            Some((id, record)) => desk.desk().document.draft(id, record),
+            None => number.with_value(|number| desk.desk().document.forget_draft(&record_of(&number.at))),
+        }
+    });
 }
 
 /// Closes the field by `act`, and gives the keyboard to the number that takes its place.
