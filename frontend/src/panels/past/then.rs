@@ -162,7 +162,11 @@ impl PastShared {
             None => self.fetch_program(program, (0, Behaviour::default()), move |behaviour| match behaviour {
                 Some(behaviour) => {
                     self.then.asked.update_value(|asked| drop(asked.fetched.insert(program, behaviour.clone())));
-                    self.put_program(at, &moment, behaviour, is_same);
+                    // Meanwhile the graph may be to show now.
+                    match untrack(|| self.wanted_moment()) {
+                        Some(_) => self.put_program(at, &moment, behaviour, is_same),
+                        None => self.answered(),
+                    }
                 }
                 None => self.answered(),
             }),
