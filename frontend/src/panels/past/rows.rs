@@ -118,7 +118,7 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
                 <i aria-hidden="true"></i>
                 <span class="cut" title=name>{name}</span>
                 <b class="cut" title=value>{value}</b>
-                {move || counts.get().map(|(_, words)| view! { <span class="past-words">{words}</span> })}
+                {move || counts.get().map(|(_, words)| view! { <span class="past-words" title=words.clone()>{words}</span> })}
             </button>
             <Show when=is_chosen>
                 <span class="past-row-tools">
