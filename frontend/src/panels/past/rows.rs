@@ -118,7 +118,11 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
                 <i aria-hidden="true"></i>
                 <span class="cut" title=name>{name}</span>
                 <b class="cut" title=value>{value}</b>
-                {move || counts.get().map(|(_, words)| view! { <span class="past-words" title=words.clone()>{words}</span> })}
+                {move || {
+                    let words = counts.get()?.1;
+                    let title = words.clone();
+                    Some(view! { <span class="past-words" title=title>{words}</span> })
+                }}
             </button>
             <Show when=is_chosen>
                 <span class="past-row-tools">
