@@ -97,7 +97,7 @@ async fn the_menus_of_the_bar_are_drawn_from_the_list_of_commands() -> Outcome<(
     aiko.find("menuitem", "Load program").await?;
     let all = "Load program, Add a program, Remove program, Open a file …, Save as file, Tiles of the operator’s page, \
                Undo (off), Redo (off), History, -, \
-               Add sensor, Add a helper, Edit helper, Problems, -, Recordings, Operator’s page, 日本語 (Japanese), Keys and gestures, -, Invite";
+               Add sensor, Add a helper, Edit helper, Problems, -, Over time, Recordings, Operator’s page, 日本語 (Japanese), Keys and gestures, -, Invite";
     assert_eq!(aiko.eval(ITEMS).await?, all);
     picture(&aiko, "phone-menu").await?;
     aiko.tap("menuitem", "Add sensor").await?;
@@ -109,7 +109,7 @@ async fn the_menus_of_the_bar_are_drawn_from_the_list_of_commands() -> Outcome<(
     aiko.find("menuitem", "Load program").await?;
     assert_eq!(
         aiko.eval(ITEMS).await?,
-        "Load program, Add a program, Remove program, Open a file …, Save as file, Tiles of the operator’s page, -, Recordings"
+        "Load program, Add a program, Remove program, Open a file …, Save as file, Tiles of the operator’s page, -, Over time, Recordings"
     );
     aiko.no_errors()
 }

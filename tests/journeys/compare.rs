@@ -138,20 +138,13 @@ async fn a_number_is_turned_by_a_finger_and_shows_what_would_change() -> Outcome
     looks_back(&stage, &aiko).await?;
     aiko.tap("button", "Compare").await?;
     aiko.until(ALL_SAME, "it is the program that ran").await?;
-    aiko.tap("button", CHIP).await?;
-    let thumb = |to: &str| {
-        format!(
-            "(() => {{ const slider = document.querySelector('.flyout .slider input'); if (!slider) return false; \
-             const box = slider.getBoundingClientRect(), [min, max] = [Number(slider.min), Number(slider.max)]; \
-             const at = (Number({to}) - min) / (max - min); \
-             return [box.left + box.width * at, box.top + box.height / 2]; }})()"
-        )
-    };
-    aiko.until(&thumb("slider.value"), "the condition is open").await?;
-    aiko.settled().await?;
-    let from: (f64, f64) = serde_json::from_value(aiko.eval(&thumb("slider.value")).await?)?;
-    let to: (f64, f64) = serde_json::from_value(aiko.eval(&thumb("slider.value / 2")).await?)?;
-    aiko.touch_drag(from, to, 8).await?;
+    // The number stands in the sentence: each press counts at once, and what is elsewhere pressed saves it.
+    aiko.tap("button", "Change: 0.5").await?;
+    aiko.until(NUMBER_IS_TYPED, "the number is a field").await?;
+    aiko.tap("button", "Less").await?;
+    aiko.until(&format!("{UNSAVED} && /only (now|before)/.test({COUNTS})"), "the counts are there before it is saved")
+        .await?;
+    aiko.tap("button", "To the mark before").await?;
     aiko.until(&format!("/only (now|before)/.test({COUNTS})"), "the counts are there").await?;
     saved(&aiko).await?;
     aiko.find("button", "Stop*").await?;
