@@ -172,6 +172,13 @@ fn long_texts_are_read_no_further_than_their_bounds() {
 }
 
 #[test]
+fn a_length_of_time_in_a_name_says_once_that_it_is_one() {
+    let read = heard("頭が 1 時間触られなかったら、おじぎします。", Language::Japanese);
+    let names: Vec<&str> = read.draft.streams.iter().map(|stream| stream.name.as_str()).collect();
+    assert_eq!(names, ["頭のタッチ", "1 時間頭のタッチなし", "おじぎをします"]);
+}
+
+#[test]
 fn words_to_be_heard_are_those_of_the_language_that_is_typed() {
     let languages = [
         (Language::English, "When the child says \"yes\", nod."),
