@@ -24,7 +24,7 @@ const LISTEN_MS: i32 = 200;
 /// The number of one's own newest Stop that was answered, as `static/stop.js` leaves it.
 const OWN_STOP: &str = "rrpStops";
 
-/// What is done with an answer, or without one.
+/// The work that is done with an answer, or without one.
 pub(crate) type OnAnyAnswer = Box<dyn FnOnce(Result<AnyAnswer, NoAnswer>)>;
 
 /// The work that is done with every event.
@@ -156,7 +156,7 @@ impl WrittenRequest {
 
     fn named(name: &'static str, request: &impl Serialize) -> Self {
         let mut fields = Vec::new();
-        // What could not be written is no request, and the server says so.
+        // A text that could not be written is no request, and the server says so.
         let _ = request.serialize(&mut serde_json::Serializer::new(&mut fields));
         Self { name, fields: String::from_utf8(fields).unwrap_or_default() }
     }
@@ -199,7 +199,7 @@ fn send(number: u32, stops: Option<u64>, request: &WrittenRequest) -> bool {
 }
 
 /// The newest Stop of which the person at this page could know, be it by the link or by the answer to their own press of Stop.
-/// What makes a robot move is refused where one came since.
+/// A request that makes a robot move is refused where one came since.
 pub(crate) fn stops() -> Option<u64> {
     let own = browser::global_number(OWN_STOP);
     with(|link| {

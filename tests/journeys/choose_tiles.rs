@@ -205,7 +205,7 @@ async fn two_people_who_choose_tiles_at_once_lose_nothing() -> Outcome<()> {
         are(page, CHOSEN, "1 Hello there|4 Big wave|7 laughs").await?;
     }
 
-    // The same tile: what is being written stays, and its author decides.
+    // On one tile, what is being written stays, and its author decides.
     in_dialog(aiko).press("button", "Hello there*").await?;
     in_dialog(yuki).press("button", "Hello there*").await?;
     in_dialog(yuki).fill("textbox", "Words on the tile", "Good morning").await?;

@@ -96,7 +96,7 @@ async fn a_start_that_waits_for_saving_counts_unless_its_own_robot_was_stopped()
 
     start_while_it_is_saved(&aiko, "One", "Two").await?;
     stopped(&aiko, &mut visitor, &other).await?;
-    // What was pressed for a robot stays with it.
+    // A press for a robot stays with it.
     look_at(&aiko, "Simulated NAO*").await?;
     aiko.eval("sendHeld(), 0").await?;
     aiko.find("button", "Two").await?;

@@ -173,7 +173,7 @@ async fn one_looks_back_while_another_edits_and_the_robot_runs() -> Outcome<()> 
     aiko.until("document.querySelector('.then-only').textContent === 'paused for you'", "the robot goes on").await?;
     aiko.find("button", "Running").await?;
 
-    // What is edited and told meanwhile does not get into what is shown of then.
+    // Edits and values of meanwhile do not get into what is shown of then.
     let streams = "document.querySelectorAll('#stage .stream').length";
     let value = "document.querySelector('#stage .value').textContent";
     aiko.until("!!document.querySelector('#stage .value b')", "its value of then").await?;

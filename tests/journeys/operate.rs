@@ -37,7 +37,7 @@ pub(crate) async fn starts(page: &Page, code: &str) -> Outcome<()> {
     card.fill("textbox", "Participant code*", code).await?;
     card.press("button", "Start").await?;
     page.find("button", "Running").await?;
-    // What lay over the tiles is long gone by then.
+    // The card over the tiles is long gone by then.
     page.until("document.querySelector('.op-clock b').textContent >= '0:02'", "the clock goes").await.map(drop)
 }
 

@@ -79,7 +79,7 @@ async fn session(by: By, part: &str) -> Outcome<()> {
     ben.type_text("P-07").await?;
     by.press(&ben, "button", "Start").await?;
     ben.find("button", "Running").await?;
-    // What lay over the tiles is long gone by then.
+    // The card over the tiles is long gone by then.
     ben.until("document.querySelector('.op-clock b').textContent >= '0:02'", "the clock goes").await?;
 
     by.tile(&ben, "1", "Hello*").await?;
@@ -167,7 +167,7 @@ async fn a_tablet_that_slept_for_five_minutes_presses_nothing_twice_and_has_the_
     silent(&aiko, "waits here").await?;
     says(&aiko, "waited longer than a minute").await?;
     assert_eq!(of_recording(&stage, "t").await?.len(), 1, "the mark is there once");
-    // What was pressed before the sleep is older than the two minutes that are shown.
+    // The presses before the sleep are older than the two minutes that are shown.
     aiko.until(&format!("{DOTS} === 0"), "the two minutes went on").await?;
     aiko.tap("button", "“That tickles!”*").await?;
     aiko.until(&format!("{DOTS} === 1"), "the tiles work again").await?;
@@ -200,7 +200,7 @@ async fn two_operators_and_an_editor_see_what_each_of_them_does() -> Outcome<()>
     for operator in [&aiko, &yuki] {
         operator.until(&format!("{DOTS} === 1"), "the press of the editor is seen").await?;
     }
-    // What an operator presses and marks the other one sees, and the graph shows what comes of it.
+    // The other operator sees each press and mark, and the graph shows what comes of it.
     yuki.press("button", "Hello*").await?;
     aiko.until(&format!("{DOTS} === 2 && {} === 'by'", shows("Hello")), "the press of the other one is seen").await?;
     aiko.press("button", "laughs*").await?;

@@ -16,7 +16,7 @@ const GREET: &str = "2026-11-21T18-34-06Z-greet.jsonl";
 /// The page, if it would have to scroll sideways.
 const SIDEWAYS: &str = "(document.documentElement.scrollWidth > innerWidth ? [`${document.documentElement.scrollWidth} wide in ${innerWidth}`] : [])";
 
-/// Whether every sheet that something is written on is dark.
+/// True if every sheet that something is written on is dark.
 const IS_DARK: &str = "['html', 'main', 'input', '.button'].every(part => {
     const element = document.querySelector(part);
     const [red, green, blue] = (element ? getComputedStyle(element).backgroundColor : '').match(/[0-9]+/g).map(Number);

@@ -14,14 +14,17 @@ mod frame;
 mod graphs;
 #[path = "../../engine/tests/oracle/plain.rs"]
 mod plain;
+#[path = "shared/plain_why.rs"]
+mod plain_why;
 
 use behaviour::{BehaviourFile, Engine};
 use causes::Traced;
 use chance::Chance;
 use engine::{Limits, Run, StreamIx};
 use graphs::Reading;
-use plain::{Said, Way, With};
-use protocol::{Why, WhyStep, WhyWith};
+use plain::{Said, Way};
+use plain_why::told;
+use protocol::Why;
 use robot::Millis;
 
 /// The graphs that are tried if nobody says how many.
@@ -51,23 +54,6 @@ fn product(file: &BehaviourFile, trace: &[Reading], until: u64) -> Vec<Why> {
     }
     traced.finish(Millis(until), &mut |cause| causes.push(cause.clone()));
     causes.iter().map(|cause| traced.tracer().tell(cause)).collect()
-}
-
-/// A plain way, as the product tells it.
-fn told(file: &BehaviourFile, way: &Way) -> Why {
-    let id = |stream: usize| file.streams[stream].id.clone();
-    let with = |with: &With| match with {
-        With::Value(stream, t, value) => WhyWith::Value { stream: id(*stream), t: *t, value: value.clone() },
-        With::Memory(memory, t) => WhyWith::Memory { memory: memory.clone(), t: *t },
-    };
-    let step = |step: &plain::Step| WhyStep {
-        connector: step.connector.map(|connector| file.connectors[connector].id.clone()),
-        stream: id(step.stream),
-        t: step.at,
-        value: step.value.clone(),
-        with: step.with.iter().map(with).collect(),
-    };
-    Why { stream: id(way[0].stream), t: way[0].at, value: way[0].value.clone(), steps: way.iter().map(step).collect() }
 }
 
 fn check(seed: u64, mode: impl Fn(&mut Chance) -> Engine, compared: &mut Compared) {

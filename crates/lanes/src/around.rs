@@ -12,7 +12,7 @@ pub(crate) fn around(dots: &[Dot], cursor: f64) -> (&[Dot], Option<usize>) {
     around_of(dots, cursor, |dot| dot.t)
 }
 
-/// The same of anything that has a moment.
+/// Finds the same of anything that has a moment.
 pub(crate) fn around_of<T>(all: &[T], cursor: f64, t: impl Fn(&T) -> f64) -> (&[T], Option<usize>) {
     let until = all.partition_point(|one| t(one) <= cursor);
     let last = (until.saturating_sub(BEFORE) + AROUND_MAX).min(all.len());

@@ -577,7 +577,7 @@ impl Viewer {
     fn tick(&mut self, passed: f64) {
         let before = self.cursor;
         self.cursor = self.play.tick(self.cursor, passed, self.axis.length());
-        // Who looks elsewhere while it plays is left there; who sees the cursor go sees it go on.
+        // A view that lies elsewhere while it plays stays there; one that has the cursor follows it.
         if self.cursor != before && before <= self.axis.end() {
             self.axis.reveal(self.cursor);
         }

@@ -75,7 +75,7 @@ pub(crate) fn drawn(value: &Value) -> Option<f64> {
 /// A number as it is drawn.
 #[expect(clippy::cast_possible_truncation, reason = "nobody sees the difference in a drawing")]
 fn short(number: f64) -> f32 {
-    // What is too large for it is drawn at the edge.
+    // A number that is too large for it is drawn at the edge.
     number.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
 }
 

@@ -14,6 +14,8 @@ mod frame;
 mod graphs;
 #[path = "../../engine/tests/oracle/plain.rs"]
 mod plain;
+#[path = "../../causes/tests/shared/plain_why.rs"]
+mod plain_why;
 #[path = "shared/recorded.rs"]
 mod recorded;
 
@@ -21,8 +23,9 @@ use behaviour::{BehaviourFile, Engine};
 use chance::Chance;
 use graphs::Reading;
 use past::{Hook, Past};
-use plain::{Said, Way, With};
-use protocol::{Why, WhyStep, WhyWith};
+use plain::{Said, Way};
+use plain_why::told;
+use protocol::Why;
 use recorded::{opened, text};
 use std::rc::Rc;
 
@@ -48,23 +51,6 @@ struct Compared {
 
 fn graphs() -> u64 {
     std::env::var("RRP_GRAPHS").ok().map_or(GRAPHS, |graphs| graphs.parse().unwrap())
-}
-
-/// A plain way, as the product tells it.
-fn told(file: &BehaviourFile, way: &Way) -> Why {
-    let id = |stream: usize| file.streams[stream].id.clone();
-    let with = |with: &With| match with {
-        With::Value(stream, t, value) => WhyWith::Value { stream: id(*stream), t: *t, value: value.clone() },
-        With::Memory(memory, t) => WhyWith::Memory { memory: memory.clone(), t: *t },
-    };
-    let step = |step: &plain::Step| WhyStep {
-        connector: step.connector.map(|connector| file.connectors[connector].id.clone()),
-        stream: id(step.stream),
-        t: step.at,
-        value: step.value.clone(),
-        with: step.with.iter().map(with).collect(),
-    };
-    Why { stream: id(way[0].stream), t: way[0].at, value: way[0].value.clone(), steps: way.iter().map(step).collect() }
 }
 
 /// The causes of all values of a past, asked piece by piece, the last piece first.

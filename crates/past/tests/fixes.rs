@@ -11,13 +11,13 @@ mod graphs;
 #[path = "shared/recorded.rs"]
 mod recorded;
 
-use behaviour::{BehaviourFile, Value};
+use behaviour::{AnyKnowledge, BehaviourFile, Value};
 use chance::Chance;
 use engine::{Emission, Limits, Run, StreamIx};
 use graphs::Reading;
 use past::Past;
 use protocol::{NumberFix, WhySentence};
-use recorded::{NoKnowledge, opened, text};
+use recorded::{opened, text};
 use robot::Millis;
 use sentences::Language;
 use serde_json::{Value as Json, json};
@@ -225,7 +225,7 @@ fn comes(file: &BehaviourFile, action: &str, trace: &[Reading]) -> Vec<u64> {
 }
 
 fn told(past: &Past, action: &str) -> Vec<WhySentence> {
-    past.why_not((action, FROM, UNTIL), Language::English, &NoKnowledge, &(Rc::new(|| false) as past::Hook))
+    past.why_not((action, FROM, UNTIL), Language::English, &AnyKnowledge, &(Rc::new(|| false) as past::Hook))
         .unwrap()
         .sentences
 }
@@ -256,7 +256,7 @@ fn the_action_comes_with_the_number_that_is_told() {
             let mut chance = Chance::of(at * 10_000 + seed);
             let Blocking { body, device, values, step, unit } = blocking(&mut chance);
             let mut chain = Chain::of(device);
-            // What a sense is measured in is known beside it.
+            // The unit of a sense is known beside it.
             if unit.is_empty() {
                 chain.passing(&mut chance);
             }
@@ -336,7 +336,7 @@ fn a_distance_is_rounded_in_its_unit_in_both_languages() {
     let past = opened(&text(&file, &trace, &[], UNTIL)).unwrap();
     for language in [Language::English, Language::Japanese] {
         let hook: past::Hook = Rc::new(|| false);
-        let all = past.why_not((&action, FROM, UNTIL), language, &NoKnowledge, &hook).unwrap().sentences;
+        let all = past.why_not((&action, FROM, UNTIL), language, &AnyKnowledge, &hook).unwrap().sentences;
         let fix = all[0].fix.clone().unwrap();
         assert_eq!((fix.from, fix.to, fix.written.as_str(), fix.unit.as_str()), (0.75, 0.95, "0.95", "m"));
     }

@@ -8,13 +8,13 @@ mod graphs;
 #[path = "shared/recorded.rs"]
 mod recorded;
 
-use behaviour::{BehaviourFile, Engine, StreamKind, Value};
+use behaviour::{AnyKnowledge, BehaviourFile, Engine, StreamKind, Value};
 use chance::Chance;
 use engine::{Emission, Limits, Run, StreamIx};
 use graphs::Reading;
 use past::{EditedRun, Hook, Past};
 use protocol::{LaneColumn, LaneName, LaneValues, NotSeen};
-use recorded::{NoKnowledge, opened, text};
+use recorded::{opened, text};
 use robot::Millis;
 use sentences::Language;
 use std::rc::Rc;
@@ -205,7 +205,7 @@ fn causes_are_those_that_a_replay_from_the_beginning_tells() {
             let twins = scene.all.iter().filter(|other| (other.at, other.stream) == (came.at, came.stream)).count();
             let nth = chance.index(twins);
             let asked = (id, came.at, nth);
-            let told = scene.past.why(asked, Language::English, &NoKnowledge, &hook()).unwrap();
+            let told = scene.past.why(asked, Language::English, &AnyKnowledge, &hook()).unwrap();
             let stretch = causes::Stretch::of(Millis(came.at), Millis(came.at));
             let slow =
                 recording::past(&recorded, stretch, &|stream| stream.id == *id).map_err(|why| why.to_string()).unwrap();
@@ -228,7 +228,7 @@ fn what_kept_a_value_back_is_what_a_replay_from_the_beginning_tells() {
         for _ in 0..30 {
             let (stream, until) = (chance.index(scene.file.streams.len()), chance.below(scene.until + 1));
             let (id, from) = (scene.id(stream), until.saturating_sub(chance.below(1_500)));
-            let told = scene.past.why_not((id, from, until), Language::Japanese, &NoKnowledge, &hook());
+            let told = scene.past.why_not((id, from, until), Language::Japanese, &AnyKnowledge, &hook());
             let first = scene.all.iter().find(|came| came.stream == stream && (from..=until).contains(&came.at));
             if let Some(first) = first {
                 assert_eq!(told.err(), Some(NotSeen::Came(first.at)));

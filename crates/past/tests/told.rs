@@ -1,7 +1,7 @@
 //! A recording of a small program: what it tells when it was edited, continued, torn or is long.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
-use behaviour::{BehaviourFile, Knowledge, Params, StreamKind, Value};
+use behaviour::{AnyKnowledge, BehaviourFile, Value};
 use engine::{Limits, Run, StreamIx};
 use past::{EditedRun, Hook, Opening, Past};
 use protocol::{Interrupted, LaneName, LaneValues, MomentChange, NotSeen, WhyWith};
@@ -10,18 +10,6 @@ use robot::Millis;
 use sentences::Language;
 use std::rc::Rc;
 use std::sync::Arc;
-
-struct NoKnowledge;
-
-impl Knowledge for NoKnowledge {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-        Ok(())
-    }
-}
 
 /// Says how many readings below `near` came so far.
 fn program(near: i64) -> BehaviourFile {
@@ -102,9 +90,9 @@ fn a_program_that_was_edited_meanwhile_goes_on_with_what_it_remembered() {
     assert_eq!(programs, [(0, 1), (251, 2)]);
     assert_eq!(values(&past, 250), ["60", "40", "1", "1"]);
     assert_eq!(values(&past, 300), ["60", "60", "2", "2"]);
-    let told = past.why(("say", 300, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    let told = past.why(("say", 300, 0), Language::English, &AnyKnowledge, &hook()).unwrap();
     assert_eq!((told.program, told.why.steps.len()), (1, 4));
-    let not = past.why_not(("say", 150, 250), Language::English, &NoKnowledge, &hook()).unwrap();
+    let not = past.why_not(("say", 150, 250), Language::English, &AnyKnowledge, &hook()).unwrap();
     assert_eq!((not.program, not.why.blocked[0].connector.as_str()), (0, "f"));
     assert!(not.sentences[0].text.contains("60") && not.sentences[0].text.contains("50"), "{:?}", not.sentences);
 }
@@ -126,10 +114,10 @@ fn a_run_that_was_recorded_from_its_middle_on_begins_there() {
     assert_eq!((past.about().from_ms, past.about().differs_ms), (10_000, None));
     assert_eq!(values(&past, 10_600), ["40", "40", "6", "6"]);
     assert_eq!(past.seek(9_000, &hook()).unwrap_err(), NotSeen::NoTime);
-    let told = past.why(("say", 10_500, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    let told = past.why(("say", 10_500, 0), Language::English, &AnyKnowledge, &hook()).unwrap();
     assert_eq!((told.why.value, told.why.steps.len()), (Value::Int(6), 4));
     assert!(told.why.steps[1].with.is_empty(), "nobody knows when it counted to five: {:?}", told.why.steps[1].with);
-    let told = past.why(("say", 10_700, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    let told = past.why(("say", 10_700, 0), Language::English, &AnyKnowledge, &hook()).unwrap();
     let memory = WhyWith::Memory { memory: Value::Int(6), t: 10_500 };
     assert_eq!(told.why.steps[1].with, [memory], "from then on it is known");
 }
@@ -145,7 +133,7 @@ fn missing_lines_are_told_and_all_after_them_is_not_sure() {
     let past = opened(&text.text).unwrap();
     assert_eq!(past.about().interruptions[0].what, Interrupted::Missing(7));
     assert_eq!(past.about().differs_ms, Some(100));
-    let told = past.why(("say", 900, 0), Language::English, &NoKnowledge, &hook()).unwrap();
+    let told = past.why(("say", 900, 0), Language::English, &AnyKnowledge, &hook()).unwrap();
     assert_eq!((told.lost, told.why.value), (7, Value::Int(2)));
 }
 
@@ -213,7 +201,7 @@ fn what_takes_too_long_ends_and_says_so() {
     let over: Hook = Rc::new(|| true);
     assert_eq!(past.seek(19_000, &over).err(), Some(NotSeen::TooLong));
     assert_eq!(past.trace(&over).err(), Some(NotSeen::TooLong));
-    let why = past.why(("say", 19_000, 0), Language::English, &NoKnowledge, &over);
+    let why = past.why(("say", 19_000, 0), Language::English, &AnyKnowledge, &over);
     assert_eq!(why.err(), Some(NotSeen::TooLong));
     let now = EditedRun::of(program(40), &over).unwrap();
     assert_eq!(past.compare(None, now, None, &[], &over).err(), Some(NotSeen::TooLong));

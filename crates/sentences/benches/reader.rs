@@ -39,7 +39,7 @@ fn times(count: usize, mut text: impl FnMut(&mut Dice, usize) -> (String, Langua
             took
         };
         let mut took = once();
-        // What takes long is read again, so that another program's turn is not counted.
+        // A text that takes long is read again, so that another program's turn is not counted.
         if took > WORST / 4 {
             took = (0..AGAIN).map(|_| once()).fold(took, Duration::min);
         }

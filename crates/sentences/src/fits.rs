@@ -57,7 +57,7 @@ pub(crate) fn is_part(does: &SpokenConnector, part: ClausePart) -> bool {
     }
 }
 
-/// What the number of an action's clause is measured in: a hand is so far open, all other joints turn.
+/// The unit of the number of an action's clause: a hand is so far open, all other joints turn.
 pub(crate) fn number_unit(clause: &Clause, params: &Params) -> &'static str {
     let is_hand = params.get("joint").and_then(Value::as_text).is_some_and(|joint| joint.ends_with("Hand"));
     match clause.id {

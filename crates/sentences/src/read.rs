@@ -88,7 +88,7 @@ pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Opti
     reading_of(repaired, text, end, language, helpers, behaviour, None)
 }
 
-/// What was read, of the first `end` bytes of a text. With a lexicon, what makes no sense is in doubt, and that says why.
+/// Tells what was read, of the first `end` bytes of a text. With a lexicon, what makes no sense is in doubt, and that says why.
 fn reading_of(
     repaired: Repaired,
     text: &str,

@@ -47,7 +47,7 @@ struct PastShared {
     desk: DeskHold,
     /// The past that is looked at, once that is known.
     of: StoredValue<Option<PastOf>>,
-    /// What there is to be seen of it, once it is open.
+    /// All that is to be seen of it, once it is open.
     opened: RwSignal<Option<Arc<OpenedPast>>>,
     /// Why it is not shown, or the last thing that was not answered.
     trouble: RwSignal<Option<String>>,
@@ -204,7 +204,7 @@ impl PastShared {
         }
     }
 
-    /// What runs here now. Not reactive.
+    /// Returns what runs here now. Not reactive.
     fn running(self) -> Option<PastOf> {
         untrack(|| self.desk.desk().robots.running()).map(|run| PastOf::Run(run.run))
     }

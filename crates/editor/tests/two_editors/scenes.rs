@@ -1,6 +1,6 @@
 //! Scenes of two people at one program, and of what each sees of the other.
 
-use crate::page::Fate;
+use crate::page::{Check, Fate, Page};
 use crate::server::StoreAnswer;
 use crate::table::{AIKO, BEN, Table};
 use behaviour::{Pad, Record, RecordId, Tile, TileAction};
@@ -469,17 +469,23 @@ fn a_lock_is_kept_over_a_short_cut_of_the_link() {
     assert!(table.server.holds(AIKO, own.token));
 }
 
-#[test]
-fn who_types_without_a_lock_is_told_who_was_first_and_keeps_what_they_typed() {
+/// Aiko types while her link is cut and the server forgets her lock; meanwhile Ben does something to the same note.
+fn typed_without_a_lock(ben: impl FnOnce(&mut Page) -> Check) -> Table {
     let mut table = Table::laid();
     table.does(AIKO, |page| page.begin_typing(0));
     table.cut(AIKO);
     table.server.restart(true);
-    table.pages[BEN].lost().unwrap();
+    assert_eq!(table.pages[BEN].lost(), Ok(()));
     table.connect(BEN);
-    table.does(BEN, |page| page.write(0));
+    table.does(BEN, ben);
     table.forget();
     table.connect(AIKO);
+    table
+}
+
+#[test]
+fn who_types_without_a_lock_is_told_who_was_first_and_keeps_what_they_typed() {
+    let mut table = typed_without_a_lock(|page| page.write(0));
     assert_eq!(table.said(AIKO), [Announcement::ChangedWhileTyping(ben())]);
     table.types(AIKO);
     assert_eq!(table.saved(), text("Ben wrote 1"), "nothing is overwritten unseen");
@@ -488,15 +494,7 @@ fn who_types_without_a_lock_is_told_who_was_first_and_keeps_what_they_typed() {
 
 #[test]
 fn who_removed_what_is_typed_into_is_named() {
-    let mut table = Table::laid();
-    table.does(AIKO, |page| page.begin_typing(0));
-    table.cut(AIKO);
-    table.server.restart(true);
-    table.pages[BEN].lost().unwrap();
-    table.connect(BEN);
-    table.does(BEN, |page| page.remove(0));
-    table.forget();
-    table.connect(AIKO);
+    let mut table = typed_without_a_lock(|page| page.remove(0));
     assert_eq!(table.said(AIKO), [Announcement::RemovedWhileTyping(ben())]);
     assert_eq!(table.editor(AIKO).removed_by.get(&crate::server::note(0).id), None, "it was not heard here");
     table.does(AIKO, |page| page.input(|editor| editor.find_remover(crate::server::note(0).id)));

@@ -141,7 +141,7 @@ impl Server {
                 let opened =
                     answer::Opened { behaviour, revision, records, more: false, problems, fingerprint, people };
                 self.answer(session, ask, opened);
-                // What was kept for this client is its own again.
+                // A lock that was kept for this client is its own again.
                 let grants = self.sessions.get(&session).map(|who| Self::client(*who));
                 let grants = grants.map(|client| self.locks.return_to(self.now_ms, &client, session));
                 for grant in grants.into_iter().flatten() {

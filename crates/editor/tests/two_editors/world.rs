@@ -120,7 +120,7 @@ impl World {
             if matches!(message, Message::Event(Event::Accepted { .. })) && self.dice.roll(12) == 0 {
                 continue;
             }
-            // Who is editing what is told beside the rest: it may come before or after that, but in its own order.
+            // News of who is editing travels beside the rest: it may come before or after that, but in its own order.
             let is_beside = |message: &Message| matches!(message, Message::Event(Event::Locks { .. }));
             let same = wire.down.iter().filter(|(_, other)| is_beside(other) == is_beside(&message));
             let last = same.map(|(at, ..)| *at).max().unwrap_or(0);

@@ -75,7 +75,7 @@ impl Slow<'_> {
             Ok(None) => {}
             Ok(Some(Given { carried, from, with })) => {
                 let output = stream(self.file, &connector.output);
-                // What was said on it earlier in this frame counts no more.
+                // An earlier value of this frame counts no more.
                 let is_earlier = |said: &Said| matches!(said, Said::Value(_, on, _) if *on == output);
                 let begins = self.said.partition_point(|(said, _)| said.at() < time);
                 if let Some(earlier) = self.said[begins..].iter().position(|(said, _)| is_earlier(said)) {

@@ -2,26 +2,13 @@
 #![allow(dead_code, unreachable_pub, reason = "each test needs some of it")]
 
 use crate::graphs::Reading;
-use behaviour::{BehaviourFile, Knowledge, Params, StreamKind, Value};
+use behaviour::{BehaviourFile, Value};
 use engine::StreamIx;
 use past::{Opening, Past};
 use protocol::NotSeen;
 use recording::{EndLine, FORMAT, Header, Line, LineNames, json, open};
 use std::rc::Rc;
 use std::sync::Arc;
-
-/// Knows no devices.
-pub struct NoKnowledge;
-
-impl Knowledge for NoKnowledge {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
-        Ok(())
-    }
-}
 
 /// The first lines of a recording.
 pub fn beginning(file: &BehaviourFile) -> String {

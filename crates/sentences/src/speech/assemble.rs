@@ -547,7 +547,7 @@ impl SaidSoFar {
         };
         let takes = takes_ms(&act);
         rule.acts.extend((1..times).map(|time| (first + takes * u64::from(time), act.clone(), span.clone())));
-        // Whether it is done once or as often *again* nobody knows.
+        // Nobody knows whether it is done once or as often *again*.
         self.did = None;
     }
 
@@ -815,7 +815,7 @@ fn is_gone_for(rule: &mut MeantRule, ms: u64) -> bool {
 /// Words by which one thing comes after another one, where a rule would do both at once.
 fn out_of_order(segments: &[Segment]) -> UnsureWords {
     let mut all = two_who_act(segments);
-    // Whether what was said last is what comes before the rest; whether the body moves already, and what comes then.
+    // Three things: whether what was said last comes before the rest, whether the body moves already, and what comes then.
     let (mut comes_after, mut moves, mut then) = (false, false, false);
     for segment in segments {
         match segment {

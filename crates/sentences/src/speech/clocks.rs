@@ -81,7 +81,7 @@ impl SaidTime {
             (Some("noon"), hour @ 10..=12) => Some(hour),
             (Some("noon"), 0) => Some(12),
             (Some("noon"), hour) => afternoon(hour, 1..=4),
-            // Its hour was told already.
+            // The hour of it was told already.
             (Some("exactly"), hour) => Some(hour),
             (Some(_), _) => None,
         };

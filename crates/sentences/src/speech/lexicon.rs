@@ -216,7 +216,7 @@ impl Lexicon {
         self.gaps.get(arg).copied()
     }
 
-    /// What may be said in the place of words for what cannot be done, by the reason.
+    /// The words that may be said in the place of those for what cannot be done, by the reason.
     pub(super) fn offer(&self, why: &str) -> Option<&'static str> {
         let (gap, _) = self.gaps.iter().find(|(_, said)| **said == why)?;
         self.offers.get(gap).copied()

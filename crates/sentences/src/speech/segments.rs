@@ -576,7 +576,7 @@ impl Chart<'_> {
         }
     }
 
-    /// How the word here leads a clause in.
+    /// The way in which the word here leads a clause in.
     fn lead(&self, at: usize, arg: &str) -> Lead {
         let before = self.atoms[..at].iter().rposition(|atom| !atom.is("void", "") && !atom.is_sign(','));
         let follows_and = before.is_some_and(|before| self.atoms[before].is("and", ""));

@@ -146,7 +146,7 @@ const ACTS: [&[&str]; 2] = [
     ],
 ];
 
-/// What may be held meanwhile, in English and Japanese.
+/// The parts that may be held meanwhile, in English and Japanese.
 const HELD: [[&str; 4]; 2] =
     [["head", "left hand", "right hand", "back of the head"], ["頭", "左手", "右手", "後頭部"]];
 

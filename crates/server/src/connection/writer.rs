@@ -148,7 +148,7 @@ impl ClientWriter {
                 Out::Want(wanted) => {
                     self.feed = None;
                     self.wanted = wanted;
-                    // Its page forgot the marks and values of another program.
+                    // The page forgot the marks and values of another program.
                     self.watching = Watching::default();
                 }
                 Out::Follow(feed) if self.wanted.as_ref() == Some(&feed.behaviour) => self.feed = Some(feed),

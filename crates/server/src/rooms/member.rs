@@ -81,7 +81,7 @@ pub(crate) struct RoomFeed {
     pub(crate) versions: watch::Receiver<Utf8Bytes>,
 }
 
-/// Who waits for an answer of this type: a client, or this server itself.
+/// The one who waits for an answer of this type: a client, or this server itself.
 pub(crate) enum AnswerTo<A> {
     /// A client that asked.
     Client {

@@ -7,13 +7,13 @@ use behaviour::{Behaviour, Id, LockToken};
 use protocol::{Person, Refused, answer};
 use tokio::sync::oneshot;
 
-/// What somebody wants of the past of a behaviour, and the answer to it.
+/// A question about the past of a behaviour, and where its answer goes.
 pub(crate) enum PastRequest {
     /// A page of its history, before a revision if one is said.
     History(Option<u64>, AnswerTo<answer::History>),
     /// The behaviour as it was after a revision.
     At(u64, AnswerTo<answer::At>),
-    /// The same for this server itself, which looks it up for somebody.
+    /// Looks it up for this server itself, on somebody's behalf.
     LookAt(u64, Sender, oneshot::Sender<Result<Behaviour, Refused>>),
     /// A change that comes of the past.
     Wish(RevertRequest, AnswerTo<answer::Saved>),

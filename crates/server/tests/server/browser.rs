@@ -162,7 +162,7 @@ pub(crate) struct Socket {
     asks: u32,
     /// The role that the welcome said.
     pub(crate) role: Role,
-    /// What was told unasked since the last ask.
+    /// The events that were told unasked since the last ask.
     pub(crate) heard: Vec<Event>,
 }
 

@@ -87,17 +87,16 @@ fn shortened(label: &str) -> String {
     }
 }
 
+/// Programs for tests of tiles.
 #[cfg(test)]
-mod tests {
-    use super::{of, proposed_words, usual};
-    use behaviour::{
-        Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, TILE_MAX_CHARS, TileAction, Value,
-    };
+pub(crate) mod made {
+    use behaviour::{Behaviour, Id, Kind, Params, Record, RecordId, Stream, StreamKind, Value};
 
     /// The kind, the device and the parameters of a stream.
-    type StreamMade<'a> = (StreamKind, &'a str, &'a [(&'a str, &'a str)]);
+    pub(crate) type StreamMade<'a> = (StreamKind, &'a str, &'a [(&'a str, &'a str)]);
 
-    fn with(all: &[StreamMade]) -> Behaviour {
+    /// Makes a program of these streams.
+    pub(crate) fn with(all: &[StreamMade]) -> Behaviour {
         let mut behaviour = Behaviour::default();
         for (order, (kind, device, params)) in (0..).zip(all) {
             let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
@@ -109,6 +108,13 @@ mod tests {
         }
         behaviour
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::made::with;
+    use super::{of, proposed_words, usual};
+    use behaviour::{Id, Pad, Record, RecordId, StreamKind, TILE_MAX_CHARS, TileAction, Value};
 
     #[test]
     fn the_usual_tiles_can_become_those_of_the_program_however_long_their_words_are() {

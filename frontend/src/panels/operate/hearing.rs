@@ -15,7 +15,7 @@ pub(super) fn overhear(op: OperateShared) {
         Event::LiveMarks { run, at_ms, marks } => op.hear_marks((*run, *at_ms), marks),
         _ => {}
     });
-    // What was told before this page listened comes again.
+    // The events that were told before this page listened come again.
     hear_anew(op);
     // Another run has marks of its own, also before the first of them is told; where nothing ran there are none.
     let newest = Memo::new(move |_| op.last().map_or(0, |run| run.run));

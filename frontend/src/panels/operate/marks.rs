@@ -33,7 +33,7 @@ pub(super) struct Mark {
     pub(super) by: String,
     /// True if the server does not have it yet.
     pub(super) waits: bool,
-    /// The same moments in milliseconds since Start, as the server tells them; none before it has.
+    /// These moments in milliseconds since Start, as the server tells them; none before it has.
     pub(super) told: Option<(u64, Option<u64>)>,
 }
 
@@ -64,7 +64,7 @@ pub(super) struct SessionMarks {
     run: RwSignal<u64>,
     /// By time.
     pub(super) all: RwSignal<Vec<Mark>>,
-    /// What the server was not told yet, oldest first; kept over a reload of the page.
+    /// The marks that the server was not told yet, oldest first; kept over a reload of the page.
     pub(super) waiting: RwSignal<VecDeque<WaitingMark>>,
     /// True while one is on its way: they go one after the other.
     pub(super) goes: RwSignal<bool>,

@@ -78,24 +78,9 @@ fn tiles(behaviour: &Behaviour) -> Vec<PadTile> {
 #[cfg(test)]
 mod tests {
     use super::{TileWork, tiles};
-    use behaviour::{Behaviour, Id, Kind, Pad, Params, Record, RecordId, Stream, StreamKind, Value};
+    use crate::desk::shown_pad::made::with;
+    use behaviour::{Id, Pad, Params, Record, RecordId, StreamKind, Value};
     use protocol::Press;
-
-    /// A stream: its kind, its device and its parameters.
-    type Given<'a> = (StreamKind, &'a str, &'a [(&'a str, &'a str)]);
-
-    fn with(all: &[Given]) -> Behaviour {
-        let mut behaviour = Behaviour::default();
-        for (order, (kind, device, params)) in (0..).zip(all) {
-            let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
-            let (name, device) = (format!("s{order}"), Some((*device).to_owned()));
-            let (kind, resources, priority, hold_ms) = (*kind, None, None, None);
-            let id = RecordId::new(Kind::Stream, &Id::new(&name).unwrap());
-            let stream = Stream { kind, name, device, params, order, resources, priority, hold_ms };
-            behaviour.records.insert(id, Record::Stream(stream));
-        }
-        behaviour
-    }
 
     #[test]
     fn the_usual_tiles_say_in_words_what_they_do_and_those_of_a_pad_are_its_own() {

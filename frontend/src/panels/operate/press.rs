@@ -291,7 +291,7 @@ fn press_counts(before: Option<&PressedTile>, asks: bool, about: &AskedAbout, no
     }
 }
 
-/// How much of a time is over, from 0 to 100. Pure.
+/// Returns the part of a time that is over, from 0 to 100. Pure.
 fn share(from: f64, until: f64, now: f64) -> u8 {
     (100.0 * (now - from) / (until - from)).clamp(0.0, 100.0) as u8
 }

@@ -32,7 +32,7 @@ const LIVE_EVERY: Duration = Duration::from_millis(1_000);
 /// All of a run that goes on is asked for again after so many looks.
 const WHOLE_AGAIN: u32 = 10;
 
-/// What was asked of a past, and what is known of it.
+/// The questions that a past was asked, and the answers.
 #[derive(Default)]
 pub(super) struct AskedLanes {
     is_busy: bool,
@@ -40,9 +40,9 @@ pub(super) struct AskedLanes {
     whole: BTreeMap<String, LaneFilling>,
     /// The lanes whose stretch is known finely, and the stretch.
     seen: Option<(Vec<String>, (f64, f64))>,
-    /// What of a run that goes on has to be asked again.
+    /// The part of a run that goes on which has to be asked again.
     is_stale: bool,
-    /// How much less than usual is asked for around the cursor: many values came there at once.
+    /// The share of the usual time around the cursor that is asked for: less where many values came at once.
     near_share: f64,
     /// The time of the page at which it was opened.
     opened_ms: f64,

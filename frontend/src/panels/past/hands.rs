@@ -94,7 +94,7 @@ impl LaneHands {
         let Some(at) = fingers.iter().position(|finger| finger.pointer == event.pointer_id()) else { return };
         let finger = fingers.remove(at);
         let was_alone = fingers.is_empty();
-        // What is left of two fingers taps nothing.
+        // The finger that is left of two taps nothing.
         fingers.iter_mut().for_each(|finger| finger.has_moved = true);
         drop(fingers);
         if was_alone && !finger.has_moved {

@@ -43,7 +43,7 @@ fn title(past: PastShared) -> String {
     if viewer.is_live() { words::moment_earlier(&time) } else { words::moment_recorded(&time) }
 }
 
-/// What is looked at: the program, the day and the length.
+/// Tells what is looked at: the program, the day and the length.
 fn about(past: PastShared, opened: &OpenedPast) -> String {
     let length = clock::length((opened.until_ms - opened.from_ms) as f64);
     match past.of.get_value() {

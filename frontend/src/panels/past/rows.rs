@@ -157,7 +157,7 @@ fn MarksLabel(past: PastShared) -> impl IntoView {
     }
 }
 
-/// What a lane had at the cursor: its value, or for how long it had been quiet.
+/// Tells what a lane had at the cursor: its value, or for how long it had been quiet.
 pub(super) fn value_at(past: PastShared, at: usize) -> String {
     let viewer = past.viewer.read();
     let (Some(lane), cursor) = (viewer.lanes().get(at), viewer.cursor()) else { return String::new() };
@@ -177,7 +177,7 @@ pub(super) fn value_at(past: PastShared, at: usize) -> String {
     if text.is_empty() { words::value_came().to_owned() } else { text }
 }
 
-/// What a screen reader says of the moment: the time, and the chosen lane. Reactive.
+/// The words of a screen reader for the moment: the time, and the chosen lane. Reactive.
 fn told(past: PastShared) -> String {
     let Some(opened) = past.opened.get() else { return String::new() };
     let viewer = past.viewer.read();
@@ -232,7 +232,7 @@ fn paint_when_changed(past: PastShared, over: NodeRef<html::Canvas>, under: Node
         });
     };
     let (theme, again) = (paint.clone(), paint.clone());
-    // What is drawn is lost with the process that draws, and drawn anew once there is another one.
+    // The drawing is lost with the process that draws, and made anew once there is another one.
     Effect::new(move |_| {
         for canvas in [over.get(), under.get()].into_iter().flatten() {
             let again = again.clone();

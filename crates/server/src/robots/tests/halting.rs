@@ -101,7 +101,7 @@ async fn a_run_that_goes_on_hears_of_the_state_that_it_knows_no_second_time() {
     interrupts(&puppet, &robots, &first).await;
     let second = robots.start(clock("one")).await.unwrap();
     assert_eq!(senses(&puppet, &second, [540, 541]).await, [Value::Int(541)], "it is still the same minute");
-    // What somebody pretends is always meant.
+    // A pretended reading is always meant.
     robots.stimulate(&id("one"), &id("ball"), Value::Int(541), "Ben").unwrap();
     until("it comes out", || puppet.told(second.run) == [541, 541].map(Value::Int)).await;
     assert!(robots.stop(None, "Ben"));

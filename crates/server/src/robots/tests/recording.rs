@@ -107,7 +107,7 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
     let known = &recordings.list()[0];
     assert_eq!(known.robot, "Puppet");
     assert_eq!((known.file.as_str(), known.name.as_str(), known.revision), (shown.file.as_str(), "one", 1));
-    // Who writes it lets go of it a moment after the last line.
+    // The writer lets go of it a moment after the last line.
     until("it is removed", || recordings.remove(&known.file).is_ok()).await;
     assert_eq!(recordings.remove(&shown.file), Err(Refused::NoRecording));
     assert_eq!(recordings.find("../one"), None);

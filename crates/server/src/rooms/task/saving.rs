@@ -20,7 +20,7 @@ const MISSED_MAX_CHANGES: u32 = 10_000;
 /// How often a change is decided about while other servers are quicker.
 const TRIES: usize = 8;
 
-/// What came of a wish.
+/// The outcome of a wish.
 pub(super) enum MadeChange {
     /// A change to decide about, with the tokens of who wants it.
     New(Change, Vec<LockToken>),

@@ -89,7 +89,7 @@ impl WaitingMark {
 pub(in crate::panels::operate) fn take_back(waiting: &mut VecDeque<WaitingMark>, id: &Id, goes: bool) -> bool {
     let made = waiting.iter().find(|one| one.id == *id && matches!(one.what, WaitingWork::Mark { .. }));
     let never = made.is_some_and(|made| !made.tried);
-    // What is on its way just now is answered first.
+    // A mark that is on its way just now is answered first.
     let mut first = goes;
     waiting.retain(|one| std::mem::take(&mut first) || one.id != *id);
     never

@@ -168,7 +168,7 @@ fn Line(past: PastShared, at: usize, line: AnswerLine, is_not: bool) -> impl Int
 fn Fixing(past: PastShared, fix: NumberFix) -> impl IntoView {
     let number = fix_words(&fix);
     let (made, fix) = (RwSignal::new(false), StoredValue::new(fix));
-    // Whether this person may edit at all: while they look back nobody may.
+    // The role decides alone here: while people look back nobody may edit.
     let may = move || past.desk.desk().role.get().is_none_or(|role| role >= Role::Editor);
     let take = move |_| {
         fix.with_value(|fix| {
