@@ -14,6 +14,8 @@ pub(crate) const EQUAL_MS: u64 = 100;
 pub(crate) const MOVED_MS: u64 = 2_000;
 /// The most moments of one side that wait for their twins; of more, the oldest have none.
 const WAITING_MAX: usize = 20_000;
+/// The most moments among which the twin of one is sought: of an instant with more, some count as not the same.
+const SOUGHT_MAX: usize = 256;
 
 /// A value with its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +62,7 @@ impl Matched {
     /// A moment of the run as it was.
     pub(crate) fn before(&mut self, came: CameMoment, out: &mut dyn FnMut(Found)) {
         let first = self.now.partition_point(|now| now.at_ms + EQUAL_MS < came.at_ms);
-        let twin = (first..self.now.len()).find(|at| is_pair(&came, &self.now[*at], EQUAL_MS));
+        let twin = (first..self.now.len()).take(SOUGHT_MAX).find(|at| is_pair(&came, &self.now[*at], EQUAL_MS));
         match twin {
             Some(twin) => {
                 let (before, now) = (std::mem::take(&mut self.before), front(&mut self.now, twin));
@@ -75,7 +77,7 @@ impl Matched {
     /// A moment of the edited run.
     pub(crate) fn now(&mut self, came: CameMoment, out: &mut dyn FnMut(Found)) {
         let first = self.before.partition_point(|before| before.at_ms + EQUAL_MS < came.at_ms);
-        let twin = (first..self.before.len()).find(|at| is_pair(&self.before[*at], &came, EQUAL_MS));
+        let twin = (first..self.before.len()).take(SOUGHT_MAX).find(|at| is_pair(&self.before[*at], &came, EQUAL_MS));
         match twin {
             Some(twin) => {
                 let (before, now) = (front(&mut self.before, twin), std::mem::take(&mut self.now));
@@ -94,7 +96,7 @@ impl Matched {
         let decided_ms = at_ms.saturating_sub(MOVED_MS + EQUAL_MS);
         let is_late = |came: &CameMoment, waiting: usize| came.at_ms < decided_ms || waiting > WAITING_MAX;
         while let Some(before) = self.before.front().filter(|before| is_late(before, self.before.len())) {
-            let twin = self.now.iter().position(|now| is_pair(before, now, MOVED_MS));
+            let twin = moved_twin(before, &self.now);
             let Some(before) = self.before.pop_front() else { return };
             match twin {
                 Some(twin) => {
@@ -127,6 +129,12 @@ fn is_pair(before: &CameMoment, now: &CameMoment, apart_ms: u64) -> bool {
     before.at_ms.abs_diff(now.at_ms) <= apart_ms && same(&before.value, &now.value)
 }
 
+/// The place of the first moment that may be another one, moved.
+fn moved_twin(before: &CameMoment, now: &VecDeque<CameMoment>) -> Option<usize> {
+    let first = now.partition_point(|now| now.at_ms + MOVED_MS < before.at_ms);
+    (first..now.len()).take(SOUGHT_MAX).find(|at| is_pair(before, &now[*at], MOVED_MS))
+}
+
 /// Takes so many off the front.
 fn front(all: &mut VecDeque<CameMoment>, many: usize) -> VecDeque<CameMoment> {
     let rest = all.split_off(many);
@@ -136,7 +144,7 @@ fn front(all: &mut VecDeque<CameMoment>, many: usize) -> VecDeque<CameMoment> {
 /// Tells what became of all moments between two pairs.
 fn settle(before: VecDeque<CameMoment>, mut now: VecDeque<CameMoment>, out: &mut dyn FnMut(Found)) {
     for before in before {
-        match now.iter().position(|now| is_pair(&before, now, MOVED_MS)) {
+        match moved_twin(&before, &now) {
             Some(twin) => {
                 front(&mut now, twin).into_iter().for_each(|now| only_now(now, out));
                 if let Some(now) = now.pop_front() {

@@ -112,10 +112,10 @@ impl Past {
         segments + files + self.shapes.bytes() + self.series.bytes() + self.traces.bytes()
     }
 
-    /// Returns the last moment.
+    /// True if it goes on: then there is more when it is opened again.
     #[must_use]
-    pub fn until_ms(&self) -> u64 {
-        self.until_ms
+    pub fn goes_on(&self) -> bool {
+        self.goes_on
     }
 
     /// The place of the program that ran at a moment.
@@ -138,7 +138,7 @@ impl Past {
 
     /// The number of lines that are missing up to a moment.
     pub(crate) fn lost_until(&self, at_ms: u64) -> u64 {
-        self.lost.iter().filter(|(after_ms, _)| *after_ms <= at_ms).map(|(_, lost)| lost).sum()
+        self.lost.iter().filter(|(after_ms, _)| *after_ms <= at_ms).fold(0, |sum, (_, lost)| sum.saturating_add(*lost))
     }
 }
 

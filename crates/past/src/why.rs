@@ -3,7 +3,7 @@
 use crate::answer::unit_of;
 use crate::cut::cut;
 use crate::hook::Hook;
-use crate::past::Past;
+use crate::past::{Past, fitting};
 use crate::play::{TracedPlayer, play};
 use crate::program::PlayedProgram;
 use behaviour::{Helper, Id, Knowledge};
@@ -58,10 +58,10 @@ impl Past {
         let mut why = traced.tracer().tell(&cause);
         shorten(&mut why);
         let answers = |answers: &Answers| answers.why(&why).into_iter().map(|said| said_of(said, None)).collect();
-        let sentences = told(&self.programs[program], language, knowledge, &answers);
-        while recording::json(&why).len() > WHY_MAX_BYTES && why.steps.len() > 1 {
-            why.steps.pop();
-        }
+        let mut sentences = told(&self.programs[program], language, knowledge, &answers);
+        let many = fitting(&why.steps, WHY_MAX_BYTES).len().max(1);
+        why.steps.truncate(many);
+        sentences.truncate(many);
         Ok(ToldWhy { program, why, sentences, lost: self.lost_until(at_ms) })
     }
 

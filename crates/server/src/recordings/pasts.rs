@@ -41,8 +41,6 @@ pub(crate) struct LivePast {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pasts {
     kept: Arc<Mutex<KeptPasts>>,
-    /// Taken while one is opened: what is gathered for it is large.
-    opening: Arc<Mutex<()>>,
     places: Arc<Mutex<LookingPlaces>>,
 }
 
@@ -119,13 +117,11 @@ impl Recordings {
         if let Some(past) = lock(&self.pasts.kept).find(of, |_| !anew) {
             return Ok(past);
         }
-        let _opening = lock(&self.pasts.opening);
         let version = match of {
             PastOf::Recording(name) => Some(self.version(name)?),
             PastOf::Run(_) => None,
         };
-        let is_same =
-            |kept: &KeptPast| !anew || (version.is_some() && kept.version == version && !kept.past.about().goes_on);
+        let is_same = |kept: &KeptPast| !anew || (version.is_some() && kept.version == version && !kept.past.goes_on());
         if let Some(past) = lock(&self.pasts.kept).find(of, is_same) {
             return Ok(past);
         }

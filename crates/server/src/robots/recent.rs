@@ -30,6 +30,10 @@ pub(super) struct RecentReadings {
 struct Recent {
     began: String,
     parts: VecDeque<Part>,
+    /// The program that runs, with its revision.
+    program: Option<(Arc<BehaviourFile>, u64)>,
+    /// The memory of the run is not asked for before this time, as it was too large.
+    again_ms: u64,
     closed_ms: u64,
     /// Since when the run goes on; none once it ended.
     since: Option<Instant>,
@@ -40,12 +44,14 @@ struct Recent {
 }
 
 /// Some readings after a moment of which all is known.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Part {
     file: Arc<BehaviourFile>,
     revision: u64,
     /// The memory of the run; none where it began.
-    memory: Option<Box<Handover>>,
+    memory: Option<Arc<Handover>>,
+    /// Roughly the bytes of the memory.
+    memory_bytes: usize,
     from_ms: u64,
     readings: Vec<RecentReading>,
     bytes: usize,
@@ -113,8 +119,8 @@ impl RecentReadings {
         if recent.parts.is_empty() {
             recent.began = clock::ago(from_ms);
         }
-        let (file, memory) = (Arc::clone(file), memory.map(Box::new));
-        recent.push(Part { file, revision, memory, from_ms, readings: Vec::new(), bytes: 0, applied });
+        recent.program = Some((Arc::clone(file), revision));
+        recent.push(Part::of((Arc::clone(file), revision), memory, from_ms, applied));
     }
 
     /// A reading was admitted.
@@ -135,18 +141,15 @@ impl RecentReadings {
         let mut recent = lock(&self.inner);
         (recent.closed_ms, recent.due_ms) = (at_ms, due_ms);
         recent.forget(at_ms);
-        let Some(last) = recent.parts.back() else { return };
-        if at_ms < last.from_ms + PART_MS
-            && last.readings.len() < READINGS_MAX / 8
-            && last.readings_bytes() < KEPT_MAX_BYTES / 8
-        {
+        if at_ms < recent.again_ms || recent.parts.back().is_some_and(|last| !last.is_full(at_ms)) {
             return;
         }
-        let (file, revision) = (Arc::clone(&last.file), last.revision);
-        if let Some(memory) = memory().map(Box::new) {
-            let from_ms = at_ms + 1;
-            let readings = Vec::new();
-            recent.push(Part { file, revision, memory: Some(memory), from_ms, readings, bytes: 0, applied: false });
+        let (Some(program), Some(memory)) = (recent.program.clone(), memory()) else { return };
+        let part = Part::of(program, Some(memory), at_ms + 1, false);
+        if part.bytes > KEPT_MAX_BYTES {
+            recent.again_ms = at_ms + PART_MS;
+        } else {
+            recent.push(part);
         }
     }
 
@@ -162,7 +165,7 @@ impl RecentReadings {
         let recent = lock(&self.inner);
         let first = recent.parts.front()?;
         let (file, revision) = (Arc::clone(&first.file), first.revision);
-        let copy: Vec<Part> = recent.parts.iter().map(Part::copy).collect();
+        let copy: Vec<Part> = recent.parts.iter().cloned().collect();
         let (began, closed_ms) = (recent.began.clone(), recent.closed_by(now));
         drop(recent);
         let entries = copy.into_iter().enumerate().flat_map(|(at, part)| part.entries(at == 0)).collect();
@@ -179,8 +182,7 @@ impl Recent {
         now_ms.min(quiet_ms).max(self.closed_ms)
     }
 
-    fn push(&mut self, mut part: Part) {
-        part.bytes = part.memory.as_ref().map_or(0, |memory| memory.bytes());
+    fn push(&mut self, part: Part) {
         self.bytes += part.bytes;
         self.parts.push_back(part);
     }
@@ -199,21 +201,25 @@ impl Recent {
         }
         // So much came since the last moment that none was kept between: nothing is known but what comes now.
         if self.readings > 2 * READINGS_MAX || self.bytes > 2 * KEPT_MAX_BYTES {
-            let (began, closed_ms) = (std::mem::take(&mut self.began), self.closed_ms);
-            *self = Self { began, closed_ms, since: self.since, due_ms: self.due_ms, ..Self::default() };
+            self.parts.clear();
+            (self.readings, self.bytes, self.again_ms) = (0, 0, now_ms + PART_MS);
         }
     }
 }
 
 impl Part {
-    fn readings_bytes(&self) -> usize {
-        self.bytes - self.memory.as_ref().map_or(0, |memory| memory.bytes())
+    /// A part without readings.
+    fn of((file, revision): (Arc<BehaviourFile>, u64), memory: Option<Handover>, from_ms: u64, applied: bool) -> Self {
+        let memory_bytes = memory.as_ref().map_or(0, Handover::bytes);
+        let (memory, readings) = (memory.map(Arc::new), Vec::new());
+        Self { file, revision, memory, memory_bytes, from_ms, readings, bytes: memory_bytes, applied }
     }
 
-    fn copy(&self) -> Self {
-        let Self { file, revision, memory, from_ms, readings, bytes, applied } = self;
-        let (file, memory, readings) = (Arc::clone(file), memory.clone(), readings.clone());
-        Self { file, revision: *revision, memory, from_ms: *from_ms, readings, bytes: *bytes, applied: *applied }
+    /// True if another part is to begin.
+    fn is_full(&self, at_ms: u64) -> bool {
+        at_ms >= self.from_ms + PART_MS
+            || self.readings.len() >= READINGS_MAX / 8
+            || self.bytes - self.memory_bytes >= KEPT_MAX_BYTES / 8
     }
 
     /// The lines of a part. The first part says all that goes before; a later one goes on where the one before ended.
@@ -222,7 +228,9 @@ impl Part {
         let begins = is_first || applied;
         let took_over = (applied && !is_first).then(|| Entry::Applied { at_ms: at_ms.saturating_sub(1), revision });
         let ran = begins.then(|| Entry::File { at_ms, revision, file: Some(Box::new((*file).clone())) });
-        let memory = memory.filter(|_| is_first).map(|memory| Entry::Memory { at_ms, memory: Some(memory) });
+        let memory = memory
+            .filter(|_| is_first)
+            .map(|memory| Entry::Memory { at_ms, memory: Some(Box::new((*memory).clone())) });
         let value = move |reading: RecentReading| {
             let RecentReading { at_ms, stream, value, by } = reading;
             let stream = file.streams[stream.index()].id.clone();
@@ -244,9 +252,10 @@ fn bytes_of(value: &Value) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::RecentReadings;
+    use super::{PART_MS, RecentReadings};
     use behaviour::{BehaviourFile, Value};
-    use engine::StreamIx;
+    use engine::{Limits, Run, StreamIx};
+    use recording::Entry;
     use std::sync::Arc;
     use std::time::{Duration, Instant};
 
@@ -269,5 +278,25 @@ mod tests {
         recent.closed(60_400, None, || None);
         recent.end(since + Duration::from_millis(61_000));
         assert_eq!(closed(99_000), Some(61_000), "its end is the end");
+    }
+
+    #[test]
+    fn what_comes_after_too_much_is_known_again() {
+        let file = serde_json::json!({"format": "rrp-behaviour/1", "name": "Much", "helpers": [], "connectors": [],
+            "streams": [{"id": "word", "kind": "sensor", "name": "Word"}]});
+        let file: BehaviourFile = serde_json::from_value(file).unwrap();
+        let run = || Run::build(&file, Limits::default()).ok().map(|run| run.handover());
+        let (file, since) = (Arc::new(file.clone()), Instant::now());
+        let recent = RecentReadings::default();
+        recent.begin((&file, 1), None, (since, 0), false);
+        let large = Value::text("x".repeat(1 << 20));
+        (1..=17).for_each(|at_ms| recent.reading(at_ms, StreamIx::of(0), &large, None));
+        assert!(recent.copy(since).is_none(), "it is too much to be kept");
+        let later = PART_MS + 20;
+        recent.closed(later, None, run);
+        recent.reading(later + 5, StreamIx::of(0), &Value::text("Hello"), None);
+        let copy = recent.copy(since).unwrap();
+        assert!(copy.entries.iter().any(|entry| matches!(entry, Entry::Memory { memory: Some(_), .. })));
+        assert!(copy.entries.iter().any(|entry| matches!(entry, Entry::Value { at_ms, .. } if *at_ms == later + 5)));
     }
 }

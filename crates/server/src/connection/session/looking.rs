@@ -118,14 +118,14 @@ async fn answer(
 ) -> Result<answer::Past, Refused> {
     let edited = edited(&state, &question, &sender).await?;
     let (around, opens) = (Arc::clone(&state), matches!(*question, PastQuestion::Open));
-    let made = state.analyses.run(sender, move |token| {
+    let made = state.analyses.run(sender.clone(), move |token| {
         let past = around.recordings.look_back(&of, opens, |run| around.robots.live_past(run), token)?;
         let answer = told(&past, &question, edited, &around, token).map_err(Refused::NotSeen)?;
         Ok::<_, Refused>((past, answer))
     });
     let (past, answer) = made.await??;
     if opens {
-        trace_later(&state, &past);
+        trace_later(&state, &past, sender);
     }
     within_a_message(recording::json(&answer)).map(|answer| answer::Past { answer })
 }
@@ -182,12 +182,12 @@ fn told(
     }
 }
 
-/// Prepares causes behind what people wait for.
-fn trace_later(state: &Arc<ServerState>, past: &Arc<Past>) {
+/// Prepares causes behind what people wait for, in the share of whoever opened the past.
+fn trace_later(state: &Arc<ServerState>, past: &Arc<Past>, sender: Sender) {
     // One that is not kept any more by then needs none.
     let (analyses, past) = (state.analyses.clone(), Arc::downgrade(past));
     state.tasks.spawn(async move {
-        let traced = analyses.run(Sender::Server, move |token| {
+        let traced = analyses.run(sender, move |token| {
             let hook: Hook = Rc::new(Until::after(TRACE_MS, token).hook());
             past.upgrade().map_or(Ok(()), |past| past.trace(&hook))
         });
