@@ -176,11 +176,14 @@ impl PastShared {
     /// Begins to look at what was asked for.
     fn begin(self) {
         // Whoever comes by the address is here before the server has greeted; a link that broke comes back.
-        Effect::new(move |_| {
-            let desk = self.desk.desk();
-            if desk.online.get() == LinkState::Online && self.opened.with_untracked(Option::is_none) {
+        Effect::new(move |was_online: Option<bool>| {
+            let is_online = self.desk.desk().online.get() == LinkState::Online;
+            if is_online && self.opened.with_untracked(Option::is_none) {
                 untrack(|| self.open_wanted());
+            } else if is_online && was_online == Some(false) {
+                untrack(|| self.ask_again());
             }
+            is_online
         });
         // Another stream may be asked for while the panel is open.
         Effect::new(move |before: Option<Option<OpenPast>>| {

@@ -60,12 +60,36 @@ impl PastShared {
     /// Opens a past.
     pub(super) fn open(self, of: Option<PastOf>) {
         let Some(of) = of else { return self.trouble.set(Some(words::no_past_yet().to_owned())) };
+        if self.of.with_value(|before| before.as_ref() != Some(&of)) {
+            self.leave_past();
+        }
         self.of.set_value(Some(of));
         self.ask(PastQuestion::Open, move |answer| {
             if let Some(PastAnswer::Opened(opened)) = answer {
                 self.show(*opened.clone());
             }
         });
+    }
+
+    /// Forgets all of the past that was looked at: nothing of it gets into the next one.
+    fn leave_past(self) {
+        if self.compare.is_on.get_untracked() {
+            self.toggle_compare();
+        }
+        self.compare.forget();
+        self.then.forget();
+        self.asked.set_value(AskedLanes::default());
+        self.opened.set(None);
+    }
+
+    /// The link is back: lanes that were not answered meanwhile are asked for again, and so is the moment.
+    pub(super) fn ask_again(self) {
+        self.asked.update_value(|asked| {
+            asked.whole.clear();
+            asked.seen = None;
+        });
+        self.fetch();
+        self.show_moment_again();
     }
 
     /// Shows what was opened.
@@ -129,6 +153,9 @@ impl PastShared {
 
     /// A run that goes on is longer every second.
     fn go_on(self) {
+        if let Some(before) = self.looking.get_value() {
+            before.clear();
+        }
         let look = move || {
             if self.is_gone() {
                 return;
@@ -321,9 +348,9 @@ impl PastShared {
     /// Asks; the answer is none if it is a no, which is told, or if the link is down.
     pub(super) fn ask(self, question: PastQuestion, then: impl FnOnce(Option<&PastAnswer>) + 'static) {
         let Some(past) = self.of.get_value() else { return };
-        let request = request::LookBack { past, question: Box::new(question) };
+        let request = request::LookBack { past: past.clone(), question: Box::new(question) };
         self.desk.desk().look_up(request, move |answer| {
-            if self.is_gone() {
+            if self.is_gone() || self.of.with_value(|of| of.as_ref() != Some(&past)) {
                 return;
             }
             match answer {

@@ -128,6 +128,13 @@ impl CompareState {
         }
     }
 
+    /// Forgets what was asked of a past.
+    pub(super) fn forget(self) {
+        self.wish.set_value(NewestWish::default());
+        self.changes.set(None);
+        self.trouble.set(None);
+    }
+
     /// The past is longer than before.
     pub(super) fn goes_on(self) {
         if self.is_on.get_untracked() {
@@ -168,10 +175,18 @@ impl PastShared {
     fn end_compare(self) {
         let (compare, strange) = (self.compare, self.compare.strange.get_value());
         let order = compare.order.get_value();
+        // The past itself has no such streams, and nothing can be asked about them.
+        if !strange.is_empty() {
+            self.opened.update(|opened| {
+                if let Some(opened) = opened {
+                    Arc::make_mut(opened).streams.retain(|one| !strange.contains(&one.stream));
+                }
+            });
+        }
         self.viewer.update(|viewer| {
             viewer.set_compared(None);
-            for stream in strange {
-                if let Some(at) = viewer.lanes().iter().position(|lane| lane.key == stream) {
+            for stream in &strange {
+                if let Some(at) = viewer.lanes().iter().position(|lane| lane.key == *stream) {
                     viewer.remove_lane(at);
                 }
             }
@@ -275,9 +290,9 @@ impl PastShared {
             return self.no_comparison(words::open_to_compare().to_owned());
         };
         let form = compare.form.get_untracked();
-        let request = request::LookBack { past, question: Box::new(question) };
+        let request = request::LookBack { past: past.clone(), question: Box::new(question) };
         self.desk.desk().look_up(request, move |answer| {
-            if self.is_gone() {
+            if self.is_gone() || self.of.with_value(|of| of.as_ref() != Some(&past)) {
                 return;
             }
             let mut again = compare.wish.try_update_value(NewestWish::answered) == Some(true);

@@ -52,6 +52,8 @@ pub(super) struct ThenState {
     pub(super) is_same: RwSignal<bool>,
     /// The reasons that are told.
     pub(super) answer: RwSignal<Option<ShownAnswer>>,
+    /// The number of the newest question for reasons: an answer to an older one is too late.
+    questions: StoredValue<u32>,
     /// True while the lanes are folded away, so that the graph has their room.
     pub(super) is_folded: RwSignal<bool>,
 }
@@ -64,8 +66,31 @@ impl ThenState {
             at: RwSignal::new(None),
             is_same: RwSignal::new(false),
             answer: RwSignal::new(None),
+            questions: StoredValue::new(0),
             is_folded: RwSignal::new(false),
         }
+    }
+}
+
+impl ThenState {
+    /// Begins another question for reasons, or none: no answer to an older one is shown from now on.
+    pub(super) fn another_question(self) -> u32 {
+        self.questions
+            .try_update_value(|questions| {
+                *questions = questions.wrapping_add(1);
+                *questions
+            })
+            .unwrap_or_default()
+    }
+
+    /// True if nothing else was asked since.
+    pub(super) fn is_newest(self, question: u32) -> bool {
+        self.questions.try_get_value() == Some(question)
+    }
+
+    /// Forgets what was asked of a past.
+    pub(super) fn forget(self) {
+        self.asked.set_value(AskedMoments::default());
     }
 }
 
@@ -96,6 +121,13 @@ impl PastShared {
             open
         });
         on_cleanup(move || self.leave_then());
+    }
+
+    /// Asks once more for the moment that is wanted.
+    pub(super) fn show_moment_again(self) {
+        let at = untrack(|| self.wanted_moment());
+        self.then.asked.update_value(|asked| asked.wanted = at);
+        self.ask_moment();
     }
 
     /// The program that was opened may be the one that ran.
@@ -269,8 +301,11 @@ impl PastShared {
 
     /// Following ends at the moment under the cursor, and as soon as that is shown it is asked why.
     pub(super) fn rest_then_ask(self) {
-        self.then.asked.update_value(|asked| asked.asks_why = true);
         self.seek(self.viewer.with_untracked(lanes::Viewer::cursor));
+        // It is asked also where the cursor stands there already.
+        let at = untrack(|| self.wanted_moment());
+        self.then.asked.update_value(|asked| (asked.asks_why, asked.wanted) = (at.is_some(), at));
+        self.ask_moment();
     }
 
     /// Asks for the numbers shortly before a moment, for the sparklines.
@@ -312,9 +347,10 @@ impl PastShared {
     /// The graph shows now again.
     fn leave_then(self) {
         let is_shown = self.then.at.try_get_untracked().flatten().is_some();
+        self.then.another_question();
         let desk = self.desk.desk();
         self.then.asked.try_update_value(|asked| {
-            (asked.wanted, asked.sparks, asked.shown) = (None, None, None);
+            (asked.wanted, asked.sparks, asked.shown, asked.asks_why) = (None, None, None, false);
         });
         if !is_shown && desk.then.with_untracked(Option::is_none) {
             return;

@@ -35,7 +35,15 @@ struct AnswerLine {
     t: Option<u64>,
     branches: Vec<AnswerBranch>,
     /// With which number it would have come, where that is known and the open program is the one that ran.
-    fix: Option<NumberFix>,
+    fix: Option<AnswerFix>,
+}
+
+/// A number with which it would have come.
+#[derive(Clone, Debug, PartialEq)]
+struct AnswerFix {
+    number: NumberFix,
+    /// The operation that ran, in whose body the number stands.
+    ran: Operation,
 }
 
 /// A question: a stream and a moment since Start.
@@ -151,10 +159,11 @@ impl PastShared {
             let asked = AskedReason { stream, at, is_not: false };
             return self.refuse(asked, words::nothing_came_until_then().to_owned());
         };
+        let mine = self.then.another_question();
         // Of several values at this very time the newest is meant.
         let lanes = vec![LaneName { stream: stream.to_string(), field: None }];
         self.ask(PastQuestion::Lanes { lanes, from_ms: at, to_ms: at + 1, columns: 1 }, move |answer| {
-            let Some(PastAnswer::Lanes(lanes)) = answer else { return };
+            let Some(PastAnswer::Lanes(lanes)) = answer.filter(|_| self.then.is_newest(mine)) else { return };
             let count = match lanes.first().map(|lane| &lane.values) {
                 Some(LaneValues::Each(values)) => values.len(),
                 Some(LaneValues::Columns(columns)) => columns.first().map_or(0, |column| column.count as usize),
@@ -167,7 +176,7 @@ impl PastShared {
                 language: language().code().to_owned(),
             };
             self.ask(question, move |answer| {
-                if let Some(PastAnswer::Why(told)) = answer {
+                if let Some(PastAnswer::Why(told)) = answer.filter(|_| self.then.is_newest(mine)) {
                     self.show_why(AskedReason { stream, at, is_not: false }, told);
                 }
             });
@@ -191,8 +200,9 @@ impl PastShared {
             until_ms: at,
             language: language().code().to_owned(),
         };
+        let mine = self.then.another_question();
         self.ask(question, move |answer| {
-            if let Some(PastAnswer::WhyNot(told)) = answer {
+            if let Some(PastAnswer::WhyNot(told)) = answer.filter(|_| self.then.is_newest(mine)) {
                 self.show_why_not(asked, told);
             }
         });
@@ -254,11 +264,17 @@ impl PastShared {
     fn show_why_not(self, asked: AskedReason, told: &ToldWhy<WhyNot>) {
         let Some(opened) = self.opened.get_untracked() else { return };
         let is_same = self.then.is_same.get_untracked();
+        let document = self.desk.desk().document;
+        let fix = |number: &NumberFix| {
+            let signals = document.connector(&Id::new(&number.connector).ok()?)?;
+            let ran = signals.record.with_untracked(|record| record.operation.clone());
+            Some(AnswerFix { number: number.clone(), ran })
+        };
         let line = |sentence: &WhySentence| AnswerLine {
             text: in_times_of_day(&opened, &sentence.text),
             t: sentence.t,
             branches: Vec::new(),
-            fix: sentence.fix.clone().filter(|_| is_same),
+            fix: sentence.fix.as_ref().filter(|_| is_same).and_then(fix),
         };
         let lines = told.sentences.iter().map(line).collect();
         let mut way = Lit { streams: vec![asked.stream.clone()], ..Lit::default() };
@@ -278,14 +294,14 @@ impl PastShared {
 
     /// Puts the number with which it would have come into the program of today, as a change that can be taken back; `done` hears
     /// that it is saved.
-    fn take_fix(self, fix: &NumberFix, done: impl FnOnce() + 'static) {
+    fn take_fix(self, AnswerFix { number: fix, ran }: &AnswerFix, done: impl FnOnce() + 'static) {
         let desk = self.desk.desk();
         let Ok(id) = Id::new(&fix.connector) else { return };
         let after = desk.clone();
         desk.document.with_now(|document| {
             let now = document.behaviour();
             let seen = now.connector(&id).cloned();
-            let operation = seen.as_ref().and_then(|seen| with_number(&seen.operation, fix));
+            let operation = seen.as_ref().and_then(|seen| with_number(&seen.operation, ran, fix));
             let (Some(seen), Some(operation)) = (seen, operation) else {
                 return after.say(words::fix_is_late(), true);
             };
@@ -313,6 +329,7 @@ impl PastShared {
 
     /// Closes the answer; the keyboard goes back to the panel.
     fn close_answer(self) {
+        self.then.another_question();
         self.then.answer.set(None);
         self.viewer.update(|viewer| viewer.set_question(None));
         self.desk.desk().document.lit.set(Lit::default());
@@ -330,8 +347,11 @@ fn fix_words(fix: &NumberFix) -> String {
     words::with_unit(short_value(&Value::Float(fix.to)), &fix.unit)
 }
 
-/// An operation with the number of a fix in its body; none if another number stands there by now.
-fn with_number(operation: &Operation, fix: &NumberFix) -> Option<Operation> {
+/// An operation with the number of a fix in its body; none if it is another one by now than the one that ran.
+fn with_number(operation: &Operation, ran: &Operation, fix: &NumberFix) -> Option<Operation> {
+    if operation != ran {
+        return None;
+    }
     let mut operation = operation.clone();
     let Procedure::Body { body, .. } = operation.procedure_mut()? else { return None };
     let stands = body.get(fix.start..fix.end)?.trim().parse::<f64>().ok()?;
@@ -403,9 +423,12 @@ mod tests {
             written: "0.95".into(),
             unit: "cm".into(),
         };
-        assert_eq!(with_number(&test("distance < 0.75"), &fix), Some(test("distance < 0.95")));
-        assert_eq!(with_number(&test("distance < 0.80"), &fix), None, "somebody changed it since");
-        assert_eq!(with_number(&test("d < 1"), &fix), None);
+        let ran = test("distance < 0.75");
+        assert_eq!(with_number(&ran, &ran, &fix), Some(test("distance < 0.95")));
+        assert_eq!(with_number(&test("distance < 0.80"), &ran, &fix), None, "somebody changed it since");
+        assert_eq!(with_number(&test("distance < 0.755"), &ran, &fix), None, "it only begins with the number");
+        assert_eq!(with_number(&test("d < 1"), &ran, &fix), None);
+        assert_eq!(with_number(&test("d < 1"), &test("d < 1"), &fix), None);
     }
 
     #[test]

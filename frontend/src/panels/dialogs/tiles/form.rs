@@ -44,7 +44,8 @@ impl TileEditing {
     fn follow_moves(self) {
         Effect::new(move |_| {
             let (now, seen) = (self.now.get(), self.seen.get());
-            if now == seen || seen.is_none() {
+            // While one's own is being saved the tile is another one here already.
+            if self.busy.get() || now == seen || seen.is_none() {
                 return;
             }
             let at = self

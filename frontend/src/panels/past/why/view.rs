@@ -2,7 +2,7 @@
 
 use super::super::PastShared;
 use super::super::media::page_element as element;
-use super::{AnswerLine, ShownAnswer, fix_words};
+use super::{AnswerFix, AnswerLine, ShownAnswer, fix_words};
 use crate::browser;
 use crate::desk::{Document, Lit};
 use crate::icons::Icon;
@@ -14,7 +14,7 @@ use behaviour::Id;
 use lanes::Density;
 use leptos::portal::Portal;
 use leptos::prelude::*;
-use protocol::{NumberFix, Role};
+use protocol::Role;
 use wasm_bindgen::JsCast;
 
 /// The id of the answer.
@@ -115,7 +115,9 @@ fn Answer(past: PastShared, answer: ShownAnswer) -> impl IntoView {
     let is_not = answer.asked.is_not;
     let note = answer.note.clone();
     let lines: Vec<_> = answer.lines.iter().cloned().enumerate().collect();
-    let lines = lines.into_iter().map(|(at, line)| view! { <Line past at line is_not /> }).collect_view();
+    // Undo takes back the newest change: only beside that one it is offered.
+    let made = RwSignal::new(None);
+    let lines = lines.into_iter().map(|(at, line)| view! { <Line past at line is_not made /> }).collect_view();
     view! {
         <div class="why" class:why-not=is_not id=ANSWER_ID tabindex="-1" role="group" aria-label=answer.title.clone()>
             <div class="why-head">
@@ -130,7 +132,7 @@ fn Answer(past: PastShared, answer: ShownAnswer) -> impl IntoView {
 
 /// A step: it goes to its moment; below it what was used besides, which goes to its own.
 #[component]
-fn Line(past: PastShared, at: usize, line: AnswerLine, is_not: bool) -> impl IntoView {
+fn Line(past: PastShared, at: usize, line: AnswerLine, is_not: bool, made: RwSignal<Option<usize>>) -> impl IntoView {
     let go = move |t: u64| {
         let from = past.opened.get_untracked().map_or(0, |opened| opened.from_ms);
         past.seek(t.saturating_sub(from) as f64);
@@ -159,32 +161,32 @@ fn Line(past: PastShared, at: usize, line: AnswerLine, is_not: bool) -> impl Int
     };
     let branches = (!branches.is_empty())
         .then(|| view! { <ul class="why-branches">{branches.into_iter().map(branch).collect_view()}</ul> });
-    let fix = fix.map(|fix| view! { <Fixing past fix /> });
+    let fix = fix.map(|fix| view! { <Fixing past at fix made /> });
     view! { <li class:nearest=is_not && at == 0>{step}{branches}{fix}</li> }
 }
 
 /// The number with which it would have come, as a change of the program of today that can be taken back.
 #[component]
-fn Fixing(past: PastShared, fix: NumberFix) -> impl IntoView {
-    let number = fix_words(&fix);
-    let (made, fix) = (RwSignal::new(false), StoredValue::new(fix));
+fn Fixing(past: PastShared, at: usize, fix: AnswerFix, made: RwSignal<Option<usize>>) -> impl IntoView {
+    let number = fix_words(&fix.number);
+    let fix = StoredValue::new(fix);
     // The role decides alone here: while people look back nobody may edit.
     let may = move || past.desk.desk().role.get().is_none_or(|role| role >= Role::Editor);
     let take = move |_| {
         fix.with_value(|fix| {
             past.take_fix(fix, move || {
-                made.try_set(true);
+                made.try_set(Some(at));
             });
         });
     };
     let undo = move |_| {
         past.desk.desk().document.with_now(Document::undo);
-        made.set(false);
+        made.set(None);
     };
     let said = words::fix_made(&number);
     let label = words::make_it(&number);
     let button = move || {
-        if made.get() {
+        if made.get() == Some(at) {
             let said = said.clone();
             view! { <p role="status">{said}" "<button class="link" type="button" on:click=undo>{words::undo()}</button></p> }.into_any()
         } else {
