@@ -47,14 +47,14 @@ async function table(code) {
 // Stop speaks it too.
 function sayStop(text, code) {
   const said = new Map(text.split("\n\n").map((block) => block.split("\n").filter((line) => line && !line.startsWith("#"))));
-  for (const key of Object.keys(words)) words[key] = said.get(words[key]) ?? words[key];
+  for (const key of Object.keys(words)) words[key] = said.get(`stop.${key}`) ?? words[key];
   const button = document.getElementById("stop");
-  button.title = said.get(button.title) ?? button.title;
-  form.setAttribute("aria-label", said.get(form.getAttribute("aria-label")) ?? form.getAttribute("aria-label"));
+  button.title = said.get("stop.title") ?? button.title;
+  form.setAttribute("aria-label", said.get("stop.label") ?? form.getAttribute("aria-label"));
   const label = button.querySelector("span");
-  label.textContent = said.get(label.textContent) ?? label.textContent;
+  label.textContent = said.get("stop.button") ?? label.textContent;
   const loading = document.getElementById("loading");
-  if (loading) loading.textContent = said.get(loading.textContent) ?? loading.textContent;
+  if (loading) loading.textContent = said.get("stop.loading") ?? loading.textContent;
   document.documentElement.lang = code;
 }
 

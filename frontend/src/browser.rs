@@ -56,7 +56,7 @@ pub(crate) fn today_ms() -> f64 {
 
 /// In which language days and times are said.
 fn locale() -> &'static str {
-    if crate::words::language::is_second() { "ja" } else { "en-GB" }
+    crate::words::language::spoken().locale
 }
 
 /// A time since 1970 as a day, in words: `12 Mar 2026`.

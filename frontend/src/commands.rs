@@ -336,7 +336,7 @@ impl PageCommand {
     /// Whether all words that are looked for are in its name or in what it is about.
     pub(crate) fn is_meant(&self, search: &str) -> bool {
         let (group, label) = (self.group.label(), (self.label)());
-        let english = [group, label].map(words::language::english).join(" ");
+        let english = words::language::in_english(|| [self.group.label(), (self.label)()].join(" "));
         let name = format!("{group} {label} {} {english}", self.keys).to_lowercase();
         search.to_lowercase().split_whitespace().all(|word| name.contains(word))
     }

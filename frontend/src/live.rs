@@ -95,7 +95,7 @@ fn about_bytes(value: &Value) -> usize {
 pub(crate) struct LiveConnector {
     pub(crate) fired: u64,
     pub(crate) faults: u64,
-    pub(crate) error: Option<String>,
+    pub(crate) error: Option<phrase::Phrase>,
     /// When the page first heard that it failed (`performance.now()`).
     pub(crate) failed_at: f64,
     /// When the page last heard that it fired (`performance.now()`).

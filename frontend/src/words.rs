@@ -1,21 +1,30 @@
 //! Every sentence of the page, in English where it is made; `language` has the others.
 
-/// Sentences without holes, a function each.
+/// Sentences without holes, a function each, of which the name is the key.
 macro_rules! sentences {
     ($($name:ident: $text:literal;)*) => {
-        $(pub(crate) fn $name() -> &'static str { $crate::words::language::said($text) })*
+        $(pub(crate) fn $name() -> &'static str { said!($name: $text) })*
     };
 }
 
-/// A sentence with holes, each with a name, in the language of the page.
+/// A sentence without holes by its key, in the language of the page.
+macro_rules! said {
+    ($key:ident: $text:literal $(,)?) => {
+        $crate::words::language::keyed(const { ::phrase::key_of(stringify!($key)) }, $text)
+    };
+}
+
+/// A sentence with holes by its key, each hole with a name, in the language of the page.
 macro_rules! say {
     (@of $name:ident) => { $name };
     (@of $name:ident $value:expr) => { $value };
-    ($text:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
-        match $crate::words::language::told($text) {
-            Some(told) => $crate::words::language::fill(told, &[$((stringify!($name), &say!(@of $name $($value)?))),*]),
-            None => format!($text, $($name = say!(@of $name $($value)?)),*),
-        }
+    ($key:ident: $text:literal $(,)?) => { said!($key: $text).to_owned() };
+    ($key:ident: $text:literal $(, $name:ident $(= $value:expr)?)+ $(,)?) => {
+        $crate::words::language::fill_keyed(
+            const { ::phrase::key_of(stringify!($key)) },
+            $text,
+            &[$((stringify!($name), &say!(@of $name $($value)?))),+],
+        )
     };
 }
 
@@ -27,4 +36,4 @@ pub(crate) mod language;
 mod others_tests;
 
 pub(crate) use en::*;
-pub(crate) use language::translated;
+pub(crate) use language::{shown, shown_within, word_of};

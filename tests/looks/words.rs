@@ -20,7 +20,11 @@ impl Words {
             let mut lines = block.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
             Some((lines.next()?.to_owned(), lines.next()?.to_owned()))
         };
-        Ok(Words { code: "ja", table: text.split("\n\n").filter_map(block).collect() })
+        let own: BTreeMap<String, String> = text.split("\n\n").filter_map(block).collect();
+        let said = |(key, english): (String, String)| Some((english, own.get(&key)?.clone()));
+        let words = own.iter().filter_map(|(key, said)| Some((key.strip_prefix("word.")?.to_owned(), said.clone())));
+        let table = words.chain(english()?.into_iter().filter_map(said)).collect();
+        Ok(Words { code: "ja", table })
     }
 
     pub(crate) fn code(&self) -> &'static str {
@@ -70,4 +74,34 @@ mod tests {
         assert_eq!((english.stream("Far").as_str(), japanese.stream("Far").as_str()), ("Far, *", "Far、*"));
         Ok(())
     }
+}
+
+/// The keys of the page's sentences and of Stop's words, and the English of each, as they stand in the code.
+fn english() -> Outcome<Vec<(String, String)>> {
+    let folder = house::root().join("frontend/src/words");
+    let mut files = vec![folder.join("en.rs")];
+    for entry in std::fs::read_dir(folder.join("en"))? {
+        files.push(entry?.path());
+    }
+    files.sort();
+    let mut found = Vec::new();
+    for file in files {
+        let source = std::fs::read_to_string(file)?;
+        for (at, _) in source.match_indices(": \"") {
+            let key = source[..at].rsplit(|letter: char| !letter.is_alphanumeric() && letter != '_').next();
+            let english = source[at + 3..].split('"').next().unwrap_or_default();
+            found.extend(key.map(|key| (key.to_owned(), english.to_owned())));
+        }
+    }
+    let stop = [
+        ("stop.button", "Stop"),
+        ("stop.label", "Stop the robot"),
+        ("stop.title", "Stop the robot (Esc Esc)"),
+        ("stop.stopped", "Stopped. The robot holds still."),
+        ("stop.stopping", "Stopping …"),
+        ("stop.loading", "Opening …"),
+        ("stop.reload", "Open again"),
+    ];
+    found.extend(stop.map(|(key, english)| (key.to_owned(), english.to_owned())));
+    Ok(found)
 }

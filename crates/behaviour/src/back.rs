@@ -1,6 +1,7 @@
 //! Back to what was: a whole revision again, or what one change removed, each as one new change.
 
 use crate::{Behaviour, Change, Edit, FillFrom, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
+use phrase::{Phrase, phrase};
 
 /// Records of a removal that are tried one by one, if not all of them can come back.
 const ONE_BY_ONE_MAX: usize = 64;
@@ -76,18 +77,20 @@ impl Room {
 
 /// Names the thing that a change took away, as people call it: “Distance”, the map; none if it took several streams.
 #[must_use]
-pub fn what_went(removal: &Change) -> Option<String> {
+pub fn what_went(removal: &Change) -> Option<Phrase> {
     let gone = removal.edits.iter().filter(|edit| edit.after.is_none()).filter_map(|edit| edit.before.as_ref());
     let mut streams = gone.clone().filter_map(|record| match record {
-        Record::Stream(stream) => Some(format!("“{}”", stream.name)),
+        Record::Stream(stream) => Some(phrase!("called.Stream", "“{name}”", name = stream.name)),
         _ => None,
     });
     match (streams.next(), streams.next()) {
         (Some(one), None) => Some(one),
         (Some(_), Some(_)) => None,
         (None, _) => gone.clone().find_map(|record| match record {
-            Record::Connector(connector) => Some(format!("the {}", connector.operation.word())),
-            Record::Helper(helper) => Some(format!("the helper “{}”", helper.name)),
+            Record::Connector(connector) => {
+                Some(phrase!("called.Connector", "the {word}", word = Phrase::word(connector.operation.word())))
+            }
+            Record::Helper(helper) => Some(phrase!("called.Helper", "the helper “{name}”", name = helper.name)),
             _ => None,
         }),
     }
@@ -187,7 +190,7 @@ mod tests {
         let was = room.behaviour().clone();
         let gone = ["stream/b", "connector/m", "connector/n", "place/b"];
         let removal = take(&mut room, "gone", &gone);
-        assert_eq!(super::what_went(&removal).as_deref(), Some("“b”"));
+        assert_eq!(super::what_went(&removal), Some("“b”".into()));
         let back = room.bring_back(&removal, change("back"), &AnyKnowledge).unwrap().unwrap();
         make(&mut room, back);
         assert_eq!(*room.behaviour(), was);
@@ -209,7 +212,7 @@ mod tests {
     fn what_stands_in_the_way_is_said() {
         let mut room = room();
         let removal = take(&mut room, "gone", &["connector/n", "place/b"]);
-        assert_eq!(super::what_went(&removal).as_deref(), Some("the map"));
+        assert_eq!(super::what_went(&removal), Some("the map".into()));
         put(&mut room, "instead", vec![map("o", "a", "c")]);
         let refused = room.bring_back(&removal, change("back"), &AnyKnowledge);
         assert_eq!(refused, Err(Refusal::SecondInput("c".into())));

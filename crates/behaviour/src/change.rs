@@ -1,6 +1,7 @@
 //! A change: one gesture of one person. It adds, edits, removes, undoes, is broadcast, saved and shown as history.
 
 use crate::{Behaviour, Id, Record, RecordId};
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// One record before and after; absent means it was, or is, not there.
@@ -25,8 +26,8 @@ pub struct Change {
     pub op: Id,
     /// The name of the person who made it.
     pub author: String,
-    /// A label of a few words that says the effect: "Rename Red Ball".
-    pub label: String,
+    /// Says the effect in a few words: "Rename Red Ball". Older versions wrote a text, which stays as it is.
+    pub label: Phrase,
     /// The time when it was made, in milliseconds since 1970, as the server's clock had it on arrival.
     pub at_ms: u64,
     /// The id of the person, which stays when their name does not. The server says it, whatever its sender wrote; none in
@@ -43,8 +44,8 @@ pub struct Change {
 impl Change {
     /// A change without edits yet.
     #[must_use]
-    pub fn of(op: Id, author: &str, label: &str) -> Self {
-        let (author, label) = (author.to_owned(), label.to_owned());
+    pub fn of(op: Id, author: &str, label: impl Into<Phrase>) -> Self {
+        let (author, label) = (author.to_owned(), label.into());
         Self { op, author, label, at_ms: 0, by: None, undoes: None, edits: Vec::new() }
     }
 
@@ -82,7 +83,7 @@ impl Change {
 
     /// The change that undoes this one, under a new name.
     #[must_use]
-    pub fn swapped(&self, op: Id, label: &str) -> Self {
+    pub fn swapped(&self, op: Id, label: impl Into<Phrase>) -> Self {
         let edits = self.edits.iter().rev();
         let edits =
             edits.map(|edit| Edit { id: edit.id.clone(), before: edit.after.clone(), after: edit.before.clone() });

@@ -1,6 +1,7 @@
 //! Named checkpoints: revisions of a behaviour that somebody gave a name, to find and compare them later.
 
 use crate::{Refusal, has_unseen, without_unseen};
+use phrase::{Phrase, phrase};
 use serde::{Deserialize, Serialize};
 
 /// The longest name of a checkpoint, in characters.
@@ -47,10 +48,14 @@ impl Checkpoints {
     /// Refuses an unfit name, a revision that is not there yet, and names beyond the most that are kept.
     pub fn add(&mut self, newest: u64, wanted: Checkpoint) -> Result<Checkpoint, Refusal> {
         if wanted.revision > newest {
-            return Err(Refusal::Malformed(format!("there is no revision {} yet", wanted.revision)));
+            return Err(Refusal::Malformed(phrase!(
+                "checkpoints.later",
+                "there is no revision {revision} yet",
+                revision = wanted.revision
+            )));
         }
         if self.0.len() >= CHECKPOINTS_MAX {
-            return Err(Refusal::TooMany("named versions".into(), CHECKPOINTS_MAX));
+            return Err(Refusal::TooMany(Phrase::word("named versions"), CHECKPOINTS_MAX));
         }
         let (name, by) = (self.check_name(&wanted.name)?, without_unseen(&wanted.by));
         let made = Checkpoint { name, by, ..wanted };
@@ -68,7 +73,7 @@ impl Checkpoints {
     fn check_name(&self, name: &str) -> Result<String, Refusal> {
         let name = name.trim();
         if name.chars().count() > CHECKPOINT_NAME_MAX_CHARS {
-            return Err(Refusal::TooLong("This name".into(), CHECKPOINT_NAME_MAX_CHARS));
+            return Err(Refusal::TooLong(Phrase::word("this name"), CHECKPOINT_NAME_MAX_CHARS));
         }
         if name.is_empty() || name.chars().any(char::is_control) {
             return Err(Refusal::Name(without_unseen(name)));

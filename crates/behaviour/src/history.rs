@@ -1,9 +1,11 @@
 //! The check that a history from elsewhere, such as a backup, is one that rooms can have made.
 
+use crate::labels::LABEL_MAX_BYTES;
 use crate::room::check_whole;
 use crate::rules;
 use crate::size::Size;
 use crate::{AnyKnowledge, Behaviour, Change, Id, Kind, LookupSet, NAME_MAX_CHARS, RecordId, Refusal, without_unseen};
+use phrase::{Phrase, Phrased, phrase};
 
 /// A behaviour as its changes make it from nothing, one after the other, each decided about as a room would have.
 ///
@@ -30,7 +32,7 @@ impl History {
     /// Refuses a change that no room can have made; then this history is of no more use.
     pub fn take(&mut self, change: &Change) -> Result<(), Refusal> {
         if !self.seen.insert(change.op.clone()) {
-            return Err(Refusal::Malformed(format!("the change {} twice", change.op)));
+            return Err(Refusal::Malformed(phrase!("history.twice", "the change {op} twice", op = change.op)));
         }
         check_whole(change)?;
         check_said(change)?;
@@ -59,13 +61,13 @@ impl History {
     fn check_fits(&self, change: &Change) -> Result<(), Refusal> {
         change.edits.iter().try_for_each(|edit| {
             if (edit.id.kind == Kind::Helper) != self.is_library {
-                return Err(Refusal::Malformed(edit.id.to_string()));
+                return Err(Refusal::Malformed(edit.id.phrase()));
             }
             if edit.id == RecordId::settings() && edit.after.is_none() {
-                return Err(Refusal::Malformed("the settings cannot be removed".into()));
+                return Err(Refusal::Malformed(Phrase::word("the settings cannot be removed")));
             }
             let fits = self.behaviour.records.get(&edit.id) == edit.before.as_ref();
-            if fits { Ok(()) } else { Err(Refusal::Stale(edit.id.to_string())) }
+            if fits { Ok(()) } else { Err(Refusal::Stale(edit.id.phrase())) }
         })
     }
 }
@@ -73,7 +75,14 @@ impl History {
 /// Checks the author and the label of a change. Rooms leave out characters that are not seen, so that a text with
 /// control characters comes from elsewhere.
 fn check_said(change: &Change) -> Result<(), Refusal> {
-    [&change.label, &change.author].into_iter().try_for_each(|text| check_person(text))
+    if change.label.bytes() > LABEL_MAX_BYTES {
+        return Err(Refusal::TooLong(Phrase::word("the label"), LABEL_MAX_BYTES));
+    }
+    let label = change.label.to_string();
+    if label.chars().any(char::is_control) {
+        return Err(Refusal::Unseen(without_unseen(&label).chars().take(40).collect()));
+    }
+    check_person(&change.author)
 }
 
 /// Checks that a person can have this name.
@@ -82,7 +91,7 @@ fn check_said(change: &Change) -> Result<(), Refusal> {
 /// Refuses a name that is too long or holds characters that are not seen there.
 pub fn check_person(name: &str) -> Result<(), Refusal> {
     if name.chars().count() > NAME_MAX_CHARS {
-        return Err(Refusal::TooLong("This name".into(), NAME_MAX_CHARS));
+        return Err(Refusal::TooLong(Phrase::word("this name"), NAME_MAX_CHARS));
     }
     if name.chars().any(char::is_control) {
         return Err(Refusal::Unseen(without_unseen(name).chars().take(40).collect()));
@@ -171,7 +180,7 @@ mod tests {
         let (at, record) = stream("a");
         let made = change("one").put(&Behaviour::default(), at, record);
         for bad in ["a\0b".to_owned(), "x".repeat(1 << 20)] {
-            for bad in [Change { label: bad.clone(), ..made.clone() }, Change { author: bad, ..made.clone() }] {
+            for bad in [Change { label: bad.as_str().into(), ..made.clone() }, Change { author: bad, ..made.clone() }] {
                 assert!(History::default().take(&bad).is_err());
             }
         }

@@ -1,5 +1,6 @@
 //! Names of records that never change: an id, and what kind of record it names.
 
+use phrase::{Phrase, Phrased};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 use std::str::FromStr;
@@ -126,6 +127,18 @@ pub struct RecordId {
     pub kind: Kind,
     /// The id of the record, unique within its kind and behaviour.
     pub id: Id,
+}
+
+impl Phrased for RecordId {
+    fn phrase(&self) -> Phrase {
+        Phrase::Text(self.to_string())
+    }
+}
+
+impl Phrased for Id {
+    fn phrase(&self) -> Phrase {
+        Phrase::Text(self.to_string())
+    }
 }
 
 impl RecordId {

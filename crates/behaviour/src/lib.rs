@@ -16,6 +16,7 @@ pub mod flow;
 mod graph;
 mod history;
 mod ids;
+pub mod labels;
 mod lasting;
 pub mod layout;
 pub mod library;

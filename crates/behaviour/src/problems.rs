@@ -18,6 +18,7 @@ use crate::{
     Settings, StreamKind, Unit, ValueType,
 };
 use around::HintSurroundings;
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// One problem of one element. [`std::fmt::Display`] says it in one English sentence.
@@ -62,12 +63,12 @@ pub enum ProblemKind {
         /// The helper.
         helper: String,
         /// The reason why it cannot run.
-        reason: String,
+        reason: Phrase,
     },
     /// A body that cannot run; with the reason.
-    Body(String),
+    Body(Phrase),
     /// A device that does not fit; with the reason.
-    Device(String),
+    Device(Phrase),
     /// An ordinary or actuator stream into which nothing flows.
     NoSource,
     /// A stream from which nothing flows to an action.

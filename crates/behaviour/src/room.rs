@@ -3,11 +3,13 @@
 //! A change goes through in two steps, because nobody may see an edit that can still vanish: [`Room::propose`] decides
 //! and changes nothing; once the store has the change, [`Room::commit`] makes it the room's truth.
 
+use crate::labels::LABEL_MAX_BYTES;
 use crate::size::Size;
 use crate::{
     Behaviour, Change, EDITS_MAX, Id, Knowledge, Locks, Lookup, LookupSet, Presented, Record, RecordId, Refusal, rules,
     without_unseen,
 };
+use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
@@ -109,7 +111,7 @@ impl Room {
         let change = change.cleaned();
         match self.judge(&change, knowledge) {
             Ok(()) => {
-                let (label, author) = (without_unseen(&change.label), without_unseen(&change.author));
+                let (label, author) = (change.label.map(&without_unseen), without_unseen(&change.author));
                 let change = Change { at_ms: now_ms, label, author, ..change };
                 Decision::Save(Committed { revision: self.revision + 1, change })
             }
@@ -152,7 +154,7 @@ impl Room {
 
     /// Returns the name that a person uses for a record: “Distance”, this filter, the name or settings.
     #[must_use]
-    pub fn name_of(&self, id: &RecordId) -> String {
+    pub fn name_of(&self, id: &RecordId) -> Phrase {
         self.call(id, None)
     }
 
@@ -174,7 +176,7 @@ impl Room {
             }
         }
         if change.edits.iter().any(|edit| edit.id == RecordId::settings() && edit.after.is_none()) {
-            return Err(Refusal::Malformed("the settings cannot be removed".into()));
+            return Err(Refusal::Malformed(Phrase::word("the settings cannot be removed")));
         }
         let mut after = self.behaviour.clone();
         after.apply(change);
@@ -182,18 +184,18 @@ impl Room {
     }
 
     /// Returns the name that a person uses for a record, as it is now or as they saw it.
-    pub(crate) fn call(&self, id: &RecordId, seen: Option<&Record>) -> String {
+    pub(crate) fn call(&self, id: &RecordId, seen: Option<&Record>) -> Phrase {
         let record = self.behaviour.records.get(id).or(seen);
         match record {
-            Some(Record::Stream(stream)) => format!("“{}”", stream.name),
-            Some(Record::Helper(helper)) => format!("the helper “{}”", helper.name),
-            Some(Record::Connector(connector)) => format!("this {}", connector.operation.word()),
-            Some(Record::Settings(_)) => "the name or settings".to_owned(),
-            Some(Record::Place(_)) => "this position".to_owned(),
-            Some(Record::Note(_)) => "this note".to_owned(),
-            Some(Record::Group(_)) => "this group".to_owned(),
-            Some(Record::Pad(_)) => "the tiles".to_owned(),
-            None => "this".to_owned(),
+            Some(Record::Stream(stream)) => phrase!("called.Stream", "“{name}”", name = stream.name),
+            Some(Record::Helper(helper)) => phrase!("called.Helper", "the helper “{name}”", name = helper.name),
+            Some(Record::Connector(connector)) => Phrase::word(format!("this {}", connector.operation.word())),
+            Some(Record::Settings(_)) => Phrase::word("the name or settings"),
+            Some(Record::Place(_)) => Phrase::word("this position"),
+            Some(Record::Note(_)) => Phrase::word("this note"),
+            Some(Record::Group(_)) => Phrase::word("this group"),
+            Some(Record::Pad(_)) => Phrase::word("the tiles"),
+            None => Phrase::word("this"),
         }
     }
 
@@ -234,11 +236,11 @@ pub(crate) fn check_whole(change: &Change) -> Result<(), Refusal> {
     for edit in &change.edits {
         let kinds = [&edit.before, &edit.after].into_iter().flatten();
         if !seen.insert(&edit.id) || kinds.into_iter().any(|record| record.kind() != edit.id.kind) {
-            return Err(Refusal::Malformed(edit.id.to_string()));
+            return Err(Refusal::Malformed(edit.id.phrase()));
         }
     }
-    let too_long = [&change.label, &change.author].into_iter().any(|text| text.chars().count() > rules::NAME_MAX_CHARS);
-    if too_long { Err(Refusal::TooLong("The label".into(), rules::NAME_MAX_CHARS)) } else { Ok(()) }
+    let too_long = change.author.chars().count() > rules::NAME_MAX_CHARS || change.label.bytes() > LABEL_MAX_BYTES;
+    if too_long { Err(Refusal::TooLong(Phrase::word("the label"), rules::NAME_MAX_CHARS)) } else { Ok(()) }
 }
 
 #[cfg(test)]

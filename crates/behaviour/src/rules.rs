@@ -5,6 +5,7 @@ use crate::{
     Behaviour, Change, Connector, DeviceType, Edit, FillFrom, Graph, Group, Helper, Id, Lookup, LookupSet, Note,
     Params, Procedure, Record, Settings, Signature, Stream, StreamKind, ValueType, as_looks, has_unseen, record_bytes,
 };
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
@@ -36,13 +37,13 @@ pub trait Knowledge {
     ///
     /// # Errors
     /// A sentence for the person.
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String>;
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), Phrase>;
 
     /// Checks that the body can run with these arguments; a refusal says the place of the mistake.
     ///
     /// # Errors
     /// A sentence for the person.
-    fn body(&self, arguments: &[String], body: &str) -> Result<(), String>;
+    fn body(&self, arguments: &[String], body: &str) -> Result<(), Phrase>;
 
     /// Returns the kind of a device's values with these parameters, and its pace; nothing by default.
     fn device_type(&self, _kind: StreamKind, _device: &str, _params: &Params) -> DeviceType {
@@ -87,11 +88,11 @@ pub trait Knowledge {
 pub struct AnyKnowledge;
 
 impl Knowledge for AnyKnowledge {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
+    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), Phrase> {
         Ok(())
     }
 
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
+    fn body(&self, _: &[String], _: &str) -> Result<(), Phrase> {
         Ok(())
     }
 }
@@ -104,18 +105,18 @@ pub type HelperCall<'a> = &'a dyn Fn(&str, &[ValueType]) -> Option<ValueType>;
 #[serde(rename_all = "camelCase")]
 pub enum Refusal {
     /// Somebody changed these names of things meanwhile.
-    Stale(String),
+    Stale(Phrase),
     /// Somebody is editing one of these records.
     Locked {
-        /// The name that a person uses for it.
-        what: String,
+        /// What a person calls it.
+        what: Phrase,
         /// The name of who is editing it.
         by: String,
     },
     /// Somebody changed this since, so it cannot be taken back.
     ChangedSince {
-        /// The name that a person uses for it.
-        what: String,
+        /// What a person calls it.
+        what: Phrase,
         /// The name of who changed it.
         by: String,
     },
@@ -126,7 +127,7 @@ pub enum Refusal {
     /// The change has no edits, or too many.
     Edits(usize),
     /// A record under an id of another kind, or one twice.
-    Malformed(String),
+    Malformed(Phrase),
     /// Another change has this op id already.
     Reused,
     /// A name is empty.
@@ -136,13 +137,13 @@ pub enum Refusal {
     /// Another stream has this name.
     NameTaken(String),
     /// A text is too long; with its limit in characters.
-    TooLong(String, usize),
+    TooLong(Phrase, usize),
     /// More streams, connectors, notes, groups, places or helpers than fit; with the limit.
-    TooMany(String, usize),
+    TooMany(Phrase, usize),
     /// The behaviour or the library would hold more than fits; which of them, and the limit in bytes.
-    Full(String, usize),
+    Full(Phrase, usize),
     /// One thing with all its texts and lists is too large; what it is called.
-    TooLarge(String),
+    TooLarge(Phrase),
     /// Values would flow in a circle through this stream.
     Cycle(String),
     /// This stream already has an incoming connector.
@@ -158,7 +159,7 @@ pub enum Refusal {
     /// A connector names a stream that is not there.
     MissingStream,
     /// This connector takes exactly one input.
-    OneInput(String),
+    OneInput(Phrase),
     /// One stream is named twice as input of this connector.
     InputTwice(String),
     /// The beat in milliseconds is outside its range.
@@ -172,9 +173,9 @@ pub enum Refusal {
     /// An ordinary stream has a device.
     OrdinaryDevice,
     /// The device or its parameters do not fit; with the reason.
-    Device(String),
+    Device(Phrase),
     /// The body cannot run; with the reason and its place.
-    Body(String),
+    Body(Phrase),
     /// A helper's name or parameter cannot be used in a procedure.
     Identifier(String),
     /// A helper that is said to take more values than it has parameters; with how many those are.
@@ -191,7 +192,7 @@ pub enum Refusal {
         group: String,
     },
     /// Saving failed; with the reason. Nothing was changed.
-    NotSaved(String),
+    NotSaved(Phrase),
 }
 
 /// Checks that `after` keeps the rules, given that `change` led to it from what had the size `before`. The cheap rules
@@ -225,12 +226,12 @@ fn check_bounds(edit: &Edit) -> Result<(), Refusal> {
     let Some(after) = &edit.after else { return Ok(()) };
     let (bytes, before) = (record_bytes(&edit.id, after), edit.before.as_ref());
     if bytes > RECORD_MAX_BYTES && before.is_none_or(|before| record_bytes(&edit.id, before) < bytes) {
-        return Err(Refusal::TooLarge(format!("this {}", edit.id.kind.word())));
+        return Err(Refusal::TooLarge(Phrase::word(format!("this {}", edit.id.kind.word()))));
     }
     let known: LookupSet<&str> = before.map(names_in).unwrap_or_default().into_iter().filled();
     let mut new = names_in(after).into_iter().filter(|name| !known.contains(name));
     new.try_for_each(|name| {
-        within("This name", name, NAME_MAX_CHARS)?;
+        within("this name", name, NAME_MAX_CHARS)?;
         if has_unseen(name) { Err(Refusal::Unseen(shortened(name))) } else { Ok(()) }
     })
 }
@@ -270,22 +271,22 @@ fn check_touched(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) 
             Record::Group(group) => check_group(group)?,
             Record::Pad(pad) => crate::pad::check(&edit.id, pad, knowledge)?,
             Record::Place(place) if place.x.is_finite() && place.y.is_finite() => {}
-            Record::Place(_) => return Err(Refusal::Malformed("a position".into())),
+            Record::Place(_) => return Err(Refusal::Malformed(Phrase::word("a position"))),
         }
     }
     Ok(())
 }
 
 fn check_note(note: &Note) -> Result<(), Refusal> {
-    within("This note", &note.text, NOTE_MAX_CHARS)?;
-    within("This name", &note.by, NAME_MAX_CHARS)?;
-    if note.at_ms > NOTE_MAX_MS { Err(Refusal::Malformed("the time of a note".into())) } else { Ok(()) }
+    within("this note", &note.text, NOTE_MAX_CHARS)?;
+    within("this name", &note.by, NAME_MAX_CHARS)?;
+    if note.at_ms > NOTE_MAX_MS { Err(Refusal::Malformed(Phrase::word("the time of a note"))) } else { Ok(()) }
 }
 
 fn check_group(group: &Group) -> Result<(), Refusal> {
     check_name(&group.title)?;
     let fits = group.streams.len() <= STREAMS_MAX;
-    if fits { Ok(()) } else { Err(Refusal::TooMany("streams".to_owned(), STREAMS_MAX)) }
+    if fits { Ok(()) } else { Err(Refusal::TooMany(Phrase::word("streams"), STREAMS_MAX)) }
 }
 
 /// A stream is in one group at most, whether it is there or gone.
@@ -315,7 +316,7 @@ fn check_settings(settings: &Settings) -> Result<(), Refusal> {
 /// Tags are short, few, and different from each other in more than their case.
 fn check_tags(tags: &[String]) -> Result<(), Refusal> {
     if tags.len() > TAGS_MAX {
-        return Err(Refusal::TooMany("tags".to_owned(), TAGS_MAX));
+        return Err(Refusal::TooMany(Phrase::word("tags"), TAGS_MAX));
     }
     let mut seen = LookupSet::new();
     tags.iter().try_for_each(|tag| {
@@ -323,7 +324,7 @@ fn check_tags(tags: &[String]) -> Result<(), Refusal> {
             return Err(Refusal::Name(shortened(tag)));
         }
         check_name(tag)?;
-        within("This tag", tag, TAG_MAX_CHARS)?;
+        within("this tag", tag, TAG_MAX_CHARS)?;
         if seen.insert(as_looks(tag).to_lowercase()) { Ok(()) } else { Err(Refusal::NameTaken(tag.clone())) }
     })
 }
@@ -332,11 +333,11 @@ fn check_name(name: &str) -> Result<(), Refusal> {
     if name.trim().is_empty() || name.chars().any(char::is_control) {
         return Err(Refusal::Name(shortened(name)));
     }
-    within("This name", name, NAME_MAX_CHARS)
+    within("this name", name, NAME_MAX_CHARS)
 }
 
-fn within(what: &str, text: &str, limit: usize) -> Result<(), Refusal> {
-    if text.chars().count() > limit { Err(Refusal::TooLong(what.to_owned(), limit)) } else { Ok(()) }
+fn within(what: &'static str, text: &str, limit: usize) -> Result<(), Refusal> {
+    if text.chars().count() > limit { Err(Refusal::TooLong(Phrase::word(what), limit)) } else { Ok(()) }
 }
 
 fn shortened(text: &str) -> String {
@@ -363,7 +364,7 @@ fn check_connector(after: &Behaviour, connector: &Connector, knowledge: &dyn Kno
         return Err(Refusal::Rate(period_ms));
     }
     let Some(Procedure::Body { body, args }) = connector.operation.procedure() else { return Ok(()) };
-    within("This procedure", body, BODY_MAX_CHARS)?;
+    within("this procedure", body, BODY_MAX_CHARS)?;
     if let Some(bad) = args.iter().flatten().find(|name| !crate::is_identifier(name)) {
         return Err(Refusal::Identifier(shortened(bad)));
     }
@@ -374,8 +375,8 @@ fn check_connector(after: &Behaviour, connector: &Connector, knowledge: &dyn Kno
 }
 
 fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
-    within("This name", &helper.name, NAME_MAX_CHARS)?;
-    within("This procedure", &helper.body, BODY_MAX_CHARS)?;
+    within("this name", &helper.name, NAME_MAX_CHARS)?;
+    within("this procedure", &helper.body, BODY_MAX_CHARS)?;
     within("This sentence", &helper.says, NOTE_MAX_CHARS)?;
     let names = std::iter::once(&helper.name).chain(&helper.params);
     if let Some(bad) = names.into_iter().find(|name| !crate::is_identifier(name)) {
@@ -466,7 +467,7 @@ fn check_ends(streams: &Lookup<&Id, &Stream>, connector: &Connector) -> Result<(
     let inputs = inputs.ok_or(Refusal::MissingStream)?;
     let spec = connector.operation.spec();
     if !spec.inputs.are_many() && inputs.len() != 1 {
-        return Err(Refusal::OneInput(spec.word.to_owned()));
+        return Err(Refusal::OneInput(Phrase::word(spec.word)));
     }
     let mut seen = LookupSet::new();
     for (id, input) in connector.inputs.iter().zip(inputs) {

@@ -8,6 +8,7 @@ use crate::{
     Behaviour, Change, Connector, Edit, Group, Helper, Id, Kind, Note, Pad, Procedure, Record, RecordId, Refusal,
     Settings, Stream, TileAction, Value,
 };
+use phrase::Phrase;
 
 /// The streams, connectors, places, notes, groups, pad and settings of one behaviour together, in bytes.
 pub const BEHAVIOUR_MAX_BYTES: usize = 6 << 20;
@@ -152,14 +153,14 @@ impl Size {
             ("inputs, arguments and parameters", self.behaviour_entries(), before.behaviour_entries(), ENTRIES_MAX),
         ];
         if let Some((what, .., most)) = counts.into_iter().find(|(_, now, before, most)| now > most && now > before) {
-            return Err(Refusal::TooMany(what.to_owned(), most));
+            return Err(Refusal::TooMany(Phrase::word(what), most));
         }
         let (helpers, behaviour) = (self.helpers.bytes, self.behaviour_bytes());
         if helpers > LIBRARY_MAX_BYTES && helpers > before.helpers.bytes {
-            return Err(Refusal::Full("library".to_owned(), LIBRARY_MAX_BYTES));
+            return Err(Refusal::Full(Phrase::word("library"), LIBRARY_MAX_BYTES));
         }
         if behaviour > BEHAVIOUR_MAX_BYTES && behaviour > before.behaviour_bytes() {
-            return Err(Refusal::Full("program".to_owned(), BEHAVIOUR_MAX_BYTES));
+            return Err(Refusal::Full(Phrase::word("program"), BEHAVIOUR_MAX_BYTES));
         }
         Ok(())
     }
@@ -226,7 +227,7 @@ impl Change {
     pub fn bytes(&self) -> usize {
         let names = [Some(&self.op), self.by.as_ref(), self.undoes.as_ref()].into_iter().flatten();
         let names = names.map(|name| ITEM_BYTES + name.as_str().len()).sum::<usize>();
-        let texts = text_bytes(&self.author) + text_bytes(&self.label) + names;
+        let texts = text_bytes(&self.author) + self.label.bytes() + names;
         STREAM_BYTES + texts + self.edits.iter().map(Edit::bytes).sum::<usize>()
     }
 }

@@ -3,15 +3,13 @@
 //! Whose a value is follows from the log too: taking a change back makes a record again what it was, and again the value of
 //! who made it so. So a change can be taken back exactly if everything it made is still there.
 
-use crate::{Change, Committed, Edit, Id, Lookup, NAME_MAX_CHARS, RecordId, Refusal, Room};
+use crate::labels::undo_of;
+use crate::{Change, Committed, Edit, Id, Lookup, RecordId, Refusal, Room};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Changes that one person can take back.
 pub const UNDO_MAX: usize = 100;
-
-const UNDO: &str = "Undo: ";
-const REDO: &str = "Redo: ";
 
 /// The change that made a record what it is. Revision 0 is from before the log.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,7 +80,7 @@ impl UndoLog {
     /// Refuses if there is none, or if somebody changed something of it since; the refusal names them.
     pub fn undo(&self, by: &Id, op: Id, room: &Room) -> Result<Change, Refusal> {
         let last = self.people.get(by).and_then(|steps| steps.done.last());
-        self.opposite(last, op, UNDO, room)
+        self.opposite(last, op, false, room)
     }
 
     /// The change named `op` that does again what `by` took back last and did nothing new since.
@@ -91,7 +89,7 @@ impl UndoLog {
     /// Refuses if there is none, or if somebody changed something of it since; the refusal names them.
     pub fn redo(&self, by: &Id, op: Id, room: &Room) -> Result<Change, Refusal> {
         let last = self.people.get(by).and_then(|steps| steps.undone.last());
-        self.opposite(last, op, REDO, room)
+        self.opposite(last, op, true, room)
     }
 
     /// The last change of a person that is not taken back yet: what [`Self::undo`] would take back.
@@ -100,14 +98,14 @@ impl UndoLog {
         self.people.get(by)?.done.last().map(|step| &step.change)
     }
 
-    fn opposite(&self, step: Option<&UndoStep>, op: Id, word: &str, room: &Room) -> Result<Change, Refusal> {
+    fn opposite(&self, step: Option<&UndoStep>, op: Id, again: bool, room: &Room) -> Result<Change, Refusal> {
         let step = step.ok_or(Refusal::NothingToUndo)?;
         if let Some((id, version)) = self.changed_since(step) {
             let seen = step.change.edits.iter().find(|edit| edit.id == *id);
             let seen = seen.and_then(|edit| edit.after.as_ref().or(edit.before.as_ref()));
             return Err(Refusal::ChangedSince { what: room.call(id, seen), by: version.author.to_string() });
         }
-        Ok(step.change.swapped(op, &label(word, &step.change.label)))
+        Ok(step.change.swapped(op, undo_of(again, &step.change.label)))
     }
 
     /// The first record that is not as this step left it, and what it is now.
@@ -152,11 +150,6 @@ impl PersonSteps {
     fn of_mut(&mut self, side: UndoSide) -> &mut Vec<UndoStep> {
         if side == UndoSide::Done { &mut self.done } else { &mut self.undone }
     }
-}
-
-fn label(word: &str, of: &str) -> String {
-    let of = of.strip_prefix(UNDO).or_else(|| of.strip_prefix(REDO)).unwrap_or(of);
-    word.chars().chain(of.chars()).take(NAME_MAX_CHARS).collect()
 }
 
 #[cfg(test)]

@@ -8,10 +8,10 @@ use behaviour::{
 
 struct Anything;
 impl Knowledge for Anything {
-    fn device(&self, _: StreamKind, device: &str, _: &Params) -> Result<(), String> {
+    fn device(&self, _: StreamKind, device: &str, _: &Params) -> Result<(), phrase::Phrase> {
         if device == "Nothing" { Err("there is no sense called “Nothing”".into()) } else { Ok(()) }
     }
-    fn body(&self, _: &[String], body: &str) -> Result<(), String> {
+    fn body(&self, _: &[String], body: &str) -> Result<(), phrase::Phrase> {
         if body.contains("((") { Err("at character 2: a closing ) is missing".into()) } else { Ok(()) }
     }
 }
@@ -397,8 +397,8 @@ fn a_behaviour_has_one_pad_of_nine_tiles_that_can_be_pressed() {
         );
     }
     let long = "x".repeat(TILE_MAX_CHARS + 1);
-    assert_eq!(refused("pad", pad(1, &long, word("smile"))), Refusal::TooLong("This label".into(), 40));
-    assert_eq!(refused("pad", pad(1, "Press", word(&long))), Refusal::TooLong("This word".into(), 40));
+    assert_eq!(refused("pad", pad(1, &long, word("smile"))), Refusal::TooLong(phrase::Phrase::word("this label"), 40));
+    assert_eq!(refused("pad", pad(1, "Press", word(&long))), Refusal::TooLong(phrase::Phrase::word("this word"), 40));
     let large = Value::text("x".repeat(TILE_MAX_BYTES));
     assert_eq!(refused("pad", pad(1, "Press", hand("Walk", large))), Refusal::TooLarge("this tile".into()));
     assert_eq!(refused("pad", pad(1, "Press", hand("Walk", f64::NAN.into()))), Refusal::Infinite);

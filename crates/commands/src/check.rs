@@ -2,8 +2,9 @@
 
 use crate::failure::Failure;
 use crate::program::read_bytes;
-use behaviour::{Behaviour, BehaviourFile, Helper, Id, Room};
+use behaviour::{Behaviour, BehaviourFile, Helper, Id, Problem, Room};
 use clap::Args;
+use phrase::{Phrased, phrase};
 use server::Knowing;
 use std::io::Write;
 use std::path::PathBuf;
@@ -96,8 +97,8 @@ fn engine_says(file: &BehaviourFile) -> Vec<Failure> {
     engine::validate(file).into_iter().map(Failure::EngineOfFile).collect()
 }
 
-fn records(faults: &[impl ToString]) -> Vec<Failure> {
-    faults.iter().map(|fault| Failure::Record(fault.to_string())).collect()
+fn records(faults: &[impl Phrased]) -> Vec<Failure> {
+    faults.iter().map(|fault| Failure::Record(fault.phrase())).collect()
 }
 
 fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &ReadFile, knowing: &Knowing) -> CheckFindings {
@@ -106,7 +107,8 @@ fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &ReadFile, know
     let all = behaviour::problems(behaviour, &helpers, knowing);
     let said = |blocks: bool| {
         let those = all.iter().filter(|problem| problem.blocks == blocks);
-        those.map(|problem| format!("{}: {problem}", problem.at.id)).collect::<Vec<_>>()
+        let at = |problem: &Problem| phrase!("fault_at", "{id}: {reason}", id = problem.at.id, reason = problem);
+        those.map(at).collect::<Vec<_>>()
     };
     let mut blocks = looked.place(&said(true));
     if blocks.is_empty() {

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::program::read_bytes;
 use behaviour::{Behaviour, Helper, Id, Unit, ValueType};
 use clap::Args;
+use phrase::Phrased;
 use sentences::Language;
 use server::Knowing;
 use std::io::Write;
@@ -47,7 +48,7 @@ fn lines(path: &Path, bytes: &[u8], language: Language) -> Result<Vec<String>, V
     let looked = store::files::look(bytes);
     let Some(file) = looked.file else { return Err(vec![Failure::Faults(path.to_owned(), looked.faults)]) };
     let flaws =
-        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.to_string())).collect::<Vec<_>>();
+        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.phrase())).collect::<Vec<_>>();
     let behaviour = file.records(|_| None).map_err(flaws)?;
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();

@@ -2,6 +2,7 @@
 
 use crate::no_answer::WhyFailure;
 use behaviour::Refusal;
+use phrase::{Phrase, Phrased};
 use server::{BackupMisfit, ServeError};
 use std::error::Error;
 use std::io;
@@ -93,7 +94,7 @@ pub(crate) enum Failure {
     /// The behaviour of this name is in the store already.
     Present(String),
     /// A record of the file is not as it should be; said with its id first.
-    Record(String),
+    Record(Phrase),
     /// The file cannot be imported.
     Unfit(ImportError),
     /// The rules refuse it.
@@ -205,3 +206,14 @@ pub(crate) enum ListenConflict {
 }
 
 impl std::error::Error for ListenConflict {}
+
+impl Phrased for Failure {
+    fn phrase(&self) -> Phrase {
+        match self {
+            Self::Engine(fault) | Self::EngineOfFile(fault) => fault.phrase(),
+            Self::Unfit(error) => error.phrase(),
+            Self::Record(fault) => fault.clone(),
+            other => Phrase::Text(other.to_string()),
+        }
+    }
+}

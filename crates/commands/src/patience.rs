@@ -31,7 +31,7 @@ where
     }
     let end = Instant::now() + COMES_MAX;
     let silent =
-        || Err(StoreError::Unavailable(format!("the database did not answer within {} s", COMES_MAX.as_secs())));
+        || Err(StoreError::Unavailable(format!("the database did not answer within {} s", COMES_MAX.as_secs()).into()));
     let waiting = async {
         loop {
             match tokio::time::timeout_at(end, attempt()).await.unwrap_or_else(|_| silent()) {

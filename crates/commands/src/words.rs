@@ -109,7 +109,8 @@ impl fmt::Display for Failure {
             Self::EngineOfFile(fault) => of_file(fault, to),
             Self::Differs(different) => write!(to, "{different}"),
             Self::EndedOf(name, reason) => write!(to, "{name}: {reason}"),
-            Self::Id(why) | Self::ServerSays(why) | Self::Record(why) | Self::Ended(why) => to.write_str(why),
+            Self::Id(why) | Self::ServerSays(why) | Self::Ended(why) => to.write_str(why),
+            Self::Record(why) => write!(to, "{why}"),
             Self::Traces { traces, behaviours } => {
                 write!(to, "{traces} traces for {behaviours} behaviours; give one for all, or one for each")
             }

@@ -11,6 +11,7 @@ use crate::queue::Queue;
 use crate::save_state::SaveState;
 use crate::{EditorRequest, Saving, Watched};
 use behaviour::{Behaviour, Change, Id, Kind, Place, Record, RecordId};
+use phrase::Phrase;
 use protocol::{LockShown, Refused};
 use silence::Silence;
 use std::collections::BTreeSet;
@@ -46,9 +47,9 @@ pub struct Editor {
     /// The records of the open program with changes that wait to be sent.
     pub waits: Watched<BTreeSet<RecordId>>,
     /// The label of what undo would take back.
-    pub undoable: Watched<Option<String>>,
+    pub undoable: Watched<Option<Phrase>>,
     /// The label of what redo would do again.
-    pub redoable: Watched<Option<String>>,
+    pub redoable: Watched<Option<Phrase>>,
     /// Refused changes that wait for their author, of any program.
     pub conflicts: Watched<Vec<Conflict>>,
     /// The people who removed something, by its id.
@@ -244,7 +245,7 @@ impl Editor {
     }
 
     /// Returns an empty change of this person.
-    pub fn change(&mut self, label: &str) -> Change {
+    pub fn change(&mut self, label: impl Into<Phrase>) -> Change {
         let op = self.next_id();
         Change::of(op, &self.me.name, label)
     }

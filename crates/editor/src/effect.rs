@@ -3,6 +3,7 @@
 use crate::conflict::Conflict;
 use crate::request::EditorRequest;
 use behaviour::{Accepted, Change, Id, Problem, RecordId};
+use phrase::Phrase;
 use protocol::{Person, Refused, request};
 
 /// One thing to do. The order counts.
@@ -161,7 +162,7 @@ pub enum Announcement {
     /// A change waits until this person edits no more what it touches.
     WaitsUntilFree(String),
     /// Somebody else saved a change of this first.
-    WasFirst(Saver, String),
+    WasFirst(Saver, Phrase),
     /// Somebody changed what is typed into here.
     ChangedWhileTyping(Saver),
     /// Somebody removed what is typed into here.

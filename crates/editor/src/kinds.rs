@@ -1,6 +1,7 @@
 //! Small words of an open program: what is selected, how saving goes, what is not saved yet.
 
 use behaviour::{Id, Kind, RecordId};
+use phrase::Phrase;
 
 /// The state of saving; the number counts changes that wait.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -10,7 +11,7 @@ pub enum Saving {
     Saving,
     Offline(usize),
     /// The server is there, but its store is not; why, if the server said so.
-    Away(usize, Option<String>),
+    Away(usize, Option<Phrase>),
 }
 
 /// The one thing a person has chosen.

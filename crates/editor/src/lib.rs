@@ -34,6 +34,5 @@ pub use history::HistoryPanel;
 pub use kinds::{Lit, Saving, Selected, UnsavedMark};
 pub use request::{EditorRequest, NoAnswer, typed};
 pub use signs::{Sign, initials, signs};
-pub use steps::bare;
 pub use typing::KeyboardStay;
 pub use watched::Watched;

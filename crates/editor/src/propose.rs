@@ -5,6 +5,7 @@ use crate::queue::{Queue, SendMode, WaitingChange};
 use crate::save_state::{SaveEvent, SaveState};
 use crate::{Editor, EditorRequest, LinkState};
 use behaviour::{Change, FillFrom, Id, Kind, LockToken, RecordId, Refusal, with_otherwise};
+use phrase::Phrase;
 use protocol::{LIBRARY, Refused, request};
 use std::collections::BTreeSet;
 
@@ -33,7 +34,7 @@ impl Editor {
     pub fn propose_to_library(&mut self, change: Change) {
         match Id::new(LIBRARY) {
             Ok(library) => self.propose_to(library, change),
-            Err(bad) => self.tell(&change.op, Err(Refused::Unreadable(bad.to_string()))),
+            Err(bad) => self.tell(&change.op, Err(Refused::Unreadable(bad.to_string().into()))),
         }
     }
 
@@ -220,7 +221,7 @@ impl Editor {
     }
 
     /// The server says whether it can save.
-    pub fn hear_store(&mut self, away: Option<String>) {
+    pub fn hear_store(&mut self, away: Option<Phrase>) {
         match away {
             Some(why) => self.hold_back(SaveEvent::StoreAway(why)),
             None => {

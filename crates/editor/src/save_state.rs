@@ -1,6 +1,7 @@
 //! The state of saving, as a state machine: no clock and no link in it, so that it is tested.
 
 use crate::Saving;
+use phrase::Phrase;
 
 /// The state that says if changes can be sent, and why not.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -15,9 +16,9 @@ pub(crate) enum SaveState {
     /// The server could not save the last change; it is sent again in a moment.
     Stalled,
     /// The server says why it cannot save.
-    Away(String),
+    Away(Phrase),
     /// The link broke; and why the server could not save before, if that was so.
-    Lost(Option<String>),
+    Lost(Option<Phrase>),
 }
 
 /// The events that bear on saving.
@@ -28,7 +29,7 @@ pub(crate) enum SaveEvent {
     /// The link broke.
     LinkLost,
     /// The server says that it cannot save, and why.
-    StoreAway(String),
+    StoreAway(Phrase),
     /// The server says that it can save.
     StoreBack,
     /// The server could not save a change.

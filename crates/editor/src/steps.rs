@@ -3,17 +3,15 @@
 use crate::history::{HistoryPanel, is_mine};
 use crate::queue::{SendMode, WaitingChange};
 use behaviour::Id;
-
-/// The words with which the labels of undo and redo begin.
-const UNDO: &str = "Undo: ";
-const REDO: &str = "Redo: ";
+use behaviour::labels::{bare, taken_back};
+use phrase::Phrase;
 
 /// One step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct EditStep {
     pub(crate) op: Id,
     /// The label of the change, without the word of undo or redo.
-    pub(crate) label: String,
+    pub(crate) label: Phrase,
 }
 
 /// The changes that can be taken back and done again; the newest is last.
@@ -52,19 +50,21 @@ impl Steps {
 
     /// Returns the role of a change that takes another one back; of one that is not known any more only the label
     /// tells.
-    fn role(&self, of: &Id, label: &str) -> StepRole {
+    fn role(&self, of: &Id, label: &Phrase) -> StepRole {
         let has = |steps: &[EditStep]| steps.iter().any(|step| step.op == *of);
         match (has(&self.done), has(&self.undone)) {
             (true, _) => StepRole::Undo,
             (false, true) => StepRole::Redo,
-            (false, false) if label.starts_with(UNDO) => StepRole::Undo,
-            (false, false) if label.starts_with(REDO) => StepRole::Redo,
-            (false, false) => StepRole::Do,
+            (false, false) => match taken_back(label) {
+                Some(false) => StepRole::Undo,
+                Some(true) => StepRole::Redo,
+                None => StepRole::Do,
+            },
         }
     }
 
-    fn take(&mut self, role: StepRole, op: &Id, label: &str, of: Option<&Id>) {
-        let step = EditStep { op: op.clone(), label: bare(label).to_owned() };
+    fn take(&mut self, role: StepRole, op: &Id, label: &Phrase, of: Option<&Id>) {
+        let step = EditStep { op: op.clone(), label: bare(label) };
         let other = |other: &EditStep| Some(&other.op) != of;
         match role {
             StepRole::Do => {
@@ -83,21 +83,11 @@ impl Steps {
     }
 }
 
-/// The label of taking something back, or of doing it again.
-pub(crate) fn label_of(again: bool, of: &str) -> String {
-    let word = if again { REDO } else { UNDO };
-    word.chars().chain(of.chars()).take(behaviour::NAME_MAX_CHARS).collect()
-}
-
-/// A label without the word of undo or redo.
-pub fn bare(label: &str) -> &str {
-    label.strip_prefix(UNDO).or_else(|| label.strip_prefix(REDO)).unwrap_or(label)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{HistoryPanel, SendMode, Steps, WaitingChange, label_of};
+    use super::{HistoryPanel, SendMode, Steps, WaitingChange};
     use crate::queue::Queue;
+    use behaviour::labels::undo_of;
     use behaviour::{Change, Id};
     use protocol::HistoryLine;
 
@@ -113,7 +103,7 @@ mod tests {
             op: id(op),
             author: (*by).to_owned(),
             by: Some(id(by)),
-            label: (*label).to_owned(),
+            label: (*label).into(),
             at_ms: 0,
             undoes: Id::new(undoes).ok(),
             removes: false,
@@ -126,7 +116,7 @@ mod tests {
 
     fn of(history: &HistoryPanel, waiting: &[WaitingChange]) -> [Vec<String>; 2] {
         let steps = Steps::of(history, &id("me"), waiting.iter());
-        [steps.done, steps.undone].map(|steps| steps.into_iter().map(|step| step.label).collect())
+        [steps.done, steps.undone].map(|steps| steps.into_iter().map(|step| step.label.to_string()).collect())
     }
 
     fn waiting(changes: Vec<(Change, SendMode)>) -> Vec<WaitingChange> {
@@ -163,7 +153,7 @@ mod tests {
     fn what_waits_counts_as_done() {
         let history = history(&[("me", "a", "Add A", "")]);
         let added = Change::of(id("b"), "me", "Add B");
-        let undo = added.swapped(id("u"), &label_of(false, "Add B"));
+        let undo = added.swapped(id("u"), undo_of(false, &"Add B".into()));
         let all = waiting(vec![(added, SendMode::Propose), (undo, SendMode::TakeBack)]);
         assert_eq!(of(&history, &all[..1]), [vec!["Add A", "Add B"], vec![]]);
         assert_eq!(of(&history, &all), [vec!["Add A"], vec!["Add B"]]);

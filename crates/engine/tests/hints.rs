@@ -14,12 +14,14 @@ use std::path::Path;
 struct Known;
 
 impl Knowledge for Known {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String> {
-        robot::device(kind, device).and_then(|device| device.check(params)).map_err(|fault| fault.to_string())
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), phrase::Phrase> {
+        robot::device(kind, device)
+            .and_then(|device| device.check(params))
+            .map_err(|fault| phrase::Phrased::phrase(&fault))
     }
 
-    fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
-        engine::check_body(arguments, body).map_err(|fault| fault.to_string())
+    fn body(&self, arguments: &[String], body: &str) -> Result<(), phrase::Phrase> {
+        engine::check_body(arguments, body).map_err(|fault| phrase::Phrased::phrase(&fault))
     }
 
     fn device_type(&self, kind: StreamKind, device: &str, params: &Params) -> DeviceType {

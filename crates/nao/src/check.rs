@@ -4,6 +4,7 @@ use crate::identity;
 use crate::outcome;
 use crate::scan::scan;
 use crate::settings::{RobotSettings, is_secure};
+use phrase::{Phrase, phrase};
 use qi::{ConnectError, ConnectionStage, QiError, Session};
 use robot::{Identity, Lacking};
 use std::time::Duration;
@@ -15,7 +16,7 @@ const LOOK_MS: u64 = 18_000;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RobotCheck {
     /// The steps that went well, in order; the last one may have failed.
-    pub steps: Vec<(ReachStep, Option<String>)>,
+    pub steps: Vec<(ReachStep, Option<Phrase>)>,
     /// The name that the robot gives itself; may be empty.
     pub name: String,
     /// The kind of robot, with its system: "NAO, NAOqi 2.8.7"; empty if that is not known.
@@ -64,7 +65,13 @@ impl ReachStep {
 pub async fn check(settings: &RobotSettings) -> RobotCheck {
     let looked = tokio::time::timeout(Duration::from_millis(LOOK_MS), look(settings)).await;
     looked.unwrap_or_else(|_| {
-        failed(ReachStep::Tcp, "Nothing came in time. Look whether the robot is on, and near the network.")
+        failed(
+            ReachStep::Tcp,
+            phrase!(
+                "nao.nothing_came_in_time_look",
+                "Nothing came in time. Look whether the robot is on, and near the network."
+            ),
+        )
     })
 }
 
@@ -73,10 +80,13 @@ async fn look(settings: &RobotSettings) -> RobotCheck {
     if addresses.is_empty() {
         return failed(
             ReachStep::Name,
-            "That is no address. Type the robot’s name or number in the network, like nao.local.",
+            phrase!(
+                "nao.that_is_no_address_type",
+                "That is no address. Type the robot’s name or number in the network, like nao.local."
+            ),
         );
     }
-    let mut furthest: Option<(ReachStep, String)> = None;
+    let mut furthest: Option<(ReachStep, Phrase)> = None;
     for address in addresses {
         let connected = match settings.check_secret(&address) {
             Ok(()) => Session::connect(&address, settings.options()).await,
@@ -93,8 +103,8 @@ async fn look(settings: &RobotSettings) -> RobotCheck {
             }
         }
     }
-    let (step, why) = furthest.unwrap_or((ReachStep::Name, String::new()));
-    failed(step, &why)
+    let (step, why) = furthest.unwrap_or((ReachStep::Name, Phrase::default()));
+    failed(step, why)
 }
 
 async fn services(session: &Session, secure: bool) -> RobotCheck {
@@ -102,11 +112,12 @@ async fn services(session: &Session, secure: bool) -> RobotCheck {
     let scanned = match scan(session).await {
         Ok(scanned) => scanned,
         Err(error) => {
-            let why = format!(
+            let why = phrase!(
+                "nao.it_is_no_nao_or",
                 "It is no NAO or Pepper, or it is still starting ({error}). Wait a minute and look again.",
                 error = outcome::why(&error)
             );
-            return RobotCheck { fingerprint, ..failed(ReachStep::Services, &why) };
+            return RobotCheck { fingerprint, ..failed(ReachStep::Services, why) };
         }
     };
     let steps = ReachStep::ALL.into_iter().filter(|step| secure || *step != ReachStep::Tls);
@@ -121,9 +132,9 @@ async fn services(session: &Session, secure: bool) -> RobotCheck {
 }
 
 /// All steps before this one went well.
-fn failed(at: ReachStep, why: &str) -> RobotCheck {
+fn failed(at: ReachStep, why: Phrase) -> RobotCheck {
     let before = ReachStep::ALL.into_iter().filter(|step| *step < at && *step != ReachStep::Tls);
-    let steps = before.map(|step| (step, None)).chain([(at, Some(why.to_owned()))]);
+    let steps = before.map(|step| (step, None)).chain([(at, Some(why))]);
     RobotCheck { steps: steps.collect(), ..RobotCheck::default() }
 }
 
@@ -132,36 +143,65 @@ fn step_of(error: &QiError) -> ReachStep {
 }
 
 /// Why the robot is not reached, and what to do, in one sentence.
-pub(crate) fn sentence(error: &QiError) -> String {
+pub(crate) fn sentence(error: &QiError) -> Phrase {
     let QiError::Connect { stage, cause } = error else {
-        return format!("The robot does not answer as it should: {error}.", error = outcome::why(error));
+        return phrase!(
+            "nao.the_robot_does_not_answer",
+            "The robot does not answer as it should: {error}.",
+            error = outcome::why(error)
+        );
     };
     match (stage, cause) {
         (ConnectionStage::Name, _) => {
-            "Nobody in this network has this name. Press the robot’s chest button: it says its number.".to_owned()
+            phrase!(
+                "nao.nobody_in_this_network_has",
+                "Nobody in this network has this name. Press the robot’s chest button: it says its number."
+            )
         }
         (ConnectionStage::Tcp, ConnectError::Io(std::io::ErrorKind::ConnectionRefused)) => {
-            "Something is there, but no robot answers. Wait until it has started, and look whether the address is right."
-                .to_owned()
+            phrase!(
+                "nao.something_is_there_but_no",
+                "Something is there, but no robot answers. Wait until it has started, and look whether the address is right."
+            )
         }
         (ConnectionStage::Tcp, _) => {
-            "Nothing answers there. Look whether the robot is on and in the same network as this server.".to_owned()
+            phrase!(
+                "nao.nothing_answers_there_look_whether",
+                "Nothing answers there. Look whether the robot is on and in the same network as this server."
+            )
         }
         (ConnectionStage::Tls, ConnectError::CertificateChanged { .. }) => {
-            "It shows another certificate than before: it is another robot, it was reset, or somebody is in between. If you \
+            phrase!(
+                "nao.it_shows_another_certificate_than",
+                "It shows another certificate than before: it is another robot, it was reset, or somebody is in between. If you \
              know why, choose “Change the address” here, and look at it again."
-                .to_owned()
+            )
         }
         (ConnectionStage::Tls, ConnectError::Tls(why)) if why.contains("in the clear") => {
-            "User and password are only said in secret. Leave them out, or leave out the port, or write :9503.".to_owned()
+            phrase!(
+                "nao.user_and_password_are_only",
+                "User and password are only said in secret. Leave them out, or leave out the port, or write :9503."
+            )
         }
-        (ConnectionStage::Tls, _) => "It does not speak in secret as a robot does there. Look whether the address is right.".to_owned(),
+        (ConnectionStage::Tls, _) => phrase!(
+            "nao.it_does_not_speak_in",
+            "It does not speak in secret as a robot does there. Look whether the address is right."
+        ),
         (ConnectionStage::Login, ConnectError::Refused(_)) => {
-            "It does not let us in. Look whether user and password are right; the user is mostly “nao”.".to_owned()
+            phrase!(
+                "nao.it_does_not_let_us",
+                "It does not let us in. Look whether user and password are right; the user is mostly “nao”."
+            )
         }
-        (ConnectionStage::Login, _) => "It answers, but not like a robot. Look whether the address and its port are right.".to_owned(),
+        (ConnectionStage::Login, _) => phrase!(
+            "nao.it_answers_but_not_like",
+            "It answers, but not like a robot. Look whether the address and its port are right."
+        ),
         (ConnectionStage::Directory | ConnectionStage::Service, cause) => {
-            format!("It does not tell what it can do ({cause}). Wait until it has started, and look again.")
+            phrase!(
+                "nao.it_does_not_tell_what",
+                "It does not tell what it can do ({cause}). Wait until it has started, and look again."
+            )
         }
     }
 }
@@ -176,7 +216,7 @@ mod tests {
         let found = check(&RobotSettings::at("nobody.invalid")).await;
         let (step, why) = found.steps.last().cloned().unwrap();
         assert_eq!(step, ReachStep::Name);
-        assert!(why.unwrap().contains("chest button"));
+        assert!(why.unwrap().to_string().contains("chest button"));
         let nothing = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
         let found = check(&RobotSettings::at(&nothing.to_string())).await;
         assert_eq!(found.steps[0], (ReachStep::Name, None));

@@ -10,6 +10,7 @@ use crate::settings::RobotSettings;
 use crate::shared::NaoShared;
 use crate::supervisor;
 use behaviour::{Params, Value};
+use phrase::{Phrase, phrase};
 use robot::{
     Body, Camera, Condition, Control, Health, Identity, Installed, JOINTS, Lacking, Life, Millis, Reading, Robot,
     RobotFault, Scene, Use, Wake, with_defaults,
@@ -26,7 +27,12 @@ const USES_MAX: usize = 512;
 const DEEDS_MAX: usize = 1_024;
 
 /// Says what a robot with a life of its own does beside what runs.
-const LIVES: &str = "its own life is on, so it may move its head and arms and change its lights and voice by itself; take control first";
+fn lives() -> Phrase {
+    phrase!(
+        "nao.lives",
+        "its own life is on, so it may move its head and arms and change its lights and voice by itself; take control first"
+    )
+}
 
 /// A NAO or Pepper. It connects by itself, again and again, for as long as it lasts; dropped, it ends what it does on the
 /// robot and its thread.
@@ -67,7 +73,8 @@ impl Nao {
         let thread = std::thread::Builder::new().name("nao".into());
         let thread = thread.spawn(move || supervisor::keep(&settings, &with, told, &count));
         if let Err(error) = &thread {
-            shared.state().health = Health::Lost(format!("there is no thread for it ({error})"));
+            shared.state().health =
+                Health::Lost(phrase!("nao.there_is_no_thread_for", "there is no thread for it ({error})"));
         }
         Self { shared, orders, waiting, acts: BTreeMap::new(), senses: BTreeMap::new(), camera, thread: thread.ok() }
     }
@@ -85,7 +92,7 @@ impl Nao {
         let Some((what, how)) = sense.only() else { return Ok(()) };
         let other = self.senses.values().filter_map(|open| open.only.as_ref());
         if other.into_iter().any(|(known, wanted)| *known == what && *wanted != how) {
-            return Err(RobotFault::NotNow(format!("it can only use one {what} at a time")));
+            return Err(RobotFault::NotNow(phrase!("nao.it_can_only_use_one", "it can only use one {what} at a time")));
         }
         Ok(())
     }
@@ -121,11 +128,11 @@ impl Robot for Nao {
         if self.shared.state().is_pepper { "pepper" } else { "nao" }
     }
 
-    fn by_body(&self) -> &'static str {
+    fn by_body(&self) -> Phrase {
         if self.shared.state().is_pepper {
-            "press the red button at the back of its neck"
+            phrase!("nao.press_the_red_button_at", "press the red button at the back of its neck")
         } else {
-            "hold it and press its chest button for 3 seconds"
+            phrase!("nao.hold_it_and_press_its", "hold it and press its chest button for 3 seconds")
         }
     }
 
@@ -157,17 +164,21 @@ impl Robot for Nao {
                 return Err(why.map_or_else(|| RobotFault::NoDevice(name.to_owned()), RobotFault::Lacks));
             }
             if let Some(why) = models::lacks(name, params, state.is_pepper) {
-                return Err(RobotFault::Lacks(why.to_owned()));
+                return Err(RobotFault::Lacks(why));
             }
             if state.halt.is_some() {
-                return Err(RobotFault::NotNow("it has just halted".to_owned()));
+                return Err(RobotFault::NotNow(phrase!("nao.it_has_just_halted", "it has just halted")));
             }
             known.check_installed(params, &state.installed)?;
             let joint = params.get("joint").and_then(Value::as_text);
             if let Some(joint) = joint.filter(|joint| JOINTS.contains(joint))
                 && !state.joints.iter().any(|known| known == joint)
             {
-                return Err(RobotFault::Lacks(format!("its body has no {joint}", joint = joint_words(joint))));
+                return Err(RobotFault::Lacks(phrase!(
+                    "nao.its_body_has_no",
+                    "its body has no {joint}",
+                    joint = joint_words(joint)
+                )));
             }
             state.time_at(std::time::Instant::now())
         };
@@ -217,7 +228,7 @@ impl Robot for Nao {
             let mut state = self.shared.state();
             state.check_link()?;
             if state.halt.is_some() {
-                return Err(RobotFault::NotNow("it has just halted".to_owned()));
+                return Err(RobotFault::NotNow(phrase!("nao.it_has_just_halted", "it has just halted")));
             }
             if deed.moves() {
                 state.check_moves()?;
@@ -234,7 +245,7 @@ impl Robot for Nao {
         };
         if self.waiting.fetch_add(1, Ordering::SeqCst) >= DEEDS_MAX {
             self.waiting.fetch_sub(1, Ordering::SeqCst);
-            return Err(RobotFault::NotNow("too much waits for it".to_owned()));
+            return Err(RobotFault::NotNow(phrase!("nao.too_much_waits_for_it", "too much waits for it")));
         }
         self.tell(LinkCommand::Do(stop_generation, user.clone(), deed))
     }
@@ -283,7 +294,10 @@ impl Robot for Nao {
         }
         if control == Control::Rest {
             if !may_rest {
-                return Err(RobotFault::NotNow("it lies on the floor; help it up first".to_owned()));
+                return Err(RobotFault::NotNow(phrase!(
+                    "nao.it_lies_on_the_floor",
+                    "it lies on the floor; help it up first"
+                )));
             }
             self.shared.rest();
             return Ok(());
@@ -300,15 +314,15 @@ impl Robot for Nao {
         self.shared.state().take_refused().into()
     }
 
-    fn take_halt(&mut self) -> Option<String> {
+    fn take_halt(&mut self) -> Option<Phrase> {
         self.shared.state().halt.take()
     }
 
     fn health(&self) -> Health {
         let state = self.shared.state();
         // Who runs something has to know that it is not alone.
-        let lives = state.used && matches!(state.condition.life, Some(Life::Solitary | Life::Interactive));
-        if lives && state.health == Health::Ready { Health::Degraded(LIVES.to_owned()) } else { state.health.clone() }
+        let is_alive = state.used && matches!(state.condition.life, Some(Life::Solitary | Life::Interactive));
+        if is_alive && state.health == Health::Ready { Health::Degraded(lives()) } else { state.health.clone() }
     }
 
     fn condition(&self) -> Condition {

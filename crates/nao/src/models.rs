@@ -1,6 +1,7 @@
 //! Which robots have which devices, as far as that is known without asking one.
 
 use behaviour::{Params, Value};
+use phrase::{Phrase, phrase};
 
 /// A kind of robot.
 #[derive(Clone, Copy, Debug)]
@@ -19,13 +20,17 @@ pub const MODELS: [RobotModel; 3] = [
 ];
 
 /// Why a body cannot use a device with what was chosen for it, where that is known.
-pub(crate) fn lacks(device: &str, params: &Params, is_pepper: bool) -> Option<&'static str> {
+pub(crate) fn lacks(device: &str, params: &Params, is_pepper: bool) -> Option<Phrase> {
     let chosen = |name: &str, what: &str| params.get(name).and_then(Value::as_text) == Some(what);
     match device {
-        "Sonar" if !is_pepper && chosen("side", "back") => Some("its body has no sonar at the back"),
-        "Bumper" if !is_pepper && chosen("foot", "back") => Some("its body has no bumper at the back"),
+        "Sonar" if !is_pepper && chosen("side", "back") => {
+            Some(phrase!("nao.its_body_has_no_sonar_at_the", "its body has no sonar at the back"))
+        }
+        "Bumper" if !is_pepper && chosen("foot", "back") => {
+            Some(phrase!("nao.its_body_has_no_bumper_at_the", "its body has no bumper at the back"))
+        }
         "HandTouch" if is_pepper && (chosen("part", "left") || chosen("part", "right")) => {
-            Some("its hands feel a touch on their backs only")
+            Some(phrase!("nao.its_hands_feel_a_touch", "its hands feel a touch on their backs only"))
         }
         _ => None,
     }

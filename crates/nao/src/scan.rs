@@ -7,6 +7,7 @@ use crate::link::{CALL, call, try_call};
 use crate::settings::RobotSettings;
 use crate::shared::{NaoShared, NaoState};
 use futures_util::future::join_all;
+use phrase::{Phrase, phrase};
 use qi::{QiError, Session, Value};
 use robot::Lacking;
 use std::collections::BTreeSet;
@@ -23,7 +24,9 @@ const EXTRACTORS: [&str; 8] = [
     "ALSoundLocalization",
 ];
 /// The words about a robot without a tablet.
-const NO_TABLET: &str = "it has no tablet; a Pepper has one";
+fn no_tablet() -> Phrase {
+    phrase!("nao.no_tablet", "it has no tablet; a Pepper has one")
+}
 /// The word of `getRobotType` and the model for a Pepper.
 const PEPPER: &str = "Juliette";
 
@@ -80,17 +83,20 @@ fn has(services: &BTreeSet<String>, joints: &[String]) -> (Vec<&'static str>, Ve
         let joint = driver.joints.iter().find(|joint| !joints.iter().any(|there| there == *joint));
         match (service, joint) {
             (None, None) => devices.push(driver.name),
-            (Some(&"ALTabletService"), _) => lacking.push(lack(driver.name, NO_TABLET.to_owned())),
-            (Some(service), _) => lacking.push(lack(driver.name, format!("its {service} is not there"))),
-            (None, Some(joint)) => {
-                lacking.push(lack(driver.name, format!("its body has no {joint}", joint = joint_words(joint))))
+            (Some(&"ALTabletService"), _) => lacking.push(lack(driver.name, no_tablet())),
+            (Some(service), _) => {
+                lacking.push(lack(driver.name, phrase!("nao.its_is_not_there", "its {service} is not there")))
             }
+            (None, Some(joint)) => lacking.push(lack(
+                driver.name,
+                phrase!("nao.its_body_has_no", "its body has no {joint}", joint = joint_words(joint)),
+            )),
         }
     }
     (devices, lacking)
 }
 
-fn lack(device: &str, why: String) -> Lacking {
+fn lack(device: &str, why: Phrase) -> Lacking {
     Lacking { device: device.to_owned(), why }
 }
 

@@ -7,6 +7,7 @@ use crate::link::{CALL, call, is_silent, try_call};
 use crate::local_time;
 use crate::outcome;
 use crate::shared::NaoShared;
+use phrase::phrase;
 use qi::{EventChoice, QiError, Session, Value};
 use robot::Use;
 use std::collections::BTreeSet;
@@ -61,7 +62,7 @@ pub(crate) async fn run(
     if let Err(error) = ready {
         tracing::warn!(stream = %user.stream, %error, "a sense could not be started");
         let label = shared.state().labels.get(&user).copied().unwrap_or_default();
-        let why = format!("“{label}” does not work: {why}", why = outcome::why(&error));
+        let why = phrase!("nao.does_not_work", "“{label}” does not work: {why}", why = outcome::why(&error));
         shared.state().note_silent(&user, Some(why));
     }
     let first = sense.first();

@@ -4,6 +4,7 @@ use crate::body::BodyLimits;
 use crate::subscribed::Subscribed;
 use crate::voice_before::{USUAL_SPEED, VoiceBefore};
 use behaviour::Value;
+use phrase::{Phrase, phrase};
 use robot::{Condition, Control, Health, Identity, Installed, Lacking, Life, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -16,9 +17,16 @@ const READINGS_MAX: usize = 4_096;
 /// Actions that did not come about, that may wait to be told; the oldest go first.
 const REFUSED_MAX: usize = 256;
 /// Why it is degraded while its link is slow.
-const SLOW: &str = "it answers slowly";
+fn slow() -> Phrase {
+    phrase!("nao.slow", "it answers slowly")
+}
 /// Why it is while its legs may still move.
-const LEGS: &str = "its legs did not answer to Stop; look whether it stands, and use its own button if it does not";
+fn legs() -> Phrase {
+    phrase!(
+        "nao.legs",
+        "its legs did not answer to Stop; look whether it stands, and use its own button if it does not"
+    )
+}
 /// The longest that a fall may take.
 const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
@@ -55,7 +63,7 @@ pub(crate) struct NaoState {
     pub(crate) devices: Vec<&'static str>,
     pub(crate) lacking: Vec<Lacking>,
     pub(crate) condition: Condition,
-    pub(crate) halt: Option<String>,
+    pub(crate) halt: Option<Phrase>,
     /// When it fell last, or was about to.
     pub(crate) falling: Option<Instant>,
     pub(crate) limits: BodyLimits,
@@ -106,7 +114,7 @@ pub(crate) struct NaoState {
     /// True while its legs have not answered to a Stop.
     legs_silent: bool,
     /// Why senses do not work, by their use.
-    silent: BTreeMap<Use, String>,
+    silent: BTreeMap<Use, Phrase>,
     /// Actions that did not come about, oldest first.
     refused: VecDeque<(Use, RobotFault)>,
     readings: VecDeque<(Use, Value)>,
@@ -169,8 +177,11 @@ impl NaoState {
     pub(crate) fn check_link(&self) -> Result<(), RobotFault> {
         match &self.health {
             Health::Stranger(_) => {
-                let why = "another robot answers at its address; say first which one is meant";
-                Err(RobotFault::NotNow(why.to_owned()))
+                let why = phrase!(
+                    "nao.another_robot_answers_at_its",
+                    "another robot answers at its address; say first which one is meant"
+                );
+                Err(RobotFault::NotNow(why))
             }
             _ if self.is_linked() => Ok(()),
             _ => Err(RobotFault::NoLink),
@@ -180,52 +191,56 @@ impl NaoState {
     /// Why it cannot move now, if it cannot; in the words of the simulated robot.
     pub(crate) fn check_moves(&self) -> Result<(), RobotFault> {
         let why = match (self.condition.fallen, self.condition.awake) {
-            (Some(true), _) => "it lies on the floor; help it up first",
-            (_, Some(false)) => "it rests; take control first",
+            (Some(true), _) => phrase!("nao.it_lies_on_the_floor", "it lies on the floor; help it up first"),
+            (_, Some(false)) => phrase!("nao.it_rests_take_control_first", "it rests; take control first"),
             _ => return Ok(()),
         };
-        Err(RobotFault::NotNow(why.to_owned()))
+        Err(RobotFault::NotNow(why))
     }
 
     /// Why it cannot walk or turn the whole body now, if it cannot; in the words of the simulated robot where that has them.
     pub(crate) fn check_legs(&self) -> Result<(), RobotFault> {
         let why = if self.posture.starts_with("Sitting") {
-            "it sits; let it stand up first"
+            phrase!("nao.it_sits_let_it_stand", "it sits; let it stand up first")
         } else if self.condition.fallen == Some(true) || self.posture.starts_with("Lying") {
-            "it lies on the floor; help it up first"
+            phrase!("nao.it_lies_on_the_floor", "it lies on the floor; help it up first")
         } else if self.on_ground == Some(false) {
-            "it is carried; set it on its feet first"
+            phrase!("nao.it_is_carried_set_it", "it is carried; set it on its feet first")
         } else if self.condition.plugged == Some(true) {
-            "it is on its charging cable; unplug it first"
+            phrase!("nao.it_is_on_its_charging", "it is on its charging cable; unplug it first")
         } else if self.stiff_legs == Some(false) {
-            "its legs are limp; take control first"
+            phrase!("nao.its_legs_are_limp_take", "its legs are limp; take control first")
         } else {
             return Ok(());
         };
-        Err(RobotFault::NotNow(why.to_owned()))
+        Err(RobotFault::NotNow(why))
     }
 
     /// Why it cannot do now with its body what somebody asks for, if it cannot.
     pub(crate) fn check_control(&self, control: &Control) -> Result<(), RobotFault> {
         let why = match control {
-            Control::Stand | Control::Sit if self.condition.awake == Some(false) => "it rests; wake it up first",
+            Control::Stand | Control::Sit if self.condition.awake == Some(false) => {
+                phrase!("nao.it_rests_wake_it_up", "it rests; wake it up first")
+            }
             Control::WakeUp | Control::Stand | Control::Sit if !self.may_rest() => {
-                "it lies on the floor; help it up first"
+                phrase!("nao.it_lies_on_the_floor", "it lies on the floor; help it up first")
             }
             Control::WakeUp | Control::Stand | Control::Sit if self.on_ground == Some(false) => {
-                "it is carried; set it on its feet first"
+                phrase!("nao.it_is_carried_set_it", "it is carried; set it on its feet first")
             }
-            Control::Sit if self.is_pepper => "a Pepper cannot sit",
+            Control::Sit if self.is_pepper => phrase!("nao.a_pepper_cannot_sit", "a Pepper cannot sit"),
             Control::WakeUp | Control::Stand | Control::Sit if self.condition.life == Some(Life::Safeguard) => {
-                "it protects itself; give it a moment"
+                phrase!("nao.it_protects_itself_give_it", "it protects itself; give it a moment")
             }
             Control::ForgetFaces | Control::ForgetFace(_) if !self.devices.contains(&"RememberFace") => {
-                "it cannot remember faces"
+                phrase!("nao.it_cannot_remember_faces", "it cannot remember faces")
             }
-            Control::ForgetFace(name) if !self.faces.contains(name) => "it remembers nobody of that name",
+            Control::ForgetFace(name) if !self.faces.contains(name) => {
+                phrase!("nao.it_remembers_nobody_of_that", "it remembers nobody of that name")
+            }
             _ => return Ok(()),
         };
-        Err(RobotFault::NotNow(why.to_owned()))
+        Err(RobotFault::NotNow(why))
     }
 
     /// Nobody rests on the floor, or on the way to it.
@@ -248,7 +263,7 @@ impl NaoState {
     }
 
     /// A sense does not work, for this reason; without one it ended, and that does not matter any more.
-    pub(crate) fn note_silent(&mut self, user: &Use, why: Option<String>) {
+    pub(crate) fn note_silent(&mut self, user: &Use, why: Option<Phrase>) {
         match why {
             Some(why) => drop(self.silent.insert(user.clone(), why)),
             None => drop(self.silent.remove(user)),
@@ -280,12 +295,12 @@ impl NaoState {
             return;
         }
         let why = match () {
-            () if self.legs_silent => Some(LEGS),
-            () if self.is_slow => Some(SLOW),
-            () => self.silent.values().next().map(String::as_str),
+            () if self.legs_silent => Some(legs()),
+            () if self.is_slow => Some(slow()),
+            () => self.silent.values().next().cloned(),
         };
         match (why, &self.health) {
-            (Some(why), _) => self.health = Health::Degraded(why.to_owned()),
+            (Some(why), _) => self.health = Health::Degraded(why),
             (None, Health::Degraded(_)) => self.health = Health::Ready,
             (None, _) => {}
         }
@@ -385,13 +400,13 @@ impl NaoShared {
     }
 
     /// Everything that runs has to end, for this reason; the first one counts until it is told.
-    pub(crate) fn halt(&self, why: &str) {
+    pub(crate) fn halt(&self, why: Phrase) {
         {
             let mut state = self.state();
             if !state.used {
                 return;
             }
-            state.halt.get_or_insert_with(|| why.to_owned());
+            state.halt.get_or_insert(why);
         }
         self.stop();
     }
@@ -409,7 +424,8 @@ impl NaoShared {
 
 #[cfg(test)]
 mod tests {
-    use super::{LEGS, NaoState};
+    use super::{NaoState, legs};
+    use phrase::Phrase;
     use robot::Health;
 
     #[test]
@@ -417,14 +433,14 @@ mod tests {
         let mut state = NaoState { health: Health::Ready, ..NaoState::default() };
         let degraded = |state: &NaoState| match &state.health {
             Health::Degraded(why) => why.clone(),
-            _ => String::new(),
+            _ => Phrase::default(),
         };
         state.note_legs(true);
         state.note_slow(true);
-        assert_eq!(degraded(&state), LEGS);
+        assert_eq!(degraded(&state), legs());
         // The next sign of life says nothing of the legs.
         state.note_slow(false);
-        assert_eq!(degraded(&state), LEGS);
+        assert_eq!(degraded(&state), legs());
         state.note_legs(false);
         assert_eq!(state.health, Health::Ready);
     }

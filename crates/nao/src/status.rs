@@ -6,6 +6,7 @@ use crate::deed::ServiceCall;
 use crate::link::try_call;
 use crate::senses::listen;
 use crate::shared::{NaoShared, NaoState};
+use phrase::{Phrase, phrase};
 use qi::{Session, Value};
 use robot::{Health, Life};
 use std::sync::Arc;
@@ -116,28 +117,28 @@ fn note(shared: &NaoShared, key: &str, value: &Value) {
         said
     };
     if let Some(why) = why {
-        shared.halt(&why);
+        shared.halt(why);
     }
 }
 
 /// Why everything has to end, if it has.
-fn said(state: &mut NaoState, key: &str, value: &Value) -> Option<String> {
+fn said(state: &mut NaoState, key: &str, value: &Value) -> Option<Phrase> {
     let condition = &mut state.condition;
     match key {
         "ALMotion/RobotIsFalling" => truth(value).unwrap_or(true).then(|| {
             state.falling = Some(Instant::now());
-            "it falls".to_owned()
+            phrase!("nao.it_falls", "it falls")
         }),
         "robotHasFallen" => {
             let fallen = truth(value)?;
             condition.fallen = Some(fallen);
-            fallen.then(|| "it fell".to_owned())
+            fallen.then(|| phrase!("nao.it_fell", "it fell"))
         }
         "HotDeviceDetected" => {
             let hot = value.items()?.iter().filter_map(|joint| Some(joint.as_text()?.into_owned()));
             condition.hot = hot.take(64).collect();
             let first = condition.hot.first()?;
-            Some(format!("its {first} is too hot"))
+            Some(phrase!("nao.its_is_too_hot", "its {first} is too hot"))
         }
         "BatteryChargeChanged" => {
             let percent = u8::try_from(value.as_i64()?).ok().filter(|percent| *percent <= 100)?;
@@ -148,7 +149,7 @@ fn said(state: &mut NaoState, key: &str, value: &Value) -> Option<String> {
             condition.plugged = truth(value);
             None
         }
-        "BatteryNearlyEmpty" => (truth(value)? && condition.plugged != Some(true)).then(|| EMPTY.to_owned()),
+        "BatteryNearlyEmpty" => (truth(value)? && condition.plugged != Some(true)).then(|| battery_empty()),
         "AutonomousLife/State" => {
             let life = match value.as_text()?.as_ref() {
                 "disabled" => Life::Disabled,
@@ -158,7 +159,7 @@ fn said(state: &mut NaoState, key: &str, value: &Value) -> Option<String> {
                 _ => return None,
             };
             condition.life = Some(life);
-            (life == Life::Safeguard).then(|| "it protects itself".to_owned())
+            (life == Life::Safeguard).then(|| phrase!("nao.it_protects_itself", "it protects itself"))
         }
         "PostureFamilyChanged" => {
             let family = value.as_text()?.into_owned();
@@ -203,11 +204,13 @@ fn said(state: &mut NaoState, key: &str, value: &Value) -> Option<String> {
     }
 }
 
-const EMPTY: &str = "its battery is empty";
+fn battery_empty() -> Phrase {
+    phrase!("nao.its_battery_is_empty", "its battery is empty")
+}
 
-fn empty(condition: &robot::Condition) -> Option<String> {
+fn empty(condition: &robot::Condition) -> Option<Phrase> {
     let low = condition.battery.is_some_and(|percent| percent <= EMPTY_PERCENT);
-    (low && condition.plugged != Some(true)).then(|| EMPTY.to_owned())
+    (low && condition.plugged != Some(true)).then(|| battery_empty())
 }
 
 #[cfg(test)]
@@ -221,11 +224,11 @@ mod tests {
     fn what_endangers_the_robot_halts_and_odd_values_say_nothing() {
         let mut state = NaoState::default();
         let mut hear = |key: &str, value: Value| said(&mut state, key, &value);
-        assert_eq!(hear("robotHasFallen", Value::F32(1.0)).as_deref(), Some("it fell"));
-        assert_eq!(hear("AutonomousLife/State", "safeguard".into()).as_deref(), Some("it protects itself"));
+        assert_eq!(hear("robotHasFallen", Value::F32(1.0)), Some("it fell".into()));
+        assert_eq!(hear("AutonomousLife/State", "safeguard".into()), Some("it protects itself".into()));
         assert_eq!(hear("AutonomousLife/State", "solitary".into()), None);
         assert_eq!(hear("BatteryChargeChanged", Value::I32(80)), None);
-        assert_eq!(hear("BatteryChargeChanged", Value::I32(4)).as_deref(), Some("its battery is empty"));
+        assert_eq!(hear("BatteryChargeChanged", Value::I32(4)), Some("its battery is empty".into()));
         assert_eq!(hear("BatteryPowerPluggedChanged", Value::Bool(true)), None);
         assert_eq!(hear("BatteryChargeChanged", Value::I32(4)), None, "it charges");
         for odd in [Value::Unit, Value::I32(-7), Value::List(vec![Value::Unit]), Value::Str(vec![0xff])] {

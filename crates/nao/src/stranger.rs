@@ -6,6 +6,7 @@ use crate::identity::{blink, read};
 use crate::link_commands::LinkCommand;
 use crate::link_commands::{LinkCommands, drain};
 use crate::shared::NaoShared;
+use phrase::{Phrase, phrase};
 use qi::Session;
 use robot::{Control, Health, Stranger};
 use std::sync::Arc;
@@ -22,7 +23,7 @@ pub(crate) async fn meet(
     orders: &mut LinkCommands,
     waiting: &AtomicUsize,
     mut who: Box<Stranger>,
-) -> String {
+) -> Phrase {
     tracing::warn!(expected = %who.expected.name, found = %who.found.name, "another robot answers");
     drain(orders, waiting);
     shared.state().health = Health::Stranger(who.clone());
@@ -32,8 +33,8 @@ pub(crate) async fn meet(
     loop {
         tokio::select! {
             biased;
-            () = shared.ending.notified() => return "it is not used any more".to_owned(),
-            ending = session.link().ended() => return format!("the connection ended: {ending}"),
+            () = shared.ending.notified() => return phrase!("nao.it_is_not_used_any", "it is not used any more"),
+            ending = session.link().ended() => return phrase!("nao.the_connection_ended", "the connection ended: {ending}"),
             // A robot that starts has its services one by one.
             _ = asking.tick(), if who.found.name.is_empty() || who.found.body.is_empty() => {
                 if let Ok(found) = read(session, false).await {
@@ -42,7 +43,7 @@ pub(crate) async fn meet(
                 }
             }
             order = orders.recv() => match order {
-                None => return "it is not used any more".to_owned(),
+                None => return phrase!("nao.it_is_not_used_any", "it is not used any more"),
                 Some(LinkCommand::Do(..)) => {
                     waiting.fetch_sub(1, Ordering::SeqCst);
                 }

@@ -12,6 +12,7 @@ use crate::settings::RobotSettings;
 use crate::shared::NaoShared;
 use crate::{camera, check, identity, inventory, restoring, senses, status, stopping, stranger, voicing};
 use futures_util::future::join_all;
+use phrase::{Phrase, phrase};
 use qi::{Session, Value};
 use robot::{Control, Health, Use};
 use std::collections::BTreeMap;
@@ -50,7 +51,10 @@ pub(crate) fn keep(settings: &RobotSettings, shared: &Arc<NaoShared>, mut orders
             runtime.block_on(work(settings, shared, &mut orders, waiting));
             runtime.shutdown_background();
         }
-        Err(error) => shared.state().health = Health::Lost(format!("there is no runtime for it ({error})")),
+        Err(error) => {
+            shared.state().health =
+                Health::Lost(phrase!("nao.there_is_no_runtime_for", "there is no runtime for it ({error})"))
+        }
     }
 }
 
@@ -98,7 +102,7 @@ async fn work(settings: &RobotSettings, shared: &Arc<NaoShared>, orders: &mut Li
             }
             Err(error) => check::sentence(&error),
         };
-        lose(shared, &why);
+        lose(shared, why);
         drain(orders, waiting);
         tries += 1;
         // Servers that lost the same robot do not come back at the same moment.
@@ -112,12 +116,12 @@ async fn work(settings: &RobotSettings, shared: &Arc<NaoShared>, orders: &mut Li
 }
 
 /// The link is gone: who used the robot has to begin again.
-fn lose(shared: &NaoShared, why: &str) {
-    shared.halt("the connection to it was lost");
+fn lose(shared: &NaoShared, why: Phrase) {
+    shared.halt(phrase!("nao.the_connection_to_it_was", "the connection to it was lost"));
     // Who knows who holds it when it is back.
     shared.take_rest();
     let mut state = shared.state();
-    state.health = Health::Lost(why.to_owned());
+    state.health = Health::Lost(why);
     state.condition = robot::Condition::default();
     (state.stiff_legs, state.on_ground) = (None, None);
     state.subscribed.take();
@@ -146,7 +150,7 @@ async fn serve(
     shared: &Arc<NaoShared>,
     orders: &mut LinkCommands,
     waiting: &AtomicUsize,
-) -> String {
+) -> Phrase {
     match scan(session).await {
         Ok(scanned) => scanned.note(&mut shared.state()),
         Err(error) => return check::sentence(&error),
@@ -182,10 +186,10 @@ async fn serve(
     let why = loop {
         tokio::select! {
             biased;
-            () = shared.ending.notified() => break "it is not used any more".to_owned(),
-            ending = session.link().ended() => break format!("the connection ended: {ending}"),
+            () = shared.ending.notified() => break phrase!("nao.it_is_not_used_any", "it is not used any more"),
+            ending = session.link().ended() => break phrase!("nao.the_connection_ended", "the connection ended: {ending}"),
             order = orders.recv() => match order {
-                None => break "it is not used any more".to_owned(),
+                None => break phrase!("nao.it_is_not_used_any", "it is not used any more"),
                 Some(LinkCommand::Open(user, sense)) => {
                     let (cancel, name) = (CancellationToken::new(), format!("{}/{}/{}", settings.own_name, user.run, user.stream));
                     let task = senses::run(session.clone(), Arc::clone(shared), SenseTurns::clone(&turns), name, user.clone(), sense, cancel.clone());

@@ -3,6 +3,7 @@
 use crate::hook::Hook;
 use crate::past::Past;
 use behaviour::{Behaviour, Helper, Id, Kind, Knowledge, Record, RecordId, Unit, ValueType};
+use phrase::Phrased;
 use protocol::{NotSeen, PartsCursor, PastAnswer, PastProgramPart, PastQuestion, ProgramSentence, TOLD_MAX};
 use sentences::{Language, Sentence};
 
@@ -45,7 +46,7 @@ impl Past {
         knowledge: &dyn Knowledge,
     ) -> Result<PastProgramPart, NotSeen> {
         let file = &self.programs.get(program).ok_or(NotSeen::NoSuchProgram)?.file;
-        let flaw = |flaws: Vec<behaviour::Flaw>| flaws.first().map(ToString::to_string).unwrap_or_default();
+        let flaw = |flaws: Vec<behaviour::Flaw>| flaws.first().map(Phrased::phrase).unwrap_or_default();
         let mut behaviour = file.records(|_| None).map_err(|flaws| NotSeen::CannotRun(flaw(flaws)))?;
         let library = file.library();
         let sentences = if part == 0 { told(&behaviour, &library, knowledge, of_code(language)) } else { Vec::new() };

@@ -36,7 +36,7 @@ impl Interruptions {
         }
         self.fallen = fallen;
         if let Some(halt) = &line.halt {
-            self.add(line.at_ms, Interrupted::Halted(halt.clone()));
+            self.add(line.at_ms, Interrupted::Halted(halt.as_str().into()));
         }
     }
 }

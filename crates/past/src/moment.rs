@@ -6,6 +6,7 @@ use crate::past::Past;
 use crate::play::{PlainPlayer, Played, connector_id, play};
 use behaviour::Id;
 use engine::{Emission, Run};
+use phrase::{Phrase, Phrased};
 use protocol::{ConnectorSample, NotSeen, PastMoment, StreamSample, Values};
 
 /// The time over which values are counted for their rate, in milliseconds.
@@ -75,9 +76,9 @@ impl Past {
             if stats.fired == 0 && faults == 0 {
                 return None;
             }
-            let own = stats.last_fault.as_ref().map(|fault| fault.error.to_string());
+            let own = stats.last_fault.as_ref().map(|fault| fault.error.phrase());
             let connector = Id::new(connector_id(self, program, at)).ok()?;
-            Some(ConnectorSample { connector, fired: stats.fired, faults, error: last.cloned().or(own) })
+            Some(ConnectorSample { connector, fired: stats.fired, faults, error: last.map(Phrase::from).or(own) })
         })
     }
 }

@@ -9,6 +9,7 @@ use crate::series::AllSeries;
 use crate::tape::{Shapes, Tape, TapedReading};
 use behaviour::{BehaviourFile, StreamKind, Value};
 use engine::{Emission, End, Handover, Matching, Run, StreamIx};
+use phrase::phrase;
 use protocol::{Interrupted, NotSeen, PAST_PROGRAMS_MAX, PastProgram, RECORDING_MARKS_MAX, RecordingMark};
 use recording::{EndLine, Entry, Header, Lack, NoteLine, mark, marks};
 use robot::Millis;
@@ -145,7 +146,7 @@ impl Opening {
                 self.applied = Some((at_ms, revision));
             }
             Entry::File { revision, file, .. } => {
-                let unread = || NotSeen::CannotRun("this rrp cannot read it; update rrp".to_owned());
+                let unread = || NotSeen::CannotRun(phrase!("NotSeen.Newer", "this rrp cannot read it; update rrp"));
                 self.program(*file.ok_or_else(unread)?, revision)?;
             }
             Entry::Memory { at_ms, memory } => self.memory(at_ms, *memory.ok_or(NotSeen::NoMemory)?)?,

@@ -3,6 +3,7 @@
 use crate::hook::Hook;
 use behaviour::{BehaviourFile, Lookup, StreamKind};
 use engine::{GraphFault, Limits, Run};
+use phrase::{Phrase, Phrased};
 use protocol::{NotSeen, PastProgram, PastStream};
 
 /// A program that ran.
@@ -54,9 +55,9 @@ impl KnownStreams {
 ///
 /// # Errors
 /// The first reason why it cannot run.
-pub(crate) fn build(file: &BehaviourFile, hook: &Hook) -> Result<Run, String> {
+pub(crate) fn build(file: &BehaviourFile, hook: &Hook) -> Result<Run, Phrase> {
     let over = hook.clone();
-    let first = |faults: Vec<GraphFault>| faults.first().map(ToString::to_string).unwrap_or_default();
+    let first = |faults: Vec<GraphFault>| faults.first().map(Phrased::phrase).unwrap_or_default();
     Run::build(file, Limits::default().stopped_by(move || over())).map_err(first)
 }
 

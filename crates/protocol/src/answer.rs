@@ -6,6 +6,7 @@ use crate::{
     Similar as SimilarBehaviour, Summary, Tagged,
 };
 use behaviour::{Accepted, AskResult, Behaviour, Fix, Grant, Id, Problem, Value, ValueType};
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -262,9 +263,9 @@ answers! {
     /// The results of a procedure for the given values.
     Checked {
         /// Why it cannot run at all, in one sentence.
-        error: Option<String>,
+        error: Option<Phrase>,
         /// One result, or one sentence, per set of values.
-        results: Vec<Result<Value, String>>,
+        results: Vec<Result<Value, Phrase>>,
         /// A name in it that means nothing.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         unknown: Option<UnknownName>,

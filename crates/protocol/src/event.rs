@@ -2,6 +2,7 @@
 
 use crate::{Invitation, Person, Press, RecordingMark, RobotState, RunState, Values};
 use behaviour::{Accepted, Checkpoint, Grant, Id, LockEvent, Problem, RecordId};
+use phrase::Phrase;
 use robot::Scene;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -99,7 +100,7 @@ events! {
     Store {
         /// Why they cannot be saved now, if so. Everything can go on; a change refused with [`crate::Refused::Store`] may be sent
         /// again once this is none.
-        away: Option<String>,
+        away: Option<Phrase>,
     },
     /// The robots, told at first and whenever one comes, goes or changes its state.
     Robots {

@@ -1,6 +1,7 @@
 //! One page of the history of a behaviour.
 
 use behaviour::{Accepted, Edit, Id, Kind};
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// The most changes of one page of a history.
@@ -25,7 +26,7 @@ pub struct HistoryLine {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub by: Option<Id>,
     /// Says what the change does, in a few words.
-    pub label: String,
+    pub label: Phrase,
     /// When it was made, in milliseconds since 1970.
     pub at_ms: u64,
     /// The change that it takes back; if that took one back itself, this one does it again.
@@ -64,7 +65,7 @@ impl HistoryLine {
     /// The bytes that it takes where lines are counted: those of its texts and of what it changed.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.label.len() + self.author.len() + bytes(&self.edits)
+        self.label.bytes() + self.author.len() + bytes(&self.edits)
     }
 }
 

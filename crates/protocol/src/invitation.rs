@@ -1,8 +1,8 @@
 //! Letting others in: what people may do, and the invitations by which they come.
 
 use behaviour::Id;
+use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// The most invitations that are kept; of those that ended the oldest give way.
 pub const INVITATIONS_MAX: usize = 100;
@@ -32,15 +32,17 @@ impl Role {
     pub const ALL: [Self; 4] = [Self::Viewer, Self::Operator, Self::Editor, Self::Host];
 }
 
-/// Writes the role's name in a sentence: "an editor".
-impl fmt::Display for Role {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        to.write_str(match self {
-            Self::Viewer => "a viewer",
-            Self::Operator => "an operator",
-            Self::Editor => "an editor",
-            Self::Host => "the person at the server’s computer",
-        })
+phrase::shown!(Role);
+
+/// Says the role in a sentence: "an editor".
+impl Phrased for Role {
+    fn phrase(&self) -> Phrase {
+        match self {
+            Self::Viewer => phrase!("Role.Viewer", "a viewer"),
+            Self::Operator => phrase!("Role.Operator", "an operator"),
+            Self::Editor => phrase!("Role.Editor", "an editor"),
+            Self::Host => phrase!("Role.Host", "the person at the server’s computer"),
+        }
     }
 }
 

@@ -52,7 +52,7 @@ pub use told::{ProgramSentence, TOLD_MAX};
 pub use why::{Because, BlockedConnector, Why, WhyNot, WhyStep, WhyWith};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 17;
+pub const VERSION: u32 = 18;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.

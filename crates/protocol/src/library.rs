@@ -3,6 +3,7 @@
 
 use behaviour::library::{Cursor, SearchPlace, Sort};
 use behaviour::{Id, StreamKind};
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// The most lines of one page of the list.
@@ -82,7 +83,7 @@ pub struct Exercise {
     /// The behaviour with which one begins, as a template of which the id says which exercise it is.
     pub start: Summary,
     /// Says what it shall become, in a sentence.
-    pub goal: String,
+    pub goal: Phrase,
     /// The questions about what it does; where there are some, it is explained and not changed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub asks: Vec<ExerciseQuestion>,
@@ -93,9 +94,9 @@ pub struct Exercise {
 #[serde(rename_all = "camelCase")]
 pub struct ExerciseQuestion {
     /// In a sentence.
-    pub ask: String,
+    pub ask: Phrase,
     /// The answers to choose from.
-    pub answers: Vec<String>,
+    pub answers: Vec<Phrase>,
 }
 
 impl Exercise {
@@ -111,20 +112,20 @@ impl Exercise {
 #[serde(rename_all = "camelCase")]
 pub enum RehearsalResult {
     /// The goal is reached; with a sentence that says so.
-    Reached(String),
+    Reached(Phrase),
     /// Something is not as it shall be.
     Missed {
         /// Says what was missed, in a sentence.
-        says: String,
+        says: Phrase,
         /// The first fault of a procedure, if there was one.
-        fault: Option<String>,
+        fault: Option<Phrase>,
     },
     /// There is nothing in the behaviour yet.
     Empty,
     /// It has more parts than are rehearsed.
     TooLarge,
     /// It cannot run; with the reason.
-    CannotRun(String),
+    CannotRun(Phrase),
     /// It takes more time than a rehearsal may.
     TooLong,
 }

@@ -2,6 +2,7 @@
 
 use crate::Recorded;
 use behaviour::{Id, Params, Value};
+use phrase::Phrase;
 use robot::{Condition, Health, Identity, Installed, Lacking};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -17,8 +18,8 @@ pub struct RobotState {
     /// The kind of the robot: `nao`.
     pub kind: String,
     /// The words of its adapter for how a person ends at its body what it does; empty before that is known.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub by_body: String,
+    #[serde(default, skip_serializing_if = "Phrase::is_empty")]
+    pub by_body: Phrase,
     /// The state of the link.
     pub health: Health,
     /// The names of the devices it has.
@@ -63,7 +64,7 @@ impl RobotState {
             robot,
             name,
             kind: String::new(),
-            by_body: String::new(),
+            by_body: Phrase::default(),
             health: Health::Connecting,
             devices: Vec::new(),
             lacking: Vec::new(),
@@ -154,10 +155,10 @@ pub enum RunPhase {
     /// It was stopped; by whom, or by [`crate::STOP_BUTTON`] where nobody said who they are.
     Stopped(String),
     /// It ended by itself, its actuators safe; with the reason.
-    Faulted(String),
+    Faulted(Phrase),
     /// The robot interrupted it, as it fell, is too hot or was lost; with the reason. It goes on where it was when somebody
     /// presses Start, and ends when somebody presses Stop.
-    Paused(String),
+    Paused(Phrase),
 }
 
 /// A press of somebody beside a robot, and what became of it.
@@ -181,9 +182,9 @@ pub struct Press {
     pub params: Params,
     /// The value that the action was told, or that the sense seemed to give.
     pub value: Value,
-    /// Why nothing came of it, in one English sentence, if so.
+    /// Why nothing came of it, in one sentence, if so.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub why: Option<String>,
+    pub why: Option<Phrase>,
 }
 
 /// The changes in a running behaviour since the last such message.
@@ -228,5 +229,5 @@ pub struct ConnectorSample {
     pub faults: u64,
     /// Why it failed last, in one sentence, if it ever did.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub error: Option<String>,
+    pub error: Option<Phrase>,
 }

@@ -2,6 +2,7 @@
 
 use crate::{AnyAnswer, Message, answer};
 use behaviour::{Behaviour, RecordId, record_bytes};
+use phrase::{Phrase, Phrased, phrase};
 use std::ops::Bound;
 
 /// The records of one part, in bytes as [`behaviour::record_bytes`] counts them; a larger record is a part of its own.
@@ -111,9 +112,11 @@ impl Assembly {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartMissing;
 
-impl std::fmt::Display for PartMissing {
-    fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
-        to.write_str("a part of the program did not come")
+phrase::shown!(PartMissing);
+
+impl Phrased for PartMissing {
+    fn phrase(&self) -> Phrase {
+        phrase!("PartMissing", "a part of the program did not come")
     }
 }
 

@@ -5,6 +5,7 @@
 
 use crate::{ProgramSentence, RecordingMark, Values, Why, WhyNot};
 use behaviour::{Behaviour, Change, Id, Params, StreamKind, Value};
+use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
 
 /// The most lanes that one question asks for.
@@ -238,7 +239,7 @@ pub enum Interrupted {
     /// There was no connection to the robot.
     NoConnection,
     /// The robot interrupted the run; with the reason.
-    Halted(String),
+    Halted(Phrase),
     /// The robot fell.
     Fell,
 }
@@ -475,11 +476,11 @@ pub enum NotSeen {
     /// The memory of a continued run was too large to be recorded.
     NoMemory,
     /// The program in it cannot run here; with the reason.
-    CannotRun(String),
+    CannotRun(Phrase),
     /// It has a value of a stream that its own program does not have.
     Strange(String),
     /// The edited program cannot run; with the reason.
-    CannotCompare(String),
+    CannotCompare(Phrase),
     /// Answering takes longer than it may.
     TooLong,
     /// Somebody asked for something newer before this was answered.
@@ -502,50 +503,77 @@ pub enum NotSeen {
     NoPast,
 }
 
-impl std::fmt::Display for NotSeen {
-    fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
+phrase::shown!(NotSeen);
+
+impl Phrased for NotSeen {
+    fn phrase(&self) -> Phrase {
         match self {
-            Self::OldForm => to.write_str(
-                "This recording is an old one without the program that ran. Its report shows what the robot did.",
+            Self::OldForm => phrase!(
+                "NotSeen.OldForm",
+                "This recording is an old one without the program that ran. Its report shows what the robot did."
             ),
-            Self::NoProgram => to.write_str(
-                "This recording is cut off before it says what ran, so there is nothing to see. Choose another one.",
+            Self::NoProgram => phrase!(
+                "NotSeen.NoProgram",
+                "This recording is cut off before it says what ran, so there is nothing to see. Choose another one."
             ),
-            Self::NoReadings => to.write_str(
-                "This recording has marks and actions only. To look back next time, choose *Record readings* at Start.",
+            Self::NoReadings => phrase!(
+                "NotSeen.NoReadings",
+                "This recording has marks and actions only. To look back next time, choose *Record readings* at Start."
             ),
-            Self::NoMemory => to.write_str(
+            Self::NoMemory => phrase!(
+                "NotSeen.NoMemory",
                 "This recording goes on with a run that remembered too much to be recorded, so it cannot be shown. Record \
-                 from Start next time.",
+                 from Start next time."
             ),
             Self::CannotRun(reason) => {
-                write!(to, "The program in this recording cannot run here: {reason}. Its report shows what the robot did.")
+                phrase!(
+                    "NotSeen.CannotRun",
+                    "The program in this recording cannot run here: {reason}. Its report shows what the robot did."
+                )
             }
-            Self::Strange(stream) => write!(
-                to,
+            Self::Strange(stream) => phrase!(
+                "NotSeen.Strange",
                 "This recording has values of “{stream}”, which its own program does not have. It was edited and cannot be \
                  shown."
             ),
             Self::CannotCompare(reason) => {
-                write!(to, "The edited program cannot run yet: {reason}. Mend it, then compare again.")
+                phrase!(
+                    "NotSeen.CannotCompare",
+                    "The edited program cannot run yet: {reason}. Mend it, then compare again."
+                )
             }
             Self::TooLong => {
-                to.write_str("This takes too long to compute. Look at a shorter time, or at an earlier moment.")
+                phrase!(
+                    "NotSeen.TooLong",
+                    "This takes too long to compute. Look at a shorter time, or at an earlier moment."
+                )
             }
-            Self::Newer => to.write_str("Something newer was asked, so this was left out."),
+            Self::Newer => phrase!("NotSeen.Superseded", "Something newer was asked, so this was left out."),
             Self::TooMany => {
-                to.write_str("As many people look back as can at once. Wait until one of them closes it, then try again.")
+                phrase!(
+                    "NotSeen.TooMany",
+                    "As many people look back as can at once. Wait until one of them closes it, then try again."
+                )
             }
             Self::NoStream(stream) => {
-                write!(to, "No stream “{stream}” was there at that time. Choose another one.")
+                phrase!("NotSeen.NoStream", "No stream “{stream}” was there at that time. Choose another one.")
             }
-            Self::NoSuchProgram => to.write_str("No such program ran in this recording. Open the recording again."),
-            Self::NoValue => to.write_str("No such value came at that time. Choose a value that is shown."),
-            Self::Came(_) => to.write_str("Something did come in that time. Ask why it came."),
-            Self::NoTime => to.write_str("There is nothing at that time. Choose a time that is shown."),
-            Self::TooMuch => to.write_str("That is too much to show at once. Show fewer lanes, then try again."),
+            Self::NoSuchProgram => {
+                phrase!("NotSeen.NoSuchProgram", "No such program ran in this recording. Open the recording again.")
+            }
+            Self::NoValue => {
+                phrase!("NotSeen.NoValue", "No such value came at that time. Choose a value that is shown.")
+            }
+            Self::Came(_) => phrase!("NotSeen.Came", "Something did come in that time. Ask why it came."),
+            Self::NoTime => phrase!("NotSeen.NoTime", "There is nothing at that time. Choose a time that is shown."),
+            Self::TooMuch => {
+                phrase!("NotSeen.TooMuch", "That is too much to show at once. Show fewer lanes, then try again.")
+            }
             Self::NoPast => {
-                to.write_str("Nothing is known of this run any more. Start the program, or look at its recording.")
+                phrase!(
+                    "NotSeen.NoPast",
+                    "Nothing is known of this run any more. Start the program, or look at its recording."
+                )
             }
         }
     }

@@ -1,5 +1,6 @@
 //! A real robot: how it is reached, and what a look at it found.
 
+use phrase::Phrase;
 use robot::Identity;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -63,9 +64,9 @@ pub enum CheckStage {
 pub struct CheckStep {
     /// Which step.
     pub stage: CheckStage,
-    /// Why it failed and what to do, in one English sentence; none if it went well. After a failure no step follows.
+    /// Why it failed and what to do, in one sentence; none if it went well. After a failure no step follows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub failed: Option<String>,
+    pub failed: Option<Phrase>,
 }
 
 /// The findings of a look at a robot.

@@ -1,6 +1,7 @@
 //! Recordings of runs, as the page sees them.
 
 use behaviour::Id;
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// A recording under way.
@@ -13,7 +14,7 @@ pub struct Recorded {
     pub lost: u64,
     /// Why nothing more is written, if so.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub trouble: Option<String>,
+    pub trouble: Option<Phrase>,
     /// The number of the oldest recordings that were removed to make room for it.
     #[serde(default, skip_serializing_if = "is_none")]
     pub gave_way: u64,

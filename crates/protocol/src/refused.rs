@@ -2,9 +2,10 @@
 
 use crate::{NotSeen, Role};
 use behaviour::{Problem, Refusal};
+use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
 
-/// Why something was not done. [`std::fmt::Display`] says it in one English sentence.
+/// Why something was not done. [`Phrased`] says it in one sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Refused {
@@ -13,7 +14,7 @@ pub enum Refused {
     /// The greeting must come first.
     Greeting,
     /// The message could not be read; with the reason.
-    Unreadable(String),
+    Unreadable(Phrase),
     /// Too many messages; this one was dropped.
     TooFast,
     /// There is no such behaviour.
@@ -37,25 +38,25 @@ pub enum Refused {
     /// These problems stop Start.
     Problems(Vec<Problem>),
     /// The behaviour cannot start; with the reason.
-    CannotStart(String),
+    CannotStart(Phrase),
     /// The edited behaviour was not applied, and what runs goes on; with the reason.
-    NotApplied(String),
+    NotApplied(Phrase),
     /// The order on the robot could not be kept; with the reason.
-    NotKept(String),
+    NotKept(Phrase),
     /// There is no such robot.
     NoRobot,
     /// The robot was not added; with the reason.
-    RobotNotAdded(String),
+    RobotNotAdded(Phrase),
     /// The robot was not removed; with the reason.
-    RobotStays(String),
+    RobotStays(Phrase),
     /// The robot cannot do that now; with the reason.
-    RobotCannot(String),
+    RobotCannot(Phrase),
     /// Robots cannot be looked for in the network; with the reason.
-    NotSearched(String),
+    NotSearched(Phrase),
     /// There is no such recording.
     NoRecording,
     /// Something about a recording did not work; with the reason.
-    CannotRecord(String),
+    CannotRecord(Phrase),
     /// A question about the past of a run is not answered; with the reason.
     NotSeen(NotSeen),
     /// The behaviour does not run.
@@ -67,7 +68,7 @@ pub enum Refused {
     /// There is no such sensor stream.
     NoSensor,
     /// The store does not answer; with the reason.
-    Store(String),
+    Store(Phrase),
     /// Nothing is open.
     NothingOpen,
     /// Only somebody who may more may do this; at least this.
@@ -81,7 +82,7 @@ pub enum Refused {
     /// There are as many invitations as there may be.
     TooManyInvitations,
     /// The invitations could not be kept; with the reason.
-    InvitationsNotKept(String),
+    InvitationsNotKept(Phrase),
 }
 
 impl From<NotSeen> for Refused {
@@ -90,68 +91,104 @@ impl From<NotSeen> for Refused {
     }
 }
 
-impl std::fmt::Display for Refused {
-    fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
+phrase::shown!(Refused);
+
+impl Phrased for Refused {
+    fn phrase(&self) -> Phrase {
         match self {
             Self::Version(theirs) => {
-                write!(to, "This page is older or newer than the server (version {theirs}). Reload it.")
+                phrase!("Refused.Version", "This page is older or newer than the server (version {theirs}). Reload it.")
             }
-            Self::Greeting => to.write_str("The connection was not greeted first. Reload the page."),
-            Self::Unreadable(reason) => write!(to, "This message could not be read ({reason})."),
-            Self::TooFast => to.write_str("That was too much at once. Wait a moment and try again."),
-            Self::NoBehaviour => to.write_str("There is no such program any more. Choose another one."),
-            Self::NoTemplate(name) => write!(to, "There is no template “{name}”. Choose one from the list."),
-            Self::Change(refusal) => write!(to, "{refusal}"),
-            Self::NoVersion => to.write_str("There is no such version of this program. Look at its history again."),
-            Self::FarBack => to.write_str(
-                "Too much changed since then to go back in one step. Go back to a version in between first.",
+            Self::Greeting => phrase!("Refused.Greeting", "The connection was not greeted first. Reload the page."),
+            Self::Unreadable(reason) => phrase!("Refused.Unreadable", "This message could not be read ({.reason})."),
+            Self::TooFast => phrase!("Refused.TooFast", "That was too much at once. Wait a moment and try again."),
+            Self::NoBehaviour => {
+                phrase!("Refused.NoBehaviour", "There is no such program any more. Choose another one.")
+            }
+            Self::NoTemplate(name) => {
+                phrase!("Refused.NoTemplate", "There is no template “{name}”. Choose one from the list.")
+            }
+            Self::Change(refusal) => refusal.phrase(),
+            Self::NoVersion => {
+                phrase!("Refused.NoVersion", "There is no such version of this program. Look at its history again.")
+            }
+            Self::FarBack => phrase!(
+                "Refused.FarBack",
+                "Too much changed since then to go back in one step. Go back to a version in between first."
             ),
-            Self::NothingGone => to.write_str("Nothing that was removed there is missing now."),
-            Self::NoLock => to.write_str("This cannot be kept for one person. Edit it as it is."),
+            Self::NothingGone => phrase!("Refused.NothingGone", "Nothing that was removed there is missing now."),
+            Self::NoLock => phrase!("Refused.NoLock", "This cannot be kept for one person. Edit it as it is."),
             Self::NothingThere => {
-                to.write_str("This is not there any more, or not yet. Look again, and choose what is there.")
+                phrase!(
+                    "Refused.NothingThere",
+                    "This is not there any more, or not yet. Look again, and choose what is there."
+                )
             }
-            Self::TooManyLocks => to.write_str("Too much is being edited at once. Close an editor first."),
+            Self::TooManyLocks => {
+                phrase!("Refused.TooManyLocks", "Too much is being edited at once. Close an editor first.")
+            }
             Self::Problems(problems) => {
-                let first = problems.first().map(ToString::to_string).unwrap_or_default();
-                write!(to, "It cannot start yet. {first}")
+                let first = problems.first().map(Phrased::phrase).unwrap_or_default();
+                phrase!("Refused.Problems", "It cannot start yet. {first}")
             }
-            Self::CannotStart(reason) => write!(to, "It cannot start: {reason}."),
+            Self::CannotStart(reason) => phrase!("Refused.CannotStart", "It cannot start: {.reason}."),
             Self::NotApplied(reason) => {
-                write!(to, "The robot goes on with what it ran before, as the change cannot be applied: {reason}.")
+                phrase!(
+                    "Refused.NotApplied",
+                    "The robot goes on with what it ran before, as the change cannot be applied: {.reason}."
+                )
             }
-            Self::NotKept(reason) => write!(to, "The order stays as it was, as it could not be kept ({reason})."),
-            Self::NoRobot => to.write_str("There is no such robot any more. Choose another one."),
-            Self::RobotNotAdded(reason) => write!(to, "The robot was not added: {reason}."),
-            Self::RobotCannot(reason) => write!(to, "That was not done: {reason}."),
+            Self::NotKept(reason) => {
+                phrase!("Refused.NotKept", "The order stays as it was, as it could not be kept ({reason}).")
+            }
+            Self::NoRobot => phrase!("Refused.NoRobot", "There is no such robot any more. Choose another one."),
+            Self::RobotNotAdded(reason) => phrase!("Refused.RobotNotAdded", "The robot was not added: {reason}."),
+            Self::RobotCannot(reason) => phrase!("Refused.RobotCannot", "That was not done: {reason}."),
             Self::NotSearched(reason) => {
-                write!(to, "Robots cannot be looked for in this network: {reason}. Type the address of the robot.")
+                phrase!(
+                    "Refused.NotSearched",
+                    "Robots cannot be looked for in this network: {reason}. Type the address of the robot."
+                )
             }
-            Self::RobotStays(reason) => write!(to, "The robot stays: {reason}."),
-            Self::NoRecording => to.write_str("There is no such recording any more. Look at the list again."),
-            Self::CannotRecord(reason) => write!(to, "The recording did not do this: {reason}."),
-            Self::NotSeen(why) => write!(to, "{why}"),
-            Self::NotRunning => to.write_str("This program does not run. Press Start first."),
+            Self::RobotStays(reason) => phrase!("Refused.RobotStays", "The robot stays: {reason}."),
+            Self::NoRecording => {
+                phrase!("Refused.NoRecording", "There is no such recording any more. Look at the list again.")
+            }
+            Self::CannotRecord(reason) => phrase!("Refused.CannotRecord", "The recording did not do this: {reason}."),
+            Self::NotSeen(why) => why.phrase(),
+            Self::NotRunning => phrase!("Refused.NotRunning", "This program does not run. Press Start first."),
             Self::StoppedSince => {
-                to.write_str("The robot was stopped before this came. Press again if you still want it.")
+                phrase!(
+                    "Refused.StoppedSince",
+                    "The robot was stopped before this came. Press again if you still want it."
+                )
             }
-            Self::Running => to.write_str("This program runs on the robot. Press Stop first."),
-            Self::NoSensor => to.write_str("There is no such sensor stream in this program."),
+            Self::Running => phrase!("Refused.Running", "This program runs on the robot. Press Stop first."),
+            Self::NoSensor => phrase!("Refused.NoSensor", "There is no such sensor stream in this program."),
             Self::Store(reason) => {
-                write!(to, "The programs cannot be reached just now ({reason}). Try again in a moment.")
+                phrase!("Refused.Store", "The programs cannot be reached just now ({.reason}). Try again in a moment.")
             }
-            Self::NothingOpen => to.write_str("No program is open. Load one first."),
-            Self::Role(Role::Host) => write!(to, "Only {} may do this. Ask them.", Role::Host),
-            Self::Role(role) => write!(to, "Only {role} may do this. Ask {} for another invitation.", Role::Host),
-            Self::NotInvited => write!(to, "Your invitation ended. Ask {} for another one.", Role::Host),
-            Self::NobodyComes => to.write_str(
-                "Nobody else can reach this server. Start it with --listen and this computer’s address in the network.",
+            Self::NothingOpen => phrase!("Refused.NothingOpen", "No program is open. Load one first."),
+            Self::Role(Role::Host) => phrase!("Refused.Host", "Only {who} may do this. Ask them.", who = Role::Host),
+            Self::Role(role) => {
+                phrase!("Refused.Role", "Only {role} may do this. Ask {who} for another invitation.", who = Role::Host)
+            }
+            Self::NotInvited => {
+                phrase!("Refused.NotInvited", "Your invitation ended. Ask {who} for another one.", who = Role::Host)
+            }
+            Self::NobodyComes => phrase!(
+                "Refused.NobodyComes",
+                "Nobody else can reach this server. Start it with --listen and this computer’s address in the network."
             ),
-            Self::NoInvitation => to.write_str("There is no such invitation any more. Look at the list again."),
-            Self::TooManyInvitations => to.write_str("There are too many invitations. Revoke one first."),
+            Self::NoInvitation => {
+                phrase!("Refused.NoInvitation", "There is no such invitation any more. Look at the list again.")
+            }
+            Self::TooManyInvitations => {
+                phrase!("Refused.TooManyInvitations", "There are too many invitations. Revoke one first.")
+            }
             Self::InvitationsNotKept(reason) => {
-                write!(
-                    to,
+                phrase!(
+                    "Refused.InvitationsNotKept",
                     "The invitations could not be kept ({reason}). What was revoked is out for now; free some space and \
                      do this again."
                 )

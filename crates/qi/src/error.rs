@@ -1,5 +1,6 @@
 //! The faults between this crate and a peer, as data with one sentence each.
 
+use phrase::{Phrase, Phrased, phrase};
 use std::io;
 use std::time::Duration;
 
@@ -23,21 +24,23 @@ pub enum ConnectionStage {
     Service,
 }
 
-impl std::fmt::Display for ConnectionStage {
-    fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
-        to.write_str(match self {
-            Self::Name => "finding the host",
-            Self::Tcp => "opening the connection",
-            Self::Tls => "agreeing on encryption",
-            Self::Login => "logging in",
-            Self::Directory => "asking the service directory",
-            Self::Service => "reaching the service",
-        })
+phrase::shown!(ConnectionStage);
+
+impl Phrased for ConnectionStage {
+    fn phrase(&self) -> Phrase {
+        match self {
+            Self::Name => phrase!("ConnectionStage.Name", "finding the host"),
+            Self::Tcp => phrase!("ConnectionStage.Tcp", "opening the connection"),
+            Self::Tls => phrase!("ConnectionStage.Tls", "agreeing on encryption"),
+            Self::Login => phrase!("ConnectionStage.Login", "logging in"),
+            Self::Directory => phrase!("ConnectionStage.Directory", "asking the service directory"),
+            Self::Service => phrase!("ConnectionStage.Service", "reaching the service"),
+        }
     }
 }
 
 /// The reasons why a stage of connecting failed.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Phrased)]
 pub enum ConnectError {
     /// The system says so: refused, unreachable, reset.
     #[error("{0}")]
@@ -66,7 +69,7 @@ pub enum ConnectError {
     #[error("the login wants more than a user and a password")]
     UnknownLogin,
     /// No endpoint of the service is on the host that was dialled.
-    #[error("{service} offers no way to it on this host, only {}", .offered.join(", "))]
+    #[error("{service} offers no way to it on this host, only {offered}")]
     NoEndpoint {
         /// The name of the service.
         service: String,
@@ -79,7 +82,7 @@ pub enum ConnectError {
 }
 
 /// The reasons why a link is over.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Phrased)]
 pub enum LinkEnding {
     /// The peer closed it.
     #[error("the other side closed it")]
@@ -96,7 +99,7 @@ pub enum LinkEnding {
 }
 
 /// Everything that can go wrong, each with what a caller needs to decide what to do.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Phrased)]
 pub enum QiError {
     /// A text that is no address of a peer.
     #[error("{0:?} is no address; write it as tcp://HOST:PORT or tcps://HOST:PORT")]
@@ -145,7 +148,7 @@ pub enum QiError {
         name: String,
     },
     /// No method of this name takes these arguments.
-    #[error("{object} has no method {name}{given}; there is {}", said(.candidates))]
+    #[error("{object} has no method {name}{given}; there is {known}", known = said(candidates))]
     NoMethod {
         /// The service or object.
         object: String,
@@ -160,7 +163,7 @@ pub enum QiError {
     #[error("{0}")]
     Unfit(#[from] TypeMismatch),
     /// The peer's method failed. In the peer's words.
-    #[error("{}{text}", .module.as_ref().map(|module| format!("{module}: ")).unwrap_or_default())]
+    #[error("{said}", said = remote(module.as_deref(), text))]
     Remote {
         /// `Module::method`, where the peer says it.
         module: Option<String>,
@@ -186,8 +189,13 @@ pub enum QiError {
     },
 }
 
-fn said(candidates: &[String]) -> String {
-    if candidates.is_empty() { "none of this name".to_owned() } else { candidates.join(", ") }
+fn said(candidates: &[String]) -> Phrase {
+    if candidates.is_empty() { phrase!("QiError.NoCandidate", "none of this name") } else { candidates.phrase() }
+}
+
+/// The words of the peer, behind the name of its method.
+fn remote(module: Option<&str>, text: &str) -> String {
+    module.map_or_else(|| text.to_owned(), |module| format!("{module}: {text}"))
 }
 
 impl QiError {

@@ -16,6 +16,12 @@ impl Fingerprint {
     }
 }
 
+impl phrase::Phrased for Fingerprint {
+    fn phrase(&self) -> phrase::Phrase {
+        phrase::Phrase::Text(self.to_string())
+    }
+}
+
 impl fmt::Display for Fingerprint {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let pairs: Vec<String> = self.0.iter().map(|byte| format!("{byte:02X}")).collect();

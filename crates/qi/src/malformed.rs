@@ -1,12 +1,14 @@
 //! The reasons why bytes are not what they claim to be, and why a value cannot be written as a type.
 
+use phrase::Phrased;
+
 /// The greatest depth of values, and types, within each other.
 pub const DEPTH_MAX: u32 = 32;
 /// The most values that one message may hold, types and names of fields included. Some tens of MB when read.
 pub const VALUES_MAX: u32 = 1_000_000;
 
 /// The flaws of bytes that came from a peer.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Phrased)]
 pub enum Malformed {
     /// A message begins with four other bytes than qi messages do.
     #[error("the bytes are no qi message: they begin with {found:#010x}")]
@@ -62,7 +64,7 @@ pub enum Malformed {
 }
 
 /// The reasons why a value cannot be written as a type.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Phrased)]
 pub enum TypeMismatch {
     /// Another kind of value than the type wants.
     #[error("{given} cannot be given as {wanted}")]

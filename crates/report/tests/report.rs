@@ -14,11 +14,11 @@ const MARKS: &str = include_str!("data/greet.marks.jsonl");
 struct Catalogue;
 
 impl Knowledge for Catalogue {
-    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
+    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), phrase::Phrase> {
         Ok(())
     }
 
-    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
+    fn body(&self, _: &[String], _: &str) -> Result<(), phrase::Phrase> {
         Ok(())
     }
 

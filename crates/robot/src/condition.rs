@@ -1,5 +1,6 @@
 //! The condition of the robot's body: what an operator looks at before pressing Start.
 
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// Most names of faces that are told of one robot.
@@ -32,7 +33,7 @@ pub struct Condition {
     pub fallen: Option<bool>,
     /// Why it cannot walk or turn its whole body now, in a few English words: "it sits; let it stand up first".
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub legs: Option<String>,
+    pub legs: Option<Phrase>,
     /// The way in which it is in the network.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub network: Option<Network>,
@@ -114,6 +115,6 @@ impl Control {
 pub struct Lacking {
     /// The device's name.
     pub device: String,
-    /// Why not, in a few English words: "it has no wrists".
-    pub why: String,
+    /// Why not, in a few words: "it has no wrists".
+    pub why: Phrase,
 }

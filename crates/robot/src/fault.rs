@@ -2,7 +2,7 @@
 
 use crate::DeviceFault;
 use crate::params::shown;
-use std::fmt;
+use phrase::{Phrase, Phrased, phrase};
 
 /// Why a robot does not open a device, or drops a value. [`fmt::Display`] says it in a few English words.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub enum RobotFault {
     /// It has no device of this name.
     NoDevice(String),
     /// The body or the software lacks what the device needs; with the reason: "its body has no left hand".
-    Lacks(String),
+    Lacks(Phrase),
     /// The parameters that were chosen for the device do not fit.
     Device(DeviceFault),
     /// It cannot use the device of this name with what was chosen for it.
@@ -42,7 +42,7 @@ pub enum RobotFault {
     /// A value is no list of as many numbers as the group has joints.
     NoGroup(usize),
     /// It cannot do this as it is now; with the reason: "it lies on the floor".
-    NotNow(String),
+    NotNow(Phrase),
     /// The link is gone, or not there yet.
     NoLink,
 }
@@ -55,28 +55,38 @@ impl From<DeviceFault> for RobotFault {
     }
 }
 
-impl fmt::Display for RobotFault {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+phrase::shown!(RobotFault);
+
+impl Phrased for RobotFault {
+    fn phrase(&self) -> Phrase {
         match self {
-            Self::NoDevice(name) => write!(to, "this robot has no device called “{}”", shown(name)),
-            Self::Lacks(why) => write!(to, "{why}"),
-            Self::Device(fault) => write!(to, "{fault}"),
-            Self::Unusable(name) => write!(to, "this robot cannot use “{name}” with these settings"),
-            Self::Full(streams) => write!(to, "this robot serves {streams} streams at most"),
-            Self::IntoSense => to.write_str("a sense cannot be told a value"),
-            Self::NotOpen => to.write_str("no action is open for this stream"),
-            Self::Infinite => to.write_str("a number that is not finite was left out"),
-            Self::NoNumber => to.write_str("this action needs a number"),
-            Self::NoColor => to.write_str("a color is a name like “red”, or r, g and b from 0 to 1"),
-            Self::NotSayable => to.write_str("only a text or a number can be said"),
-            Self::NothingToSay => to.write_str("there is nothing to say"),
-            Self::TextTooLong(chars) => write!(to, "a text to say may have {chars} characters"),
-            Self::TextsWait(many) => write!(to, "{many} texts already wait to be said, so this one is left out"),
-            Self::NoGroup(joints) => write!(to, "this group needs a list of {joints} numbers"),
-            Self::NotNow(why) => write!(to, "the robot cannot do this now: {why}"),
-            Self::NoLink => to.write_str("there is no connection to the robot"),
-            Self::NoBehavior => to.write_str("choose a behaviour for it, or let the value name one"),
-            Self::NoFace => to.write_str("no face is in view, so none was remembered"),
+            Self::NoDevice(name) => {
+                phrase!("RobotFault.NoDevice", "this robot has no device called “{name}”", name = shown(name))
+            }
+            Self::Lacks(why) => why.phrase(),
+            Self::Device(fault) => fault.phrase(),
+            Self::Unusable(name) => {
+                phrase!("RobotFault.Unusable", "this robot cannot use “{name}” with these settings")
+            }
+            Self::Full(streams) => phrase!("RobotFault.Full", "this robot serves {streams} streams at most"),
+            Self::IntoSense => phrase!("RobotFault.IntoSense", "a sense cannot be told a value"),
+            Self::NotOpen => phrase!("RobotFault.NotOpen", "no action is open for this stream"),
+            Self::Infinite => phrase!("RobotFault.Infinite", "a number that is not finite was left out"),
+            Self::NoNumber => phrase!("RobotFault.NoNumber", "this action needs a number"),
+            Self::NoColor => phrase!("RobotFault.NoColor", "a color is a name like “red”, or r, g and b from 0 to 1"),
+            Self::NotSayable => phrase!("RobotFault.NotSayable", "only a text or a number can be said"),
+            Self::NothingToSay => phrase!("RobotFault.NothingToSay", "there is nothing to say"),
+            Self::TextTooLong(chars) => phrase!("RobotFault.TextTooLong", "a text to say may have {chars} characters"),
+            Self::TextsWait(many) => {
+                phrase!("RobotFault.TextsWait", "{many} texts already wait to be said, so this one is left out")
+            }
+            Self::NoGroup(joints) => phrase!("RobotFault.NoGroup", "this group needs a list of {joints} numbers"),
+            Self::NotNow(why) => phrase!("RobotFault.NotNow", "the robot cannot do this now: {why}"),
+            Self::NoLink => phrase!("RobotFault.NoLink", "there is no connection to the robot"),
+            Self::NoBehavior => {
+                phrase!("RobotFault.NoBehavior", "choose a behaviour for it, or let the value name one")
+            }
+            Self::NoFace => phrase!("RobotFault.NoFace", "no face is in view, so none was remembered"),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::{DeviceFault, Lacking, device};
 use behaviour::{Behaviour, Id, StreamKind};
-use std::fmt;
+use phrase::{Phrase, Phrased, phrase};
 
 /// A stream that a robot cannot serve. [`fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,23 +21,25 @@ pub enum UnfitReason {
     /// No device is chosen.
     NotChosen,
     /// The robot does not have this device, for this reason if it gives one.
-    NotThere(String, Option<String>),
+    NotThere(String, Option<Phrase>),
     /// The device does not fit.
     DoesNotFit(DeviceFault),
 }
 
-impl fmt::Display for UnfitStream {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+phrase::shown!(UnfitStream);
+
+impl Phrased for UnfitStream {
+    fn phrase(&self) -> Phrase {
         let name = &self.name;
         match &self.why {
-            UnfitReason::NotChosen => write!(to, "“{name}” has no device yet. Choose one."),
+            UnfitReason::NotChosen => phrase!("UnfitStream.NotChosen", "“{name}” has no device yet. Choose one."),
             UnfitReason::NotThere(device, None) => {
-                write!(to, "“{name}” needs {device}, which this robot does not have.")
+                phrase!("UnfitStream.NotThere", "“{name}” needs {device}, which this robot does not have.")
             }
             UnfitReason::NotThere(device, Some(why)) => {
-                write!(to, "“{name}” needs {device}, which this robot does not have: {why}.")
+                phrase!("UnfitStream.NotThere2", "“{name}” needs {device}, which this robot does not have: {why}.")
             }
-            UnfitReason::DoesNotFit(reason) => write!(to, "“{name}” does not fit: {reason}."),
+            UnfitReason::DoesNotFit(reason) => phrase!("UnfitStream.DoesNotFit", "“{name}” does not fit: {reason}."),
         }
     }
 }

@@ -40,6 +40,7 @@ pub use scene::{
 pub use types::device_type;
 
 use behaviour::{Id, Params, Value};
+use phrase::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// Logical or robot time in whole milliseconds since Start, or since the robot was switched on.
@@ -77,9 +78,9 @@ pub enum Health {
     /// Everything works.
     Ready,
     /// It works with limits; with the reason.
-    Degraded(String),
+    Degraded(Phrase),
     /// The link is gone; with the reason.
-    Lost(String),
+    Lost(Phrase),
     /// Stopped and holding safely.
     Safe,
     /// Another body answers in its place. Nothing is done with that one before a person has said which robot is meant.
@@ -96,8 +97,8 @@ pub trait Robot {
 
     /// Returns how a person ends at its body what it does where Stop does not reach it, in a few English words that follow
     /// “if it goes on”; empty where nothing is known but to take its power.
-    fn by_body(&self) -> &'static str {
-        ""
+    fn by_body(&self) -> Phrase {
+        Phrase::default()
     }
 
     /// Names of the devices it has.
@@ -168,7 +169,7 @@ pub trait Robot {
     /// Why everything that runs has to end now, told once and after the readings of that moment: the robot fell, is too
     /// hot, has no battery left, protects itself, or its link was lost. It holds safely already, and nothing goes on
     /// before a person presses Start.
-    fn take_halt(&mut self) -> Option<String>;
+    fn take_halt(&mut self) -> Option<Phrase>;
 
     /// Returns the state of the link.
     fn health(&self) -> Health;

@@ -1,7 +1,7 @@
 //! Parameters of devices: what may be chosen, in which range and unit.
 
 use behaviour::{Params, StreamKind, Value};
-use std::fmt;
+use phrase::{Phrase, Phrased, phrase};
 
 /// Which list of a robot a parameter is chosen from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,25 +137,41 @@ pub(crate) fn check_params(known: &[Param], given: &Params) -> Result<(), Device
 
 impl std::error::Error for DeviceFault {}
 
-impl fmt::Display for DeviceFault {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+phrase::shown!(DeviceFault);
+
+impl Phrased for DeviceFault {
+    fn phrase(&self) -> Phrase {
         match self {
             Self::Unknown(kind, name) => {
-                let what = if *kind == StreamKind::Sensor { "sense" } else { "action" };
-                write!(to, "there is no {what} called “{}”; choose one from the list", shown(name))
+                let what = Phrase::word(if *kind == StreamKind::Sensor { "sense" } else { "action" });
+                let name = shown(name);
+                phrase!("DeviceFault.Unknown", "there is no {what} called “{name}”; choose one from the list")
             }
-            Self::NoParam(name) => write!(to, "there is no setting called “{}” here", shown(name)),
+            Self::NoParam(name) => {
+                phrase!("DeviceFault.NoParam", "there is no setting called “{name}” here", name = shown(name))
+            }
             Self::Choice(label, options) => {
-                let words: Vec<_> = options.iter().map(|option| option.1).collect();
-                write!(to, "{label} must be one of: {}", words.join(", "))
+                let words: Vec<Phrase> = options.iter().map(|option| Phrase::word(option.1)).collect();
+                phrase!("DeviceFault.Choice", "{label} must be one of: {words}", label = Phrase::word(*label))
             }
-            Self::Number { label, min, max, unit: "" } => write!(to, "{label} must be a number from {min} to {max}"),
-            Self::Number { label, min, max, unit } => write!(to, "{label} must be a number from {min} to {max} {unit}"),
-            Self::Text(label) => write!(to, "{label} must be a text"),
-            Self::TooLong(label, max_chars) => write!(to, "{label} may have {max_chars} characters"),
+            Self::Number { label, min, max, unit: "" } => {
+                let label = Phrase::word(*label);
+                phrase!("DeviceFault.Number", "{label} must be a number from {min} to {max}")
+            }
+            Self::Number { label, min, max, unit } => {
+                let (label, unit) = (Phrase::word(*label), Phrase::word(*unit));
+                phrase!("DeviceFault.NumberIn", "{label} must be a number from {min} to {max} {unit}")
+            }
+            Self::Text(label) => phrase!("DeviceFault.Text", "{label} must be a text", label = Phrase::word(*label)),
+            Self::TooLong(label, most) => {
+                phrase!("DeviceFault.TooLong", "{label} may have {most} characters", label = Phrase::word(*label))
+            }
             Self::NotInstalled(of, name) => {
-                let (word, name) = (of.word(), shown(name));
-                write!(to, "the {word} “{name}” is not installed on this robot; choose one from its list")
+                let (word, name) = (Phrase::word(of.word()), shown(name));
+                phrase!(
+                    "DeviceFault.NotInstalled",
+                    "the {word} “{name}” is not installed on this robot; choose one from its list"
+                )
             }
         }
     }

@@ -13,7 +13,7 @@ use crate::clauses::{ACTIONS, Clause, ClausePart, TARGETS};
 use crate::does::SpokenConnector;
 use crate::fits::{is_part, params_fit};
 use crate::pattern::grammar;
-use crate::sentence::{Phrase, Piece, Sentence};
+use crate::sentence::{Piece, Sentence, SentencePart};
 use crate::test::Asks;
 use crate::token::quoted;
 use crate::words::{LanguageWords, words};
@@ -83,7 +83,7 @@ struct SentenceTeller<'a> {
     unit: &'a dyn Fn(&Id) -> Option<String>,
     language: Language,
     words: &'static LanguageWords,
-    phrases: Vec<Phrase>,
+    phrases: Vec<SentencePart>,
     depth: usize,
 }
 
@@ -178,7 +178,7 @@ impl<'a> SentenceTeller<'a> {
             self.filled(grammar.told(clause.id), &fills, crate::fits::number_unit(clause, &stream.params))
         });
         pieces.extend(said.unwrap_or_else(|| self.named_pieces("action.named", &stream.name)));
-        let mut phrase = Phrase { pieces, streams: vec![connector.output.clone()], connectors: vec![id.clone()] };
+        let mut phrase = SentencePart { pieces, streams: vec![connector.output.clone()], connectors: vec![id.clone()] };
         for link in links {
             phrase.streams.push(link.connector.output.clone());
             phrase.connectors.push(link.id.clone());
@@ -230,7 +230,7 @@ impl<'a> SentenceTeller<'a> {
         }
         let streams = streams.iter().copied().chain(links.iter().map(|link| &link.connector.output));
         let connectors = links.iter().map(|link| link.id.clone()).collect();
-        self.phrases.push(Phrase { pieces, streams: streams.cloned().collect(), connectors });
+        self.phrases.push(SentencePart { pieces, streams: streams.cloned().collect(), connectors });
     }
 
     /// Words after those that are told already, as a part of the phrase before them.
@@ -242,7 +242,7 @@ impl<'a> SentenceTeller<'a> {
         match self.phrases.last_mut() {
             // What opens a group belongs to the phrase that follows it only by sight.
             Some(last) => last.pieces.push(piece),
-            None => self.phrases.push(Phrase { pieces: vec![piece], ..Phrase::default() }),
+            None => self.phrases.push(SentencePart { pieces: vec![piece], ..SentencePart::default() }),
         }
     }
 

@@ -25,6 +25,6 @@ pub use read::{
     Doubt, Draft, DraftConnector, DraftStream, TEXT_MAX_CHARS, TextReading, Understood, VagueNumber, language_of,
     looks_like_sentence, read, read_speech,
 };
-pub use sentence::{Choosable, LiteralPlace, Number, Phrase, Piece, Sentence, SentenceChoice};
+pub use sentence::{Choosable, LiteralPlace, Number, Piece, Sentence, SentenceChoice, SentencePart};
 pub use speech::Lexicon;
 pub use words::device_label;

@@ -12,7 +12,7 @@ pub struct Sentence {
     /// The stream of the action.
     pub action: Id,
     /// Its phrases in the order of reading; their texts in a row are the sentence.
-    pub phrases: Vec<Phrase>,
+    pub phrases: Vec<SentencePart>,
 }
 
 impl Sentence {
@@ -21,7 +21,8 @@ impl Sentence {
     pub fn told(&self) -> ProgramSentence {
         let action = self.phrases.iter().rposition(|phrase| phrase.streams.contains(&self.action));
         let (lead, does) = self.phrases.split_at(action.unwrap_or(self.phrases.len().saturating_sub(1)));
-        let text = |phrases: &[Phrase]| phrases.iter().flat_map(|phrase| &phrase.pieces).map(Piece::text).collect();
+        let text =
+            |phrases: &[SentencePart]| phrases.iter().flat_map(|phrase| &phrase.pieces).map(Piece::text).collect();
         let connector = self.phrases.last().and_then(|phrase| phrase.connectors.first()).cloned();
         ProgramSentence { lead: text(lead), does: text(does), connector }
     }
@@ -30,7 +31,7 @@ impl Sentence {
 /// The words that one part of the graph means.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Phrase {
+pub struct SentencePart {
     /// Its words, with spaces and signs.
     pub pieces: Vec<Piece>,
     /// The streams of the part, none for words like “Otherwise”.
@@ -132,7 +133,7 @@ impl Sentence {
     }
 }
 
-impl Phrase {
+impl SentencePart {
     /// Its plain words.
     #[must_use]
     pub fn text(&self) -> String {

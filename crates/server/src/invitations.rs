@@ -26,6 +26,7 @@ use behaviour::{Id, without_unseen};
 use book::{Book, GuestNames, Indexed, InvitationSeed};
 use guesses::Guesses;
 use guest::Live;
+use phrase::{Phrase, Phrased};
 use protocol::{Invitation, JOIN_PATH, LABEL_MAX_CHARS, Lasts, Refused, Role};
 use reserve::Reserve;
 use std::path::{Path, PathBuf};
@@ -110,7 +111,7 @@ pub(crate) enum NotIn {
     /// Too many links that do not work came from there; with the seconds to wait.
     TooMany(u64),
     /// It could not be kept; with the reason.
-    NotKept(String),
+    NotKept(Phrase),
 }
 
 impl Invitations {
@@ -184,7 +185,7 @@ impl Invitations {
         if terms.role == Role::Host {
             return Err(Refused::Role(Role::Host));
         }
-        let token = secret::random().ok_or_else(|| Refused::InvitationsNotKept(NO_RANDOM.to_owned()))?;
+        let token = secret::random().ok_or_else(|| Refused::InvitationsNotKept(NO_RANDOM.into()))?;
         let label = without_unseen(&terms.label).trim().chars().take(LABEL_MAX_CHARS).collect();
         let made = InvitationSeed { id: Id::from_uuid(Uuid::new_v4()), now_ms: now_ms(), link: Digest::of(&token) };
         let invitation = self.change(|book| {
@@ -209,7 +210,7 @@ impl Invitations {
         self.due.send_replace(true);
         self.tell();
         tracing::info!(%invitation, kept = noted.is_ok(), "an invitation is revoked");
-        noted.map_err(|error| Refused::InvitationsNotKept(error.to_string()))
+        noted.map_err(|error| Refused::InvitationsNotKept(error.to_string().into()))
     }
 
     /// Exchanges the token of a link for that of a cookie, always a new one. Waits for the disk. A link that works is never
@@ -222,7 +223,7 @@ impl Invitations {
         if !self.book.borrow().is_open(&link, now_ms()) {
             return Err(self.guessed(from));
         }
-        let cookie = secret::random().ok_or_else(|| NotIn::NotKept(NO_RANDOM.to_owned()))?;
+        let cookie = secret::random().ok_or_else(|| NotIn::NotKept(NO_RANDOM.into()))?;
         // Somebody else may have used it since.
         let came = self.change(|book| book.come(&link, Digest::of(&cookie), now_ms()).ok_or(Refused::NoInvitation));
         match came {
@@ -353,10 +354,10 @@ impl Invitations {
         }
     }
 
-    fn put(&self, book: &Book) -> Result<(), String> {
+    fn put(&self, book: &Book) -> Result<(), Phrase> {
         let Some(file) = &self.file else { return Ok(()) };
         let text = serde_json::to_string_pretty(book).map_err(|error| error.to_string())?;
-        atomic_file::put(file, &text).map_err(|error| error.to_string())
+        atomic_file::put(file, &text).map_err(|error| error.phrase())
     }
 
     /// Changes what holds, at once.

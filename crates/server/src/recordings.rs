@@ -22,6 +22,7 @@ pub(crate) use looked::ReportSource;
 use marks::later;
 pub(crate) use marks::tidied;
 pub(crate) use pasts::{LivePast, Pasts};
+use phrase::Phrased;
 use protocol::{RecordedSession, Recording, Refused};
 pub(crate) use recorder::{RecordedStep, Recorder};
 use recording::Header;
@@ -123,7 +124,7 @@ pub(crate) enum NotRecorded {
 
 impl From<NotRecorded> for Refused {
     fn from(why: NotRecorded) -> Self {
-        Self::CannotRecord(why.to_string())
+        Self::CannotRecord(why.phrase())
     }
 }
 

@@ -311,7 +311,7 @@ impl Rooms {
         self.tell(behaviour, RoomCommand::Propose(change, Vec::new(), AnswerTo::Server(waiting)));
         match answer.await {
             Ok(outcome) => outcome.map(drop),
-            Err(_) if behaviour == self.library() => Err(Refused::Store(format!("the {LIBRARY} is closed"))),
+            Err(_) if behaviour == self.library() => Err(Refused::Store(format!("the {LIBRARY} is closed").into())),
             Err(_) => Err(Refused::NoBehaviour),
         }
     }

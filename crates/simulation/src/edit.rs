@@ -10,8 +10,8 @@ use crate::nao::hearing::RoomSound;
 use crate::room::{ball_place, inside, obstacle_place, person_place};
 use crate::servo::Servo;
 use crate::world::World;
+use phrase::{Phrase, Phrased, phrase};
 use robot::{SPOKEN_MAX_CHARS, SceneEdit};
-use std::fmt;
 use std::sync::Arc;
 
 /// Fastest throw in metres a second; a child throws at 1.5 to 5.
@@ -201,19 +201,29 @@ fn finite(numbers: &[f32]) -> Result<(), RoomFault> {
 
 impl std::error::Error for RoomFault {}
 
-impl fmt::Display for RoomFault {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+phrase::shown!(RoomFault);
+
+impl Phrased for RoomFault {
+    fn phrase(&self) -> Phrase {
         match self {
-            Self::NoBall(id) => write!(to, "there is no ball called “{}”", shown(id)),
-            Self::NoPerson(id) => write!(to, "there is no person called “{}”", shown(id)),
-            Self::NoObstacle(id) => write!(to, "there is no obstacle called “{}”", shown(id)),
-            Self::NoLandmark(id) => write!(to, "there is no printed mark called “{}”", shown(id)),
-            Self::Nothing(id) => write!(to, "nobody and nothing is called “{}”", shown(id)),
-            Self::NoWords => to.write_str("there are no words to say; write some"),
-            Self::WordsTooLong(chars) => write!(to, "somebody may say {chars} characters at once"),
-            Self::TooLoud => to.write_str("too much is said at once, so this was left out; wait a moment"),
-            Self::TooFull(percent) => write!(to, "a battery holds 0 to 100 percent, not {percent}"),
-            Self::Infinite => to.write_str("a place needs finite numbers"),
+            Self::NoBall(id) => phrase!("RoomFault.NoBall", "there is no ball called “{id}”", id = shown(id)),
+            Self::NoPerson(id) => phrase!("RoomFault.NoPerson", "there is no person called “{id}”", id = shown(id)),
+            Self::NoObstacle(id) => {
+                phrase!("RoomFault.NoObstacle", "there is no obstacle called “{id}”", id = shown(id))
+            }
+            Self::NoLandmark(id) => {
+                phrase!("RoomFault.NoLandmark", "there is no printed mark called “{id}”", id = shown(id))
+            }
+            Self::Nothing(id) => phrase!("RoomFault.Nothing", "nobody and nothing is called “{id}”", id = shown(id)),
+            Self::NoWords => phrase!("RoomFault.NoWords", "there are no words to say; write some"),
+            Self::WordsTooLong(chars) => {
+                phrase!("RoomFault.WordsTooLong", "somebody may say {chars} characters at once")
+            }
+            Self::TooLoud => {
+                phrase!("RoomFault.TooLoud", "too much is said at once, so this was left out; wait a moment")
+            }
+            Self::TooFull(percent) => phrase!("RoomFault.TooFull", "a battery holds 0 to 100 percent, not {percent}"),
+            Self::Infinite => phrase!("RoomFault.Infinite", "a place needs finite numbers"),
         }
     }
 }

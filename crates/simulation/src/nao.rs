@@ -28,6 +28,7 @@ use crate::nao::speech::Speech;
 use crate::noise::{Noise, Random};
 use crate::servo::Servo;
 use crate::world::World;
+use phrase::Phrase;
 use robot::{Millis, Printed};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
@@ -61,7 +62,7 @@ pub struct SimulatedNao {
     pub(crate) clock: RoomClock,
     pub(crate) own: OwnState,
     /// Why everything ended, until somebody asks.
-    pub(crate) halted: Option<String>,
+    pub(crate) halted: Option<Phrase>,
     pub(crate) eyes: Eyes,
     pub(crate) lights: Lights,
     pub(crate) printed: VecDeque<Printed>,
@@ -230,7 +231,7 @@ impl SimulatedNao {
         self.charge.digest(digest);
         self.clock.digest(digest);
         self.own.digest(digest);
-        digest.text(self.halted.as_deref().unwrap_or_default());
+        digest.text(&self.halted.as_ref().map(ToString::to_string).unwrap_or_default());
         digest.truth(self.safe);
         for (user, act) in &self.acts {
             digest_use(user, digest);

@@ -4,6 +4,7 @@ use crate::nao::devices::{SimulatedDevice, names, open};
 use crate::nao::installed::installed;
 use crate::nao::{STEP_MS, SimulatedNao};
 use behaviour::{Params, Value};
+use phrase::{Phrase, phrase};
 use robot::{Camera, Condition, Control, Health, Installed, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use};
 use std::sync::Arc;
 
@@ -17,8 +18,8 @@ impl Robot for SimulatedNao {
         "nao"
     }
 
-    fn by_body(&self) -> &'static str {
-        "hold it and press its chest button for 3 seconds"
+    fn by_body(&self) -> Phrase {
+        phrase!("nao.hold_it_and_press_its", "hold it and press its chest button for 3 seconds")
     }
 
     fn devices(&self) -> Vec<&'static str> {
@@ -26,7 +27,10 @@ impl Robot for SimulatedNao {
     }
 
     fn lacking(&self) -> Vec<Lacking> {
-        vec![Lacking { device: "Tablet".to_owned(), why: "it has no tablet; a Pepper has one".to_owned() }]
+        vec![Lacking {
+            device: "Tablet".to_owned(),
+            why: phrase!("nao.it_has_no_tablet_a", "it has no tablet; a Pepper has one"),
+        }]
     }
 
     fn installed(&self) -> Arc<Installed> {
@@ -98,7 +102,7 @@ impl Robot for SimulatedNao {
         self.faces_now()
     }
 
-    fn take_halt(&mut self) -> Option<String> {
+    fn take_halt(&mut self) -> Option<Phrase> {
         self.halted.take()
     }
 

@@ -1,7 +1,7 @@
 //! The rows of `nao_body.toml`, as they are written there.
 
+use phrase::{Phrase, Phrased, phrase};
 use serde::Deserialize;
-use std::fmt;
 
 /// Why the file is no table of the robot.
 #[derive(Debug)]
@@ -19,15 +19,17 @@ pub(crate) enum TableFault {
     Sonars,
 }
 
-impl fmt::Display for TableFault {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+phrase::shown!(TableFault);
+
+impl Phrased for TableFault {
+    fn phrase(&self) -> Phrase {
         match self {
-            Self::Unreadable(error) => write!(to, "{error}"),
-            Self::Order => to.write_str("the joints of the table are not in the order of robot::JOINTS"),
-            Self::Posture => to.write_str("a posture has 26 angles"),
-            Self::NoLink(name) => write!(to, "no link {name}"),
-            Self::NoCamera => to.write_str("no top camera"),
-            Self::Sonars => to.write_str("a NAO has two sonars"),
+            Self::Unreadable(error) => Phrase::Text(error.to_string()),
+            Self::Order => phrase!("TableFault.Order", "the joints of the table are not in the order of robot::JOINTS"),
+            Self::Posture => phrase!("TableFault.Posture", "a posture has 26 angles"),
+            Self::NoLink(name) => phrase!("TableFault.NoLink", "no link {name}"),
+            Self::NoCamera => phrase!("TableFault.NoCamera", "no top camera"),
+            Self::Sonars => phrase!("TableFault.Sonars", "a NAO has two sonars"),
         }
     }
 }

@@ -91,7 +91,7 @@ pub fn sync_names(folder: &Path) -> io::Result<()> {
 pub(crate) fn told(path: &Path, error: &io::Error) -> StoreError {
     match error.kind() {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => StoreError::Full,
-        _ => StoreError::Unavailable(format!("{}: {error}", path.display())),
+        _ => StoreError::Unavailable(format!("{}: {error}", path.display()).into()),
     }
 }
 

@@ -1,14 +1,14 @@
 //! The reasons why the store could not do what it was asked, each in a sentence that says what to do.
 
 use behaviour::RecordId;
+use phrase::{Phrase, Phrased};
 use std::path::PathBuf;
-use thiserror::Error;
 
 /// The reasons why the store could not do it.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Phrased)]
 pub enum StoreError {
     /// Another server uses the data directory.
-    #[error("Another rrp server already uses {}. Stop it, or start this one with another data directory.", .0.display())]
+    #[error("Another rrp server already uses {folder}. Stop it, or start this one with another data directory.", folder = _0.display().to_string())]
     Busy(PathBuf),
     /// It was being filled and that did not come to its end; with the command that goes on.
     #[error(
@@ -47,14 +47,14 @@ pub enum StoreError {
     Refused(Unkept),
     /// The store cannot be used now; with the reason.
     #[error("The data cannot be used now: {0}. Try again later.")]
-    Unavailable(String),
+    Unavailable(Phrase),
     /// The store did not answer in time.
     #[error("The data does not answer in time. Check the disk, then try again.")]
     Timeout,
 }
 
 /// The reasons why a change cannot be kept.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Phrased)]
 pub enum Unkept {
     /// The time is later than any that is kept.
     #[error("its time is too far in the future")]

@@ -26,9 +26,9 @@ pub use text::text_of;
 pub use xml::write::{NoXml, write_xml};
 
 use behaviour::{BEHAVIOUR_MAX_BYTES, BehaviourFile, LIBRARY_MAX_BYTES};
+use phrase::{Phrase, Phrased, phrase};
 use place::LineStarts;
 use std::collections::BTreeMap;
-use std::fmt;
 
 /// The largest file that is read, in bytes: a behaviour within the rules and the whole library fit.
 pub const FILE_MAX_BYTES: usize = BEHAVIOUR_MAX_BYTES + LIBRARY_MAX_BYTES;
@@ -36,19 +36,27 @@ pub const FILE_MAX_BYTES: usize = BEHAVIOUR_MAX_BYTES + LIBRARY_MAX_BYTES;
 pub const TEXT_MAX_BYTES: usize = 64 << 10;
 
 /// A fault of a file, with its place.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileFault {
     /// The line, from 1.
     pub line: u32,
     /// The character in the line, from 1.
     pub column: u32,
     /// The sentence that says what is wrong and what to do.
-    pub reason: String,
+    pub reason: Phrase,
 }
 
-impl fmt::Display for FileFault {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        write!(to, "Line {}, column {}: {}", self.line, self.column, self.reason)
+phrase::shown!(FileFault);
+
+impl Phrased for FileFault {
+    fn phrase(&self) -> Phrase {
+        phrase!(
+            "FileFault",
+            "Line {line}, column {column}: {reason}",
+            line = self.line,
+            column = self.column,
+            reason = self.reason
+        )
     }
 }
 
@@ -66,28 +74,20 @@ pub struct ReadFile {
 }
 
 impl ReadFile {
-    /// Faults that say first the id of what they are about, `id: reason`, with the place of it.
+    /// Gives the faults of a graph their place, where they say the id of what they are about.
     #[must_use]
-    pub fn place(&self, faults: &[impl fmt::Display]) -> Vec<FileFault> {
-        let place = |fault: String| {
-            let (id, reason) = fault.split_once(": ").unwrap_or(("", &fault));
-            let known = self.places.get(id);
-            let (line, column) = known.copied().unwrap_or((1, 1));
-            let reason = if known.is_some() { reason } else { &fault };
-            FileFault { line, column, reason: sentence(reason) }
+    pub fn place(&self, faults: &[impl Phrased]) -> Vec<FileFault> {
+        let place = |fault: Phrase| {
+            let known = fault.hole("id").and_then(|id| self.places.get(&id.to_string())).copied();
+            let reason = known.and_then(|_| fault.hole("reason").cloned()).unwrap_or(fault);
+            let (line, column) = known.unwrap_or((1, 1));
+            FileFault { line, column, reason: phrase!("FileFault.Reason", "{^reason}.") }
         };
-        let mut placed: Vec<_> = faults.iter().map(|fault| place(fault.to_string())).collect();
-        placed.sort();
+        let mut placed: Vec<_> = faults.iter().map(|fault| place(fault.phrase())).collect();
+        placed.sort_by_cached_key(|fault| (fault.line, fault.column, fault.reason.to_string()));
         placed.dedup();
         placed
     }
-}
-
-/// With a capital letter and a full stop.
-fn sentence(reason: &str) -> String {
-    let mut rest = reason.trim_end_matches('.').chars();
-    let first = rest.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
-    format!("{first}{}.", rest.as_str())
 }
 
 /// Reads a behaviour, as JSON or XML.
@@ -96,7 +96,7 @@ fn sentence(reason: &str) -> String {
 /// The first fault.
 pub fn read(bytes: &[u8]) -> Result<BehaviourFile, FileFault> {
     let looked = look(bytes);
-    let unknown = || FileFault { line: 1, column: 1, reason: "This is no program.".to_owned() };
+    let unknown = || FileFault { line: 1, column: 1, reason: phrase!("FileFault.NoProgram", "This is no program.") };
     looked.file.ok_or_else(|| looked.faults.into_iter().next().unwrap_or_else(unknown))
 }
 
@@ -110,10 +110,14 @@ pub fn look(bytes: &[u8]) -> ReadFile {
 }
 
 fn looked(bytes: &[u8]) -> Result<ReadFile, FileFault> {
-    let at_start = |reason: String| FileFault { line: 1, column: 1, reason };
+    let at_start = |reason: Phrase| FileFault { line: 1, column: 1, reason };
     if bytes.len() > FILE_MAX_BYTES {
-        let reason = format!("The file has {} bytes, and a program may have {FILE_MAX_BYTES}.", bytes.len());
-        return Err(at_start(reason + " Split it into several."));
+        let reason = phrase!(
+            "FileFault.TooLarge",
+            "The file has {bytes} bytes, and a program may have {FILE_MAX_BYTES}. Split it into several.",
+            bytes = bytes.len()
+        );
+        return Err(at_start(reason));
     }
     if let Some(kind) = FileKind::of(bytes) {
         return Err(at_start(kind.no_program()));

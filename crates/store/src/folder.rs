@@ -31,7 +31,7 @@ impl FolderStore {
     pub async fn open(folder: &Path) -> Result<Self, StoreError> {
         let folder = folder.to_owned();
         let opened = tokio::task::spawn_blocking(move || Self::open_now(&folder)).await;
-        opened.map_err(|error| StoreError::Unavailable(format!("opening stopped: {error}")))?
+        opened.map_err(|error| StoreError::Unavailable(format!("opening stopped: {error}").into()))?
     }
 
     fn open_now(folder: &Path) -> Result<Self, StoreError> {
@@ -51,7 +51,7 @@ impl FolderStore {
             let mut logs = writing.lock().unwrap_or_else(PoisonError::into_inner);
             work(&kept, &mut logs)
         });
-        done.await.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))?
+        done.await.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}").into()))?
     }
 }
 

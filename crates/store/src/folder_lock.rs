@@ -19,7 +19,7 @@ pub struct FolderLock {
 /// # Errors
 /// [`StoreError::Busy`] if another server uses it, [`StoreError::Unavailable`] if it cannot be used.
 pub fn lock_folder(folder: &Path) -> Result<FolderLock, StoreError> {
-    let unusable = |error: io::Error| StoreError::Unavailable(format!("{}: {error}", folder.display()));
+    let unusable = |error: io::Error| StoreError::Unavailable(format!("{}: {error}", folder.display()).into());
     disk::make_folder(folder).map_err(unusable)?;
     let itself = File::open(folder).and_then(|itself| Ok(locked(&itself)?.then_some(itself)));
     if matches!(itself, Ok(None)) {

@@ -57,7 +57,7 @@ pub struct SqliteStore {
 pub async fn open(data_dir: &Path) -> Result<SqliteStore, StoreError> {
     let data_dir = data_dir.to_owned();
     let opened = tokio::task::spawn_blocking(move || open_now(&data_dir)).await;
-    opened.map_err(|error| StoreError::Unavailable(format!("opening stopped: {error}")))?
+    opened.map_err(|error| StoreError::Unavailable(format!("opening stopped: {error}").into()))?
 }
 
 fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
@@ -120,7 +120,7 @@ impl SqliteStore {
         let wants_bytes = self.wants_bytes.load(Ordering::Relaxed);
         let Some(folder) = self.file.parent().filter(|_| wants_bytes > 0).map(Path::to_owned) else { return Ok(()) };
         let looked = tokio::task::spawn_blocking(move || disk::has_room(&folder, wants_bytes)).await;
-        let looked = looked.map_err(|error| StoreError::Unavailable(format!("looking stopped: {error}")))?;
+        let looked = looked.map_err(|error| StoreError::Unavailable(format!("looking stopped: {error}").into()))?;
         looked.map_err(|error| disk::told(&self.file, &error))
     }
 
@@ -144,7 +144,7 @@ impl Store for SqliteStore {
     async fn append(&self, behaviour: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
         let (id, committed, after) = (behaviour.clone(), committed.clone(), after.clone());
         let ready = tokio::task::spawn_blocking(move || PreparedChange::new(committed, after)).await;
-        let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))??;
+        let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}").into()))??;
         self.write(ready.bytes(), move |at| write::append(at, &id, &ready)).await
     }
 
@@ -153,7 +153,7 @@ impl Store for SqliteStore {
         let prepare =
             move || changes.into_iter().map(|(committed, after)| PreparedChange::new(committed, after)).collect();
         let ready: Result<Result<Vec<PreparedChange>, StoreError>, _> = tokio::task::spawn_blocking(prepare).await;
-        let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))??;
+        let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}").into()))??;
         let bytes = ready.iter().map(PreparedChange::bytes).sum();
         self.write(bytes, move |at| write::append_all(at, &id, &ready)).await
     }
@@ -245,7 +245,7 @@ impl Store for SqliteStore {
         self.write(0, filling::end).await?;
         // What an older rrp left counts as long as it is there, so it goes last.
         let gone = tokio::task::spawn_blocking(move || file.parent().map_or(Ok(()), crate::end_in_folder)).await;
-        let gone = gone.map_err(|error| StoreError::Unavailable(format!("the end stopped: {error}")))?;
+        let gone = gone.map_err(|error| StoreError::Unavailable(format!("the end stopped: {error}").into()))?;
         gone.map_err(|error| disk::told(&self.file, &error))
     }
 
@@ -253,7 +253,7 @@ impl Store for SqliteStore {
         if self.file.exists() {
             Ok(())
         } else {
-            Err(StoreError::Unavailable(format!("{} is not there any more", self.file.display())))
+            Err(StoreError::Unavailable(format!("{} is not there any more", self.file.display()).into()))
         }
     }
 

@@ -45,8 +45,8 @@ pub(crate) use several::LineUp;
 pub(crate) use versions::{ComparedVersions, Comparing, OpenVersion};
 
 pub(crate) use editor::{
-    Asking, Conflict, EditReading, Editing, Lit, OwnLock, Saving, Selected, Sign, UnsavedMark, WriteRight, bare,
-    initials, signs, wording,
+    Asking, Conflict, EditReading, Editing, Lit, OwnLock, Saving, Selected, Sign, UnsavedMark, WriteRight, initials,
+    signs, wording,
 };
 
 use super::tab::{Tab, new_id};
@@ -55,6 +55,7 @@ use crate::naming;
 use behaviour::{Accepted, Behaviour, Checkpoint, Id, Place, Problem, Record, RecordId, ValueType};
 use editor::{Editor, HistoryPanel, Removers, conflict};
 use leptos::prelude::*;
+use phrase::Phrase;
 use protocol::{LockShown, Person};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Deref;
@@ -117,8 +118,8 @@ pub(crate) struct DocumentFields {
     pub(crate) edited: ArcTrigger,
     pub(crate) saving: ArcRwSignal<Saving>,
     /// The words for what undo would take back, and redo do again; none if there is nothing.
-    pub(crate) undoable: ArcRwSignal<Option<String>>,
-    pub(crate) redoable: ArcRwSignal<Option<String>>,
+    pub(crate) undoable: ArcRwSignal<Option<Phrase>>,
+    pub(crate) redoable: ArcRwSignal<Option<Phrase>>,
     /// The history as far as it is known: what was done, by whom and when.
     pub(crate) history: ArcRwSignal<HistoryPanel>,
     /// The versions that have a name.

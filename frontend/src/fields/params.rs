@@ -59,7 +59,7 @@ impl ParamForm {
     pub(crate) fn read(&self) -> Result<Params, Unfilled> {
         self.rows.iter().try_for_each(ParamRow::in_two_ways)?;
         let params: Params = self.rows.iter().map(|row| (row.param.name.to_owned(), row.value())).filled();
-        self.device.check(&params).map(|()| params).map_err(|reason| Unfilled::Param(reason.to_string()))
+        self.device.check(&params).map(|()| params).map_err(|reason| Unfilled::Param(phrase::Phrased::phrase(&reason)))
     }
 }
 
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn a_reason_becomes_a_sentence() {
-        let why = Unfilled::Param("speed must be a number".to_owned());
+        let why = Unfilled::Param("speed must be a number".into());
         assert_eq!(words::unfilled(&why), "Speed must be a number.");
     }
 }

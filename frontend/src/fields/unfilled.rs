@@ -28,7 +28,7 @@ pub(crate) enum Unfilled {
     /// The value that is told is none.
     Value,
     /// A parameter does not fit; with what the catalogue says.
-    Param(String),
+    Param(phrase::Phrase),
 }
 
 impl Unfilled {

@@ -12,7 +12,7 @@ type UnitOf<'a> = &'a dyn Fn(&Id) -> &'static str;
 /// Says what somebody did with a line of the history: by what it changed where the line holds that, else by its label.
 /// A thing that has another name today is called as today.
 pub(crate) fn done(now: &Behaviour, line: &HistoryLine, unit: UnitOf) -> HistoryWords {
-    let Some(again) = words::taken_back(&line.label) else {
+    let Some(again) = behaviour::labels::taken_back(&line.label) else {
         return of_edits(now, &line.edits, unit).unwrap_or_else(|| words::deed(&line.label));
     };
     // What was taken back is told as it was done.

@@ -74,6 +74,6 @@ fn label(desk: super::hold::DeskHold, id: &Id) -> Option<String> {
     // What a person wrote stays as it is; what stands there if nobody did is the page's.
     device.button_words(&stream.params).map(|label| match label {
         Cow::Borrowed(written) => written.to_owned(),
-        Cow::Owned(usual) => words::translated(&usual),
+        Cow::Owned(usual) => words::word_of(&usual),
     })
 }

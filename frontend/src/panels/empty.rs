@@ -159,7 +159,7 @@ pub(crate) fn ProgramPicture(id: String, revision: u64) -> impl IntoView {
 #[component]
 pub(crate) fn TemplateCard(summary: Summary) -> impl IntoView {
     let desk = hold();
-    let name = words::translated(&summary.name);
+    let (name, says) = (words::template_name(&summary), words::template_says(&summary));
     let (title, shown) = (name.clone(), name.clone());
     view! {
         <li>
@@ -167,7 +167,7 @@ pub(crate) fn TemplateCard(summary: Summary) -> impl IntoView {
                 on:click=move |_| desk.desk().library.create_program(&name, Some(&summary.id))>
                 {summary.picture.map(|picture| view! { <Sketch picture /> })}
                 <b>{shown}</b>
-                <span class="second">{words::translated(&summary.by)}</span>
+                <span class="second">{says}</span>
                 <span class="faint">{words::streams(summary.streams)}</span>
             </button>
         </li>

@@ -269,8 +269,7 @@ fn ConnectorLive(id: Id, signals: ConnectorSignals) -> impl IntoView {
         Memo::new(move |_| live.read().fired + live.read().faults > 0)
     };
     let counts = move || any.get().then(|| counts.clone());
-    let error =
-        move || live.read().error.clone().map(|text| view! { <p class="refusal">{words::translated(&text)}</p> });
+    let error = move || live.read().error.clone().map(|text| view! { <p class="refusal">{words::shown(&text)}</p> });
     let held = move || record.with(|connector| desk.desk().robots.held(&connector.output));
     let held = move || held().map(|text| view! { <p class="second">{text}</p> });
     // The counts are those of the version that runs, not of what is written here.

@@ -11,22 +11,19 @@ const CHOSEN: &str = "rrp.language";
 
 /// The language of this page and of its sentences.
 pub(crate) fn language() -> Language {
-    if words::language::is_second() { Language::Japanese } else { Language::English }
+    if words::language::spoken().code == "ja" { Language::Japanese } else { Language::English }
 }
 
 /// Chooses it, for later too. The page opens again where it is: what is not saved yet is kept over that.
-fn choose(language: Language) {
-    Drawer::Browser.put(CHOSEN, language.code());
+fn choose(language: &phrase::Language) {
+    Drawer::Browser.put(CHOSEN, language.code);
     if let Some(window) = browser::window() {
         let _ = window.location().reload();
     }
 }
 
-fn other() -> Language {
-    match language() {
-        Language::English => Language::Japanese,
-        Language::Japanese => Language::English,
-    }
+fn other() -> &'static phrase::Language {
+    words::language::spoken().next()
 }
 
 /// Chooses the other one.
@@ -40,8 +37,8 @@ pub(crate) fn OtherLanguage(in_bar: bool) -> impl IntoView {
     let other = other();
     let class = if in_bar { "tool in-language not-phone" } else { "link in-language only-phone" };
     view! {
-        <button type="button" class=class lang=other.code() title=words::page_in(other.code())
+        <button type="button" class=class lang=other.code title=other.page_in
             data-stop=in_bar.then_some("") tabindex=in_bar.then_some("-1")
-            on:click=move |_| choose(other)>{words::language_name(other.code())}</button>
+            on:click=move |_| choose(other)>{other.name}</button>
     }
 }

@@ -199,7 +199,7 @@ pub(super) fn Helpers(typing: SentenceField) -> impl IntoView {
         let plain = words::helper_name_of(&helper);
         let technical = technical(&plain, &helper.name);
         view! {
-            <button class="item" type="button" data-stop="" tabindex="-1" title=words::translated(&helper.says)
+            <button class="item" type="button" data-stop="" tabindex="-1" title=words::what_helper_does(&helper)
                 on:click=edit on:pointerdown=move |event| take_up(desk, &event, ListItem::Helper(carried.clone()))>
                 <span class="kind plain"><Icon name="fx" /></span>
                 <span class="named"><span class="cut">{plain}</span> {technical}</span>

@@ -139,8 +139,8 @@ pub(crate) fn ProblemLine(
 ) -> impl IntoView {
     let desk = hold();
     let (selected, text) = (element(&problem), words::told_by(&problem));
-    let what = words::translated(&if alone { problem.what_beside() } else { problem.what() });
-    let advice = words::translated(&problem.advice());
+    let what = words::shown(&if alone { problem.what_beside() } else { problem.what() });
+    let advice = words::shown(&problem.advice());
     let step = step_of(&problem);
     let fixes = RwSignal::new(Vec::<Fix>::new());
     desk.desk().document.fixes(&problem, move |found| drop(fixes.try_set(found)));

@@ -57,7 +57,7 @@ pub(crate) fn recorded(recorded: Option<Recorded>, note: RwSignal<String>) -> An
     view! {
         <p class="record" class:bad=bad role="status">
             <span class="dot" aria-hidden="true"></span>
-            {words::recording_goes(recorded.lost, recorded.trouble.as_deref())}
+            {words::recording_goes(recorded.lost, recorded.trouble.as_ref())}
             {(recorded.gave_way > 0).then(|| view! { <span>{words::oldest_gave_way(recorded.gave_way)}</span> })}
             <Show when=move || may_operate(desk)>
                 <button class="link" type="button" on:click=move |_| desk.desk().robots.end_recording()>
@@ -106,6 +106,6 @@ pub(crate) fn Recordings() -> impl IntoView {
 
 /// The address of the recordings, in the language of this page.
 pub(crate) fn recordings_address() -> String {
-    let language = if words::language::is_second() { "ja" } else { "en" };
+    let language = words::language::spoken().code;
     format!("{REPORTS_PATH}?language={language}")
 }

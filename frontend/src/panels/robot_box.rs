@@ -161,7 +161,7 @@ fn why_not(desk: DeskHold) -> Option<String> {
         return Some(words::starts_when_online().to_owned());
     }
     if let Health::Lost(why) = &desk.robots.health() {
-        return Some(words::robot_lost(why.trim_end_matches('.')));
+        return Some(words::robot_lost(why));
     }
     if let Health::Stranger(_) = &desk.robots.health() {
         return Some(words::say_which_first().to_owned());
@@ -173,7 +173,7 @@ fn why_not(desk: DeskHold) -> Option<String> {
         return Some(words::nothing_to_run().to_owned());
     }
     let problems = desk.document.problems.get();
-    problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(&problem.to_string()))
+    problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(problem))
 }
 
 #[component]
@@ -240,8 +240,8 @@ fn starts(desk: DeskHold) -> String {
 /// How the last run of this program ended, or what else runs. Reactive.
 fn last_words(desk: DeskHold) -> Option<String> {
     match last_phase(desk) {
-        Some(RunPhase::Paused(why)) => return Some(words::paused(why.trim_end_matches('.'))),
-        Some(RunPhase::Faulted(why)) => return Some(words::ended(why.trim_end_matches('.'))),
+        Some(RunPhase::Paused(why)) => return Some(words::paused(&why)),
+        Some(RunPhase::Faulted(why)) => return Some(words::ended(&why)),
         Some(RunPhase::Stopped(by)) if is_somebody_else(desk, &by) => return Some(words::stopped_by(&by)),
         Some(RunPhase::Running | RunPhase::Stopped(_)) | None => {}
     }

@@ -122,8 +122,8 @@ pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
     match health {
         Health::Connecting => ("connecting", words::health_connecting().to_owned()),
         Health::Ready => ("ready", words::robot_ready().to_owned()),
-        Health::Degraded(why) => ("limited", words::titled(words::health_limited(), &words::translated(why))),
-        Health::Lost(why) => ("lost", words::titled(words::health_lost(), &words::translated(why))),
+        Health::Degraded(why) => ("limited", words::titled(words::health_limited(), &words::shown(why))),
+        Health::Lost(why) => ("lost", words::titled(words::health_lost(), &words::shown(why))),
         Health::Safe => ("safe", words::robot_safe().to_owned()),
         Health::Stranger(_) => ("limited", words::another_answers().to_owned()),
     }

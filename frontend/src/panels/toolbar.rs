@@ -209,8 +209,8 @@ fn Tool(
 fn Back() -> impl IntoView {
     let desk = hold();
     let cannot_redo = move || !may_edit(desk) || desk.desk().document.redoable.read().is_none();
-    let undo_title = move || words::step_title(words::undo(), desk.desk().document.undoable.read().as_deref());
-    let redo_title = move || words::step_title(words::redo(), desk.desk().document.redoable.read().as_deref());
+    let undo_title = move || words::step_title(words::undo(), desk.desk().document.undoable.read().as_ref());
+    let redo_title = move || words::step_title(words::redo(), desk.desk().document.redoable.read().as_ref());
     view! {
         <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=undo_title
             aria-label=words::undo() disabled=move || !can_undo(desk) on:click=move |_| desk.desk().undo()>

@@ -51,9 +51,9 @@ fn ProgramItems() -> impl IntoView {
         view! { <MenuItem label=program.name icon="folder" choose=open /> }
     };
     let template = move |template: Summary| {
-        let (id, name) = (template.id, template.name.clone());
+        let (id, name) = (template.id.clone(), template.name.clone());
         let make = Callback::new(move |()| desk.desk().library.create_program(&name, Some(&id)));
-        view! { <MenuItem label=words::translated(&template.name) icon="plus" note=words::translated(&template.by) disabled=untrack(|| !may_edit(desk)) choose=make /> }
+        view! { <MenuItem label=words::template_name(&template) icon="plus" note=words::template_says(&template) disabled=untrack(|| !may_edit(desk)) choose=make /> }
     };
     let programs = move || {
         let programs = desk.desk().library.programs.get();

@@ -6,6 +6,7 @@ use crate::live::short_value;
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
+use phrase::Phrase;
 use protocol::UnknownName;
 
 /// How long a person may type before the procedure is looked at, in milliseconds.
@@ -163,7 +164,7 @@ impl TrialAnswers {
                 me.trials.set(if me.flow { read_once(trials) } else { trials.collect() });
                 me.error.set(error.map(|error| match &unknown {
                     Some(unknown) => words::no_such_name(&unknown.name),
-                    None => words::translated(&error),
+                    None => words::shown(&error),
                 }));
                 me.unknown.set(unknown);
             }
@@ -191,12 +192,12 @@ fn written(desk: DeskHold, inputs: &[Id], set: &[Value]) -> Vec<String> {
     set.iter().enumerate().map(one).collect()
 }
 
-fn trial(from: TrialOrigin, values: Vec<String>, result: Result<Value, String>, is_test: bool) -> Trial {
+fn trial(from: TrialOrigin, values: Vec<String>, result: Result<Value, Phrase>, is_test: bool) -> Trial {
     let (result, mark) = match result {
         Ok(Value::Bool(true)) if is_test => (words::passes().to_owned(), TrialMark::Passes),
         Ok(_) if is_test => (words::stopped().to_owned(), TrialMark::Left),
         Ok(value) => (short_value(&value), TrialMark::Plain),
-        Err(reason) => (words::translated(&reason), TrialMark::Fails),
+        Err(reason) => (words::shown(&reason), TrialMark::Fails),
     };
     Trial { values, from, result, mark }
 }

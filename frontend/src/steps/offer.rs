@@ -26,7 +26,7 @@ impl Offer {
             Step::Otherwise(spec, ..) => (spec.icon.name, words::otherwise().to_owned()),
             Step::Action(device, _) => (
                 device.icon,
-                device.next_step.label.map_or_else(|| words::device(device), words::language::said).to_owned(),
+                device.next_step.label.map_or_else(|| words::device(device), words::language::word).to_owned(),
             ),
             Step::Converted(_, _, Some(then)) => {
                 let then = Self::of((**then).clone(), helpers);

@@ -6,7 +6,7 @@ use super::{
     people_and_you, saved_test, start, step_title, stop as stop_word, tour_action, tour_helper, tour_number,
     tour_sense, tour_start, tour_stop, tour_test, while_you,
 };
-use behaviour::connectors;
+use behaviour::{connectors, labels};
 use robot::{Condition, Device, JOINTS, ParamKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -57,100 +57,93 @@ const LATIN: [&str; 39] = [
     "iPhone",
 ];
 
-/// What is made of parts where it is said: the words of a refusal, of a unit, of a kind of value, of where a fault is.
-const MADE: &[&str] = &[
-    "a function",
-    "a letter",
-    "a measured number",
-    "a range",
-    "a whole number",
-    "an object",
-    "becomes",
-    "can become",
-    "centimetres",
-    "connection refused",
-    "connection reset",
-    "degrees",
-    "host unreachable",
-    "at character {column}: {fault}",
-    "line {line}, character {column}: {fault}",
-    "line {line}: {fault}",
-    "metres",
-    "milliseconds",
-    "network unreachable",
-    "percent",
-    "radians",
-    "seconds",
-    "timed out",
-    "a number from 0 to 1",
-    "there is no function “{name}”",
-    "{left} and {right} cannot be combined with {name}",
-    "{name} does not work on {one}",
-    "nothing",
-    "{what} in “{program}”",
+/// Keys of what the page never shows: lines for who reads files, starts a server, or mends a robot's protocol.
+const NOT_SHOWN: [&str; 22] = [
+    "BackupMisfit.Others",
+    "BadId.",
+    "FlawKind.",
+    "Malformed.",
+    "NoCertificate.",
+    "NotAllowed.",
+    "QiError.Address",
+    "QiError.Busy",
+    "QiError.NoCandidate",
+    "QiError.NoMember",
+    "QiError.NoMethod",
+    "QiError.Remote",
+    "QiError.Unexpected",
+    "QiError.Unfit",
+    "QiError.Call",
+    "Reason.FrameLength",
+    "Reason.Input",
+    "Reason.O",
+    "StoreError.WithoutNeo4j",
+    "TableFault.",
+    "TypeMismatch.",
+    "Unkept.Unwritable",
 ];
-/// Lines for who reads files, which the page does not show, and what has no words of its own.
-const NOT_SHOWN: &[&str] = &[
-    "a frame has 1 to 1000 milliseconds",
-    "an id has 1 to {ID_MAX_CHARS} letters, digits, - or _; {text:?} does not",
-    "it has both a body and a helper",
-    "it has more than {most} blocks {{ }} in a row; move a part into a helper",
-    "its order {here} comes before {above}, the one above it; leave order out of the file",
-    "at character {column}: ",
-    "line {line}, character {column}: ",
-    "line {line}: ",
-    "nothing can come out of the actuator stream {id}",
-    "nothing can lead into the sensor stream {id}",
-    "only subscribe leads into the actuator stream {id}",
-    "order names it, but there is no such stream or connector",
-    "the input {id} is there twice",
-    "the stream {id} already has an incoming connector",
-    "the stream {id:?} is in another group too",
-    "there is no connector {word:?}",
-    "there is no stream {id:?}",
-    "this id is used twice",
-    "{format:?} is not {FORMAT}",
-    "{text:?} is not a record id like stream/3f2a",
-    "{word:?} is no kind of record",
-    "{word} must lead to an actuator stream, and {id} is none",
-    "{word} needs a periodMs of 1 or more",
-    "{word} takes {0}, not {gets}",
+/// The rooms whose sentences reach the page.
+const ROOMS: [&str; 12] = [
+    "behaviour",
+    "engine",
+    "nao",
+    "past",
+    "phrase",
+    "protocol",
+    "qi",
+    "recording",
+    "robot",
+    "server",
+    "simulation",
+    "store",
 ];
 
-type Texts = BTreeMap<String, String>;
+/// The English of every key.
+type Catalogue = BTreeMap<String, String>;
 
 #[test]
-fn every_text_of_the_page_is_said_in_japanese() {
-    let mut wanted = texts_of_the_page();
-    assert!(wanted.len() > 500, "only {} texts were found in the sources", wanted.len());
-    wanted.extend(stop());
-    wanted.extend(catalogue());
-    wanted.extend(joints());
-    wanted.extend(templates());
-    wanted.extend(exercises());
-    wanted.extend(rules());
-    let said = said_elsewhere();
-    let known = |key: &str| MADE.contains(&key) || key.starts_with("this ") || said.contains(longest_piece(key));
+fn every_sentence_has_its_japanese_and_nothing_else_is_there() {
+    let (page, others, words) = (of_the_page(), of_others(), of_the_catalogue());
+    assert!(page.len() > 1_000, "only {} sentences of the page were found", page.len());
+    assert!(others.len() > 300, "only {} sentences of others were found", others.len());
+    assert!(words.len() > 300, "only {} words were found", words.len());
+    let wanted: Catalogue = page.into_iter().chain(others).chain(words).chain(stop()).collect();
+    let literals = literals_of_others();
+    let known =
+        |key: &str| key.strip_prefix("word.").is_some_and(|word| literals.contains(word) || word.starts_with("this "));
     let wrong = faults(&wanted, &blocks(&read(&folder().join("../static/ja.txt"))), &known);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
-fn what_is_wrong_with_a_table_is_found() {
-    let wanted = ["Start", "{name} left", "Stop"].map(str::to_owned).into();
-    let table =
-        "# A remark.\n\nStart\nStart now\n\n{name} left\n{nama} さん\n\nGone\nなし\n\nhead\n頭\n\nStart\n開始\n";
+fn no_two_keys_have_the_same_number() {
+    let mut numbers = BTreeMap::new();
+    for key in of_the_page().into_keys().chain(of_others().into_keys()).chain(of_the_catalogue().into_keys()) {
+        let other = numbers.insert(phrase::key_of(&key), key.clone());
+        assert!(other.is_none_or(|other| other == key), "{key} needs another name");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_catalogue_is_found() {
+    let wanted = [("start", "Start"), ("left", "{name} left"), ("stop", "Stop")];
+    let wanted: Catalogue = wanted.map(|(key, text)| (key.to_owned(), text.to_owned())).into();
+    let table = "# A remark.\n\nstart\nStart now\n\nleft\n{nama} さん\n\ngone\nなし\n\nhead\n頭\n\nstart\n開始\n";
     let right = [
-        "has two blocks: Start",
-        "has no Japanese: Stop",
-        "has other holes: {name} left",
-        "has no source: Gone",
-        "is not all Japanese (Start): Start",
+        "has two blocks: start",
+        "has no Japanese: stop",
+        "has other holes: left",
+        "has no source: gone",
+        "is not all Japanese (Start): start",
     ];
     assert_eq!(faults(&wanted, &blocks(table), &|key| key == "head"), right);
-    assert_eq!(calls("say!(\n \"a {b}\", b) + said(\"c\\\"d \\\n   e\")", "say!("), ["a {b}"]);
-    assert_eq!(calls("say!(\n \"a {b}\", b) + said(\"c\\\"d \\\n   e\")", "said("), ["c\"d e"]);
-    assert_eq!(in_rows("x!{}sentences! {\n    // Two\n    one: \"1\";\n    two: \"2\";\n}\n\"3\""), ["1", "2"]);
+    let calls = "say!(\n k: \"a {b}\", b) + said!(l: \"c\\\"d \\\n   e\") + phrase!(\n \"F.g\", \"{x:?} {}\", y)";
+    assert_eq!(keyed_calls(calls, "say!("), [("k".to_owned(), "a {b}".to_owned())]);
+    assert_eq!(keyed_calls(calls, "said!("), [("l".to_owned(), "c\"d e".to_owned())]);
+    assert_eq!(quoted_pairs(calls, "phrase!("), [("F.g".to_owned(), "{x} {0}".to_owned())]);
+    let derived = "#[derive(Debug, Phrased)]\npub enum Way {\n    /// One.\n    #[error(\"{} of {0}\", .0.a())]\n    One(u8),\n}\n";
+    assert_eq!(of_variants(derived), [("Way.One".to_owned(), "{0} of {0}".to_owned())]);
+    assert_eq!(in_rows("sentences! {\n    // Two\n    one: \"1\";\n}\n\"3\""), [("one".to_owned(), "1".to_owned())]);
 }
 
 #[test]
@@ -161,9 +154,13 @@ fn whole_sentences_are_japanese() {
         before + "Near" + &after,
         "オフラインの間に、Yuki さんが「Near」の条件を保存しました。あなたの変更はここにあります。"
     );
-    let deeds = ["Add Near", "Undo: Edit map", "Rename program", "Connect Near"].map(|label| deed(label).whole());
+    let edited = labels::undo_of(false, &labels::edit(phrase::Phrase::word("map")));
+    let done = [labels::add("Near"), edited, labels::program_renamed(), labels::connect("Near")];
+    let deeds = done.map(|label| deed(&label).whole());
     assert_eq!(listed(deeds), "Near を追加、「変換 を編集」を元に戻す、プログラムの名前を変更、変更：Near をつなぐ");
-    assert_eq!(step_title("元に戻す", Some("Undo: Move")), "元に戻す：位置を移動");
+    let moved = labels::undo_of(false, &labels::moved());
+    assert_eq!(step_title("元に戻す", Some(&moved)), "元に戻す：位置を移動");
+    assert_eq!(deed(&"Add Near".into()).whole(), "変更：Add Near", "what an older version wrote");
     assert_eq!(people_and_you(&["Yuki".to_owned(), "Ben".to_owned()], true), "Yuki さん、Ben さん と あなた");
     assert_eq!(found_robot("", "NAO", None), "相手は NAO です。");
     assert!(no_connection(2, true).ends_with("送られます。ロボットは動き続けます。停止は別の経路で試みます。"));
@@ -191,28 +188,31 @@ fn the_tour_names_what_stands_on_the_page() {
     assert!(tour_start().contains(&quoted(start())) && tour_stop().contains(&quoted(stop_word())));
 }
 
-fn faults(wanted: &BTreeSet<String>, table: &[(String, String)], known: &dyn Fn(&str) -> bool) -> Vec<String> {
-    let (mut said, mut wrong) = (Texts::new(), Vec::new());
-    for (english, japanese) in table {
-        if said.contains_key(english) {
-            wrong.push(format!("has two blocks: {english}"));
+fn faults(wanted: &Catalogue, table: &[(String, String)], known: &dyn Fn(&str) -> bool) -> Vec<String> {
+    let (mut said, mut wrong) = (Catalogue::new(), Vec::new());
+    for (key, japanese) in table {
+        if said.contains_key(key) {
+            wrong.push(format!("has two blocks: {key}"));
         } else {
-            said.insert(english.clone(), japanese.clone());
+            said.insert(key.clone(), japanese.clone());
         }
     }
-    wrong.extend(wanted.iter().filter(|text| !said.contains_key(*text)).map(|text| format!("has no Japanese: {text}")));
-    let other = said.iter().filter(|(english, japanese)| holes(english) != holes(japanese));
-    wrong.extend(other.map(|(english, _)| format!("has other holes: {english}")));
-    let stale = said.keys().filter(|key| !wanted.contains(*key) && !known(key));
+    let is_shown = |key: &String| !NOT_SHOWN.iter().any(|start| key.starts_with(start));
+    let missing = wanted.keys().filter(|key| is_shown(key) && !said.contains_key(*key));
+    wrong.extend(missing.map(|key| format!("has no Japanese: {key}")));
+    let other =
+        said.iter().filter(|(key, japanese)| wanted.get(*key).is_some_and(|english| holes(english) != holes(japanese)));
+    wrong.extend(other.map(|(key, _)| format!("has other holes: {key}")));
+    let stale = said.keys().filter(|key| !wanted.contains_key(*key) && !known(key));
     wrong.extend(stale.map(|key| format!("has no source: {key}")));
-    for (english, japanese) in &said {
+    for (key, japanese) in &said {
         let foreign = latin(japanese).into_iter().filter(|word| !LATIN.contains(&word.as_str()));
-        wrong.extend(foreign.map(|word| format!("is not all Japanese ({word}): {english}")));
+        wrong.extend(foreign.map(|word| format!("is not all Japanese ({word}): {key}")));
     }
     wrong
 }
 
-/// The English and the Japanese text of each block.
+/// The key and the text of each block.
 pub(super) fn blocks(table: &str) -> Vec<(String, String)> {
     let lines = |block: &str| {
         let mut lines = block.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
@@ -222,8 +222,7 @@ pub(super) fn blocks(table: &str) -> Vec<(String, String)> {
 }
 
 fn holes(text: &str) -> BTreeSet<&str> {
-    let hole = |part: &'_ str| -> Option<usize> { part.find('}') };
-    text.split('{').skip(1).filter_map(|part| Some(part[..hole(part)?].trim_end_matches('*'))).collect()
+    phrase::holes(text).into_iter().filter(|hole| !hole.trim().is_empty()).collect()
 }
 
 /// The runs of Latin letters outside of holes that are too long for Japanese.
@@ -238,42 +237,55 @@ fn after_hole(at: usize, part: &str) -> String {
     format!(" {rest}")
 }
 
-/// All that the rooms say from which the page hears, with texts over several lines in one.
-fn said_elsewhere() -> String {
-    let rooms = ["behaviour", "engine", "nao", "protocol", "qi", "robot", "server", "simulation", "store"];
-    let all = rooms.iter().flat_map(|room| sources(&folder().join(format!("../crates/{room}/src"))));
-    let one_line = |source: String| {
-        source.split_whitespace().collect::<Vec<_>>().join(" ").replace("\\ ", "").replace("\\\"", "\"")
-    };
-    all.map(|(_, source)| one_line(source)).collect()
+/// The sentences of the page by their keys.
+fn of_the_page() -> Catalogue {
+    let words = folder().join("src/words");
+    let parts = sources(&words.join("en")).into_iter().map(|(_, source)| source);
+    let all = parts.chain([read(&words.join("en.rs"))]);
+    all.map(|source| source.split("#[cfg(test)]").next().unwrap_or_default().to_owned())
+        .flat_map(|source| {
+            let pairs =
+                [keyed_calls(&source, "say!("), keyed_calls(&source, "said!("), quoted_pairs(&source, "self.keyed(")];
+            [in_rows(&source), pairs.concat()].concat()
+        })
+        .collect()
 }
 
-/// What is longest between the holes.
-fn longest_piece(key: &str) -> &str {
-    key.split('{')
-        .enumerate()
-        .map(|(at, part)| if at == 0 { part } else { part.split_once('}').map_or("", |(_, rest)| rest) })
-        .max_by_key(|piece| piece.len())
-        .unwrap_or(key)
+/// The sentences of the rooms from which the page hears, by their keys.
+fn of_others() -> Catalogue {
+    sources_of_others()
+        .into_iter()
+        .flat_map(|source| {
+            let labels = source.contains("labels! {").then(|| labels(&source)).unwrap_or_default();
+            [quoted_pairs(&source, "phrase!("), of_variants(&source), labels].concat()
+        })
+        .filter(|(key, _)| !key.starts_with('$'))
+        .collect()
 }
 
-/// What the rules and the engine say.
-fn rules() -> BTreeSet<String> {
-    let files = [
-        "../crates/behaviour/src/words.rs",
-        "../crates/behaviour/src/problems/words.rs",
-        "../crates/engine/src/faults/words.rs",
-    ];
-    let text = |file: &str| {
-        let source = read(&folder().join(file));
-        let source = source.split("#[cfg(test)]").next().unwrap_or_default();
-        let one_line = source.split_whitespace().collect::<Vec<_>>().join(" ").replace("\\ ", "");
-        let calls_of = |name: &str| calls(&one_line, name);
-        let all = [calls_of("write!(to, "), calls_of("write!( to, "), calls_of("write_str(")];
-        all.concat().iter().map(|text| numbered(text)).collect::<Vec<_>>()
-    };
-    let is_said = |text: &String| has_words(text) && !NOT_SHOWN.iter().any(|known| text == known);
-    files.iter().flat_map(|file| text(file)).filter(is_said).collect()
+fn sources_of_others() -> Vec<String> {
+    let files = ROOMS.iter().flat_map(|room| sources(&folder().join(format!("../crates/{room}/src"))));
+    let is_product = |path: &str| !path.ends_with("tests.rs") && !path.contains("/tests/");
+    let code =
+        |(_, source): (String, String)| source.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default().to_owned();
+    files.filter(|(path, _)| is_product(path)).map(code).collect()
+}
+
+/// Every text in the code of the rooms: words of the catalogue stand there.
+fn literals_of_others() -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for source in sources_of_others() {
+        let lines = source.lines().filter(|line| !line.trim_start().starts_with("//"));
+        let code = lines.collect::<Vec<_>>().join("\n").replace("'\"'", "' '");
+        let mut rest = code.as_str();
+        while let Some(at) = rest.find('"') {
+            let (text, after) = literal(&rest[at + 1..]);
+            found.insert(text);
+            rest = after;
+        }
+    }
+    found.extend(joints());
+    found
 }
 
 /// Whether something is said around its holes.
@@ -281,40 +293,93 @@ fn has_words(text: &str) -> bool {
     text.split('{').enumerate().any(|(at, part)| after_hole(at, part).contains(char::is_alphabetic))
 }
 
-/// Holes without a name have their place as a name.
-pub(super) fn numbered(text: &str) -> String {
-    let mut parts = text.split("{}");
-    let first = parts.next().unwrap_or_default().to_owned();
-    parts.enumerate().fold(first, |made, (at, part)| format!("{made}{{{at}}}{part}"))
+/// The names of holes as they travel: those without one have their number.
+fn travelling(text: &str) -> String {
+    let (mut made, mut rest, mut nth) = (String::new(), text, 0);
+    while let Some((before, after)) = rest.split_once('{') {
+        made.push_str(before);
+        if let Some(after) = after.strip_prefix('{') {
+            made.push('{');
+            rest = after;
+            continue;
+        }
+        let Some((hole, after)) = after.split_once('}') else { break };
+        let marks = hole.len() - hole.trim_start_matches(['^', '.']).len();
+        let (marks, name) = hole.split_at(marks);
+        let name = name.split(':').next().unwrap_or_default();
+        if name.is_empty() {
+            made.push_str(&format!("{{{marks}{nth}}}"));
+            nth += 1;
+        } else {
+            made.push_str(&format!("{{{marks}{name}}}"));
+        }
+        rest = after;
+    }
+    (made + rest).replace("}}", "}")
 }
 
-fn texts_of_the_page() -> BTreeSet<String> {
-    let words = folder().join("src/words");
-    let parts = sources(&words.join("en")).into_iter().map(|(_, source)| source);
-    let all = parts.chain([read(&words.join("en.rs"))]);
-    all.map(|source| source.split("#[cfg(test)]").next().unwrap_or_default().to_owned())
-        .flat_map(|source| [in_rows(&source), calls(&source, "say!("), calls(&source, "said(")].concat())
-        .collect()
-}
-
-/// The literals of every `sentences!`.
-fn in_rows(source: &str) -> Vec<String> {
+/// The rows of every `sentences!`.
+fn in_rows(source: &str) -> Vec<(String, String)> {
     let mut found = Vec::new();
     for rows in source.split("sentences! {").skip(1) {
         let mut rest = rows.split("\n}").next().unwrap_or_default();
         while let Some(at) = rest.find('"') {
+            let name = rest[..at].trim_end().trim_end_matches(':');
+            let name = name.rsplit([' ', '\n']).next().unwrap_or_default().to_owned();
             let (text, after) = literal(&rest[at + 1..]);
-            found.push(text);
+            found.push((name, text));
             rest = after;
         }
     }
     found
 }
 
-/// The literals with which a function or macro is called.
-pub(super) fn calls(source: &str, name: &str) -> Vec<String> {
-    let first = |call: &str| call.trim_start().strip_prefix('"').map(|text| literal(text).0);
-    source.split(name).skip(1).filter_map(first).collect()
+/// The keys and texts with which a macro is called: `say!(key: "text"`.
+fn keyed_calls(source: &str, name: &str) -> Vec<(String, String)> {
+    let pair = |call: &str| {
+        let (key, text) = call.trim_start().split_once(": \"")?;
+        let is_key = key.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
+        is_key.then(|| (key.to_owned(), literal(text).0))
+    };
+    source.split(name).skip(1).filter_map(pair).collect()
+}
+
+/// The keys and texts with which something is called: `phrase!("key", "text"`.
+fn quoted_pairs(source: &str, name: &str) -> Vec<(String, String)> {
+    let pair = |call: &str| {
+        let (key, rest) = literal(call.trim_start().strip_prefix('"')?);
+        let text = rest.strip_prefix(',')?.trim_start().strip_prefix('"')?;
+        Some((key, travelling(&literal(text).0)))
+    };
+    source.split(name).skip(1).filter_map(pair).collect()
+}
+
+/// The sentences of the variants of enums that derive them.
+fn of_variants(source: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for part in source.split("Phrased)]").skip(1) {
+        let body = part.split("\n}\n").next().unwrap_or_default();
+        let Some((_, after)) = body.split_once("enum ") else { continue };
+        let name = after.split(' ').next().unwrap_or_default();
+        for variant in after.split("#[error(").skip(1) {
+            let Some(text) = variant.trim_start().strip_prefix('"') else { continue };
+            let (text, rest) = literal(text);
+            let Some((_, rest)) = rest.split_once(")]\n") else { continue };
+            let variant: String = rest.trim_start().chars().take_while(|letter| letter.is_alphanumeric()).collect();
+            found.push((format!("{name}.{variant}"), travelling(&text)));
+        }
+    }
+    found
+}
+
+/// The labels of changes: rows of a name, a key and its English.
+fn labels(source: &str) -> Vec<(String, String)> {
+    let row = |line: &str| {
+        let mut texts = line.split('"');
+        let (key, english) = (texts.nth(1)?, texts.nth(1)?);
+        (key.starts_with("label.") && line.ends_with(';')).then(|| (key.to_owned(), english.to_owned()))
+    };
+    source.lines().filter_map(row).collect()
 }
 
 /// A text up to its closing quotation mark, and what comes after.
@@ -335,32 +400,58 @@ pub(super) fn literal(source: &str) -> (String, &str) {
 }
 
 /// What Stop says, which is plain HTML.
-fn stop() -> BTreeSet<String> {
+fn stop() -> Catalogue {
     let page = read(&folder().join("../static/index.html"));
     let form = page.split("<form id=\"stop-form\"").nth(1).and_then(|form| form.split("</form>").next()).unwrap();
     let parts: Vec<&str> = form.split('"').collect();
     let attributes = parts.chunks(2).filter_map(|pair| Some((pair[0].split_whitespace().last()?, *pair.get(1)?)));
-    let is_said = |name: &str| name.starts_with("data-") || ["aria-label=", "title="].contains(&name);
-    let said: BTreeSet<String> =
-        attributes.filter(|(name, _)| is_said(name)).map(|(_, text)| text.to_owned()).collect();
-    let label = form.split("<span>").nth(1).and_then(|label| label.split("</span>").next()).unwrap();
+    let key = |name: &str| match name {
+        "aria-label=" => Some("label".to_owned()),
+        "title=" => Some("title".to_owned()),
+        name => name.strip_prefix("data-").map(|key| key.trim_end_matches('=').to_owned()),
+    };
+    let within = |text: &str, mark: &str| {
+        text.split(mark).nth(1).and_then(|rest| rest.split('>').nth(1)?.split('<').next()).unwrap().to_owned()
+    };
+    let own = [("button", within(form, "<span")), ("loading", within(&page, "id=\"loading\""))];
+    let said: Vec<(String, String)> =
+        attributes.filter_map(|(name, text)| Some((key(name)?, text.to_owned()))).collect();
     assert!(said.len() > 8, "{said:?}");
-    said.into_iter().chain([label.to_owned()]).collect()
+    let own = own.map(|(key, text)| (key.to_owned(), text));
+    said.into_iter().chain(own).map(|(key, text)| (format!("stop.{key}"), text)).collect()
 }
 
-/// What is said of senses, actions and connectors.
-fn catalogue() -> BTreeSet<String> {
-    let devices = robot::sensors().chain(robot::actuators()).flat_map(of_device);
-    let connectors = connectors::ALL.iter().flat_map(|spec| {
-        let said = [spec.word, spec.name, spec.says, spec.brief].into_iter();
+/// What is said of senses, actions and connectors, of helpers, templates and tasks.
+fn of_the_catalogue() -> Catalogue {
+    let mut all = Catalogue::new();
+    let mut put = |key: String, text: &str| drop(all.insert(key, text.to_owned()));
+    for device in robot::sensors().chain(robot::actuators()) {
+        put(format!("device.{}.says", device.name), device.says);
+        words_of_device(device).into_iter().for_each(|word| put(format!("word.{word}"), word));
+    }
+    for spec in connectors::ALL {
         let called = spec.called.iter().copied().filter(|name| has_words(name));
-        said.chain(spec.takes.period).chain(spec.takes.start).chain(called)
-    });
-    devices.chain(connectors).chain(robot::helper_labels()).chain(robot::helper_streams()).map(str::to_owned).collect()
+        let words = [spec.word, spec.name, spec.brief].into_iter().chain(spec.takes.period).chain(spec.takes.start);
+        words.chain(called).for_each(|word| put(format!("word.{word}"), word));
+        put(format!("connector.{}.says", spec.name), spec.says);
+        put(format!("connector.{}.does", spec.name), spec.help.does);
+        put(format!("connector.{}.when", spec.name), spec.help.when);
+        for (nth, example) in spec.help.examples.iter().enumerate() {
+            put(format!("connector.{}.example{nth}", spec.name), example.title);
+        }
+    }
+    robot::helper_labels().chain(robot::helper_streams()).for_each(|word| put(format!("word.{word}"), word));
+    for helper in robot::shipped_helpers() {
+        put(format!("helper.{}.says", helper.name), &helper.says);
+    }
+    joints().into_iter().for_each(|joint| put(format!("word.{joint}"), &joint));
+    all.extend(templates());
+    all.extend(exercises());
+    all
 }
 
-fn of_device(device: &'static Device) -> Vec<&'static str> {
-    let mut all = vec![device.label, device.says];
+fn words_of_device(device: &'static Device) -> Vec<&'static str> {
+    let mut all = vec![device.label];
     all.extend(device.next_step.label);
     all.extend(device.next_step.stream);
     all.extend(device.pretend.iter().map(|pretend| pretend.says));
@@ -374,30 +465,45 @@ fn of_device(device: &'static Device) -> Vec<&'static str> {
     all
 }
 
-fn templates() -> Vec<String> {
+fn templates() -> Catalogue {
     let source = read(&folder().join("../crates/server/src/library/templates.rs"));
     let source = source.split("#[cfg(test)]").next().unwrap_or_default();
-    [calls(source, "name: "), calls(source, "says: ")].concat()
+    let (names, says) = (calls(source, "name: "), calls(source, "says: "));
+    assert!(names.len() > 5 && names.len() == says.len(), "{names:?}");
+    names.iter().zip(says).flat_map(|(name, says)| of_template(name, &says)).collect()
+}
+
+fn of_template(name: &str, says: &str) -> [(String, String); 2] {
+    [(format!("template.{name}"), name.to_owned()), (format!("template.{name}.says"), says.to_owned())]
 }
 
 /// The tasks: what they are called and say, their goals, and what is answered to who tries.
-fn exercises() -> Vec<String> {
+fn exercises() -> Catalogue {
     let source = read(&folder().join("../crates/server/src/library/exercises.rs"));
-    let starts = source.split("Template::of(").skip(1).flat_map(|start| {
+    let mut all = Catalogue::new();
+    for start in source.split("Template::of(").skip(1) {
         let (name, rest) = literal(start.split_once('"').unwrap().1);
-        [name, literal(rest.split_once('"').unwrap().1).0]
-    });
-    let goals = sources_of("json", &folder().join("../tests/exercises"));
-    let said = |goal: String| {
-        let fields = ["says", "reached", "otherwise", "ask"].map(|field| calls(&goal, &format!("\"{field}\": ")));
-        let answers = goal.split("\"answers\": [").skip(1).flat_map(|list| {
-            let list = list.split_once(']').unwrap().0.split('"');
-            list.skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>()
-        });
-        fields.concat().into_iter().chain(answers).collect::<Vec<_>>()
-    };
-    let goals = goals.into_iter().map(|(_, text)| text).filter(|text| text.contains("\"expects\"")).flat_map(said);
-    let all: Vec<String> = starts.chain(goals).collect();
+        let (says, rest) = literal(rest.split_once('"').unwrap().1);
+        all.extend(of_template(&name, &says));
+        let file =
+            rest.split("goal: include_str!(\"../../../../").nth(1).and_then(|rest| rest.split('"').next()).unwrap();
+        let goal: serde_json::Value = serde_json::from_str(&read(&folder().join("..").join(file))).unwrap();
+        let mut put = |place: String, text: &serde_json::Value| {
+            all.insert(format!("exercise.{name}.{place}"), text.as_str().unwrap().to_owned());
+        };
+        put("goal".to_owned(), &goal["says"]);
+        put("reached".to_owned(), &goal["reached"]);
+        for (nth, expected) in goal["expects"].as_array().unwrap().iter().enumerate() {
+            put(format!("expects{nth}"), &expected["otherwise"]);
+        }
+        for (nth, asked) in goal["asks"].as_array().into_iter().flatten().enumerate() {
+            put(format!("asks{nth}"), &asked["ask"]);
+            put(format!("asks{nth}.otherwise"), &asked["otherwise"]);
+            for (which, answer) in asked["answers"].as_array().unwrap().iter().enumerate() {
+                put(format!("asks{nth}.answer{which}"), answer);
+            }
+        }
+    }
     assert!(all.len() > 20, "{all:?}");
     all
 }

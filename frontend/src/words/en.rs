@@ -38,11 +38,12 @@ pub(crate) use tiles::*;
 pub(crate) use told::*;
 pub(crate) use warning::*;
 
-use super::language::{fill, said, translated};
+use super::language::{fill, said_of, shown, shown_within, word, word_of};
 use crate::desk::{Joining, NotBrought};
 use crate::fields::Unfilled;
 use crate::link::NoAnswer;
 use behaviour::{Refusal, StreamKind};
+use phrase::Phrase;
 
 sentences! {
     // Sentences
@@ -400,74 +401,77 @@ sentences! {
 /// Why a form cannot be taken.
 /// Many sentences, none of which is shown.
 pub(crate) fn sentences_folded(all: usize) -> String {
-    say!("{all} sentences. Select a part of the graph to read its own.", all)
+    say!(sentences_folded: "{all} sentences. Select a part of the graph to read its own.", all)
 }
 
 pub(crate) fn in_sentences(name: &str, some: usize, all: usize) -> String {
-    say!("{name} is in {some} of {all} sentences.", name, some, all)
+    say!(in_sentences: "{name} is in {some} of {all} sentences.", name, some, all)
 }
 
 pub(crate) fn first_sentences(some: usize, all: usize) -> String {
-    say!("The first {some} of {all} sentences.", some, all)
+    say!(first_sentences: "The first {some} of {all} sentences.", some, all)
 }
 
 /// The name of something in a sentence that can be changed.
 pub(crate) fn change_it(text: &str) -> String {
-    say!("Change: {text}", text)
+    say!(change_it: "Change: {text}", text)
 }
 
 /// What a sentence says that is not understood; nothing where something is missing.
 pub(crate) fn in_doubt(said: String, helpless: bool) -> String {
     match (said.as_str(), helpless) {
         ("", true) => {
-            say!("Something is missing. For example: {sentence_example}", sentence_example = sentence_example())
+            say!(in_doubt_something_is_missing_for: "Something is missing. For example: {sentence_example}", sentence_example = sentence_example())
         }
-        ("", false) => say!("Something is missing here. Did you mean"),
+        ("", false) => say!(in_doubt_something_is_missing_here: "Something is missing here. Did you mean"),
         (said, true) => say!(
-            "“{said}” is not known here. For example: {sentence_example}",
+            in_doubt_is_not_known_here: "“{said}” is not known here. For example: {sentence_example}",
             said,
             sentence_example = sentence_example()
         ),
-        (said, false) => say!("“{said}” is not known here. Did you mean", said),
+        (said, false) => say!(in_doubt_is_not_known_here_2: "“{said}” is not known here. Did you mean", said),
     }
 }
 
 /// Where a number was before it was turned.
 pub(crate) fn it_was(value: &str) -> String {
-    say!("was {value}", value)
+    say!(it_was: "was {value}", value)
 }
 
 /// The menu of something by its name, or of the ground.
 pub(crate) fn menu_of(name: Option<&str>) -> String {
-    name.map_or_else(|| say!("What can be done here"), |name| say!("What can be done with {name}", name))
+    name.map_or_else(
+        || say!(menu_of_what_can_be_done: "What can be done here"),
+        |name| say!(menu_of_what_can_be_done_2: "What can be done with {name}", name),
+    )
 }
 
 pub(crate) fn copy_of(name: &str) -> String {
-    say!("Copy of {name}", name)
+    say!(copy_of: "Copy of {name}", name)
 }
 
 pub(crate) fn copy_made(name: &str) -> String {
-    say!("“{name}” is made and open.", name)
+    say!(copy_made: "“{name}” is made and open.", name)
 }
 
 /// A way to mend a problem, for who cannot see beside which it stands.
 pub(crate) fn mend_by(fix: &str) -> String {
-    say!("Mend it: {fix}", fix)
+    say!(mend_by: "Mend it: {fix}", fix)
 }
 
 /// A name in a procedure that means nothing.
 pub(crate) fn no_such_name(name: &str) -> String {
-    say!("No “{name}” here.", name)
+    say!(no_such_name: "No “{name}” here.", name)
 }
 
 /// Writing another name in its place.
 pub(crate) fn use_name(meant: &str) -> String {
-    say!("Use “{meant}”", meant)
+    say!(use_name: "Use “{meant}”", meant)
 }
 
 /// That a problem was mended, and how.
 pub(crate) fn mended(fix: &str) -> String {
-    say!("Mended: {fix}", fix)
+    say!(mended: "Mended: {fix}", fix)
 }
 
 /// A value with its unit, which never stands alone on a line.
@@ -479,22 +483,12 @@ pub(crate) fn with_unit(value: String, unit: &str) -> String {
 pub(crate) fn two_ways(typed: &str) -> Option<String> {
     let Some(behaviour::TypedNumber::Either(one, other)) = behaviour::typed_number(typed) else { return None };
     let (text, one, other) = (typed.trim(), &*one.to_string(), &*other.to_string());
-    Some(say!("“{text}” may be {one} or {other}. Type the one that is meant.", text, one, other))
+    Some(say!(two_ways: "“{text}” may be {one} or {other}. Type the one that is meant.", text, one, other))
 }
 
 /// What a sense or an action is called.
 pub(crate) fn device(device: &robot::Device) -> &'static str {
-    said(device.label)
-}
-
-/// A language by its own name.
-pub(crate) fn language_name(code: &str) -> &'static str {
-    if code == "ja" { "日本語" } else { "English" }
-}
-
-/// What a press on that does, in that language.
-pub(crate) fn page_in(code: &str) -> &'static str {
-    if code == "ja" { "このページを日本語で" } else { "This page in English" }
+    word(device.label)
 }
 
 pub(crate) fn unfilled(why: &Unfilled) -> String {
@@ -516,11 +510,11 @@ pub(crate) fn unfilled(why: &Unfilled) -> String {
 }
 
 /// A reason with a capital letter and a full stop.
-fn whole_sentence(reason: &str) -> String {
-    let reason = translated(reason);
+fn whole_sentence(reason: &Phrase) -> String {
+    let reason = shown_within(reason);
     let mut rest = reason.chars();
     let first: String = rest.next().into_iter().flat_map(char::to_uppercase).collect();
-    say!("{why}.", why = format!("{first}{}", rest.as_str()))
+    say!(whole_sentence: "{why}.", why = format!("{first}{}", rest.as_str()))
 }
 
 /// Why there is no answer to what was asked.
@@ -537,54 +531,60 @@ pub(crate) fn not_brought(why: &NotBrought) -> String {
         NotBrought::TooLarge => file_too_large().to_owned(),
         NotBrought::Unreachable => unreachable().to_owned(),
         NotBrought::Unclear => file_unclear().to_owned(),
-        NotBrought::Refused(said) => translated(said),
+        NotBrought::Refused(why) => shown(why),
     }
 }
 
 pub(crate) fn offline(waiting: usize) -> String {
     match waiting {
-        0 => say!("Offline"),
-        1 => say!("Offline: 1 change waits here"),
-        many => say!("Offline: {many} changes wait here", many),
+        0 => say!(offline_offline: "Offline"),
+        1 => say!(offline_offline_1_change_waits: "Offline: 1 change waits here"),
+        many => say!(offline_offline_changes_wait_here: "Offline: {many} changes wait here", many),
     }
 }
 
 /// The banner of a lost link; `runs` says whether something ran on the robot.
 pub(crate) fn no_connection(waiting: usize, runs: bool) -> String {
     let waits = match waiting {
-        0 => say!("No connection. You can go on; it is sent when the connection is back."),
-        1 => say!("No connection. 1 change waits here and is sent when it is back."),
-        many => say!("No connection. {many} changes wait here and are sent when it is back.", many),
+        0 => {
+            say!(no_connection_no_connection_you_can: "No connection. You can go on; it is sent when the connection is back.")
+        }
+        1 => {
+            say!(no_connection_no_connection_1_change: "No connection. 1 change waits here and is sent when it is back.")
+        }
+        many => {
+            say!(no_connection_no_connection_changes_wait: "No connection. {many} changes wait here and are sent when it is back.", many)
+        }
     };
     if runs {
-        say!("{waits} The robot goes on by itself. Stop still tries its own way.", waits)
+        say!(no_connection_the_robot_goes_on: "{waits} The robot goes on by itself. Stop still tries its own way.", waits)
     } else {
-        say!("{waits} Stop still tries its own way.", waits)
+        say!(no_connection_stop_still_tries_its: "{waits} Stop still tries its own way.", waits)
     }
 }
 
 pub(crate) fn last_heard(seconds: u32) -> String {
-    say!("Last heard {seconds} s ago.", seconds)
+    say!(last_heard: "Last heard {seconds} s ago.", seconds)
 }
 
 pub(crate) fn connected(sent: usize) -> String {
     match sent {
-        0 => say!("Connected."),
-        1 => say!("Connected. 1 change was sent."),
-        many => say!("Connected. {many} changes were sent.", many),
+        0 => say!(connected_connected: "Connected."),
+        1 => say!(connected_connected_1_change_was: "Connected. 1 change was sent."),
+        many => say!(connected_connected_changes_were_sent: "Connected. {many} changes were sent.", many),
     }
 }
 
 pub(crate) fn room_as_it_was(seconds: u32) -> String {
-    say!("Room · as it was {seconds} s ago", seconds)
+    say!(room_as_it_was: "Room · as it was {seconds} s ago", seconds)
 }
 
 pub(crate) fn value_ago(value: &str, seconds: u32) -> String {
-    say!("{value}, {seconds} s ago", value, seconds)
+    say!(value_ago: "{value}, {seconds} s ago", value, seconds)
 }
 
 pub(crate) fn last_was(value: &str) -> String {
-    say!("last {value}", value)
+    say!(last_was: "last {value}", value)
 }
 
 /// `1,477`.
@@ -601,147 +601,157 @@ pub(crate) fn count(number: u64) -> String {
 }
 
 fn times(count_of: u64) -> String {
-    if count_of == 1 { say!("once") } else { say!("{count} times", count = count(count_of)) }
+    if count_of == 1 { say!(times_once: "once") } else { say!(times_times: "{count} times", count = count(count_of)) }
 }
 
 /// How often something failed and why, without its name: `Failed 3 times: there is no field y.`
-pub(crate) fn failed(faults: u64, why: &str) -> String {
-    say!("Failed {times}: {sentence}", times = times(faults), sentence = sentence(why))
+pub(crate) fn failed(faults: u64, why: &Phrase) -> String {
+    say!(failed: "Failed {times}: {sentence}", times = times(faults), sentence = sentence(why))
 }
 
 /// How often something failed and why, with its name, for the list: `“map” failed 3 times: there is no field y.`
-pub(crate) fn named_failed(name: &str, faults: u64, why: &str) -> String {
-    say!("“{name}” failed {times}: {sentence}", name, times = times(faults), sentence = sentence(why))
+pub(crate) fn named_failed(name: &str, faults: u64, why: &Phrase) -> String {
+    say!(named_failed: "“{name}” failed {times}: {sentence}", name, times = times(faults), sentence = sentence(why))
 }
 
 /// Said once, when something begins to fail.
-pub(crate) fn begins_to_fail(name: &str, why: &str) -> String {
-    say!("“{name}” fails: {sentence}", name, sentence = sentence(why))
+pub(crate) fn begins_to_fail(name: &str, why: &Phrase) -> String {
+    say!(begins_to_fail: "“{name}” fails: {sentence}", name, sentence = sentence(why))
 }
 
 /// Beside the lamp.
 pub(crate) fn parts_fail(count: usize) -> String {
-    if count == 1 { say!("1 fails") } else { say!("{count} fail", count) }
+    if count == 1 { say!(parts_fail_n1_fails: "1 fails") } else { say!(parts_fail_fail: "{count} fail", count) }
 }
 
-fn sentence(why: &str) -> String {
-    let why = translated(why.trim_end());
-    if why.ends_with(['.', '!', '?', '。']) { why } else { say!("{why}.", why) }
+fn sentence(why: &Phrase) -> String {
+    let why = shown(why);
+    if why.ends_with(['.', '!', '?', '。']) { why } else { say!(sentence: "{why}.", why) }
 }
 
 /// Somebody else removed what a dialog is about.
 pub(crate) fn removed_by(name: &str) -> String {
-    say!("{name} removed this.", name)
+    say!(removed_by: "{name} removed this.", name)
 }
 
 /// While a new program cannot be saved.
 pub(crate) fn not_made_yet(name: &str) -> String {
-    say!("“{name}” cannot be saved just now. It is made as soon as that is possible.", name)
+    say!(not_made_yet: "“{name}” cannot be saved just now. It is made as soon as that is possible.", name)
 }
 
 pub(crate) fn not_saved(waiting: usize) -> String {
     match waiting {
-        0 => say!("Nothing can be saved now"),
-        1 => say!("Not saved: 1 change waits here"),
-        many => say!("Not saved: {many} changes wait here", many),
+        0 => say!(not_saved_nothing_can_be_saved: "Nothing can be saved now"),
+        1 => say!(not_saved_not_saved_1_change: "Not saved: 1 change waits here"),
+        many => say!(not_saved_not_saved_changes_wait: "Not saved: {many} changes wait here", many),
     }
 }
 
-pub(crate) fn away_banner(reason: Option<String>, waiting: usize) -> String {
+pub(crate) fn away_banner(reason: Option<Phrase>, waiting: usize) -> String {
     let not_saved = not_saved(waiting);
-    match reason.map(|reason| translated(&reason)) {
+    match reason.map(|reason| shown_within(&reason)) {
         Some(reason) => {
-            say!("{not_saved} ({reason}). You can go on; it is saved as soon as that is possible.", not_saved, reason)
+            say!(away_banner_you_can_go_on: "{not_saved} ({reason}). You can go on; it is saved as soon as that is possible.", not_saved, reason)
         }
-        None => say!("{not_saved}. You can go on; it is saved as soon as that is possible.", not_saved),
+        None => {
+            say!(away_banner_you_can_go_on_2: "{not_saved}. You can go on; it is saved as soon as that is possible.", not_saved)
+        }
     }
 }
 
 /// The robot still runs what there was before the last edits.
 pub(crate) fn running_older(runs: u64, edits: u64) -> String {
-    if runs == edits { say!("The robot runs an older helper") } else { say!("The robot runs your older version") }
+    if runs == edits {
+        say!(running_older_the_robot_runs_an: "The robot runs an older helper")
+    } else {
+        say!(running_older_the_robot_runs_your: "The robot runs your older version")
+    }
 }
 
 /// What a connector has done: `147 worked, no errors`.
 pub(crate) fn worked(fired: u64, faults: u64) -> String {
     let fired = count(fired);
     match faults {
-        0 => say!("{fired} worked, no errors", fired),
-        faults => say!("{fired} worked, {faults} failed", fired, faults = count(faults)),
+        0 => say!(worked_worked_no_errors: "{fired} worked, no errors", fired),
+        faults => say!(worked_worked_failed: "{fired} worked, {faults} failed", fired, faults = count(faults)),
     }
 }
 
 /// The title of what sets a sense, an action or a stream up: `Tracker settings`.
 pub(crate) fn settings_of(what: &str) -> String {
-    say!("{what} settings", what)
+    say!(settings_of: "{what} settings", what)
 }
 
 pub(crate) fn held_by(part: &str, name: &str) -> String {
-    let part = translated(part);
-    say!("The {part} is held by “{name}”.", part, name)
+    let part = word_of(part);
+    say!(held_by: "The {part} is held by “{name}”.", part, name)
 }
 
 pub(crate) fn holds(part: &str, name: &str) -> String {
-    let part = translated(part);
-    say!("Holds the {part}; “{name}” waits.", part, name)
+    let part = word_of(part);
+    say!(holds: "Holds the {part}; “{name}” waits.", part, name)
 }
 
 pub(crate) fn move_up(name: &str) -> String {
-    say!("Move “{name}” up", name)
+    say!(move_up: "Move “{name}” up", name)
 }
 
 pub(crate) fn move_down(name: &str) -> String {
-    say!("Move “{name}” down", name)
+    say!(move_down: "Move “{name}” down", name)
 }
 
 pub(crate) fn stop_title(name: &str) -> String {
-    say!("Stop {name} (Esc Esc)", name)
+    say!(stop_title: "Stop {name} (Esc Esc)", name)
 }
 
 pub(crate) fn robot_named(name: &str) -> String {
-    say!("Robot: {name}", name)
+    say!(robot_named: "Robot: {name}", name)
 }
 
 pub(crate) fn remove_robot(name: &str) -> String {
-    say!("Remove “{name}”", name)
+    say!(remove_robot: "Remove “{name}”", name)
 }
 
 pub(crate) fn runs_names(names: &str) -> String {
-    say!("runs {names}", names)
+    say!(runs_names: "runs {names}", names)
 }
 
 pub(crate) fn robot_gone(gone: &str, now: &str) -> String {
-    say!("“{gone}” is gone. This page looks at “{now}” now.", gone, now)
+    say!(robot_gone: "“{gone}” is gone. This page looks at “{now}” now.", gone, now)
 }
 
 pub(crate) fn remove_running(robot: &str) -> String {
-    say!("It runs on “{robot}”; stop it there first.", robot)
+    say!(remove_running: "It runs on “{robot}”; stop it there first.", robot)
 }
 
 pub(crate) fn stop_one(name: &str) -> String {
-    say!("Stop “{name}”", name)
+    say!(stop_one: "Stop “{name}”", name)
 }
 
-pub(crate) fn recording_goes(lost: u64, trouble: Option<&str>) -> String {
+pub(crate) fn recording_goes(lost: u64, trouble: Option<&Phrase>) -> String {
     match (trouble, lost) {
-        (Some(why), _) => say!("The recording stopped: {why}.", why = translated(why)),
-        (None, 0) => say!("Recording"),
-        (None, lost) => say!("Recording with gaps, {lost} lines are missing", lost),
+        (Some(why), _) => {
+            say!(recording_goes_the_recording_stopped: "The recording stopped: {why}.", why = shown_within(why))
+        }
+        (None, 0) => say!(recording_goes_recording: "Recording"),
+        (None, lost) => {
+            say!(recording_goes_recording_with_gaps_lines: "Recording with gaps, {lost} lines are missing", lost)
+        }
     }
 }
 
 pub(crate) fn oldest_gave_way(count: u64) -> String {
-    say!("To make room, the oldest recordings were removed: {count}.", count)
+    say!(oldest_gave_way: "To make room, the oldest recordings were removed: {count}.", count)
 }
 
 pub(crate) fn applied(revision: u64) -> String {
-    say!("The robot goes on with version {revision}.", revision)
+    say!(applied: "The robot goes on with version {revision}.", revision)
 }
 
 /// A press that waited until what was changed is saved, and did nothing then; `button` is what was pressed.
 pub(crate) fn press_given_up(button: &str) -> String {
     say!(
-        "{button} waited for your changes to be saved and was given up. Press {button} again once they are saved.",
+        press_given_up: "{button} waited for your changes to be saved and was given up. Press {button} again once they are saved.",
         button
     )
 }
@@ -753,36 +763,36 @@ pub(crate) fn one_after_other(first: &str, second: &str) -> String {
 }
 
 pub(crate) fn other_runs(name: &str) -> String {
-    say!("“{name}” is running.", name)
+    say!(other_runs: "“{name}” is running.", name)
 }
 
-pub(crate) fn ended(reason: &str) -> String {
-    say!("It ended by itself: {reason}. Press Start to try again.", reason = translated(reason))
+pub(crate) fn ended(reason: &Phrase) -> String {
+    say!(ended: "It ended by itself: {reason}. Press Start to try again.", reason = shown_within(reason))
 }
 
-pub(crate) fn cannot_start(problem: &str) -> String {
-    say!("It cannot start yet. {problem}", problem = translated(problem))
+pub(crate) fn cannot_start(problem: &behaviour::Problem) -> String {
+    say!(cannot_start: "It cannot start yet. {problem}", problem = shown(problem))
 }
 
-pub(crate) fn robot_lost(reason: &str) -> String {
+pub(crate) fn robot_lost(reason: &Phrase) -> String {
     // The reason says what to do, or that it comes back by itself.
-    say!("The robot cannot be reached: {reason}.", reason = translated(reason))
+    say!(robot_lost: "The robot cannot be reached: {reason}.", reason = shown_within(reason))
 }
 
 pub(crate) fn remove_question(name: &str) -> String {
-    say!("Remove “{name}”?", name)
+    say!(remove_question: "Remove “{name}”?", name)
 }
 
 pub(crate) fn uses(count: usize) -> String {
-    if count == 1 { say!("1 use") } else { say!("{count} uses", count) }
+    if count == 1 { say!(uses_n1_use: "1 use") } else { say!(uses_uses: "{count} uses", count) }
 }
 
 pub(crate) fn saying(text: &str) -> String {
-    say!("“{text}”", text)
+    say!(saying: "“{text}”", text)
 }
 
 pub(crate) fn follows(what: &str) -> String {
-    say!("follows {what}", what = listed(what.split(", ").map(translated)))
+    say!(follows: "follows {what}", what = listed(what.split(", ").map(word_of)))
 }
 
 /// How far something is, as the open program has it too: in centimetres, else in metres.
@@ -791,15 +801,15 @@ pub(crate) fn how_far(metres: f64, in_centimetres: bool) -> String {
 }
 
 pub(crate) fn quiet_for(seconds: u64) -> String {
-    say!("quiet for {seconds} s", seconds)
+    say!(quiet_for: "quiet for {seconds} s", seconds)
 }
 
 pub(crate) fn spelling(written: &str, right: &str) -> String {
-    say!("Change {written} to {right}", written, right)
+    say!(spelling: "Change {written} to {right}", written, right)
 }
 
-pub(crate) fn field_of(argument: &str, field: &str, says: &str) -> String {
-    format!("{argument}.{field}: {says}", says = translated(says))
+pub(crate) fn field_of(argument: &str, field: &str, says: &'static str) -> String {
+    format!("{argument}.{field}: {says}", says = word(says))
 }
 
 pub(crate) fn trial(given: &str, result: &str) -> String {
@@ -807,36 +817,40 @@ pub(crate) fn trial(given: &str, result: &str) -> String {
 }
 
 pub(crate) fn streams(count: u32) -> String {
-    if count == 1 { say!("1 stream") } else { say!("{count} streams", count) }
+    if count == 1 { say!(streams_n1_stream: "1 stream") } else { say!(streams_streams: "{count} streams", count) }
 }
 
 pub(crate) fn changed_by(name: &str) -> String {
-    say!("last changed by {name}", name)
+    say!(changed_by: "last changed by {name}", name)
 }
 
 /// How long ago something was, up to six days; none for longer.
 pub(crate) fn ago(seconds: u64) -> Option<String> {
     let (minutes, hours, days) = (seconds / 60, seconds / 3_600, seconds / 86_400);
     match (minutes, hours, days) {
-        (0, ..) => Some(say!("just now")),
-        (1, ..) => Some(say!("a minute ago")),
-        (many, 0, _) => Some(say!("{many} minutes ago", many)),
-        (_, 1, _) => Some(say!("an hour ago")),
-        (_, many, 0) => Some(say!("{many} hours ago", many)),
-        (.., 1) => Some(say!("yesterday")),
-        (.., many @ 2..=6) => Some(say!("{many} days ago", many)),
+        (0, ..) => Some(say!(ago_just_now: "just now")),
+        (1, ..) => Some(say!(ago_a_minute_ago: "a minute ago")),
+        (many, 0, _) => Some(say!(ago_minutes_ago: "{many} minutes ago", many)),
+        (_, 1, _) => Some(say!(ago_an_hour_ago: "an hour ago")),
+        (_, many, 0) => Some(say!(ago_hours_ago: "{many} hours ago", many)),
+        (.., 1) => Some(say!(ago_yesterday: "yesterday")),
+        (.., many @ 2..=6) => Some(say!(ago_days_ago: "{many} days ago", many)),
         _ => None,
     }
 }
 
 /// A day that is longer ago.
 pub(crate) fn on_day(day: &str) -> String {
-    say!("on {day}", day)
+    say!(on_day: "on {day}", day)
 }
 
 /// What a line of the list says below the name: `Aiko · 6 streams · 2 hours ago`.
 pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> String {
-    let changed = if by == owner || by.is_empty() { when.to_owned() } else { say!("changed {when} by {by}", when, by) };
+    let changed = if by == owner || by.is_empty() {
+        when.to_owned()
+    } else {
+        say!(program_line: "changed {when} by {by}", when, by)
+    };
     let owner = if owner.is_empty() { String::new() } else { format!("{owner} · ") };
     format!("{owner}{} · {changed}", streams(count))
 }
@@ -844,110 +858,122 @@ pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> Str
 /// What a line of the bin says below the name: `removed 2 hours ago by Aiko · stays 27 more days`.
 pub(crate) fn removed_line(when: &str, by: &str, days_left: u64) -> String {
     let left = match days_left {
-        0 => say!("goes today"),
-        1 => say!("stays 1 more day"),
-        many => say!("stays {many} more days", many),
+        0 => say!(removed_line_goes_today: "goes today"),
+        1 => say!(removed_line_stays_1_more_day: "stays 1 more day"),
+        many => say!(removed_line_stays_more_days: "stays {many} more days", many),
     };
-    say!("removed {when} by {by} · {left}", when, by, left)
+    say!(removed_line_removed_by: "removed {when} by {by} · {left}", when, by, left)
 }
 
 pub(crate) fn nothing_fits(words: &str) -> String {
-    say!("Nothing fits “{words}”.", words)
+    say!(nothing_fits: "Nothing fits “{words}”.", words)
 }
 
 pub(crate) fn more_about(name: &str) -> String {
-    say!("More about {name}", name)
+    say!(more_about: "More about {name}", name)
 }
 
 pub(crate) fn restore_named(name: &str) -> String {
-    say!("Restore {name}", name)
+    say!(restore_named: "Restore {name}", name)
 }
 
 pub(crate) fn is_back(name: &str) -> String {
-    say!("“{name}” is back among the programs.", name)
+    say!(is_back: "“{name}” is back among the programs.", name)
 }
 
 pub(crate) fn shared_devices(count: u32) -> String {
-    if count == 1 { say!("1 sense or action in common") } else { say!("{count} senses and actions in common", count) }
+    if count == 1 {
+        say!(shared_devices_n1_sense_or_action: "1 sense or action in common")
+    } else {
+        say!(shared_devices_senses_and_actions_in: "{count} senses and actions in common", count)
+    }
 }
 
 /// So many programs were found; perhaps more.
 pub(crate) fn programs_found(count: usize, more: bool) -> String {
     match (count, more) {
-        (0, _) => say!("None found"),
-        (_, true) => say!("{count} found so far", count),
-        (_, false) => say!("{count} found", count),
+        (0, _) => say!(programs_found_none_found: "None found"),
+        (_, true) => say!(programs_found_found_so_far: "{count} found so far", count),
+        (_, false) => say!(programs_found_found: "{count} found", count),
     }
 }
 
 pub(crate) fn programs_in_all(count: u64) -> String {
-    if count == 1 { say!("1 program") } else { say!("{count} programs", count) }
+    if count == 1 {
+        say!(programs_in_all_n1_program: "1 program")
+    } else {
+        say!(programs_in_all_programs: "{count} programs", count)
+    }
 }
 
 /// A helper has another name, and these many programs say it now.
 pub(crate) fn helper_renamed(programs: u32) -> String {
     if programs == 1 {
-        say!("Renamed. 1 program says the new name now.")
+        say!(helper_renamed_renamed_1_program_says: "Renamed. 1 program says the new name now.")
     } else {
-        say!("Renamed. {programs} programs say the new name now.", programs)
+        say!(helper_renamed_renamed_programs_say_the: "Renamed. {programs} programs say the new name now.", programs)
     }
 }
 
 /// Programs in which somebody was editing just then what uses a helper that has another name now.
 pub(crate) fn old_name_stays(names: &str) -> String {
-    say!("Somebody is editing {names} just now: the old name stays for that too.", names)
+    say!(old_name_stays: "Somebody is editing {names} just now: the old name stays for that too.", names)
 }
 
 pub(crate) fn through(helper: &str) -> String {
-    say!("through {helper}", helper)
+    say!(through: "through {helper}", helper)
 }
 
 pub(crate) fn and_more(count: u64) -> String {
-    say!("and {count} more", count)
+    say!(and_more: "and {count} more", count)
 }
 
 /// A pasted text became a program; helpers that differ from those of the same name here have another name now.
 pub(crate) fn pasted_opened(name: &str, renamed: &[(String, String)]) -> String {
-    let helpers: Vec<_> = renamed.iter().map(|(old, new)| say!("{old} is {new} here", old, new)).collect();
+    let helpers: Vec<_> =
+        renamed.iter().map(|(old, new)| say!(pasted_opened_is_here: "{old} is {new} here", old, new)).collect();
     match helpers.len() {
-        0 => say!("“{name}” was opened from what you pasted.", name),
-        _ => say!("“{name}” was opened. Helpers of other content: {join}.", name, join = listed(&helpers)),
+        0 => say!(pasted_opened_was_opened_from_what: "“{name}” was opened from what you pasted.", name),
+        _ => {
+            say!(pasted_opened_was_opened_helpers_of: "“{name}” was opened. Helpers of other content: {join}.", name, join = listed(&helpers))
+        }
     }
 }
 
 /// A file became a program; helpers that differ from those of the same name here have another name now.
 pub(crate) fn file_opened(name: &str, renamed: &[(String, String)]) -> String {
-    let helpers: Vec<_> = renamed.iter().map(|(old, new)| say!("{old} is {new} here", old, new)).collect();
+    let helpers: Vec<_> =
+        renamed.iter().map(|(old, new)| say!(file_opened_is_here: "{old} is {new} here", old, new)).collect();
     match helpers.len() {
-        0 => say!("“{name}” was opened from the file.", name),
+        0 => say!(file_opened_was_opened_from_the: "“{name}” was opened from the file.", name),
         _ => {
-            say!("“{name}” was opened from the file. Helpers of other content: {join}.", name, join = listed(&helpers))
+            say!(file_opened_was_opened_from_the_2: "“{name}” was opened from the file. Helpers of other content: {join}.", name, join = listed(&helpers))
         }
     }
 }
 
 pub(crate) fn hangs_below(count: usize) -> String {
-    say!("What hangs below: {streams}", streams = streams(u32::try_from(count).unwrap_or(u32::MAX)))
+    say!(hangs_below: "What hangs below: {streams}", streams = streams(u32::try_from(count).unwrap_or(u32::MAX)))
 }
 
 pub(crate) fn also_use(action: &str) -> String {
-    say!("Other programs with {action}", action)
+    say!(also_use: "Other programs with {action}", action)
 }
 
 pub(crate) fn from_senses(senses: &str) -> String {
-    say!("from {senses}", senses)
+    say!(from_senses: "from {senses}", senses)
 }
 
 pub(crate) fn has_all(robot: &str) -> String {
-    say!("{robot} has all the senses and actions it needs.", robot)
+    say!(has_all: "{robot} has all the senses and actions it needs.", robot)
 }
 
 pub(crate) fn helper_called(name: &str) -> String {
-    say!("helper {name}", name)
+    say!(helper_called: "helper {name}", name)
 }
 
 pub(crate) fn is_editing(name: &str) -> String {
-    say!("{name} is editing", name)
+    say!(is_editing: "{name} is editing", name)
 }
 
 /// `map (1), connector from RedBall to Distance, Yuki is editing`
@@ -960,46 +986,46 @@ pub(crate) fn with_editor(what: String, name: Option<&str>) -> String {
 
 /// Who is editing, and what that means meanwhile.
 pub(crate) fn is_editing_and(name: &str, meanwhile: &str) -> String {
-    say!("{name} is editing. {meanwhile}", name, meanwhile)
+    say!(is_editing_and: "{name} is editing. {meanwhile}", name, meanwhile)
 }
 
 /// Said once when somebody begins to edit something.
 pub(crate) fn is_editing_this(name: &str, what: &str) -> String {
-    say!("{name} is editing {what}.", name, what)
+    say!(is_editing_this: "{name} is editing {what}.", name, what)
 }
 
 /// What one sees of what somebody else is editing.
 pub(crate) fn until_saved(name: &str) -> String {
-    say!("It is as {name} left it until {name} saves.", name)
+    say!(until_saved: "It is as {name} left it until {name} saves.", name)
 }
 
 pub(crate) fn ask_person(name: &str) -> String {
-    say!("Ask {name}", name)
+    say!(ask_person: "Ask {name}", name)
 }
 
 pub(crate) fn asked_yours_in(seconds: u32) -> String {
-    say!("Asked. Yours in {seconds} s.", seconds)
+    say!(asked_yours_in: "Asked. Yours in {seconds} s.", seconds)
 }
 
 pub(crate) fn keeps_for_now(name: &str) -> String {
-    say!("{name} keeps it for now.", name)
+    say!(keeps_for_now: "{name} keeps it for now.", name)
 }
 
 pub(crate) fn ask_again_in(seconds: u32) -> String {
-    say!("You can ask again in {seconds} s.", seconds)
+    say!(ask_again_in: "You can ask again in {seconds} s.", seconds)
 }
 
 pub(crate) fn would_like_to_edit(name: &str) -> String {
-    say!("{name} would like to edit this.", name)
+    say!(would_like_to_edit: "{name} would like to edit this.", name)
 }
 
 pub(crate) fn free_for_others_in(seconds: u32) -> String {
-    say!("Still editing? It is free for others in {seconds} s.", seconds)
+    say!(free_for_others_in: "Still editing? It is free for others in {seconds} s.", seconds)
 }
 
 /// The field in which one says what kind of value a helper's argument is.
 pub(crate) fn helper_takes(argument: &str) -> String {
-    say!("What “{argument}” is", argument)
+    say!(helper_takes: "What “{argument}” is", argument)
 }
 
 /// What a helper takes or gives, as one can choose it.
@@ -1015,38 +1041,54 @@ pub(crate) fn declared(declared: behaviour::Declared) -> String {
 
 /// A step that turns a value into another unit: "Convert to m".
 pub(crate) fn convert_to(unit: &str) -> String {
-    say!("Convert to {unit}", unit)
+    say!(convert_to: "Convert to {unit}", unit)
 }
 
 /// What an offer makes of the value first: "converts to m".
 pub(crate) fn converts_to(unit: &str) -> String {
-    say!("converts to {unit}", unit)
+    say!(converts_to: "converts to {unit}", unit)
 }
 
 /// What an offer does before its own: "Wants m, gets cm: it is converted first.".
 pub(crate) fn converts_first(from: &str, to: &str) -> String {
-    say!("Wants {to}, gets {from}: it is converted first.", from, to)
+    say!(converts_first: "Wants {to}, gets {from}: it is converted first.", from, to)
 }
 
 /// How a helper is called: what a fresh library has by plain words, others as they were named.
 pub(crate) fn helper_name_of(helper: &behaviour::Helper) -> String {
-    robot::helper_label(helper).map_or_else(|| helper.name.clone(), |label| said(label).to_owned())
+    robot::helper_label(helper).map_or_else(|| helper.name.clone(), |label| word(label).to_owned())
 }
 
 /// What the helper of this name is called on a chip: “Distance in m”, its own name for one that somebody made.
 pub(crate) fn plain_helper(name: &str) -> String {
-    robot::helper_label_of(name).map_or_else(|| name.to_owned(), |label| said(label).to_owned())
+    robot::helper_label_of(name).map_or_else(|| name.to_owned(), |label| word(label).to_owned())
 }
 
 /// A helper in a list: "Distance in m · ball_to_distance (ball)".
 pub(crate) fn helper_item(helper: &behaviour::Helper) -> String {
     let technical = format!("{} ({})", helper.name, helper.params.join(", "));
-    robot::helper_label(helper).map_or(technical.clone(), |label| format!("{} · {technical}", said(label)))
+    robot::helper_label(helper).map_or(technical.clone(), |label| format!("{} · {technical}", word(label)))
+}
+
+/// What a helper does, in a sentence: what comes with rrp is said in the language of the page.
+pub(crate) fn what_helper_does(helper: &behaviour::Helper) -> String {
+    robot::helper_label(helper)
+        .map_or_else(|| helper.says.clone(), |_| said_of(&format!("helper.{}.says", helper.name), &helper.says))
+}
+
+/// The name of a template, or of a task.
+pub(crate) fn template_name(template: &protocol::Summary) -> String {
+    said_of(&format!("template.{}", template.id), &template.name)
+}
+
+/// What a template does, or what one does in a task.
+pub(crate) fn template_says(template: &protocol::Summary) -> String {
+    said_of(&format!("template.{}.says", template.id), &template.by)
 }
 
 /// What was sent to which sense.
 pub(crate) fn sent_to(name: &str, value: &str) -> String {
-    say!("Sent to {name}: {value}", name, value)
+    say!(sent_to: "Sent to {name}: {value}", name, value)
 }
 
 /// Something of the catalogue where it stands alone: "Angle to the side in radians".
@@ -1056,15 +1098,15 @@ pub(crate) fn as_label(text: &str) -> String {
 }
 
 pub(crate) fn add_named(name: &str) -> String {
-    say!("Add {name}", name)
+    say!(add_named: "Add {name}", name)
 }
 
 pub(crate) fn lead_to(name: &str) -> String {
-    say!("Lead the selected stream to {name}", name)
+    say!(lead_to: "Lead the selected stream to {name}", name)
 }
 
 pub(crate) fn lead_to_existing(name: &str) -> String {
-    say!("“{name}”, which is there already", name)
+    say!(lead_to_existing: "“{name}”, which is there already", name)
 }
 
 pub(crate) fn ball_named(color: &str) -> &'static str {
@@ -1078,22 +1120,22 @@ pub(crate) fn ball_named(color: &str) -> &'static str {
 
 /// A value of a marble example: "5 at 0.3 s".
 pub(crate) fn value_at(value: &str, at_ms: u64) -> String {
-    say!("{value} at {seconds_short}", value, seconds_short = seconds_short(at_ms))
+    say!(value_at: "{value} at {seconds_short}", value, seconds_short = seconds_short(at_ms))
 }
 
 /// A lane of a marble example: "Distance: 5 at 0 s, 30 at 0.3 s".
 pub(crate) fn lane_tells(name: &str, values: &str) -> String {
-    if values.is_empty() { say!("{name}: nothing", name) } else { titled(name, values) }
+    if values.is_empty() { say!(lane_tells: "{name}: nothing", name) } else { titled(name, values) }
 }
 
 /// What a marble example gives.
 pub(crate) fn comes_out(lane: &str) -> String {
-    say!("Out comes {lane}", lane)
+    say!(comes_out: "Out comes {lane}", lane)
 }
 
 /// A short time: "0.3 s".
 pub(crate) fn seconds_short(ms: u64) -> String {
-    say!("{seconds} s", seconds = ms as f64 / 1_000.0)
+    say!(seconds_short: "{seconds} s", seconds = ms as f64 / 1_000.0)
 }
 
 /// The time written beside a value.
@@ -1103,12 +1145,16 @@ pub(crate) fn at_ms(time: &str) -> String {
 
 /// How long ago something was printed, in whole seconds.
 pub(crate) fn printed_ago(seconds: u64) -> String {
-    if seconds < 1 { say!("just now") } else { say!("{seconds} s ago", seconds) }
+    if seconds < 1 {
+        say!(printed_ago_just_now: "just now")
+    } else {
+        say!(printed_ago_s_ago: "{seconds} s ago", seconds)
+    }
 }
 
 /// The field for another name.
 pub(crate) fn new_name(of: &str) -> String {
-    say!("New name of {of}", of)
+    say!(new_name: "New name of {of}", of)
 }
 
 /// The title of the page: the program, whether it runs, and what is the matter with it.
@@ -1120,19 +1166,19 @@ pub(crate) fn page_title(program: &str, runs: bool, state: Option<&str>) -> Stri
     };
     match (program, runs) {
         (none, _) if none.is_empty() => "rrp".to_owned(),
-        (program, true) => say!("▶ {program} – rrp", program),
-        (program, false) => say!("{program} – rrp", program),
+        (program, true) => say!(page_title_rrp: "▶ {program} – rrp", program),
+        (program, false) => say!(page_title_rrp_2: "{program} – rrp", program),
     }
 }
 
 /// Going to a stream.
 pub(crate) fn go_to(name: &str) -> String {
-    say!("Go to {name}", name)
+    say!(go_to: "Go to {name}", name)
 }
 
 /// So many things are chosen.
 pub(crate) fn selected_count(count: usize) -> String {
-    say!("{count} selected", count)
+    say!(selected_count: "{count} selected", count)
 }
 
 /// A sign of comparison, for people.
@@ -1149,51 +1195,51 @@ pub(crate) fn sign(sign: &str) -> &'static str {
 
 /// Where a value is now.
 pub(crate) fn now_is(value: &str) -> String {
-    say!("now {value}", value)
+    say!(now_is: "now {value}", value)
 }
 
 /// A value that a test lets through.
 pub(crate) fn value_passes(value: &str) -> String {
-    say!("{value} passes", value)
+    say!(value_passes: "{value} passes", value)
 }
 
 /// A value that a test stops.
 pub(crate) fn value_left_out(value: &str) -> String {
-    say!("{value} is left out", value)
+    say!(value_left_out: "{value} is left out", value)
 }
 
 /// What comes after a stream.
 pub(crate) fn after_stream(name: &str) -> String {
-    say!("After {name}", name)
+    say!(after_stream: "After {name}", name)
 }
 
 /// Where a connector can be put in.
 pub(crate) fn insert_between(above: &str, connector: &str) -> String {
-    say!("Insert between {above} and {connector}", above, connector)
+    say!(insert_between: "Insert between {above} and {connector}", above, connector)
 }
 
 /// What a wire of a stream comes to.
 pub(crate) fn joining(how: Joining, target: &str) -> String {
     match how {
-        Joining::Acts => say!("leads to {target}", target),
-        Joining::Feeds => say!("feeds {target}", target),
-        Joining::Merges => say!("joins {target} with what it carries", target),
-        Joining::Adds => say!("one more input of {target}", target),
-        Joining::Replaces => say!("{target} takes from it instead", target),
+        Joining::Acts => say!(joining_leads_to: "leads to {target}", target),
+        Joining::Feeds => say!(joining_feeds: "feeds {target}", target),
+        Joining::Merges => say!(joining_joins_with_what_it: "joins {target} with what it carries", target),
+        Joining::Adds => say!(joining_one_more_input_of: "one more input of {target}", target),
+        Joining::Replaces => say!(joining_takes_from_it_instead: "{target} takes from it instead", target),
     }
 }
 
 /// A wire is held by the keyboard: where it may end, and where it would end now.
 pub(crate) fn wire_at(at: usize, count: usize, how: &str) -> String {
-    say!("{how}, {at} of {count}", how = capitalised(how), at = at + 1, count)
+    say!(wire_at: "{how}, {at} of {count}", how = capitalised(how), at = at + 1, count)
 }
 
 /// The first place that a wire comes to.
 pub(crate) fn wire_first_at(from: &str, at: usize, count: usize, how: &str) -> String {
     let first = wire_at(at, count, how);
     match count {
-        1 => say!("Connect {from}: 1 place. {first}", from, first),
-        _ => say!("Connect {from}: {count} places. {first}", from, count, first),
+        1 => say!(wire_first_at_connect_1_place: "Connect {from}: 1 place. {first}", from, first),
+        _ => say!(wire_first_at_connect_places: "Connect {from}: {count} places. {first}", from, count, first),
     }
 }
 
@@ -1205,58 +1251,60 @@ pub(crate) fn capitalised(text: &str) -> String {
 /// A wire that may end in so many places.
 pub(crate) fn wire_begins(from: &str, count: usize) -> String {
     match count {
-        1 => say!("Connect {from}: 1 place. Press an arrow key.", from),
-        _ => say!("Connect {from}: {count} places. Press an arrow key.", from, count),
+        1 => say!(wire_begins_connect_1_place_press: "Connect {from}: 1 place. Press an arrow key.", from),
+        _ => {
+            say!(wire_begins_connect_places_press_an: "Connect {from}: {count} places. Press an arrow key.", from, count)
+        }
     }
 }
 
 /// A wire that can end nowhere.
 pub(crate) fn wire_nowhere(from: &str) -> String {
-    say!("{from} is led everywhere already. Drop it on free ground to add something new.", from)
+    say!(wire_nowhere: "{from} is led everywhere already. Drop it on free ground to add something new.", from)
 }
 
 /// A stream whose values shall go to another place too.
 pub(crate) fn connect_named(name: &str) -> String {
-    say!("Connect {name}", name)
+    say!(connect_named: "Connect {name}", name)
 }
 
 /// A stream that shall get values.
 pub(crate) fn connect_to(name: &str) -> String {
-    say!("Connect to {name}", name)
+    say!(connect_to: "Connect to {name}", name)
 }
 
 /// A stream that can be led nowhere else.
 pub(crate) fn leads_everywhere(name: &str) -> String {
-    say!("{name} is led everywhere already.", name)
+    say!(leads_everywhere: "{name} is led everywhere already.", name)
 }
 
 /// Removing a stream and joining its way.
 pub(crate) fn remove_and_join(above: &str) -> String {
-    say!("Remove it, and go on from {above}", above)
+    say!(remove_and_join: "Remove it, and go on from {above}", above)
 }
 
 /// How deep a row of the outline stands, for screen readers.
 pub(crate) fn level(depth: usize) -> String {
-    format!("{} ", say!("Level {depth}:", depth))
+    format!("{} ", say!(level: "Level {depth}:", depth))
 }
 
 /// `Head tracker, red ball · head, actuator stream`
 pub(crate) fn stream_name(name: &str, what_it_is: &str, kind: StreamKind) -> String {
     let kind = match kind {
-        StreamKind::Sensor => said("sensor stream"),
-        StreamKind::Ordinary => said("stream"),
-        StreamKind::Actuator => said("actuator stream"),
+        StreamKind::Sensor => said!(stream_name_sensor_stream: "sensor stream"),
+        StreamKind::Ordinary => said!(stream_name_stream: "stream"),
+        StreamKind::Actuator => said!(stream_name_actuator_stream: "actuator stream"),
     };
     listed([name, what_it_is, kind].into_iter().filter(|part| !part.is_empty()))
 }
 
 /// `map (distance), connector from RedBall to Distance`
 pub(crate) fn connector_name(words: &str, from: &[String], to: &str) -> String {
-    say!("{words}, connector from {join} to {to}", words, join = joined(from), to)
+    say!(connector_name: "{words}, connector from {join} to {to}", words, join = joined(from), to)
 }
 
 pub(crate) fn next_steps(name: &str) -> String {
-    say!("Next steps for {name}", name)
+    say!(next_steps: "Next steps for {name}", name)
 }
 
 pub(crate) fn percent(zoom: f64) -> String {

@@ -1,239 +1,189 @@
-//! In which language the page speaks, and its table of the second one: the English text, and below it how it is said.
+//! In which language the page speaks, and its catalogue of the second one.
 //!
-//! English is written where it is used. Another language is one file (`static/ja.txt`), fetched before the page starts and
-//! only where it is chosen: blocks with an empty line between, the English text first, then what is said instead. Holes
-//! (`{name}`) have the same names in both; `{name*}` is said in that language too. What the server and the rules say comes
-//! in English, whole: it is found by what stands between its holes ([`translated`]).
+//! Every sentence has a key: its English stands where it is used (`en.rs`), and another language is one file (`static/ja.txt`),
+//! fetched before the page starts and only where it is chosen: blocks with an empty line between, the key first, then the
+//! sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots say comes as a
+//! [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
 
-use std::cell::OnceCell;
-use std::collections::HashMap;
+use phrase::{LANGUAGES, Language, Phrase, Phrased, filled, key_of};
+use std::cell::{Cell, OnceCell};
 use std::fmt::Display;
 
-/// Remarks between which texts with holes are only those of the page: short ones would fit what others say by chance.
-const PAGE_ONLY: &str = "# Only the page says these:";
-const PAGE_ENDS: &str = "# Others say these too:";
-/// The most texts within texts that are followed.
-const DEPTH_MAX: usize = 4;
-
-/// The texts of a second language.
-#[derive(Debug, Default)]
-pub(crate) struct WordTable {
-    texts: HashMap<&'static str, &'static str>,
-    /// Those with holes, by what they begin with first: the longest words first.
-    patterns: Vec<Pattern>,
-}
-
-/// An English text with holes, cut at them.
+/// The sentences of a language, by the numbers of their keys.
 #[derive(Debug)]
-struct Pattern {
-    /// What stands around the holes, one more than there are holes.
-    around: Vec<&'static str>,
-    holes: Vec<&'static str>,
-    said: &'static str,
+pub(crate) struct WordTable {
+    language: &'static Language,
+    texts: Vec<(u32, &'static str)>,
 }
 
 thread_local! {
     static TABLE: OnceCell<WordTable> = const { OnceCell::new() };
+    /// True while something is said in English for who looks for it by that.
+    static IN_ENGLISH: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Begins to speak the language of this table. It counts once, before anything is shown.
+/// What is said in English, for finding something by its English name too.
+pub(crate) fn in_english<T>(say: impl FnOnce() -> T) -> T {
+    IN_ENGLISH.set(true);
+    let said = say();
+    IN_ENGLISH.set(false);
+    said
+}
+
+/// Begins to speak the language of this catalogue. It counts once, before anything is shown.
 pub(crate) fn speak(text: String) {
     TABLE.with(|table| {
         let _ = table.set(WordTable::read(text.leak()));
     });
 }
 
-/// Whether the page speaks a second language.
+/// The language of the page.
+pub(crate) fn spoken() -> &'static Language {
+    TABLE.with(|table| table.get().map_or(&Language::ENGLISH, |table| table.language))
+}
+
+/// True if the page speaks a second language.
 pub(crate) fn is_second() -> bool {
     TABLE.with(|table| table.get().is_some())
 }
 
-/// How this English text is said; itself where it has no other words.
-pub(crate) fn said(text: &'static str) -> &'static str {
-    told(text).unwrap_or(text)
-}
-
-/// How this English text is said in the second language, if that is spoken.
-pub(super) fn told(text: &str) -> Option<&'static str> {
-    TABLE.with(|table| table.get()?.texts.get(text).copied())
-}
-
-/// The English texts that are said like this, for finding something by its English name too; empty in English.
-pub(crate) fn english(said: &str) -> String {
+/// The sentence of a key in the second language, if that is spoken and has it.
+fn told(key: u32) -> Option<&'static str> {
     TABLE.with(|table| {
-        let texts = table.get().into_iter().flat_map(|table| &table.texts);
-        let mut found: Vec<&str> = texts.filter(|(_, own)| **own == said).map(|(english, _)| *english).collect();
-        found.sort_unstable();
-        found.join(" ")
+        let texts = &table.get().filter(|_| !IN_ENGLISH.get())?.texts;
+        let at = texts.binary_search_by_key(&key, |(known, _)| *known).ok()?;
+        Some(texts[at].1)
     })
+}
+
+/// The sentence of a key; its English where the language lacks it.
+pub(crate) fn keyed(key: u32, english: &'static str) -> &'static str {
+    told(key).unwrap_or(english)
+}
+
+/// The sentence of a key that is made while the page runs: of something in a list.
+pub(crate) fn said_by(key: &str, english: &'static str) -> &'static str {
+    keyed(key_of(key), english)
+}
+
+/// The same for an English that came from elsewhere.
+pub(crate) fn said_of(key: &str, english: &str) -> String {
+    told(key_of(key)).unwrap_or(english).to_owned()
+}
+
+/// A word of the catalogue of senses, actions and connectors: of a unit, a colour, a choice, a part of the body.
+pub(crate) fn word(english: &'static str) -> &'static str {
+    said_by(&format!("word.{english}"), english)
+}
+
+/// The same for a word that came from elsewhere.
+pub(crate) fn word_of(english: &str) -> String {
+    said_of(&format!("word.{english}"), english)
+}
+
+/// A sentence with its holes filled.
+pub(crate) fn fill_keyed(key: u32, english: &'static str, holes: &[(&str, &dyn Display)]) -> String {
+    let own = told(key);
+    let language = if own.is_some() { spoken() } else { &Language::ENGLISH };
+    fill_in(own.unwrap_or(english), language, holes)
 }
 
 /// A text with its holes filled.
 pub(super) fn fill(text: &str, holes: &[(&str, &dyn Display)]) -> String {
-    filled(text, &|name| holes.iter().find(|(hole, _)| *hole == name).map(|(_, value)| value.to_string()), 0)
+    fill_in(text, spoken(), holes)
 }
 
-/// What was said in English elsewhere (by the server, the rules, a device), as this page says it.
-pub(crate) fn translated(text: &str) -> String {
-    deeper(text, 0)
+fn fill_in(text: &str, language: &Language, holes: &[(&str, &dyn Display)]) -> String {
+    filled(text, language, &|name| {
+        holes.iter().find(|(hole, _)| *hole == name).map(|(_, value)| (value.to_string(), None))
+    })
 }
 
-fn deeper(text: &str, depth: usize) -> String {
-    if depth > DEPTH_MAX || text.is_empty() {
-        return text.to_owned();
-    }
-    TABLE.with(|table| table.get().and_then(|table| table.translate(text, depth))).unwrap_or_else(|| text.to_owned())
+/// What a refusal, a fault, a problem or a robot says.
+pub(crate) fn shown(what: &impl Phrased) -> String {
+    say(&what.phrase())
+}
+
+fn say(what: &Phrase) -> String {
+    what.said(spoken(), &|key| told(key_of(key)))
+}
+
+/// The same without its full stop, for the middle of a sentence.
+pub(crate) fn shown_within(what: &impl Phrased) -> String {
+    shown(what).trim_end_matches(['.', '。']).to_owned()
 }
 
 impl WordTable {
     fn read(text: &'static str) -> Self {
-        let (mut table, mut page_only) = (Self::default(), false);
-        for block in text.split("\n\n") {
-            page_only = (page_only || block.contains(PAGE_ONLY)) && !block.contains(PAGE_ENDS);
+        let code = text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
+        let language = LANGUAGES.iter().find(|language| language.code == code).unwrap_or(&LANGUAGES[1]);
+        Self::of(language, text)
+    }
+
+    fn of(language: &'static Language, text: &'static str) -> Self {
+        let sentence = |block: &'static str| {
             let mut lines = block.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
-            if let (Some(english), Some(said)) = (lines.next(), lines.next()) {
-                table.texts.insert(english, said);
-                if !page_only && english.contains('{') {
-                    table.patterns.push(Pattern::of(english, said));
-                }
-            }
-        }
-        table
-            .patterns
-            .sort_by_key(|pattern| std::cmp::Reverse(pattern.around.iter().map(|part| part.len()).sum::<usize>()));
-        table
-    }
-
-    fn translate(&self, text: &str, depth: usize) -> Option<String> {
-        if let Some(said) = self.texts.get(text).or_else(|| self.texts.get(small(text).as_str())) {
-            return Some((*said).to_owned());
-        }
-        let pattern = |text: &str| {
-            let (pattern, holes) = self.patterns.iter().find_map(|pattern| Some((pattern, pattern.fits(text)?)))?;
-            let value = |name: &str| {
-                let at = pattern.holes.iter().position(|hole| *hole == name)?;
-                holes.get(at).map(|hole| (*hole).to_owned())
-            };
-            Some(filled(pattern.said, &value, depth))
+            Some((key_of(lines.next()?), lines.next()?))
         };
-        pattern(text).or_else(|| self.listed(text)).or_else(|| self.in_parts(text, depth))
+        let mut texts: Vec<(u32, &'static str)> = text.split("\n\n").filter_map(sentence).collect();
+        texts.sort_unstable_by_key(|(key, _)| *key);
+        Self { language, texts }
     }
-
-    /// Words with commas between, if each of them is known: "red, green, blue".
-    fn listed(&self, text: &str) -> Option<String> {
-        let said: Option<Vec<&str>> = text.split(", ").map(|part| self.texts.get(part).copied()).collect();
-        said.map(|said| said.join("、"))
-    }
-
-    /// Several sentences one after the other, or one with a full stop that it has not alone.
-    fn in_parts(&self, text: &str, depth: usize) -> Option<String> {
-        if let Some((first, rest)) = text.split_once(". ") {
-            let first = format!("{first}.");
-            return Some(format!("{}{}", self.translate(&first, depth)?, deeper(rest, depth + 1)));
-        }
-        if let Some((fault, advice)) = text.rsplit_once("; ") {
-            return Some(format!("{}。{}", self.translate(fault, depth)?, deeper(advice, depth + 1)));
-        }
-        let bare = text.strip_suffix('.')?;
-        Some(format!(
-            "{}。",
-            self.texts
-                .get(bare)
-                .copied()
-                .map_or_else(|| self.translate_bare(bare, depth), |said| Some(said.to_owned()))?
-        ))
-    }
-
-    fn translate_bare(&self, text: &str, depth: usize) -> Option<String> {
-        if depth > DEPTH_MAX { None } else { self.translate(text, depth + 1) }
-    }
-}
-
-/// As it stands within a sentence.
-fn small(text: &str) -> String {
-    let mut rest = text.chars();
-    rest.next().into_iter().flat_map(char::to_lowercase).chain(rest).collect()
-}
-
-impl Pattern {
-    fn of(english: &'static str, said: &'static str) -> Self {
-        let (mut around, mut holes, mut rest) = (Vec::new(), Vec::new(), english);
-        while let Some((before, after)) = rest.split_once('{') {
-            let Some((hole, after)) = after.split_once('}') else { break };
-            around.push(before);
-            holes.push(hole.split(':').next().unwrap_or(hole));
-            rest = after;
-        }
-        around.push(rest);
-        Self { around, holes, said }
-    }
-
-    /// What stands in the holes, if the text is made of this.
-    fn fits<'text>(&self, text: &'text str) -> Option<Vec<&'text str>> {
-        let (first, others) = self.around.split_first()?;
-        let mut rest = text.strip_prefix(first)?;
-        // Words are needed: two holes alone would be anything.
-        if self.around.iter().all(|part| part.chars().filter(|letter| letter.is_alphanumeric()).count() < 2) {
-            return None;
-        }
-        let mut holes = Vec::new();
-        for (at, part) in others.iter().enumerate() {
-            let (hole, after) =
-                if at + 1 == others.len() { (rest.strip_suffix(part)?, "") } else { rest.split_once(part)? };
-            holes.push(hole);
-            rest = after;
-        }
-        Some(holes)
-    }
-}
-
-fn filled(text: &str, value: &dyn Fn(&str) -> Option<String>, depth: usize) -> String {
-    let (mut made, mut rest) = (String::new(), text);
-    while let Some((before, after)) = rest.split_once('{') {
-        let Some((hole, after)) = after.split_once('}') else { break };
-        made.push_str(before);
-        let (name, also) = hole.strip_suffix('*').map_or((hole, false), |name| (name, true));
-        let found = value(name).unwrap_or_default();
-        made.push_str(&if also { deeper(&found, depth + 1) } else { found });
-        rest = after;
-    }
-    made.push_str(rest);
-    made
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{fill, is_second, said, speak, told, translated};
+    use super::{TABLE, WordTable, fill_keyed, is_second, keyed, shown, speak, word, word_of};
+    use crate::words;
+    use phrase::{Language, Plural, key_of, phrase};
 
-    const TEXTS: &str = "# A remark.\nStart\n開始\n\n{by} is editing {what}. Ask, or wait until it is free.\n{by} さんが{what*}を編集中です。\n\nthe filter\n条件\n\n{part} is held by {name}\n{name} が{part}を使用中\n";
+    /// A third language: this line, and its file.
+    static GERMAN: Language = Language {
+        code: "de",
+        locale: "de",
+        name: "Deutsch",
+        page_in: "Diese Seite auf Deutsch",
+        plural: Plural::One,
+        comma: ", ",
+    };
+    const GERMAN_TEXTS: &str = include_str!("../../../tests/languages/de.txt");
 
     #[test]
-    fn a_second_language_is_a_table() {
-        assert_eq!(said("Start"), "Start");
+    fn a_third_language_is_one_file_and_one_line_and_english_stands_in_for_what_it_lacks() {
+        TABLE.with(|table| table.set(WordTable::of(&GERMAN, GERMAN_TEXTS)).unwrap());
+        assert_eq!(GERMAN_TEXTS.split("\n\n").skip(1).count(), 10);
+        assert_eq!((words::start(), words::history()), ("Start", "Verlauf"));
+        assert_eq!(words::saying("Ball"), "„Ball“");
+        assert_eq!(words::needs_connection(), "This needs the connection.");
+        let locked = behaviour::Refusal::Locked { what: phrase::Phrase::word("this note"), by: "Ben".to_owned() };
+        assert_eq!(shown(&locked), "Ben bearbeitet gerade diese Notiz.");
+        let many = |many: usize| shown(&behaviour::Refusal::Edits(many));
+        assert_eq!(many(1), "1 Änderung auf einmal ist zu viel.");
+        assert_eq!(many(9), "9 Änderungen auf einmal sind zu viel.");
+        assert_eq!(shown(&behaviour::Refusal::Gone), "This program was removed. Open another one.");
+    }
+
+    const TEXTS: &str = "# ja\n\nstart\n開始\n\nRefusal.Locked\n{by} さんが{what}を編集中です。\n\nword.filter\n条件\n\nheld\n{name} が{part}を使用中\n";
+
+    #[test]
+    fn a_second_language_is_a_catalogue() {
+        assert_eq!(keyed(key_of("start"), "Start"), "Start");
         assert!(!is_second());
         speak(TEXTS.to_owned());
         assert!(is_second());
-        assert_eq!((said("Start"), said("Stop")), ("開始", "Stop"));
-        let text = told("{part} is held by {name}").unwrap_or_default();
-        assert_eq!(fill(text, &[("part", &"{name}"), ("name", &"Aiko")]), "Aiko が{name}を使用中");
+        assert_eq!((keyed(key_of("start"), "Start"), keyed(key_of("stop"), "Stop")), ("開始", "Stop"));
+        let held = fill_keyed(key_of("held"), "{part} is held by {name}", &[("part", &"{name}"), ("name", &"Aiko")]);
+        assert_eq!(held, "Aiko が{name}を使用中");
+        assert_eq!((word("filter"), word_of("start").as_str()), ("条件", "start"));
     }
 
     #[test]
-    fn what_only_the_page_says_is_not_looked_for_elsewhere() {
-        let table = "# Only the page says these:\n\n{one} to {other}\n{other}への{one}\n\n# Others say these too:\n\nAsk {name}.\n{name} さんに頼んでください。\n";
-        speak(table.to_owned());
-        assert_eq!(told("{one} to {other}"), Some("{other}への{one}"));
-        assert_eq!(translated("Nothing leads to Ball"), "Nothing leads to Ball");
-        assert_eq!(translated("Ask Yuki."), "Yuki さんに頼んでください。");
-    }
-
-    #[test]
-    fn what_others_say_is_found_by_what_stands_between_its_holes() {
+    fn what_others_say_is_found_by_its_key_alone() {
         speak(TEXTS.to_owned());
-        let text = |text: &str| translated(text);
-        assert_eq!(text("Yuki is editing the filter. Ask, or wait until it is free."), "Yuki さんが条件を編集中です。");
-        assert_eq!(text("Start. Nobody knows this."), "開始。Nobody knows this.");
-        assert_eq!(text("Nobody knows this."), "Nobody knows this.");
-        assert_eq!(text(""), "");
+        let what = phrase::Phrase::word("filter");
+        let locked = phrase!("Refusal.Locked", "{by} is editing {what}. Ask, or wait until it is free.", by = "start");
+        assert_eq!(shown(&locked), "start さんが条件を編集中です。");
+        assert_eq!(shown(&"start"), "start", "the words of a person");
+        assert_eq!(shown(&phrase!("nobody.knows", "{what} of nobody")), "条件 of nobody");
     }
 }

@@ -11,6 +11,7 @@ use crate::{
     SeenKinds, Unit, ValueType, as_meant, rename_identifiers, rename_unknown,
 };
 use draft::FixDraft;
+use phrase::Phrased;
 use serde::{Deserialize, Serialize};
 
 /// The time between values that were too many, in milliseconds.
@@ -70,7 +71,7 @@ impl Fix {
     /// The change that does it.
     #[must_use]
     pub fn change(&self, op: Id, author: &str) -> Change {
-        Change { edits: self.edits.clone(), ..Change::of(op, author, self.kind.to_string().trim_end_matches('.')) }
+        Change { edits: self.edits.clone(), ..Change::of(op, author, self.kind.phrase()) }
     }
 }
 

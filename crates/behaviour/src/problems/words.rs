@@ -1,90 +1,128 @@
 //! Every problem in English: what is wrong, and what to do; and what each fix does.
 
 use super::{Problem, ProblemKind};
-use crate::words::capital;
-use crate::{FixKind, Unit};
-use std::fmt;
+use crate::{FixKind, Kind, Unit, connectors};
+use phrase::{Phrase, Phrased, phrase, shown};
+
+shown!(Problem, FixKind);
 
 impl Problem {
-    /// Says the problem in one English sentence.
+    /// Says the problem in one sentence.
     #[must_use]
-    pub fn what(&self) -> String {
-        ProblemSubject(self).to_string()
+    pub fn what(&self) -> Phrase {
+        ProblemSubject(self).phrase()
+    }
+
+    /// Names what has the problem: a stream by its name, a connector by its word.
+    fn subject(&self) -> Phrase {
+        let spec = connectors::ALL.iter().find(|spec| self.at.kind == Kind::Connector && spec.word == self.name);
+        spec.map_or_else(|| self.name.phrase(), |spec| Phrase::word(spec.word))
     }
 
     /// Says the problem beside its element, so without the name where the sentence has none in the middle.
     #[must_use]
-    pub fn what_beside(&self) -> String {
-        WordsBeside(self).to_string()
+    pub fn what_beside(&self) -> Phrase {
+        WordsBeside(self).phrase()
     }
 
-    /// Says how people can solve it, in one English sentence.
+    /// Says how people can solve it, in one sentence.
     #[must_use]
-    pub fn advice(&self) -> String {
-        Advice(&self.kind).to_string()
+    pub fn advice(&self) -> Phrase {
+        Advice(&self.kind).phrase()
     }
 }
 
-impl fmt::Display for Problem {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let advice = self.advice();
-        let gap = if advice.is_empty() { "" } else { " " };
-        write!(to, "{}{gap}{advice}", ProblemSubject(self))
+impl Phrased for Problem {
+    fn phrase(&self) -> Phrase {
+        let (what, advice) = (self.what(), self.advice());
+        if advice.is_empty() { what } else { phrase!("Problem", "{what} {advice}") }
     }
 }
 
 struct ProblemSubject<'a>(&'a Problem);
 
-impl fmt::Display for ProblemSubject<'_> {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let Self(Problem { name, kind, blocks, .. }) = self;
+impl Phrased for ProblemSubject<'_> {
+    fn phrase(&self) -> Phrase {
+        let Self(problem @ Problem { kind, blocks, .. }) = self;
+        let name = problem.subject();
         match kind {
-            ProblemKind::FewInputs(least) => write!(to, "{} needs {least} input streams or more.", capital(name)),
-            ProblemKind::NoInputs => write!(to, "{} has no input streams.", capital(name)),
-            ProblemKind::EmptyBody => write!(to, "{} has no procedure yet.", capital(name)),
-            ProblemKind::MissingHelper(helper) => write!(to, "The helper “{helper}” does not exist."),
+            ProblemKind::FewInputs(least) => {
+                phrase!("Problem.FewInputs", "{^name} needs {least} input streams or more.")
+            }
+            ProblemKind::NoInputs => phrase!("Problem.NoInputs", "{^name} has no input streams."),
+            ProblemKind::EmptyBody => phrase!("Problem.EmptyBody", "{^name} has no procedure yet."),
+            ProblemKind::MissingHelper(helper) => {
+                phrase!("Problem.MissingHelper", "The helper “{helper}” does not exist.")
+            }
             ProblemKind::HelperInputs { helper, takes, gets } => {
-                write!(to, "The helper “{helper}” takes {takes} values, but gets {gets}.")
+                phrase!("Problem.HelperInputs", "The helper “{helper}” takes {takes} values, but gets {gets}.")
             }
-            ProblemKind::Helper { helper, reason } => write!(to, "The helper “{helper}” cannot run: {reason}."),
+            ProblemKind::Helper { helper, reason } => {
+                phrase!("Problem.Helper", "The helper “{helper}” cannot run: {reason}.")
+            }
             ProblemKind::EmptyHelper(helper) => {
-                write!(to, "The helper “{helper}” cannot run: it has no procedure yet.")
+                phrase!("Problem.EmptyHelper", "The helper “{helper}” cannot run: it has no procedure yet.")
             }
-            ProblemKind::Body(reason) => write!(to, "The procedure of {name} cannot run: {reason}."),
-            ProblemKind::Device(reason) => write!(to, "{}.", capital(reason)),
-            ProblemKind::NoSource => write!(to, "“{name}” gets no values."),
-            ProblemKind::Unused => write!(to, "Nothing happens with “{name}” yet."),
+            ProblemKind::Body(reason) => phrase!("Problem.Body", "The procedure of {name} cannot run: {reason}."),
+            ProblemKind::Device(reason) => phrase!("Problem.Device", "{^reason}."),
+            ProblemKind::NoSource => phrase!("Problem.NoSource", "“{name}” gets no values."),
+            ProblemKind::Unused => phrase!("Problem.Unused", "Nothing happens with “{name}” yet."),
             ProblemKind::Multiplies => {
-                let becomes = if *blocks { "becomes" } else { "can become" };
-                write!(to, "Values multiply at “{name}”: one reading {becomes} more than 100,000 values.")
+                let becomes = Phrase::word(if *blocks { "becomes" } else { "can become" });
+                phrase!(
+                    "Problem.Multiplies",
+                    "Values multiply at “{name}”: one reading {becomes} more than 100,000 values."
+                )
             }
             ProblemKind::WrongUnit { wants, gets } => {
-                write!(to, "{} wants {}, gets {}.", capital(name), full(*wants), gets.name())
+                phrase!(
+                    "Problem.WrongUnit",
+                    "{^name} wants {wants}, gets {gets}.",
+                    wants = full(*wants),
+                    gets = Phrase::word(gets.name())
+                )
             }
-            ProblemKind::WrongType { wants, gets } => write!(to, "{} wants {wants}, gets {gets}.", capital(name)),
+            ProblemKind::WrongType { wants, gets } => {
+                phrase!("Problem.WrongType", "{^name} wants {wants}, gets {gets}.")
+            }
             ProblemKind::FightingActions { with, part } => {
-                write!(to, "“{name}” and “{with}” want the {part} at the same time, and the later one wins.")
+                phrase!(
+                    "Problem.FightingActions",
+                    "“{name}” and “{with}” want the {part} at the same time, and the later one wins.",
+                    part = Phrase::word(part.clone())
+                )
             }
-            ProblemKind::PressAndRelease { sense } => write!(to, "“{name}” also acts when “{sense}” is let go."),
+            ProblemKind::PressAndRelease { sense } => {
+                phrase!("Problem.PressAndRelease", "“{name}” also acts when “{sense}” is let go.")
+            }
             ProblemKind::StaleCombine { old, with } => {
-                write!(to, "“{with}” is combined with the last “{old}”, however long ago that was.")
+                phrase!(
+                    "Problem.StaleCombine",
+                    "“{with}” is combined with the last “{old}”, however long ago that was."
+                )
             }
             ProblemKind::FasterThanAction { sense } => {
-                write!(to, "“{sense}” tells “{name}” many times a second, and it takes longer than that.")
+                phrase!(
+                    "Problem.FasterThanAction",
+                    "“{sense}” tells “{name}” many times a second, and it takes longer than that."
+                )
             }
             ProblemKind::ObjectAsNumber { name } => {
-                write!(to, "“{name}” is an object, and here a number is wanted.")
+                phrase!("Problem.ObjectAsNumber", "“{name}” is an object, and here a number is wanted.")
             }
-            ProblemKind::UnknownName { name, .. } => write!(to, "No “{name}” here."),
-            ProblemKind::Stores => to.write_str("“=” stores a value, and a test compares with “==”."),
+            ProblemKind::UnknownName { name, .. } => phrase!("Problem.UnknownName", "No “{name}” here."),
+            ProblemKind::Stores => phrase!("Problem.Stores", "“=” stores a value, and a test compares with “==”."),
             ProblemKind::NoAnswer { gives } => {
-                write!(to, "A test must give true or false, and this one gives {gives}.")
+                phrase!("Problem.NoAnswer", "A test must give true or false, and this one gives {gives}.")
             }
             ProblemKind::OtherwiseDiffers { name, test } => {
-                write!(to, "“{name}” is not the other side of “{test}”: some values pass both, or neither.")
+                phrase!(
+                    "Problem.OtherwiseDiffers",
+                    "“{name}” is not the other side of “{test}”: some values pass both, or neither."
+                )
             }
             ProblemKind::WholeDivision { written, gives, .. } => {
-                write!(to, "“{written}” is {gives}: of whole numbers, what is left over is lost.")
+                phrase!("Problem.WholeDivision", "“{written}” is {gives}: of whole numbers, what is left over is lost.")
             }
         }
     }
@@ -92,76 +130,96 @@ impl fmt::Display for ProblemSubject<'_> {
 
 struct WordsBeside<'a>(&'a Problem);
 
-impl fmt::Display for WordsBeside<'_> {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+impl Phrased for WordsBeside<'_> {
+    fn phrase(&self) -> Phrase {
         match &self.0.kind {
-            ProblemKind::WrongUnit { wants, gets } => write!(to, "Wants {}, gets {}.", full(*wants), gets.name()),
-            ProblemKind::WrongType { wants, gets } => write!(to, "Wants {wants}, gets {gets}."),
-            _ => write!(to, "{}", ProblemSubject(self.0)),
+            ProblemKind::WrongUnit { wants, gets } => phrase!(
+                "Problem.BesideWrongUnit",
+                "Wants {wants}, gets {gets}.",
+                wants = full(*wants),
+                gets = Phrase::word(gets.name())
+            ),
+            ProblemKind::WrongType { wants, gets } => phrase!("Problem.BesideWrongType", "Wants {wants}, gets {gets}."),
+            _ => ProblemSubject(self.0).phrase(),
         }
     }
 }
 
 struct Advice<'a>(&'a ProblemKind);
 
-impl fmt::Display for Advice<'_> {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+impl Phrased for Advice<'_> {
+    fn phrase(&self) -> Phrase {
         match self.0 {
-            ProblemKind::FewInputs(_) | ProblemKind::NoInputs => to.write_str("Add one."),
-            ProblemKind::EmptyBody => to.write_str("Write one or choose a helper."),
-            ProblemKind::MissingHelper(_) => to.write_str("Choose another or add it."),
-            ProblemKind::HelperInputs { .. } => to.write_str("Choose another."),
-            ProblemKind::NoSource => to.write_str("Lead a connector to it."),
-            ProblemKind::Unused => to.write_str("Add an action."),
+            ProblemKind::FewInputs(_) | ProblemKind::NoInputs => phrase!("Problem.AdviceInputs", "Add one."),
+            ProblemKind::EmptyBody => phrase!("Problem.AdviceEmptyBody", "Write one or choose a helper."),
+            ProblemKind::MissingHelper(_) => phrase!("Problem.AdviceMissingHelper", "Choose another or add it."),
+            ProblemKind::HelperInputs { .. } => phrase!("Problem.AdviceHelperInputs", "Choose another."),
+            ProblemKind::NoSource => phrase!("Problem.AdviceNoSource", "Lead a connector to it."),
+            ProblemKind::Unused => phrase!("Problem.AdviceUnused", "Add an action."),
             ProblemKind::Multiplies => {
-                to.write_str("Lead fewer ways of the same stream together there, or put a sample before it.")
+                phrase!(
+                    "Problem.AdviceMultiplies",
+                    "Lead fewer ways of the same stream together there, or put a sample before it."
+                )
             }
             ProblemKind::WrongUnit { wants, gets } if wants.quantity() == gets.quantity() => {
-                to.write_str("Convert it.")
+                phrase!("Problem.AdviceWrongUnit", "Convert it.")
             }
-            ProblemKind::WrongUnit { .. } => to.write_str("Choose another value."),
-            ProblemKind::WrongType { .. } => to.write_str("Put a helper between, or choose another."),
+            ProblemKind::WrongUnit { .. } => phrase!("Problem.AdviceOtherUnit", "Choose another value."),
+            ProblemKind::WrongType { .. } => {
+                phrase!("Problem.AdviceWrongType", "Put a helper between, or choose another.")
+            }
             ProblemKind::FightingActions { .. } => {
-                to.write_str("Say which comes first, or tell them apart with filters.")
+                phrase!("Problem.AdviceFightingActions", "Say which comes first, or tell them apart with filters.")
             }
-            ProblemKind::PressAndRelease { .. } => to.write_str("Filter for touched, if that is not wanted."),
-            ProblemKind::StaleCombine { .. } => to.write_str("Leave out what is too old."),
-            ProblemKind::FasterThanAction { .. } => to.write_str("Put a sample before it."),
-            ProblemKind::ObjectAsNumber { .. } => to.write_str("Use a part of it."),
-            ProblemKind::UnknownName { near, .. } => write!(to, "Is “{near}” meant?"),
-            ProblemKind::Stores => to.write_str("Write “==”."),
-            ProblemKind::NoAnswer { .. } => to.write_str("Compare it with something."),
-            ProblemKind::OtherwiseDiffers { .. } => to.write_str("Let it follow, or give it a name of its own."),
-            ProblemKind::WholeDivision { meant, .. } => write!(to, "Write “{meant}”."),
+            ProblemKind::PressAndRelease { .. } => {
+                phrase!("Problem.AdvicePressAndRelease", "Filter for touched, if that is not wanted.")
+            }
+            ProblemKind::StaleCombine { .. } => phrase!("Problem.AdviceStaleCombine", "Leave out what is too old."),
+            ProblemKind::FasterThanAction { .. } => {
+                phrase!("Problem.AdviceFasterThanAction", "Put a sample before it.")
+            }
+            ProblemKind::ObjectAsNumber { .. } => phrase!("Problem.AdviceObjectAsNumber", "Use a part of it."),
+            ProblemKind::UnknownName { near, .. } => phrase!("Problem.AdviceUnknownName", "Is “{near}” meant?"),
+            ProblemKind::Stores => phrase!("Problem.AdviceStores", "Write “==”."),
+            ProblemKind::NoAnswer { .. } => phrase!("Problem.AdviceNoAnswer", "Compare it with something."),
+            ProblemKind::OtherwiseDiffers { .. } => {
+                phrase!("Problem.AdviceOtherwiseDiffers", "Let it follow, or give it a name of its own.")
+            }
+            ProblemKind::WholeDivision { meant, .. } => phrase!("Problem.AdviceWholeDivision", "Write “{meant}”."),
             ProblemKind::Helper { .. }
             | ProblemKind::EmptyHelper(_)
             | ProblemKind::Body(_)
-            | ProblemKind::Device(_) => Ok(()),
+            | ProblemKind::Device(_) => Phrase::default(),
         }
     }
 }
 
-impl fmt::Display for FixKind {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+impl Phrased for FixKind {
+    fn phrase(&self) -> Phrase {
         match self {
-            Self::Convert { to: Unit::Fraction, .. } => to.write_str("Convert to a fraction."),
-            Self::Convert { to: wanted, .. } => write!(to, "Convert to {}.", full(*wanted)),
-            Self::UseHelper(helper) => write!(to, "Use “{helper}” instead."),
-            Self::PutHelper(helper) => write!(to, "Put “{helper}” between."),
-            Self::Prefer(name) => write!(to, "Give “{name}” the first place."),
-            Self::OnlyPressed => to.write_str("Only when touched."),
-            Self::SlowDown(ms) if *ms == 1_000 => to.write_str("Once a second."),
-            Self::SlowDown(ms) => write!(to, "Every {} s.", *ms as f64 / 1_000.0),
-            Self::OnlyChanges => to.write_str("Only when it changes."),
-            Self::LeaveOutOld(ms) => write!(to, "Leave out what is older than {} s.", *ms as f64 / 1_000.0),
-            Self::Rename { to: meant, .. } => write!(to, "Use “{meant}”."),
+            Self::Convert { to: Unit::Fraction, .. } => phrase!("FixKind.ToFraction", "Convert to a fraction."),
+            Self::Convert { to: wanted, .. } => phrase!("FixKind.Convert", "Convert to {unit}.", unit = full(*wanted)),
+            Self::UseHelper(helper) => phrase!("FixKind.UseHelper", "Use “{helper}” instead."),
+            Self::PutHelper(helper) => phrase!("FixKind.PutHelper", "Put “{helper}” between."),
+            Self::Prefer(name) => phrase!("FixKind.Prefer", "Give “{name}” the first place."),
+            Self::OnlyPressed => phrase!("FixKind.OnlyPressed", "Only when touched."),
+            Self::SlowDown(ms) if *ms == 1_000 => phrase!("FixKind.OnceASecond", "Once a second."),
+            Self::SlowDown(ms) => phrase!("FixKind.SlowDown", "Every {seconds} s.", seconds = *ms as f64 / 1_000.0),
+            Self::OnlyChanges => phrase!("FixKind.OnlyChanges", "Only when it changes."),
+            Self::LeaveOutOld(ms) => phrase!(
+                "FixKind.LeaveOutOld",
+                "Leave out what is older than {seconds} s.",
+                seconds = *ms as f64 / 1_000.0
+            ),
+            Self::Rename { to: meant, .. } => phrase!("FixKind.Rename", "Use “{meant}”."),
         }
     }
 }
 
 /// A unit as the wish of an action or a helper.
-fn full(unit: Unit) -> &'static str {
-    match unit {
+fn full(unit: Unit) -> Phrase {
+    Phrase::word(match unit {
         Unit::Metres => "metres",
         Unit::Centimetres => "centimetres",
         Unit::Radians => "radians",
@@ -170,7 +228,7 @@ fn full(unit: Unit) -> &'static str {
         Unit::Milliseconds => "milliseconds",
         Unit::Percent => "percent",
         Unit::Fraction | Unit::MetresPerSecond | Unit::RadiansPerSecond => unit.name(),
-    }
+    })
 }
 
 #[cfg(test)]

@@ -412,7 +412,7 @@ impl Server {
         let Some(UnderWay { session, committed, presented }) = self.under_way.take() else { return Ok(()) };
         let op = committed.change.op.clone();
         if fails {
-            self.refuse(session, op.clone(), &Refusal::NotSaved(String::new()));
+            self.refuse(session, op.clone(), &Refusal::NotSaved("".into()));
         } else {
             self.witness.saved(&committed.change, &presented)?;
             self.disk.append(&committed)?;

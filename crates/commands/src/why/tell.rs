@@ -4,6 +4,7 @@ use crate::explain::units;
 use crate::failure::Failure;
 use behaviour::{BehaviourFile, Helper};
 use engine::RunFault;
+use phrase::Phrased;
 use protocol::{Why, WhyNot};
 use recording::SinceStart;
 use sentences::{Answers, Language};
@@ -49,7 +50,7 @@ pub(super) fn tell(
 
 fn sentences(told: &ToldAnswer, file: &BehaviourFile, language: Language) -> Result<Vec<String>, Vec<Failure>> {
     let flaws =
-        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.to_string())).collect::<Vec<_>>();
+        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.phrase())).collect::<Vec<_>>();
     let behaviour = file.records(|_| None).map_err(flaws)?;
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();

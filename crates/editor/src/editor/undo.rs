@@ -5,7 +5,8 @@
 
 use crate::Editor;
 use crate::queue::{SendMode, WaitingChange};
-use crate::steps::{EditStep, Steps, label_of};
+use crate::steps::{EditStep, Steps};
+use behaviour::labels::undo_of;
 use behaviour::{Change, Id};
 use std::collections::VecDeque;
 
@@ -107,11 +108,11 @@ impl Editor {
     }
 
     fn opposite(&mut self, open: &Id, step: &EditStep, again: bool) -> Change {
-        let (op, label) = (self.next_id(), label_of(again, &step.label));
+        let (op, label) = (self.next_id(), undo_of(again, &step.label));
         let waiting = self.queue.waiting_for(open).map(|waiting| &waiting.change).find(|change| change.op == step.op);
         match waiting.or_else(|| self.mine.change(&step.op)) {
-            Some(change) => change.swapped(op, &label),
-            None => Change { undoes: Some(step.op.clone()), ..Change::of(op, &self.me.name, &label) },
+            Some(change) => change.swapped(op, label),
+            None => Change { undoes: Some(step.op.clone()), ..Change::of(op, &self.me.name, label) },
         }
     }
 

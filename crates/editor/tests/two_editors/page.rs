@@ -293,7 +293,7 @@ impl Page {
     /// Writes a note, new or not.
     pub(crate) fn write(&mut self, number: u64) -> Check {
         let (record, text, now) = (note(number), self.new_text(), self.editor.behaviour());
-        let change = self.input(|editor| editor.change(&format!("Edit {text}")))?;
+        let change = self.input(|editor| editor.change(format!("Edit {text}")))?;
         let change = change.put(&now, record.clone(), Self::written(&text));
         self.propose(change, Some((record, text, false)))
     }
@@ -337,7 +337,7 @@ impl Page {
         let is_first = self.editor.queue().touched(&stay.behaviour).iter().all(|waits| *waits != record);
         let is_safe = has_lock && is_first && there.records.get(&record) == Some(&seen);
         let (text, now) = (self.new_text(), self.editor.behaviour());
-        let change = self.input(|editor| editor.change(&format!("Edit {text}")))?;
+        let change = self.input(|editor| editor.change(format!("Edit {text}")))?;
         let change = change.put(&now, record.clone(), Self::written(&text));
         let change = build::as_seen_at(change, &record, seen);
         self.propose(change, Some((record, text, is_safe)))

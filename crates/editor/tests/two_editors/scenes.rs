@@ -74,7 +74,7 @@ fn what_the_store_cannot_keep_waits_and_goes_when_it_can() {
     table.server.set_away(true);
     table.settle();
     table.does(AIKO, |page| page.write(0));
-    assert_eq!(*table.editor(AIKO).saving, Saving::Away(1, text("The disk is full.")));
+    assert_eq!(*table.editor(AIKO).saving, Saving::Away(1, Some("The disk is full.".into())));
     assert_eq!((table.shown(AIKO), table.saved()), (text("Aiko wrote 2"), text("Aiko wrote 1")));
     table.server.set_away(false);
     table.settle();
@@ -131,13 +131,13 @@ fn an_undo_that_came_too_fast_is_sent_again_in_its_order() {
 fn one_takes_back_only_ones_own_and_does_it_again() {
     let mut table = Table::laid();
     table.does(BEN, |page| page.write(1));
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Edit Aiko wrote 1"));
-    assert_eq!(table.editor(BEN).undoable.as_deref(), Some("Edit Ben wrote 1"));
+    assert_eq!(*table.editor(AIKO).undoable, Some("Edit Aiko wrote 1".into()));
+    assert_eq!(*table.editor(BEN).undoable, Some("Edit Ben wrote 1".into()));
     table.does(AIKO, |page| page.step(false));
-    assert_eq!((table.saved(), table.editor(AIKO).undoable.as_deref()), (None, None));
-    assert_eq!(table.editor(AIKO).redoable.as_deref(), Some("Edit Aiko wrote 1"));
+    assert_eq!((table.saved(), table.editor(AIKO).undoable.as_ref()), (None, None));
+    assert_eq!(*table.editor(AIKO).redoable, Some("Edit Aiko wrote 1".into()));
     table.does(AIKO, |page| page.step(true));
-    assert_eq!((table.saved(), table.editor(AIKO).redoable.as_deref()), (text("Aiko wrote 1"), None));
+    assert_eq!((table.saved(), table.editor(AIKO).redoable.as_ref()), (text("Aiko wrote 1"), None));
 }
 
 #[test]
@@ -159,14 +159,14 @@ fn undo_is_found_on_older_pages_of_the_history_after_the_link_broke_while_it_was
     (0..20).for_each(|_| table.does(BEN, |page| page.write(1)));
     table.reload(AIKO);
     table.connect(AIKO);
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Edit Aiko wrote 1"));
+    assert_eq!(*table.editor(AIKO).undoable, Some("Edit Aiko wrote 1".into()));
     table.reload(AIKO);
     // The first page of the history comes, and the link breaks before the next one.
     table.connect_and_hear(AIKO, 2);
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), None, "it is not read that far");
+    assert_eq!(table.editor(AIKO).undoable.as_ref(), None, "it is not read that far");
     table.cut(AIKO);
     table.connect(AIKO);
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Edit Aiko wrote 1"));
+    assert_eq!(*table.editor(AIKO).undoable, Some("Edit Aiko wrote 1".into()));
 }
 
 #[test]
@@ -227,7 +227,7 @@ fn mine_that_is_refused_on_top_is_shown_beside_the_newest_after_such_a_reload() 
     table.reload(AIKO);
     table.connect(AIKO);
     let conflict = table.editor(AIKO).conflicts[0].clone();
-    assert_eq!(conflict.last_of_theirs().map(|change| change.label.as_str()), Some("Edit Ben wrote 2"));
+    assert_eq!(conflict.last_of_theirs().map(|change| change.label.to_string()), text("Edit Ben wrote 2"));
     assert!(conflict.again && !conflict.is_under_way());
     table.does(AIKO, |page| page.decide(true));
     assert_eq!((table.saved(), table.editor(AIKO).conflicts.len()), (text("Aiko wrote 2"), 0));

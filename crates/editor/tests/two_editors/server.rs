@@ -118,7 +118,7 @@ impl Server {
         let earlier: Vec<u64> = self.sessions.iter().filter(|(_, known)| **known == who).map(|(id, _)| *id).collect();
         earlier.into_iter().for_each(|earlier| self.leave(earlier));
         self.sessions.insert(session, who);
-        let away = self.is_away.then(|| "The disk is full.".to_owned());
+        let away = self.is_away.then(|| "The disk is full.".into());
         self.say(session, Event::Store { away });
     }
 
@@ -263,7 +263,7 @@ impl Server {
 
     fn wait(&mut self, job: Job) {
         if self.is_away {
-            return self.no(job.session, job.ask, Refused::Store("The disk is full.".to_owned()));
+            return self.no(job.session, job.ask, Refused::Store("The disk is full.".into()));
         }
         if self.jobs.len() >= JOBS_MAX {
             return self.no(job.session, job.ask, Refused::TooFast);
@@ -322,7 +322,7 @@ impl Server {
         let Some(UnderWay { session, ask, committed }) = self.under_way.take() else { return };
         match how {
             StoreAnswer::Failed => {
-                self.no(session, ask, Refused::Change(Refusal::NotSaved("The disk is slow.".to_owned())));
+                self.no(session, ask, Refused::Change(Refusal::NotSaved("The disk is slow.".into())));
             }
             StoreAnswer::Saved | StoreAnswer::SavedUnheard => {
                 self.log.push(committed.clone());
@@ -332,7 +332,7 @@ impl Server {
                 if how == StoreAnswer::Saved {
                     self.answer(session, ask, answer::Saved { revision: committed.revision });
                 } else {
-                    self.no(session, ask, Refused::Store("The store is slow.".to_owned()));
+                    self.no(session, ask, Refused::Store("The store is slow.".into()));
                 }
             }
         }
@@ -345,10 +345,10 @@ impl Server {
         self.is_away = is_away;
         if is_away {
             for job in std::mem::take(&mut self.jobs) {
-                self.no(job.session, job.ask, Refused::Store("The disk is full.".to_owned()));
+                self.no(job.session, job.ask, Refused::Store("The disk is full.".into()));
             }
         }
-        self.tell_all(&Event::Store { away: is_away.then(|| "The disk is full.".to_owned()) });
+        self.tell_all(&Event::Store { away: is_away.then(|| "The disk is full.".into()) });
     }
 
     /// The server dies and starts again; with `kept`, the store has what it was just asked to keep.

@@ -3,8 +3,9 @@
 use crate::dice::Dice;
 use crate::page::{Check, Entry, Fate, Page, text_of};
 use crate::server::{Server, StoreAnswer};
+use behaviour::labels::bare;
 use behaviour::{Change, UndoLog};
-use editor::{Editor, WriteRight, bare};
+use editor::{Editor, WriteRight};
 use protocol::{AnyRequest, Event, Message};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -331,7 +332,7 @@ impl World {
             if editor.conflicts.iter().any(|one| one.locked || one.retry.is_some()) {
                 return Err(format!("{} has a change that is proposed to nobody: {:?}", page.who, *editor.conflicts));
             }
-            let last = undo.last(&Server::client(page.who)).map(|change| bare(&change.label).to_owned());
+            let last = undo.last(&Server::client(page.who)).map(|change| bare(&change.label));
             if *editor.undoable != last {
                 return Err(format!("{} would undo {:?} in place of {last:?}", page.who, *editor.undoable));
             }

@@ -3,8 +3,8 @@
 use super::ValueKind;
 use super::place::TextPlace;
 use super::plain::plain;
+use phrase::{Phrase, Phrased, phrase};
 use rhai::{LexError, ParseError, ParseErrorType};
-use std::fmt;
 
 /// The reason why a text cannot be read as a procedure. [`fmt::Display`] says it in a few English words with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,58 +25,62 @@ impl Syntax {
         if let ParseErrorType::VariableUndefined(name) = self.error.err_type() { Some(name) } else { None }
     }
 
-    fn why(&self) -> String {
+    fn why(&self) -> Phrase {
         use ParseErrorType as E;
         match self.error.err_type() {
             E::BadInput(error) => lex_words(error),
             E::MissingToken(token, _) if matches!(token.as_str(), ")" | "]" | "}") => {
-                format!("a closing {token} is missing")
+                phrase!("Syntax.Closing", "a closing {token} is missing")
             }
-            E::MissingToken(token, _) => format!("{token} is missing"),
-            E::UnexpectedEOF => "it ends too early".to_owned(),
+            E::MissingToken(token, _) | E::ExprExpected(token) => {
+                phrase!("Syntax.Missing", "{token} is missing", token = Phrase::word(token.clone()))
+            }
+            E::UnexpectedEOF => phrase!("Syntax.End", "it ends too early"),
             E::VariableUndefined(name) => unknown_name(name, &self.arguments),
-            E::ModuleUndefined(name) => format!("there is no “{name}”"),
-            E::Reserved(name) => format!("“{name}” cannot be used here"),
-            E::ExprTooDeep => "it is nested too deep; move a part into a helper".to_owned(),
-            E::ExprExpected(what) => format!("{what} is missing"),
-            E::LiteralTooLarge(..) => "a text, list or object is too large".to_owned(),
+            E::ModuleUndefined(name) => phrase!("Syntax.NoModule", "there is no “{name}”"),
+            E::Reserved(name) => phrase!("Syntax.Reserved", "“{name}” cannot be used here"),
+            E::ExprTooDeep => phrase!("Syntax.TooDeep", "it is nested too deep; move a part into a helper"),
+            E::LiteralTooLarge(..) => phrase!("Syntax.TooLarge", "a text, list or object is too large"),
             E::MismatchedType(wanted, got) => {
-                format!("{} is needed here, not {}", ValueKind::of(wanted), ValueKind::of(got))
+                let (wanted, got) = (ValueKind::of(wanted), ValueKind::of(got));
+                phrase!("CallFault.Mismatch", "{wanted} is needed here, not {got}")
             }
-            E::TooManyFunctions => "it has too many closures".to_owned(),
-            E::LoopBreak => "break and continue belong inside a loop".to_owned(),
-            other => plain(&other.to_string()),
+            E::TooManyFunctions => phrase!("Syntax.Closures", "it has too many closures"),
+            E::LoopBreak => phrase!("Syntax.LoopBreak", "break and continue belong inside a loop"),
+            other => Phrase::Text(plain(&other.to_string())),
         }
     }
 }
 
-impl fmt::Display for Syntax {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+phrase::shown!(Syntax);
+
+impl Phrased for Syntax {
+    fn phrase(&self) -> Phrase {
         match self.unknown_value() {
             // The name tells where it is.
-            Some(_) => to.write_str(&self.why()),
-            None => write!(to, "{}{}", TextPlace::from(self.error.position()), self.why()),
+            Some(_) => self.why(),
+            None => TextPlace::from(self.error.position()).of(self.why()),
         }
     }
 }
 
-fn lex_words(error: &LexError) -> String {
+fn lex_words(error: &LexError) -> Phrase {
     match error {
-        LexError::UnterminatedString => "the closing quote of a text is missing".to_owned(),
-        LexError::UnexpectedInput(what) => format!("“{what}” is not expected here"),
-        LexError::ImproperSymbol(what, why) if why.ends_with("is disabled") => {
-            format!("“{what}” cannot be used here")
+        LexError::UnterminatedString => phrase!("Syntax.Quote", "the closing quote of a text is missing"),
+        LexError::UnexpectedInput(name) => phrase!("Syntax.Unexpected", "“{name}” is not expected here"),
+        LexError::ImproperSymbol(name, why) if why.ends_with("is disabled") => {
+            phrase!("Syntax.Reserved", "“{name}” cannot be used here")
         }
-        LexError::ImproperSymbol(what, why) if why.is_empty() => {
-            format!("“{what}” is not expected here")
+        LexError::ImproperSymbol(name, why) if why.is_empty() => {
+            phrase!("Syntax.Unexpected", "“{name}” is not expected here")
         }
-        other => plain(&other.to_string()),
+        other => Phrase::Text(plain(&other.to_string())),
     }
 }
 
-fn unknown_name(name: &str, arguments: &[String]) -> String {
+fn unknown_name(name: &str, arguments: &[String]) -> Phrase {
     if arguments.is_empty() {
-        return format!("no “{name}” here");
+        return phrase!("CallFault.NoValue", "no “{name}” here");
     }
-    format!("no “{name}” here; there is {}", arguments.join(", "))
+    phrase!("Syntax.NoValue", "no “{name}” here; there is {arguments}")
 }

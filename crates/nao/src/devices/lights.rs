@@ -6,6 +6,7 @@ use super::{NaoDriver, OpenActuator, OpenDevice};
 use crate::deed::{Action, ServiceCall};
 use crate::shared::NaoState;
 use behaviour::Value;
+use phrase::{Phrase, phrase};
 use robot::{Life, RobotFault};
 
 pub(super) const DRIVER: NaoDriver = NaoDriver {
@@ -33,28 +34,33 @@ struct LightPart {
     /// True if it has all colours.
     is_colored: bool,
     /// The words that are said where it is not there.
-    lacks: &'static str,
+    lacks: fn() -> Phrase,
 }
 
 const PARTS: [LightPart; 4] = [
-    LightPart { name: "ears", group: "EarLeds", is_colored: false, lacks: "it has no lights in its ears" },
+    LightPart {
+        name: "ears",
+        group: "EarLeds",
+        is_colored: false,
+        lacks: || phrase!("nao.it_has_no_lights_in", "it has no lights in its ears"),
+    },
     LightPart {
         name: "chest",
         group: "ChestLeds",
         is_colored: true,
-        lacks: "it has no light on its chest; choose another part",
+        lacks: || phrase!("nao.it_has_no_light_on", "it has no light on its chest; choose another part"),
     },
     LightPart {
         name: "head",
         group: "BrainLeds",
         is_colored: false,
-        lacks: "a Pepper has no lights on its head; choose its shoulders",
+        lacks: || phrase!("nao.a_pepper_has_no_lights", "a Pepper has no lights on its head; choose its shoulders"),
     },
     LightPart {
         name: "shoulders",
         group: "ShoulderLeds",
         is_colored: true,
-        lacks: "a NAO has no lights on its shoulders; only a Pepper has",
+        lacks: || phrase!("nao.a_nao_has_no_lights", "a NAO has no lights on its shoulders; only a Pepper has"),
     },
 ];
 
@@ -87,7 +93,7 @@ impl OpenActuator for Light {
             "shoulders" => state.is_pepper,
             _ => true,
         };
-        if is_there { Ok(()) } else { Err(RobotFault::NotNow(lacks.to_owned())) }
+        if is_there { Ok(()) } else { Err(RobotFault::NotNow(lacks())) }
     }
 
     fn ready(&self, _: &Value, state: &NaoState) -> Result<(), RobotFault> {
@@ -96,7 +102,10 @@ impl OpenActuator for Light {
         let is_low = body.battery.is_some_and(|percent| percent < LOW_PERCENT) && body.plugged != Some(true);
         let shows = is_low || body.life == Some(Life::Safeguard) || body.fallen == Some(true) || !body.hot.is_empty();
         if shows && self.part.name == "chest" {
-            return Err(RobotFault::NotNow("its chest light shows that something is wrong with it".to_owned()));
+            return Err(RobotFault::NotNow(phrase!(
+                "nao.its_chest_light_shows_that",
+                "its chest light shows that something is wrong with it"
+            )));
         }
         Ok(())
     }

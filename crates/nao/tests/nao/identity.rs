@@ -41,7 +41,7 @@ async fn the_first_body_is_kept_and_another_one_at_its_address_is_a_stranger() {
     assert_eq!((found.found.body.as_str(), found.found.serial.as_str()), ("Pepper", "AP990000N000002"));
     // No device, no control; the sign is given, and nothing else.
     let refused = driver.nao.open(&crate::driver::user("eyes"), "EyeLedColor", &Default::default()).unwrap_err();
-    assert!(matches!(&refused, RobotFault::NotNow(why) if why.contains("another robot")), "{refused}");
+    assert!(matches!(&refused, RobotFault::NotNow(why) if why.to_string().contains("another robot")), "{refused}");
     assert!(driver.nao.control(Control::Take, Millis(0)).is_err());
     driver.nao.control(Control::Blink, Millis(0)).unwrap();
     driver.wait(20).await;

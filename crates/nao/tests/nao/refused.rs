@@ -36,7 +36,7 @@ async fn who_sits_lies_is_limp_charged_or_carried_does_not_walk() {
                 .await;
             assert_eq!(said.unwrap().to_string(), format!("the robot cannot do this now: {why}"));
         }
-        assert_eq!(driver.nao.condition().legs.as_deref(), Some(why), "an operator sees it before Start");
+        assert_eq!(driver.nao.condition().legs, Some(why.into()), "an operator sees it before Start");
         driver.tell(&head, true);
         peer.world(back).await;
         driver.until("it may walk again", |driver| driver.nao.condition().legs.is_none()).await;
@@ -48,7 +48,7 @@ async fn who_sits_lies_is_limp_charged_or_carried_does_not_walk() {
     driver.sees(&peer, "it walks no more", |state| state["moving"] == json!(false)).await;
     peer.world(json!({"push": "back"})).await;
     let lies = "it lies on the floor; help it up first";
-    driver.until("that it lies is told", |driver| driver.nao.condition().legs.as_deref() == Some(lies)).await;
+    driver.until("that it lies is told", |driver| driver.nao.condition().legs == Some(lies.into())).await;
     driver.until("everything halts", |driver| driver.nao.take_halt().is_some()).await;
     let refused = driver.nao.command(&body, &Value::Bool(true), Millis(0)).unwrap_err();
     assert!(refused.to_string().ends_with(lies), "{refused}");
@@ -66,7 +66,7 @@ async fn a_life_of_its_own_is_told_while_something_runs() {
     peer.world(json!({"life": "interactive"})).await;
     driver
         .until("that it lives is told", |driver| {
-            matches!(driver.nao.health(), robot::Health::Degraded(why) if why.starts_with("its own life is on"))
+            matches!(driver.nao.health(), robot::Health::Degraded(why) if why.to_string().starts_with("its own life is on"))
         })
         .await;
     peer.world(json!({"life": "disabled"})).await;

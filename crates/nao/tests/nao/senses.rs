@@ -151,7 +151,7 @@ async fn numbers_of_the_body_are_told() {
             why.is_some()
         })
         .await;
-    assert!(why.unwrap().starts_with("it f"));
+    assert!(why.unwrap().to_string().starts_with("it f"));
     peer.was_safe().await;
 }
 
@@ -203,9 +203,9 @@ async fn a_sense_that_does_not_work_is_named_until_it_ends() {
         .until("it is told", |driver| {
             // That its own life is on is told where nothing worse is.
             if let robot::Health::Degraded(why) = driver.nao.health()
-                && why.contains("Red ball")
+                && why.to_string().contains("Red ball")
             {
-                told = why;
+                told = why.to_string();
             }
             !told.is_empty()
         })

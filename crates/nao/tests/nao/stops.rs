@@ -169,7 +169,7 @@ async fn legs_that_never_answer_are_left_to_the_robot_and_that_is_said() {
     driver
         .until(
             "it is said",
-            |driver| matches!(driver.nao.health(), Health::Degraded(why) if why.starts_with("its legs did not answer")),
+            |driver| matches!(driver.nao.health(), Health::Degraded(why) if why.to_string().starts_with("its legs did not answer")),
         )
         .await;
     let sets = peer.calls("ALMotion.setAngles").await;

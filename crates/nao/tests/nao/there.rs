@@ -43,8 +43,8 @@ async fn what_a_body_lacks_is_said_with_the_reason() {
     let mut driver = Driver::at(&peer.address).await;
     let lacking = driver.nao.lacking();
     let why = |device: &str| lacking.iter().find(|one| one.device == device).map(|one| one.why.clone());
-    assert_eq!(why("EyeLedColor").as_deref(), Some("its ALLeds is not there"));
-    assert_eq!(why("HandTouch").as_deref(), Some("its body has no left hand"));
+    assert_eq!(why("EyeLedColor"), Some("its ALLeds is not there".into()));
+    assert_eq!(why("HandTouch"), Some("its body has no left hand".into()));
     let refused = driver.nao.open(&user("hand"), "HandTouch", &Params::new()).unwrap_err();
     assert_eq!(refused.to_string(), "its body has no left hand");
     assert!(!driver.nao.devices().contains(&"RedBall") && driver.nao.devices().contains(&"Walk"));

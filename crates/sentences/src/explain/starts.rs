@@ -6,7 +6,7 @@ use crate::clauses::{Clause, SENSES, SUBJECTS, goes_by_distance};
 use crate::does::{Calc, SpokenConnector};
 use crate::fits::{is_part, params_fit};
 use crate::pattern::grammar;
-use crate::sentence::{Phrase, Piece};
+use crate::sentence::{Piece, SentencePart};
 use crate::test::{Asks, ValueTest};
 use behaviour::{Connector, Id, Stream};
 use robot::Device;
@@ -112,7 +112,7 @@ impl<'a> SentenceTeller<'a> {
         }
         for (at, input) in connector.inputs.iter().enumerate() {
             if at > 0 {
-                let or = Phrase {
+                let or = SentencePart {
                     pieces: vec![Piece::Text(self.words.or.to_owned())],
                     streams: vec![connector.output.clone()],
                     connectors: vec![id.clone()],

@@ -2,6 +2,7 @@
 
 use crate::connection::close_signal::CloseReason;
 use axum::extract::ws::{Message, Utf8Bytes};
+use phrase::{Phrase, phrase};
 use protocol::Ask;
 use serde::Deserialize;
 
@@ -18,7 +19,7 @@ pub(super) enum HeardMessage {
     /// Too large to be read here.
     Large(Utf8Bytes),
     /// None of ours; with its number if it has one, and the reason.
-    Nonsense(Option<u32>, String),
+    Nonsense(Option<u32>, Phrase),
     /// A sign of life.
     Nothing,
     /// The socket ends.
@@ -30,7 +31,9 @@ pub(super) fn hear(message: Option<Result<Message, axum::Error>>) -> HeardMessag
     match message {
         Some(Ok(Message::Text(text))) if text.len() > SMALL_MAX_BYTES => HeardMessage::Large(text),
         Some(Ok(Message::Text(text))) => read(&text),
-        Some(Ok(Message::Binary(_))) => HeardMessage::Nonsense(None, "it is not text".to_owned()),
+        Some(Ok(Message::Binary(_))) => {
+            HeardMessage::Nonsense(None, phrase!("server.it_is_not_text", "it is not text"))
+        }
         Some(Ok(Message::Ping(_) | Message::Pong(_))) => HeardMessage::Nothing,
         Some(Ok(Message::Close(_))) | None => HeardMessage::End(CloseReason::Left),
         Some(Err(error)) => {
@@ -45,7 +48,7 @@ pub(super) fn read(text: &str) -> HeardMessage {
         Ok(ask) => HeardMessage::Ask(Box::new(ask)),
         Err(error) => {
             let reason = error.to_string().chars().take(REASON_MAX_CHARS).collect();
-            HeardMessage::Nonsense(number(text), reason)
+            HeardMessage::Nonsense(number(text), Phrase::Text(reason))
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::rooms::SavedLook;
 use crate::state::ServerState;
 use crate::support::identity::Sender;
 use behaviour::{BehaviourFile, Problem};
+use phrase::Phrased;
 use protocol::{RecordedSession, Refused, request};
 use std::sync::Arc;
 
@@ -61,10 +62,7 @@ pub(crate) async fn apply(
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
     let file = ready(&state, sender, look).await.map_err(|no| match no {
-        Refused::Problems(problems) => {
-            let first = problems.first().map(ToString::to_string).unwrap_or_default();
-            Refused::NotApplied(first.trim_end_matches('.').to_owned())
-        }
+        Refused::Problems(problems) => Refused::NotApplied(problems.first().map(Phrased::phrase).unwrap_or_default()),
         other => other,
     })?;
     let file = Arc::new(file);

@@ -13,6 +13,7 @@ use crate::support::workers::Workers;
 use axum::extract::{Form, FromRequest, Request};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Redirect, Response};
+use phrase::Phrased;
 use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
@@ -123,7 +124,7 @@ async fn as_guest(
 ) -> Result<String, NotIn> {
     let sender = PersonIdentity::Stranger.asks(source.number());
     let exchanged = files.run(sender, move |_| invitations.join(&token, source)).await;
-    exchanged.unwrap_or_else(|why| Err(NotIn::NotKept(Refused::from(why).to_string())))
+    exchanged.unwrap_or_else(|why| Err(NotIn::NotKept(Refused::from(why).phrase())))
 }
 
 fn status_of(why: &NotIn) -> StatusCode {

@@ -9,6 +9,7 @@ use crate::support::workers::Workers;
 use axum::http::{StatusCode, header};
 use axum::response::{Html, IntoResponse, Redirect, Response};
 use behaviour::Id;
+use phrase::phrase;
 use protocol::{RECORDINGS_PATH, REPORTS_PATH, RecordingMark, Refused};
 use report::{Choice, List, Zone};
 use serde::Deserialize;
@@ -136,7 +137,7 @@ fn done(recordings: &Recordings, file: &str, change: ListForm, by: &str) -> Resu
             let gone = change.gone.is_some();
             recordings.change_mark(file, RecordingMark { word: change.word, note: change.note, gone, ..known }, by)
         }
-        _ => Err(Refused::CannotRecord("this form is of another version; reload the page".to_owned())),
+        _ => Err(Refused::CannotRecord(phrase!("recordings.form", "this form is of another version; reload the page"))),
     }
 }
 

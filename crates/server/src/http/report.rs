@@ -97,7 +97,7 @@ pub(super) async fn converted(
     let keep = PrivateParts { names: wanted.names(), personal: false };
     let made = analyses.run(sender, move |_| {
         let timeline = recordings.timeline(&name, keep)?;
-        form.written(&timeline).map_err(|error| Refused::CannotRecord(error.to_string()))
+        form.written(&timeline).map_err(|error| Refused::CannotRecord(error.to_string().into()))
     });
     match made.await {
         Ok(Ok(bytes)) => {

@@ -10,6 +10,7 @@ use axum::extract::{FromRequest, Request};
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use behaviour::Id;
+use phrase::Phrased;
 use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
@@ -78,7 +79,9 @@ fn answer(imported: Result<Import, NotImported>) -> Response {
             );
             Json(told).into_response()
         }
-        Err(why) => (status(&why), Json(serde_json::json!({ "error": why.to_string() }))).into_response(),
+        Err(why) => {
+            (status(&why), Json(serde_json::json!({ "error": why.to_string(), "why": why.phrase() }))).into_response()
+        }
     }
 }
 

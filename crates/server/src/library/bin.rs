@@ -9,6 +9,7 @@ use super::LibraryService;
 use crate::support::atomic_file;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::Id;
+use phrase::phrase;
 use protocol::Refused;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -53,7 +54,9 @@ pub(crate) async fn restore(library: &LibraryService, behaviour: &Id) -> Result<
 
 /// Deletes what was in the bin for [`BIN_DAYS`] at the earlier look already; says how many.
 async fn empty(store: &dyn Store, looks: &mut Looks, now_ms: u64) -> Result<u32, StoreError> {
-    let unkept = |error: std::io::Error| StoreError::Unavailable(format!("{FILE} cannot be written ({error})"));
+    let unkept = |error: std::io::Error| {
+        StoreError::Unavailable(phrase!("server.cannot_be_written", "{FILE} cannot be written ({error})"))
+    };
     match looks.look(now_ms).map_err(unkept)? {
         Some(earlier_ms) => bounded(store.purge(earlier_ms.saturating_sub(BIN_DAYS * DAY_MS))).await,
         None => Ok(0),

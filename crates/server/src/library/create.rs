@@ -8,6 +8,7 @@ use super::saved::{append, check_name};
 use super::templates::{Template, templates};
 use crate::support::identity::Sender;
 use crate::support::store_call::{answer_by, bounded, by, store_no};
+use behaviour::labels;
 use behaviour::{Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Settings};
 use protocol::{Refused, answer};
 use std::sync::Arc;
@@ -69,8 +70,7 @@ async fn save(library: &Arc<LibraryService>, wish: &CreateRequest, mut records: 
     let settings = records.settings().cloned().unwrap_or_else(|| Settings::named(""));
     let settings = Settings { name: name.clone(), ..settings };
     records.records.insert(RecordId::settings(), Record::Settings(settings));
-    let mut change = Change::of(wish.behaviour.clone(), &wish.by, &format!("Add {name}"));
-    change.label = change.label.chars().take(behaviour::NAME_MAX_CHARS).collect();
+    let mut change = Change::of(wish.behaviour.clone(), &wish.by, labels::add(&name));
     change.at_ms = crate::support::now_ms();
     for (id, record) in &records.records {
         change = change.put(&Behaviour::default(), id.clone(), record.clone());
@@ -110,7 +110,7 @@ async fn from_template(
 /// The library of a fresh store: the helpers that come with the robot, as one change.
 #[must_use]
 pub fn first_library() -> Committed {
-    let mut change = Change::of(Id::from_uuid(Uuid::new_v4()), "rrp", "Add the helpers that come with rrp");
+    let mut change = Change::of(Id::from_uuid(Uuid::new_v4()), "rrp", labels::first_helpers());
     change.at_ms = crate::support::now_ms();
     for helper in robot::shipped_helpers() {
         let id = RecordId::new(Kind::Helper, &Id::from_uuid(Uuid::new_v4()));

@@ -19,7 +19,7 @@ impl ExerciseStart {
     /// What the rehearsal of it expects.
     pub(crate) fn goal(&self) -> ExerciseGoal {
         #[expect(clippy::expect_used, reason = "the text is part of the program and a test reads every one")]
-        serde_json::from_str(self.goal).expect("a goal is a goal")
+        serde_json::from_str::<ExerciseGoal>(self.goal).expect("a goal is a goal").keyed(self.template.name)
     }
 
     /// What people are told about it.

@@ -12,6 +12,7 @@ use behaviour::{
     Behaviour, BehaviourFile, Change, Committed, Id, Knowledge, NAME_MAX_CHARS, Params, Refusal, Room, StreamKind,
     without_unseen,
 };
+use phrase::{Phrase, Phrased};
 use protocol::Refused;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -79,7 +80,7 @@ pub(crate) async fn import(
         let brought = judge(library, &sender, &file, mode, &by).await?;
         let brought = Import { behaviour: wanted.clone().unwrap_or(brought.behaviour), ..brought };
         let finishing = finish(Arc::clone(library), Arc::clone(&file), mode, brought);
-        match library.tasks.make(finishing).await.map_err(|error| Refused::Unreadable(error.to_string()))? {
+        match library.tasks.make(finishing).await.map_err(|error| Refused::Unreadable(error.to_string().into()))? {
             Err(no) if no.is_overtaken() => last = no,
             done => return done,
         }
@@ -152,7 +153,7 @@ pub(crate) async fn judge(
 }
 
 fn unreadable(faults: &[ImportError]) -> Refused {
-    Refused::Unreadable(faults.iter().map(ImportError::to_string).collect::<Vec<_>>().join("; "))
+    Refused::Unreadable(Phrase::List(faults.iter().map(Phrased::phrase).collect()))
 }
 
 /// Saves what was judged. Whoever makes something else meanwhile waits only for this.
@@ -206,16 +207,16 @@ struct Judge<'a, C> {
 }
 
 impl<C: Fn() -> bool> Knowledge for Judge<'_, C> {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String> {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), phrase::Phrase> {
         self.knowing.device(kind, device, params)
     }
 
-    fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
+    fn body(&self, arguments: &[String], body: &str) -> Result<(), phrase::Phrase> {
         if (self.is_cancelled)() {
-            return Err(Unchecked::NobodyWaits.to_string());
+            return Err(Unchecked::NobodyWaits.phrase());
         }
         if Instant::now() >= self.until {
-            return Err(Unchecked::TooSlow.to_string());
+            return Err(Unchecked::TooSlow.phrase());
         }
         self.knowing.body(arguments, body)
     }

@@ -7,9 +7,9 @@ use super::LibraryService;
 use crate::rooms::RoomCommand;
 use crate::support::identity::Sender;
 use crate::support::store_call::{bounded, store_no};
-use behaviour::{
-    Behaviour, Change, Helper, Id, Kind, NAME_MAX_CHARS, Procedure, Record, RecordId, Refusal, rename_helpers,
-};
+use behaviour::labels;
+use behaviour::{Behaviour, Change, Helper, Id, Kind, Procedure, Record, RecordId, Refusal, rename_helpers};
+use phrase::phrase;
 use protocol::{Refused, answer};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
@@ -46,7 +46,7 @@ pub(crate) async fn rename(
         let _one_at_a_time = library.renaming.lock().await;
         renaming.done().await
     };
-    library.tasks.make(work).await.map_err(|error| Refused::Unreadable(error.to_string()))?
+    library.tasks.make(work).await.map_err(|error| Refused::Unreadable(error.to_string().into()))?
 }
 
 struct Renaming {
@@ -136,7 +136,7 @@ impl Renaming {
         self.library.rooms.tell(program, RoomCommand::MayChange(change, waiting));
         match answer.await.unwrap_or(Err(Refused::NoBehaviour)) {
             Err(Refused::Change(Refusal::Locked { what, by })) => {
-                let what = format!("{what} in “{}”", look.behaviour().name());
+                let what = phrase!("server.in", "{what} in “{program}”", program = look.behaviour().name());
                 Err(Refused::Change(Refusal::Locked { what, by }))
             }
             answer => answer,
@@ -181,9 +181,9 @@ impl Renaming {
     }
 
     fn empty_change(&self) -> Change {
-        let label = format!("Rename helper {} to {}", self.wish.seen.name, self.wish.after.name);
+        let label = labels::rename_helper(&self.wish.seen.name, &self.wish.after.name);
         let op = Id::from_uuid(Uuid::new_v4());
-        Change::of(op, &self.wish.by, &label.chars().take(NAME_MAX_CHARS).collect::<String>())
+        Change::of(op, &self.wish.by, label)
     }
 
     /// The helper under its new name only.

@@ -6,9 +6,9 @@ use behaviour::{
     connectors,
 };
 use engine::Limits;
+use phrase::Phrased;
 use protocol::UnknownName;
 use protocol::answer::Checked;
-use std::fmt::Display;
 use std::time::{Duration, Instant};
 
 /// Sets of values in one trial.
@@ -31,8 +31,8 @@ pub(crate) struct ProcedureTrial {
     pub(crate) known: Vec<String>,
 }
 
-fn failed(why: &impl Display, unknown: Option<UnknownName>) -> Checked {
-    Checked { error: Some(why.to_string()), results: Vec::new(), unknown }
+fn failed(why: &impl Phrased, unknown: Option<UnknownName>) -> Checked {
+    Checked { error: Some(why.phrase()), results: Vec::new(), unknown }
 }
 
 /// Whether the procedure can run, and what it makes of the values.
@@ -46,7 +46,7 @@ pub(crate) fn check(trial: &ProcedureTrial) -> Checked {
     }
     let try_on = |inputs: &Vec<Value>| {
         let ProcedureTrial { helpers, arguments, body, .. } = trial;
-        engine::try_body(helpers, arguments, body, inputs, &limits()).map_err(|reason| reason.to_string())
+        engine::try_body(helpers, arguments, body, inputs, &limits()).map_err(|reason| reason.phrase())
     };
     Checked { error: None, results: trial.inputs.iter().take(INPUTS_MAX).map(try_on).collect(), unknown }
 }

@@ -2,6 +2,7 @@
 
 use super::RECORDING_MAX_BYTES;
 use crate::support::lock;
+use phrase::{Phrase, Phrased};
 use recording::{Line, LineNames};
 use std::fs::File;
 use std::io::{self, Write};
@@ -49,8 +50,8 @@ impl WriteProgress {
     }
 
     /// Why nothing more is written, in words, if so.
-    pub(super) fn trouble(&self) -> Option<String> {
-        lock(&self.stuck).as_ref().map(Stuck::to_string)
+    pub(super) fn trouble(&self) -> Option<Phrase> {
+        lock(&self.stuck).as_ref().map(Phrased::phrase)
     }
 
     fn is_stuck(&self) -> bool {

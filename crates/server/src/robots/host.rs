@@ -23,6 +23,7 @@ use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
+use phrase::{Phrased, phrase};
 use protocol::{HAND_MAX_BYTES, MarkEdit, RecordedSession, RecordingMark, Refused, RobotState, RunState, STOP_BUTTON};
 use robot::{Control, RobotFault, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
@@ -293,7 +294,7 @@ impl Host {
         if !self.shared().order.has(behaviour) {
             return Err(Refused::NotRunning);
         }
-        self.shared().place(behaviour, above).map_err(|error| Refused::NotKept(error.to_string()))
+        self.shared().place(behaviour, above).map_err(|error| Refused::NotKept(error.phrase()))
     }
 
     /// Marks the moment of a press in the newest run of a behaviour. One that has ended takes what was pressed before its end.
@@ -393,8 +394,8 @@ impl Host {
         let stops = stops.filter(|_| control.moves_body());
         shared.cancel_flags.check(&shared.robot, stops)?;
         if control.needs_quiet() && !lock(&shared.table).is_idle() {
-            let why = "a program runs on it; press Stop first".to_owned();
-            return Err(Refused::RobotCannot(RobotFault::NotNow(why).to_string()));
+            let why = phrase!("server.a_program_runs_on_it", "a program runs on it; press Stop first");
+            return Err(Refused::RobotCannot(RobotFault::NotNow(why).phrase()));
         }
         let cancel = shared.cancel_flags.add_pressed(&shared.robot, stops)?;
         let (answer, answered) = oneshot::channel();
@@ -402,9 +403,9 @@ impl Host {
         let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;
         cancel.cancel();
         match answered {
-            Ok(Ok(done)) => done.map_err(|fault| Refused::RobotCannot(fault.to_string())),
+            Ok(Ok(done)) => done.map_err(|fault| Refused::RobotCannot(fault.phrase())),
             Ok(Err(_)) => Err(Refused::TooFast),
-            Err(_) => Err(Refused::RobotCannot(StartError::Silent.to_string())),
+            Err(_) => Err(Refused::RobotCannot(StartError::Silent.phrase())),
         }
     }
 

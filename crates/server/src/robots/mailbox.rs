@@ -7,6 +7,7 @@ use crate::recordings::Recorder;
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind, Value};
 use engine::StreamIx;
+use phrase::Phrase;
 use protocol::RecordingMark;
 use robot::Waiting;
 use std::collections::BTreeMap;
@@ -79,7 +80,7 @@ pub(super) struct Post {
     /// Readings in order of arrival.
     pub(super) readings: Vec<Arrived>,
     /// Commands that the robot dropped, by the actuator stream's id, each with how many and the newest reason.
-    pub(super) refused: BTreeMap<Id, (u64, String)>,
+    pub(super) refused: BTreeMap<Id, (u64, Phrase)>,
     /// A run that wants to follow.
     pub(super) successor: Option<Successor>,
     /// Marks that are new or changed.
@@ -131,7 +132,7 @@ pub(super) struct RunMailbox {
 #[derive(Debug, Default)]
 struct RunInbox {
     readings: Fair<(StreamIx, ReadingsKept), Arrived>,
-    refused: BTreeMap<Id, (u64, String)>,
+    refused: BTreeMap<Id, (u64, Phrase)>,
     undone: BTreeMap<Undone, (Instant, u64)>,
     hands: Vec<DoneByHand>,
     successor: Option<Successor>,
@@ -162,9 +163,9 @@ impl RunMailbox {
     }
 
     /// Notes that the robot dropped a command of an actuator stream.
-    pub(super) fn refuse(&self, stream: &Id, reason: String) {
+    pub(super) fn refuse(&self, stream: &Id, reason: Phrase) {
         let mut inbox = lock(&self.inbox);
-        inbox.undone(Undone { stream: stream.clone(), why: reason.clone(), with: None });
+        inbox.undone(Undone { stream: stream.clone(), why: reason.to_string(), with: None });
         let noted = inbox.refused.entry(stream.clone()).or_default();
         *noted = (noted.0 + 1, reason);
         drop(inbox);
@@ -172,8 +173,8 @@ impl RunMailbox {
     }
 
     /// Notes that somebody else keeps what a command of an actuator stream would move. That is no fault, and wakes nobody.
-    pub(super) fn held_back(&self, stream: &Id, why: String, with: String) {
-        lock(&self.inbox).undone(Undone { stream: stream.clone(), why, with: Some(with) });
+    pub(super) fn held_back(&self, stream: &Id, why: &Phrase, with: String) {
+        lock(&self.inbox).undone(Undone { stream: stream.clone(), why: why.to_string(), with: Some(with) });
     }
 
     /// Notes that the robot did not do something that no program wanted.

@@ -76,7 +76,7 @@ fn stage(step: ReachStep) -> CheckStage {
 /// # Errors
 /// If the network cannot be listened to.
 pub(crate) async fn find() -> Result<answer::FoundRobots, Refused> {
-    let found = nao::discover(FIND).await.map_err(|error| Refused::NotSearched(error.to_string()))?;
+    let found = nao::discover(FIND).await.map_err(|error| Refused::NotSearched(error.to_string().into()))?;
     let robots = found.into_iter().map(|robot| FoundRobot { name: robot.name, address: robot.address });
     Ok(answer::FoundRobots { robots: robots.collect() })
 }

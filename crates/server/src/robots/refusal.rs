@@ -3,6 +3,7 @@
 use super::stops::StoppedSince;
 use crate::recordings::NotRecorded;
 use engine::GraphFault;
+use phrase::{Phrase, Phrased};
 use protocol::Refused;
 use robot::RobotFault;
 use std::io;
@@ -28,7 +29,7 @@ pub(crate) enum StartError {
         /// The name of the stream.
         stream: String,
         /// What the robot says.
-        reason: String,
+        reason: Phrase,
     },
     /// The robot is the same body as another one, of this name.
     Twin(String),
@@ -77,7 +78,7 @@ impl StartError {
     pub(crate) fn cannot_start(self) -> Refused {
         match self {
             Self::StoppedSince => Refused::StoppedSince,
-            why => Refused::CannotStart(why.to_string()),
+            why => Refused::CannotStart(why.phrase()),
         }
     }
 
@@ -86,7 +87,7 @@ impl StartError {
         match self {
             Self::Ended | Self::StoppedMeanwhile => Refused::NotRunning,
             Self::StoppedSince => Refused::StoppedSince,
-            why => Refused::NotApplied(why.to_string().trim_end_matches('.').to_owned()),
+            why => Refused::NotApplied(why.phrase()),
         }
     }
 }
@@ -115,7 +116,7 @@ impl<F: Into<RobotFault>> From<F> for NotByHand {
 impl NotByHand {
     /// Returns this as the refusal that a client hears.
     pub(crate) fn refused(self) -> Refused {
-        Refused::RobotCannot(self.to_string())
+        Refused::RobotCannot(self.phrase())
     }
 }
 
@@ -123,7 +124,7 @@ impl NotByHand {
 #[derive(Debug)]
 pub(crate) enum RunFailure {
     /// The engine ended it; with the engine's reason.
-    Engine(String),
+    Engine(Phrase),
     /// A procedure takes too long again and again: the one that makes the stream that people call so.
     TooLong(String),
     /// It was ready when nobody waited for it any more.
@@ -133,7 +134,7 @@ pub(crate) enum RunFailure {
     /// The robot failed.
     Robot,
     /// The robot wants everything to end; with its reason.
-    Halt(String),
+    Halt(Phrase),
     /// The server itself failed.
     Inside,
 }
@@ -172,12 +173,12 @@ pub(crate) enum RobotsUnchanged {
 impl RobotsUnchanged {
     /// This as why a robot was not added.
     pub(crate) fn not_added(self) -> Refused {
-        Refused::RobotNotAdded(self.to_string())
+        Refused::RobotNotAdded(self.phrase())
     }
 
     /// This as why a robot stays.
     pub(crate) fn stays(self) -> Refused {
-        Refused::RobotStays(self.to_string())
+        Refused::RobotStays(self.phrase())
     }
 }
 

@@ -12,6 +12,7 @@ use crate::support::lock;
 use behaviour::Id;
 use by_hand::{HAND, Hands};
 use engine::{HeldBy, Precedence, StreamIx};
+use phrase::{Phrased, phrase};
 use protocol::HeldPart;
 use robot::{Health, Millis, Reading, Robot, RobotFault, SceneEdit, Use};
 use std::collections::HashMap;
@@ -57,7 +58,7 @@ pub(super) fn keep(shared: &Arc<RobotShared>, make: &Make) {
         }));
         if kept.is_err() {
             shared.fault_all(&RunFailure::Robot);
-            let reason = "it failed and is started again".to_owned();
+            let reason = phrase!("server.it_failed_and_is_started", "it failed and is started again");
             shared.feed.edit(&shared.robot, |state| state.health = Health::Lost(reason));
             std::thread::sleep(Duration::from_millis(AGAIN_AFTER_MS));
         }
@@ -168,7 +169,7 @@ impl<'a> RobotThread<'a> {
             if user.run == HAND {
                 self.refused_by_hand(&user.stream, &fault);
             } else if let Some(known) = self.users.get(&user.run) {
-                known.mailbox.refuse(&user.stream, fault.to_string());
+                known.mailbox.refuse(&user.stream, fault.phrase());
             }
         }
         if let Some(reason) = self.robot.take_halt() {
@@ -209,7 +210,7 @@ impl<'a> RobotThread<'a> {
         for Controlling { control, cancel, answer } in pending.controls {
             self.end_what_ended();
             let is_void = cancel.is_cancelled() && control.moves_body();
-            let stopped = || RobotFault::NotNow(StartError::StopPressed(None).to_string());
+            let stopped = || RobotFault::NotNow(StartError::StopPressed(None).phrase());
             // Who gave up waiting does not hear it.
             drop(answer.send(if is_void { Err(stopped()) } else { self.robot.control(control, self.now()) }));
         }
@@ -233,7 +234,7 @@ impl<'a> RobotThread<'a> {
         } else if let Err(fault) = self.robot.command(user, &command.value, self.now())
             && let Some(known) = self.users.get(&user.run)
         {
-            known.mailbox.refuse(&user.stream, fault.to_string());
+            known.mailbox.refuse(&user.stream, fault.phrase());
         }
     }
 
@@ -258,8 +259,12 @@ impl<'a> RobotThread<'a> {
         if let (Some(known), Some((_, with))) = (self.users.get(&user.run), self.holder(held.by.run)) {
             let part = &held.part;
             let by_hand = held.by.run == HAND;
-            let why = if by_hand { format!("the {part} is held by hand") } else { format!("the {part} is held") };
-            known.mailbox.held_back(&user.stream, why, with);
+            let why = if by_hand {
+                phrase!("server.the_is_held_by_hand", "the {part} is held by hand")
+            } else {
+                phrase!("server.the_is_held", "the {part} is held")
+            };
+            known.mailbox.held_back(&user.stream, &why, with);
         }
         self.blocked.insert((user.run, user.stream.clone(), held.part), (held.by.run, self.now()));
     }
@@ -309,7 +314,7 @@ impl<'a> RobotThread<'a> {
             let user = Use { run, stream: wanted.stream.clone() };
             if let Err(reason) = self.robot.open(&user, &wanted.device, &wanted.params) {
                 self.close_all(run, &devices[..at]);
-                return Err(StartError::Unopened { stream: wanted.name.clone(), reason: reason.to_string() });
+                return Err(StartError::Unopened { stream: wanted.name.clone(), reason: reason.phrase() });
             }
         }
         Ok(())
@@ -392,7 +397,7 @@ impl<'a> RobotThread<'a> {
             }
             if state.kind != self.robot.kind() {
                 self.robot.kind().clone_into(&mut state.kind);
-                self.robot.by_body().clone_into(&mut state.by_body);
+                state.by_body = self.robot.by_body();
             }
         });
     }

@@ -8,6 +8,7 @@ use super::run_marks::{PressOutcome, RunMarks};
 use super::told_times::ToldTimes;
 use behaviour::{BehaviourFile, Id};
 use engine::{Handover, StreamIx};
+use phrase::Phrase;
 use protocol::{RecordingMark, RunPhase, RunState};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -190,7 +191,7 @@ impl RunTable {
     }
 
     /// Returns the reason why the robot interrupted a run; none if it did not.
-    pub(super) fn halted(&self, run: u64) -> Option<String> {
+    pub(super) fn halted(&self, run: u64) -> Option<Phrase> {
         match &self.get(run)?.state.phase {
             RunPhase::Paused(why) => Some(why.clone()),
             RunPhase::Running | RunPhase::Stopped(_) | RunPhase::Faulted(_) => None,

@@ -19,6 +19,7 @@ use crate::recordings::{About, NotRecorded, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Matching, Run};
+use phrase::Phrased;
 use protocol::{RecordingMark, RunPhase, RunState};
 use recording::{Hand, NoteLine, RefusedLine};
 use robot::Millis;
@@ -392,9 +393,12 @@ impl<'a> Runner<'a> {
         let by = job.cancel.stopped_by().map(str::to_owned);
         let halt = lock(&job.shared.table).halted(job.run);
         if let (Some(halt), Some(recorder)) = (&halt, &mut self.sink.recorder) {
-            self.surroundings.halt(job, halt, self.open_ms, recorder);
+            self.surroundings.halt(job, &halt.to_string(), self.open_ms, recorder);
         }
-        let why = reason.map(RunFailure::to_string).or(halt).unwrap_or_else(|| "it was stopped".to_owned());
+        let why = reason
+            .map(RunFailure::to_string)
+            .or(halt.map(|halt| halt.to_string()))
+            .unwrap_or_else(|| "it was stopped".to_owned());
         self.sink.end_recording(&why, by.filter(|_| reason.is_none()));
     }
 
@@ -541,7 +545,7 @@ impl<'a> Runner<'a> {
 
     /// Why it ends by itself now, if it does.
     fn failure(&mut self) -> Option<RunFailure> {
-        let fault = self.run.fault().map(|reason| RunFailure::Engine(reason.to_string()));
+        let fault = self.run.fault().map(|reason| RunFailure::Engine(reason.phrase()));
         fault.or_else(|| self.took_too_long())
     }
 

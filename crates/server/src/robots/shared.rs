@@ -10,6 +10,7 @@ use super::run_table::{RunEntry, RunTable};
 use super::status_feed::StatusFeed;
 use crate::support::lock;
 use behaviour::Id;
+use phrase::Phrased;
 use protocol::{HeldPart, Recorded, RunPhase, RunState};
 use robot::Scene;
 use std::collections::HashMap;
@@ -99,8 +100,7 @@ impl RobotShared {
         let mut table = lock(&self.table);
         // Its thread may notice a Stop before it is written down.
         let stopped_by = table.get(run).and_then(|entry| entry.cancel.stopped_by().map(str::to_owned));
-        let ended =
-            table.end_run(run, stopped_by.map_or_else(|| RunPhase::Faulted(why.to_string()), RunPhase::Stopped));
+        let ended = table.end_run(run, stopped_by.map_or_else(|| RunPhase::Faulted(why.phrase()), RunPhase::Stopped));
         self.clear_away(&table, ended.as_slice());
         self.show(&table);
     }
@@ -112,7 +112,7 @@ impl RobotShared {
         table.cancel_all();
         // What was stopped just before stays stopped.
         let mut ended = table.end_stopped();
-        for entry in table.end(None, &RunPhase::Paused(why.to_string())) {
+        for entry in table.end(None, &RunPhase::Paused(why.phrase())) {
             table.pause(entry.state.run, self.cancel_flags.add(&entry.state.behaviour));
             ended.push(entry);
         }
@@ -125,7 +125,7 @@ impl RobotShared {
         self.cancel_flags.halted(&self.robot);
         let mut table = lock(&self.table);
         table.cancel_all();
-        let ended = table.end(None, &RunPhase::Faulted(why.to_string()));
+        let ended = table.end(None, &RunPhase::Faulted(why.phrase()));
         self.clear_away(&table, &ended);
         self.show(&table);
     }

@@ -59,6 +59,7 @@ fn line(job: &RunJob) -> Option<RobotLine> {
         Health::Lost(why) => ("lost", Some(why)),
         Health::Stranger(_) => ("stranger", None),
     };
+    let why = why.map(|why| why.to_string());
     Some(RobotLine { link: link.to_owned(), why, condition, ..RobotLine::default() })
 }
 

@@ -4,6 +4,7 @@ use super::beats::{Beats, SLOT_MS};
 use super::live::{Changes, LiveValues};
 use behaviour::Id;
 use engine::{ConnectorIx, ConnectorStats, IndexVec, Matching, Run, StreamIx, StreamStats};
+use phrase::{Phrase, Phrased};
 use protocol::{ConnectorSample, StreamSample};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -33,7 +34,7 @@ struct ConnectorTally {
     output: StreamIx,
     told: (u64, u64),
     refused: u64,
-    refusal: Option<String>,
+    refusal: Option<Phrase>,
 }
 
 impl RunTally {
@@ -79,7 +80,7 @@ impl RunTally {
     }
 
     /// The robot dropped commands; shown on the connector that gave them.
-    pub(super) fn refused(&mut self, refused: BTreeMap<Id, (u64, String)>) {
+    pub(super) fn refused(&mut self, refused: BTreeMap<Id, (u64, Phrase)>) {
         for (stream, (count, reason)) in refused {
             let index =
                 self.streams.enumerate().find(|(_, tally)| tally.id.as_ref() == Some(&stream)).map(|(at, _)| at);
@@ -149,7 +150,7 @@ impl ConnectorTally {
             return None;
         }
         self.told = (stats.fired, faults);
-        let own = stats.last_fault.as_ref().map(|fault| fault.error.to_string());
+        let own = stats.last_fault.as_ref().map(|fault| fault.error.phrase());
         let error = self.refusal.clone().or(own);
         Some(ConnectorSample { connector: self.id.clone()?, fired: stats.fired, faults, error })
     }

@@ -2,6 +2,7 @@
 
 use crate::support::lock;
 use behaviour::{DeviceType, Helper, HelperCall, Knowledge, Params, Signature, StreamKind, ValueType};
+use phrase::{Phrase, Phrased};
 use std::cell::Cell;
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
@@ -18,7 +19,7 @@ const CHECK_MS: u64 = 2_000;
 
 type KnowledgeQuestion = (Vec<String>, String);
 /// What [`Knowledge`] answers.
-type KnowledgeAnswer = Result<(), String>;
+type KnowledgeAnswer = Result<(), Phrase>;
 
 /// Why a procedure was not checked.
 #[derive(Debug)]
@@ -56,7 +57,7 @@ impl Knowing {
     }
 
     fn find_out(&self, question: KnowledgeQuestion) -> KnowledgeAnswer {
-        let answer = engine::check_body(&question.0, &question.1).map_err(|fault| fault.to_string());
+        let answer = engine::check_body(&question.0, &question.1).map_err(|fault| fault.phrase());
         lock(&self.0).keep(Arc::new(question), answer.clone());
         answer
     }
@@ -64,7 +65,7 @@ impl Knowing {
 
 impl Knowledge for Knowing {
     fn device(&self, kind: StreamKind, device: &str, params: &Params) -> KnowledgeAnswer {
-        robot::device(kind, device).and_then(|device| device.check(params)).map_err(|fault| fault.to_string())
+        robot::device(kind, device).and_then(|device| device.check(params)).map_err(|fault| fault.phrase())
     }
 
     fn body(&self, arguments: &[String], body: &str) -> KnowledgeAnswer {
@@ -119,7 +120,7 @@ impl Knowledge for Budgeted<'_> {
         if let Some(answer) = self.knowing.known(&question) {
             return answer;
         }
-        let too_much = || Unchecked::TooMuch.to_string();
+        let too_much = || Unchecked::TooMuch.phrase();
         self.bytes.set(self.bytes.get().checked_sub(body.len()).ok_or_else(too_much)?);
         if Instant::now() >= self.until { Err(too_much()) } else { self.knowing.find_out(question) }
     }

@@ -4,6 +4,7 @@ use super::member::AnswerTo;
 use crate::support::identity::Sender;
 use crate::support::lookups::LookupTurn;
 use behaviour::{Behaviour, Id, LockToken};
+use phrase::Phrase;
 use protocol::{Person, Refused, answer};
 use tokio::sync::oneshot;
 
@@ -65,7 +66,7 @@ pub(crate) struct Was {
     /// Its records then.
     pub(crate) behaviour: Behaviour,
     /// What going back there is called.
-    pub(crate) label: String,
+    pub(crate) label: Phrase,
     /// The turn in which it was found: few are kept at once.
     pub(crate) _turn: Option<LookupTurn>,
 }

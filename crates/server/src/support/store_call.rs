@@ -1,5 +1,6 @@
 //! Calls of the store that end in time, and its faults as clients hear of them.
 
+use phrase::{Phrase, Phrased};
 use protocol::Refused;
 use std::future::Future;
 use std::time::Duration;
@@ -39,6 +40,6 @@ pub(crate) fn store_no(error: &StoreError) -> Refused {
 }
 
 /// A sentence as a reason in parentheses: without its full stop.
-pub(crate) fn reason(error: &StoreError) -> String {
-    error.to_string().trim_end_matches('.').to_owned()
+pub(crate) fn reason(error: &StoreError) -> Phrase {
+    error.phrase()
 }

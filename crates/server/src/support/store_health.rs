@@ -4,6 +4,7 @@ use super::message::encode;
 use super::store_call::reason;
 use super::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
+use phrase::Phrase;
 use protocol::{Event, Refused};
 use std::sync::Arc;
 use std::time::Duration;
@@ -18,7 +19,7 @@ const ANSWER_MS: u64 = 3_000;
 /// Whether the store can be reached. A clone knows the same.
 #[derive(Clone)]
 pub(crate) struct StoreHealth {
-    away: watch::Sender<Option<String>>,
+    away: watch::Sender<Option<Phrase>>,
     text: watch::Sender<Utf8Bytes>,
 }
 
@@ -45,7 +46,7 @@ impl StoreHealth {
         }
     }
 
-    fn set(&self, away: Option<String>) {
+    fn set(&self, away: Option<Phrase>) {
         let news = self.away.send_if_modified(|known| {
             let differs = *known != away;
             known.clone_from(&away);
@@ -53,7 +54,7 @@ impl StoreHealth {
         });
         if news {
             match &away {
-                Some(reason) => tracing::error!(reason, "the store cannot be reached; nothing is saved meanwhile"),
+                Some(reason) => tracing::error!(%reason, "the store cannot be reached; nothing is saved meanwhile"),
                 None => tracing::info!("the store can be reached again"),
             }
             self.text.send_replace(text(away));
@@ -61,7 +62,7 @@ impl StoreHealth {
     }
 }
 
-fn text(away: Option<String>) -> Utf8Bytes {
+fn text(away: Option<Phrase>) -> Utf8Bytes {
     encode(Event::Store { away })
 }
 

@@ -6,6 +6,7 @@ use crate::support::lock;
 use crate::support::priority::{self, Priority};
 use crate::support::tasks::TaskResult;
 use crate::support::turns::{FairTurns, TurnBounds};
+use phrase::phrase;
 use protocol::Refused;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -38,9 +39,10 @@ impl From<WorkNotDone> for Refused {
     fn from(why: WorkNotDone) -> Self {
         match why {
             WorkNotDone::TooMuch => Self::TooFast,
-            WorkNotDone::Failed => {
-                Self::Unreadable("it makes the server fail; please tell the people who make rrp".into())
-            }
+            WorkNotDone::Failed => Self::Unreadable(phrase!(
+                "server.it_makes_the_server_fail",
+                "it makes the server fail; please tell the people who make rrp"
+            )),
         }
     }
 }

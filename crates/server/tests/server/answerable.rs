@@ -66,7 +66,7 @@ async fn an_operator_neither_removes_the_hosts_robot_nor_fills_its_places() {
             Err(no) => break no,
         }
     };
-    assert!(matches!(&no, Refused::RobotNotAdded(why) if why.contains("host")), "{no:?}");
+    assert!(matches!(&no, Refused::RobotNotAdded(why) if why.to_string().contains("host")), "{no:?}");
     let more = request::AddRobot { robot: "own".parse().unwrap(), name: "Own".into(), real: None };
     assert_eq!(scene.aiko.ask(more).await, Ok(()), "the host finds a place after {added}");
     assert_eq!(ben.ask(request::RemoveRobot { robot: "r0".parse().unwrap() }).await, Ok(()), "and their own");

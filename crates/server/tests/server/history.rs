@@ -65,7 +65,7 @@ async fn each_takes_back_and_does_again_only_their_own() {
     ben.load(&play).await.unwrap();
     name(&ben, "b", "B2").await;
     let made = undo(&aiko, &play, "u1").await;
-    assert_eq!((made.change.label.as_str(), made.change.author.as_str()), ("Undo: Name it A2", "Aiko"));
+    assert_eq!((made.change.label.to_string().as_str(), made.change.author.as_str()), ("Undo: Name it A2", "Aiko"));
     assert_eq!(made.change.by.as_ref(), Some(&aiko.you().client));
     let told = ben.until(|told| matches!(told, Event::Accepted { accepted, .. } if *accepted == made)).await;
     assert!(told.is_ok(), "everyone there is told");
@@ -91,7 +91,7 @@ async fn an_undo_over_the_change_of_somebody_else_is_refused_with_their_name() {
     ben.load(&play).await.unwrap();
     name(&ben, "a", "His").await;
     let no = aiko.ask(take_back(&play, "u1", false)).await;
-    let (what, by) = ("“His”".to_owned(), "Ben".to_owned());
+    let (what, by) = ("“His”".into(), "Ben".to_owned());
     assert_eq!(no, Err(ClientError::No(Refused::Change(Refusal::ChangedSince { what, by }))));
     undo(&ben, &play, "u2").await;
     undo(&aiko, &play, "u3").await;
@@ -185,7 +185,7 @@ async fn the_history_comes_newest_first_in_pages() {
     let (first, more) = page(&aiko, &play, None).await;
     assert_eq!((first.len(), more), (HISTORY_MAX_LINES, true));
     assert_eq!((first[0].revision, first[0].op.clone(), first[0].removes), (made.revision, id("u1"), false));
-    assert_eq!((first[0].undoes.as_ref(), first[1].label.as_str()), (Some(&first[1].op), "Remove it"));
+    assert_eq!((first[0].undoes.as_ref(), first[1].label.to_string().as_str()), (Some(&first[1].op), "Remove it"));
     assert_eq!((first[1].removes, first[2].removes), (true, false));
     assert_eq!((first[1].by.as_ref(), first[1].author.as_str()), (Some(&aiko.you().client), "Aiko"));
     let (rest, more) = page(&aiko, &play, first.last().map(|line| line.revision)).await;
@@ -242,7 +242,7 @@ async fn going_back_is_one_new_change_that_can_be_taken_back() {
         tokens: vec![],
     };
     let made = accepted(&ben, &play, ben.ask(back("g1", then.revision, "14:05")).await).await;
-    assert_eq!((made.revision, made.change.label.as_str()), (later.revision + 1, "Go back to 14:05"));
+    assert_eq!((made.revision, made.change.label.to_string().as_str()), (later.revision + 1, "Go back to 14:05"));
     assert_eq!((made.change.author.as_str(), made.change.edits.len()), ("Ben", 2));
     assert_eq!(now(&ben, &play).await, then.records);
     assert_eq!(
@@ -276,7 +276,7 @@ async fn what_was_removed_is_brought_back_as_far_as_it_may() {
     let bring =
         |op: &str, revision| request::BringBack { behaviour: play.clone(), revision, op: id(op), tokens: vec![] };
     let back = accepted(&ben, &play, ben.ask(bring("b1", removal.revision)).await).await;
-    assert_eq!((back.change.label.as_str(), back.change.author.as_str()), ("Bring back “near”", "Ben"));
+    assert_eq!((back.change.label.to_string().as_str(), back.change.author.as_str()), ("Bring back “near”", "Ben"));
     assert_eq!(now(&ben, &play).await, whole);
     assert_eq!(
         accepted(&ben, &play, ben.ask(bring("b1", removal.revision)).await).await,

@@ -88,7 +88,10 @@ async fn uses_follow_in_open_and_closed_programs_and_in_other_helpers() {
     assert_eq!(answer, answer::HelperRenamed { programs: 2, left: Vec::new() });
     let told = ben.until(|reply| matches!(reply, Event::Accepted { behaviour, accepted } if *behaviour == open && accepted.change.author == "Aiko"));
     let Event::Accepted { accepted, .. } = told.await.unwrap() else { panic!() };
-    assert_eq!((accepted.change.label.as_str(), accepted.change.edits.len()), ("Rename helper near to close", 2));
+    assert_eq!(
+        (accepted.change.label.to_string().as_str(), accepted.change.edits.len()),
+        ("Rename helper near to close", 2)
+    );
     let after = ["close", "close(far) > 1 && far != \"near\""];
     assert_eq!(uses(&ben.open().unwrap().records), after);
     assert_eq!(uses(&aiko.load(&closed).await.unwrap().records), after);

@@ -32,7 +32,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let checked = check(console, &real, None).await?;
     let failed = checked.steps.iter().find_map(|step| step.failed.clone());
     if let Some(why) = failed {
-        return Err(NotDone::NotReached(why));
+        return Err(NotDone::NotReached(why.to_string()));
     }
     (real.fingerprint, real.identity) = (checked.fingerprint, checked.identity);
     console.ask(request::AddRobot { robot: robot.clone(), name, real: Some(Box::new(real)) }).await?;

@@ -33,5 +33,5 @@ fn line(step: &CheckStep) -> String {
         CheckStage::Directory => "directory",
         CheckStage::Services => "services",
     };
-    format!("{stage}: {}", step.failed.as_deref().unwrap_or("fine"))
+    format!("{stage}: {}", step.failed.as_ref().map_or_else(|| "fine".to_owned(), ToString::to_string))
 }

@@ -18,7 +18,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let mut real = add_robot::real(at);
     let checked = add_robot::check(console, &real, Some(&robot)).await?;
     if let Some(why) = checked.steps.iter().find_map(|step| step.failed.clone()) {
-        return Err(NotDone::NotMoved(why));
+        return Err(NotDone::NotMoved(why.to_string()));
     }
     real.fingerprint = checked.fingerprint;
     let address = real.address.clone();

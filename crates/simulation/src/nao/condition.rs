@@ -3,6 +3,7 @@
 use crate::hash::RunningHash;
 use crate::nao::SimulatedNao;
 use crate::nao::devices::{PostureKind, face};
+use phrase::{Phrase, phrase};
 use robot::{Condition, Control, Life, RobotFault};
 use std::sync::Arc;
 
@@ -45,23 +46,27 @@ impl SimulatedNao {
     pub(crate) fn ready(&self) -> Result<(), RobotFault> {
         self.able()?;
         let rests = !self.own.awake || self.own.resting;
-        if rests { Err(RobotFault::NotNow("it rests; take control first".to_owned())) } else { Ok(()) }
+        if rests {
+            Err(RobotFault::NotNow(phrase!("nao.it_rests_take_control_first", "it rests; take control first")))
+        } else {
+            Ok(())
+        }
     }
 
     /// Checks that it could move its body if it were awake.
     fn able(&self) -> Result<(), RobotFault> {
         let why = match (self.lean.is_fallen(), self.own.empty) {
-            (true, _) => "it lies on the floor; help it up first",
-            (false, true) => "its battery is empty; put it on the cable first",
+            (true, _) => phrase!("nao.it_lies_on_the_floor", "it lies on the floor; help it up first"),
+            (false, true) => phrase!("nao.its_battery_is_empty_put", "its battery is empty; put it on the cable first"),
             (false, false) => return Ok(()),
         };
-        Err(RobotFault::NotNow(why.to_owned()))
+        Err(RobotFault::NotNow(why))
     }
 
     /// Ends everything for this reason, which is told once.
-    pub(crate) fn halt(&mut self, why: &str) {
+    pub(crate) fn halt(&mut self, why: Phrase) {
         self.hold();
-        self.halted.get_or_insert_with(|| why.to_owned());
+        self.halted.get_or_insert(why);
     }
 
     /// Takes control, gives it back, wakes up, rests, stands, sits, or forgets faces.
@@ -93,7 +98,9 @@ impl SimulatedNao {
             }
             Control::ForgetFaces => self.known.fill(false),
             Control::ForgetFace(name) => {
-                let nobody = || RobotFault::NotNow("it remembers nobody of that name".to_owned());
+                let nobody = || {
+                    RobotFault::NotNow(phrase!("nao.it_remembers_nobody_of_that", "it remembers nobody of that name"))
+                };
                 let person = (0..self.known.len()).find(|person| self.known[*person] && face(*person) == name);
                 self.known[person.ok_or_else(nobody)?] = false;
             }
@@ -153,7 +160,7 @@ impl SimulatedNao {
             life: Some(self.own.life),
             hot: Vec::new(),
             fallen: Some(self.lean.is_fallen()),
-            legs: self.check_legs().err().map(str::to_owned),
+            legs: self.check_legs().err(),
             // It is in no network.
             network: None,
             faces: u16::try_from(self.known.iter().filter(|known| **known).count()).ok(),

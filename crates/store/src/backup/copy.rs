@@ -68,7 +68,7 @@ pub(super) async fn finished(
     progress: Progress<'_>,
 ) -> Result<(), BackupError> {
     if let Some(changes) = copying.join_next().await {
-        let stopped = |error| StoreError::Unavailable(format!("copying stopped: {error}"));
+        let stopped = |error| StoreError::Unavailable(format!("copying stopped: {error}").into());
         done.changes += changes.map_err(stopped)??;
         done.behaviours += 1;
         progress(*done, many);

@@ -101,7 +101,7 @@ pub fn verify(from: &mut dyn BufRead) -> Result<Counted, BackupError> {
 }
 
 fn stopped(error: &tokio::task::JoinError) -> StoreError {
-    StoreError::Unavailable(format!("restoring stopped: {error}"))
+    StoreError::Unavailable(format!("restoring stopped: {error}").into())
 }
 
 async fn fill(to: Filling, (shelf, changes, named): RestoredBehaviour) -> Result<u64, BackupError> {
@@ -178,7 +178,7 @@ fn check_time(at_ms: u64) -> Result<(), BackupError> {
 
 fn unruly(refusal: Refusal) -> BackupFlaw {
     match refusal {
-        Refusal::Stale(record) => BackupFlaw::Stale(record),
+        Refusal::Stale(record) => BackupFlaw::Stale(record.to_string()),
         refusal => BackupFlaw::Refused(refusal),
     }
 }
@@ -197,7 +197,7 @@ struct Gather {
 impl Gather {
     fn pass_on(&mut self) -> Result<(), BackupError> {
         let Some(whole) = self.whole.take() else { return Ok(()) };
-        let ended = |_| StoreError::Unavailable("restoring ended early".to_owned()).into();
+        let ended = |_| StoreError::Unavailable("restoring ended early".into()).into();
         self.tell.blocking_send(whole).map_err(ended)
     }
 }

@@ -136,7 +136,7 @@ async fn every_script_is_kept(store: &dyn Store) {
     ];
     for (number, name) in names.iter().enumerate() {
         let edits = vec![(RecordId::settings(), settings(name)), (key(Kind::Stream, "s"), stream(name, 0))];
-        let made = Change { author: (*name).to_owned(), label: (*name).to_owned(), ..change("op", 1, edits) };
+        let made = Change { author: (*name).to_owned(), label: (*name).into(), ..change("op", 1, edits) };
         let behaviour = format!("b{number}");
         assert_eq!(append(store, &behaviour, 1, made.clone()).await, Append::Applied, "{name:?}");
         let loaded = store.load(&id(&behaviour)).await.expect("an answer").expect("a behaviour");

@@ -2,9 +2,10 @@
 
 mod helpers;
 
-use behaviour::{Behaviour, BehaviourFile, Change, EDITS_MAX, Edit, Id, NAME_MAX_CHARS, Record, RecordId};
+use behaviour::labels::import as import_label;
+use behaviour::{Behaviour, BehaviourFile, Change, EDITS_MAX, Edit, Id, Record, RecordId};
 use helpers::Shelved;
-use thiserror::Error;
+use phrase::{Phrase, Phrased, phrase};
 
 /// Whose ids the imported behaviour gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +36,7 @@ impl Import {
     #[must_use]
     pub fn named(mut self, name: &str) -> Self {
         for change in &mut self.changes {
-            change.label = label(name);
+            change.label = import_label(name);
             for edit in &mut change.edits {
                 if let Some(Record::Settings(settings)) = &mut edit.after {
                     name.clone_into(&mut settings.name);
@@ -47,21 +48,17 @@ impl Import {
 }
 
 /// The reasons why a file cannot be imported; said with the id of what it is about first, `id: reason`.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Phrased)]
 pub enum ImportError {
     /// A helper of this name calls itself, also through others.
-    #[error("{0}: it calls itself, also through others. Change its body.")]
+    #[error("{id}: {reason}", id = _0, reason = phrase!("ImportError.Itself", "it calls itself, also through others. Change its body"))]
     Circle(String),
     /// The behaviour's own id is none; with the reason.
-    #[error("id: {0}")]
-    OwnId(String),
+    #[error("{id}: {reason}", id = "id", reason = _0)]
+    OwnId(Phrase),
     /// The records are not as they should be; with what `behaviour` says, id first.
     #[error("{0}")]
-    Record(String),
-}
-
-fn label(name: &str) -> String {
-    format!("Import {name}").chars().take(NAME_MAX_CHARS).collect()
+    Record(Phrase),
 }
 
 /// Returns the changes of importing `file`, given the library as it is now and a source of new ids.
@@ -89,15 +86,15 @@ pub fn import(
     }
     let own = file.id.as_deref().filter(|_| mode == ImportMode::Restore);
     let behaviour =
-        own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![ImportError::OwnId(reason.to_string())])?;
+        own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![ImportError::OwnId(reason.phrase())])?;
     let changes = from_nothing(&records, &file.name, by, &mut new_id);
     let renamed = names.into_iter().filter(|(old, new)| old != new).collect();
     let library = Some(change).filter(|change| !change.edits.is_empty());
     Ok(Import { behaviour, name: file.name, library, changes, renamed })
 }
 
-fn unfit(records: &[impl ToString]) -> Vec<ImportError> {
-    records.iter().map(|fault| ImportError::Record(fault.to_string())).collect()
+fn unfit(records: &[impl Phrased]) -> Vec<ImportError> {
+    records.iter().map(|fault| ImportError::Record(fault.phrase())).collect()
 }
 
 /// The changes that make all records, streams before what needs them.
@@ -110,7 +107,7 @@ fn from_nothing(records: &Behaviour, name: &str, by: &str, new_id: &mut impl FnM
             let (id, after) = ((*id).clone(), Some((*record).clone()));
             Edit { id, before: None, after }
         };
-        changes.push(Change { edits: part.iter().map(edit).collect(), ..Change::of(new_id(), by, &label(name)) });
+        changes.push(Change { edits: part.iter().map(edit).collect(), ..Change::of(new_id(), by, import_label(name)) });
     }
     changes
 }
@@ -333,7 +330,7 @@ mod tests {
     fn it_can_have_another_name_than_in_the_file() {
         let made = import(&file(vec![], &[]), ImportMode::Copy, &library(&[]), "Aiko", ids()).unwrap().named("Near 2");
         assert_eq!(
-            (done(&made).name(), made.name.as_str(), made.changes[0].label.as_str()),
+            (done(&made).name(), made.name.as_str(), made.changes[0].label.to_string().as_str()),
             ("Near 2", "Near 2", "Import Near 2")
         );
     }

@@ -6,6 +6,7 @@ use super::FileFault;
 use super::place::LineStarts;
 use super::tree::{DEPTH_MAX, FileNode, NODES_MAX, NoNumber, NodeKind, TOO_MANY};
 use behaviour::Value;
+use phrase::phrase;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::cell::Cell;
@@ -39,12 +40,21 @@ impl JsonReader<'_, '_> {
         let text = raw.get();
         let at = self.lines.offset(text.as_bytes());
         if depth > DEPTH_MAX {
-            let reason = format!("Things lie in each other more than {DEPTH_MAX} deep. Make it simpler.");
+            let reason = phrase!(
+                "file.things_lie_in_each_other",
+                "Things lie in each other more than {DEPTH_MAX} deep. Make it simpler."
+            );
             return Err(self.lines.fault(at, reason));
         }
         let bad = |_: serde_json::Error| match self.left.get() {
             0 => self.lines.fault(at, TOO_MANY),
-            _ => self.lines.fault(at, "This text has letters that JSON does not know. Write it again."),
+            _ => self.lines.fault(
+                at,
+                phrase!(
+                    "file.this_text_has_letters_that",
+                    "This text has letters that JSON does not know. Write it again."
+                ),
+            ),
         };
         let what = match text.as_bytes().first() {
             Some(b'{') => {
@@ -135,12 +145,17 @@ fn syntax(error: &serde_json::Error, lines: &LineStarts) -> FileFault {
     let said = error.to_string();
     let said = said.split(" at line ").next().unwrap_or_default();
     let reason = if error.is_eof() {
-        "The file ends too early. Copy it again as a whole.".to_owned()
+        phrase!("file.the_file_ends_too_early", "The file ends too early. Copy it again as a whole.")
     } else if said.starts_with("control character") {
-        "A text goes over the end of its line, or has a character that JSON does not allow. Put it into one line."
-            .to_owned()
+        phrase!(
+            "file.a_text_goes_over_the",
+            "A text goes over the end of its line, or has a character that JSON does not allow. Put it into one line."
+        )
     } else {
-        format!("This is not an rrp program file: {said}. Choose another file, or mend it here or just before.")
+        phrase!(
+            "file.this_is_not_an_rrp",
+            "This is not an rrp program file: {said}. Choose another file, or mend it here or just before."
+        )
     };
     lines.fault(at, reason)
 }

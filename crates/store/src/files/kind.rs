@@ -2,6 +2,7 @@
 
 use super::text::text_of;
 use super::xml::first_name;
+use phrase::{Phrase, Phrased, phrase};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;
@@ -48,10 +49,12 @@ pub enum FileKind {
     Json,
 }
 
-impl fmt::Display for FileKind {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        to.write_str(match self {
-            Self::Binary(what) => what,
+phrase::shown!(FileKind);
+
+impl Phrased for FileKind {
+    fn phrase(&self) -> Phrase {
+        Phrase::word(match self {
+            Self::Binary(what) => *what,
             Self::Recording => "a recording of a run",
             Self::Readings => "a list of readings",
             Self::Backup => "a backup of a whole library",
@@ -74,18 +77,36 @@ impl fmt::Display for FileKind {
 
 impl FileKind {
     /// Says that it is no program, and what to do.
-    pub(super) fn no_program(self) -> String {
+    pub(super) fn no_program(self) -> Phrase {
         match self {
             Self::WebPage => {
-                format!("This is {self}, no program of rrp. Save the file itself, not the page that shows it.")
+                phrase!(
+                    "FileKind.WebPage",
+                    "This is {what}, no program of rrp. Save the file itself, not the page that shows it.",
+                    what = self
+                )
             }
-            Self::Drawing => format!("This is {self}, no program of rrp. Export the program as JSON or XML."),
-            Self::Part => format!("This is {self}, no program of rrp. Paste it on the canvas."),
-            Self::Backup => format!("This is {self}, no program of rrp. Bring it back with rrp restore."),
+            Self::Drawing => phrase!(
+                "FileKind.Drawing",
+                "This is {what}, no program of rrp. Export the program as JSON or XML.",
+                what = self
+            ),
+            Self::Part => {
+                phrase!("FileKind.Part", "This is {what}, no program of rrp. Paste it on the canvas.", what = self)
+            }
+            Self::Backup => phrase!(
+                "FileKind.Backup",
+                "This is {what}, no program of rrp. Bring it back with rrp restore.",
+                what = self
+            ),
             Self::Binary(ARCHIVE) => {
-                format!("This is {self}, no program of rrp. Unpack it first, or choose another file.")
+                phrase!(
+                    "FileKind.Packed",
+                    "This is {what}, no program of rrp. Unpack it first, or choose another file.",
+                    what = self
+                )
             }
-            _ => format!("This is {self}, no program of rrp. Choose another file."),
+            _ => phrase!("FileKind.Other", "This is {what}, no program of rrp. Choose another file.", what = self),
         }
     }
 
@@ -272,7 +293,7 @@ mod tests {
     fn said(bytes: &[u8]) -> String {
         let looked = look(bytes);
         assert!(looked.file.is_none());
-        looked.faults.iter().map(|fault| fault.reason.as_str()).collect::<Vec<_>>().join(" ")
+        looked.faults.iter().map(|fault| fault.reason.to_string()).collect::<Vec<_>>().join(" ")
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Places in a text: from the byte to line and column.
 
 use super::FileFault;
+use phrase::Phrase;
 use std::cell::Cell;
 
 /// A text with the beginnings of its lines.
@@ -30,7 +31,7 @@ impl<'t> LineStarts<'t> {
         (number(line), number(characters + 1))
     }
 
-    pub(super) fn fault(&self, at: usize, reason: impl Into<String>) -> FileFault {
+    pub(super) fn fault(&self, at: usize, reason: impl Into<Phrase>) -> FileFault {
         let (line, column) = self.place(at);
         FileFault { line, column, reason: reason.into() }
     }

@@ -11,6 +11,7 @@ use behaviour::{
     StreamKind, TAG_MAX_CHARS, TAGS_MAX, TILE_KEYS, connectors, is_identifier, without_control,
 };
 use fields::ShapeFields;
+use phrase::{Phrase, phrase};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The lengths a frame may have, in milliseconds.
@@ -27,7 +28,7 @@ pub(super) fn behaviour(root: &FileNode, lines: &LineStarts) -> ReadFile {
     for (helper, place) in std::mem::take(&mut reader.helpers) {
         reader.places.entry(helper).or_insert(place);
     }
-    reader.faults.sort();
+    reader.faults.sort_by_cached_key(|fault| (fault.line, fault.column, fault.reason.to_string()));
     reader.faults.dedup();
     let file = Some(file).filter(|_| reader.faults.is_empty());
     ReadFile { file, faults: reader.faults, places: reader.places }
@@ -41,7 +42,7 @@ struct ShapeReader<'l, 't> {
 }
 
 impl ShapeReader<'_, '_> {
-    fn fault(&mut self, at: usize, reason: impl Into<String>) {
+    fn fault(&mut self, at: usize, reason: impl Into<Phrase>) {
         if self.faults.len() < FAULTS_MAX {
             self.faults.push(self.lines.fault(at, reason));
         }
@@ -56,7 +57,10 @@ impl ShapeReader<'_, '_> {
                 let mut seen: HashSet<&str> = HashSet::new();
                 for (name, field) in fields {
                     if !seen.insert(name.as_str()) {
-                        self.fault(field.at, format!("“{name}” is there twice. Leave one out."));
+                        self.fault(
+                            field.at,
+                            phrase!("file.is_there_twice_leave_one", "“{name}” is there twice. Leave one out."),
+                        );
                     }
                     self.check_twice(field);
                 }
@@ -70,7 +74,13 @@ impl ShapeReader<'_, '_> {
         let fields = ShapeFields::of(self, root, "a program", KNOWN);
         let format = fields.text(self, "format");
         if let Some(node) = fields.get("format").filter(|_| format != FORMAT) {
-            self.fault(node.at, format!("This is not the format {FORMAT}. Export it again with this rrp."));
+            self.fault(
+                node.at,
+                phrase!(
+                    "file.this_is_not_the_format",
+                    "This is not the format {FORMAT}. Export it again with this rrp."
+                ),
+            );
         }
         let id = fields.maybe_text(self, "id");
         if let (Some(id), Some(node)) = (&id, fields.get("id")) {
@@ -110,7 +120,14 @@ impl ShapeReader<'_, '_> {
     ) -> Vec<T> {
         let items = fields.list(self, name);
         if let (Some(node), true) = (fields.get(name), items.len() > most) {
-            self.fault(node.at, format!("{} {name} are too many: a file may have {most}. Split it.", items.len()));
+            self.fault(
+                node.at,
+                phrase!(
+                    "file.are_too_many_a_file",
+                    "{} {name} are too many: a file may have {most}. Split it.",
+                    items.len()
+                ),
+            );
             return Vec::new();
         }
         items.iter().map(|item| read(self, item)).collect()
@@ -137,7 +154,13 @@ impl ShapeReader<'_, '_> {
                 entries.iter().map(|(id, node)| (without_control(id, ' ').into_owned(), read(self, node))).collect()
             }
             Some((NodeKind::Array(_) | NodeKind::Plain(_), at)) => {
-                self.fault(at, format!("“{name}” must be an object with an id before each of its values."));
+                self.fault(
+                    at,
+                    phrase!(
+                        "file.must_be_an_object_with",
+                        "“{name}” must be an object with an id before each of its values."
+                    ),
+                );
                 BTreeMap::new()
             }
             None => BTreeMap::new(),
@@ -150,13 +173,19 @@ impl ShapeReader<'_, '_> {
         }
         let fields = ShapeFields::of(self, node, "an engine", "frame");
         let Some(frame) = fields.get("frame") else {
-            self.fault(node.at, "The engine must be \"event\", or an object with \"frame\" and its \"frameMs\".");
+            self.fault(
+                node.at,
+                phrase!(
+                    "file.the_engine_must_be_event",
+                    "The engine must be \"event\", or an object with \"frame\" and its \"frameMs\"."
+                ),
+            );
             return Engine::Event;
         };
         let fields = ShapeFields::of(self, frame, "a frame", "frameMs");
         let frame_ms = fields.count(self, "frameMs").unwrap_or_default();
         if !FRAME_MS.contains(&frame_ms) {
-            self.fault(frame.at, "A frame must have 1 to 1000 milliseconds.");
+            self.fault(frame.at, phrase!("file.a_frame_must_have_1", "A frame must have 1 to 1000 milliseconds."));
         }
         Engine::Frame { frame_ms }
     }
@@ -170,11 +199,18 @@ impl ShapeReader<'_, '_> {
     fn tags(&mut self, fields: &ShapeFields) -> Vec<String> {
         let tags = fields.texts(self, "tags").unwrap_or_default();
         if tags.len() > TAGS_MAX {
-            let reason = format!("{} tags are too many: a file may have {TAGS_MAX}. Leave some out.", tags.len());
+            let reason = phrase!(
+                "file.tags_are_too_many_a",
+                "{} tags are too many: a file may have {TAGS_MAX}. Leave some out.",
+                tags.len()
+            );
             self.fault(fields.at("tags"), reason);
         }
         for many in tags.iter().map(|tag| tag.chars().count()).filter(|many| *many > TAG_MAX_CHARS) {
-            let reason = format!("A tag has {many} characters, and {TAG_MAX_CHARS} fit. Shorten it.");
+            let reason = phrase!(
+                "file.a_tag_has_characters_and",
+                "A tag has {many} characters, and {TAG_MAX_CHARS} fit. Shorten it."
+            );
             self.fault(fields.at("tags"), reason);
         }
         tags
@@ -186,15 +222,22 @@ impl ShapeReader<'_, '_> {
         self.check_identifier(node.at, &name);
         self.check_name(node.at, &name);
         if self.helpers.insert(name.clone(), self.lines.place(node.at)).is_some() {
-            self.fault(node.at, format!("There are two helpers “{}”. Leave one out.", short(&name)));
+            self.fault(
+                node.at,
+                phrase!("file.there_are_two_helpers_leave", "There are two helpers “{}”. Leave one out.", short(&name)),
+            );
         }
         let params = fields.names(self, "params").unwrap_or_default();
         let says = fields.maybe_text(self, "says").unwrap_or_default();
         let takes = fields.texts(self, "takes").unwrap_or_default();
         let takes: Vec<_> = takes.iter().map(|word| self.declared(fields.at("takes"), word)).collect();
         if takes.len() > params.len() {
-            let reason =
-                format!("It takes {} values and has {} parameters. Leave some out.", takes.len(), params.len());
+            let reason = phrase!(
+                "file.it_takes_values_and_has",
+                "It takes {} values and has {} parameters. Leave some out.",
+                takes.len(),
+                params.len()
+            );
             self.fault(fields.at("takes"), reason);
         }
         let gives = fields.maybe_text(self, "gives");
@@ -205,7 +248,15 @@ impl ShapeReader<'_, '_> {
     fn declared(&mut self, at: usize, word: &str) -> Declared {
         Declared::of_word(word).unwrap_or_else(|| {
             let known: Vec<_> = Declared::all().into_iter().map(Declared::word).collect();
-            self.fault(at, format!("A helper takes or gives no “{}”. Write one of {}.", short(word), known.join(", ")));
+            self.fault(
+                at,
+                phrase!(
+                    "file.a_helper_takes_or_gives",
+                    "A helper takes or gives no “{}”. Write one of {}.",
+                    short(word),
+                    known.join(", ")
+                ),
+            );
             Declared::Auto
         })
     }
@@ -234,7 +285,14 @@ impl ShapeReader<'_, '_> {
             "actuator" => StreamKind::Actuator,
             other => {
                 let at = fields.at("kind");
-                self.fault(at, format!("A stream is a sensor, ordinary or an actuator, not “{}”.", short(other)));
+                self.fault(
+                    at,
+                    phrase!(
+                        "file.a_stream_is_a_sensor",
+                        "A stream is a sensor, ordinary or an actuator, not “{}”.",
+                        short(other)
+                    ),
+                );
                 StreamKind::Ordinary
             }
         }
@@ -262,22 +320,35 @@ impl ShapeReader<'_, '_> {
         let word = short(&connector.operation);
         let Some(spec) = connectors::spec(&word) else {
             let known = connectors::in_words(connectors::words(|_| true));
-            return self.fault(fields.at("type"), format!("There is no connector “{word}”. Use {known}."));
+            return self.fault(
+                fields.at("type"),
+                phrase!("file.there_is_no_connector_use", "There is no connector “{word}”. Use {known}."),
+            );
         };
         for name in ["body", "args", "helper", "periodMs", "start"] {
             if fields.get(name).is_some() && spec.fields().all(|known| known != name) {
-                self.fault(fields.at(name), format!("“{word}” takes no {name}. Leave it out."));
+                self.fault(
+                    fields.at(name),
+                    phrase!("file.takes_no_leave_it_out", "“{word}” takes no {name}. Leave it out."),
+                );
             }
         }
         if connector.helper.is_some() && (connector.body.is_some() || connector.args.is_some()) {
-            self.fault(fields.at("helper"), "It has both a helper and a body. Leave one out.");
+            self.fault(
+                fields.at("helper"),
+                phrase!("file.it_has_both_a_helper", "It has both a helper and a body. Leave one out."),
+            );
         }
         if connector.args.is_some() && connector.body.is_none() {
-            self.fault(fields.at("args"), "It has args, but no body to use them. Add one, or leave args out.");
+            self.fault(
+                fields.at("args"),
+                phrase!("file.it_has_args_but_no", "It has args, but no body to use them. Add one, or leave args out."),
+            );
         }
         let has_period = connector.period_ms.is_some_and(|period| RATE_MS.contains(&period));
         if spec.takes.period.is_some() && !has_period {
-            let reason = format!("A {word} needs a period from 1 to 3,600,000 milliseconds.");
+            let reason =
+                phrase!("file.a_needs_a_period_from", "A {word} needs a period from 1 to 3,600,000 milliseconds.");
             self.fault(fields.at("periodMs"), reason);
         }
     }
@@ -298,7 +369,10 @@ impl ShapeReader<'_, '_> {
             let many = streams.len();
             self.fault(
                 node.at,
-                format!("{many} streams are too many: a group may have {STREAMS_MAX}. Leave some out."),
+                phrase!(
+                    "file.streams_are_too_many_a",
+                    "{many} streams are too many: a group may have {STREAMS_MAX}. Leave some out."
+                ),
             );
         }
         streams.iter().for_each(|stream| self.check_id(fields.at("streams"), stream));
@@ -324,12 +398,16 @@ impl ShapeReader<'_, '_> {
             self.check_name(node.at, name);
         }
         if !TILE_KEYS.contains(&tile.key) {
-            self.fault(fields.at("key"), "A tile has a key from 1 to 9. Choose one.");
+            self.fault(fields.at("key"), phrase!("file.a_tile_has_a_key", "A tile has a key from 1 to 9. Choose one."));
         }
         if tile.word.is_some() && tile.asks.is_some() {
-            self.fault(fields.at("asks"), "A word is marked at once and cannot ask first. Leave that out.");
+            self.fault(
+                fields.at("asks"),
+                phrase!("file.a_word_is_marked_at", "A word is marked at once and cannot ask first. Leave that out."),
+            );
         } else if tile.action().is_none() {
-            let reason = "A tile is an action, a sense or a word. Keep one of them.";
+            let reason =
+                phrase!("file.a_tile_is_an_action", "A tile is an action, a sense or a word. Keep one of them.");
             self.fault(node.at, reason);
         }
         tile
@@ -344,7 +422,10 @@ impl ShapeReader<'_, '_> {
         let mut number = |name: &str| {
             let found = fields.get(name).and_then(|node| node.value().as_number());
             found.unwrap_or_else(|| {
-                self.fault(fields.at(name), format!("“{name}” must be a number, such as 12 or 0.5."));
+                self.fault(
+                    fields.at(name),
+                    phrase!("file.must_be_a_number_such", "“{name}” must be a number, such as 12 or 0.5."),
+                );
                 0.0
             })
         };
@@ -362,20 +443,28 @@ impl ShapeReader<'_, '_> {
     fn remember(&mut self, at: usize, name: &str) {
         let before = self.places.insert(name.to_owned(), self.lines.place(at));
         if before.is_some() && Id::new(name).is_ok() {
-            self.fault(at, format!("“{name}” is used twice. Give one of the two another id."));
+            self.fault(
+                at,
+                phrase!("file.is_used_twice_give_one", "“{name}” is used twice. Give one of the two another id."),
+            );
         }
     }
 
     fn check_id(&mut self, at: usize, id: &str) {
         if Id::new(id).is_err() {
-            let reason = format!("“{}” is no id: use 1 to 64 letters, digits, - or _.", short(id));
+            let reason =
+                phrase!("file.is_no_id_use_1", "“{}” is no id: use 1 to 64 letters, digits, - or _.", short(id));
             self.fault(at, reason);
         }
     }
 
     fn check_identifier(&mut self, at: usize, name: &str) {
         if !is_identifier(name) {
-            let reason = format!("“{}” cannot be used in a body. Use letters, digits and _ only.", short(name));
+            let reason = phrase!(
+                "file.cannot_be_used_in_a",
+                "“{}” cannot be used in a body. Use letters, digits and _ only.",
+                short(name)
+            );
             self.fault(at, reason);
         }
     }
@@ -383,13 +472,26 @@ impl ShapeReader<'_, '_> {
     fn check_name(&mut self, at: usize, name: &str) {
         let many = name.chars().count();
         if many > NAME_MAX_CHARS {
-            self.fault(at, format!("A name has {many} characters, and {NAME_MAX_CHARS} fit. Shorten it."));
+            self.fault(
+                at,
+                phrase!(
+                    "file.a_name_has_characters_and",
+                    "A name has {many} characters, and {NAME_MAX_CHARS} fit. Shorten it."
+                ),
+            );
         }
     }
 
     fn check_length(&mut self, at: usize, text: &str) {
         if text.len() > TEXT_MAX_BYTES {
-            self.fault(at, format!("A text has {} bytes, and {TEXT_MAX_BYTES} fit. Shorten it.", text.len()));
+            self.fault(
+                at,
+                phrase!(
+                    "file.a_text_has_bytes_and",
+                    "A text has {} bytes, and {TEXT_MAX_BYTES} fit. Shorten it.",
+                    text.len()
+                ),
+            );
         }
     }
 
@@ -400,7 +502,14 @@ impl ShapeReader<'_, '_> {
         let connectors = file.connectors.iter().map(|connector| connector.id.as_str());
         let all: HashSet<&str> = streams.chain(connectors).collect();
         for (id, node) in entries.iter().filter(|(id, _)| !all.contains(id.as_str())) {
-            self.fault(node.at, format!("There is no stream or connector “{}”. Leave its order out.", short(id)));
+            self.fault(
+                node.at,
+                phrase!(
+                    "file.there_is_no_stream_or",
+                    "There is no stream or connector “{}”. Leave its order out.",
+                    short(id)
+                ),
+            );
         }
     }
 
@@ -409,7 +518,11 @@ impl ShapeReader<'_, '_> {
         let mut seen: HashMap<&str, &str> = HashMap::new();
         for (group, stream) in file.groups.iter().flat_map(|group| group.streams.iter().map(move |id| (group, id))) {
             if seen.insert(stream, &group.id).is_some_and(|other| other != group.id) {
-                let reason = format!("“{}” is in two groups. Leave it out of one.", short(stream));
+                let reason = phrase!(
+                    "file.is_in_two_groups_leave",
+                    "“{}” is in two groups. Leave it out of one.",
+                    short(stream)
+                );
                 self.fault(fields.at("groups"), reason);
             }
         }
@@ -420,13 +533,20 @@ impl ShapeReader<'_, '_> {
         let mut seen = HashSet::new();
         for tile in file.pad.iter().flatten() {
             if !seen.insert(tile.key) {
-                self.fault(fields.at("pad"), format!("Two tiles have the key {}. Give one another key.", tile.key));
+                self.fault(
+                    fields.at("pad"),
+                    phrase!(
+                        "file.two_tiles_have_the_key",
+                        "Two tiles have the key {}. Give one another key.",
+                        tile.key
+                    ),
+                );
             }
         }
     }
 
     fn missing<T: Default>(&mut self, at: usize, name: &str) -> T {
-        self.fault(at, format!("“{name}” is missing. Add it."));
+        self.fault(at, phrase!("file.is_missing_add_it", "“{name}” is missing. Add it."));
         T::default()
     }
 }

@@ -215,8 +215,8 @@ fn check_faults(small: &str, wrongs: &[(&str, &str, (u32, u32), &str)]) {
     for (right, wrong, place, reason) in wrongs {
         assert!(small.contains(right), "{right}");
         let looked = look(small.replacen(right, wrong, 1).as_bytes());
-        match looked.faults.iter().find(|fault| fault.reason.contains(reason)) {
-            Some(fault) if (fault.line, fault.column) == *place && fault.reason.ends_with('.') => {}
+        match looked.faults.iter().find(|fault| fault.reason.to_string().contains(reason)) {
+            Some(fault) if (fault.line, fault.column) == *place && fault.reason.to_string().ends_with('.') => {}
             _ => astray.push(format!("{wrong}: {place:?} {reason} is not in {:?}", looked.faults)),
         }
         assert!(looked.file.is_none(), "{wrong}");

@@ -1,7 +1,7 @@
 //! A file as a tree of named things, each with its place: what JSON and XML have in common.
 
 use behaviour::Value;
-use thiserror::Error;
+use phrase::Phrased;
 
 /// The greatest depth to which things may lie in each other.
 pub(super) const DEPTH_MAX: usize = 32;
@@ -13,7 +13,7 @@ pub(super) const NODES_MAX: usize = 250_000;
 pub(super) const TOO_MANY: &str = "The file has more things in it than a program may have. Split it into several.";
 
 /// The reasons why a text is no number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Phrased)]
 pub(super) enum NoNumber {
     /// It is none at all.
     #[error("This must be a number, such as 12 or 0.5.")]

@@ -254,7 +254,7 @@ fn again(outcome: &AppendOutcome, committed: &Committed, revision: u64) -> Resul
 fn params_of(id: &Id, committed: &Committed, json: String, delta: Delta) -> StatementParams {
     let change = &committed.change;
     let op = json!({
-        "id": change.op, "author": change.author, "label": change.label, "at_ms": change.at_ms, "change": json,
+        "id": change.op, "author": change.author, "label": change.label.to_string(), "at_ms": change.at_ms, "change": json,
     });
     let base = committed.revision.checked_sub(1).and_then(|base| i64::try_from(base).ok()).unwrap_or(-1);
     let mut does = nothing(id.as_str());

@@ -2,6 +2,7 @@
 
 use crate::{StoreError, Unkept};
 use neo4rs::{Error, Neo4jClientErrorKind, Neo4jError, Neo4jErrorKind};
+use phrase::{Phrase, phrase};
 use std::fmt::Display;
 use std::io::ErrorKind;
 use std::time::Duration;
@@ -14,7 +15,7 @@ const PASSING: [&str; 2] = ["Neo.ClientError.Statement.EntityNotFound", "Neo.Cli
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Neo4jFault {
     /// Undone by Neo4j; it may go well the next time. With the reason.
-    Passing(String),
+    Passing(Phrase),
     /// The connection broke; whether it was done is open.
     Broken,
     /// There is no server.
@@ -37,31 +38,33 @@ impl From<Error> for Neo4jFault {
         match error {
             Error::IOError { detail } if detail.kind() == ErrorKind::ConnectionRefused => Self::Away,
             Error::IOError { .. } | Error::IncompleteBoltExchange | Error::ConnectionTimedOut => Self::Broken,
-            Error::ConnectionError => Self::Passing("all connections are in use".to_owned()),
+            Error::ConnectionError => {
+                Self::Passing(phrase!("store.all_connections_are_in_use", "all connections are in use"))
+            }
             Error::Neo4j(error) => of_server(&error),
             Error::AuthenticationError(_) => unknown_user(),
             Error::DeserializationError(error) => Self::damaged(&error),
             Error::ConversionError | Error::StringTooLong | Error::MapTooBig | Error::ListTooLong => {
                 Self::Said(StoreError::Refused(Unkept::TooLarge))
             }
-            other => Self::Said(StoreError::Unavailable(format!("Neo4j: {other}"))),
+            other => Self::Said(StoreError::Unavailable(format!("Neo4j: {other}").into())),
         }
     }
 }
 
 fn unknown_user() -> Neo4jFault {
     let why = "Neo4j refuses this user and password; check the store's address and RRP_NEO4J_PASSWORD";
-    Neo4jFault::Said(StoreError::Unavailable(why.to_owned()))
+    Neo4jFault::Said(StoreError::Unavailable(why.into()))
 }
 
 fn of_server(error: &Neo4jError) -> Neo4jFault {
     let (code, message) = (error.code(), error.message());
     if PASSING.contains(&code) {
-        return Neo4jFault::Passing(message.to_owned());
+        return Neo4jFault::Passing(message.into());
     }
     match error.kind() {
         Neo4jErrorKind::Transient | Neo4jErrorKind::Client(Neo4jClientErrorKind::SessionExpired) => {
-            Neo4jFault::Passing(message.to_owned())
+            Neo4jFault::Passing(message.into())
         }
         Neo4jErrorKind::Client(Neo4jClientErrorKind::Security(_)) => unknown_user(),
         Neo4jErrorKind::Client(_) | Neo4jErrorKind::Database | Neo4jErrorKind::Unknown => {
@@ -79,7 +82,7 @@ fn refused(code: &str, message: &str) -> StoreError {
     } else if message.contains("too large to index") {
         Unkept::LongName
     } else {
-        return StoreError::Unavailable(format!("Neo4j says: {}", message.lines().next().unwrap_or(code)));
+        return StoreError::Unavailable(format!("Neo4j says: {}", message.lines().next().unwrap_or(code)).into());
     };
     StoreError::Refused(why)
 }
@@ -88,10 +91,12 @@ fn refused(code: &str, message: &str) -> StoreError {
 pub(super) fn told(fault: Neo4jFault, server: &str, at_most: Duration) -> StoreError {
     let why = match fault {
         Neo4jFault::Said(error) => return error,
-        Neo4jFault::Passing(reason) => format!("Neo4j at {server} is too busy: {reason}"),
-        Neo4jFault::Broken => format!("the connection to Neo4j at {server} broke"),
-        Neo4jFault::Away => format!("there is no Neo4j at {server}; start it"),
-        Neo4jFault::Silent => format!("Neo4j at {server} did not answer within {} s", at_most.as_secs()),
+        Neo4jFault::Passing(reason) => phrase!("store.neo4j_at_is_too_busy", "Neo4j at {server} is too busy: {reason}"),
+        Neo4jFault::Broken => phrase!("store.the_connection_to_neo4j_at", "the connection to Neo4j at {server} broke"),
+        Neo4jFault::Away => phrase!("store.there_is_no_neo4j_at", "there is no Neo4j at {server}; start it"),
+        Neo4jFault::Silent => {
+            phrase!("store.neo4j_at_did_not_answer", "Neo4j at {server} did not answer within {} s", at_most.as_secs())
+        }
     };
     StoreError::Unavailable(why)
 }

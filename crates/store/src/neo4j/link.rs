@@ -64,7 +64,7 @@ impl Neo4jConnections {
             None => config,
         };
         let graph = config.build().and_then(Graph::connect);
-        let graph = graph.map_err(|error| StoreError::Unavailable(format!("{}: {error}", address.server)))?;
+        let graph = graph.map_err(|error| StoreError::Unavailable(format!("{}: {error}", address.server).into()))?;
         let pauses = AtomicU64::new(u64::from(std::process::id()));
         Ok(Self { graph, server: address.server.clone(), answer_max, pauses, was_away: AtomicBool::new(false) })
     }

@@ -109,11 +109,14 @@ fn check(applied: &[Applied]) -> Result<(), StoreError> {
             return Err(StoreError::Newer { found: done.version, known });
         };
         if done.checksum != checksum(text) {
-            return Err(StoreError::Unavailable(format!(
-                "the Neo4j database was made with another text of the migration {}; start the rrp that made it, or \
+            return Err(StoreError::Unavailable(
+                format!(
+                    "the Neo4j database was made with another text of the migration {}; start the rrp that made it, or \
                  undo the edit of that file",
-                done.name
-            )));
+                    done.name
+                )
+                .into(),
+            ));
         }
     }
     Ok(())

@@ -35,7 +35,9 @@ pub(super) fn writer(file: &Path) -> Result<Connection, SqliteFault> {
     at.busy_timeout(OTHERS_MAX)?;
     let mode: String = at.query_row("PRAGMA journal_mode = WAL", [], |row| row.get(0))?;
     if mode != "wal" {
-        return Err(StoreError::Unavailable(format!("the disk of {} has no shared memory", file.display())).into());
+        return Err(
+            StoreError::Unavailable(format!("the disk of {} has no shared memory", file.display()).into()).into()
+        );
     }
     at.execute_batch(WRITER)?;
     check_whole(&at)?;

@@ -1,6 +1,7 @@
 //! The complaints of SQLite, in the words of the store.
 
 use crate::StoreError;
+use phrase::phrase;
 use rusqlite::ErrorCode;
 use std::fmt::Display;
 use std::path::Path;
@@ -54,10 +55,12 @@ fn told(error: &rusqlite::Error, file: &Path) -> StoreError {
     match error.sqlite_error_code() {
         Some(ErrorCode::DiskFull) => StoreError::Full,
         Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => damaged(file, &error.to_string()),
-        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => {
-            StoreError::Unavailable(format!("another program is writing to {}", file.display()))
-        }
-        Some(_) => StoreError::Unavailable(format!("{}: {error}", file.display())),
+        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => StoreError::Unavailable(phrase!(
+            "store.another_program_is_writing_to",
+            "another program is writing to {}",
+            file.display()
+        )),
+        Some(_) => StoreError::Unavailable(format!("{}: {error}", file.display()).into()),
         None => damaged(file, &error.to_string()),
     }
 }

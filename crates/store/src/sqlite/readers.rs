@@ -129,5 +129,5 @@ impl Readers {
 }
 
 fn failed(error: &dyn std::fmt::Display) -> StoreError {
-    StoreError::Unavailable(format!("reading stopped: {error}"))
+    StoreError::Unavailable(format!("reading stopped: {error}").into())
 }

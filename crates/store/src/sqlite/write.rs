@@ -123,8 +123,15 @@ fn put_change(at: &Connection, id: &Id, ready: &PreparedChange) -> Result<(), Sq
         "INSERT INTO op (behaviour, revision, op_id, author, label, at_ms, json) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
     )?;
     let (revision, change) = (kept(ready.committed.revision), &ready.committed.change);
-    let row =
-        params![id.as_str(), revision, change.op.as_str(), change.author, change.label, kept(change.at_ms), ready.json];
+    let row = params![
+        id.as_str(),
+        revision,
+        change.op.as_str(),
+        change.author,
+        change.label.to_string(),
+        kept(change.at_ms),
+        ready.json
+    ];
     put.execute(row)?;
     Ok(())
 }

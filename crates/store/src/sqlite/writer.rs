@@ -2,6 +2,7 @@
 
 use super::fault::SqliteFault;
 use crate::{FolderLock, StoreError};
+use phrase::phrase;
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -31,7 +32,8 @@ impl SqliteWriter {
             drop(lock);
         };
         let thread = std::thread::Builder::new().name("store-writer".to_owned()).spawn(work);
-        let thread = thread.map_err(|error| StoreError::Unavailable(format!("no thread to write with: {error}")))?;
+        let thread =
+            thread.map_err(|error| StoreError::Unavailable(format!("no thread to write with: {error}").into()))?;
         Ok(Self { queue: Some(queue), thread: Some(thread) })
     }
 
@@ -41,7 +43,7 @@ impl SqliteWriter {
         T: Send + 'static,
         F: FnOnce(&Connection) -> Result<T, SqliteFault> + Send + 'static,
     {
-        let stopped = || StoreError::Unavailable("the store has stopped".to_owned());
+        let stopped = || StoreError::Unavailable(phrase!("store.the_store_has_stopped", "the store has stopped"));
         let (reply, answer) = oneshot::channel();
         let queue = self.queue.as_ref().ok_or_else(stopped)?;
         let asked = async {
@@ -89,7 +91,7 @@ where
     }
 
     fn answer(self: Box<Self>, saved: &Result<(), StoreError>) {
-        let lost = || Err(StoreError::Unavailable("nothing was done".to_owned()));
+        let lost = || Err(StoreError::Unavailable("nothing was done".into()));
         let found = match (self.found, saved) {
             (Some(Ok(_)) | None, Err(error)) => Err(error.clone()),
             (found, _) => found.unwrap_or_else(lost),

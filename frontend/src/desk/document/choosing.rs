@@ -3,6 +3,7 @@
 use super::gestures::short;
 use super::{Document, LineUp, ProgramPart, Selected, grouping, several};
 use crate::desk::tab::new_id;
+use behaviour::labels;
 use behaviour::{Behaviour, Helper, Id, Kind, Place, Record, RecordId};
 use leptos::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -69,7 +70,7 @@ impl Document {
     pub(crate) fn put_in(&self, part: ProgramPart, put: Put, known: &[Helper], shown: impl FnOnce() + 'static) {
         let (part, new) = part.for_library(known);
         for helper in new {
-            let change = self.change(&format!("Helper {}", short(&helper.name)));
+            let change = self.change(labels::helper(short(&helper.name)));
             let id = RecordId::new(Kind::Helper, &new_id());
             let change = change.put(&Behaviour::default(), id, Record::Helper(helper));
             let tab = self.tab.clone();
@@ -80,7 +81,7 @@ impl Document {
             Put::At(place) => part.to(place),
             Put::Beside => part.to_free(&behaviour, &places),
         };
-        let (change, made) = part.into(&behaviour, self.change("Paste"), shift, new_id);
+        let (change, made) = part.into(&behaviour, self.change(labels::pasted()), shift, new_id);
         let document = self.clone();
         self.propose_and(change, move |answer| {
             if answer.is_ok() {
@@ -93,7 +94,7 @@ impl Document {
 
     /// Removes several, as one change.
     pub(crate) fn remove_several(&self, of: &BTreeSet<Selected>) {
-        let change = several::without(&self.behaviour(), self.change(&format!("Remove {}", of.len())), of);
+        let change = several::without(&self.behaviour(), self.change(labels::remove(of.len().to_string())), of);
         self.choose(BTreeSet::new());
         self.propose(change);
     }
@@ -101,7 +102,7 @@ impl Document {
     /// Lines up several streams.
     pub(crate) fn line_up(&self, of: &BTreeSet<Selected>, how: LineUp) {
         let (behaviour, places) = self.behaviour_and_all_places();
-        self.move_as("Align", &several::lined_up(&behaviour, &places, of, how));
+        self.move_as(&labels::aligned(), &several::lined_up(&behaviour, &places, of, how));
     }
 
     /// The open behaviour, and where everything stands on this page: streams, notes, and the boxes of folded groups.

@@ -2,10 +2,11 @@
 
 use super::{Document, UnsavedMark};
 use crate::desk::tab::new_id;
-use crate::words;
+use behaviour::labels;
 use behaviour::{Behaviour, Id, RecordId};
 use editor::Conflict;
 use leptos::prelude::*;
+use phrase::Phrase;
 use protocol::Refused;
 
 impl Document {
@@ -62,7 +63,7 @@ impl Document {
 
     /// Brings back what somebody removed under an open editor; `then` hears whether it is there again.
     pub(crate) fn bring_back(&self, record: RecordId, then: impl FnOnce(Result<(), Refused>) + 'static) {
-        let start = self.change(words::bring_back());
+        let start = self.change(labels::bring_back(""));
         self.on_answer(&start.op, Box::new(then));
         self.input(|editor| editor.bring_back(record, start));
     }
@@ -88,7 +89,7 @@ impl Document {
 
     /// Returns the words for the changes that wait to be sent, oldest first; and whether each is of the open program.
     /// Not reactive.
-    pub(crate) fn waiting(&self) -> Vec<(String, bool)> {
+    pub(crate) fn waiting(&self) -> Vec<(Phrase, bool)> {
         let state = self.state();
         let all = state.editor.queue().all();
         all.map(|waiting| (waiting.change.label.clone(), state.editor.is_wanted(&waiting.behaviour))).collect()

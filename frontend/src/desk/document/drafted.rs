@@ -1,6 +1,7 @@
 //! The record that is turned or typed and not saved yet, for whoever shows what would come of it.
 
 use super::{Document, Saving};
+use behaviour::labels;
 use behaviour::{Behaviour, Change, Edit, Record, RecordId, with_otherwise};
 use leptos::prelude::*;
 
@@ -27,7 +28,7 @@ impl Document {
         if untrack(|| !self.is_unsaved()) {
             return None;
         }
-        let (now, draft, start) = (self.behaviour(), self.drafted.get_untracked(), self.change("Edit"));
+        let (now, draft, start) = (self.behaviour(), self.drafted.get_untracked(), self.change(labels::edit("")));
         let change = self.with_confirmed(|saved| unsaved(saved, &now, draft, start));
         (!change.edits.is_empty()).then_some(change)
     }

@@ -5,10 +5,12 @@ use crate::desk::tab::new_id;
 use crate::layout::Tidy;
 use crate::naming;
 use crate::words;
+use behaviour::labels;
 use behaviour::{
     Behaviour, Change, Connector, FillFrom, Id, Kind, Operation, Params, Place, Record, RecordId, Settings, Stream,
 };
 use leptos::prelude::*;
+use phrase::Phrase;
 use protocol::Refused;
 use std::collections::BTreeMap;
 
@@ -35,7 +37,7 @@ impl Document {
         let (behaviour, places) = self.behaviour_and_places();
         let id = new_id();
         let name = words::device(device);
-        let change = self.change(&format!("Add {name}"));
+        let change = self.change(labels::add(name));
         let change = build::sensor(&behaviour, &places, change, (&id, device.name, name, params), at);
         let tab = self.tab.clone();
         self.propose_and(change, self.select_on_yes(id, move |answer| tab.say_refusal(answer)));
@@ -49,7 +51,7 @@ impl Document {
             Output::New { .. } => stream.clone(),
             Output::Existing(id) => id.clone(),
         };
-        let change = self.change(&format!("Add {}", plan.operation.word()));
+        let change = self.change(labels::add(Phrase::word(plan.operation.word())));
         let change = build::connected(&behaviour, &places, change, (&stream, &connector), plan);
         self.propose_and(change, self.select_on_yes(select, on_answer));
     }
@@ -63,7 +65,7 @@ impl Document {
     ) {
         let (behaviour, places) = self.behaviour_and_places();
         let [between, connector, stream, last] = [(); 4].map(|()| new_id());
-        let change = self.change(&format!("Add {}", then.operation.word()));
+        let change = self.change(labels::add(Phrase::word(then.operation.word())));
         let ids = [(&between, &connector), (&stream, &last)];
         let change = build::connected_twice(&behaviour, &places, change, ids, (first, then));
         self.propose_and(change, self.select_on_yes(stream, on_answer));
@@ -73,7 +75,7 @@ impl Document {
     pub(crate) fn wire(&self, from: &Id, end: &WireEnd) {
         let (behaviour, places) = self.behaviour_and_places();
         let name = behaviour.stream(from).map_or("", |stream| &stream.name);
-        let change = self.change(&format!("Connect {}", short(name)));
+        let change = self.change(labels::connect(short(name)));
         let change = rewire::wired(&behaviour, &places, change, (&new_id(), &new_id()), (from, end));
         let select = match end {
             WireEnd::Stream(id) => Selected::Stream(id.clone()),
@@ -94,7 +96,7 @@ impl Document {
     pub(crate) fn remove_and_heal(&self, id: &Id) {
         let behaviour = self.behaviour();
         let name = behaviour.stream(id).map_or("", |stream| &stream.name);
-        let change = rewire::healed(&behaviour, self.change(&format!("Remove {}", short(name))), id);
+        let change = rewire::healed(&behaviour, self.change(labels::remove(short(name))), id);
         self.propose(grouping::without_empty(&behaviour, change));
     }
 
@@ -128,7 +130,7 @@ impl Document {
         output_name: Option<&str>,
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
-        let change = self.change(&format!("Edit {}", operation.word()));
+        let change = self.change(labels::edit(Phrase::word(operation.word())));
         let behaviour = self.behaviour();
         let followed = followed_name(&behaviour, &seen, &operation, &inputs).filter(|_| output_name.is_none());
         let name = output_name.or(followed.as_deref());
@@ -149,8 +151,11 @@ impl Document {
         let both = behaviour.stream(id).and_then(|now| Some((now.clone(), conflict::beside(&seen, &stream, now)?)));
         let (seen, stream) = both.unwrap_or((seen, stream));
         let before = &seen.name;
-        let change =
-            self.change(&format!("{} {}", if *before == stream.name { "Edit" } else { "Rename" }, short(before)));
+        let change = self.change(if *before == stream.name {
+            labels::edit(short(before))
+        } else {
+            labels::rename(short(before))
+        });
         let change = build::stream_edited(&behaviour, change, id, stream);
         self.propose_and(build::as_seen(change, Kind::Stream, id, Record::Stream(seen)), on_answer);
     }
@@ -161,17 +166,19 @@ impl Document {
         let change = match what {
             Selected::Stream(id) => {
                 let name = behaviour.stream(id).map_or("", |stream| &stream.name);
-                let change = build::without_stream(&behaviour, self.change(&format!("Remove {}", short(name))), id);
+                let change = build::without_stream(&behaviour, self.change(labels::remove(short(name))), id);
                 grouping::without_empty(&behaviour, change)
             }
             Selected::Connector(id) => {
                 let word = behaviour.connector(id).map_or("connector", |connector| connector.operation.word());
-                build::without_connector(&behaviour, self.change(&format!("Remove {word}")), id)
+                build::without_connector(&behaviour, self.change(labels::remove(Phrase::word(word))), id)
             }
-            Selected::Note(_) => several::without(&behaviour, self.change("Remove note"), &[what.clone()].into()),
+            Selected::Note(_) => {
+                several::without(&behaviour, self.change(labels::remove(Phrase::word("note"))), &[what.clone()].into())
+            }
             Selected::Group(id) => {
                 let title = self.group(id).map(|signals| signals.record.with_untracked(|group| short(&group.title)));
-                let change = self.change(&format!("Remove {}", title.unwrap_or_default()));
+                let change = self.change(labels::remove(title.unwrap_or_default()));
                 several::without(&behaviour, change, &[what.clone()].into())
             }
         };
@@ -180,14 +187,14 @@ impl Document {
 
     /// Streams, notes and boxes somewhere else, as one change.
     pub(crate) fn move_to(&self, places: Vec<(Id, Place)>) {
-        self.move_as("Move", &places);
+        self.move_as(&labels::moved(), &places);
     }
 
     /// A stream somewhere else, in an open group from then on, as one change; only moved if that group is gone by now.
     pub(crate) fn move_into(&self, places: Vec<(Id, Place)>, group: &Id) {
         let Some(signals) = self.group(group) else { return self.move_to(places) };
         let (behaviour, title) = (self.behaviour(), signals.record.with_untracked(|group| group.title.clone()));
-        let moved = build::moved(&behaviour, self.change(&format!("Move into {}", short(&title))), &places);
+        let moved = build::moved(&behaviour, self.change(labels::move_into(short(&title))), &places);
         let chosen = places.iter().map(|(id, _)| Selected::Stream(id.clone())).chain([Selected::Group(group.clone())]);
         let Some((change, _)) = grouping::grouped(&behaviour, moved, &chosen.collect(), (group, &title)) else {
             return self.move_to(places);
@@ -196,7 +203,7 @@ impl Document {
         self.propose_moved(change, &places, move || whisper.set(words::moved_into(&title)));
     }
 
-    pub(super) fn move_as(&self, label: &str, places: &[(Id, Place)]) {
+    pub(super) fn move_as(&self, label: &Phrase, places: &[(Id, Place)]) {
         let behaviour = self.behaviour();
         for some in places.chunks(MOVES_MAX) {
             self.propose_moved(build::moved(&behaviour, self.change(label), some), some, || {});
@@ -225,12 +232,12 @@ impl Document {
     pub(crate) fn tidy(&self, tidy: Tidy) {
         let stage = self.state().stage;
         let places: Vec<_> = tidy(&self.behaviour(), stage).into_iter().collect();
-        self.move_as("Tidy", &places);
+        self.move_as(&labels::tidied(), &places);
     }
 
     /// Another name of the open program; `seen` is what its author saw when they began.
     pub(crate) fn rename_program(&self, seen: Settings, name: &str) {
-        let change = build::renamed(&self.behaviour(), self.change("Rename program"), name);
+        let change = build::renamed(&self.behaviour(), self.change(labels::program_renamed()), name);
         self.propose(build::as_seen_at(change, &RecordId::settings(), Record::Settings(seen)));
     }
 
@@ -249,7 +256,7 @@ impl Document {
     }
 
     /// A change of who sits here, still empty.
-    pub(in crate::desk) fn change(&self, label: &str) -> Change {
+    pub(in crate::desk) fn change(&self, label: impl Into<Phrase>) -> Change {
         Change::of(new_id(), &self.tab.my_name(), label)
     }
 

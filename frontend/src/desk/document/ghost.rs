@@ -2,7 +2,9 @@
 
 use super::{Document, Selected};
 use crate::desk::tab::new_id;
+use behaviour::labels;
 use behaviour::{Behaviour, Change, Connector, FillFrom, Id, Kind, Place, Record, RecordId, Stream};
+use phrase::Phrase;
 use protocol::{CanvasArea, Refused};
 use std::collections::BTreeMap;
 
@@ -61,7 +63,8 @@ impl Ghost {
 impl Document {
     /// Adds what was shown, as one change; it is chosen then.
     pub(crate) fn put_ghost(&self, ghost: Ghost, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
-        let (change, streams) = ghost.into(&self.behaviour(), self.change("Add a sentence"), new_id);
+        let (change, streams) =
+            ghost.into(&self.behaviour(), self.change(labels::add(Phrase::word("a sentence"))), new_id);
         let document = self.clone();
         self.propose_and(change, move |answer| {
             if answer.is_ok() {

@@ -5,6 +5,7 @@ use super::{Document, GroupSignals, Selected, build, grouping};
 use crate::desk::tab::{new_id, set_if_new};
 use crate::layout;
 use crate::words;
+use behaviour::labels;
 use behaviour::{Group, Id, Kind, Place, Record, RecordId, numbered};
 use leptos::prelude::*;
 use protocol::Role;
@@ -53,7 +54,7 @@ impl Document {
         let taken = |title: &String| behaviour.groups().any(|(_, group)| group.title == *title);
         let base = words::group();
         let title = numbered(base, " ").find(|title| !taken(title)).unwrap_or_else(|| base.to_owned());
-        let change = self.change(&format!("Group {title}"));
+        let change = self.change(labels::group(&title));
         let Some((change, id)) = grouping::grouped(&behaviour, change, of, (&new_id(), &title)) else {
             return self.tab.say(words::nothing_to_group(), false);
         };
@@ -80,7 +81,7 @@ impl Document {
             other => vec![other.id().clone()],
         });
         let streams = inside.map(Selected::Stream).filter(|one| self.stream(one.id()).is_some()).collect();
-        let change = grouping::ungrouped(&behaviour, self.change(&format!("Ungroup {}", short(&title))), of);
+        let change = grouping::ungrouped(&behaviour, self.change(labels::ungroup(short(&title))), of);
         let document = self.clone();
         self.propose_and(change, move |answer| {
             if answer.is_ok() {
@@ -105,7 +106,7 @@ impl Document {
         let now = behaviour.groups().find(|(now, _)| *now == id).map(|(_, group)| group);
         let seen = now.filter(|now| now.title == seen.title).cloned().unwrap_or(seen);
         let mine = Group { title: title.to_owned(), ..seen.clone() };
-        let change = self.change(&format!("Rename {}", short(&seen.title)));
+        let change = self.change(labels::rename(short(&seen.title)));
         let change = change.put(&behaviour, key, Record::Group(mine));
         self.propose(build::as_seen(change, Kind::Group, id, Record::Group(seen)));
     }
@@ -124,7 +125,7 @@ impl Document {
             return self.unfold_here(id);
         }
         let title = signals.record.with_untracked(|group| short(&group.title));
-        let change = self.change(&format!("{} {title}", if folded { "Fold" } else { "Unfold" }));
+        let change = self.change(if folded { labels::fold(title) } else { labels::unfold(title) });
         self.propose(grouping::edited(&self.behaviour(), change, id, |group| group.folded = folded));
     }
 

@@ -145,7 +145,9 @@ impl Document {
             }
             Announcement::WaitsElsewhere => self.tab.say(words::waits_elsewhere(), true),
             Announcement::WaitsUntilFree(name) => self.tab.say(&words::waits_until_free(&name), true),
-            Announcement::WasFirst(who, what) => self.tab.say(&words::was_first(&called(&who), &what), true),
+            Announcement::WasFirst(who, what) => {
+                self.tab.say(&words::was_first(&called(&who), &words::shown(&what)), true)
+            }
             Announcement::ChangedWhileTyping(who) => self.tab.say(&words::changed_while_typing(&called(&who)), true),
             Announcement::RemovedWhileTyping(who) => self.tab.say(&words::removed_while_typing(&called(&who)), true),
         }

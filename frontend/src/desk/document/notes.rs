@@ -4,8 +4,10 @@ use super::{Document, DocumentState, NoteSignals, Selected, build, several};
 use crate::browser;
 use crate::desk::tab::{new_id, set_if_new};
 use crate::layout;
+use behaviour::labels;
 use behaviour::{Id, Kind, Note, Place, Record, RecordId};
 use leptos::prelude::*;
+use phrase::Phrase;
 
 /// The distance to the left of the graph at which a note stands that nobody placed, and below the one before.
 const APART: (f64, f64) = (320.0, 140.0);
@@ -19,7 +21,11 @@ impl Document {
     /// A new note with its place; gives its id.
     pub(crate) fn add_note(&self, text: &str, at: Place) -> Id {
         let (id, behaviour) = (new_id(), self.behaviour());
-        let change = self.change("Add note").put(&behaviour, RecordId::new(Kind::Note, &id), self.written(text));
+        let change = self.change(labels::add(Phrase::word("note"))).put(
+            &behaviour,
+            RecordId::new(Kind::Note, &id),
+            self.written(text),
+        );
         let place = Record::Place(layout::snapped(at));
         self.propose(change.put(&behaviour, RecordId::new(Kind::Place, &id), place));
         id
@@ -27,15 +33,18 @@ impl Document {
 
     /// Another text of a note; `seen` is what its author saw when they began.
     pub(crate) fn edit_note(&self, id: &Id, seen: Note, text: &str) {
-        let change = self.change("Edit note");
+        let change = self.change(labels::edit(Phrase::word("note")));
         let change = change.put(&self.behaviour(), RecordId::new(Kind::Note, id), self.written(text));
         self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
     }
 
     /// Removes a note that nothing is left of, if it is still as its author saw it.
     pub(crate) fn remove_note(&self, id: &Id, seen: Note) {
-        let change =
-            several::without(&self.behaviour(), self.change("Remove note"), &[Selected::Note(id.clone())].into());
+        let change = several::without(
+            &self.behaviour(),
+            self.change(labels::remove(Phrase::word("note"))),
+            &[Selected::Note(id.clone())].into(),
+        );
         self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
     }
 

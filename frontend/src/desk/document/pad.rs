@@ -2,12 +2,16 @@
 
 use super::shown_pad as pad;
 use super::{Document, build};
+use behaviour::labels;
 use behaviour::{Change, Pad, Record, RecordId, Tile};
 use leptos::prelude::*;
+use phrase::Phrase;
 use protocol::Refused;
 
 /// The label of every change of tiles.
-const LABEL: &str = "Edit tiles";
+fn label() -> Phrase {
+    labels::edit(Phrase::word("tiles"))
+}
 
 impl Document {
     /// The tiles of the open program, its own or the usual ones. Reactive.
@@ -49,11 +53,11 @@ impl Document {
 
     /// Gives the program's own tiles up: the usual ones are shown again.
     pub(crate) fn give_up_pad(&self, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
-        let change = self.change(LABEL).take(&self.behaviour(), RecordId::pad());
+        let change = self.change(label()).take(&self.behaviour(), RecordId::pad());
         self.propose_and(change, on_answer);
     }
 
     fn pad_change(&self, pad: Pad) -> Change {
-        self.change(LABEL).put(&self.behaviour(), RecordId::pad(), Record::Pad(pad))
+        self.change(label()).put(&self.behaviour(), RecordId::pad(), Record::Pad(pad))
     }
 }

@@ -3,11 +3,12 @@
 use super::Document;
 use crate::link;
 use behaviour::Value;
+use phrase::Phrase;
 use protocol::{UnknownName, answer, request};
 
 /// The results of a procedure for given values: why it cannot run at all, one result per set of values, and a name in
 /// it that means nothing.
-pub(crate) type ProcedureResults = (Option<String>, Vec<Result<Value, String>>, Option<UnknownName>);
+pub(crate) type ProcedureResults = (Option<Phrase>, Vec<Result<Value, Phrase>>, Option<UnknownName>);
 
 impl Document {
     /// Asks if a procedure can run, and what it makes of at most 8 sets of values. Not answered while offline.

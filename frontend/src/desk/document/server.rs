@@ -34,7 +34,7 @@ impl Document {
     }
 
     /// The server says whether it can save.
-    pub(in crate::desk) fn hear_store(&self, away: Option<String>) {
+    pub(in crate::desk) fn hear_store(&self, away: Option<phrase::Phrase>) {
         self.input(|editor| editor.hear_store(away));
     }
 

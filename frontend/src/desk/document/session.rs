@@ -25,7 +25,7 @@ impl Document {
     /// Says that somebody else is editing a record; `what` is what people call it. Returns true if so. Not reactive.
     pub(crate) fn says_busy(&self, record: &RecordId, what: &str) -> bool {
         let editor = untrack(|| self.editor_of(record));
-        let busy = editor.map(|editor| Refusal::Locked { what: what.to_owned(), by: editor.name });
+        let busy = editor.map(|editor| Refusal::Locked { what: what.into(), by: editor.name });
         let is_busy = busy.is_some();
         busy.into_iter().for_each(|no| self.tab.say_no(&Refused::Change(no)));
         is_busy

@@ -64,7 +64,7 @@ pub(crate) fn proposed_words(behaviour: &Behaviour, does: &TileAction) -> String
 
 /// The words on a usual tile: what is said stands in quotes, what is pretended behind “as if”.
 fn usual_words(does: &TileAction, label: &str, button: bool) -> String {
-    let said = words::translated(label);
+    let said = words::word_of(label);
     match does {
         TileAction::Hand { device, .. } if speaks(device) => words::saying(label),
         TileAction::Pretend { .. } if !button => words::as_if_there_is(&said),

@@ -3,9 +3,11 @@
 use super::Document;
 use crate::desk::tab::set_if_new;
 use crate::link::{self, NoAnswer};
+use behaviour::labels;
 use behaviour::{Behaviour, Checkpoint, Id, RecordId, VersionComparison};
 use editor::queue::SendMode;
 use leptos::prelude::*;
+use phrase::Phrase;
 use protocol::{Role, answer, request};
 use std::sync::Arc;
 
@@ -150,17 +152,17 @@ impl Document {
 
     /// Makes the behaviour again what it was, as one new change.
     pub(crate) fn go_back(&self, revision: u64, called: String) {
-        let label = format!("Go back to {called}");
-        self.wish(&label, SendMode::GoBack { revision, called });
+        let label = labels::go_back(&called);
+        self.wish(label, SendMode::GoBack { revision, called });
     }
 
     /// Brings back what the change of a revision removed.
     pub(crate) fn bring_back_removed(&self, revision: u64) {
-        self.wish("Bring back", SendMode::BringBack { revision });
+        self.wish(labels::bring_back(""), SendMode::BringBack { revision });
     }
 
     /// Asks for a change that only the server can make.
-    fn wish(&self, label: &str, way: SendMode) {
+    fn wish(&self, label: Phrase, way: SendMode) {
         if self.open.with_untracked(Option::is_none) || self.tab.refuses(Role::Editor) {
             return;
         }

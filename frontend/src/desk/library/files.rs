@@ -25,7 +25,7 @@ pub(super) struct UploadAnswer {
 
 #[derive(Deserialize)]
 struct RefusedFile {
-    error: String,
+    why: phrase::Phrase,
 }
 
 /// The reasons why a file did not become a program.
@@ -38,7 +38,7 @@ pub(crate) enum NotBrought {
     /// The server's answer cannot be read.
     Unclear,
     /// The server refuses it; with what it says.
-    Refused(String),
+    Refused(phrase::Phrase),
 }
 
 /// Returns the address at which a behaviour is to be had as a file.
@@ -142,7 +142,7 @@ pub(super) async fn bring(file: &JsValue, by: &str) -> Result<UploadAnswer, NotB
     if good {
         return crate::json::read(&text).map_err(|_| NotBrought::Unclear);
     }
-    let refused = crate::json::read::<RefusedFile>(&text).map(|refused| NotBrought::Refused(refused.error));
+    let refused = crate::json::read::<RefusedFile>(&text).map(|refused| NotBrought::Refused(refused.why));
     Err(refused.unwrap_or(NotBrought::Unclear))
 }
 

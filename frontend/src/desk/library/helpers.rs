@@ -5,7 +5,9 @@ use crate::desk::document::{DocumentEvent, as_seen, helper_gone, helper_put, sho
 use crate::desk::tab::{new_id, set_if_new};
 use crate::link::{self, NoAnswer};
 use crate::words;
+use behaviour::labels;
 use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record, Refusal};
+use phrase::Phrase;
 use protocol::{LIBRARY, Refused, Role, Summary, answer, request};
 
 /// Of so many helpers it is remembered who changed them.
@@ -31,7 +33,7 @@ impl LibraryPanel {
         helper: Helper,
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
-        let change = self.document.change(&format!("Helper {}", short(&helper.name)));
+        let change = self.document.change(labels::helper(short(&helper.name)));
         let (id, seen) = seen.map_or_else(|| (new_id(), None), |(id, seen)| (id, Some(seen)));
         let mut change = self.with_records(|records| helper_put(records, change, &id, helper));
         if let Some(seen) = seen {
@@ -63,14 +65,14 @@ impl LibraryPanel {
             }
             Err(NoAnswer::Refused(no)) => on_answer(Err(no)),
             Err(NoAnswer::Unreachable) => {
-                on_answer(Err(Refused::Change(Refusal::NotSaved(words::unreachable().to_owned()))));
+                on_answer(Err(Refused::Change(Refusal::NotSaved(words::unreachable().into()))));
             }
         });
     }
 
     /// The library without a helper; refused while programs use it.
     pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
-        let change = self.document.change("Remove helper");
+        let change = self.document.change(labels::remove(Phrase::word("helper")));
         let change = self.with_records(|records| helper_gone(records, change, id));
         self.document.propose_to_library(change, on_answer);
     }

@@ -5,7 +5,9 @@ use super::files::file_address;
 use crate::desk::tab::new_id;
 use crate::link;
 use crate::link::NoAnswer;
+use behaviour::labels;
 use behaviour::{Behaviour, Change, Engine, Id, Record, RecordId, Settings};
+use phrase::Phrase;
 use protocol::{Role, request};
 use serde::Deserialize;
 
@@ -33,10 +35,10 @@ struct Head {
 
 impl Settle {
     /// Returns the label of the change in the history.
-    fn label(&self) -> &'static str {
+    fn label(&self) -> Phrase {
         match self {
-            Self::Name(_) => "Rename program",
-            Self::AddTag(_) | Self::DropTag(_) => "Edit tags",
+            Self::Name(_) => labels::program_renamed(),
+            Self::AddTag(_) | Self::DropTag(_) => labels::tags_edited(),
         }
     }
 
@@ -138,7 +140,7 @@ mod tests {
         assert_eq!(more.tags, ["a", "group b"]);
         assert_eq!(Settle::DropTag("a".to_owned()).done(&more).tags, ["group b"]);
         let change = Settle::DropTag("a".to_owned()).change(&now, "Aiko");
-        assert_eq!((change.label.as_str(), change.edits.len()), ("Edit tags", 1));
+        assert_eq!((change.label.to_string().as_str(), change.edits.len()), ("Edit tags", 1));
         assert!(
             Settle::Name("Play".to_owned()).change(&now, "Aiko").edits.iter().all(|edit| edit.before == edit.after)
         );

@@ -18,7 +18,7 @@ pub(crate) struct Failing {
     pub(crate) name: String,
     pub(crate) count: u64,
     /// The reason why it failed last, in a sentence.
-    pub(crate) why: String,
+    pub(crate) why: phrase::Phrase,
 }
 
 impl RobotsPanel {

@@ -21,7 +21,7 @@ pub(super) fn Helpers() -> impl IntoView {
                     <span class="kind plain"><Icon name="fx" /></span>
                     <span class="two">
                         <b>{words::helper_item(&helper)}</b>
-                        <span class="second">{words::translated(&helper.says)}</span>
+                        <span class="second">{words::what_helper_does(&helper)}</span>
                     </span>
                 </button>
             </li>

@@ -112,7 +112,7 @@ pub(super) fn Steps(steps: Vec<CheckStep>) -> impl IntoView {
         view! {
             <li data-failed=failed.to_string()>
                 {words::titled(words::check_stage(step.stage), how)}
-                {step.failed.map(|why| view! { <p>{words::translated(&why)}</p> })}
+                {step.failed.map(|why| view! { <p>{words::shown(&why)}</p> })}
             </li>
         }
     };

@@ -15,7 +15,7 @@ pub(super) fn WaitingList() -> impl IntoView {
         desk.desk().document.waiting()
     });
     let saving = desk.desk().document.saving.clone();
-    let line = |(label, here): (String, bool)| {
+    let line = |(label, here): (phrase::Phrase, bool)| {
         view! { <li><span class="waits-ring" aria-hidden="true"></span><span>{words::label_said(&label)}</span>{(!here).then(|| view! { <span class="faint">{words::in_another_program()}</span> })}</li> }
     };
     let shown = move || {

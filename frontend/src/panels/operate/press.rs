@@ -102,7 +102,7 @@ impl OperateShared {
             TileWork::Hand { device, .. } => {
                 let chosen = desk.robots.chosen.read();
                 let lacks = chosen.as_ref()?.lacking.iter().find(|lacking| lacking.device == *device)?;
-                Some(words::translated(&lacks.why))
+                Some(words::shown(&lacks.why))
             }
             TileWork::Pretend { stream, .. } if desk.document.stream(stream).is_none() => {
                 Some(words::its_sense_is_gone().to_owned())

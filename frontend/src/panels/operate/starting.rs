@@ -224,7 +224,7 @@ impl OperateShared {
             return Some(words::starts_when_online().to_owned());
         }
         match desk.robots.health() {
-            Health::Lost(why) => return Some(words::robot_lost(why.trim_end_matches('.'))),
+            Health::Lost(why) => return Some(words::robot_lost(&why)),
             Health::Connecting => return Some(words::health_connecting().to_owned()),
             Health::Stranger(_) => return Some(words::say_which_first().to_owned()),
             _ => {}
@@ -236,7 +236,7 @@ impl OperateShared {
             return Some(words::nothing_to_run().to_owned());
         }
         let problems = desk.document.problems.get();
-        problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(&problem.to_string()))
+        problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(problem))
     }
 }
 

@@ -5,6 +5,7 @@ use crate::desk::LinkState;
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
+use phrase::Phrase;
 use protocol::RunPhase;
 use robot::Health;
 
@@ -19,15 +20,15 @@ pub(super) enum Matter {
     /// The server was not heard for so many seconds.
     NoServer(u32),
     /// The server does not reach the robot; with the reason.
-    NoRobot(String),
+    NoRobot(Phrase),
     /// Another body answers at its address.
     Stranger,
     /// It lies where it fell.
     Fell,
     /// The robot interrupted the program; with the reason.
-    Interrupted(String),
+    Interrupted(Phrase),
     /// The program ended by itself; with the reason.
-    Ended(String),
+    Ended(Phrase),
     /// Somebody else pressed Stop; which run, and who.
     Stopped(u64, String),
     /// The charge of the battery, which is nearly empty.
@@ -69,7 +70,7 @@ impl OperateShared {
         let desk = self.desk.desk();
         let chosen = desk.robots.chosen.read();
         let words = chosen.as_ref().map(|robot| robot.by_body.clone()).unwrap_or_default();
-        if words.is_empty() { words::take_its_power().to_owned() } else { words::translated(&words) }
+        if words.is_empty() { words::take_its_power().to_owned() } else { words::shown(&words) }
     }
 }
 

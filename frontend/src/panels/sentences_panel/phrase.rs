@@ -12,7 +12,7 @@ use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::Problem;
 use leptos::prelude::*;
-use sentences::{Phrase, Piece, Sentence};
+use sentences::{Piece, Sentence, SentencePart};
 use wasm_bindgen::JsCast;
 
 /// An action that was fed within this time is said to happen now, in milliseconds.
@@ -40,7 +40,7 @@ pub(super) fn SentenceLine(told: RwSignal<Vec<Sentence>>, at: usize) -> impl Int
     let desk = hold();
     let sentence = Memo::new(move |_| told.read().get(at).cloned());
     let shape = Memo::new(move |_| {
-        let kinds = |phrase: &Phrase| phrase.pieces.iter().map(kind).collect::<Vec<_>>();
+        let kinds = |phrase: &SentencePart| phrase.pieces.iter().map(kind).collect::<Vec<_>>();
         sentence.read().as_ref().map(|sentence| sentence.phrases.iter().map(kinds).collect::<Vec<_>>())
     });
     let now = Memo::new(move |_| sentence.read().as_ref().is_some_and(|sentence| is_now(&desk.desk(), sentence)));
@@ -156,7 +156,7 @@ fn PhrasePart(sentence: Memo<Option<Sentence>>, which: usize, kinds: Vec<PhraseK
 
 /// A phrase of words alone; if it means something, it leads there.
 #[component]
-fn Words(phrase: Memo<Phrase>, means: Memo<bool>, stop: bool, problem: Memo<Option<Problem>>) -> impl IntoView {
+fn Words(phrase: Memo<SentencePart>, means: Memo<bool>, stop: bool, problem: Memo<Option<Problem>>) -> impl IntoView {
     let desk = hold();
     let text = move || words::without_code(&phrase.read().text());
     let code = move || Some(phrase.read().text()).filter(|text| text.contains('`'));
@@ -187,12 +187,12 @@ fn Words(phrase: Memo<Phrase>, means: Memo<bool>, stop: bool, problem: Memo<Opti
     }
 }
 
-fn lit_of(phrase: &Phrase) -> Lit {
+fn lit_of(phrase: &SentencePart) -> Lit {
     Lit { streams: phrase.streams.clone(), connectors: phrase.connectors.clone() }
 }
 
 /// The names of what a phrase means. Reactive.
-fn names(desk: DeskHold, phrase: &Phrase) -> String {
+fn names(desk: DeskHold, phrase: &SentencePart) -> String {
     let desk = desk.desk();
     let connectors = phrase.connectors.iter().cloned().map(Selected::Connector);
     let all = phrase.streams.iter().cloned().map(Selected::Stream).chain(connectors);
@@ -200,7 +200,7 @@ fn names(desk: DeskHold, phrase: &Phrase) -> String {
 }
 
 /// Whether the selected connector, or the selected stream of a phrase without connectors, is of this phrase. Reactive.
-fn is_selected(desk: DeskHold, phrase: &Phrase) -> bool {
+fn is_selected(desk: DeskHold, phrase: &SentencePart) -> bool {
     desk.desk().document.selected.with(|selected| match selected {
         Some(Selected::Connector(id)) => phrase.connectors.contains(id),
         Some(Selected::Stream(id)) => phrase.connectors.is_empty() && phrase.streams.contains(id),
@@ -209,7 +209,7 @@ fn is_selected(desk: DeskHold, phrase: &Phrase) -> bool {
 }
 
 /// Pans just so far that what a phrase is mostly about is seen.
-fn glide(stage: &Stage, phrase: &Phrase) {
+fn glide(stage: &Stage, phrase: &SentencePart) {
     match (phrase.connectors.first(), phrase.streams.first()) {
         (Some(connector), _) => stage.reveal_chip(connector),
         (None, Some(stream)) => stage.reveal(stream),
@@ -218,7 +218,7 @@ fn glide(stage: &Stage, phrase: &Phrase) {
 }
 
 /// Selects what a phrase is mostly about: its first connector, else its first stream.
-fn select(desk: &Desk, phrase: &Phrase) {
+fn select(desk: &Desk, phrase: &SentencePart) {
     let connector = phrase.connectors.first().cloned().map(Selected::Connector);
     let chosen = connector.or_else(|| phrase.streams.first().cloned().map(Selected::Stream));
     if let Some(chosen) = chosen {

@@ -9,7 +9,7 @@ use crate::panels::hold::hold;
 use crate::words;
 use behaviour::{Kind, Problem};
 use leptos::prelude::*;
-use sentences::Phrase;
+use sentences::SentencePart;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement};
 
@@ -22,7 +22,7 @@ const BACK_MS: i32 = 120;
 /// The phrase that has the keyboard, with where its problem is said. What is wrong with it may change meanwhile.
 #[derive(Clone, Copy)]
 pub(super) struct Warned {
-    shown: RwSignal<Option<(Phrase, (f64, f64))>>,
+    shown: RwSignal<Option<(SentencePart, (f64, f64))>>,
     phrase: StoredValue<Option<HtmlElement>, LocalStorage>,
 }
 
@@ -32,7 +32,7 @@ impl Warned {
     }
 
     /// A phrase got the keyboard.
-    pub(super) fn show(self, phrase: Phrase, element: &HtmlElement) {
+    pub(super) fn show(self, phrase: SentencePart, element: &HtmlElement) {
         self.phrase.set_value(Some(element.clone()));
         self.shown.set(beside(element).map(|at| (phrase, at)));
     }
@@ -63,11 +63,11 @@ fn beside(phrase: &HtmlElement) -> Option<(f64, f64)> {
 }
 
 /// What is wrong with what a phrase means. Reactive.
-pub(super) fn problem_of(desk: &Desk, phrase: &Phrase) -> Option<Problem> {
+pub(super) fn problem_of(desk: &Desk, phrase: &SentencePart) -> Option<Problem> {
     desk.document.problems.with(|all| all.iter().find(|problem| is_of(problem, phrase)).cloned())
 }
 
-fn is_of(problem: &Problem, phrase: &Phrase) -> bool {
+fn is_of(problem: &Problem, phrase: &SentencePart) -> bool {
     match problem.at.kind {
         Kind::Connector => phrase.connectors.contains(&problem.at.id),
         Kind::Stream => phrase.streams.contains(&problem.at.id),
@@ -135,7 +135,7 @@ pub(super) fn Trouble(warned: Warned) -> impl IntoView {
 mod tests {
     use super::is_of;
     use behaviour::{Id, Problem, ProblemKind};
-    use sentences::Phrase;
+    use sentences::SentencePart;
 
     #[test]
     fn a_problem_is_of_the_phrase_that_means_what_has_it() {
@@ -143,7 +143,8 @@ mod tests {
         let named = || "Near".to_owned();
         let problem =
             |at: &str| Problem { at: at.parse().unwrap(), name: named(), kind: ProblemKind::EmptyBody, blocks: true };
-        let phrase = Phrase { streams: vec![id("near")], connectors: vec![id("test")], ..Phrase::default() };
+        let phrase =
+            SentencePart { streams: vec![id("near")], connectors: vec![id("test")], ..SentencePart::default() };
         assert!(is_of(&problem("connector/test"), &phrase) && is_of(&problem("stream/near"), &phrase));
         assert!(!is_of(&problem("connector/near"), &phrase) && !is_of(&problem("stream/other"), &phrase));
     }

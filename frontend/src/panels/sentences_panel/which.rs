@@ -33,11 +33,11 @@ mod tests {
     use super::which;
     use crate::desk::Selected;
     use behaviour::Id;
-    use sentences::{Phrase, Sentence};
+    use sentences::{Sentence, SentencePart};
 
     fn sentence(stream: &str) -> Sentence {
         let id = Id::new(stream).unwrap();
-        Sentence { action: id.clone(), phrases: vec![Phrase { streams: vec![id], ..Phrase::default() }] }
+        Sentence { action: id.clone(), phrases: vec![SentencePart { streams: vec![id], ..SentencePart::default() }] }
     }
 
     #[test]

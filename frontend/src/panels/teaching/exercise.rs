@@ -29,13 +29,13 @@ struct Verdict {
 fn Goal(exercise: Exercise) -> impl IntoView {
     let desk = hold();
     let folded = RwSignal::new(false);
-    let name = words::exercise_called(&exercise.start.name);
+    let name = words::exercise_called(&words::template_name(&exercise.start));
     let put_away = move |_| {
         let desk = desk.desk();
         desk.put_away.set(desk.document.open.get_untracked());
         desk.say(words::exercise_put_away(), false);
     };
-    let goal = words::translated(&exercise.goal);
+    let goal = words::shown(&exercise.goal);
     let fold = move || if folded.get() { words::show_goal() } else { words::fold_goal() };
     view! {
         <section class="panel exercise" aria-label=name>
@@ -148,13 +148,13 @@ fn Asked(
         view! {
             <label class="radio">
                 <input type="radio" name=format!("asked-{at}") prop:checked=chosen on:change=choose />
-                <span>{words::translated(&text)}</span>
+                <span>{words::shown(&text)}</span>
             </label>
         }
     };
     view! {
         <fieldset class="asked">
-            <legend>{words::translated(&question.ask)}</legend>
+            <legend>{words::shown(&question.ask)}</legend>
             {(0..).zip(question.answers).map(answer).collect_view()}
         </fieldset>
     }
@@ -163,16 +163,14 @@ fn Asked(
 fn judged(tried: RehearsalResult) -> Verdict {
     let missed = |says: String| Verdict { says, good: false };
     match tried {
-        RehearsalResult::Reached(says) => Verdict { says: words::goal_reached(&words::translated(&says)), good: true },
-        RehearsalResult::Missed { says, fault: None } => missed(words::translated(&says)),
+        RehearsalResult::Reached(says) => Verdict { says: words::goal_reached(&words::shown(&says)), good: true },
+        RehearsalResult::Missed { says, fault: None } => missed(words::shown(&says)),
         RehearsalResult::Missed { says, fault: Some(why) } => {
-            missed(words::goal_missed_by(&words::translated(&says), &words::translated(&why)))
+            missed(words::goal_missed_by(&words::shown(&says), &words::shown(&why)))
         }
         RehearsalResult::Empty => missed(words::goal_of_empty().to_owned()),
         RehearsalResult::TooLarge => missed(words::goal_too_large().to_owned()),
-        RehearsalResult::CannotRun(why) => {
-            missed(words::goal_cannot_run(words::translated(&why).trim_end_matches('.')))
-        }
+        RehearsalResult::CannotRun(why) => missed(words::goal_cannot_run(&words::shown_within(&why))),
         RehearsalResult::TooLong => missed(words::goal_too_long().to_owned()),
     }
 }

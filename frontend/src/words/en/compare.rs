@@ -42,25 +42,25 @@ pub(crate) fn counted_changes(same: u64, only_now: u64, only_before: u64, moved:
 }
 
 pub(crate) fn count_same(many: u64) -> String {
-    say!("{many} same", many)
+    say!(count_same: "{many} same", many)
 }
 
 pub(crate) fn count_only_now(many: u64) -> String {
-    say!("{many} only now", many)
+    say!(count_only_now: "{many} only now", many)
 }
 
 pub(crate) fn count_only_before(many: u64) -> String {
-    say!("{many} only before", many)
+    say!(count_only_before: "{many} only before", many)
 }
 
 /// The hole has a name of its own: what moved on the graph is another text in other languages.
 pub(crate) fn count_moved(count: u64) -> String {
-    say!("{count} moved", count)
+    say!(count_moved: "{count} moved", count)
 }
 
 /// Says how often something came, and how often it would.
 pub(crate) fn before_and_now(name: &str, before: u64, now: u64) -> String {
-    say!("{name} {before} → {now}", name, before, now)
+    say!(before_and_now: "{name} {before} → {now}", name, before, now)
 }
 
 /// By how much something moved: `0.4 s`.
@@ -69,15 +69,15 @@ pub(crate) fn moved_by(ms: u64) -> String {
 }
 
 pub(crate) fn moved_later(by: &str) -> String {
-    say!("moved: {by} later", by)
+    say!(moved_later: "moved: {by} later", by)
 }
 
 pub(crate) fn moved_earlier(by: &str) -> String {
-    say!("moved: {by} earlier", by)
+    say!(moved_earlier: "moved: {by} earlier", by)
 }
 
 pub(crate) fn revision_number(revision: u64) -> String {
-    say!("Version {revision}", revision)
+    say!(revision_number: "Version {revision}", revision)
 }
 
 #[cfg(test)]

@@ -57,63 +57,63 @@ sentences! {
 
 /// What a quick change is answered that came too late.
 pub(crate) fn was_first(name: &str, what: &str) -> String {
-    say!("{name} changed {what} just before. Look at it and do yours again if you still want it.", name, what)
+    say!(was_first: "{name} changed {what} just before. Look at it and do yours again if you still want it.", name, what)
 }
 
 /// `what`: "filter".
 pub(crate) fn changed_too(name: &str, what: &str) -> String {
-    say!("{name} changed this {what} too", name, what)
+    say!(changed_too: "{name} changed this {what} too", name, what)
 }
 
 pub(crate) fn removed_it(name: &str, what: &str) -> String {
-    say!("{name} removed this {what}", name, what)
+    say!(removed_it: "{name} removed this {what}", name, what)
 }
 
 /// Where it is about a stream that a new connector was to come out of.
 pub(crate) fn removed_its_stream(name: &str) -> String {
-    say!("{name} removed a stream of it", name)
+    say!(removed_its_stream: "{name} removed a stream of it", name)
 }
 
 /// Around the name of what it is about: "While you were offline, Yuki saved another test for … . Yours waits here."
 pub(crate) fn while_you(offline: bool, name: &str, did: fn(&str, &str) -> String) -> (String, String) {
     let did = did(name, HOLE);
     let told = if offline {
-        say!("While you were offline, {did}. Yours waits here.", did)
+        say!(while_you_while_you_were_offline: "While you were offline, {did}. Yours waits here.", did)
     } else {
-        say!("While you were editing, {did}. Yours waits here.", did)
+        say!(while_you_while_you_were_editing: "While you were editing, {did}. Yours waits here.", did)
     };
     let HistoryWords { before, after, .. } = HistoryWords::around(told, String::new());
     (before, after)
 }
 
 pub(crate) fn saved_test(name: &str, of: &str) -> String {
-    say!("{name} saved another test for {of}", name, of)
+    say!(saved_test: "{name} saved another test for {of}", name, of)
 }
 
 pub(crate) fn saved_procedure(name: &str, of: &str) -> String {
-    say!("{name} saved another procedure for {of}", name, of)
+    say!(saved_procedure: "{name} saved another procedure for {of}", name, of)
 }
 
 pub(crate) fn saved_settings(name: &str, of: &str) -> String {
-    say!("{name} saved other settings for {of}", name, of)
+    say!(saved_settings: "{name} saved other settings for {of}", name, of)
 }
 
 pub(crate) fn saved_text(name: &str, of: &str) -> String {
-    say!("{name} saved another text for the note “{of}”", name, of)
+    say!(saved_text: "{name} saved another text for the note “{of}”", name, of)
 }
 
 pub(crate) fn saved_name(name: &str, of: &str) -> String {
-    say!("{name} saved another name for {of}", name, of)
+    say!(saved_name: "{name} saved another name for {of}", name, of)
 }
 
 /// Beside a draft that is older than what is saved.
 pub(crate) fn saved_since_draft(name: &str) -> String {
-    say!("{name} saved something else since you wrote this. If you save it, it takes the place of theirs.", name)
+    say!(saved_since_draft: "{name} saved something else since you wrote this. If you save it, it takes the place of theirs.", name)
 }
 
 pub(crate) fn saved_since_draft_at(name: &str, when: &str) -> String {
     say!(
-        "{name} saved something else at {when}, after you wrote this. If you save it, it takes the place of theirs.",
+        saved_since_draft_at: "{name} saved something else at {when}, after you wrote this. If you save it, it takes the place of theirs.",
         name,
         when
     )
@@ -121,63 +121,67 @@ pub(crate) fn saved_since_draft_at(name: &str, when: &str) -> String {
 
 /// In the dialog of a helper that somebody else saved meanwhile, above how it is by now.
 pub(crate) fn helper_changed_too(name: &str) -> String {
-    say!("{name} changed this helper too. What you wrote is still here; this is saved now:", name)
+    say!(helper_changed_too: "{name} changed this helper too. What you wrote is still here; this is saved now:", name)
 }
 
 /// Said at once to who types into what somebody else has just changed.
 pub(crate) fn changed_while_typing(name: &str) -> String {
-    say!("{name} changed this while you were typing. What you typed stays: save it to see both.", name)
+    say!(changed_while_typing: "{name} changed this while you were typing. What you typed stays: save it to see both.", name)
 }
 
 /// The sentence for a change that waits while somebody else is editing the same.
 pub(crate) fn waits_until_free(name: &str) -> String {
-    say!("{name} is editing this. What you changed is kept, and is saved when it is free.", name)
+    say!(waits_until_free: "{name} is editing this. What you changed is kept, and is saved when it is free.", name)
 }
 
 /// Said at once to who types into what somebody else has just removed.
 pub(crate) fn removed_while_typing(name: &str) -> String {
-    say!("{name} removed this while you were typing. What you typed is kept.", name)
+    say!(removed_while_typing: "{name} removed this while you were typing. What you typed is kept.", name)
 }
 
 pub(crate) fn did_remove(name: &str, of: &str) -> String {
-    say!("{name} removed what belongs to {of}", name, of)
+    say!(did_remove: "{name} removed what belongs to {of}", name, of)
 }
 
 /// How many more of one's own come after the one that is shown.
 pub(crate) fn more_after(many: usize) -> String {
     match many {
-        1 => say!("1 more change of yours comes after this one."),
-        many => say!("{many} more changes of yours come after this one.", many),
+        1 => say!(more_after_n1_more_change_of: "1 more change of yours comes after this one."),
+        many => say!(more_after_more_changes_of_yours: "{many} more changes of yours come after this one.", many),
     }
 }
 
 /// "Yuki’s"; who is not known has no name here.
 pub(crate) fn possessive(name: &str) -> String {
-    say!("{name}’s", name)
+    say!(possessive: "{name}’s", name)
 }
 
 pub(crate) fn take_of(name: &str) -> String {
-    say!("Take {name}’s", name)
+    say!(take_of: "Take {name}’s", name)
 }
 
 /// "Test (was distance < 40)".
 pub(crate) fn was(label: &str, before: &str) -> String {
-    say!("{label} (was {before})", label, before)
+    say!(was: "{label} (was {before})", label, before)
 }
 
 /// How many of the tried values pass.
 pub(crate) fn how_many_pass(pass: usize, all: usize) -> String {
-    if pass == 1 { say!("{pass} of {all} passes", pass, all) } else { say!("{pass} of {all} pass", pass, all) }
+    if pass == 1 {
+        say!(how_many_pass_of_passes: "{pass} of {all} passes", pass, all)
+    } else {
+        say!(how_many_pass_of_pass: "{pass} of {all} pass", pass, all)
+    }
 }
 
 /// "The last five values".
 pub(crate) fn the_last(many: usize) -> String {
     match many {
-        1 => say!("The last value"),
-        2 => say!("The last two values"),
-        3 => say!("The last three values"),
-        4 => say!("The last four values"),
-        5 => say!("The last five values"),
+        1 => say!(the_last_the_last_value: "The last value"),
+        2 => say!(the_last_the_last_two_values: "The last two values"),
+        3 => say!(the_last_the_last_three_values: "The last three values"),
+        4 => say!(the_last_the_last_four_values: "The last four values"),
+        5 => say!(the_last_the_last_five_values: "The last five values"),
         _ => last_values().to_owned(),
     }
 }

@@ -29,14 +29,16 @@ sentences! {
 
 /// What is carried would follow that stream.
 pub(crate) fn carried_after(name: &str) -> String {
-    say!("after {name}", name)
+    say!(carried_after: "after {name}", name)
 }
 
 /// A helper that one stream is not enough for.
 pub(crate) fn carried_takes_more(count: usize) -> String {
     match count {
-        0 => say!("It takes no value, so it cannot follow a stream."),
-        _ => say!("It takes {count} values. Choose it where streams are combined.", count),
+        0 => say!(carried_takes_more_it_takes_no_value: "It takes no value, so it cannot follow a stream."),
+        _ => {
+            say!(carried_takes_more_it_takes_values_choose: "It takes {count} values. Choose it where streams are combined.", count)
+        }
     }
 }
 
@@ -49,7 +51,7 @@ pub(crate) fn no_png(why: NoPicture) -> &'static str {
 }
 
 pub(crate) fn rename_named(name: &str) -> String {
-    say!("Rename “{name}”", name)
+    say!(rename_named: "Rename “{name}”", name)
 }
 
 /// A tag among those to choose from: `group b (3)`.
@@ -58,9 +60,9 @@ pub(crate) fn tag_and_count(tag: &str, count: u64) -> String {
 }
 
 pub(crate) fn drop_tag(tag: &str) -> String {
-    say!("Take the tag “{tag}” away", tag)
+    say!(drop_tag: "Take the tag “{tag}” away", tag)
 }
 
 pub(crate) fn none_tagged(tag: &str) -> String {
-    say!("No program has the tag “{tag}”.", tag)
+    say!(none_tagged: "No program has the tag “{tag}”.", tag)
 }

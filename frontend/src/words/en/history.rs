@@ -1,9 +1,9 @@
 //! The history of a program, its versions, and bringing things back.
 
 use super::{listed, person_called, saying};
-use crate::desk::bare;
-use crate::words::language::{is_second, said};
-use behaviour::connectors;
+use crate::words::language::shown;
+use behaviour::labels::{bare, taken_back};
+use phrase::Phrase;
 
 sentences! {
     history: "History";
@@ -40,26 +40,29 @@ sentences! {
 }
 
 /// The tooltip of undo or redo: `Undo: Add map`.
-pub(crate) fn step_title(word: &str, label: Option<&str>) -> String {
-    label.map_or_else(|| word.to_owned(), |label| say!("{word}: {label}", word, label = label_said(bare(label))))
+pub(crate) fn step_title(word: &str, label: Option<&Phrase>) -> String {
+    label.map_or_else(
+        || word.to_owned(),
+        |label| say!(step_title: "{word}: {label}", word, label = label_said(&bare(label))),
+    )
 }
 
 /// The people of a sitting: `Yuki, Ben and you`.
 pub(crate) fn people_and_you(others: &[String], you: bool) -> String {
     let mut all: Vec<String> = others.iter().map(|name| person_called(name)).collect();
-    all.extend(you.then(|| said("you").to_owned()));
+    all.extend(you.then(|| said!(people_and_you_you: "you").to_owned()));
     match all.split_last() {
         None => String::new(),
         Some((last, [])) => last.clone(),
-        Some((last, before)) => say!("{before} and {last}", before = listed(before), last),
+        Some((last, before)) => say!(people_and_you_and: "{before} and {last}", before = listed(before), last),
     }
 }
 
 /// When a sitting was: `Today, 14:05 to now`.
 pub(crate) fn from_to(day: &str, from: &str, to: Option<&str>) -> String {
     match to {
-        Some(to) if to != from => say!("{day}, {from} to {to}", day, from, to),
-        Some(_) | None => say!("{day}, {from}", day, from),
+        Some(to) if to != from => say!(from_to_to: "{day}, {from} to {to}", day, from, to),
+        Some(_) | None => say!(from_to_holes: "{day}, {from}", day, from),
     }
 }
 
@@ -90,51 +93,48 @@ impl HistoryWords {
     }
 }
 
-/// Whether the label of a change says that it takes something back (false), or does it again (true).
-pub(crate) fn taken_back(label: &str) -> Option<bool> {
-    let again = label.starts_with("Redo: ");
-    (again || label.starts_with("Undo: ")).then_some(again)
-}
-
 /// Taking back what is told like this, or doing it again.
 pub(crate) fn taken_back_deed(again: bool, told: &str) -> HistoryWords {
     let told = saying(told);
     if again {
-        HistoryWords::around(say!("did {of} again", of = HOLE), told)
+        HistoryWords::around(say!(taken_back_deed_did_again: "did {of} again", of = HOLE), told)
     } else {
-        HistoryWords::around(say!("took back {of}", of = HOLE), told)
+        HistoryWords::around(say!(taken_back_deed_took_back: "took back {of}", of = HOLE), told)
     }
 }
 
 /// `changed Close ball`
 pub(crate) fn changed(of: &str) -> HistoryWords {
-    HistoryWords::around(say!("changed {of}", of = HOLE), of.to_owned())
+    HistoryWords::around(say!(changed: "changed {of}", of = HOLE), of.to_owned())
 }
 
 /// `changed Close ball: 40 → 60 cm`
 pub(crate) fn changed_from_to(of: &str, before: &str, after: &str) -> HistoryWords {
     let (before, after) = (cut(before), cut(after));
-    HistoryWords::around(say!("changed {of}: {before} → {after}", of = HOLE, before, after), of.to_owned())
+    HistoryWords::around(
+        say!(changed_from_to: "changed {of}: {before} → {after}", of = HOLE, before, after),
+        of.to_owned(),
+    )
 }
 
 /// `renamed Near ball to Close ball`
 pub(crate) fn renamed(before: &str, after: &str) -> HistoryWords {
-    HistoryWords::around(say!("renamed {of} to {new}", of = HOLE, new = after), before.to_owned())
+    HistoryWords::around(say!(renamed: "renamed {of} to {new}", of = HOLE, new = after), before.to_owned())
 }
 
 /// `added Tracker for Close ball`
 pub(crate) fn added_for(of: &str, from: &str) -> HistoryWords {
-    HistoryWords::around(say!("added {of} for {from}", of = HOLE, from), of.to_owned())
+    HistoryWords::around(say!(added_for: "added {of} for {from}", of = HOLE, from), of.to_owned())
 }
 
 /// `added Distance from Red ball`
 pub(crate) fn added_from(of: &str, from: &str) -> HistoryWords {
-    HistoryWords::around(say!("added {of} from {from}", of = HOLE, from), of.to_owned())
+    HistoryWords::around(say!(added_from: "added {of} from {from}", of = HOLE, from), of.to_owned())
 }
 
 /// `led Close ball to Tracker`
 pub(crate) fn led(from: &str, to: &str) -> HistoryWords {
-    HistoryWords::around(say!("led {of} to {to}", of = HOLE, to), from.to_owned())
+    HistoryWords::around(say!(led: "led {of} to {to}", of = HOLE, to), from.to_owned())
 }
 
 /// A long text with its end left out.
@@ -145,117 +145,98 @@ fn cut(text: &str) -> String {
     if letters.next().is_some() { format!("{begin}…") } else { begin }
 }
 
-/// What somebody did, of the label of a change.
-pub(crate) fn deed(label: &str) -> HistoryWords {
+/// What somebody did, of the label of a change. What an older version wrote stays as it was written.
+pub(crate) fn deed(label: &Phrase) -> HistoryWords {
     if let Some(again) = taken_back(label) {
-        return taken_back_deed(again, &label_said(label.split_once(": ").map_or(label, |(_, of)| of)));
+        return taken_back_deed(again, &label_said(&bare(label)));
     }
-    match label {
-        "Move" => HistoryWords::around(say!("moved something"), String::new()),
-        "Tidy" => HistoryWords::around(say!("tidied up"), String::new()),
-        "Rename program" => HistoryWords::around(say!("renamed the program"), String::new()),
-        _ => done_to(label),
-    }
-}
-
-fn done_to(label: &str) -> HistoryWords {
-    let renamed = label.strip_prefix("Rename helper ").and_then(|names| names.split_once(" to "));
-    if let Some((old, new)) = renamed {
-        return HistoryWords::around(say!("renamed {of} to {new}", of = HOLE, new), old.to_owned());
-    }
-    let verbs = [
-        ("Go back to ", say!("went back to {of}", of = HOLE)),
-        ("Bring back ", say!("brought back {of}", of = HOLE)),
-        ("Add ", say!("added {of}", of = HOLE)),
-        ("Edit ", say!("edited {of}", of = HOLE)),
-        ("Rename ", say!("renamed {of}", of = HOLE)),
-        ("Remove ", say!("removed {of}", of = HOLE)),
-        ("Group ", say!("grouped {of}", of = HOLE)),
-        ("Ungroup ", say!("ungrouped {of}", of = HOLE)),
-        ("Fold ", say!("folded {of}", of = HOLE)),
-        ("Unfold ", say!("unfolded {of}", of = HOLE)),
-    ];
-    let found =
-        verbs.into_iter().find_map(|(start, told)| Some(HistoryWords::around(told, thing(label.strip_prefix(start)?))));
-    found.unwrap_or_else(|| HistoryWords::around(say!("made a change: {of}", of = HOLE), other_label(label)))
-}
-
-/// What a label says that something was done to: a name, or the word of a connector.
-fn thing(of: &str) -> String {
-    let connector = connectors::ALL.iter().find(|spec| spec.word == of);
-    match (of, connector) {
-        ("helper", _) => said("helper").to_owned(),
-        ("note", _) => said("note").to_owned(),
-        ("tiles", _) => said("tiles").to_owned(),
-        ("a sentence", _) => said("a sentence").to_owned(),
-        (_, Some(spec)) => said(spec.word).to_owned(),
-        (name, None) => name.to_owned(),
-    }
-}
-
-fn other_label(label: &str) -> String {
-    match label.split_once(' ') {
-        Some(("Connect", name)) => say!("Connect {name}", name),
-        Some(("Helper", name)) => say!("Helper {name}", name),
-        _ => match label {
-            "Paste" => said("Paste").to_owned(),
-            "Align" => said("Align").to_owned(),
-            "Bring back" => said("Bring back").to_owned(),
-            other => other.to_owned(),
+    let of = |name: &str| label.hole(name).map(shown).unwrap_or_default();
+    match label.key().unwrap_or_default() {
+        "label.Move" => HistoryWords::around(say!(deed_moved_something: "moved something"), String::new()),
+        "label.Tidy" => HistoryWords::around(say!(deed_tidied_up: "tidied up"), String::new()),
+        "label.RenameProgram" => {
+            HistoryWords::around(say!(deed_renamed_the_program: "renamed the program"), String::new())
+        }
+        "label.RenameHelper" => HistoryWords::around(
+            say!(done_to_renamed_to: "renamed {of} to {new}", of = HOLE, new = of("new")),
+            of("old"),
+        ),
+        key => match done_to(key) {
+            Some(told) => HistoryWords::around(told, of("of")),
+            None => {
+                HistoryWords::around(say!(done_to_made_a_change: "made a change: {of}", of = HOLE), label_said(label))
+            }
         },
     }
 }
 
-/// The label of a change, which is English where it is kept.
-pub(crate) fn label_said(label: &str) -> String {
-    if is_second() { deed(label).whole() } else { label.to_owned() }
+/// What was done to something, by the key of the label.
+fn done_to(key: &str) -> Option<String> {
+    Some(match key {
+        "label.GoBack" => say!(done_to_went_back_to: "went back to {of}", of = HOLE),
+        "label.BringBack" => say!(done_to_brought_back: "brought back {of}", of = HOLE),
+        "label.Add" => say!(done_to_added: "added {of}", of = HOLE),
+        "label.Edit" => say!(done_to_edited: "edited {of}", of = HOLE),
+        "label.Rename" => say!(done_to_renamed: "renamed {of}", of = HOLE),
+        "label.Remove" => say!(done_to_removed: "removed {of}", of = HOLE),
+        "label.Group" => say!(done_to_grouped: "grouped {of}", of = HOLE),
+        "label.Ungroup" => say!(done_to_ungrouped: "ungrouped {of}", of = HOLE),
+        "label.Fold" => say!(done_to_folded: "folded {of}", of = HOLE),
+        "label.Unfold" => say!(done_to_unfolded: "unfolded {of}", of = HOLE),
+        _ => return None,
+    })
+}
+
+/// The label of a change.
+pub(crate) fn label_said(label: &Phrase) -> String {
+    shown(label)
 }
 
 /// Who did it, at the beginning of a sentence.
 pub(crate) fn who_did(author: &str, mine: bool) -> String {
-    if mine { say!("You") } else { person_called(author) }
+    if mine { say!(who_did: "You") } else { person_called(author) }
 }
 
 /// A folded sitting: `12 changes: added Far ball, renamed Near`.
 pub(crate) fn folded(many: usize, deeds: &str) -> String {
-    say!("{many} changes: {deeds}", many, deeds)
+    say!(folded: "{many} changes: {deeds}", many, deeds)
 }
 
 /// Under the name of a version.
 pub(crate) fn named_by(when: &str, by: &str, mine: bool) -> String {
-    let who = if mine { said("you").to_owned() } else { person_called(by) };
-    say!("{when} · named by {who}", when, who)
+    let who = if mine { said!(named_by_you: "you").to_owned() } else { person_called(by) };
+    say!(named_by_named_by: "{when} · named by {who}", when, who)
 }
 
 /// Somebody has the editor of something open.
 pub(crate) fn edits_now(what: &str) -> String {
-    say!("is editing {what}", what)
+    say!(edits_now: "is editing {what}", what)
 }
 
 /// A connector in a list: `map to Distance`.
 pub(crate) fn connector_to(word: &str, output: &str) -> String {
-    say!("{word} to {output}", word, output)
+    say!(connector_to: "{word} to {output}", word, output)
 }
 
 pub(crate) fn was_words(words: &str) -> String {
-    say!("was {words}", words)
+    say!(was_words: "was {words}", words)
 }
 
 pub(crate) fn came_from(names: &str) -> String {
-    say!("from {names}", names)
+    say!(came_from: "from {names}", names)
 }
 
 /// A connector with its sources: `map (1) from A`.
 pub(crate) fn made_from(words: &str, names: &str) -> String {
-    say!("{words} from {names}", words, names)
+    say!(made_from: "{words} from {names}", words, names)
 }
 
 pub(crate) fn led_to(name: &str) -> String {
-    say!("leading to {name}", name)
+    say!(led_to: "leading to {name}", name)
 }
 
 pub(crate) fn removed_tag(by: Option<&str>) -> String {
-    by.map_or_else(|| say!("removed"), |by| say!("removed by {by}", by))
+    by.map_or_else(|| say!(removed_tag_removed: "removed"), |by| say!(removed_tag_removed_by: "removed by {by}", by))
 }
 
 /// The name of something on the graph, with what became of it.
@@ -264,52 +245,67 @@ pub(crate) fn with_mark(name: String, mark: Option<&str>) -> String {
 }
 
 pub(crate) fn new_count(many: usize) -> String {
-    say!("{many} new", many)
+    say!(new_count: "{many} new", many)
 }
 
 pub(crate) fn changed_count(many: usize) -> String {
-    say!("{many} changed", many)
+    say!(changed_count: "{many} changed", many)
 }
 
 pub(crate) fn removed_count(many: usize) -> String {
-    say!("{many} removed", many)
+    say!(removed_count: "{many} removed", many)
 }
 
 pub(crate) fn moved_count(many: usize) -> String {
-    say!("{many} moved", many)
+    say!(moved_count: "{many} moved", many)
 }
 
 /// A version without a name: by when it was.
 pub(crate) fn as_of(when: &str) -> String {
-    say!("as of {when}", when)
+    say!(as_of: "as of {when}", when)
 }
 
 pub(crate) fn program_removed(name: &str) -> String {
-    say!("“{name}” is in the bin.", name)
+    say!(program_removed: "“{name}” is in the bin.", name)
 }
 
 pub(crate) fn program_removed_by(by: &str, name: &str) -> String {
-    say!("{by} removed “{name}”. Choose another program.", by, name)
+    say!(program_removed_by: "{by} removed “{name}”. Choose another program.", by, name)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{deed, from_to, people_and_you, step_title};
+    use super::{deed, from_to, label_said, people_and_you, step_title};
+    use behaviour::labels;
+    use phrase::Phrase;
 
-    fn said(label: &str) -> String {
+    fn said(label: &Phrase) -> String {
         deed(label).whole()
     }
 
     #[test]
     fn labels_become_sentences() {
-        assert_eq!(said("Add RedBall"), "added RedBall");
-        assert_eq!(said("Rename program"), "renamed the program");
-        assert_eq!(said("Rename Near ball"), "renamed Near ball");
-        assert_eq!(said("Rename helper near to close"), "renamed near to close");
-        assert_eq!(said("Undo: Remove Body tracker"), "took back “Remove Body tracker”");
-        assert_eq!(said("Redo: Move"), "did “Move” again");
-        assert_eq!(said("Go back to “Before group B”"), "went back to “Before group B”");
-        assert_eq!(said("Something else"), "made a change: Something else");
+        assert_eq!(said(&labels::add("RedBall")), "added RedBall");
+        assert_eq!(said(&labels::program_renamed()), "renamed the program");
+        assert_eq!(said(&labels::rename("Near ball")), "renamed Near ball");
+        assert_eq!(said(&labels::rename_helper("near", "close")), "renamed near to close");
+        assert_eq!(said(&labels::undo_of(false, &labels::remove("Body tracker"))), "took back “Remove Body tracker”");
+        assert_eq!(said(&labels::undo_of(true, &labels::moved())), "did “Move” again");
+        assert_eq!(said(&labels::go_back("“Before group B”")), "went back to “Before group B”");
+    }
+
+    #[test]
+    fn names_are_never_taken_for_words() {
+        assert_eq!(said(&labels::rename_helper("a to b", "c to d")), "renamed a to b to c to d");
+        assert_eq!(said(&labels::rename("program")), "renamed program");
+        assert_eq!(said(&labels::add("Undo: Move")), "added Undo: Move");
+    }
+
+    #[test]
+    fn what_older_versions_wrote_stays_as_it_was_written() {
+        assert_eq!(said(&"Add RedBall".into()), "made a change: Add RedBall");
+        assert_eq!(said(&"Undo: Rename program".into()), "took back “Rename program”");
+        assert_eq!(label_said(&"Rename helper a to b to c".into()), "Rename helper a to b to c");
     }
 
     #[test]
@@ -324,6 +320,6 @@ mod tests {
     fn times_are_said_once() {
         assert_eq!(from_to("Today", "14:05", Some("now")), "Today, 14:05 to now");
         assert_eq!([from_to("Today", "9:12", Some("9:12")), from_to("Today", "9:12", None)], ["Today, 9:12"; 2]);
-        assert_eq!(step_title("Undo", Some("Undo: Move")), "Undo: Move");
+        assert_eq!(step_title("Undo", Some(&"Undo: Move".into())), "Undo: Move");
     }
 }

@@ -1,24 +1,25 @@
 //! Names in a row, and what others say.
 
-use crate::words::language::{said, translated};
+use crate::words::language::{said_by, shown, word};
 use behaviour::Lasting;
+use phrase::Phrased;
 use std::fmt::Display;
 
 /// A person in a sentence, as they are spoken of.
 pub(crate) fn person_called(person: &str) -> String {
-    say!("{person}", person)
+    say!(person_called: "{person}", person)
 }
 
 /// Names one after the other: "Red, Green".
 pub(crate) fn listed<Name: Display>(names: impl IntoIterator<Item = Name>) -> String {
     let names = names.into_iter().map(|name| name.to_string());
-    names.reduce(|before, last| say!("{before}, {last}", before, last)).unwrap_or_default()
+    names.reduce(|before, last| say!(listed: "{before}, {last}", before, last)).unwrap_or_default()
 }
 
 /// Names that belong together: "Red and Green".
 pub(super) fn joined<Name: Display>(names: impl IntoIterator<Item = Name>) -> String {
     let names = names.into_iter().map(|name| name.to_string());
-    names.reduce(|before, last| say!("{before} and {last}", before, last)).unwrap_or_default()
+    names.reduce(|before, last| say!(joined: "{before} and {last}", before, last)).unwrap_or_default()
 }
 
 /// Where a connector comes from: "Red and Green".
@@ -28,53 +29,69 @@ pub(crate) fn sources(names: &[String]) -> String {
 
 /// A title and what is below it, in one line.
 pub(crate) fn titled(title: &str, text: &str) -> String {
-    say!("{title}: {text}", title, text)
+    say!(titled: "{title}: {text}", title, text)
 }
 
 /// What a connector is called.
 pub(crate) fn connector_word(name: &'static str) -> &'static str {
-    said(name)
+    word(name)
 }
 
 /// What a refusal, a problem or the server says.
-pub(crate) fn told_by(what: &impl Display) -> String {
-    translated(&what.to_string())
+pub(crate) fn told_by(what: &impl Phrased) -> String {
+    shown(what)
 }
 
 /// What a sense or an action does.
 pub(crate) fn device_says(device: &robot::Device) -> &'static str {
-    said(device.says)
+    said_by(&format!("device.{}.says", device.name), device.says)
 }
 
 /// What a connector does.
 pub(crate) fn connector_says(spec: &behaviour::connectors::Spec) -> &'static str {
-    said(spec.says)
+    said_by(&format!("connector.{}.says", spec.name), spec.says)
+}
+
+/// What a connector does, at length.
+pub(crate) fn connector_does(spec: &behaviour::connectors::Spec) -> &'static str {
+    said_by(&format!("connector.{}.does", spec.name), spec.help.does)
+}
+
+/// When a connector is used.
+pub(crate) fn connector_when(spec: &behaviour::connectors::Spec) -> &'static str {
+    said_by(&format!("connector.{}.when", spec.name), spec.help.when)
+}
+
+/// The title of an example of a connector.
+pub(crate) fn connector_example(spec: &behaviour::connectors::Spec, title: &'static str) -> &'static str {
+    let nth = spec.help.examples.iter().position(|example| example.title == title).unwrap_or_default();
+    said_by(&format!("connector.{}.example{nth}", spec.name), title)
 }
 
 /// A label of a field or a choice of the catalogue.
 pub(crate) fn label_of(label: &'static str) -> &'static str {
-    said(label)
+    word(label)
 }
 
 /// How long something lasts, in the unit in which people say it.
 pub(crate) fn duration(ms: u64) -> String {
     match Lasting::of(ms) {
-        Lasting::Minutes(1) => said("1 minute").to_owned(),
-        Lasting::Minutes(minutes) => say!("{minutes} minutes", minutes),
-        Lasting::Seconds(_) if ms == 1_000 => said("1 second").to_owned(),
-        Lasting::Seconds(seconds) => say!("{seconds} seconds", seconds),
-        Lasting::Milliseconds(ms) => say!("{ms} ms", ms),
+        Lasting::Minutes(1) => said!(duration_n1_minute: "1 minute").to_owned(),
+        Lasting::Minutes(minutes) => say!(duration_minutes: "{minutes} minutes", minutes),
+        Lasting::Seconds(_) if ms == 1_000 => said!(duration_n1_second: "1 second").to_owned(),
+        Lasting::Seconds(seconds) => say!(duration_seconds: "{seconds} seconds", seconds),
+        Lasting::Milliseconds(ms) => say!(duration_ms: "{ms} ms", ms),
     }
 }
 
 /// The duration of a connector: "every 1 second" of a beat.
 pub(crate) fn period_of(spec: &behaviour::connectors::Spec, ms: u64) -> String {
     let duration = duration(ms);
-    if spec.beats() { say!("every {duration}", duration) } else { duration }
+    if spec.beats() { say!(period_of: "every {duration}", duration) } else { duration }
 }
 
 /// Sentences one after the other.
 pub(crate) fn one_after_another(sentences: &[String]) -> String {
     let sentences = sentences.iter().cloned();
-    sentences.reduce(|before, last| say!("{before}. {last}", before, last)).unwrap_or_default()
+    sentences.reduce(|before, last| say!(one_after_another: "{before}. {last}", before, last)).unwrap_or_default()
 }

@@ -1,7 +1,8 @@
 //! What streams are called until somebody names them: in the language of the page of who makes them, and of all after that.
 
-use super::{fill, said};
+use super::fill;
 use crate::naming::in_words;
+use crate::words::language::{said_by, word};
 
 /// In which language a name is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +16,12 @@ pub(crate) enum NameLanguage {
 impl NameLanguage {
     /// This text, in that language.
     pub(crate) fn said(self, text: &'static str) -> &'static str {
-        if self == Self::Page { said(text) } else { text }
+        if self == Self::Page { word(text) } else { text }
+    }
+
+    /// The sentence of this key, in that language.
+    fn keyed(self, key: &str, text: &'static str) -> &'static str {
+        if self == Self::Page { said_by(key, text) } else { text }
     }
 
     /// What a helper makes: of `ball_to_distance` it is "Distance in m", of one's own `near_enough` "Near enough". Empty if
@@ -27,25 +33,27 @@ impl NameLanguage {
     /// A duration: "500 ms", "2 s".
     pub(crate) fn period(self, ms: u64) -> String {
         if ms.is_multiple_of(1_000) {
-            fill(self.said("{seconds} s"), &[("seconds", &(ms / 1_000))])
+            fill(self.keyed("name_seconds", "{seconds} s"), &[("seconds", &(ms / 1_000))])
         } else {
-            fill(self.said("{ms} ms"), &[("ms", &ms)])
+            fill(self.keyed("name_ms", "{ms} ms"), &[("ms", &ms)])
         }
     }
 
     /// How often that is: "every second", "every 2 s".
     pub(crate) fn every(self, ms: u64) -> String {
         if ms == 1_000 {
-            return self.said("every second").to_owned();
+            return self.keyed("name_every_second", "every second").to_owned();
         }
-        fill(self.said("every {period}"), &[("period", &self.period(ms))])
+        fill(self.keyed("name_every", "every {period}"), &[("period", &self.period(ms))])
     }
 
     /// Several from which a value may come.
     pub(crate) fn either(self, names: &[String]) -> String {
         let mut names = names.iter().cloned();
         let first = names.next().unwrap_or_default();
-        names.fold(first, |names, name| fill(self.said("{names} or {name}"), &[("names", &names), ("name", &name)]))
+        names.fold(first, |names, name| {
+            fill(self.keyed("name_or", "{names} or {name}"), &[("names", &names), ("name", &name)])
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! The operator's page.
 
-use crate::words::language::{said, translated};
+use crate::words::language::shown_within;
+use phrase::Phrase;
 use protocol::MarkSort;
 
 sentences! {
@@ -99,151 +100,159 @@ sentences! {
 
 pub(crate) fn version_and_streams(revision: u64, streams: usize) -> String {
     if streams == 1 {
-        say!("version {revision} · 1 stream", revision)
+        say!(version_and_streams_version_1_stream: "version {revision} · 1 stream", revision)
     } else {
-        say!("version {revision} · {streams} streams", revision, streams)
+        say!(version_and_streams_version_streams: "version {revision} · {streams} streams", revision, streams)
     }
 }
 
 /// The words by which a run is asked for.
 pub(crate) fn start_this(program: &str) -> String {
-    say!("Start {program}", program)
+    say!(start_this: "Start {program}", program)
 }
 
 /// The state of a robot that is not heard.
 pub(crate) fn heard_ago(seconds: u32) -> String {
-    say!("last heard {seconds} s ago", seconds)
+    say!(heard_ago: "last heard {seconds} s ago", seconds)
 }
 
 pub(crate) fn seconds_ago(seconds: u32) -> String {
-    say!("{seconds} s ago", seconds)
+    say!(seconds_ago: "{seconds} s ago", seconds)
 }
 
 /// For how long the link is silent, where its quality stands else.
 pub(crate) fn silent_for(seconds: u32) -> String {
-    say!("silent for {seconds} s", seconds)
+    say!(silent_for: "silent for {seconds} s", seconds)
 }
 
 pub(crate) fn wifi(percent: u8) -> String {
-    say!("Wi-Fi {percent} %", percent)
+    say!(wifi: "Wi-Fi {percent} %", percent)
 }
 
 /// On a tile: what a sense pretends.
 pub(crate) fn as_if_there_is(what: &str) -> String {
-    say!("As if: {what}", what)
+    say!(as_if_there_is: "As if: {what}", what)
 }
 
 /// On a tile: who else pressed it.
 pub(crate) fn just_now(name: &str) -> String {
-    say!("{name}, just now", name)
+    say!(just_now: "{name}, just now", name)
 }
 
 /// Says that a tile asks first to who does not see it.
 pub(crate) fn asks_for_yes(label: &str, key: usize) -> String {
-    say!("{label}: now? Press {key} again within two seconds, else it is not done.", label, key)
+    say!(asks_for_yes: "{label}: now? Press {key} again within two seconds, else it is not done.", label, key)
 }
 
 /// Says no to what a tile asks.
 pub(crate) fn no_to(label: &str) -> String {
-    say!("Not now: {label}", label)
+    say!(no_to: "Not now: {label}", label)
 }
 
 /// The verdict of a mark on its moment.
 pub(crate) fn verdict(sort: MarkSort) -> &'static str {
     match sort {
         MarkSort::Note => "",
-        MarkSort::Good => said("good"),
-        MarkSort::Bad => said("not good"),
-        MarkSort::Now => said("it should have"),
+        MarkSort::Good => said!(verdict_good: "good"),
+        MarkSort::Bad => said!(verdict_not_good: "not good"),
+        MarkSort::Now => said!(verdict_it_should_have: "it should have"),
     }
 }
 
 /// On the tile of a span that goes on.
 pub(crate) fn again_ends_it(time: &str) -> String {
-    say!("{time} · again ends it", time)
+    say!(again_ends_it: "{time} · again ends it", time)
 }
 
 /// Of a span in the list of marks.
 pub(crate) fn so_far(time: &str) -> String {
-    say!("{time} so far", time)
+    say!(so_far: "{time} so far", time)
 }
 
 /// A mark by its word.
 pub(crate) fn word_or_mark(word: &str) -> String {
-    if word.is_empty() { said("Mark").to_owned() } else { word.to_owned() }
+    if word.is_empty() { said!(word_or_mark: "Mark").to_owned() } else { word.to_owned() }
 }
 
 /// Says that a mark is there to who does not see it.
 pub(crate) fn marked_as(word: &str) -> String {
-    if word.is_empty() { say!("Marked.") } else { say!("Marked: {word}.", word) }
+    if word.is_empty() { say!(marked_as_marked: "Marked.") } else { say!(marked_as_marked_2: "Marked: {word}.", word) }
 }
 
 pub(crate) fn undo_for(seconds: u64) -> String {
-    say!("Undo {seconds} s", seconds)
+    say!(undo_for: "Undo {seconds} s", seconds)
 }
 
 /// Says that a mark waited longer than the server takes its moment back.
 pub(crate) fn mark_too_old(time: &str) -> String {
-    say!("The mark of {time} waited longer than a minute. It stands at a minute before it was sent.", time)
+    say!(mark_too_old: "The mark of {time} waited longer than a minute. It stands at a minute before it was sent.", time)
 }
 
 /// Says that a mark waited for a run that an earlier start of the server knew.
 pub(crate) fn mark_of_earlier_start(time: &str) -> String {
     say!(
-        "The server was started anew, and its run ended. The mark of {time} cannot be added here; note it in its recording.",
+        mark_of_earlier_start: "The server was started anew, and its run ended. The mark of {time} cannot be added here; note it in its recording.",
         time
     )
 }
 
 pub(crate) fn no_connection_for(seconds: u32) -> String {
-    if seconds == 1 { say!("No connection for 1 second") } else { say!("No connection for {seconds} seconds", seconds) }
+    if seconds == 1 {
+        say!(no_connection_for_no_connection_for_1: "No connection for 1 second")
+    } else {
+        say!(no_connection_for_no_connection_for_seconds: "No connection for {seconds} seconds", seconds)
+    }
 }
 
 pub(crate) fn goes_on_by_itself() -> &'static str {
-    said("The robot goes on by itself. It may still be moving.")
+    said!(goes_on_by_itself: "The robot goes on by itself. It may still be moving.")
 }
 
 /// Says what to do at its body, in the words of the robot's own kind.
 pub(crate) fn if_it_goes_on(what: &str) -> String {
-    say!("If it goes on: {what}.", what)
+    say!(if_it_goes_on: "If it goes on: {what}.", what)
 }
 
 /// The server has lost the robot, and the page has not lost the server.
 pub(crate) fn robot_is_lost(robot: &str) -> String {
-    say!("The server has no connection to {robot}", robot)
+    say!(robot_is_lost: "The server has no connection to {robot}", robot)
 }
 
-pub(crate) fn lost_because(why: &str) -> String {
+pub(crate) fn lost_because(why: &Phrase) -> String {
     say!(
-        "This page is connected; the robot is not: {why}. It may still be moving.",
-        why = translated(why.trim_end_matches('.'))
+        lost_because: "This page is connected; the robot is not: {why}. It may still be moving.",
+        why = shown_within(why)
     )
 }
 
 /// A reason as a sentence.
-pub(crate) fn because(why: &str) -> String {
-    let why = translated(why.trim_end_matches('.'));
-    say!("{why}.", why = super::capitalised(&why))
+pub(crate) fn because(why: &Phrase) -> String {
+    let why = shown_within(why);
+    say!(because: "{why}.", why = super::capitalised(&why))
 }
 
 pub(crate) fn then_start(goes_on: bool) -> String {
-    if goes_on { say!("Then press Continue. It goes on where it was.") } else { say!("Then press Start.") }
+    if goes_on {
+        say!(then_start_then_press_continue_it: "Then press Continue. It goes on where it was.")
+    } else {
+        say!(then_start_then_press_start: "Then press Start.")
+    }
 }
 
 pub(crate) fn somebody_stopped(name: &str) -> String {
     if name == protocol::STOP_BUTTON {
-        return say!("Somebody stopped the robot");
+        return say!(somebody_stopped_somebody_stopped_the_robot: "Somebody stopped the robot");
     }
-    say!("{name} stopped the robot", name)
+    say!(somebody_stopped_stopped_the_robot: "{name} stopped the robot", name)
 }
 
 pub(crate) fn ask_them_why(name: &str) -> String {
     if name == protocol::STOP_BUTTON {
-        return say!("Ask the others why before you go on.");
+        return say!(ask_them_why_ask_the_others_why: "Ask the others why before you go on.");
     }
-    say!("Ask {name} why before you go on.", name)
+    say!(ask_them_why_ask_why_before_you: "Ask {name} why before you go on.", name)
 }
 
 pub(crate) fn battery_is_low(percent: u8) -> String {
-    say!("Battery {percent} %", percent)
+    say!(battery_is_low: "Battery {percent} %", percent)
 }

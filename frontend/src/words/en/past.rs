@@ -48,98 +48,98 @@ sentences! {
 
 /// `red · 5 s earlier`
 pub(crate) fn value_earlier(value: &str, seconds: u32) -> String {
-    say!("{value} · {seconds} s earlier", value, seconds)
+    say!(value_earlier: "{value} · {seconds} s earlier", value, seconds)
 }
 
 pub(crate) fn version_then(revision: u64) -> String {
-    say!("version {revision}", revision)
+    say!(version_then: "version {revision}", revision)
 }
 
 pub(crate) fn at_time(time: &str) -> String {
-    say!("At {time}", time)
+    say!(at_time: "At {time}", time)
 }
 
 pub(crate) fn lane_value(lane: &str, value: &str) -> String {
-    say!("{lane}: {value}", lane, value)
+    say!(lane_value: "{lane}: {value}", lane, value)
 }
 
 pub(crate) fn why_this(name: &str) -> String {
-    say!("Why “{name}”?", name)
+    say!(why_this: "Why “{name}”?", name)
 }
 
 pub(crate) fn why_not_this(name: &str) -> String {
-    say!("Why not “{name}”?", name)
+    say!(why_not_this: "Why not “{name}”?", name)
 }
 
 pub(crate) fn why_no(name: &str, time: &str) -> String {
-    say!("Why no “{name}” at {time}?", name, time)
+    say!(why_no: "Why no “{name}” at {time}?", name, time)
 }
 
 pub(crate) fn used_besides(name: &str) -> String {
-    say!("With it: {name}", name)
+    say!(used_besides: "With it: {name}", name)
 }
 
 /// `Make it 95 cm`
 pub(crate) fn make_it(number: &str) -> String {
-    say!("Make it {number}", number)
+    say!(make_it: "Make it {number}", number)
 }
 
 pub(crate) fn fix_made(number: &str) -> String {
-    say!("In the program of today it is {number} now.", number)
+    say!(fix_made: "In the program of today it is {number} now.", number)
 }
 
 pub(crate) fn lines_missing(lines: u64) -> String {
-    say!("{lines} lines of the recording are missing before: this may be wrong.", lines)
+    say!(lines_missing: "{lines} lines of the recording are missing before: this may be wrong.", lines)
 }
 
 pub(crate) fn moment_recorded(time: &str) -> String {
-    say!("{time}, recorded", time)
+    say!(moment_recorded: "{time}, recorded", time)
 }
 
 pub(crate) fn moment_earlier(time: &str) -> String {
-    say!("{time}, earlier", time)
+    say!(moment_earlier: "{time}, earlier", time)
 }
 
 pub(crate) fn moment_told(time: &str, lane: &str, value: &str) -> String {
-    say!("{time}; {lane}: {value}", time, lane, value)
+    say!(moment_told: "{time}; {lane}: {value}", time, lane, value)
 }
 
 pub(crate) fn seconds_earlier(seconds: u64) -> String {
-    say!("{seconds} s earlier", seconds)
+    say!(seconds_earlier: "{seconds} s earlier", seconds)
 }
 
 pub(crate) fn all_of_it(length: &str) -> String {
-    say!("All {length}", length)
+    say!(all_of_it: "All {length}", length)
 }
 
 pub(crate) fn differs_from(time: &str) -> String {
-    say!("From {time} on this may not be what the robot did: run again, the program does something else.", time)
+    say!(differs_from: "From {time} on this may not be what the robot did: run again, the program does something else.", time)
 }
 
 pub(crate) fn speed_now(speed: f64) -> String {
-    say!("Speed: {speed} times", speed)
+    say!(speed_now: "Speed: {speed} times", speed)
 }
 
 pub(crate) fn stretch(seconds: f64) -> String {
-    say!("{seconds} s", seconds)
+    say!(stretch: "{seconds} s", seconds)
 }
 
 pub(crate) fn pretended_value(value: &str) -> String {
-    say!("{value} (pretended)", value)
+    say!(pretended_value: "{value} (pretended)", value)
 }
 
 pub(crate) fn other_form(lane: &str) -> String {
-    say!("Another form: {lane}", lane)
+    say!(other_form: "Another form: {lane}", lane)
 }
 
 pub(crate) fn fold_lane(lane: &str) -> String {
-    say!("Fold: {lane}", lane)
+    say!(fold_lane: "Fold: {lane}", lane)
 }
 
 pub(crate) fn unfold_lane(lane: &str) -> String {
-    say!("Unfold: {lane}", lane)
+    say!(unfold_lane: "Unfold: {lane}", lane)
 }
 
 pub(crate) fn remove_lane(lane: &str) -> String {
-    say!("Remove the lane: {lane}", lane)
+    say!(remove_lane: "Remove the lane: {lane}", lane)
 }

@@ -12,27 +12,31 @@ sentences! {
 
 /// Said once, when somebody else is here for the first time.
 pub(crate) fn others_see_you_as(name: &str) -> String {
-    say!("You are not alone here. Others see you as {name}; a field for another name is below the graph.", name)
+    say!(others_see_you_as: "You are not alone here. Others see you as {name}; a field for another name is below the graph.", name)
 }
 
 /// The button that is somebody else's sign.
 pub(crate) fn follow_person(name: &str) -> String {
-    say!("Follow {name}", name)
+    say!(follow_person: "Follow {name}", name)
 }
 
 pub(crate) fn following(name: &str) -> String {
-    say!("Following {name}", name)
+    say!(following: "Following {name}", name)
 }
 
 pub(crate) fn following_said(name: &str) -> String {
-    say!("Following {name}. Press Escape to end.", name)
+    say!(following_said: "Following {name}. Press Escape to end.", name)
 }
 
 pub(crate) fn no_longer_here(name: &str) -> String {
-    say!("{name} left. You look around by yourself again.", name)
+    say!(no_longer_here: "{name} left. You look around by yourself again.", name)
 }
 
 /// How many more are here than there is room for.
 pub(crate) fn more_people(more: usize) -> String {
-    if more == 1 { say!("1 more person") } else { say!("{more} more people", more) }
+    if more == 1 {
+        say!(more_people_n1_more_person: "1 more person")
+    } else {
+        say!(more_people_more_people: "{more} more people", more)
+    }
 }

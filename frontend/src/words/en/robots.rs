@@ -1,7 +1,8 @@
 //! Real robots: adding one, how its body is, and who has it.
 
 use super::{listed, saying};
-use crate::words::language::{said, translated};
+use crate::words::language::{shown_within, word, word_of};
+use phrase::Phrase;
 use protocol::CheckStage;
 use robot::{Condition, Control, Identity, JOINTS, Life, Network, Touchable};
 
@@ -68,58 +69,58 @@ sentences! {
 /// "Touch the middle of the head".
 pub(crate) fn touch_part(part: Touchable) -> String {
     if part == Touchable::HeadMiddle {
-        say!("Touch head")
+        say!(touch_part_touch_head: "Touch head")
     } else {
-        say!("Touch the {words}", words = said(part.words()))
+        say!(touch_part_touch_the: "Touch the {words}", words = word(part.words()))
     }
 }
 
 pub(crate) fn comes_in(name: &str) -> String {
-    say!("{name} in", name)
+    say!(comes_in: "{name} in", name)
 }
 
 pub(crate) fn goes_out(name: &str) -> String {
-    say!("{name} out", name)
+    say!(goes_out: "{name} out", name)
 }
 
 pub(crate) fn box_named(color: &str) -> String {
-    say!("{color} box", color = translated(color))
+    say!(box_named: "{color} box", color = word_of(color))
 }
 
 pub(crate) fn mark_named(number: u16) -> String {
-    say!("Mark {number}", number)
+    say!(mark_named: "Mark {number}", number)
 }
 
 /// A step on the way to a robot.
 pub(crate) fn check_stage(stage: CheckStage) -> &'static str {
     match stage {
-        CheckStage::Name => said("Its name"),
-        CheckStage::Tcp => said("Reaching it"),
-        CheckStage::Tls => said("A secure connection"),
-        CheckStage::Login => said("Being let in"),
-        CheckStage::Directory => said("Asking what it can do"),
-        CheckStage::Services => said("What a robot needs"),
+        CheckStage::Name => said!(check_stage_its_name: "Its name"),
+        CheckStage::Tcp => said!(check_stage_reaching_it: "Reaching it"),
+        CheckStage::Tls => said!(check_stage_a_secure_connection: "A secure connection"),
+        CheckStage::Login => said!(check_stage_being_let_in: "Being let in"),
+        CheckStage::Directory => said!(check_stage_asking_what_it_can: "Asking what it can do"),
+        CheckStage::Services => said!(check_stage_what_a_robot_needs: "What a robot needs"),
     }
 }
 
 /// What a look found, and the certificate that counts from now on: "“Blue” is a NAO, NAOqi 2.8.7."
 pub(crate) fn found_robot(name: &str, model: &str, certificate: Option<&str>) -> String {
-    let name = if name.is_empty() { say!("It") } else { saying(name) };
+    let name = if name.is_empty() { say!(found_robot_it: "It") } else { saying(name) };
     match certificate {
         Some(certificate) => say!(
-            "{name} is a {model}. From now on it must show the certificate {certificate}.",
+            found_robot_is_a_from_now: "{name} is a {model}. From now on it must show the certificate {certificate}.",
             name,
             model,
             certificate
         ),
-        None => say!("{name} is a {model}.", name, model),
+        None => say!(found_robot_is_a: "{name} is a {model}.", name, model),
     }
 }
 
 /// Which body: "“Momo”, NAO #0344".
 pub(crate) fn who(identity: &Identity) -> String {
-    let name = if identity.name.is_empty() { said("without a name").to_owned() } else { saying(&identity.name) };
-    let (kind, tail) = (translated(&identity.body), identity.tail());
+    let name = if identity.name.is_empty() { said!(who: "without a name").to_owned() } else { saying(&identity.name) };
+    let (kind, tail) = (word_of(&identity.body), identity.tail());
     let number = (!tail.is_empty()).then(|| format!("#{tail}"));
     let kind = [Some(kind).filter(|kind| !kind.is_empty()), number].into_iter().flatten();
     listed([name, kind.collect::<Vec<_>>().join(" ")].into_iter().filter(|part| !part.is_empty()))
@@ -127,69 +128,71 @@ pub(crate) fn who(identity: &Identity) -> String {
 
 /// What a robot calls itself, and its number.
 pub(crate) fn calls_itself(identity: &Identity) -> String {
-    say!("calls itself {who}", who = who(identity))
+    say!(calls_itself: "calls itself {who}", who = who(identity))
 }
 
 /// The question while another body answers.
 pub(crate) fn stranger_question(name: &str) -> String {
-    say!("Is this “{name}”?", name)
+    say!(stranger_question: "Is this “{name}”?", name)
 }
 
 /// The dialog for another address.
 pub(crate) fn change_address_of(name: &str) -> String {
-    say!("Change the address of “{name}”", name)
+    say!(change_address_of: "Change the address of “{name}”", name)
 }
 
 /// Two names for one body.
 pub(crate) fn same_as(name: &str) -> String {
-    say!("It is the same robot as “{name}”. Start it there, or remove one of the two.", name)
+    say!(same_as: "It is the same robot as “{name}”. Start it there, or remove one of the two.", name)
 }
 
 /// That a robot is not added a second time.
 pub(crate) fn here_already(name: &str) -> String {
-    say!("This robot is here already, as “{name}”.", name)
+    say!(here_already: "This robot is here already, as “{name}”.", name)
 }
 
 pub(crate) fn give_this_address(name: &str) -> String {
-    say!("Give “{name}” this address", name)
+    say!(give_this_address: "Give “{name}” this address", name)
 }
 
 /// "Starts version 12 on NAO blue."
 pub(crate) fn starts_on(robot: &str, revision: u64) -> String {
-    say!("Start runs version {revision} on “{robot}”.", revision, robot)
+    say!(starts_on: "Start runs version {revision} on “{robot}”.", revision, robot)
 }
 
 /// Start, of what the robot interrupted.
 pub(crate) fn go_on() -> &'static str {
-    said("Continue")
+    said!(go_on: "Continue")
 }
 
-pub(crate) fn paused(why: &str) -> String {
-    say!("Interrupted: {why}. “Continue” goes on where it was; Stop ends it.", why = translated(why))
+pub(crate) fn paused(why: &Phrase) -> String {
+    say!(paused: "Interrupted: {why}. “Continue” goes on where it was; Stop ends it.", why = shown_within(why))
 }
 
 /// How the last run of this program ended.
 pub(crate) fn stopped_by(name: &str) -> String {
-    say!("{name} pressed Stop. Start runs it again.", name)
+    say!(stopped_by: "{name} pressed Stop. Start runs it again.", name)
 }
 
 /// Why somebody should look at what runs.
 pub(crate) fn started_by_revoked(name: &str) -> String {
-    say!("{name} started this and may not be here any more.", name)
+    say!(started_by_revoked: "{name} started this and may not be here any more.", name)
 }
 
 /// What was asked, for a sentence that it was done.
 pub(crate) fn control_done(robot: &str, control: &Control) -> String {
     match control {
-        Control::Take => say!("You have “{robot}” now. It stands up.", robot),
-        Control::GiveBack => say!("“{robot}” has its own life again.", robot),
-        Control::Rest => say!("“{robot}” sits down to rest.", robot),
-        Control::Blink => say!("The eyes of “{robot}” blink for a moment.", robot),
-        Control::WakeUp => say!("“{robot}” wakes up.", robot),
-        Control::Stand => say!("“{robot}” stands up.", robot),
-        Control::Sit => say!("“{robot}” sits down.", robot),
-        Control::ForgetFaces => say!("“{robot}” forgets the faces that it knew.", robot),
-        Control::ForgetFace(face) => say!("“{robot}” forgets “{face}”.", robot, face),
+        Control::Take => say!(control_done_you_have_now_it: "You have “{robot}” now. It stands up.", robot),
+        Control::GiveBack => say!(control_done_has_its_own_life: "“{robot}” has its own life again.", robot),
+        Control::Rest => say!(control_done_sits_down_to_rest: "“{robot}” sits down to rest.", robot),
+        Control::Blink => say!(control_done_the_eyes_of_blink: "The eyes of “{robot}” blink for a moment.", robot),
+        Control::WakeUp => say!(control_done_wakes_up: "“{robot}” wakes up.", robot),
+        Control::Stand => say!(control_done_stands_up: "“{robot}” stands up.", robot),
+        Control::Sit => say!(control_done_sits_down: "“{robot}” sits down.", robot),
+        Control::ForgetFaces => {
+            say!(control_done_forgets_the_faces_that: "“{robot}” forgets the faces that it knew.", robot)
+        }
+        Control::ForgetFace(face) => say!(control_done_forgets: "“{robot}” forgets “{face}”.", robot, face),
     }
 }
 
@@ -199,19 +202,23 @@ const WEAK_WIFI: u8 = 40;
 /// What is asked before faces are forgotten.
 pub(crate) fn forget_faces_of(robot: &str, count: u16) -> String {
     match count {
-        1 => say!("“{robot}” forgets the face that it remembers. This cannot be undone.", robot),
-        _ => say!("“{robot}” forgets the {count} faces that it remembers. This cannot be undone.", robot, count),
+        1 => {
+            say!(forget_faces_of_forgets_the_face_that: "“{robot}” forgets the face that it remembers. This cannot be undone.", robot)
+        }
+        _ => {
+            say!(forget_faces_of_forgets_the_faces_that: "“{robot}” forgets the {count} faces that it remembers. This cannot be undone.", robot, count)
+        }
     }
 }
 
 /// Returns the question that is asked before one face is forgotten.
 pub(crate) fn forget_face_of(robot: &str, face: &str) -> String {
-    say!("“{robot}” forgets the face that it remembers as “{face}”. This cannot be undone.", robot, face)
+    say!(forget_face_of: "“{robot}” forgets the face that it remembers as “{face}”. This cannot be undone.", robot, face)
 }
 
 /// Returns the reason why nothing is forgotten any more.
 pub(crate) fn robot_removed(robot: &str) -> String {
-    say!("Somebody has removed “{robot}” meanwhile. Nothing was forgotten.", robot)
+    say!(robot_removed: "Somebody has removed “{robot}” meanwhile. Nothing was forgotten.", robot)
 }
 
 /// How a body is, light by light: whether that is good, bad or neither, and in words.
@@ -220,48 +227,56 @@ pub(crate) fn condition(of: &Condition) -> Vec<(&'static str, String)> {
     let mut light = |look: &'static str, words: &str| lights.push((look, words.to_owned()));
     if let Some(percent) = of.battery {
         match of.plugged {
-            Some(true) => light("good", &say!("Battery {percent} %, charging", percent)),
+            Some(true) => light("good", &say!(condition_battery_charging: "Battery {percent} %, charging", percent)),
             Some(false) | None => {
-                light(if percent < 20 { "bad" } else { "good" }, &say!("Battery {percent} %", percent));
+                light(
+                    if percent < 20 { "bad" } else { "good" },
+                    &say!(condition_battery: "Battery {percent} %", percent),
+                );
             }
         }
     }
     match of.network {
-        Some(Network::Cable) => light("good", said("Network by cable")),
-        Some(Network::Wifi(percent)) if percent < WEAK_WIFI => light("bad", &say!("Wi-Fi weak: {percent} %", percent)),
-        Some(Network::Wifi(percent)) => light("good", &say!("Wi-Fi good: {percent} %", percent)),
+        Some(Network::Cable) => light("good", said!(condition_network_by_cable: "Network by cable")),
+        Some(Network::Wifi(percent)) if percent < WEAK_WIFI => {
+            light("bad", &say!(condition_wi_fi_weak: "Wi-Fi weak: {percent} %", percent))
+        }
+        Some(Network::Wifi(percent)) => light("good", &say!(condition_wi_fi_good: "Wi-Fi good: {percent} %", percent)),
         None => {}
     }
     match of.awake {
-        Some(true) => light("good", said("Awake")),
-        Some(false) => light("off", said("Asleep")),
+        Some(true) => light("good", said!(condition_awake: "Awake")),
+        Some(false) => light("off", said!(condition_asleep: "Asleep")),
         None => {}
     }
     if of.stiff == Some(false) {
-        light("off", said("Motors off"));
+        light("off", said!(condition_motors_off: "Motors off"));
     } else if of.stiff == Some(true) {
-        light("good", said("Motors on"));
+        light("good", said!(condition_motors_on: "Motors on"));
     }
     match of.life {
-        Some(Life::Disabled) => light("good", said("Own life off")),
-        Some(Life::Safeguard) => light("bad", said("Protects itself")),
+        Some(Life::Disabled) => light("good", said!(condition_own_life_off: "Own life off")),
+        Some(Life::Safeguard) => light("bad", said!(condition_protects_itself: "Protects itself")),
         Some(Life::Solitary | Life::Interactive) => {
-            light("off", said("Lives by itself, may move and speak"));
+            light("off", said!(condition_lives_by_itself_may: "Lives by itself, may move and speak"));
         }
         None => {}
     }
     if of.fallen == Some(true) {
-        light("bad", said("Has fallen"));
+        light("bad", said!(condition_has_fallen: "Has fallen"));
     } else if let Some(why) = &of.legs {
-        light("off", &say!("Does not walk: {why}", why = translated(why)));
+        light("off", &say!(condition_does_not_walk: "Does not walk: {why}", why = shown_within(why)));
     }
     match of.faces {
         None | Some(0) => {}
-        Some(1) => light("off", said("Remembers a face")),
-        Some(count) => light("off", &say!("Remembers {count} faces", count)),
+        Some(1) => light("off", said!(condition_remembers_a_face: "Remembers a face")),
+        Some(count) => light("off", &say!(condition_remembers_faces: "Remembers {count} faces", count)),
     }
     if !of.hot.is_empty() {
-        light("bad", &say!("Hot: {joints}", joints = listed(of.hot.iter().map(|joint| joint_words(joint)))));
+        light(
+            "bad",
+            &say!(condition_hot: "Hot: {joints}", joints = listed(of.hot.iter().map(|joint| joint_words(joint)))),
+        );
     }
     lights
 }
@@ -272,8 +287,8 @@ fn joint_words(joint: &str) -> String {
         return joint.to_owned();
     }
     match joint.split_at(1) {
-        ("L", rest) => say!("left {joint}", joint = moves(rest)),
-        ("R", rest) => say!("right {joint}", joint = moves(rest)),
+        ("L", rest) => say!(joint_words_left: "left {joint}", joint = moves(rest)),
+        ("R", rest) => say!(joint_words_right: "right {joint}", joint = moves(rest)),
         _ => moves(joint),
     }
 }
@@ -287,7 +302,7 @@ fn moves(joint: &str) -> String {
         }
         words.extend(letter.to_lowercase());
     }
-    translated(&words)
+    word_of(&words)
 }
 
 #[cfg(test)]

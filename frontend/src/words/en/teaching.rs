@@ -37,28 +37,28 @@ sentences! {
 
 /// The field in which a helper's argument gets a value: "Value of ball".
 pub(crate) fn value_for(argument: &str) -> String {
-    say!("Value of {argument}", argument)
+    say!(value_for: "Value of {argument}", argument)
 }
 
 /// The heading of the goal: "Task: Brighter when nearer".
 pub(crate) fn exercise_called(name: &str) -> String {
-    say!("Task: {name}", name)
+    say!(exercise_called: "Task: {name}", name)
 }
 
 pub(crate) fn goal_reached(says: &str) -> String {
-    say!("Reached. {says}", says)
+    say!(goal_reached: "Reached. {says}", says)
 }
 
 /// What is not reached, and what went wrong in a procedure.
 pub(crate) fn goal_missed_by(says: &str, why: &str) -> String {
-    say!("{says} Something fails on the way: {why}", says, why)
+    say!(goal_missed_by: "{says} Something fails on the way: {why}", says, why)
 }
 
 pub(crate) fn goal_cannot_run(why: &str) -> String {
-    say!("It cannot run yet: {why}.", why)
+    say!(goal_cannot_run: "It cannot run yet: {why}.", why)
 }
 
 /// How far somebody is: "Step 2 of 9".
 pub(crate) fn tour_step(at: usize, of: usize) -> String {
-    say!("Step {at} of {of}", at, of)
+    say!(tour_step: "Step {at} of {of}", at, of)
 }

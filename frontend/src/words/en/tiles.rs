@@ -36,35 +36,35 @@ sentences! {
 
 /// The place of a tile, which is its key.
 pub(crate) fn tile_key(key: u8) -> String {
-    say!("Key {key}", key)
+    say!(tile_key: "Key {key}", key)
 }
 
 /// The place of the tile that is edited.
 pub(crate) fn tile_place(key: u8, all: u8) -> String {
-    say!("Key {key} of {all}", key, all)
+    say!(tile_place: "Key {key} of {all}", key, all)
 }
 
 /// Says that somebody else changed the tile that is edited.
 pub(crate) fn tile_changed_meanwhile(label: &str) -> String {
-    say!("Somebody changed this tile meanwhile. Now it is “{label}”.", label)
+    say!(tile_changed_meanwhile: "Somebody changed this tile meanwhile. Now it is “{label}”.", label)
 }
 
 /// Says to who does not see it what became of a tile.
 pub(crate) fn tile_is_saved(label: &str, key: u8) -> String {
-    say!("{label}: key {key}", label, key)
+    say!(tile_is_saved: "{label}: key {key}", label, key)
 }
 
 /// Says to who does not see it that a place is empty now.
 pub(crate) fn tile_is_away(key: u8) -> String {
-    say!("Key {key} is empty.", key)
+    say!(tile_is_away: "Key {key} is empty.", key)
 }
 
 /// In a comparison: the tile of a key.
 pub(crate) fn tile_on(key: u8) -> String {
-    say!("Tile {key}", key)
+    say!(tile_on: "Tile {key}", key)
 }
 
 /// The longest words of a tile.
 pub(crate) fn at_most_chars(most: usize) -> String {
-    say!("At most {most} characters.", most)
+    say!(at_most_chars: "At most {most} characters.", most)
 }

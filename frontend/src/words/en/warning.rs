@@ -1,7 +1,6 @@
 //! The warning that browsers give for a certificate which the server made itself, and how to get past it knowingly. What
 //! stands in quotation marks is what the browsers write.
 
-use crate::words::language::said;
 use std::fmt::Write;
 
 sentences! {
@@ -29,41 +28,47 @@ impl WarnedDevice {
 /// What a device is called.
 pub(crate) fn device_named(device: WarnedDevice) -> &'static str {
     match device {
-        WarnedDevice::AppleTouch => said("iPad, iPhone"),
-        WarnedDevice::Android => said("Android"),
-        WarnedDevice::Windows => said("Windows"),
-        WarnedDevice::Mac => said("Mac"),
+        WarnedDevice::AppleTouch => said!(device_named_ipad_iphone: "iPad, iPhone"),
+        WarnedDevice::Android => said!(device_named_android: "Android"),
+        WarnedDevice::Windows => said!(device_named_windows: "Windows"),
+        WarnedDevice::Mac => said!(device_named_mac: "Mac"),
     }
 }
 
 /// What to press there, in order.
 pub(crate) fn warning_steps(device: WarnedDevice, host: &str) -> Vec<String> {
-    let open = said("Open the link. A warning comes that the connection is not private.").to_owned();
+    let open =
+        said!(warning_steps_open_the_link_a: "Open the link. A warning comes that the connection is not private.")
+            .to_owned();
     let compare = match device {
-        WarnedDevice::AppleTouch => said(
-            "Press “Show Details”, then “view the certificate”, then “More Details”. Compare the fingerprint below, and press “Done”.",
+        WarnedDevice::AppleTouch => said!(
+            warning_steps_press_show_details_then: "Press “Show Details”, then “view the certificate”, then “More Details”. Compare the fingerprint below, and press “Done”.",
         ),
-        WarnedDevice::Mac => said(
-            "In Safari press “Show Details”, then “view the certificate”. Compare the fingerprint below, and press “OK”.",
+        WarnedDevice::Mac => said!(
+            warning_steps_in_safari_press_show: "In Safari press “Show Details”, then “view the certificate”. Compare the fingerprint below, and press “OK”.",
         ),
-        WarnedDevice::Android | WarnedDevice::Windows => said(
-            "Press the sign left of the address, then the line that says the connection is not secure, then the certificate. Compare the fingerprint below.",
+        WarnedDevice::Android | WarnedDevice::Windows => said!(
+            warning_steps_press_the_sign_left: "Press the sign left of the address, then the line that says the connection is not secure, then the certificate. Compare the fingerprint below.",
         ),
     };
     let go_on = match device {
         WarnedDevice::AppleTouch | WarnedDevice::Mac => {
-            said("Press “visit this website”, and “Visit Website” once more.").to_owned()
+            said!(warning_steps_press_visit_this_website: "Press “visit this website”, and “Visit Website” once more.")
+                .to_owned()
         }
-        WarnedDevice::Android => say!("Press “Advanced”, then “Proceed to {host} (unsafe)”.", host),
+        WarnedDevice::Android => {
+            say!(warning_steps_press_advanced_then_proceed: "Press “Advanced”, then “Proceed to {host} (unsafe)”.", host)
+        }
         WarnedDevice::Windows => {
-            say!("Press “Advanced”, then “Continue to {host} (unsafe)”; Chrome says “Proceed to”.", host)
+            say!(warning_steps_press_advanced_then_continue: "Press “Advanced”, then “Continue to {host} (unsafe)”; Chrome says “Proceed to”.", host)
         }
     };
     vec![
         open,
         compare.to_owned(),
         go_on,
-        said("The page of the invitation says who invites. Press “Come in”.").to_owned(),
+        said!(warning_steps_the_page_of_the: "The page of the invitation says who invites. Press “Come in”.")
+            .to_owned(),
     ]
 }
 
@@ -71,7 +76,7 @@ pub(crate) fn warning_steps(device: WarnedDevice, host: &str) -> Vec<String> {
 pub(crate) fn warning_message(device: WarnedDevice, link: &str, host: &str, fingerprint: &str) -> String {
     let mut message = format!(
         "{link}\n\n{}\n",
-        said("Your browser warns once, because this server made its certificate itself. What to press:")
+        said!(warning_message: "Your browser warns once, because this server made its certificate itself. What to press:")
     );
     for (at, step) in warning_steps(device, host).iter().enumerate() {
         let _ = writeln!(message, "{}. {step}", at + 1);

@@ -3,6 +3,7 @@
 use super::ClientSession;
 use crate::robots::{ByHand, MarkPress, PressOutcome, Presser};
 use behaviour::{Id, Params, Value};
+use phrase::Phrased;
 use protocol::{AGO_MAX_MS, HAND_MAX_BYTES, MarkEdit, RecordingMark, Refused, Request, answer, request};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -97,5 +98,5 @@ impl ClientSession {
 
 /// A press with what became of it.
 fn with_outcome(press: protocol::Press, done: &Result<(), Refused>) -> protocol::Press {
-    protocol::Press { why: done.as_ref().err().map(ToString::to_string), ..press }
+    protocol::Press { why: done.as_ref().err().map(Phrased::phrase), ..press }
 }

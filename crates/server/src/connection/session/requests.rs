@@ -11,6 +11,7 @@ use crate::robots::real;
 use crate::rooms::member::AnswerTo;
 use crate::rooms::{BinRequest, JoinRequest, LeaveReason, LockRequest, RoomCommand, Whereabouts};
 use behaviour::{Change, Id};
+use phrase::phrase;
 use protocol::{AnyRequest, Refused, Request, request};
 
 impl ClientSession {
@@ -24,7 +25,9 @@ impl ClientSession {
 
     fn allowed(&mut self, ask: u32, request: AnyRequest) {
         match request {
-            AnyRequest::Hello(_) => self.outbox.no(ask, Refused::Unreadable("the greeting came already".to_owned())),
+            AnyRequest::Hello(_) => self
+                .outbox
+                .no(ask, Refused::Unreadable(phrase!("server.the_greeting_came_already", "the greeting came already"))),
             AnyRequest::List(of) => self.look_up(ask, of, library::list),
             AnyRequest::Pictures(of) => self.look_up(ask, of, library::pictures),
             AnyRequest::WhereUsed(of) => self.look_up(ask, of, library::where_used),

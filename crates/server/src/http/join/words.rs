@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn every_reason_is_said_in_japanese() {
-        for why in [NotIn::Unknown, NotIn::TooMany(9), NotIn::NotKept("…".to_owned())] {
+        for why in [NotIn::Unknown, NotIn::TooMany(9), NotIn::NotKept("…".into())] {
             assert!(
                 BrowserLanguage::Japanese.why(&why).contains('。') && BrowserLanguage::English.why(&why).contains('.')
             );

@@ -1,6 +1,7 @@
 //! What an exercise shall become, as data: readings in logical time, and what actions are told meanwhile.
 
 use behaviour::{Params, Value};
+use phrase::Phrase;
 use robot::Millis;
 use serde::Deserialize;
 use std::collections::HashMap;
@@ -13,9 +14,9 @@ const SETTLE_MS: u64 = 1_000;
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct ExerciseGoal {
     /// What shall be reached, in a sentence.
-    pub(crate) says: String,
+    pub(crate) says: Phrase,
     /// What was reached, in a sentence.
-    pub(crate) reached: String,
+    pub(crate) reached: Phrase,
     /// What is sensed, one part after the other.
     pub(crate) trace: Vec<SensePart>,
     /// What shall come of it; the first that does not is told.
@@ -30,13 +31,13 @@ pub(crate) struct ExerciseGoal {
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct GoalQuestion {
     /// In a sentence.
-    pub(crate) ask: String,
+    pub(crate) ask: Phrase,
     /// What can be answered.
-    pub(crate) answers: Vec<String>,
+    pub(crate) answers: Vec<Phrase>,
     /// Which of the answers is true, counted from 0.
     pub(crate) right: u8,
     /// What is said to another answer, in a sentence that helps to find it.
-    pub(crate) otherwise: String,
+    pub(crate) otherwise: Phrase,
 }
 
 /// A sense that reads something for a while.
@@ -72,7 +73,7 @@ pub(crate) struct Expectation {
     /// What it shall be told.
     pub(crate) is: WantedAction,
     /// What is said where it is not so, in a sentence.
-    pub(crate) otherwise: String,
+    pub(crate) otherwise: Phrase,
 }
 
 /// What an action shall be told.
@@ -101,6 +102,26 @@ pub(super) struct ToldAction {
 }
 
 impl ExerciseGoal {
+    /// Gives every text its key, by the name of the exercise and where it stands.
+    pub(super) fn keyed(mut self, exercise: &str) -> Self {
+        let name = |text: &mut Phrase, place: String| {
+            *text = Phrase::named(format!("exercise.{exercise}.{place}"), text.to_string());
+        };
+        name(&mut self.says, "goal".to_owned());
+        name(&mut self.reached, "reached".to_owned());
+        for (nth, expected) in self.expects.iter_mut().enumerate() {
+            name(&mut expected.otherwise, format!("expects{nth}"));
+        }
+        for (nth, asked) in self.asks.iter_mut().enumerate() {
+            name(&mut asked.ask, format!("asks{nth}"));
+            name(&mut asked.otherwise, format!("asks{nth}.otherwise"));
+            for (which, answer) in asked.answers.iter_mut().enumerate() {
+                name(answer, format!("asks{nth}.answer{which}"));
+            }
+        }
+        self
+    }
+
     /// The readings in order of time: which part, when, and what.
     pub(super) fn readings(&self) -> Vec<(&SensePart, Millis, Value)> {
         self.trace.iter().zip(self.begins()).flat_map(|(part, begin)| of_part(part, begin)).collect()
@@ -120,20 +141,20 @@ impl ExerciseGoal {
     }
 
     /// What is said to the first answer that is not right.
-    pub(super) fn wrong(&self, answers: &[u8]) -> Option<&str> {
+    pub(super) fn wrong(&self, answers: &[u8]) -> Option<&Phrase> {
         let given = answers.iter().map(Some).chain(std::iter::repeat(None));
         let is_wrong = |(question, given): &(&GoalQuestion, Option<&u8>)| *given != Some(&question.right);
-        self.asks.iter().zip(given).find(is_wrong).map(|(question, _)| &*question.otherwise)
+        self.asks.iter().zip(given).find(is_wrong).map(|(question, _)| &question.otherwise)
     }
 
     /// What is said of the first expectation that is not met.
-    pub(super) fn missed(&self, actions: &[ToldAction]) -> Option<&str> {
+    pub(super) fn missed(&self, actions: &[ToldAction]) -> Option<&Phrase> {
         let windows = |name: &str| -> Vec<(u64, u64)> {
             let named = self.trace.iter().zip(self.begins()).filter(|(part, _)| part.name == name);
             named.map(|(part, begin)| (begin + SETTLE_MS.min(part.for_ms), begin + part.for_ms)).collect()
         };
         let is_met = |one: &Expectation| windows(&one.during).into_iter().all(|window| one.is_met(actions, window));
-        self.expects.iter().find(|one| !is_met(one)).map(|one| &*one.otherwise)
+        self.expects.iter().find(|one| !is_met(one)).map(|one| &one.otherwise)
     }
 }
 

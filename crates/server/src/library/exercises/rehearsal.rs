@@ -4,6 +4,7 @@
 use super::goal::{ExerciseGoal, SensePart, ToldAction};
 use behaviour::{BehaviourFile, Params, StreamKind};
 use engine::{Emission, End, IndexVec, Limits, Run, StreamInfo, StreamIx};
+use phrase::Phrased;
 use protocol::RehearsalResult;
 use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
@@ -21,9 +22,9 @@ pub(crate) fn rehearse(
     token: &CancellationToken,
 ) -> RehearsalResult {
     match run_through(file, goal, token) {
-        RehearsalResult::Reached(says) => goal.wrong(answers).map_or(RehearsalResult::Reached(says), |says| {
-            RehearsalResult::Missed { says: says.to_owned(), fault: None }
-        }),
+        RehearsalResult::Reached(says) => goal
+            .wrong(answers)
+            .map_or(RehearsalResult::Reached(says), |says| RehearsalResult::Missed { says: says.clone(), fault: None }),
         other => other,
     }
 }
@@ -40,7 +41,7 @@ fn run_through(file: &BehaviourFile, goal: &ExerciseGoal, token: &CancellationTo
     let limits = Limits::default().interrupted_by(is_over.clone()).stopped_by(is_over.clone());
     match Run::build(file, limits) {
         Ok(run) => on_readings(run, goal, is_over),
-        Err(faults) => RehearsalResult::CannotRun(faults.first().map(ToString::to_string).unwrap_or_default()),
+        Err(faults) => RehearsalResult::CannotRun(faults.first().map(Phrased::phrase).unwrap_or_default()),
     }
 }
 
@@ -54,7 +55,7 @@ fn on_readings(mut run: Run, goal: &ExerciseGoal, is_over: impl Fn() -> bool) ->
             }
         }
         Emission::Fault { error, .. } => {
-            fault.get_or_insert_with(|| error.to_string());
+            fault.get_or_insert_with(|| error.phrase());
         }
     };
     for (part, at, value) in goal.readings() {
@@ -71,12 +72,12 @@ fn on_readings(mut run: Run, goal: &ExerciseGoal, is_over: impl Fn() -> bool) ->
     match run.ended() {
         Some(End::Stopped) => RehearsalResult::TooLong,
         Some(End::Multiplied { .. }) => {
-            RehearsalResult::CannotRun(run.fault().map(|fault| fault.to_string()).unwrap_or_default())
+            RehearsalResult::CannotRun(run.fault().map(|fault| fault.phrase()).unwrap_or_default())
         }
         None => {
             let actions: Vec<ToldAction> = actions.iter_mut().filter_map(Option::take).collect();
             match goal.missed(&actions) {
-                Some(says) => RehearsalResult::Missed { says: says.to_owned(), fault },
+                Some(says) => RehearsalResult::Missed { says: says.clone(), fault },
                 None => RehearsalResult::Reached(goal.reached.clone()),
             }
         }

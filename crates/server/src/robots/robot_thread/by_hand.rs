@@ -7,6 +7,7 @@ use crate::robots::mailbox::{DoneByHand, Undone};
 use crate::robots::refusal::NotByHand;
 use behaviour::{FileStream, Id, Params, StreamKind};
 use engine::Claim;
+use phrase::phrase;
 use protocol::BY_HAND;
 use robot::{RobotFault, Use};
 use std::collections::BTreeMap;
@@ -67,7 +68,7 @@ impl RobotThread<'_> {
         let claim = claim(stream, device, params);
         // Nobody stands above it.
         let held = self.parts.command(self.now(), &user, &claim, |one, other| one == HAND && other != HAND);
-        held.map_err(|held| RobotFault::NotNow(format!("the {} is held", held.part)))?;
+        held.map_err(|held| RobotFault::NotNow(phrase!("server.the_is_held", "the {part} is held", part = held.part)))?;
         self.robot.command(&user, value, self.now())
     }
 

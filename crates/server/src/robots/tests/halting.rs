@@ -20,7 +20,7 @@ async fn everything_ends_with_the_robots_reason_and_nothing_goes_on_by_itself() 
     until("nobody uses the robot", || puppet.users().is_empty() && puppet.stops() > stops).await;
     for run in [&one, &two] {
         let RunPhase::Paused(why) = phase(&robots, run) else { panic!("{:?}", phase(&robots, run)) };
-        assert!(why.starts_with("it fell") && why.contains("look after"), "{why}");
+        assert!(why.to_string().starts_with("it fell") && why.to_string().contains("look after"), "{why}");
     }
     let again = robots.start(filtered("one", "true")).await.unwrap();
     shows_until_told(&puppet, &again, 6).await;
@@ -168,5 +168,5 @@ async fn giving_back_stops_what_runs_and_taking_control_does_not() {
     let at = |what: &str| log.iter().rposition(|line| line == what).unwrap();
     assert!(at("held") < at("GiveBack") && at("Take") < at("GiveBack"), "{log:?}");
     let refused = robots.control(Control::Rest, "Aiko").await.unwrap_err();
-    assert!(matches!(&refused, Refused::RobotCannot(why) if why.contains("strings")), "{refused}");
+    assert!(matches!(&refused, Refused::RobotCannot(why) if why.to_string().contains("strings")), "{refused}");
 }

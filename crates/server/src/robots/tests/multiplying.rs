@@ -51,10 +51,10 @@ async fn it_ends_with_its_reason_and_its_recording_replays_to_the_same_values() 
     robots.stimulate(&id("one"), &id("ball"), Value::Int(1), "Ben").unwrap();
     until("it ends by itself", || phase(&robots, &run) != RunPhase::Running).await;
     let RunPhase::Faulted(why) = phase(&robots, &run) else { panic!("{:?}", phase(&robots, &run)) };
-    assert!(why.starts_with("values multiply at “m"), "{why}");
+    assert!(why.to_string().starts_with("values multiply at “m"), "{why}");
     until("devices and thread are given back", || puppet.users().is_empty() && robots.shared().threads() == 0).await;
     let lines = lines(&recordings).await;
-    assert_eq!(text(lines.last().unwrap(), "why"), Some(why.as_str()));
+    assert_eq!(text(lines.last().unwrap(), "why"), Some(why.to_string().as_str()));
     let told = outputs(&lines);
     assert!((1_000..100_000).contains(&told.len()), "{}", told.len());
     assert_eq!(told, replayed(&diamonds("one").file, &lines));

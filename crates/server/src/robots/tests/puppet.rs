@@ -33,7 +33,7 @@ struct Strings {
     refuses: Option<&'static str>,
     connects: bool,
     fails: bool,
-    halts: Option<String>,
+    halts: Option<phrase::Phrase>,
     /// What it did, in order.
     log: Vec<String>,
     /// Steps so far.
@@ -132,7 +132,7 @@ impl Puppet {
 
     /// In the next step it wants everything to end.
     pub(super) fn halt(&self, why: &str) {
-        lock(&self.0).halts = Some(why.to_owned());
+        lock(&self.0).halts = Some(why.into());
     }
 
     /// It breaks in the next step.
@@ -156,10 +156,10 @@ impl Robot for Puppet {
 
     fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
         lock(&self.0).log.push(format!("{control:?}"));
-        if control == Control::Rest { Err(RobotFault::NotNow("it hangs on strings".to_owned())) } else { Ok(()) }
+        if control == Control::Rest { Err(RobotFault::NotNow("it hangs on strings".into())) } else { Ok(()) }
     }
 
-    fn take_halt(&mut self) -> Option<String> {
+    fn take_halt(&mut self) -> Option<phrase::Phrase> {
         lock(&self.0).halts.take()
     }
 

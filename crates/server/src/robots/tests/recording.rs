@@ -92,7 +92,7 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
     }
     mark_at(&robots, "she \"smiles\"", 0).unwrap();
     let shown = robots.runs().borrow()[0].recording.clone().unwrap();
-    assert_eq!((shown.lost, shown.trouble.as_deref()), (0, None));
+    assert_eq!((shown.lost, shown.trouble), (0, None));
     robots.stop(None, "Ben");
     let lines = lines(&recordings).await;
     assert_eq!(text(&lines[0], "format"), Some("rrp-recording/2"));
@@ -223,7 +223,7 @@ async fn a_recording_of_marks_has_nothing_of_what_was_sensed() {
     assert_eq!(outputs(&lines).len(), 1);
     let path = recordings.find(&recordings.list()[0].file).unwrap();
     let why = recording::check(&std::fs::read_to_string(path).unwrap()).unwrap_err().to_string();
-    assert!(why.contains("marks and actions only"), "{why}");
+    assert!(why.to_string().contains("marks and actions only"), "{why}");
 }
 
 #[tokio::test]

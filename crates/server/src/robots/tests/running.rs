@@ -115,7 +115,7 @@ async fn a_fault_and_a_command_that_the_robot_drops_are_shown_on_their_connector
         let values = live.since(&mut SeenLive::default())?;
         values.connectors.into_iter().find(|sample| sample.connector == id("show"))?.error
     };
-    until("the dropped command", || dropped().as_deref() == Some("this action needs a number")).await;
+    until("the dropped command", || dropped() == Some("this action needs a number".into())).await;
 }
 
 #[tokio::test]

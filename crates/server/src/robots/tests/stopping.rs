@@ -73,7 +73,7 @@ async fn three_procedures_in_a_row_that_take_too_long_end_the_behaviour_safely()
     }
     until("it ends", || phase(&robots, &run) != RunPhase::Running).await;
     let reason = "a procedure took too long three times; look at the one that makes “good”".to_owned();
-    assert_eq!(phase(&robots, &run), RunPhase::Faulted(reason));
+    assert_eq!(phase(&robots, &run), RunPhase::Faulted(reason.into()));
     until("the robot holds", || puppet.stops() > stops && puppet.users().is_empty()).await;
     assert_eq!(puppet.told(run.run), [Value::Int(2)]);
 }

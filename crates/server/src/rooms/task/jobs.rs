@@ -8,6 +8,7 @@ use crate::rooms::member::AnswerTo;
 use crate::support::store_call;
 use behaviour::{Change, Kind, Presented, Refusal};
 use futures_util::future::BoxFuture;
+use phrase::{Phrase, Phrased};
 use protocol::{Refused, answer};
 use std::future::Future;
 use std::sync::Arc;
@@ -156,10 +157,10 @@ impl RoomTask {
     }
 
     /// A record that does not belong here: helpers live in the library, and nothing else does.
-    fn stranger(&self, change: &Change) -> Option<String> {
+    fn stranger(&self, change: &Change) -> Option<Phrase> {
         let library = self.is_library();
         let stranger = change.edits.iter().find(|edit| (edit.id.kind == Kind::Helper) != library);
-        stranger.map(|edit| edit.id.to_string())
+        stranger.map(|edit| edit.id.phrase())
     }
 
     /// The store answered.

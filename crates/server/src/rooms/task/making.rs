@@ -7,7 +7,9 @@ use crate::rooms::Surroundings;
 use crate::rooms::member::AnswerTo;
 use crate::rooms::past::{RevertRequest, WantedChange, Was};
 use crate::support::identity::Sender;
-use behaviour::{Change, Id, NAME_MAX_CHARS, Refusal, Room, UndoLog, what_went};
+use behaviour::labels;
+use behaviour::{Change, Id, Refusal, Room, UndoLog, what_went};
+use phrase::phrase;
 use protocol::{Person, Refused, answer};
 use std::sync::Arc;
 
@@ -65,11 +67,6 @@ fn start(op: Id, who: &Person) -> Change {
     Change::of(op, &who.name, "")
 }
 
-/// A label that is not too long.
-pub(super) fn label(text: &str) -> String {
-    text.chars().take(NAME_MAX_CHARS).collect()
-}
-
 async fn undo(
     around: &Surroundings,
     id: &Id,
@@ -120,8 +117,9 @@ async fn bring_back(
     let removal = one(around, id, revision).await?.change;
     drop(turn);
     let find = move |_: &_| {
-        let what = what_went(&removal).unwrap_or_else(|| format!("what was removed: {}", removal.label));
-        let start = Change { label: label(&format!("Bring back {what}")), ..start };
+        let what = what_went(&removal)
+            .unwrap_or_else(|| phrase!("label.Removed", "what was removed: {label}", label = removal.label));
+        let start = Change { label: labels::bring_back(what), ..start };
         room.bring_back(&removal, start, &knowing.within_budget())
     };
     around.workers.run(sender, find).await?.map_err(Refused::Change)?.ok_or(Refused::NothingGone)

@@ -1,6 +1,5 @@
 //! What people read of the past of a behaviour, beside all that goes on in its room.
 
-use super::making::label;
 use super::replay::{PAGE_MAX_CHANGES, page, replay};
 use super::waiting::SavingJob;
 use super::{RoomTask, Stay};
@@ -9,7 +8,9 @@ use crate::rooms::past::{PastRequest, RevertRequest, WantedChange, Was};
 use crate::rooms::shown::ShownBehaviour;
 use crate::rooms::{RoomCommand, Surroundings};
 use crate::support::identity::Sender;
+use behaviour::labels;
 use behaviour::{Behaviour, Id, Room, without_unseen};
+use phrase::{Phrase, phrase};
 use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, answer};
 use std::sync::{Arc, Weak};
 use tokio::sync::oneshot;
@@ -91,7 +92,7 @@ impl RoomTask {
     fn find_was(
         &self,
         revision: u64,
-        label: String,
+        label: Phrase,
         wish: impl FnOnce(Box<Was>) -> RevertRequest + Send + 'static,
         answer: AnswerTo<answer::Saved>,
     ) {
@@ -110,13 +111,13 @@ impl RoomTask {
     }
 
     /// What going back is called: by the name of the version, else as its author calls it.
-    fn back_to(&self, revision: u64, called: &str) -> String {
+    fn back_to(&self, revision: u64, called: &str) -> Phrase {
         let named = self.versions.all().iter().rev().find(|one| one.revision == revision);
         let called = without_unseen(called.trim());
-        label(&match named {
-            Some(version) => format!("Go back to “{}”", version.name),
-            None if called.is_empty() => format!("Go back to version {revision}"),
-            None => format!("Go back to {called}"),
+        labels::go_back(match named {
+            Some(version) => phrase!("label.Version", "“{name}”", name = version.name),
+            None if called.is_empty() => phrase!("label.Revision", "version {revision}"),
+            None => called.into(),
         })
     }
 }

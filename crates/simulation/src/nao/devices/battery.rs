@@ -5,6 +5,7 @@ use super::{Beat, Sense, SimulatedDevice, SimulatedDriver};
 use crate::hash::RunningHash;
 use crate::nao::SimulatedNao;
 use behaviour::Value;
+use phrase::phrase;
 
 pub(super) const DRIVER: SimulatedDriver =
     SimulatedDriver { name: "Battery", open: |_| SimulatedDevice::sense(Battery(None)) };
@@ -88,7 +89,7 @@ impl SimulatedNao {
         if self.charge.is_empty() != self.own.empty {
             self.own.empty = !self.own.empty;
             if self.own.empty {
-                self.halt("its battery is empty");
+                self.halt(phrase!("nao.its_battery_is_empty", "its battery is empty"));
             }
         }
     }

@@ -8,6 +8,7 @@ use crate::nao::SimulatedNao;
 use crate::servo::STEP_S;
 use behaviour::Value;
 use core::f32::consts::FRAC_PI_2;
+use phrase::phrase;
 
 pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Fall", open };
 
@@ -74,7 +75,7 @@ impl SimulatedNao {
         match lean.fallen {
             [true, false] => {
                 self.own.stiff = false;
-                self.halt("it fell");
+                self.halt(phrase!("nao.it_fell", "it fell"));
             }
             [false, true] => {
                 self.own.stiff = true;

@@ -5,6 +5,7 @@ use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
+use phrase::phrase;
 use robot::{RobotFault, Use};
 use std::collections::BTreeMap;
 
@@ -60,7 +61,10 @@ impl SimulatedAct for Light {
 
     fn act(&self, nao: &mut SimulatedNao, user: &Use, value: &Value) -> Result<(), RobotFault> {
         if !PARTS.contains(&self.0) {
-            return Err(RobotFault::NotNow("a NAO has no lights on its shoulders; only a Pepper has".to_owned()));
+            return Err(RobotFault::NotNow(phrase!(
+                "nao.a_nao_has_no_lights",
+                "a NAO has no lights on its shoulders; only a Pepper has"
+            )));
         }
         let color = shines(self.0, color(&self.1, value)?);
         nao.lights.0.insert(self.0, (user.clone(), color));

@@ -7,6 +7,7 @@ use crate::nao::SimulatedNao;
 use behaviour::Value;
 use core::f32::consts::FRAC_PI_4;
 use core::ops::Range;
+use phrase::{Phrase, phrase};
 use robot::{RobotFault, Use};
 
 pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Posture", open };
@@ -115,13 +116,13 @@ impl SimulatedNao {
     }
 
     /// Why it cannot walk or turn its whole body now, if it cannot.
-    pub(crate) fn check_legs(&self) -> Result<(), &'static str> {
+    pub(crate) fn check_legs(&self) -> Result<(), Phrase> {
         if self.lean.is_fallen() {
-            Err("it lies on the floor; help it up first")
+            Err(phrase!("nao.it_lies_on_the_floor", "it lies on the floor; help it up first"))
         } else if self.family() == PostureKind::Sit.family() {
-            Err("it sits; let it stand up first")
+            Err(phrase!("nao.it_sits_let_it_stand", "it sits; let it stand up first"))
         } else if self.charge.plugged {
-            Err("it is on its charging cable; unplug it first")
+            Err(phrase!("nao.it_is_on_its_charging", "it is on its charging cable; unplug it first"))
         } else {
             Ok(())
         }
@@ -129,7 +130,7 @@ impl SimulatedNao {
 
     /// Makes ready to walk: unless it sits, it stands up first.
     pub(crate) fn get_ready(&mut self, user: &Use) -> Result<(), RobotFault> {
-        self.check_legs().map_err(|why| RobotFault::NotNow(why.to_owned()))?;
+        self.check_legs().map_err(RobotFault::NotNow)?;
         let on_its_way = self.going.as_ref().is_some_and(|going| going.to == PostureKind::StandInit);
         if !on_its_way && self.away(PostureKind::StandInit, LEGS) > READY {
             self.send(PostureKind::StandInit, READY_SPEED, LEGS, Some(user));

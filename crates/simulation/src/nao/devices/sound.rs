@@ -4,6 +4,7 @@ use super::{DeviceParams, SimulatedAct, SimulatedDevice, SimulatedDriver};
 use crate::hash::{RunningHash, digest_use};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
+use phrase::phrase;
 use robot::{Millis, RobotFault, Use};
 
 pub(super) const DRIVER: SimulatedDriver = SimulatedDriver { name: "Sound", open };
@@ -73,7 +74,7 @@ impl Sounds {
             return Ok(());
         }
         if self.playing.len() >= PLAYING_MAX {
-            return Err(RobotFault::NotNow(format!("{PLAYING_MAX} sounds play already")));
+            return Err(RobotFault::NotNow(phrase!("nao.sounds_play_already", "{PLAYING_MAX} sounds play already")));
         }
         if self.log.len() >= LOG_MAX {
             self.log.remove(0);

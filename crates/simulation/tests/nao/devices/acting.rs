@@ -153,7 +153,7 @@ pub(super) fn tablet() {
     assert_eq!(refused.to_string(), "this robot has no device called “Tablet”");
     let lacking = bench.nao.lacking();
     assert_eq!(
-        lacking.iter().map(|one| (one.device.as_str(), one.why.as_str())).collect::<Vec<_>>(),
-        [("Tablet", "it has no tablet; a Pepper has one")]
+        lacking.iter().map(|one| (one.device.clone(), one.why.to_string())).collect::<Vec<_>>(),
+        [("Tablet".to_owned(), "it has no tablet; a Pepper has one".to_owned())]
     );
 }

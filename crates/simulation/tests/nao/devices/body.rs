@@ -65,7 +65,7 @@ pub(super) fn fall() {
     bench.edit(&SceneEdit::Push);
     bench.wait(1_000);
     assert_eq!((bench.values("fall"), bench.values("both")), (vec![Value::Bool(true)], vec![Value::Bool(true)]));
-    assert_eq!((bench.nao.take_halt().as_deref(), bench.nao.take_halt()), (Some("it fell"), None));
+    assert_eq!((bench.nao.take_halt(), bench.nao.take_halt()), (Some("it fell".into()), None));
     let (body, condition) = (bench.nao.scene().body, bench.nao.condition());
     assert!(body.fallen && body.torso[0] < 0.15 && body.saying.is_empty() && body.torso[1] > 1.5, "{body:?}");
     assert_eq!((condition.fallen, condition.stiff, bench.nao.health()), (Some(true), Some(false), Health::Safe));
@@ -102,7 +102,7 @@ pub(super) fn battery() {
     bench.edit(&SceneEdit::SetBattery { percent: 0 });
     bench.wait(100);
     assert_eq!(bench.values("battery"), [Value::Int(0)]);
-    assert_eq!(bench.nao.take_halt().as_deref(), Some("its battery is empty"));
+    assert_eq!(bench.nao.take_halt(), Some("its battery is empty".into()));
     bench.open("yaw", "SetJointPosition", &[]);
     assert!(bench.try_tell("yaw", 0.3).is_err());
     bench.edit(&SceneEdit::Plug { plugged: true });

@@ -26,7 +26,7 @@ pub(super) fn shelve(
 ) -> Result<Shelved, ImportError> {
     let as_looks = |name: &str| behaviour::as_looks(name).into_owned();
     let mut there: HashMap<String, Helper> = library.helpers().map(|(_, h)| (as_looks(&h.name), h.clone())).collect();
-    let mut change = Change::of(new_id(), by, "Import helpers");
+    let mut change = Change::of(new_id(), by, behaviour::labels::helpers_imported());
     let mut names = BTreeMap::new();
     let in_file: HashSet<&str> = file.helpers.iter().map(|helper| helper.name.as_str()).collect();
     for helper in callees_first(&file.helpers)? {

@@ -3,6 +3,7 @@
 use super::ShapeReader;
 use crate::files::tree::{FileNode, NodeKind};
 use behaviour::{Params, Value, without_control};
+use phrase::{Phrase, phrase};
 
 /// The fields that people write lines into. In all others a line end would break a name or a procedure.
 const LINES: [&str; 2] = ["text", "says"];
@@ -17,14 +18,25 @@ pub(super) struct ShapeFields<'n> {
 
 impl<'n> ShapeFields<'n> {
     /// The fields of `node`, which must be an object with no other than the `known` ones.
-    pub(super) fn of(to: &mut ShapeReader, node: &'n FileNode, what: &str, known: &str) -> Self {
+    pub(super) fn of(to: &mut ShapeReader, node: &'n FileNode, what: &'static str, known: &str) -> Self {
+        let what = Phrase::word(what);
         let NodeKind::Object(all) = &node.what else {
-            to.fault(node.at, format!("Here should be {what}: an object with {}.", known.replace(' ', ", ")));
+            to.fault(
+                node.at,
+                phrase!(
+                    "file.here_should_be_an_object",
+                    "Here should be {what}: an object with {fields}.",
+                    fields = known.replace(' ', ", ")
+                ),
+            );
             return Self { at: node.at, whole: false, all: &[] };
         };
         for (name, field) in all.iter().filter(|(name, _)| !known.split(' ').any(|one| one == name)) {
             let (name, known) = (super::short(name), known.replace(' ', ", "));
-            to.fault(field.at, format!("“{name}” is not known here; {what} has {known}. Leave it out."));
+            to.fault(
+                field.at,
+                phrase!("file.is_not_known_here_has", "“{name}” is not known here; {what} has {known}. Leave it out."),
+            );
         }
         Self { at: node.at, whole: true, all }
     }
@@ -60,7 +72,7 @@ impl<'n> ShapeFields<'n> {
             return &[];
         };
         let NodeKind::Array(items) = &node.what else {
-            to.fault(node.at, format!("“{name}” must be a list."));
+            to.fault(node.at, phrase!("file.must_be_a_list", "“{name}” must be a list."));
             return &[];
         };
         items
@@ -90,7 +102,7 @@ impl<'n> ShapeFields<'n> {
     pub(super) fn count(&self, to: &mut ShapeReader, name: &str) -> Option<u64> {
         let whole = self.maybe_whole(to, name)?;
         if whole < 0 {
-            to.fault(self.at(name), format!("“{name}” must not be negative."));
+            to.fault(self.at(name), phrase!("file.must_not_be_negative", "“{name}” must not be negative."));
         }
         u64::try_from(whole).ok()
     }
@@ -101,7 +113,7 @@ impl<'n> ShapeFields<'n> {
         if let NodeKind::Plain(Value::Bool(truth)) = node.what {
             return Some(truth);
         }
-        to.fault(node.at, format!("“{name}” must be true or false."));
+        to.fault(node.at, phrase!("file.must_be_true_or_false", "“{name}” must be true or false."));
         None
     }
 
@@ -114,7 +126,10 @@ impl<'n> ShapeFields<'n> {
     pub(super) fn params(&self, to: &mut ShapeReader) -> Params {
         let Some(node) = self.get("params") else { return Params::new() };
         let NodeKind::Object(all) = &node.what else {
-            to.fault(node.at, "“params” must be an object of names and values.");
+            to.fault(
+                node.at,
+                phrase!("file.params_must_be_an_object", "“params” must be an object of names and values."),
+            );
             return Params::new();
         };
         all.iter().map(|(name, node)| (without_control(name, ' ').into_owned(), value(to, node))).collect()
@@ -126,7 +141,7 @@ fn value(to: &mut ShapeReader, node: &FileNode) -> Value {
     let value = cleaned(node.value());
     let length = value.to_string().len();
     if length > crate::files::TEXT_MAX_BYTES {
-        to.fault(node.at, format!("A parameter has {length} bytes. Shorten it."));
+        to.fault(node.at, phrase!("file.a_parameter_has_bytes_shorten", "A parameter has {length} bytes. Shorten it."));
     }
     value
 }
@@ -151,7 +166,7 @@ fn text(to: &mut ShapeReader, node: &FileNode, name: &str) -> Option<String> {
         let line_end = if LINES.contains(&name) { '\n' } else { ' ' };
         return Some(without_control(text, line_end).into_owned());
     }
-    to.fault(node.at, format!("“{name}” must be a text in quotes."));
+    to.fault(node.at, phrase!("file.must_be_a_text_in", "“{name}” must be a text in quotes."));
     None
 }
 
@@ -159,6 +174,6 @@ pub(super) fn whole(to: &mut ShapeReader, node: &FileNode, name: &str) -> Option
     if let NodeKind::Plain(Value::Int(whole)) = node.what {
         return Some(whole);
     }
-    to.fault(node.at, format!("“{name}” must be a whole number."));
+    to.fault(node.at, phrase!("file.must_be_a_whole_number", "“{name}” must be a whole number."));
     None
 }

@@ -4,6 +4,7 @@ use super::escape::{of_attribute, of_element, reference};
 use crate::files::FileFault;
 use crate::files::place::LineStarts;
 use crate::files::tree::TOO_MANY;
+use phrase::{Phrase, phrase};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
@@ -79,7 +80,7 @@ struct ElementParser<'l, 't> {
 }
 
 impl ElementParser<'_, '_> {
-    fn no<T>(&self, at: usize, reason: impl Into<String>) -> Result<T, FileFault> {
+    fn no<T>(&self, at: usize, reason: impl Into<Phrase>) -> Result<T, FileFault> {
         Err(self.lines.fault(at, reason))
     }
 
@@ -105,8 +106,13 @@ impl ElementParser<'_, '_> {
                 self.text(at, c.encode_utf8(&mut [0; 4]))?;
             }
             Event::Decl(declared) => self.declared(at, &declared)?,
-            Event::DocType(_) => return self.no(at, "A program may have no DOCTYPE. Take it out."),
-            Event::PI(_) => return self.no(at, "<?…?> may not be in a program. Take it out."),
+            Event::DocType(_) => {
+                return self
+                    .no(at, phrase!("file.a_program_may_have_no", "A program may have no DOCTYPE. Take it out."));
+            }
+            Event::PI(_) => {
+                return self.no(at, phrase!("file.may_not_be_in_a", "<?…?> may not be in a program. Take it out."));
+            }
             Event::Comment(_) => {}
             Event::Eof => return Ok(false),
         }
@@ -119,20 +125,35 @@ impl ElementParser<'_, '_> {
         if at == 0 && version && !matches!(encoding, Some(Err(_) | Ok(false))) {
             return Ok(());
         }
-        self.no(at, "<?xml …?> must be the first line, with version 1.0 and UTF-8. Mend it or leave it out.")
+        self.no(
+            at,
+            phrase!(
+                "file.xml_must_be_the_first",
+                "<?xml …?> must be the first line, with version 1.0 and UTF-8. Mend it or leave it out."
+            ),
+        )
     }
 
     fn start(&mut self, at: usize, start: &BytesStart) -> Result<(), FileFault> {
         let name = String::from_utf8_lossy(start.name().as_ref()).into_owned();
         if self.open.len() >= DEPTH_MAX {
-            return self.no(at, format!("Elements lie in each other more than {DEPTH_MAX} deep. Make it simpler."));
+            return self.no(
+                at,
+                phrase!(
+                    "file.elements_lie_in_each_other",
+                    "Elements lie in each other more than {DEPTH_MAX} deep. Make it simpler."
+                ),
+            );
         }
         self.elements += 1;
         if self.elements > ELEMENTS_MAX {
             return self.no(at, TOO_MANY);
         }
         if self.root.is_some() {
-            return self.no(at, format!("<{name}> stands after the end of the program. Take it out."));
+            return self.no(
+                at,
+                phrase!("file.stands_after_the_end_of", "<{name}> stands after the end of the program. Take it out."),
+            );
         }
         let attributes = self.attributes(at, start)?;
         self.open.push(XmlElement { name, at, attributes, ..XmlElement::default() });
@@ -141,24 +162,40 @@ impl ElementParser<'_, '_> {
 
     fn attributes(&self, at: usize, start: &BytesStart) -> Result<Vec<(String, usize, String)>, FileFault> {
         let mut all: Vec<(String, usize, String)> = Vec::new();
-        let mend = |reason: &str| {
-            self.no(at, format!("{reason} Mend it in <{}>.", String::from_utf8_lossy(start.name().as_ref())))
+        let mend = |reason: Phrase| {
+            self.no(
+                at,
+                phrase!(
+                    "file.mend_it_in",
+                    "{reason} Mend it in <{name}>.",
+                    name = String::from_utf8_lossy(start.name().as_ref())
+                ),
+            )
         };
         // The reader's own check for doubles compares each with all others, however many there are.
         for attribute in start.attributes().with_checks(false) {
             let Ok(attribute) = attribute else {
-                return mend("An attribute is broken; write it as name=\"value\".");
+                return mend(phrase!(
+                    "file.an_attribute_is_broken_write",
+                    "An attribute is broken; write it as name=\"value\"."
+                ));
             };
             if all.len() >= ATTRIBUTES_MAX {
-                return mend(&format!("There are more than {ATTRIBUTES_MAX} attributes."));
+                return mend(phrase!(
+                    "file.there_are_more_than_attributes",
+                    "There are more than {ATTRIBUTES_MAX} attributes."
+                ));
             }
             let name = String::from_utf8_lossy(attribute.key.as_ref()).into_owned();
             if all.iter().any(|(known, ..)| *known == name) {
-                return mend("An attribute is there twice.");
+                return mend(phrase!("file.an_attribute_is_there_twice", "An attribute is there twice."));
             }
             let key = inside(start, attribute.key.as_ref());
             if !start.get(key.wrapping_sub(1)).is_some_and(u8::is_ascii_whitespace) {
-                return self.no(at + 1 + key, format!("There must be a blank before {name}. Add one."));
+                return self.no(
+                    at + 1 + key,
+                    phrase!("file.there_must_be_a_blank", "There must be a blank before {name}. Add one."),
+                );
             }
             let raw = String::from_utf8_lossy(&attribute.value);
             let value_at = at + 1 + inside(start, &attribute.value);
@@ -183,7 +220,10 @@ impl ElementParser<'_, '_> {
             None if text.trim_start_matches('\u{feff}').trim().is_empty() => {}
             None => {
                 let at = at + text.len() - text.trim_start().len();
-                return self.no(at, "There is text outside of the program. Take it out.");
+                return self.no(
+                    at,
+                    phrase!("file.there_is_text_outside_of", "There is text outside of the program. Take it out."),
+                );
             }
         }
         Ok(())
@@ -191,12 +231,19 @@ impl ElementParser<'_, '_> {
 
     fn finish(self, end: usize) -> Result<XmlElement, FileFault> {
         if let Some(open) = self.open.last() {
-            let reason = format!("The file ends inside of <{}>. Copy it again as a whole.", open.name);
+            let reason = phrase!(
+                "file.the_file_ends_inside_of",
+                "The file ends inside of <{}>. Copy it again as a whole.",
+                open.name
+            );
             return self.no(end, reason);
         }
         match self.root {
             Some(root) => Ok(root),
-            None => Err(self.lines.fault(end, "There is no program in this file. Choose another one.")),
+            None => Err(self.lines.fault(
+                end,
+                phrase!("file.there_is_no_program_in", "There is no program in this file. Choose another one."),
+            )),
         }
     }
 }
@@ -211,10 +258,14 @@ fn inside(start: &BytesStart, part: &[u8]) -> usize {
     if offset <= start.len() { offset } else { 0 }
 }
 
-fn broken(error: &quick_xml::Error) -> String {
+fn broken(error: &quick_xml::Error) -> Phrase {
     match error {
-        quick_xml::Error::IllFormed(why) => format!("This is no XML: {why}. Mend it here."),
-        quick_xml::Error::Syntax(why) => format!("This is no XML: {why}. Mend it here."),
-        other => format!("This is no XML: {other}. Mend it here."),
+        quick_xml::Error::IllFormed(why) => {
+            phrase!("file.this_is_no_xml_mend", "This is no XML: {why}. Mend it here.", why = why.to_string())
+        }
+        quick_xml::Error::Syntax(why) => {
+            phrase!("file.this_is_no_xml_mend", "This is no XML: {why}. Mend it here.", why = why.to_string())
+        }
+        other => phrase!("file.this_is_no_xml_mend", "This is no XML: {why}. Mend it here.", why = other.to_string()),
     }
 }

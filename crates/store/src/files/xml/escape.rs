@@ -1,9 +1,9 @@
 //! Texts in XML: which characters may stand there, how the others are written, and how references are read.
 
-use thiserror::Error;
+use phrase::Phrased;
 
 /// The reasons why a text of XML stands for nothing.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Phrased)]
 pub(in crate::files) enum EscapeError {
     /// A reference to no character that may stand there; with its beginning.
     #[error("&{0}; stands for nothing here. Take it out.")]

@@ -34,8 +34,8 @@ fn Help(spec: &'static Spec) -> impl IntoView {
     let examples = spec.help.examples.iter().map(|example| view! { <Shown spec example /> }).collect_view();
     view! {
         <div class="how-help">
-            <p>{words::translated(spec.help.does)}</p>
-            <p>{words::translated(spec.help.when)}</p>
+            <p>{words::connector_does(spec)}</p>
+            <p>{words::connector_when(spec)}</p>
             <p class="second">{words::how_to_read()}</p>
             {examples}
         </div>
@@ -47,7 +47,7 @@ fn Help(spec: &'static Spec) -> impl IntoView {
 fn Shown(spec: &'static Spec, example: &'static Example) -> impl IntoView {
     view! {
         <figure class="how-example">
-            <figcaption>{words::translated(example.title)}</figcaption>
+            <figcaption>{words::connector_example(spec, example.title)}</figcaption>
             <Given example />
             <p class="how-connector"><code>{example.label(spec.word)}</code></p>
             <Then example acts=spec.acts() />

@@ -189,7 +189,7 @@ fn HelperFields(form: OperationForm, fitting: Memo<Vec<Helper>>) -> impl IntoVie
     });
     let says = move || {
         let name = form.helper.get();
-        fitting.get().into_iter().find(|helper| helper.name == name).map(|helper| words::translated(&helper.says))
+        fitting.get().into_iter().find(|helper| helper.name == name).map(|helper| words::what_helper_does(&helper))
     };
     view! {
         <Select label=words::helper() options value=form.helper />

@@ -78,7 +78,7 @@ impl Robot for Witness {
     fn control(&mut self, control: Control, now: Millis) -> Result<(), RobotFault> {
         self.nao.control(control, now)
     }
-    fn take_halt(&mut self) -> Option<String> {
+    fn take_halt(&mut self) -> Option<phrase::Phrase> {
         self.nao.take_halt()
     }
     fn health(&self) -> Health {

@@ -134,7 +134,7 @@ impl Robot for ProbedRobot {
         self.nao.control(control, now)
     }
 
-    fn take_halt(&mut self) -> Option<String> {
+    fn take_halt(&mut self) -> Option<phrase::Phrase> {
         self.nao.take_halt()
     }
 

@@ -50,7 +50,7 @@ fn drawn(example: &'static Example, given: Lane, top: f64, look: MarbleLook) -> 
         let (value, time) = marble.parts();
         Bead { x: x(example, marble.at_ms), text: value.to_owned(), under: time.map(words::at_ms) }
     });
-    lane(words::language::said(given.0).to_owned(), beads, top, look)
+    lane(words::language::word(given.0).to_owned(), beads, top, look)
 }
 
 /// Thin lines at the marks of time, through all lanes.
@@ -69,7 +69,7 @@ fn x(example: &Example, at_ms: u64) -> f64 {
 
 /// A lane as a sentence.
 fn told(lane: Lane) -> String {
-    let lane = Lane(words::language::said(lane.0), lane.1);
+    let lane = Lane(words::language::word(lane.0), lane.1);
     let marbles: Vec<_> = lane.marbles().map(|marble| words::value_at(marble.parts().0, marble.at_ms)).collect();
     words::lane_tells(lane.0, &words::listed(marbles))
 }

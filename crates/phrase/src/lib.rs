@@ -1,0 +1,229 @@
+//! Sentences as data: a key, the English of it, and what stands in its holes.
+//!
+//! Whoever refuses something or finds a fault makes a [`Phrase`]; whoever shows it looks for its key in the catalogue of a
+//! language and takes the English that came along where that language has none. Nobody reads a sentence to find out what
+//! it says. Words of people, of a device or of an old file are texts within it and stay as they are.
+#![warn(missing_docs)]
+
+mod key;
+mod language;
+mod phrased;
+mod template;
+mod wire;
+
+pub use key::key_of;
+pub use language::{LANGUAGES, Language, Plural};
+pub use phrase_macros::{Phrased, phrase};
+pub use phrased::Phrased;
+pub use template::{filled, holes};
+
+extern crate self as phrase;
+
+use std::borrow::Cow;
+use std::fmt;
+
+/// A sentence or a part of one. [`fmt::Display`] says it in English.
+#[derive(Clone, Debug)]
+pub enum Phrase {
+    /// Words of a person, a device or an old file: shown as they are.
+    Text(String),
+    /// A number, which may decide over the words around it.
+    Number(f64),
+    /// Words of the catalogue.
+    Keyed(Box<KeyedPhrase>),
+    /// Several, with commas between them.
+    List(Vec<Self>),
+}
+
+/// A sentence of the catalogue.
+#[derive(Clone, Debug)]
+pub struct KeyedPhrase {
+    /// The key: `Refusal.Locked`.
+    pub key: Cow<'static, str>,
+    /// The English: `{by} is editing {what}.`
+    pub english: Cow<'static, str>,
+    /// What stands in the holes, by their names.
+    pub with: Vec<(Cow<'static, str>, Phrase)>,
+}
+
+impl Phrase {
+    /// Makes a sentence of the catalogue; [`phrase!`] does so.
+    #[must_use]
+    pub fn of(key: &'static str, english: &'static str, with: Vec<(&'static str, Self)>) -> Self {
+        let with = with.into_iter().map(|(name, phrase)| (Cow::Borrowed(name), phrase)).collect();
+        Self::Keyed(Box::new(KeyedPhrase { key: key.into(), english: english.into(), with }))
+    }
+
+    /// Makes a word of the catalogue that its own English names, such as that of a unit or of a connector.
+    #[must_use]
+    pub fn word(english: impl Into<Cow<'static, str>>) -> Self {
+        let english = english.into();
+        let key = Cow::Owned(format!("word.{english}"));
+        Self::Keyed(Box::new(KeyedPhrase { key, english, with: Vec::new() }))
+    }
+
+    /// Makes a sentence of the catalogue of a key that is made while the program runs.
+    #[must_use]
+    pub fn named(key: String, english: String) -> Self {
+        Self::Keyed(Box::new(KeyedPhrase { key: key.into(), english: english.into(), with: Vec::new() }))
+    }
+
+    /// Makes words that stay as they are.
+    #[must_use]
+    pub fn text(text: String) -> Self {
+        Self::Text(text)
+    }
+
+    /// The same with every text in it changed.
+    #[must_use]
+    pub fn map(self, change: &dyn Fn(&str) -> String) -> Self {
+        match self {
+            Self::Text(text) => Self::Text(change(&text)),
+            Self::Number(number) => Self::Number(number),
+            Self::List(list) => Self::List(list.into_iter().map(|one| one.map(change)).collect()),
+            Self::Keyed(keyed) => {
+                let KeyedPhrase { key, english, with } = *keyed;
+                let with = with.into_iter().map(|(name, phrase)| (name, phrase.map(change))).collect();
+                Self::Keyed(Box::new(KeyedPhrase { key, english: change(&english).into(), with }))
+            }
+        }
+    }
+
+    /// What stands in the hole of this name.
+    #[must_use]
+    pub fn hole(&self, name: &str) -> Option<&Self> {
+        let Self::Keyed(keyed) = self else { return None };
+        keyed.with.iter().find(|(hole, _)| hole == name).map(|(_, phrase)| phrase)
+    }
+
+    /// The key; none of what stays as it is.
+    #[must_use]
+    pub fn key(&self) -> Option<&str> {
+        if let Self::Keyed(keyed) = self { Some(&keyed.key) } else { None }
+    }
+
+    /// True if it says nothing.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        match self {
+            Self::Text(text) => text.is_empty(),
+            Self::List(list) => list.is_empty(),
+            Self::Keyed(keyed) => keyed.english.is_empty(),
+            Self::Number(_) => false,
+        }
+    }
+
+    /// The bytes that it takes, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Text(text) => text.len(),
+            Self::Number(_) => 8,
+            Self::List(list) => list.iter().map(Self::bytes).sum(),
+            Self::Keyed(keyed) => {
+                let with = keyed.with.iter().map(|(name, phrase)| name.len() + phrase.bytes());
+                keyed.key.len() + keyed.english.len() + with.sum::<usize>()
+            }
+        }
+    }
+
+    /// Says it in a language: `template` gives the words of a key there, if it has them.
+    #[must_use]
+    pub fn said<'a>(&self, language: &Language, template: &dyn Fn(&str) -> Option<&'a str>) -> String {
+        match self {
+            Self::Text(text) => text.clone(),
+            Self::Number(number) => number.to_string(),
+            Self::List(list) => {
+                let all: Vec<String> = list.iter().map(|one| one.said(language, template)).collect();
+                all.join(language.comma)
+            }
+            Self::Keyed(keyed) => {
+                let own = template(&keyed.key);
+                let language = if own.is_some() { language } else { &Language::ENGLISH };
+                filled(own.unwrap_or(&keyed.english), language, &|name| {
+                    let (_, phrase) = keyed.with.iter().find(|(hole, _)| hole == name)?;
+                    Some((phrase.said(language, template), phrase.number()))
+                })
+            }
+        }
+    }
+
+    fn number(&self) -> Option<f64> {
+        if let Self::Number(number) = self { Some(*number) } else { None }
+    }
+}
+
+impl fmt::Display for Phrase {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str(&self.said(&Language::ENGLISH, &|_| None))
+    }
+}
+
+impl Default for Phrase {
+    fn default() -> Self {
+        Self::Text(String::new())
+    }
+}
+
+/// What an old file says in words is the same as what a newer one says by its key.
+impl PartialEq for Phrase {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Keyed(one), Self::Keyed(other)) => one.key == other.key && one.with == other.with,
+            _ => self.to_string() == other.to_string(),
+        }
+    }
+}
+
+impl Eq for Phrase {}
+
+impl PartialEq<str> for Phrase {
+    fn eq(&self, other: &str) -> bool {
+        self.to_string() == other
+    }
+}
+
+impl PartialEq<&str> for Phrase {
+    fn eq(&self, other: &&str) -> bool {
+        self.to_string() == *other
+    }
+}
+
+impl From<String> for Phrase {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<&String> for Phrase {
+    fn from(text: &String) -> Self {
+        Self::Text(text.clone())
+    }
+}
+
+impl From<&Self> for Phrase {
+    fn from(phrase: &Self) -> Self {
+        phrase.clone()
+    }
+}
+
+impl From<&str> for Phrase {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+/// Shows types in English as they are phrased.
+#[macro_export]
+macro_rules! shown {
+    ($($name:ty),* $(,)?) => {$(
+        impl ::std::fmt::Display for $name {
+            fn fmt(&self, to: &mut ::std::fmt::Formatter) -> ::std::fmt::Result {
+                ::std::fmt::Display::fmt(&$crate::Phrased::phrase(self), to)
+            }
+        }
+    )*};
+}
+
+#[cfg(test)]
+mod tests;
