@@ -28,6 +28,10 @@ const SENT: [(&str, &str, &str); 4] = [
     ("Hello once", "Face", "a new face"),
 ];
 
+/// The number of values on the canvas, and the frames for which it stays the same once all are there.
+const VALUES: &str = "document.querySelectorAll('#stage .value').length";
+const FRAMES: u32 = 40;
+
 /// Pairs of streams, chips and values of different streams that meet.
 const MEETING: &str = "(() => {
     const all = [...document.querySelectorAll('#stage .stream, #stage .chip, #stage .value')].map(node => {
@@ -81,12 +85,12 @@ async fn values_have_room(stage: Stage, templates: &[&str]) -> Outcome<()> {
         aiko.press("button", "Start").await?;
         send(&aiko, name).await?;
         aiko.until("document.querySelectorAll('#stage .value').length > 0", "values come").await?;
-        tokio::time::sleep(std::time::Duration::from_millis(1_500)).await;
+        aiko.steady(VALUES, FRAMES, "all values are there").await?;
         picture(&aiko, &program).await?;
         nothing_meets(&aiko, name).await?;
         assert_eq!(aiko.eval(OUTSIDE).await?, "", "{name}");
         aiko.press("button", "Tidy").await?;
-        tokio::time::sleep(std::time::Duration::from_millis(900)).await;
+        aiko.settled().await?;
         picture(&aiko, &format!("{program}-tidy")).await?;
         nothing_meets(&aiko, &format!("{name}, tidied")).await?;
         aiko.no_errors()?;
@@ -122,7 +126,7 @@ async fn values_become_shorter_where_streams_are_close() -> Outcome<()> {
     aiko.drag((x, y), (x + by, y), 8).await?;
     aiko.press("button", "Start").await?;
     aiko.until("document.querySelectorAll('#stage .value').length > 3", "values come").await?;
-    tokio::time::sleep(std::time::Duration::from_millis(1_200)).await;
+    aiko.steady(VALUES, FRAMES, "all values are there").await?;
     picture(&aiko, "close-streams").await?;
     let meeting = aiko.eval(MEETING).await?;
     let values: Vec<&str> = text(&meeting).lines().filter(|pair| pair.contains("value")).collect();

@@ -151,8 +151,8 @@ async fn tour(page: &Page, words: &Words, visit: &impl AsyncFn(&str, &[Window]) 
         // Nothing runs, so that the step about Stop is soon done by itself.
         if !at.is_empty() && at != "9" {
             // The card looks a few times a second where it shall stand.
-            tokio::time::sleep(std::time::Duration::from_millis(600)).await;
-            rests(page).await?;
+            let spot = "JSON.stringify(document.querySelector('.tour').getBoundingClientRect())";
+            page.steady(spot, 30, "the tour's card stands").await?;
             page.press("button", &words.say("Skip")).await?;
         }
         let step = "document.querySelector('.tour p.faint')?.innerText.match(/[0-9]+/)?.[0] ?? 'end'";

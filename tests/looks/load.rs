@@ -29,6 +29,10 @@ const OPERATE_BYTES_MAX: u64 = 121_000;
 /// the operator's page. A ratchet.
 const PAST_BYTES_MAX: u64 = 151_000;
 
+/// The number of files that were fetched, and the frames without another one after which none is expected.
+const FETCHED: &str = "performance.getEntriesByType('resource').length";
+const QUIET_FRAMES: u32 = 120;
+
 /// The names of the pieces of the page's code that are here.
 const PIECES: &str = "performance.getEntriesByType('resource').map(entry => new URL(entry.name).pathname)\
     .filter(path => /\\/(past|common|later)-/.test(path))";
@@ -111,7 +115,7 @@ async fn the_operators_page_needs_little_more_and_nothing_of_the_second_piece() 
     usable(&page).await?;
     page.until("document.querySelector('.op:not(.op-bare)')", "the operator's page is there").await?;
     // What else follows the first screen counts as well.
-    tokio::time::sleep(std::time::Duration::from_secs(3)).await;
+    page.steady(FETCHED, QUIET_FRAMES, "nothing more is fetched").await?;
     let traffic = page.network();
     let later =
         page.eval("performance.getEntriesByType('resource').some(entry => entry.name.includes('/later-'))").await?;
@@ -161,7 +165,7 @@ async fn load(page: &Page, server: &Server, what: &str) -> Outcome<Load> {
     let usable_ms = usable_ms.as_f64().unwrap_or(f64::INFINITY);
     page.until(LATER, "what is fetched after the first load is here").await?;
     // What else follows the first screen counts as well.
-    tokio::time::sleep(std::time::Duration::from_secs(3)).await;
+    page.steady(FETCHED, QUIET_FRAMES, "nothing more is fetched").await?;
     let traffic = page.network();
     let later = page.eval(LATER).await?;
     let (later_files, later_bytes) = (later["files"].as_u64().unwrap_or(0), later["bytes"].as_u64().unwrap_or(0));

@@ -11,6 +11,8 @@ use crate::{Outcome, Page, Trouble};
 
 /// The longest time of two frames; many times what a busy machine needs.
 const FRAMES: Duration = Duration::from_secs(10);
+/// The longest time until something stays as it is.
+const STEADY: Duration = Duration::from_secs(30);
 /// The time for which a page is looked at that draws nothing.
 const LOOK: Duration = Duration::from_secs(5);
 const TWO: &str = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
@@ -25,6 +27,29 @@ impl Page {
         self.frames().await?;
         self.until(STILL, "the page comes to rest").await?;
         self.frames().await
+    }
+
+    /// Waits until a JavaScript expression has had the same value, as text, for `frames` frames in a row.
+    ///
+    /// # Errors
+    /// Fails with what it was at last if it goes on changing.
+    pub async fn steady(&self, js: &str, frames: u32, what: &str) -> Outcome<()> {
+        let watch = format!(
+            "new Promise(done => {{
+                let [before, same] = [undefined, 0];
+                const look = () => {{
+                    const now = String({js});
+                    same = now === before ? same + 1 : 0;
+                    before = now;
+                    if (same >= {frames}) done(true); else requestAnimationFrame(look);
+                }};
+                look();
+            }})"
+        );
+        match tokio::time::timeout(STEADY, self.eval(&watch)).await {
+            Ok(steady) => steady.map(drop),
+            Err(_) => Err(self.fail(&format!("{what}: it goes on changing for {} s", STEADY.as_secs())).await),
+        }
     }
 
     /// Waits until the page has drawn two frames, so that everything before is in view.
