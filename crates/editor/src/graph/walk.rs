@@ -4,7 +4,7 @@ use behaviour::{Behaviour, Graph, Id, Place};
 
 /// The directions of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum StepDirection {
+pub enum StepDirection {
     Down,
     Up,
     Left,
@@ -12,7 +12,7 @@ pub(super) enum StepDirection {
 }
 
 /// The stream that is reached from `from`; `place` tells where streams stand.
-pub(super) fn walk(
+pub fn walk(
     behaviour: &Behaviour,
     from: &Id,
     way: StepDirection,

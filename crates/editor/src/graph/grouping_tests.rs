@@ -1,6 +1,6 @@
 //! Tests of groups: how streams become one, and what becomes of it.
 
-use super::super::Selected;
+use crate::Selected;
 use super::super::graph_tests::{id, start};
 use super::{edited, expanded, grouped, ungrouped, without_empty};
 use behaviour::{Behaviour, Connector, Id, Kind, Params, Record, RecordId, Stream, StreamKind, connectors};
