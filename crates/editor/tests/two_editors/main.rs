@@ -4,8 +4,12 @@
 //! `RRP_EDITOR_SEEDS=10000` plays so many seeds, `RRP_EDITOR_SEED=7` plays one.
 
 mod dice;
+mod graph;
+mod keyboard;
 mod page;
+mod presence;
 mod scenes;
+mod sketch;
 mod server;
 mod table;
 mod world;

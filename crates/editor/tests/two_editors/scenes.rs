@@ -520,7 +520,8 @@ fn what_is_typed_just_before_the_lock_is_given_goes_with_it_and_ends_it() {
 #[test]
 fn without_a_role_to_edit_nothing_is_sent() {
     let mut table = Table::laid();
-    let mut editor = Editor::new(|| crate::server::id("x"), |_, _, _, _| None, |_| behaviour::Pad::default());
+    let usual = |_: &behaviour::Behaviour| behaviour::Pad::default();
+    let mut editor = Editor::new(|| crate::server::id("x"), |_, _, _, _| None, usual, crate::page::SIZES);
     let no = Refused::Role(protocol::Role::Editor);
     let me = editor::Me { client: None, name: "Eve".to_owned(), refused: Some(no.clone()) };
     editor.at(editor::Now::default(), me).begin_with(Some(table.server.behaviour.clone()));
