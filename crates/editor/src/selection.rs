@@ -164,7 +164,7 @@ impl Editor {
         let shown = self.past.as_ref().map_or_else(|| self.groups_now(), |past| past.groups().map(owned).collect());
         let saved: BTreeSet<Id> = shown.iter().filter(|(_, group)| group.folded).map(|(id, _)| id.clone()).collect();
         let folded_anew: Vec<Id> = saved.difference(&self.folds.saved).cloned().collect();
-        folded_anew.iter().for_each(|id| drop(self.folds.opened.remove(id)));
+        self.folds.opened.retain(|id| !folded_anew.contains(id));
         let folded: BTreeSet<Id> = saved.difference(&self.folds.opened).cloned().collect();
         let inside = shown.iter().filter(|(id, _)| folded.contains(id));
         let hidden: BTreeMap<Id, Id> = inside

@@ -76,7 +76,7 @@ impl ProgramPart {
     }
 
     /// Read from a text by `read`, if it is one.
-    pub fn read(text: &str, read: impl FnOnce(&str) -> serde_json::Result<Self>) -> Option<Self> {
+    pub fn read<'a>(text: &'a str, read: impl FnOnce(&'a str) -> serde_json::Result<Self>) -> Option<Self> {
         let text = Some(text.trim()).filter(|text| text.len() <= TEXT_MAX_BYTES && text.starts_with('{'))?;
         read(text).ok().filter(|part| part.format == FORMAT)
     }

@@ -98,7 +98,7 @@ fn a_wire_to_a_stream_that_is_fed_merges_and_keeps_what_is_below() {
 #[test]
 fn a_stream_without_source_is_fed_again() {
     let mut made = graph();
-    made.apply(&build::without_connector(&made, start(), &id("map")));
+    made.apply(&crate::build::without_connector(&made, start(), &id("map")));
     assert!(wire_ends(&made, &id("ball")).contains(&(WireEnd::Stream(id("distance")), Joining::Feeds)));
     wire(&mut made, "touch", WireEnd::Stream(id("distance")));
     assert_eq!(made.connector(&id("new-connector")).unwrap().inputs, [id("touch")]);
