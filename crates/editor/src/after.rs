@@ -33,8 +33,9 @@ impl Editor {
         let Some(then) = self.take_following(op) else { return };
         match (then, answer) {
             (AfterSaving::Choose(these), Ok(())) => {
-                let there = these.into_iter().filter(|one| self.shown(&one.record()).is_some()).collect();
-                self.choose(there);
+                if these.iter().any(|one| self.is_shown(one)) {
+                    self.choose(these);
+                }
             }
             (AfterSaving::SelectUnlessOther { before, what }, Ok(())) if self.chosen() == before => {
                 self.select(Some(what));

@@ -47,9 +47,10 @@ impl Editor {
         self.choose(these);
     }
 
-    /// Chooses these; one alone is what is selected. What is looked for is shown, whatever is folded around it, and who chooses
+    /// Chooses these, as far as they are there; one alone is what is selected. What is looked for is shown, whatever is folded around it, and who chooses
     /// looks around by themselves.
     pub fn choose(&mut self, mut these: BTreeSet<Selected>) {
+        these.retain(|one| self.is_shown(one));
         let one = if these.len() == 1 { these.pop_first() } else { None };
         if let Some(one) = &one {
             self.unfollow();
@@ -121,6 +122,12 @@ impl Editor {
         }
     }
 
+    /// Returns true if something is there, as it is shown.
+    #[must_use]
+    pub fn is_shown(&self, one: &Selected) -> bool {
+        self.shown(&one.record()).is_some()
+    }
+
     fn first_stream(&self) -> Option<Id> {
         self.shown_behaviour().streams_in_order().first().map(|(id, _)| (*id).clone())
     }
@@ -182,7 +189,7 @@ impl Editor {
 
     /// Tells which part of the graph has the keyboard; none if it is elsewhere.
     pub fn keyboard_at(&mut self, part: Option<Selected>) {
-        self.keyboard = part.map(|part| {
+        self.keyboard = part.filter(|part| self.is_shown(part)).map(|part| {
             let place = self.part_place(&part);
             KeyboardPlace { part, place }
         });
@@ -213,13 +220,12 @@ impl Editor {
         if self.news.is_whole || self.news.touched.iter().any(|key| key.kind == Kind::Group) {
             self.see_groups();
         }
-        let is_gone = |editor: &Self, one: &Selected| editor.shown(&one.record()).is_none();
-        if self.selected.as_ref().is_some_and(|one| is_gone(self, one)) {
+        if self.selected.as_ref().is_some_and(|one| !self.is_shown(one)) {
             self.selected.set(None);
             self.plan_presence();
         }
-        if self.several.iter().any(|one| is_gone(self, one)) {
-            let still = self.several.iter().filter(|one| !is_gone(self, one)).cloned().collect();
+        if self.several.iter().any(|one| !self.is_shown(one)) {
+            let still = self.several.iter().filter(|one| self.is_shown(one)).cloned().collect();
             self.several.set(still);
         }
         self.follow_keyboard();
@@ -228,7 +234,7 @@ impl Editor {
     /// The keyboard leaves what is gone or folded away: to its group, else to what stands nearest.
     fn follow_keyboard(&mut self) {
         let Some(KeyboardPlace { part, place }) = self.keyboard.clone() else { return };
-        let next = if self.shown(&part.record()).is_some() {
+        let next = if self.is_shown(&part) {
             let seen = self.seen_as(part.clone());
             if seen == part {
                 return;

@@ -89,7 +89,7 @@ fn what_is_under_way_when_the_store_goes_and_comes_is_not_sent_twice() {
     table.server.set_away(true);
     table.server.set_away(false);
     table.hear();
-    assert_eq!(table.pages[AIKO].outbox, [], "it is not answered yet");
+    assert_eq!(table.asked(AIKO), 0, "it is not answered yet");
     table.server.saved(StoreAnswer::Failed);
     table.settle();
     assert_eq!((table.saved(), table.server.log.len()), (text("Aiko wrote 1"), 1));
@@ -107,7 +107,7 @@ fn what_is_under_way_is_not_sent_twice_as_another_change_is_heard_as_saved_and_t
     for (_, wake) in std::mem::take(&mut table.pages[AIKO].timers) {
         table.pages[AIKO].input(|editor| editor.wake(wake)).unwrap();
     }
-    assert_eq!(table.pages[AIKO].outbox, [], "it is not answered yet");
+    assert_eq!(table.asked(AIKO), 0, "it is not answered yet");
     table.settle();
     assert_eq!((table.saved(), table.server.log.len()), (text("Aiko wrote 2"), 3));
 }

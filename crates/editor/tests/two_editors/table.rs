@@ -182,6 +182,11 @@ impl Table {
         &self.pages[who].editor
     }
 
+    /// The number of requests that wait to go to the server and want an answer.
+    pub(crate) fn asked(&self, who: usize) -> usize {
+        self.pages[who].outbox.iter().filter(|(ask, _)| *ask > 0).count()
+    }
+
     /// Types into the note, and says that it is done.
     pub(crate) fn types(&mut self, who: usize) {
         let there = self.server.room.behaviour().clone();

@@ -420,7 +420,8 @@ impl World {
                 }
                 continue;
             }
-            for edit in change.edits.iter().filter(|edit| edit.before != edit.after) {
+            let notes = change.edits.iter().filter(|edit| edit.id.kind == Kind::Note);
+            for edit in notes.filter(|edit| edit.before != edit.after) {
                 if let Some(text) = text_of(edit.after.as_ref())
                     && !texts.insert(text.to_owned())
                 {
