@@ -598,3 +598,33 @@ fn two_people_who_change_the_same_tile_at_once_see_both_and_the_later_one_decide
     assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 waves 2 looks", "1 waves 2 looks"]);
     assert!(table.editor(AIKO).conflicts.is_empty());
 }
+
+#[test]
+fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_later() {
+    let mut table = Table::laid();
+    table.cut(AIKO);
+    table.does(AIKO, |page| page.write(0));
+    let (undo, redo) = (false, true);
+    // What each step shows, how much waits then, and what redo would do.
+    let steps = [
+        (undo, text("Aiko wrote 1"), 0, Some("Edit Aiko wrote 2")),
+        (undo, None, 1, Some("Edit Aiko wrote 1")),
+        (redo, text("Aiko wrote 1"), 0, Some("Edit Aiko wrote 2")),
+        (redo, text("Aiko wrote 2"), 1, None),
+        (undo, text("Aiko wrote 1"), 0, Some("Edit Aiko wrote 2")),
+        (undo, None, 1, Some("Edit Aiko wrote 1")),
+    ];
+    for (again, shown, waits, next) in steps {
+        table.does(AIKO, |page| page.step(again));
+        let editor = table.editor(AIKO);
+        assert_eq!((table.shown(AIKO), editor.queue().len(), editor.redoable.as_deref()), (shown, waits, next));
+    }
+    assert_eq!((table.editor(AIKO).undoable.as_deref(), table.shown(BEN)), (None, text("Aiko wrote 1")));
+    table.connect(AIKO);
+    assert_eq!((table.saved(), table.shown(BEN)), (None, None));
+    for next in ["Aiko wrote 1", "Aiko wrote 2"] {
+        assert_eq!(table.editor(AIKO).redoable.as_deref(), Some(format!("Edit {next}").as_str()));
+        table.does(AIKO, |page| page.step(redo));
+        assert_eq!((table.saved(), table.shown(BEN)), (text(next), text(next)));
+    }
+}
