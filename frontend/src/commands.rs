@@ -4,8 +4,8 @@ use crate::desk::{Desk, Dialog, LineUp, OpenPast, Selected};
 use crate::keys::PressedKey;
 use crate::{panels, words};
 use behaviour::StreamKind;
-use editor::commands::{Command, CommandState};
 pub(crate) use editor::commands::{ALL, CommandGroup, CommandSpec, On};
+use editor::commands::{Command, CommandState};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent, KeyboardEventInit};
@@ -64,10 +64,14 @@ fn face_of(command: Command) -> CommandFace {
     match command {
         Command::Start => face(words::start, "bolt", CommandWork::Desk(|desk| desk.robots.start())),
         Command::Apply => face(words::apply, "bolt", CommandWork::Desk(use_changes)),
-        Command::Record => face(words::record, "bolt", CommandWork::Desk(|desk| desk.robots.records.update(|it| *it = !*it))),
+        Command::Record => {
+            face(words::record, "bolt", CommandWork::Desk(|desk| desk.robots.records.update(|it| *it = !*it)))
+        }
         Command::Stimulate => face(words::stimulate, "bolt", CommandWork::Desk(send_value)),
         Command::StopThisRobot => face(words::stop_this_robot, "bolt", CommandWork::Desk(press_stop)),
-        Command::StopAllRobots => face(words::stop_all_robots, "bolt", CommandWork::Desk(|desk| desk.robots.stop_all())),
+        Command::StopAllRobots => {
+            face(words::stop_all_robots, "bolt", CommandWork::Desk(|desk| desk.robots.stop_all()))
+        }
         Command::AddRobot => face(words::add_robot, "bolt", CommandWork::Opens(|| Dialog::AddRobot)),
         Command::RenameRobot => face(words::rename_robot, "bolt", CommandWork::Opens(|| Dialog::RenameRobot)),
         Command::RemoveThisRobot => face(words::remove_this_robot, "bolt", CommandWork::Opens(|| Dialog::RemoveRobot)),
@@ -96,9 +100,15 @@ fn face_of(command: Command) -> CommandFace {
         Command::Ungroup => face(words::ungroup, "bolt", CommandWork::Desk(ungroup)),
         Command::AddNote => face(words::add_note, "note", CommandWork::Key("n", false)),
         Command::LineUpRow => face(words::line_up_row, "bolt", CommandWork::Desk(|desk| line_up(desk, LineUp::Row))),
-        Command::LineUpColumn => face(words::line_up_column, "bolt", CommandWork::Desk(|desk| line_up(desk, LineUp::Column))),
+        Command::LineUpColumn => {
+            face(words::line_up_column, "bolt", CommandWork::Desk(|desk| line_up(desk, LineUp::Column)))
+        }
         Command::Connect => face(words::connect, "connect", CommandWork::Key("c", false)),
-        Command::AddConnector => face(words::add_connector, "bolt", CommandWork::Press("#stage .strip .bolt > button", words::choose_one_stream)),
+        Command::AddConnector => face(
+            words::add_connector,
+            "bolt",
+            CommandWork::Press("#stage .strip .bolt > button", words::choose_one_stream),
+        ),
         Command::InsertBefore => face(words::insert_before, "bolt", CommandWork::Key("i", false)),
         Command::Remove => face(words::help_remove_says, "trash", CommandWork::Key("Delete", false)),
         Command::SelectAll => face(words::select_all, "bolt", CommandWork::Key("a", true)),
@@ -115,7 +125,9 @@ fn face_of(command: Command) -> CommandFace {
         Command::ZoomOut => face(words::zoom_out, "bolt", CommandWork::Key("-", false)),
         Command::Fit => face(words::fit, "bolt", CommandWork::Key("0", false)),
         Command::RealSize => face(words::real_size, "bolt", CommandWork::Key("1", false)),
-        Command::FoldSentences => face(words::sentences_shown, "bolt", CommandWork::Press(".told .fold", words::no_sentences)),
+        Command::FoldSentences => {
+            face(words::sentences_shown, "bolt", CommandWork::Press(".told .fold", words::no_sentences))
+        }
         Command::Tidy => face(words::tidy, "bolt", CommandWork::Desk(|desk| desk.document.tidy(crate::layout::tidy))),
         Command::OverTime => face(words::over_time, "history", CommandWork::Desk(over_time)),
         Command::Recordings => face(words::recordings, "print", CommandWork::Desk(recordings)),

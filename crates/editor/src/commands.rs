@@ -213,12 +213,18 @@ pub static ALL: &[CommandSpec] = &[
     row(Command::SaveFile, CommandGroup::Program, "", Role::Viewer).on(PROGRAMS).needs(Needs::OpenProgram),
     row(Command::EditTiles, CommandGroup::Program, "", Role::Editor).on(PROGRAMS).needs(Needs::OpenProgram),
     row(Command::Print, CommandGroup::Program, "Ctrl P", Role::Viewer),
-    row(Command::Undo, CommandGroup::Program, "Ctrl Z", Role::Editor).on(&[On::Ground, On::Phone]).needs(Needs::SomethingToUndo),
-    row(Command::Redo, CommandGroup::Program, "Ctrl Y", Role::Editor).on(&[On::Ground, On::Phone]).needs(Needs::SomethingToRedo),
+    row(Command::Undo, CommandGroup::Program, "Ctrl Z", Role::Editor)
+        .on(&[On::Ground, On::Phone])
+        .needs(Needs::SomethingToUndo),
+    row(Command::Redo, CommandGroup::Program, "Ctrl Y", Role::Editor)
+        .on(&[On::Ground, On::Phone])
+        .needs(Needs::SomethingToRedo),
     row(Command::History, CommandGroup::Program, "", Role::Viewer).on(&[On::Phone]).needs(Needs::OpenProgram),
     row(Command::ShowExercise, CommandGroup::Program, "", Role::Viewer),
     row(Command::TakeTour, CommandGroup::Program, "", Role::Editor),
-    row(Command::AddSensor, CommandGroup::Graph, "", Role::Editor).on(&[On::Ground, On::Phone]).needs(Needs::OpenProgram),
+    row(Command::AddSensor, CommandGroup::Graph, "", Role::Editor)
+        .on(&[On::Ground, On::Phone])
+        .needs(Needs::OpenProgram),
     row(Command::AddHelper, CommandGroup::Graph, "", Role::Editor).on(&[On::Phone]),
     row(Command::EditHelper, CommandGroup::Graph, "", Role::Viewer).on(&[On::Phone]),
     row(Command::Problems, CommandGroup::Graph, "", Role::Viewer).on(&[On::Ground, On::Phone]),
@@ -233,7 +239,13 @@ pub static ALL: &[CommandSpec] = &[
     row(Command::Connect, CommandGroup::Graph, "C", Role::Editor).on(&[On::Stream]).on_graph(),
     row(Command::AddConnector, CommandGroup::Graph, "", Role::Editor).on(&[On::Stream]).on_graph(),
     row(Command::InsertBefore, CommandGroup::Graph, "I", Role::Editor).on(&[On::Stream, On::Connector]).on_graph(),
-    row(Command::Remove, CommandGroup::Graph, "Delete", Role::Editor).on(&[On::Stream, On::Connector, On::Note, On::Group, On::Several]),
+    row(Command::Remove, CommandGroup::Graph, "Delete", Role::Editor).on(&[
+        On::Stream,
+        On::Connector,
+        On::Note,
+        On::Group,
+        On::Several,
+    ]),
     row(Command::SelectAll, CommandGroup::Graph, "Ctrl A", Role::Viewer).on(&[On::Ground]),
     row(Command::Copy, CommandGroup::Graph, "Ctrl C", Role::Viewer).on(COPIED),
     row(Command::Cut, CommandGroup::Graph, "Ctrl X", Role::Editor).on(COPIED),
@@ -294,7 +306,9 @@ mod tests {
         assert!(all[0].contains(&Command::StopThisRobot), "everybody stops");
         assert!(!all[0].contains(&Command::Start) && !all[1].contains(&Command::Undo));
         let past = allowed(CommandState { is_past: true, ..state(Some(Role::Host)) });
-        assert!(!past.contains(&Command::Paste) && past.contains(&Command::Copy) && past.contains(&Command::StopThisRobot));
+        assert!(
+            !past.contains(&Command::Paste) && past.contains(&Command::Copy) && past.contains(&Command::StopThisRobot)
+        );
     }
 
     #[test]

@@ -88,7 +88,11 @@ impl Mutant {
 
 /// Copies the files that git knows, as they are now.
 fn copy_into(workspace: &Workspace, copy: &Path) -> ToolResult<()> {
-    let listed = said(Command::new("git").args(["ls-files", "--", "*.rs", "*.toml", "*.txt", "*.json", "Cargo.lock"]).current_dir(&workspace.root));
+    let listed = said(
+        Command::new("git")
+            .args(["ls-files", "--", "*.rs", "*.toml", "*.txt", "*.json", "Cargo.lock"])
+            .current_dir(&workspace.root),
+    );
     let listed = listed.ok_or("git does not list the files of the repository.")?;
     for file in listed.lines() {
         let (from, to) = (workspace.root.join(file), copy.join(file));

@@ -37,8 +37,8 @@ pub(crate) use session::EditSession;
 pub(crate) use versions::{ComparedVersions, Comparing, OpenVersion};
 
 pub(crate) use editor::{
-    Asking, Conflict, EditReading, Editing, FocusTarget, Lit, OwnLock, Put, Saving, Selected, Sign, UnsavedMark, WriteRight,
-    bare, initials, signs, wording,
+    Asking, Conflict, EditReading, Editing, FocusTarget, Lit, OwnLock, Put, Saving, Selected, Sign, UnsavedMark,
+    WriteRight, bare, initials, signs, wording,
 };
 
 use super::tab::{Tab, new_id};

@@ -3,8 +3,8 @@
 use super::{CarriedItem, Gap, NewSpot, Pasted};
 use crate::link::{self, NoAnswer, WrittenRequest};
 use crate::{browser, words};
-pub(crate) use editor::LinkState;
 use editor::FocusTarget;
+pub(crate) use editor::LinkState;
 
 use behaviour::Id;
 use behaviour::connectors::Spec;

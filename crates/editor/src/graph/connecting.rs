@@ -33,12 +33,7 @@ pub fn sensor(
 }
 
 /// A new connector and, if it leads to a new stream, that stream under its sources.
-pub fn connected(
-    ground: Ground,
-    change: Change,
-    (stream_id, connector_id): (&Id, &Id),
-    plan: ConnectPlan,
-) -> Change {
+pub fn connected(ground: Ground, change: Change, (stream_id, connector_id): (&Id, &Id), plan: ConnectPlan) -> Change {
     let behaviour = ground.behaviour;
     if let NewSpot::Into(gap) = plan.spot.clone() {
         return inserted(ground, change, (stream_id, connector_id), (&gap, plan));

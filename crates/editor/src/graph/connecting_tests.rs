@@ -14,7 +14,12 @@ fn start(op: &str) -> Change {
 /// RedBall, filtered to Close, which Tracker follows.
 fn track() -> Behaviour {
     let mut made = Behaviour::default();
-    made.apply(&sensor(ground(&made, &BTreeMap::new()), start("1"), (&id("ball"), "RedBall", "Red ball", Params::new()), None));
+    made.apply(&sensor(
+        ground(&made, &BTreeMap::new()),
+        start("1"),
+        (&id("ball"), "RedBall", "Red ball", Params::new()),
+        None,
+    ));
     let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.1"));
     let output = Output::New { name: "Close".into(), device: None, params: Params::new() };
     let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output, spot: NewSpot::Below };

@@ -36,12 +36,7 @@ pub struct GhostConnector {
 
 impl Ghost {
     /// Returns it as a change of a behaviour, and the streams that it adds.
-    pub fn into(
-        self,
-        behaviour: &Behaviour,
-        mut change: Change,
-        mut new_id: impl FnMut() -> Id,
-    ) -> (Change, Vec<Id>) {
+    pub fn into(self, behaviour: &Behaviour, mut change: Change, mut new_id: impl FnMut() -> Id) -> (Change, Vec<Id>) {
         let ids: BTreeMap<Id, Id> = self.streams.iter().map(|ghost| (ghost.id.clone(), new_id())).filled();
         let real = |id: &Id| ids.get(id).unwrap_or(id).clone();
         let mut order = behaviour.next_order();

@@ -287,11 +287,7 @@ impl TakenRoom {
 
 /// Returns the places of a behaviour's streams and notes, and the room that they take: a stream with its value and the
 /// chip above it.
-fn rooms(
-    behaviour: &Behaviour,
-    sizes: DrawnSizes,
-    place: impl Fn(&Id) -> Option<Place>,
-) -> Vec<(Place, TakenRoom)> {
+fn rooms(behaviour: &Behaviour, sizes: DrawnSizes, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Place, TakenRoom)> {
     let room = |place: Place, half: f64, (above, right, below): (f64, f64, f64)| TakenRoom {
         left: place.x - half,
         top: place.y - above,

@@ -7,9 +7,7 @@ use super::plan::{ConnectPlan, NewSpot, Output};
 use crate::Selected;
 use crate::build::free_name;
 use crate::layout::{Ground, LEVEL};
-use behaviour::{
-    Behaviour, Change, Connector, Graph, Id, Kind, Record, RecordId, Stream, StreamKind, connectors,
-};
+use behaviour::{Behaviour, Change, Connector, Graph, Id, Kind, Record, RecordId, Stream, StreamKind, connectors};
 use std::collections::BTreeSet;
 
 /// The things at which a wire out of a stream may end.
@@ -104,12 +102,7 @@ fn above(graph: &Graph, of: &Id) -> BTreeSet<Id> {
 }
 
 /// Leads a stream to where its wire ends. `ids` are of a new stream and a new connector, if there are any.
-pub fn wired(
-    ground: Ground,
-    change: Change,
-    ids: (&Id, &Id),
-    (from, end): (&Id, &WireEnd),
-) -> Change {
+pub fn wired(ground: Ground, change: Change, ids: (&Id, &Id), (from, end): (&Id, &WireEnd)) -> Change {
     let behaviour = ground.behaviour;
     let joining = wire_ends(behaviour, from).into_iter().find(|(known, _)| known == end).map(|(_, joining)| joining);
     let to_existing = |operation, to: &Id| {
@@ -141,12 +134,7 @@ pub fn wired(
 
 /// Puts what a stream carries already, and the new values, both on it: into the merge that feeds it, or into a new one
 /// behind the connector that feeds it.
-fn merged(
-    ground: Ground,
-    change: Change,
-    (stream_id, connector_id): (&Id, &Id),
-    (from, to): (&Id, &Id),
-) -> Change {
+fn merged(ground: Ground, change: Change, (stream_id, connector_id): (&Id, &Id), (from, to): (&Id, &Id)) -> Change {
     let Ground { behaviour, places, .. } = ground;
     let graph = Graph::of(behaviour);
     let Some((feeding_id, feeding)) = graph.into_stream(to).first() else { return change };

@@ -36,7 +36,8 @@ fn graph() -> Behaviour {
 }
 
 fn wire(made: &mut Behaviour, from: &str, end: WireEnd) {
-    let change = wired(ground(made, &places(made)), start(), (&id("new-stream"), &id("new-connector")), (&id(from), &end));
+    let change =
+        wired(ground(made, &places(made)), start(), (&id("new-stream"), &id("new-connector")), (&id(from), &end));
     assert!(!change.edits.is_empty(), "{end:?}");
     made.apply(&change);
     assert_eq!(behaviour::Graph::of(made).cycle(), None);

@@ -1,8 +1,8 @@
 //! Tests of several things at once.
 
 use super::super::graph_tests::{graph, ground, id, places, start};
-use crate::Selected;
 use super::{LineUp, lined_up, without};
+use crate::Selected;
 use std::collections::BTreeSet;
 
 fn both() -> BTreeSet<Selected> {

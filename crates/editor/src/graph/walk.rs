@@ -12,12 +12,7 @@ pub enum StepDirection {
 }
 
 /// The stream that is reached from `from`; `place` tells where streams stand.
-pub fn walk(
-    behaviour: &Behaviour,
-    from: &Id,
-    way: StepDirection,
-    place: impl Fn(&Id) -> Option<Place>,
-) -> Option<Id> {
+pub fn walk(behaviour: &Behaviour, from: &Id, way: StepDirection, place: impl Fn(&Id) -> Option<Place>) -> Option<Id> {
     let graph = Graph::of(behaviour);
     match way {
         StepDirection::Down => graph.out_of_stream(from).first().map(|(_, connector)| connector.output.clone()),

@@ -74,11 +74,7 @@ impl SpotSize {
 
 /// Returns how far a stream reaches to the left and to the right of its middle when all is tidy: with its live value,
 /// and with the chips that lead to it, which stand beside each other where several lead to an action.
-pub(super) fn reach<'a>(
-    sizes: DrawnSizes,
-    stream: &Stream,
-    into: impl Iterator<Item = &'a Connector>,
-) -> (f64, f64) {
+pub(super) fn reach<'a>(sizes: DrawnSizes, stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> (f64, f64) {
     let chips: Vec<f64> = into.map(sizes.chip).collect();
     let chip = if stream.kind == StreamKind::Actuator {
         chips.iter().map(|width| width + GAP).sum::<f64>() - GAP

@@ -1,7 +1,7 @@
 //! Tidying: a layered drawing, top to bottom, the parts without a connection in rows that fit the stage.
 
-use super::{DrawnSizes, snapped};
 use super::spot::reach;
+use super::{DrawnSizes, snapped};
 use behaviour::layout::{LaidOut, arranged};
 use behaviour::{Behaviour, FillFrom, Graph, Id, Place, StreamKind};
 use std::collections::{BTreeMap, BTreeSet, HashMap};

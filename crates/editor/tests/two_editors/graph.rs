@@ -46,7 +46,9 @@ fn an_action_is_led_from_the_stream_it_is_dropped_on() {
     let mut table = Table::sketched();
     let output = Output::New { name: "Say".to_owned(), device: Some("Say".to_owned()), params: Params::new() };
     let (operation, inputs) = (connectors::to_action().with(()), vec![id("touch")]);
-    table.gesture(AIKO, |editor, op| editor.connect(op, ConnectPlan { operation, inputs, output, spot: NewSpot::Below }));
+    table.gesture(AIKO, |editor, op| {
+        editor.connect(op, ConnectPlan { operation, inputs, output, spot: NewSpot::Below })
+    });
     assert_eq!(table.sources("Say"), ["touch"]);
     assert!(table.place("Say").y > table.place("touch").y);
     assert_eq!(table.selected(AIKO), Some(Selected::Stream(table.named("Say"))));
@@ -127,7 +129,10 @@ fn keys_hear_how_many_places_a_wire_has_and_what_comes_of_each() {
     assert!(told.contains(&("to-close", Joining::Replaces)), "{told:?}");
     assert!(wire_ends(&sketch(), &id("tracker")).is_empty(), "nothing comes out of an action");
     let from_close = wire_ends(&sketch(), &id("close"));
-    assert!(from_close.iter().all(|(end, _)| !["ball", "distance", "to-close"].contains(&end.id().as_str())), "no circle");
+    assert!(
+        from_close.iter().all(|(end, _)| !["ball", "distance", "to-close"].contains(&end.id().as_str())),
+        "no circle"
+    );
 }
 
 #[test]
@@ -157,7 +162,9 @@ fn a_connector_takes_from_another_stream_and_becomes_another_kind() {
 #[test]
 fn the_inputs_of_a_connector_change_their_order() {
     let mut table = Table::sketched();
-    table.gesture(AIKO, |editor, op| editor.connect(op, plan(&["ball", "touch"], connectors::to_join().with(()), "Both")));
+    table.gesture(AIKO, |editor, op| {
+        editor.connect(op, plan(&["ball", "touch"], connectors::to_join().with(()), "Both"))
+    });
     let (of, seen) = table
         .program()
         .connectors()
@@ -172,7 +179,9 @@ fn the_inputs_of_a_connector_change_their_order() {
 #[test]
 fn a_name_follows_its_test_until_a_person_gives_another() {
     let mut table = Table::sketched();
-    table.gesture(AIKO, |editor, op| editor.connect(op, plan(&["distance"], filter("distance < 40"), "Where distance < 40")));
+    table.gesture(AIKO, |editor, op| {
+        editor.connect(op, plan(&["distance"], filter("distance < 40"), "Where distance < 40"))
+    });
     let of = |table: &Table, name: &str| {
         let output = table.named(name);
         let found = table.program().connectors().find(|(_, made)| made.output == output);
@@ -207,7 +216,10 @@ fn a_new_name_is_followed_by_what_uses_it() {
 fn two_people_who_change_other_things_of_one_stream_both_keep_theirs() {
     let mut table = Table::sketched();
     let seen = table.program().stream(&id("tracker")).cloned().unwrap();
-    let (name, hold) = (behaviour::Stream { name: "Head".to_owned(), ..seen.clone() }, behaviour::Stream { hold_ms: Some(500), ..seen.clone() });
+    let (name, hold) = (
+        behaviour::Stream { name: "Head".to_owned(), ..seen.clone() },
+        behaviour::Stream { hold_ms: Some(500), ..seen.clone() },
+    );
     table.gesture(AIKO, |editor, op| editor.edit_stream(op, (&id("tracker"), seen.clone()), name));
     table.gesture(BEN, |editor, op| editor.edit_stream(op, (&id("tracker"), seen), hold));
     let now = table.program().stream(&id("tracker")).cloned().unwrap();
@@ -224,8 +236,16 @@ fn a_typed_sentence_is_added_as_one_and_chosen() {
         place: FAR,
         doubtful: false,
     };
-    let leads = behaviour::Connector { operation: filter("distance > 20"), inputs: vec![id("distance")], output: id("draft"), order: 0 };
-    let ghost = Ghost { streams: vec![made], connectors: vec![editor::graph::GhostConnector { connector: leads, doubtful: false }] };
+    let leads = behaviour::Connector {
+        operation: filter("distance > 20"),
+        inputs: vec![id("distance")],
+        output: id("draft"),
+        order: 0,
+    };
+    let ghost = Ghost {
+        streams: vec![made],
+        connectors: vec![editor::graph::GhostConnector { connector: leads, doubtful: false }],
+    };
     table.gesture(AIKO, |editor, op| editor.put_ghost(op, ghost));
     assert_eq!((table.sources("Far"), table.place("Far")), (vec!["distance".to_owned()], FAR));
     assert_eq!(table.selected(AIKO), Some(Selected::Stream(table.named("Far"))));
@@ -243,7 +263,10 @@ fn one_press_doubles_several_beside_themselves() {
     });
     assert_eq!(table.sources("close 2"), ["distance 2"]);
     assert!((table.place("close 2").x - table.place("close").x).abs() > 100.0, "nothing is covered");
-    assert_eq!(*table.editor(AIKO).several, [table.named("distance 2"), table.named("close 2")].map(Selected::Stream).into());
+    assert_eq!(
+        *table.editor(AIKO).several,
+        [table.named("distance 2"), table.named("close 2")].map(Selected::Stream).into()
+    );
     table.undo(AIKO);
     assert_eq!(table.program(), &sketch());
 }
@@ -289,7 +312,8 @@ fn one_alone_is_dragged_though_others_are_chosen() {
 #[test]
 fn a_long_press_chooses_one_thing_more_and_lets_it_go_again() {
     let mut table = Table::sketched();
-    let chooses = |table: &mut Table, what: &str| table.does(AIKO, |page| page.input(|editor| editor.choose_too(stream(what))));
+    let chooses =
+        |table: &mut Table, what: &str| table.does(AIKO, |page| page.input(|editor| editor.choose_too(stream(what))));
     chooses(&mut table, "ball");
     assert_eq!(table.selected(AIKO), Some(stream("ball")));
     chooses(&mut table, "touch");
@@ -326,7 +350,10 @@ fn chosen_streams_become_a_group_that_is_dragged_with_its_streams() {
     assert_eq!((group(&table, &made).title.as_str(), group(&table, &made).streams.len()), ("Group", 2));
     let moving = table.does(AIKO, |page| page.input(|editor| editor.moving(&made)));
     assert_eq!(moving.iter().map(|(id, _)| id.as_str()).collect::<Vec<_>>(), ["close", "distance"]);
-    let other = { table.gesture(AIKO, |editor, op| editor.make_group(op, &streams(&["touch"]), "Group")); table.program().groups().count() };
+    let other = {
+        table.gesture(AIKO, |editor, op| editor.make_group(op, &streams(&["touch"]), "Group"));
+        table.program().groups().count()
+    };
     let titles: BTreeSet<&str> = table.program().groups().map(|(_, group)| group.title.as_str()).collect();
     assert_eq!((other, titles), (2, ["Group", "Group 2"].into()));
 }
@@ -355,7 +382,10 @@ fn what_is_looked_for_in_a_folded_group_is_shown_here_and_stays_folded_for_other
     assert_eq!(table.selected(BEN), Some(stream("close")));
     assert_eq!([AIKO, BEN].map(|who| table.editor(who).folded.contains(&made)), [true, false]);
     table.gesture(BEN, |editor, op| editor.fold(op, &made, true));
-    assert!(table.editor(BEN).folded.contains(&made) && group(&table, &made).folded, "folded here again, and no change");
+    assert!(
+        table.editor(BEN).folded.contains(&made) && group(&table, &made).folded,
+        "folded here again, and no change"
+    );
     assert_eq!(table.editor(BEN).undoable.as_deref(), None);
 }
 

@@ -4,8 +4,8 @@ use crate::server::id;
 use crate::sketch::{connector, stream, streams};
 use crate::table::{AIKO, BEN, Table};
 use behaviour::Place;
-use editor::graph::StepDirection::{Down, Left, Right, Up};
 use editor::graph::StepDirection;
+use editor::graph::StepDirection::{Down, Left, Right, Up};
 use editor::keys::EscapeUse;
 use editor::{FocusTarget, Selected};
 
@@ -59,7 +59,8 @@ fn arrow_keys_reach_a_folded_group_as_one_box() {
 #[test]
 fn the_keyboard_goes_on_to_what_a_removed_part_came_from() {
     let mut table = Table::sketched();
-    let before = |table: &mut Table, what: Selected| table.does(AIKO, |page| page.input(|editor| editor.before_it(&what)));
+    let before =
+        |table: &mut Table, what: Selected| table.does(AIKO, |page| page.input(|editor| editor.before_it(&what)));
     assert_eq!(before(&mut table, stream("close")), Some(stream("distance")));
     assert_eq!(before(&mut table, connector("to-close")), Some(stream("distance")));
     assert_eq!(before(&mut table, stream("ball")), None);

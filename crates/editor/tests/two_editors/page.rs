@@ -4,8 +4,8 @@ use crate::server::{Server, id, note};
 use behaviour::{Behaviour, Change, Connector, Id, Note, Place, Procedure, Record, RecordId, Refusal};
 use editor::layout::DrawnSizes;
 use editor::{
-    AlarmPurpose, Announcement, Editor, Effect, FocusTarget, KeyboardStay, Me, NoAnswer, Now, Purpose, Selected, WriteRight,
-    build,
+    AlarmPurpose, Announcement, Editor, Effect, FocusTarget, KeyboardStay, Me, NoAnswer, Now, Purpose, Selected,
+    WriteRight, build,
 };
 use protocol::{AnyAnswer, AnyRequest, Event, Message, Refused, answer};
 use std::collections::{BTreeMap, BTreeSet};
@@ -152,7 +152,9 @@ impl Page {
         }
         match self.editor.keyboard() {
             Some(part) if !is_there(part) => Err(format!("the keyboard is in {part:?}, which is gone")),
-            Some(part) if self.editor.folded_away(part).is_some() => Err(format!("the keyboard is in the folded {part:?}")),
+            Some(part) if self.editor.folded_away(part).is_some() => {
+                Err(format!("the keyboard is in the folded {part:?}"))
+            }
             Some(_) | None => Ok(()),
         }
     }

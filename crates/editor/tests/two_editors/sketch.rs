@@ -2,7 +2,9 @@
 
 use crate::server::id;
 use crate::table::Table;
-use behaviour::{Behaviour, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors};
+use behaviour::{
+    Behaviour, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors,
+};
 use editor::Selected;
 use editor::graph::{ConnectPlan, NewSpot, Output};
 use std::collections::BTreeSet;
@@ -41,12 +43,25 @@ pub(crate) fn sketch() -> Behaviour {
     ];
     for (order, (name, kind, device, (x, y))) in (0..).zip(all) {
         let (device, params) = (device.map(str::to_owned), Params::new());
-        let stream = Stream { kind, name: name.to_owned(), device, params, order, resources: None, priority: None, hold_ms: None };
+        let stream = Stream {
+            kind,
+            name: name.to_owned(),
+            device,
+            params,
+            order,
+            resources: None,
+            priority: None,
+            hold_ms: None,
+        };
         made.records.insert(RecordId::new(Kind::Stream, &id(name)), Record::Stream(stream));
         made.records.insert(RecordId::new(Kind::Place, &id(name)), Record::Place(Place { x, y }));
     }
     let distance = connectors::map::SPEC.with(Procedure::body("ball.size * 2"));
-    let ways = [("ball", "distance", distance), ("distance", "close", filter("distance < 20")), ("close", "tracker", connectors::to_action().with(()))];
+    let ways = [
+        ("ball", "distance", distance),
+        ("distance", "close", filter("distance < 20")),
+        ("close", "tracker", connectors::to_action().with(())),
+    ];
     for (order, (from, to, operation)) in (10..).zip(ways) {
         let connector = behaviour::Connector { operation, inputs: vec![id(from)], output: id(to), order };
         made.records.insert(RecordId::new(Kind::Connector, &id(&format!("to-{to}"))), Record::Connector(connector));

@@ -1,11 +1,11 @@
 //! Tests of refused changes.
 
-use editor::{build, graph};
 use crate::naming;
 use behaviour::{
     Accepted, Behaviour, Change, Connector, Id, Kind, Params, Procedure, Record, RecordId, Refusal, Stream, StreamKind,
     connectors,
 };
+use editor::{build, graph};
 
 use editor::conflict::{Conflict, beside, brought_back, is_shown_beside, since_seen};
 

@@ -37,4 +37,3 @@ pub(crate) struct GroupSignals {
     /// The place of its box, folded or not: the middle of its top edge. Nothing if its streams are gone.
     pub(crate) at: ArcMemo<Option<Place>>,
 }
-
