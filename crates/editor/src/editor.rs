@@ -9,7 +9,7 @@ use crate::editing::Editing;
 use crate::effect::{Announcement, EditorEvent, Effect, Purpose, Saver};
 use crate::history::HistoryPanel;
 use crate::layout::DrawnSizes;
-use crate::places::Places;
+use crate::places::ShownPlaces;
 use crate::presence::Presence;
 use crate::queue::Queue;
 use crate::save_state::SaveState;
@@ -88,7 +88,7 @@ pub struct Editor {
     pub(crate) typed_ms: f64,
     pub(crate) folds: Folds,
     pub(crate) keyboard: Option<KeyboardPlace>,
-    pub(crate) places: Places,
+    pub(crate) places: ShownPlaces,
     pub(crate) presence: Presence,
     /// The program that is shown in place of the open one, only to look at.
     pub(crate) past: Option<Behaviour>,
@@ -214,7 +214,7 @@ impl Editor {
             typed_ms: 0.0,
             folds: Folds::default(),
             keyboard: None,
-            places: Places::new(sizes),
+            places: ShownPlaces::new(sizes),
             presence: Presence::default(),
             past: None,
             following_of: Following::default(),

@@ -11,7 +11,7 @@ const APART: (f64, f64) = (320.0, 140.0);
 
 /// The places that nobody chose, and what they come of.
 #[derive(Debug)]
-pub(crate) struct Places {
+pub(crate) struct ShownPlaces {
     /// The sizes of what is drawn on this page.
     pub(crate) sizes: DrawnSizes,
     /// The places of streams and notes that nobody placed.
@@ -22,7 +22,7 @@ pub(crate) struct Places {
     pub(crate) stage: (f64, f64),
 }
 
-impl Places {
+impl ShownPlaces {
     pub(crate) fn new(sizes: DrawnSizes) -> Self {
         Self { sizes, free: BTreeMap::new(), tidy: None, stage: (0.0, 0.0) }
     }

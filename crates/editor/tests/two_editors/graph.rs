@@ -605,3 +605,152 @@ fn a_program_of_the_past_is_only_looked_at() {
     assert!(table.editor(AIKO).shown(&stream("touch").record()).is_some());
     assert_eq!(table.program(), &sketch());
 }
+
+#[test]
+fn the_walkthrough_is_built_by_gestures_and_is_the_same_for_both() {
+    let mut table = Table::with(Behaviour::default());
+    table.gesture(AIKO, |editor, op| editor.add_sensor(op, ("RedBall", "RedBall"), Params::new(), None));
+    let ball = table.named("RedBall").to_string();
+    let distance = connectors::map::SPEC.with(Procedure::body("redBall.size * 2"));
+    table.gesture(AIKO, |editor, op| editor.connect(op, plan(&[&ball], distance, "Distance")));
+    let from = table.named("Distance").to_string();
+    table.gesture(BEN, |editor, op| editor.connect(op, plan(&[&from], filter("distance < 20"), "Close")));
+    let output = Output::New { name: "Tracker".to_owned(), device: Some("Tracker".to_owned()), params: Params::new() };
+    let (operation, inputs) = (connectors::to_action().with(()), vec![table.named("Close")]);
+    table
+        .gesture(BEN, |editor, op| editor.connect(op, ConnectPlan { operation, inputs, output, spot: NewSpot::Below }));
+    assert_eq!(table.names(), ["RedBall", "Distance", "Close", "Tracker"]);
+    assert_eq!(
+        ["Distance", "Close", "Tracker"].map(|name| table.sources(name).concat()),
+        ["RedBall", "Distance", "Close"]
+    );
+    let heights = ["RedBall", "Distance", "Close", "Tracker"].map(|name| table.place(name).y);
+    assert!(heights.is_sorted_by(|one, other| one < other), "{heights:?}");
+    assert_eq!(table.editor(AIKO).confirmed(), table.editor(BEN).confirmed());
+    assert_eq!(
+        [AIKO, BEN].map(|who| table.editor(who).undoable.clone()),
+        [Some("Add map"), Some("Add subscribe")].map(|label| label.map(str::to_owned))
+    );
+}
+
+#[test]
+fn who_may_only_look_changes_nothing_by_any_gesture_and_hears_why() {
+    let mut table = Table::sketched();
+    let made = grouped(&mut table, &["distance", "close"]);
+    table.gesture(AIKO, |editor, op| editor.fold(op, &made, true));
+    let before = table.program().clone();
+    let no = protocol::Refused::Role(protocol::Role::Editor);
+    table.pages[BEN].refused = Some(no.clone());
+    let seen = table.program().stream(&id("touch")).cloned().unwrap();
+    let renamed = behaviour::Stream { name: "Head".to_owned(), ..seen.clone() };
+    table.gesture(BEN, |editor, op| editor.add_sensor(op, ("HeadTouch", "Head"), Params::new(), None));
+    table.gesture(BEN, |editor, op| editor.connect(op, plan(&["ball"], filter("ball"), "Seen")));
+    table.gesture(BEN, |editor, op| editor.wire(op, &id("touch"), &WireEnd::Stream(id("tracker"))));
+    table.gesture(BEN, |editor, op| editor.remove_and_heal(op, &id("distance")));
+    table.gesture(BEN, |editor, op| editor.edit_stream(op, (&id("touch"), seen), renamed));
+    table.gesture(BEN, |editor, op| editor.remove(op, &stream("touch")));
+    table.gesture(BEN, |editor, op| editor.remove_several(op, &streams(&["touch", "ball"])));
+    table.gesture(BEN, |editor, op| editor.make_group(op, &streams(&["touch"]), "Group"));
+    table.gesture(BEN, |editor, op| editor.ungroup(op, &[Selected::Group(made.clone())].into()));
+    table.gesture(BEN, |editor, op| drop(editor.add_note(op, "Ask", FAR)));
+    assert_eq!(table.pages[BEN].answers, vec![Err(no); 10]);
+    table.does(BEN, |page| page.input(|editor| editor.move_to(&[(id("touch"), FAR)])));
+    table.gesture(BEN, |editor, op| editor.fold(op, &made, false));
+    assert!(!table.editor(BEN).folded.contains(&made), "it is unfolded here only");
+    assert!(table.editor(AIKO).folded.contains(&made) && table.editor(BEN).is_saved());
+    assert_eq!(table.program(), &before);
+}
+
+#[test]
+fn who_removed_something_is_named_and_it_is_brought_back_where_it_stood() {
+    let mut table = Table::sketched();
+    let record = stream("touch").record();
+    table.gesture(BEN, |editor, op| editor.remove(op, &stream("touch")));
+    assert_eq!(table.editor(AIKO).removed_by.get(&id("touch")).map(|by| by.name.as_str()), Some("Ben"));
+    let start = table.does(AIKO, |page| page.input(|editor| editor.change("Bring back")));
+    table.does(AIKO, |page| page.input(|editor| editor.bring_back(record.clone(), start)));
+    assert!(table.names().contains(&"touch".to_owned()), "{:?}", table.names());
+    assert_eq!(table.place("touch").x, 600.0, "where it stood");
+}
+
+#[test]
+fn several_that_come_too_late_are_decided_one_after_the_other() {
+    let mut table = Table::sketched();
+    let names = ["touch", "ball"];
+    let renamed = |table: &mut Table, who: usize, of: &str, name: &str| {
+        let seen = sketch().stream(&id(of)).cloned().unwrap();
+        let now = behaviour::Stream { name: name.to_owned(), ..seen.clone() };
+        table.gesture(who, |editor, op| editor.edit_stream(op, (&id(of), seen), now));
+    };
+    table.cut(AIKO);
+    names.into_iter().for_each(|of| renamed(&mut table, AIKO, of, &format!("My {of}")));
+    names.into_iter().for_each(|of| renamed(&mut table, BEN, of, &format!("His {of}")));
+    table.connect(AIKO);
+    let kept: Vec<Id> = table.editor(AIKO).conflicts.iter().map(|kept| kept.mine.op.clone()).collect();
+    assert_eq!(kept.len(), 2);
+    table.does(AIKO, |page| page.input(|editor| editor.keep_mine(&kept[0], id("top"))));
+    table.does(AIKO, |page| page.input(|editor| editor.drop_conflict(&kept[1])));
+    let names = table.names();
+    assert!(names.contains(&"My touch".to_owned()) && names.contains(&"His ball".to_owned()), "{names:?}");
+    assert!(table.editor(AIKO).conflicts.is_empty());
+}
+
+#[test]
+fn an_otherwise_follows_the_test_that_it_is_of_in_the_same_step() {
+    let mut first = sketch();
+    let rest =
+        behaviour::Stream { name: "Otherwise".to_owned(), order: 20, ..first.stream(&id("close")).cloned().unwrap() };
+    let leads = behaviour::Connector {
+        operation: filter("distance >= 20"),
+        inputs: vec![id("distance")],
+        output: id("rest"),
+        order: 21,
+    };
+    first.records.insert(RecordId::new(Kind::Stream, &id("rest")), Record::Stream(rest));
+    first.records.insert(RecordId::new(Kind::Connector, &id("to-rest")), Record::Connector(leads));
+    let mut table = Table::with(first);
+    let body = |table: &Table, of: &str| match table
+        .program()
+        .connector(&id(of))
+        .and_then(|made| made.operation.procedure().cloned())
+    {
+        Some(Procedure::Body { body, .. }) => body,
+        other => panic!("{other:?}"),
+    };
+    let seen = table.program().connector(&id("to-close")).cloned().unwrap();
+    let edited = (filter("distance < 40"), vec![id("distance")]);
+    table.gesture(AIKO, |editor, op| editor.edit_connector(op, (&id("to-close"), seen), edited, None));
+    assert_eq!([body(&table, "to-close"), body(&table, "to-rest")], ["distance < 40", "distance >= 40"]);
+    table.undo(AIKO);
+    assert_eq!([body(&table, "to-close"), body(&table, "to-rest")], ["distance < 20", "distance >= 20"]);
+}
+
+#[test]
+fn others_see_who_is_editing_what_until_they_are_done() {
+    let mut table = Table::sketched();
+    let record = stream("touch").record();
+    let number = table.does(AIKO, |page| page.input(|editor| editor.open_editor(record.clone())));
+    let shown = |table: &Table| {
+        table
+            .editor(BEN)
+            .locks
+            .iter()
+            .map(|lock| (lock.name.clone(), lock.records.contains(&record)))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(shown(&table), [("Aiko".to_owned(), true)]);
+    table.does(AIKO, |page| page.input(|editor| editor.close_editor(number)));
+    assert!(shown(&table).is_empty());
+}
+
+#[test]
+fn undo_survives_a_reload_and_takes_back_only_what_is_left_of_it() {
+    let mut table = Table::sketched();
+    table.does(AIKO, |page| page.input(|editor| editor.move_to(&[(id("touch"), FAR)])));
+    table.gesture(BEN, |editor, op| editor.add_sensor(op, ("HeadTouch", "His"), Params::new(), None));
+    table.reload(AIKO);
+    table.connect(AIKO);
+    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Move"));
+    table.undo(AIKO);
+    assert_eq!((table.place("touch").x, table.names().contains(&"His".to_owned())), (600.0, true));
+}

@@ -65,6 +65,10 @@ pub(crate) struct Page {
     /// The records that were drawn anew.
     pub(crate) redrawn: Vec<RecordId>,
     gestures: u64,
+    /// Why this person may not edit, if so.
+    pub(crate) refused: Option<Refused>,
+    /// The answers to their gestures.
+    pub(crate) answers: Vec<Result<(), Refused>>,
     /// The texts that its author decides about in this input.
     decided: BTreeSet<String>,
 }
@@ -122,6 +126,8 @@ impl Page {
             focused: Vec::new(),
             redrawn: Vec::new(),
             gestures: 0,
+            refused: None,
+            answers: Vec::new(),
             decided: BTreeSet::new(),
         };
         page.editor.begin_with(Some(program.clone()));
@@ -133,7 +139,7 @@ impl Page {
         let now = Now { clock_ms: self.now_ms as f64, today_ms: 1e12 + self.now_ms as f64 };
         let client = self.was_greeted.then(|| Server::client(self.who));
         let name = if self.was_greeted { Server::name(self.who) } else { String::new() };
-        let done = act(self.editor.at(now, Me { client, name, refused: None }));
+        let done = act(self.editor.at(now, Me { client, name, refused: self.refused.clone() }));
         let news = self.editor.take_news();
         self.redrawn.extend(news.touched);
         for effect in self.editor.take_effects() {
@@ -221,6 +227,9 @@ impl Page {
     }
 
     fn answered(&mut self, op: &Id, answer: Result<(), Refused>) -> Check {
+        if op.as_str().starts_with("gesture-") {
+            self.answers.push(answer.clone());
+        }
         let Some(entry) = self.ledger.get_mut(op) else { return Ok(()) };
         if entry.is_safe && matches!(answer, Err(Refused::Change(Refusal::Stale(_) | Refusal::Locked { .. }))) {
             return Err(format!("{entry:?} was typed under a lock and is refused: {answer:?}"));

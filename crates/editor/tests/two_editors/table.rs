@@ -53,6 +53,7 @@ impl Table {
             page.said.clear();
             page.focused.clear();
             page.redrawn.clear();
+            page.answers.clear();
         }
     }
 
