@@ -654,7 +654,10 @@ fn who_may_only_look_changes_nothing_by_any_gesture_and_hears_why() {
     table.gesture(BEN, |editor, op| editor.ungroup(op, &[Selected::Group(made.clone())].into()));
     table.gesture(BEN, |editor, op| drop(editor.add_note(op, "Ask", FAR)));
     assert_eq!(table.pages[BEN].answers, vec![Err(no); 10]);
+    table.forget();
     table.does(BEN, |page| page.input(|editor| editor.move_to(&[(id("touch"), FAR)])));
+    let back = RecordId::new(Kind::Place, &id("touch"));
+    assert_eq!(table.pages[BEN].redrawn, [back], "it is drawn where it is saved");
     table.gesture(BEN, |editor, op| editor.fold(op, &made, false));
     assert!(!table.editor(BEN).folded.contains(&made), "it is unfolded here only");
     assert!(table.editor(AIKO).folded.contains(&made) && table.editor(BEN).is_saved());
