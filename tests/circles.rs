@@ -50,7 +50,6 @@ const KNOWN: &[(&str, &[&str])] = &[
         ],
     ),
     ("frontend/src", &["desk", "desk/library/files", "desk/library/pasted", "desk/tab", "link"]),
-    ("frontend/src", &["desk/document/build", "desk/document/kinds", "desk/document/rewire"]),
     (
         "frontend/src",
         &[

@@ -38,7 +38,6 @@ mod stage;
 mod strip;
 mod strip_spot;
 mod view;
-mod walk;
 mod wire;
 mod zoom;
 
@@ -61,7 +60,7 @@ pub(crate) use several::several;
 pub(crate) use stage::Stage;
 pub(crate) use strip::strip;
 
-use crate::desk::{Desk, Lit, Selected, use_desk};
+use crate::desk::{Desk, FocusTarget, Lit, Selected, use_desk};
 use crate::later::{Later, LazyViews, second_piece};
 use crate::panels::{EmptyStage, focus};
 use crate::words;
@@ -99,7 +98,7 @@ pub(crate) fn Canvas() -> impl IntoView {
     stage.follow_selection(&desk);
     stage.tell_view(&desk);
     stage.follow(&desk);
-    keep_keyboard(&desk);
+    keep_keyboard(&desk, &stage);
     stage.follow_asked(&desk);
     let (glides, wiring, renaming) = (stage.glides.clone(), stage.targets.clone(), stage.renaming.clone());
     let compares = compares_memo(&desk);
@@ -182,21 +181,23 @@ pub(crate) fn Canvas() -> impl IntoView {
 
 /// After something is removed, the keyboard is on the canvas, unless it is elsewhere: what had it may be gone, and what is
 /// pasted or undone next would be heard by nobody.
-fn keep_keyboard(desk: &Desk) {
+fn keep_keyboard(desk: &Desk, stage: &Stage) {
     let document = desk.document.clone();
     let there = ArcMemo::new(move |_| {
         let asides = document.note_ids.with(Vec::len) + document.group_ids.with(Vec::len);
         document.stream_ids.with(Vec::len) + document.connector_ids.with(Vec::len) + asides
     });
-    let desk = desk.clone();
+    let (desk, stage) = (desk.clone(), stage.clone());
     Effect::new(move |before: Option<usize>| {
         let now = there.get();
         if before.is_some_and(|before| now < before) {
-            let desk = desk.clone();
+            let (desk, stage) = (desk.clone(), stage.clone());
             let take = move || {
                 let is_free = focus::is_nowhere() && desk.dialog.with_untracked(Option::is_none);
-                if let Some(stage) = focus::by_id("stage").filter(|_| is_free) {
-                    focus::focus(&stage);
+                match (desk.keyboard.try_update(Option::take).flatten(), focus::by_id("stage")) {
+                    (Some(FocusTarget::Part(next)), _) if is_free => stage.focus(next.id()),
+                    (_, Some(stage)) if is_free => focus::focus(&stage),
+                    (_, _) => {}
                 }
             };
             // Once what is gone is out of the page, and whoever wants the keyboard then has it.

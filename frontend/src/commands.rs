@@ -1,77 +1,42 @@
-//! Everything that can be done, with its key: what the palette of commands and the help list.
+//! The commands of the page: what each is called, and how it is done. Their list, with keys and who may do them, is the editor's.
 
 use crate::desk::{Desk, Dialog, LineUp, OpenPast, Selected};
 use crate::keys::PressedKey;
 use crate::{panels, words};
 use behaviour::StreamKind;
+pub(crate) use editor::commands::{ALL, CommandGroup, CommandSpec, On};
+use editor::commands::{Command, CommandState};
 use leptos::prelude::*;
-use protocol::Role;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent, KeyboardEventInit};
 
 /// A moment for all of the graph to be in the page before it is printed, in milliseconds.
 const PRINTS_MS: i32 = 120;
 
-/// One thing that can be done.
-pub(crate) struct PageCommand {
-    pub(crate) group: CommandGroup,
-    pub(crate) label: fn() -> &'static str,
-    /// Its keys as they are pressed, parted by blanks; empty if it has none.
-    pub(crate) keys: &'static str,
-    /// What a person must be allowed at least.
-    pub(crate) role: Role,
-    /// In whose menus it stands.
-    pub(crate) on: &'static [On],
-    /// What must be there besides, to do it.
-    needs: Needs,
+/// A command as the page knows it.
+pub(crate) trait PageCommand {
+    /// Its name.
+    fn label(&self) -> &'static str;
     /// Its sign in menus that have signs.
-    pub(crate) icon: &'static str,
-    /// Whether it is about how the graph lies, so that the list in its place has no use for it.
-    needs_graph: bool,
-    act: CommandWork,
+    fn icon(&self) -> &'static str;
+    /// True if all words that are looked for are in its name or in what it is about.
+    fn is_meant(&self, search: &str) -> bool;
+    /// Does it. Whatever is open is closed already.
+    fn run(&self, desk: &Desk);
+    /// True if there is what it needs, and who is here is allowed to do it. Reactive.
+    fn can_be_done(&self, desk: &Desk) -> bool;
+    /// True if it can be done here: with the list in place of the graph there is nothing to zoom, to tidy or to walk about.
+    fn is_here(&self) -> bool;
 }
 
-/// What must be there to do a command.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Needs {
-    Nothing,
-    OpenProgram,
-    SomethingToUndo,
-    SomethingToRedo,
-}
-
-/// What a menu is about: something on the canvas, or, in the bar, the programs, or all that a phone has no buttons for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum On {
-    Programs,
-    Phone,
-    Ground,
-    Stream,
-    Connector,
-    Note,
-    Group,
-    Several,
-}
-
-/// What commands are about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum CommandGroup {
-    Robot,
-    Program,
-    Graph,
-    View,
-    People,
-}
-
-impl CommandGroup {
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Self::Robot => words::robot(),
-            Self::Program => words::program(),
-            Self::Graph => words::graph(),
-            Self::View => words::view(),
-            Self::People => words::people_here(),
-        }
+/// Returns the name of what commands are about.
+pub(crate) fn group_label(group: CommandGroup) -> &'static str {
+    match group {
+        CommandGroup::Robot => words::robot(),
+        CommandGroup::Program => words::program(),
+        CommandGroup::Graph => words::graph(),
+        CommandGroup::View => words::view(),
+        CommandGroup::People => words::people_here(),
     }
 }
 
@@ -88,262 +53,111 @@ enum CommandWork {
     Press(&'static str, fn() -> &'static str),
 }
 
-const fn command(
-    group: CommandGroup,
-    label: fn() -> &'static str,
-    keys: &'static str,
-    role: Role,
-    act: CommandWork,
-) -> PageCommand {
-    PageCommand { group, label, keys, role, on: &[], needs: Needs::Nothing, icon: "bolt", needs_graph: false, act }
+/// The name, the sign and the work of a command.
+type CommandFace = (fn() -> &'static str, &'static str, CommandWork);
+
+const fn face(label: fn() -> &'static str, icon: &'static str, work: CommandWork) -> CommandFace {
+    (label, icon, work)
 }
 
-impl PageCommand {
-    const fn on(self, on: &'static [On]) -> Self {
-        Self { on, ..self }
-    }
-
-    const fn icon(self, icon: &'static str) -> Self {
-        Self { icon, ..self }
-    }
-
-    const fn needs(self, needs: Needs) -> Self {
-        Self { needs, ..self }
-    }
-
-    const fn of_graph(self) -> Self {
-        Self { needs_graph: true, ..self }
+fn face_of(command: Command) -> CommandFace {
+    match command {
+        Command::Start => face(words::start, "bolt", CommandWork::Desk(|desk| desk.robots.start())),
+        Command::Apply => face(words::apply, "bolt", CommandWork::Desk(use_changes)),
+        Command::Record => {
+            face(words::record, "bolt", CommandWork::Desk(|desk| desk.robots.records.update(|it| *it = !*it)))
+        }
+        Command::Stimulate => face(words::stimulate, "bolt", CommandWork::Desk(send_value)),
+        Command::StopThisRobot => face(words::stop_this_robot, "bolt", CommandWork::Desk(press_stop)),
+        Command::StopAllRobots => {
+            face(words::stop_all_robots, "bolt", CommandWork::Desk(|desk| desk.robots.stop_all()))
+        }
+        Command::AddRobot => face(words::add_robot, "bolt", CommandWork::Opens(|| Dialog::AddRobot)),
+        Command::RenameRobot => face(words::rename_robot, "bolt", CommandWork::Opens(|| Dialog::RenameRobot)),
+        Command::RemoveThisRobot => face(words::remove_this_robot, "bolt", CommandWork::Opens(|| Dialog::RemoveRobot)),
+        Command::LoadProgram => face(words::load_program, "folder", CommandWork::Opens(|| Dialog::Programs)),
+        Command::AddProgram => face(words::add_program, "plus", CommandWork::Opens(|| Dialog::AddProgram)),
+        Command::RenameProgram => face(words::rename_program, "bolt", CommandWork::Opens(|| Dialog::RenameProgram)),
+        Command::RemoveProgram => face(words::remove_program, "trash", CommandWork::Opens(|| Dialog::RemoveProgram)),
+        Command::MakeCopy => face(words::make_copy, "bolt", CommandWork::Desk(copy_open)),
+        Command::OpenFile => face(words::open_file, "open", CommandWork::Desk(|_| panels::choose_file())),
+        Command::SaveFile => face(words::save_file, "save", CommandWork::Opens(|| Dialog::SaveFile)),
+        Command::EditTiles => face(words::edit_tiles, "row", CommandWork::Opens(|| Dialog::Tiles)),
+        Command::Print => face(words::print, "bolt", CommandWork::Desk(print)),
+        Command::Undo => face(words::undo, "undo", CommandWork::Desk(Desk::undo)),
+        Command::Redo => face(words::redo, "redo", CommandWork::Desk(|desk| desk.document.redo())),
+        Command::History => face(words::history, "history", CommandWork::Desk(|desk| desk.shows_history.set(true))),
+        Command::ShowExercise => face(words::show_exercise, "bolt", CommandWork::Desk(show_exercise)),
+        Command::TakeTour => face(words::take_tour, "bolt", CommandWork::Desk(panels::take_tour)),
+        Command::AddSensor => face(words::add_sensor, "eye", CommandWork::Opens(|| Dialog::AddSensor)),
+        Command::AddHelper => face(words::add_helper, "plus", CommandWork::Opens(|| Dialog::Helper(None))),
+        Command::EditHelper => face(words::edit_helper, "fx", CommandWork::Opens(|| Dialog::Helpers)),
+        Command::Problems => face(words::problems, "warn", CommandWork::Opens(|| Dialog::Problems)),
+        Command::Edit => face(words::help_edit_says, "pencil", CommandWork::Key("Enter", false)),
+        Command::Rename => face(words::rename, "pencil", CommandWork::Key("F2", false)),
+        Command::FoldOrUnfold => face(words::fold_or_unfold, "fold", CommandWork::Key("f", false)),
+        Command::MakeGroup => face(words::make_group, "group", CommandWork::Key("g", true)),
+        Command::Ungroup => face(words::ungroup, "bolt", CommandWork::Desk(ungroup)),
+        Command::AddNote => face(words::add_note, "note", CommandWork::Key("n", false)),
+        Command::LineUpRow => face(words::line_up_row, "bolt", CommandWork::Desk(|desk| line_up(desk, LineUp::Row))),
+        Command::LineUpColumn => {
+            face(words::line_up_column, "bolt", CommandWork::Desk(|desk| line_up(desk, LineUp::Column)))
+        }
+        Command::Connect => face(words::connect, "connect", CommandWork::Key("c", false)),
+        Command::AddConnector => face(
+            words::add_connector,
+            "bolt",
+            CommandWork::Press("#stage .strip .bolt > button", words::choose_one_stream),
+        ),
+        Command::InsertBefore => face(words::insert_before, "bolt", CommandWork::Key("i", false)),
+        Command::Remove => face(words::help_remove_says, "trash", CommandWork::Key("Delete", false)),
+        Command::SelectAll => face(words::select_all, "bolt", CommandWork::Key("a", true)),
+        Command::Copy => face(words::copy, "copy", CommandWork::Key("c", true)),
+        Command::Cut => face(words::cut, "trash", CommandWork::Key("x", true)),
+        Command::Paste => face(words::paste, "bolt", CommandWork::Key("v", true)),
+        Command::Duplicate => face(words::duplicate, "duplicate", CommandWork::Key("d", true)),
+        Command::WalkDown => face(words::walk_down, "bolt", CommandWork::Key("ArrowDown", false)),
+        Command::WalkUp => face(words::walk_up, "bolt", CommandWork::Key("ArrowUp", false)),
+        Command::WalkLeft => face(words::walk_left, "bolt", CommandWork::Key("ArrowLeft", false)),
+        Command::WalkRight => face(words::walk_right, "bolt", CommandWork::Key("ArrowRight", false)),
+        Command::FindOrAdd => face(words::find_or_add, "bolt", CommandWork::Desk(find)),
+        Command::ZoomIn => face(words::zoom_in, "bolt", CommandWork::Key("+", false)),
+        Command::ZoomOut => face(words::zoom_out, "bolt", CommandWork::Key("-", false)),
+        Command::Fit => face(words::fit, "bolt", CommandWork::Key("0", false)),
+        Command::RealSize => face(words::real_size, "bolt", CommandWork::Key("1", false)),
+        Command::FoldSentences => {
+            face(words::sentences_shown, "bolt", CommandWork::Press(".told .fold", words::no_sentences))
+        }
+        Command::Tidy => face(words::tidy, "bolt", CommandWork::Desk(|desk| desk.document.tidy(crate::layout::tidy))),
+        Command::OverTime => face(words::over_time, "history", CommandWork::Desk(over_time)),
+        Command::Recordings => face(words::recordings, "print", CommandWork::Desk(recordings)),
+        Command::Operate => face(words::operate, "play", CommandWork::Desk(operate)),
+        Command::OtherLanguage => face(words::other_language, "globe", CommandWork::Desk(|_| panels::speak_other())),
+        Command::KeysAndGestures => face(words::keys_and_gestures, "help", CommandWork::Opens(|| Dialog::Help)),
+        Command::PeopleHere => face(words::people_here, "bolt", CommandWork::Opens(|| Dialog::People)),
+        Command::MyName => face(words::my_name, "bolt", CommandWork::Opens(|| Dialog::MyName)),
+        Command::Invite => face(words::invite, "invite", CommandWork::Opens(|| Dialog::Invite)),
     }
 }
 
-/// What can be copied.
-const COPIED: &[On] = &[On::Stream, On::Note, On::Group, On::Several];
+impl PageCommand for CommandSpec {
+    fn label(&self) -> &'static str {
+        face_of(self.command).0()
+    }
 
-/// About programs: in the bar of a tablet and of a phone.
-const PROGRAMS: &[On] = &[On::Programs, On::Phone];
+    fn icon(&self) -> &'static str {
+        face_of(self.command).1
+    }
 
-/// All of them, group by group.
-pub(crate) static ALL: &[PageCommand] = &[
-    command(CommandGroup::Robot, words::start, "", Role::Operator, CommandWork::Desk(|desk| desk.robots.start())),
-    command(CommandGroup::Robot, words::apply, "", Role::Operator, CommandWork::Desk(use_changes)),
-    command(
-        CommandGroup::Robot,
-        words::record,
-        "",
-        Role::Operator,
-        CommandWork::Desk(|desk| desk.robots.records.update(|it| *it = !*it)),
-    ),
-    command(CommandGroup::Robot, words::stimulate, "", Role::Operator, CommandWork::Desk(send_value)).on(&[On::Stream]),
-    command(CommandGroup::Robot, words::stop_this_robot, "Esc Esc", Role::Viewer, CommandWork::Desk(press_stop)),
-    command(
-        CommandGroup::Robot,
-        words::stop_all_robots,
-        "",
-        Role::Viewer,
-        CommandWork::Desk(|desk| desk.robots.stop_all()),
-    ),
-    command(CommandGroup::Robot, words::add_robot, "", Role::Editor, CommandWork::Opens(|| Dialog::AddRobot)),
-    command(CommandGroup::Robot, words::rename_robot, "", Role::Operator, CommandWork::Opens(|| Dialog::RenameRobot)),
-    command(
-        CommandGroup::Robot,
-        words::remove_this_robot,
-        "",
-        Role::Operator,
-        CommandWork::Opens(|| Dialog::RemoveRobot),
-    ),
-    command(CommandGroup::Program, words::load_program, "", Role::Viewer, CommandWork::Opens(|| Dialog::Programs))
-        .on(PROGRAMS)
-        .icon("folder"),
-    command(CommandGroup::Program, words::add_program, "", Role::Editor, CommandWork::Opens(|| Dialog::AddProgram))
-        .on(PROGRAMS)
-        .icon("plus"),
-    command(
-        CommandGroup::Program,
-        words::rename_program,
-        "",
-        Role::Editor,
-        CommandWork::Opens(|| Dialog::RenameProgram),
-    )
-    .needs(Needs::OpenProgram),
-    command(
-        CommandGroup::Program,
-        words::remove_program,
-        "",
-        Role::Editor,
-        CommandWork::Opens(|| Dialog::RemoveProgram),
-    )
-    .on(PROGRAMS)
-    .needs(Needs::OpenProgram)
-    .icon("trash"),
-    command(CommandGroup::Program, words::make_copy, "", Role::Editor, CommandWork::Desk(copy_open))
-        .needs(Needs::OpenProgram),
-    command(CommandGroup::Program, words::open_file, "", Role::Editor, CommandWork::Desk(|_| panels::choose_file()))
-        .on(PROGRAMS)
-        .icon("open"),
-    command(CommandGroup::Program, words::save_file, "", Role::Viewer, CommandWork::Opens(|| Dialog::SaveFile))
-        .on(PROGRAMS)
-        .needs(Needs::OpenProgram)
-        .icon("save"),
-    command(CommandGroup::Program, words::edit_tiles, "", Role::Editor, CommandWork::Opens(|| Dialog::Tiles))
-        .on(PROGRAMS)
-        .needs(Needs::OpenProgram)
-        .icon("row"),
-    command(CommandGroup::Program, words::print, "Ctrl P", Role::Viewer, CommandWork::Desk(print)),
-    command(CommandGroup::Program, words::undo, "Ctrl Z", Role::Editor, CommandWork::Desk(Desk::undo))
-        .on(&[On::Ground, On::Phone])
-        .needs(Needs::SomethingToUndo)
-        .icon("undo"),
-    command(CommandGroup::Program, words::redo, "Ctrl Y", Role::Editor, CommandWork::Desk(|desk| desk.document.redo()))
-        .on(&[On::Ground, On::Phone])
-        .needs(Needs::SomethingToRedo)
-        .icon("redo"),
-    command(
-        CommandGroup::Program,
-        words::history,
-        "",
-        Role::Viewer,
-        CommandWork::Desk(|desk| desk.shows_history.set(true)),
-    )
-    .on(&[On::Phone])
-    .needs(Needs::OpenProgram)
-    .icon("history"),
-    command(CommandGroup::Program, words::show_exercise, "", Role::Viewer, CommandWork::Desk(show_exercise)),
-    command(CommandGroup::Program, words::take_tour, "", Role::Editor, CommandWork::Desk(panels::take_tour)),
-    command(CommandGroup::Graph, words::add_sensor, "", Role::Editor, CommandWork::Opens(|| Dialog::AddSensor))
-        .on(&[On::Ground, On::Phone])
-        .needs(Needs::OpenProgram)
-        .icon("eye"),
-    command(CommandGroup::Graph, words::add_helper, "", Role::Editor, CommandWork::Opens(|| Dialog::Helper(None)))
-        .on(&[On::Phone])
-        .icon("plus"),
-    command(CommandGroup::Graph, words::edit_helper, "", Role::Viewer, CommandWork::Opens(|| Dialog::Helpers))
-        .on(&[On::Phone])
-        .icon("fx"),
-    command(CommandGroup::Graph, words::problems, "", Role::Viewer, CommandWork::Opens(|| Dialog::Problems))
-        .on(&[On::Ground, On::Phone])
-        .icon("warn"),
-    command(CommandGroup::Graph, words::help_edit_says, "Enter", Role::Viewer, CommandWork::Key("Enter", false))
-        .on(&[On::Stream, On::Connector, On::Note])
-        .icon("pencil"),
-    command(CommandGroup::Graph, words::rename, "F2", Role::Editor, CommandWork::Key("F2", false))
-        .on(&[On::Stream, On::Connector, On::Group])
-        .icon("pencil"),
-    command(CommandGroup::Graph, words::fold_or_unfold, "F", Role::Viewer, CommandWork::Key("f", false))
-        .on(&[On::Group])
-        .icon("fold"),
-    command(CommandGroup::Graph, words::make_group, "Ctrl G", Role::Editor, CommandWork::Key("g", true))
-        .on(&[On::Stream, On::Several])
-        .icon("group"),
-    command(CommandGroup::Graph, words::ungroup, "Ctrl Shift G", Role::Editor, CommandWork::Desk(ungroup))
-        .on(&[On::Group, On::Several]),
-    command(CommandGroup::Graph, words::add_note, "N", Role::Editor, CommandWork::Key("n", false))
-        .on(&[On::Ground])
-        .icon("note"),
-    command(
-        CommandGroup::Graph,
-        words::line_up_row,
-        "",
-        Role::Editor,
-        CommandWork::Desk(|desk| line_up(desk, LineUp::Row)),
-    )
-    .on(&[On::Several])
-    .of_graph(),
-    command(
-        CommandGroup::Graph,
-        words::line_up_column,
-        "",
-        Role::Editor,
-        CommandWork::Desk(|desk| line_up(desk, LineUp::Column)),
-    )
-    .on(&[On::Several])
-    .of_graph(),
-    command(CommandGroup::Graph, words::connect, "C", Role::Editor, CommandWork::Key("c", false))
-        .on(&[On::Stream])
-        .icon("connect"),
-    command(
-        CommandGroup::Graph,
-        words::add_connector,
-        "",
-        Role::Editor,
-        CommandWork::Press("#stage .strip .bolt > button", words::choose_one_stream),
-    )
-    .on(&[On::Stream]),
-    command(CommandGroup::Graph, words::insert_before, "I", Role::Editor, CommandWork::Key("i", false))
-        .on(&[On::Stream, On::Connector]),
-    command(CommandGroup::Graph, words::help_remove_says, "Delete", Role::Editor, CommandWork::Key("Delete", false))
-        .on(&[On::Stream, On::Connector, On::Note, On::Group, On::Several])
-        .icon("trash"),
-    command(CommandGroup::Graph, words::select_all, "Ctrl A", Role::Viewer, CommandWork::Key("a", true))
-        .on(&[On::Ground]),
-    command(CommandGroup::Graph, words::copy, "Ctrl C", Role::Viewer, CommandWork::Key("c", true))
-        .on(COPIED)
-        .icon("copy"),
-    command(CommandGroup::Graph, words::cut, "Ctrl X", Role::Editor, CommandWork::Key("x", true))
-        .on(COPIED)
-        .icon("trash"),
-    command(CommandGroup::Graph, words::paste, "Ctrl V", Role::Editor, CommandWork::Key("v", true)).on(&[On::Ground]),
-    command(CommandGroup::Graph, words::duplicate, "Ctrl D", Role::Editor, CommandWork::Key("d", true))
-        .on(COPIED)
-        .icon("duplicate"),
-    command(CommandGroup::Graph, words::walk_down, "↓", Role::Viewer, CommandWork::Key("ArrowDown", false)),
-    command(CommandGroup::Graph, words::walk_up, "↑", Role::Viewer, CommandWork::Key("ArrowUp", false)),
-    command(CommandGroup::Graph, words::walk_left, "←", Role::Viewer, CommandWork::Key("ArrowLeft", false)),
-    command(CommandGroup::Graph, words::walk_right, "→", Role::Viewer, CommandWork::Key("ArrowRight", false)),
-    command(CommandGroup::View, words::find_or_add, "Ctrl F", Role::Viewer, CommandWork::Desk(find)),
-    command(CommandGroup::View, words::zoom_in, "+", Role::Viewer, CommandWork::Key("+", false)),
-    command(CommandGroup::View, words::zoom_out, "-", Role::Viewer, CommandWork::Key("-", false)),
-    command(CommandGroup::View, words::fit, "0", Role::Viewer, CommandWork::Key("0", false)).on(&[On::Ground]),
-    command(CommandGroup::View, words::real_size, "1", Role::Viewer, CommandWork::Key("1", false)),
-    command(
-        CommandGroup::View,
-        words::sentences_shown,
-        "",
-        Role::Viewer,
-        CommandWork::Press(".told .fold", words::no_sentences),
-    ),
-    command(
-        CommandGroup::View,
-        words::tidy,
-        "",
-        Role::Editor,
-        CommandWork::Desk(|desk| desk.document.tidy(crate::layout::tidy)),
-    )
-    .on(&[On::Ground])
-    .of_graph(),
-    command(CommandGroup::View, words::over_time, "L", Role::Viewer, CommandWork::Desk(over_time))
-        .on(&[On::Programs, On::Phone, On::Stream])
-        .icon("history"),
-    command(CommandGroup::View, words::recordings, "", Role::Viewer, CommandWork::Desk(recordings))
-        .on(PROGRAMS)
-        .icon("print"),
-    command(CommandGroup::View, words::operate, "", Role::Viewer, CommandWork::Desk(operate))
-        .on(&[On::Phone])
-        .icon("play"),
-    command(CommandGroup::View, words::other_language, "", Role::Viewer, CommandWork::Desk(|_| panels::speak_other()))
-        .on(&[On::Phone])
-        .icon("globe"),
-    command(CommandGroup::View, words::keys_and_gestures, "Ctrl K", Role::Viewer, CommandWork::Opens(|| Dialog::Help))
-        .on(&[On::Phone])
-        .icon("help"),
-    command(CommandGroup::People, words::people_here, "", Role::Viewer, CommandWork::Opens(|| Dialog::People)),
-    command(CommandGroup::People, words::my_name, "", Role::Viewer, CommandWork::Opens(|| Dialog::MyName)),
-    command(CommandGroup::People, words::invite, "", Role::Host, CommandWork::Opens(|| Dialog::Invite))
-        .on(&[On::Phone])
-        .icon("invite"),
-];
-
-impl PageCommand {
-    /// Whether all words that are looked for are in its name or in what it is about.
-    pub(crate) fn is_meant(&self, search: &str) -> bool {
-        let (group, label) = (self.group.label(), (self.label)());
-        let english = words::language::in_english(|| [self.group.label(), (self.label)()].join(" "));
+    fn is_meant(&self, search: &str) -> bool {
+        let (group, label) = (group_label(self.group), self.label());
+        let english = words::language::in_english(|| [group_label(self.group), self.label()].join(" "));
         let name = format!("{group} {label} {} {english}", self.keys).to_lowercase();
         search.to_lowercase().split_whitespace().all(|word| name.contains(word))
     }
 
-    /// Does it. Whatever is open is closed already.
-    pub(crate) fn run(&self, desk: &Desk) {
-        match self.act {
+    fn run(&self, desk: &Desk) {
+        match face_of(self.command).2 {
             CommandWork::Opens(dialog) => desk.dialog.set(Some(dialog())),
             CommandWork::Desk(act) => act(desk),
             CommandWork::Key(key, control) => press(key, control),
@@ -354,25 +168,15 @@ impl PageCommand {
         }
     }
 
-    /// Whether there is what it needs, and who is here is allowed to do it. Reactive.
-    pub(crate) fn can_be_done(&self, desk: &Desk) -> bool {
-        let is_there = match self.needs {
-            Needs::Nothing => true,
-            Needs::OpenProgram => desk.document.open.read().is_some(),
-            Needs::SomethingToUndo => desk.can_undo(),
-            Needs::SomethingToRedo => desk.document.redoable.read().is_some(),
-        };
-        is_there && desk.may_not(self.role).is_none()
+    fn can_be_done(&self, desk: &Desk) -> bool {
+        let can_redo = desk.document.redoable.read().is_some();
+        let (role, is_past, can_undo) = (desk.role.get(), desk.is_then(), desk.can_undo());
+        let is_open = desk.document.open.read().is_some();
+        self.is_allowed(&CommandState { role, is_past, is_open, can_undo, can_redo })
     }
 
-    /// Whether it can be done here: with the list in place of the graph there is nothing to zoom, to tidy or to walk about.
-    pub(crate) fn is_here(&self) -> bool {
-        let on_graph = match self.act {
-            CommandWork::Key(key, control) => !control && !matches!(key, "Enter" | "F2" | "Delete"),
-            CommandWork::Press(selector, _) => selector.starts_with("#stage"),
-            CommandWork::Opens(_) | CommandWork::Desk(_) => self.needs_graph,
-        };
-        !on_graph || has_canvas()
+    fn is_here(&self) -> bool {
+        !self.on_graph || has_canvas()
     }
 }
 

@@ -1,37 +1,32 @@
-//! Where things stand: sizes of streams, the free spot for a new one, and tidying everything.
+//! How large things are drawn, and the short texts on them. Where they stand is the editor's.
 
 mod aside;
 mod changed;
 mod label;
-mod spot;
-mod tidy;
 mod was;
 
-pub(crate) use aside::{BOX, box_place, note_size};
+pub(crate) use aside::note_size;
 pub(crate) use changed::done;
 pub(crate) use label::{ChipWords, chip_words, text_width, what_it_is, with_units};
-pub(crate) use spot::{free_sensor_spot, free_spot, missing_places};
-pub(crate) use tidy::tidy;
 pub(crate) use was::{called, subject, what_it_was, whole};
 
-pub(crate) use behaviour::layout::{GAP, LEVEL, STREAM_HEIGHT};
+pub(crate) use editor::layout::{
+    BOX, CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, Tidy, VALUE_ROOM, WIDTH_MAX, box_place, snapped,
+};
+
 use behaviour::{Behaviour, Id, Place, Stream};
+use editor::layout::DrawnSizes;
 use label::name_width;
 use std::collections::BTreeMap;
 
-/// A way to lay out a whole behaviour for a stage of that width and height. The one that there is, `tidy`, comes later (`later.rs`).
-pub(crate) type Tidy = fn(&Behaviour, (f64, f64)) -> BTreeMap<Id, Place>;
+/// The sizes of what is drawn, in the letters and the language of this page.
+pub(crate) const SIZES: DrawnSizes =
+    DrawnSizes { stream: stream_width, chip: |connector| chip_width(&chip_words(connector)), note: note_size };
 
-/// The height of a connector's chip.
-pub(crate) const CHIP_HEIGHT: f64 = 28.0;
-/// The widest a stream or chip becomes; longer texts are cut with an ellipsis.
-pub(crate) const WIDTH_MAX: f64 = 260.0;
-/// Kept free at the right of every stream for its live value.
-pub(crate) const VALUE_ROOM: f64 = 180.0;
-/// Where all is tidy there is less: enough for a number with its unit.
-const TIDY_VALUE_ROOM: f64 = 96.0;
-/// The grid things snap to, so that what looks aligned is aligned.
-pub(crate) const GRID: f64 = 10.0;
+/// Lays out a whole behaviour for a stage of that width and height. It comes later (`later.rs`).
+pub(crate) fn tidy(behaviour: &Behaviour, stage: (f64, f64)) -> BTreeMap<Id, Place> {
+    editor::layout::tidy(behaviour, SIZES, stage)
+}
 
 /// Returns the width of a stream.
 pub(crate) fn stream_width(stream: &Stream) -> f64 {
@@ -62,9 +57,4 @@ const UNIT_ROOM: f64 = 22.0;
 /// Returns the width of a letter of code at 12 pixels.
 fn code_width(c: char) -> f64 {
     if (c as u32) < 0x1100 { 7.3 } else { 12.5 }
-}
-
-/// The nearest point of the grid.
-pub(crate) fn snapped(place: Place) -> Place {
-    Place { x: (place.x / GRID).round() * GRID, y: (place.y / GRID).round() * GRID }
 }

@@ -157,31 +157,3 @@ async fn a_stream_that_is_carried_into_a_frame_is_in_the_group() -> Outcome<()> 
     aiko.no_errors()?;
     ben.no_errors()
 }
-
-#[tokio::test]
-async fn a_frame_that_is_taken_away_meanwhile_leaves_the_stream_where_it_is_dropped() -> Outcome<()> {
-    let stage = stage!("into a group that is gone");
-    let program = stage.wire.make("Gone", BALLS).await?;
-    let aiko = chosen(&stage, &program).await?;
-    let ben = stage.person("ben", &program).await?;
-    aiko.key("Control+g").await?;
-    ben.press("button", "Group, group, 2 streams").await?;
-    aiko.key("Escape").await?;
-    let (far, ball) = (rests(&aiko, FAR).await?, rests(&aiko, "Ball, sensor stream").await?);
-    aiko.hold(ball.centre()).await?;
-    for part in [0.3, 0.7, 1.0] {
-        aiko.pull((ball.centre().0, ball.centre().1 + (far.centre().1 - ball.centre().1) * part)).await?;
-    }
-    aiko.until("!!document.querySelector('.group-frame.joined')", "the frame shows that it would be in it").await?;
-    ben.key("Control+Shift+g").await?;
-    aiko.until("!document.querySelector('.group-frame')", "the group is gone").await?;
-    aiko.release((ball.centre().0, far.centre().1)).await?;
-    let stays = format!(
-        "Math.abs(document.querySelector('[data-node][aria-label^=Ball]').getBoundingClientRect().y - {}) < 12",
-        far.y
-    );
-    ben.until(&stays, "it stands where it was dropped, for the other too").await?;
-    assert_eq!(aiko.eval("document.body.innerText.includes('A name is missing')").await?, false);
-    aiko.no_errors()?;
-    ben.no_errors()
-}

@@ -7,10 +7,6 @@ use crate::steps::{picture, rests, stage, text};
 
 const BALLS: Option<&str> = Some("Track far and close balls");
 
-async fn streams(page: &Page) -> Outcome<u64> {
-    Ok(page.eval("document.querySelectorAll('[data-node]').length").await?.as_u64().unwrap_or_default())
-}
-
 pub(crate) async fn are(page: &Page, count: u64) -> Outcome<()> {
     let js = format!("document.querySelectorAll('[data-node]').length === {count}");
     page.until(&js, &format!("there are {count} streams")).await.map(drop)
@@ -81,27 +77,6 @@ async fn all_are_copied_as_a_text_and_pasted_into_another_program() -> Outcome<(
     are(&ben, 0).await?;
     aiko.no_errors()?;
     ben.no_errors()
-}
-
-#[tokio::test]
-async fn several_are_dragged_and_removed_together() -> Outcome<()> {
-    let stage = stage!("several together");
-    let program = stage.wire.make("Together", BALLS).await?;
-    let aiko = stage.person("aiko", &program).await?;
-    let (far, close) = (rests(&aiko, "Far ball, stream").await?, rests(&aiko, "Close ball, stream").await?);
-    lasso(&aiko, (far.x - 70.0, far.y - 4.0), (close.x + close.width + 60.0, close.y + close.height + 6.0)).await?;
-    aiko.find("toolbar", "2 selected").await?;
-    aiko.drag(far.centre(), (far.centre().0, far.centre().1 + 60.0), 6).await?;
-    let (far2, close2) = (rests(&aiko, "Far ball, stream").await?, rests(&aiko, "Close ball, stream").await?);
-    assert!((far2.y - far.y - 60.0).abs() < 12.0 && (close2.y - close.y - 60.0).abs() < 12.0, "{far2:?} {close2:?}");
-    aiko.find("toolbar", "2 selected").await?;
-    assert_eq!(streams(&aiko).await?, 6);
-    aiko.eval("document.querySelector('[data-node][aria-label^=Far]').focus(), 0").await?;
-    aiko.key("Delete").await?;
-    are(&aiko, 4).await?;
-    aiko.key("Control+z").await?;
-    are(&aiko, 6).await?;
-    aiko.no_errors()
 }
 
 #[tokio::test]

@@ -134,28 +134,3 @@ async fn a_quick_edit_of_what_somebody_is_editing_is_refused_by_name() -> Outcom
     may_write(&aiko, true).await?;
     calm(&aiko)
 }
-
-#[tokio::test]
-async fn a_lock_is_kept_over_a_short_cut_of_the_link() -> Outcome<()> {
-    skip::unless!(ready("journey: a lock over a cut"));
-    let stage = Stage::set().await?;
-    let aiko = stage.nobody("aiko").await?;
-    let socket = stage.enter_with_switch(&aiko).await?;
-    let aiko = &aiko;
-    add_map(aiko).await?;
-    call_myself(aiko, "Aiko").await?;
-    let ben = stage.beside(aiko, "ben").await?;
-    write_body(aiko, "map (1), connector*", "2 + 2").await?;
-    open_map(&ben).await?;
-    says(&ben, "Aiko is editing").await?;
-    socket.cut().await?;
-    says(aiko, "Offline").await?;
-    may_write(aiko, true).await?;
-    socket.mend().await?;
-    silent(aiko, "Offline").await?;
-    may_write(&ben, false).await?;
-    save(aiko, "Operation").await?;
-    ben.find("button", "map (2 + 2), connector*").await?;
-    says(&ben, "Nobody is editing it any more.").await?;
-    calm(&ben)
-}

@@ -2,7 +2,6 @@
 //! new, and nothing that somebody wrote or pressed is lost.
 
 use house::{Outcome, Page, skip};
-use protocol::{Message, Refused};
 use std::process::Command;
 
 use crate::steps::*;
@@ -166,53 +165,6 @@ async fn a_dialog_whose_connector_somebody_removed_stays_with_what_was_written()
     save(&aiko, "Operation").await?;
     ben.find("button", "map (2 + 2), connector*").await?;
     calm(&ben)
-}
-
-#[tokio::test]
-async fn an_undo_that_came_too_fast_is_sent_again_in_its_order() -> Outcome<()> {
-    skip::unless!(ready("journey: undo too fast"));
-    let stage = Stage::set().await?;
-    let aiko = stage.nobody("aiko").await?;
-    refuse_when_asked(&aiko).await?;
-    aiko.goto(&stage.server.url()).await?;
-    usable(&aiko).await?;
-    add_program(&aiko, "One").await?;
-    rename_program(&aiko, "One", "Two").await?;
-    saved(&aiko).await?;
-    rename_program(&aiko, "Two", "Three").await?;
-    saved(&aiko).await?;
-    aiko.eval("globalThis.refuse = 2; 0").await?;
-    aiko.press("button", "Undo").await?;
-    aiko.find("button", "Two").await?;
-    aiko.until("globalThis.refuse === 0", "it was refused twice").await?;
-    aiko.press("button", "Undo").await?;
-    aiko.find("button", "One").await?;
-    silent(&aiko, "too much at once").await?;
-    calm(&aiko)
-}
-
-/// Answers changes and undo of the page with “too fast”, as often as `refuse` says, in place of the server.
-async fn refuse_when_asked(page: &Page) -> Outcome<()> {
-    let no = serde_json::to_string(&Message::No { ask: Some(0), no: Refused::TooFast })?;
-    let source = format!(
-        "const Real = WebSocket;
-        globalThis.refuse = 0;
-        globalThis.WebSocket = class extends Real {{
-            send(text) {{
-                const asked = JSON.parse(text);
-                const isChange = ['propose', 'takeBack'].includes(asked.request.is);
-                if (!isChange || !globalThis.refuse) return super.send(text);
-                globalThis.refuse -= 1;
-                const refusal = {no};
-                refusal.no.ask = asked.ask;
-                const data = JSON.stringify(refusal);
-                setTimeout(() => this.dispatchEvent(new MessageEvent('message', {{ data }})));
-            }}
-        }};"
-    );
-    page.call("Page.enable", serde_json::json!({})).await?;
-    let asked = serde_json::json!({ "source": source });
-    page.call("Page.addScriptToEvaluateOnNewDocument", asked).await.map(drop)
 }
 
 #[tokio::test]

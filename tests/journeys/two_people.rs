@@ -778,21 +778,3 @@ async fn what_was_changed_offline_waits_for_who_is_editing_it() -> Outcome<()> {
     }
     calm(&aiko)
 }
-
-/// A change that waits for a colleague is saved when the server is back without them: nobody tells of locks there.
-#[tokio::test]
-async fn what_waits_for_a_colleague_is_saved_when_a_new_server_has_no_locks() -> Outcome<()> {
-    skip::unless!(ready("journey: two people, and a server that is killed"));
-    let mut stage = Stage::set().await?;
-    let aiko = stage.nobody("aiko").await?;
-    let socket = stage.enter_with_switch(&aiko).await?;
-    let mut two = two(&stage, &aiko).await?;
-    let place = &PLACES[0];
-    two.locked_meanwhile(&socket, place).await?;
-    stage.server.kill9().await?;
-    says(&aiko, "Offline").await?;
-    stage.server.restart().await?;
-    two.ben = Visitor::enter_as(&stage.server, "Ben").await?;
-    two.until_kept(place, "the server is back").await?;
-    calm_but_lost(&aiko)
-}

@@ -3,18 +3,23 @@
 mod silence;
 pub(crate) mod undo;
 
+use crate::after::Following;
 use crate::conflict::{Conflict, FollowName, UsualPad};
 use crate::editing::Editing;
 use crate::effect::{Announcement, EditorEvent, Effect, Purpose, Saver};
 use crate::history::HistoryPanel;
+use crate::layout::DrawnSizes;
+use crate::places::ShownPlaces;
+use crate::presence::Presence;
 use crate::queue::Queue;
 use crate::save_state::SaveState;
-use crate::{EditorRequest, Saving, Watched};
-use behaviour::{Behaviour, Change, Id, Kind, Place, Record, RecordId};
+use crate::selection::{Folds, KeyboardPlace};
+use crate::{EditorRequest, Saving, Selected, Watched};
+use behaviour::{Behaviour, Change, Group, Id, Kind, Place, Record, RecordId};
 use phrase::Phrase;
-use protocol::{LockShown, Refused};
+use protocol::{LockShown, Person, Refused};
 use silence::Silence;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use undo::Mine;
 
 /// Of so many removed things it is remembered who removed them.
@@ -56,6 +61,18 @@ pub struct Editor {
     pub removed_by: Watched<Removers>,
     /// For how many seconds the server has been silent, if that is too long to claim anything.
     pub unheard: Watched<Option<u32>>,
+    /// The one thing that is chosen alone.
+    pub selected: Watched<Option<Selected>>,
+    /// Several things that are chosen together; none or at least two.
+    pub several: Watched<BTreeSet<Selected>>,
+    /// The groups that are seen as boxes on this page.
+    pub folded: Watched<BTreeSet<Id>>,
+    /// The streams that are not seen here, and the folded group of each.
+    pub hidden: Watched<BTreeMap<Id, Id>>,
+    /// Everyone in the open program, this person included.
+    pub people: Watched<Vec<Person>>,
+    /// Whose view is looked at here.
+    pub following: Watched<Option<Id>>,
 
     pub(crate) confirmed: Behaviour,
     pub(crate) wanted: Option<Id>,
@@ -70,7 +87,14 @@ pub struct Editor {
     pub(crate) editors: u32,
     /// The time at which typing was told last.
     pub(crate) typed_ms: f64,
-    news: RecordNews,
+    pub(crate) folds: Folds,
+    pub(crate) keyboard: Option<KeyboardPlace>,
+    pub(crate) places: ShownPlaces,
+    pub(crate) presence: Presence,
+    /// The program that is shown in place of the open one, only to look at.
+    pub(crate) past: Option<Behaviour>,
+    pub(crate) following_of: Following,
+    pub(crate) news: RecordNews,
     effects: Vec<Effect>,
 }
 
@@ -144,9 +168,15 @@ pub struct RecordNews {
 }
 
 impl Editor {
-    /// An editor in which nothing is open. It gets new ids from `new_id`, and new names of streams from `follow`.
+    /// An editor in which nothing is open. It gets new ids from `new_id`, new names of streams from `follow`, and the sizes of
+    /// what is drawn.
     #[must_use]
-    pub fn new(new_id: impl FnMut() -> Id + Send + 'static, follow: FollowName, usual_pad: UsualPad) -> Self {
+    pub fn new(
+        new_id: impl FnMut() -> Id + Send + 'static,
+        follow: FollowName,
+        usual_pad: UsualPad,
+        sizes: DrawnSizes,
+    ) -> Self {
         Self {
             new_id: Box::new(new_id),
             follow,
@@ -167,6 +197,12 @@ impl Editor {
             conflicts: Watched::default(),
             removed_by: Watched::default(),
             unheard: Watched::default(),
+            selected: Watched::default(),
+            several: Watched::default(),
+            folded: Watched::default(),
+            hidden: Watched::default(),
+            people: Watched::default(),
+            following: Watched::default(),
             confirmed: Behaviour::default(),
             wanted: None,
             queue: Queue::default(),
@@ -177,6 +213,12 @@ impl Editor {
             looks_who_was_first: false,
             editors: 0,
             typed_ms: 0.0,
+            folds: Folds::default(),
+            keyboard: None,
+            places: ShownPlaces::new(sizes),
+            presence: Presence::default(),
+            past: None,
+            following_of: Following::default(),
             news: RecordNews::default(),
             effects: Vec::new(),
         }
@@ -193,8 +235,9 @@ impl Editor {
         std::mem::take(&mut self.effects)
     }
 
-    /// Takes which records are to be shown anew.
+    /// Takes which records are to be shown anew, after what is chosen followed them.
     pub fn take_news(&mut self) -> RecordNews {
+        self.follow_records();
         std::mem::take(&mut self.news)
     }
 
@@ -233,6 +276,19 @@ impl Editor {
             _ => None,
         };
         waiting.unwrap_or_else(|| self.confirmed.records.get(key).cloned())
+    }
+
+    /// Returns the groups of the open program with what waits to be sent.
+    pub(crate) fn groups_now(&self) -> Vec<(Id, Group)> {
+        let waiting = self.wanted.as_ref().map(|open| self.queue.touched(open)).unwrap_or_default();
+        let waiting = waiting.into_iter().filter(|key| key.kind == Kind::Group);
+        let confirmed = self.confirmed.groups().map(|(id, _)| RecordId::new(Kind::Group, id));
+        let keys: BTreeSet<RecordId> = confirmed.chain(waiting).collect();
+        let group = |key: RecordId| match self.record(&key) {
+            Some(Record::Group(group)) => Some((key.id, group)),
+            _ => None,
+        };
+        keys.into_iter().filter_map(group).collect()
     }
 
     /// Returns the place where something was put.
@@ -293,6 +349,7 @@ impl Editor {
     /// Shows a whole program in place of what was shown.
     pub(crate) fn show_whole(&mut self, records: Behaviour) {
         let before = std::mem::replace(&mut self.confirmed, records);
+        self.places.begin_anew(&self.confirmed);
         self.news.is_whole = true;
         let places = self.confirmed.streams().map(|(id, _)| RecordId::new(Kind::Place, id));
         let touched = before.records.keys().chain(self.confirmed.records.keys()).cloned().chain(places);

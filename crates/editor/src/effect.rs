@@ -2,9 +2,10 @@
 
 use crate::conflict::Conflict;
 use crate::request::EditorRequest;
+use crate::selection::FocusTarget;
 use behaviour::{Accepted, Change, Id, Problem, RecordId};
 use phrase::Phrase;
-use protocol::{Person, Refused, request};
+use protocol::{Refused, request};
 
 /// One thing to do. The order counts.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,10 @@ pub enum Effect {
     Ask(EditorRequest, Purpose),
     /// Tell the server that somebody types, which it does not answer.
     Tell(request::Typing),
+    /// Tell the server where this person is, which it does not answer.
+    Present(request::Present),
+    /// Give the keyboard to a part of the graph once it is drawn, unless it is somewhere by then.
+    Focus(FocusTarget),
     /// Call [`crate::Editor::wake`] after so many milliseconds.
     After(i32, AlarmPurpose),
     /// Keep what [`crate::queue::Queue::to_keep`] gives over a reload of the page.
@@ -49,8 +54,6 @@ pub enum Effect {
         problems: Vec<Problem>,
         /// Tells whether what runs would run differently if it were started now.
         fingerprint: u32,
-        /// The people who are there.
-        people: Vec<Person>,
     },
     /// Hand on that the next change was made, by whomever.
     Made(Box<Accepted>),
@@ -142,6 +145,8 @@ pub enum AlarmPurpose {
     Rested,
     /// To propose changes once more that a lock kept out which nobody here knows of.
     Free,
+    /// To tell others where this person is.
+    Presence,
     /// To open a program once more.
     Open(Id),
     /// To read the history of a program before a revision once more.
@@ -161,6 +166,14 @@ pub enum Announcement {
     WaitsElsewhere,
     /// A change waits until this person edits no more what it touches.
     WaitsUntilFree(String),
+    /// What was chosen has nothing that a group could be made of.
+    NothingToGroup,
+    /// What was chosen is in no group.
+    InNoGroup,
+    /// What was dragged is in the group of this title now.
+    MovedInto(String),
+    /// The person whose view was looked at has left.
+    NoLongerHere(String),
     /// Somebody else saved a change of this first.
     WasFirst(Saver, Phrase),
     /// Somebody changed what is typed into here.

@@ -21,7 +21,8 @@ impl Editor {
         self.lock_again();
         self.propose_all_kept();
         self.told_what_was_missed(&id, known);
-        self.effect(Effect::Opened { problems, fingerprint, people });
+        self.present_anew(people);
+        self.effect(Effect::Opened { problems, fingerprint });
         self.pump();
     }
 

@@ -115,6 +115,6 @@ impl Editor {
             conflict.retry = Some(now.clone());
             self.set_conflicts(all);
         }
-        self.effect(Effect::Renamed { was: was.clone(), now: now.clone() });
+        self.goes_on_as(was, now);
     }
 }

@@ -2,27 +2,37 @@
 //! refused changes. It has no page, clock, link or drawer: inputs are methods of [`Editor`], and what it wants to be done
 //! are [`Effect`]s.
 
+mod after;
 mod answers;
 pub mod build;
+pub mod commands;
 pub mod conflict;
 mod conflicts;
 mod editing;
 mod editor;
 mod effect;
+mod gestures;
+pub mod graph;
 mod history;
 mod incoming;
+pub mod keys;
 mod kinds;
 mod late;
+pub mod layout;
 mod locks;
 mod opening;
+mod places;
+mod presence;
 mod propose;
 pub mod queue;
 mod reading;
 mod request;
 mod save_state;
+mod selection;
 mod signs;
 mod steps;
 mod typing;
+mod unsaved;
 mod watched;
 
 pub use answers::may_pass;
@@ -30,9 +40,12 @@ pub use conflict::{Conflict, wording};
 pub use editing::{Asking, EditReading, Editing, OwnLock, WriteRight};
 pub use editor::{Editor, LinkState, Me, Now, RecordNews, Remover, Removers};
 pub use effect::{AlarmPurpose, Announcement, EditorEvent, Effect, LogReader, Purpose, Saver};
+pub use gestures::{Put, short};
 pub use history::HistoryPanel;
 pub use kinds::{Lit, Saving, Selected, UnsavedMark};
 pub use request::{EditorRequest, NoAnswer, typed};
+pub use selection::FocusTarget;
 pub use signs::{Sign, initials, signs};
 pub use typing::KeyboardStay;
+pub use unsaved::unsaved;
 pub use watched::Watched;

@@ -6,6 +6,7 @@ use crate::effect::{AlarmPurpose, Announcement, EditorEvent, Effect, Purpose};
 use crate::{Editor, HistoryPanel, LinkState};
 use behaviour::{Behaviour, Id};
 use protocol::{Refused, request};
+use std::collections::BTreeSet;
 
 impl Editor {
     /// Begins with a program that is to be opened once there is a link.
@@ -76,6 +77,9 @@ impl Editor {
         self.revision.put(0);
         self.locks.set(Vec::new());
         self.history.set(HistoryPanel::default());
+        self.choose(BTreeSet::new());
+        self.unfollow();
+        self.people.set(Vec::new());
         self.show_whole(Behaviour::default());
         self.show_steps();
     }

@@ -176,11 +176,13 @@ impl Editor {
             (Some((mine, _)), Ok(())) => self.drop_conflict(&mine),
             (None, _) => {}
         }
+        self.after_answer(op, &answer);
         self.effect(Effect::Answered(op.clone(), answer));
     }
 
     /// The author of a change decides about it: whoever made it is told nothing.
     pub(crate) fn tell_nobody(&mut self, op: &Id) {
+        self.take_following(op);
         self.effect(Effect::Unanswered(op.clone()));
     }
 
@@ -211,6 +213,7 @@ impl Editor {
                 self.pump();
             }
             AlarmPurpose::Free => self.propose_what_is_free(),
+            AlarmPurpose::Presence => self.tell_presence(),
             AlarmPurpose::Open(behaviour) => self.open_if_wanted(behaviour),
             AlarmPurpose::History(behaviour, before) => {
                 if self.is_open(&behaviour) {
@@ -255,6 +258,7 @@ impl Editor {
         self.queue.link_lost();
         self.hold_back(SaveEvent::LinkLost);
         self.forget_locks();
+        self.unfollow();
     }
 
     /// Nothing can be saved now: what waits is shown. What is under way is answered yet, and is not sent twice.

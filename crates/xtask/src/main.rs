@@ -4,6 +4,7 @@
 mod bench;
 mod beside;
 mod dist;
+mod mutants;
 mod neo4j;
 mod order;
 mod page;
@@ -39,6 +40,8 @@ cargo xtask COMMAND
   bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 9
   bench sentences           measure how long typed sentences take to be read
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
+  mutants [WORD]            put each deliberate fault of the editor into a copy, and see that its tests notice it; with WORD
+                            only those whose name contains it
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";
 
@@ -82,6 +85,8 @@ fn obey(words: &[String]) -> ToolResult<()> {
         ["bench", "sentences", rest @ ..] => bench::sentences(&Workspace::here()?, rest),
         ["bench", "past"] => bench::past(&Workspace::here()?),
         ["bench", "stores"] => bench::stores(&Workspace::here()?),
+        ["mutants"] => mutants::run(&Workspace::here()?, ""),
+        ["mutants", word] if !word.starts_with('-') => mutants::run(&Workspace::here()?, word),
         ["test"] => test::all(&Workspace::here()?),
         ["test", filter] if !filter.starts_with('-') => test::only(&Workspace::here()?, filter),
         [] | ["help" | "--help" | "-h"] | [_, "--help" | "-h"] => {

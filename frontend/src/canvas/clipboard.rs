@@ -6,6 +6,7 @@ use crate::desk::{Desk, Dialog, Pasted, ProgramPart, Put, Selected};
 use crate::keys::PressedKey;
 use crate::words;
 use behaviour::{Helper, Place};
+use editor::keys::{GraphChord, graph_chord};
 use leptos::prelude::*;
 use protocol::Role;
 use std::collections::BTreeSet;
@@ -76,7 +77,7 @@ pub(super) fn duplicate(desk: &Desk, stage: Option<&Stage>) {
 /// Pastes a part of a program under the pointer, and beside what was copied where there is no canvas; offers to open a
 /// whole program. Returns true if it was one of them.
 pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
-    let Some(part) = ProgramPart::read(text) else {
+    let Some(part) = ProgramPart::read(text, crate::json::read) else {
         let whole = Pasted::read(text);
         let is_whole = whole.is_some();
         whole.into_iter().for_each(|whole| desk.dialog.set(Some(Dialog::OpenPasted(whole))));
@@ -98,16 +99,17 @@ impl Stage {
 /// Keys with Control or Command on the graph, or on the list in its place; whether it was one.
 pub(crate) fn chord(event: &KeyboardEvent, desk: &Desk, stage: Option<&Stage>) -> bool {
     let may = untrack(|| desk.may(Role::Editor));
-    match event.pressed().to_lowercase().as_str() {
-        "a" => desk.document.choose_all(),
-        "c" => drop(copy(desk)),
-        "x" if may => cut(desk),
+    match graph_chord(&event.pressed(), event.shift_key(), may) {
+        Some(GraphChord::ChooseAll) => desk.document.choose_all(),
+        Some(GraphChord::Copy) => drop(copy(desk)),
+        Some(GraphChord::Cut) => cut(desk),
         // A key that is really pressed pastes by the browser's own event.
-        "v" if may && !event.is_trusted() => paste_copied(desk, stage),
-        "d" if may => duplicate(desk, stage),
-        "g" if may && event.shift_key() => desk.document.ungroup(&desk.document.chosen()),
-        "g" if may => desk.document.make_group(&desk.document.chosen()),
-        _ => return false,
+        Some(GraphChord::Paste) if event.is_trusted() => return false,
+        Some(GraphChord::Paste) => paste_copied(desk, stage),
+        Some(GraphChord::Duplicate) => duplicate(desk, stage),
+        Some(GraphChord::Ungroup) => desk.document.ungroup(&desk.document.chosen()),
+        Some(GraphChord::Group) => desk.document.make_group(&desk.document.chosen()),
+        None => return false,
     }
     true
 }

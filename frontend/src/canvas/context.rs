@@ -5,7 +5,7 @@ use super::hand::StagePoint;
 use super::offer::{leaves_menu, step};
 use super::strip_spot::EDGE;
 use crate::browser;
-use crate::commands::{ALL, On, PageCommand};
+use crate::commands::{ALL, CommandSpec, On, PageCommand};
 use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
 use crate::keys::PressedKey;
@@ -76,8 +76,8 @@ fn Menu() -> impl IntoView {
 
 #[component]
 fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
-    let is_shown = |command: &&PageCommand| command.on.contains(&context.on) && untrack(|| command.can_be_done(&desk));
-    let commands: Vec<&'static PageCommand> = ALL.iter().filter(is_shown).collect();
+    let is_shown = |command: &&CommandSpec| command.on.contains(&context.on) && untrack(|| command.can_be_done(&desk));
+    let commands: Vec<&'static CommandSpec> = ALL.iter().filter(is_shown).collect();
     let size = stage.size.get_untracked();
     let height = commands.len() as f64 * ROW + 12.0;
     let fit = |at: f64, own: f64, whole: f64| at.min(whole - own - EDGE).max(EDGE);
@@ -150,7 +150,7 @@ fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
                 let keys = command.keys.split(' ').filter(|key| !key.is_empty());
                 view! {
                     <button type="button" role="menuitem" tabindex="-1" class="menu-item" on:click=run>
-                        <span class="cut">{(command.label)()}</span>
+                        <span class="cut">{command.label()}</span>
                         <span class="keys" aria-hidden="true">{keys.map(|key| view! { <kbd>{key}</kbd> }).collect_view()}</span>
                     </button>
                 }

@@ -2,16 +2,15 @@
 
 use super::plus::plus_below;
 use super::pointers::edit;
-use super::walk::{StepDirection, walk};
+use super::stage::selected_at;
 use super::{Stage, flyout};
 use crate::commands::over_time;
-use crate::desk::{Desk, Selected};
+use crate::desk::{Desk, Selected, StepDirection};
 use crate::escape;
 use crate::keys::PressedKey;
 use crate::panels::focus;
-use behaviour::Id;
+use editor::keys::{EscapeUse, GraphKey, KeyPress, graph_key};
 use leptos::prelude::*;
-use std::collections::BTreeSet;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
@@ -51,7 +50,8 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         }
         return;
     }
-    let ends_following = !matches!(event.pressed().as_str(), "Shift" | "Tab") && desk.document.unfollow();
+    let pressed = event.pressed();
+    let ends_following = !matches!(pressed.as_str(), "Shift" | "Tab") && desk.document.unfollow();
     if ends_following && escape::ends(event, || ()) {
         return;
     }
@@ -60,44 +60,39 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         return;
     }
     let plus = target.closest(".plus").ok().flatten();
-    if plus.is_some_and(|plus| stage.plus_key(&plus, &event.pressed())) {
+    if plus.is_some_and(|plus| stage.plus_key(&plus, &pressed)) {
         event.prevent_default();
         return;
     }
-    let here = selected_at(&target).or_else(|| desk.document.selected.get_untracked());
-    let several = desk.document.several.with_untracked(|several| !several.is_empty());
+    escape::may_end(event, || choose_nothing(desk, stage));
     let on_button = target.closest("button").ok().flatten().is_some();
-    escape::may_end(event, || choose_nothing(desk, stage, several));
-    let go = |here: Option<Selected>, way: StepDirection| {
-        if event.shift_key() { extend(desk, stage, here, way) } else { step(desk, stage, here, way) }
-    };
-    let done = match event.pressed().as_str() {
-        "c" | "C" => connect(stage, here),
-        "n" | "N" => then(|| stage.add_note()),
-        "f" | "F" => fold(stage, here),
-        "i" | "I" => here.is_some_and(|here| stage.insert_before(&here)),
-        "l" | "L" => then(|| over_time(desk)),
-        "F2" => rename(stage, here),
-        "Enter" if !on_button => with(here, |here| open(desk, stage, &here)),
-        " " if !on_button && event.shift_key() => with(here, |here| desk.document.choose_too(here)),
-        " " if !on_button => with(here, |here| desk.document.selected.set(Some(here))),
-        "Delete" | "Backspace" if several && !on_button => {
-            then(|| desk.document.remove_several(&desk.document.chosen()))
-        }
-        "Delete" | "Backspace" if !on_button => with(here, |here| remove(desk, stage, &here)),
-        "ArrowDown" if !several && !event.shift_key() && to_plus(stage, &target) => true,
-        "ArrowDown" => go(here, StepDirection::Down),
-        "ArrowUp" => go(here, StepDirection::Up),
-        "ArrowLeft" if !on_button => go(here, StepDirection::Left),
-        "ArrowRight" if !on_button => go(here, StepDirection::Right),
-        "+" | "=" => then(|| stage.zoom_by(1.25)),
-        "-" => then(|| stage.zoom_by(0.8)),
-        "0" => then(|| stage.fit()),
-        "1" => then(|| stage.to_real_size()),
-        _ => false,
-    };
-    if done {
+    let meant = graph_key(KeyPress { key: &pressed, shift: event.shift_key(), on_button });
+    if meant.is_some_and(|meant| act(desk, stage, &target, meant)) {
         event.prevent_default();
+    }
+}
+
+/// Does what a key means; whether there was something to do.
+fn act(desk: &Desk, stage: &Stage, target: &Element, meant: GraphKey) -> bool {
+    let here = selected_at(target).or_else(|| desk.document.selected.get_untracked());
+    let several = desk.document.several.with_untracked(|several| !several.is_empty());
+    match meant {
+        GraphKey::Connect => connect(stage, here),
+        GraphKey::AddNote => then(|| stage.add_note()),
+        GraphKey::Fold => fold(stage, here),
+        GraphKey::InsertBefore => here.is_some_and(|here| stage.insert_before(&here)),
+        GraphKey::OverTime => then(|| over_time(desk)),
+        GraphKey::Rename => rename(stage, here),
+        GraphKey::Open => with(here, |here| open(desk, stage, &here)),
+        GraphKey::ChooseToo => with(here, |here| desk.document.choose_too(here)),
+        GraphKey::Select => with(here, |here| desk.document.select(Some(here))),
+        GraphKey::Remove if several => then(|| desk.document.remove_several(&desk.document.chosen())),
+        GraphKey::Remove => with(here, |here| remove(desk, stage, &here)),
+        GraphKey::Walk { way: StepDirection::Down, more: false } if !several && to_plus(stage, target) => true,
+        GraphKey::Walk { way, more } => step(desk, stage, here, (way, more)),
+        GraphKey::Zoom(by) => then(|| stage.zoom_by(by)),
+        GraphKey::Fit => then(|| stage.fit()),
+        GraphKey::RealSize => then(|| stage.to_real_size()),
     }
 }
 
@@ -120,7 +115,7 @@ fn rename(stage: &Stage, here: Option<Selected>) -> bool {
 fn open(desk: &Desk, stage: &Stage, what: &Selected) {
     match what {
         Selected::Connector(id) => {
-            desk.document.selected.set(Some(what.clone()));
+            desk.document.select(Some(what.clone()));
             flyout::enter(desk, id);
         }
         _ if stage.open_aside(what) => {}
@@ -163,25 +158,13 @@ fn with(here: Option<Selected>, act: impl FnOnce(Selected)) -> bool {
     here.map(act).is_some()
 }
 
-fn selected_at(target: &Element) -> Option<Selected> {
-    let id = |mark: &str| target.get_attribute(mark).and_then(|id| Id::new(&id).ok());
-    let graph = id("data-node").map(Selected::Stream).or_else(|| id("data-chip").map(Selected::Connector));
-    graph.or_else(|| id("data-note").map(Selected::Note)).or_else(|| id("data-group").map(Selected::Group))
-}
-
-/// Chooses nothing any more, which is nothing to take back; whether the control of a connector was closed with it.
-fn choose_nothing(desk: &Desk, stage: &Stage, several: bool) -> bool {
-    if several {
-        desk.document.choose(BTreeSet::new());
-        return false;
-    }
-    let Some(selected) = desk.document.selected.get_untracked() else { return false };
-    desk.document.selected.set(None);
-    let has_control = matches!(selected, Selected::Connector(_));
-    if !has_control {
+/// Chooses nothing any more; whether that takes something back. The keyboard stays with what was chosen.
+fn choose_nothing(desk: &Desk, stage: &Stage) -> bool {
+    let used = desk.document.escape();
+    if let EscapeUse::ChooseNothing(Some(selected)) = &used {
         stage.focus(selected.id());
     }
-    has_control
+    used.is_used()
 }
 
 /// Removes something; the keyboard goes on to what it came from. In the middle of a way it asks how.
@@ -189,64 +172,22 @@ fn remove(desk: &Desk, stage: &Stage, what: &Selected) {
     if matches!(what, Selected::Stream(id) if desk.document.healed_by(id).is_some()) {
         return focus::press_of(desk, what, ".strip .remove > button");
     }
-    let next = match what {
-        Selected::Stream(id) => walk(&desk.document.behaviour(), id, StepDirection::Up, |_| None),
-        Selected::Connector(id) => desk
-            .document
-            .connector(id)
-            .and_then(|signals| signals.record.with_untracked(|connector| connector.inputs.first().cloned())),
-        Selected::Note(_) | Selected::Group(_) => desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()),
-    };
+    let next = desk.document.before_it(what);
     desk.document.remove(what);
     if let Some(next) = next {
-        go(desk, stage, next);
+        desk.document.choose([next.clone()].into());
+        desk.document.keyboard_at(Some(next.clone()));
+        stage.focus(next.id());
     }
 }
 
-/// Goes on with what is there chosen too; back over what is chosen already it is let go of again.
-fn extend(desk: &Desk, stage: &Stage, here: Option<Selected>, way: StepDirection) -> bool {
-    let Some(next) = next(desk, here.clone(), way).map(|next| stage.seen_as(next)) else { return true };
-    let mut chosen = desk.document.chosen();
-    match here {
-        Some(here) if chosen.contains(&next) => drop(chosen.remove(&here)),
-        here => chosen.extend(here),
-    }
-    chosen.insert(next.clone());
-    desk.document.choose(chosen);
-    stage.focus(next.id());
-    true
-}
-
-/// To a stream, or to the folded group that it is in.
-fn go(desk: &Desk, stage: &Stage, next: Id) {
-    let next = stage.seen_as(next);
-    desk.document.choose([next.clone()].into());
-    stage.focus(next.id());
-}
-
-fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, way: StepDirection) -> bool {
-    if let Some(aside @ (Selected::Note(_) | Selected::Group(_))) = &here {
+/// Goes on to what an arrow key leads to; with `more` that is chosen too.
+fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, (way, more): (StepDirection, bool)) -> bool {
+    if let Some(aside @ (Selected::Note(_) | Selected::Group(_))) = here.as_ref().filter(|_| !more) {
         return stage.step_aside(aside, way);
     }
-    if let Some(next) = next(desk, here, way) {
-        go(desk, stage, next);
+    if let Some(next) = desk.document.step(here, way, more) {
+        stage.focus(next.id());
     }
     true
-}
-
-/// The stream that is reached from there.
-fn next(desk: &Desk, here: Option<Selected>, way: StepDirection) -> Option<Id> {
-    let place = |id: &Id| desk.document.stream(id).map(|signals| signals.place.get_untracked());
-    match here {
-        Some(Selected::Stream(id)) => walk(&desk.document.behaviour(), &id, way, place),
-        Some(Selected::Connector(id)) => desk.document.connector(&id).and_then(|signals| {
-            signals.record.with_untracked(|connector| match way {
-                StepDirection::Down => Some(connector.output.clone()),
-                StepDirection::Up => connector.inputs.first().cloned(),
-                StepDirection::Left | StepDirection::Right => None,
-            })
-        }),
-        Some(Selected::Note(_) | Selected::Group(_)) => None,
-        None => desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()),
-    }
 }

@@ -2,8 +2,7 @@
 
 use super::Stage;
 use super::bounds::bounds;
-use super::walk::StepDirection;
-use crate::desk::Selected;
+use crate::desk::{Selected, StepDirection};
 use crate::words;
 use behaviour::{Graph, Id, Kind, Place, RecordId};
 use leptos::prelude::*;
@@ -158,6 +157,6 @@ impl Stage {
 
     /// A stream as it is seen: itself, or the folded group that it is in.
     pub(super) fn seen_as(&self, stream: Id) -> Selected {
-        untrack(|| self.desk.document.hidden_in(&stream)).map_or(Selected::Stream(stream), Selected::Group)
+        self.desk.document.seen_as(stream)
     }
 }

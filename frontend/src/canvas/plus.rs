@@ -103,7 +103,7 @@ impl Stage {
             _ => return false,
         };
         if let Some(next) = next {
-            self.desk.document.selected.set(Some(Selected::Stream(next.clone())));
+            self.desk.document.select(Some(Selected::Stream(next.clone())));
             self.focus(&next);
         }
         true

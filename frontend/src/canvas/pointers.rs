@@ -349,7 +349,7 @@ pub(crate) fn edit(desk: &Desk, what: &Selected) {
             })
         }),
     };
-    desk.document.selected.set(Some(what.clone()));
+    desk.document.select(Some(what.clone()));
     if dialog.is_some() {
         desk.dialog.set(dialog);
     }

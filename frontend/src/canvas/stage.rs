@@ -394,6 +394,7 @@ impl Stage {
         let mark = |mark: &str| target.as_ref()?.get_attribute(mark).and_then(|id| Id::new(&id).ok());
         let id = mark("data-node").or_else(|| mark("data-note")).or_else(|| mark("data-group"));
         let node = mark("data-node");
+        self.desk.document.keyboard_at(target.as_ref().and_then(selected_at));
         if !on_edge && self.focused.with_untracked(|now| *now != node) {
             self.focused.set(node);
         }
@@ -416,6 +417,7 @@ impl Stage {
         let next = event.related_target().and_then(|next| next.dyn_into::<Element>().ok());
         let stays = next.as_ref().is_some_and(|next| next.closest("#stage").ok().flatten().is_some());
         if next.is_some() && !stays {
+            self.desk.document.keyboard_at(None);
             self.wanted.set(None);
         }
         if !stays && self.focused.with_untracked(Option::is_some) {
@@ -496,20 +498,12 @@ impl Stage {
         }
     }
 
-    /// Brings what is selected into view and tells the others; a lost keyboard comes along.
+    /// Brings what is selected into view; a lost keyboard comes along.
     pub(super) fn follow_selection(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
         Effect::new(move |_| {
             let selected = desk.document.selected.get();
-            desk.document.present_selection();
-            if selected.is_some() {
-                desk.document.unfollow();
-            }
             let Some(selected) = selected else { return };
-            // What is looked for is shown, whatever is folded around it.
-            if let Some(group) = untrack(|| desk.document.folded_away(&selected)) {
-                desk.document.unfold_here(&group);
-            }
             let id = match selected {
                 Selected::Connector(_) => return,
                 Selected::Stream(id) | Selected::Note(id) | Selected::Group(id) => id,
@@ -686,4 +680,11 @@ fn others_signal(desk: Desk) -> ArcRwSignal<Vec<(Id, u8, String)>> {
         let others = desk.document.others().into_iter().filter(|_| !desk.is_then());
         others.filter_map(|(sign, person)| Some((person.selected?, sign.color, sign.name))).collect()
     })
+}
+
+/// Returns the part of the graph that an element is.
+pub(super) fn selected_at(target: &Element) -> Option<Selected> {
+    let id = |mark: &str| target.get_attribute(mark).and_then(|id| Id::new(&id).ok());
+    let graph = id("data-node").map(Selected::Stream).or_else(|| id("data-chip").map(Selected::Connector));
+    graph.or_else(|| id("data-note").map(Selected::Note)).or_else(|| id("data-group").map(Selected::Group))
 }

@@ -1,7 +1,6 @@
 //! The open behaviour as signals, and the only writer: gestures propose changes, answers of the server change signals.
 
 mod address;
-mod build;
 mod choosing;
 #[cfg(test)]
 mod conflict_tests;
@@ -9,9 +8,6 @@ mod conflicts;
 mod drafted;
 mod gestures;
 mod ghost;
-#[cfg(test)]
-mod graph_tests;
-mod grouping;
 mod groups;
 mod input;
 mod kinds;
@@ -20,40 +16,35 @@ mod mend;
 mod notes;
 mod opening;
 mod pad;
-mod part;
 mod presence;
 mod procedures;
-mod rewire;
 mod server;
 mod session;
-mod several;
 pub(crate) mod shown_pad;
 mod signals;
 mod versions;
 
-pub(super) use build::{as_seen, helper_gone, helper_put};
-pub(crate) use choosing::Put;
 pub(crate) use conflicts::draft_key;
-pub(super) use gestures::short;
-pub(crate) use ghost::{Ghost, GhostConnector, GhostStream};
-pub(crate) use kinds::{ConnectPlan, ConnectorSignals, GroupSignals, NewSpot, NoteSignals, Output, StreamSignals};
+pub(super) use editor::build::{as_seen, helper_gone, helper_put};
+pub(crate) use editor::graph::{
+    ConnectPlan, Gap, Ghost, GhostConnector, GhostStream, Joining, LineUp, NewSpot, Output, ProgramPart, StepDirection,
+    WireEnd, wire_ends,
+};
+pub(super) use editor::short;
+pub(crate) use kinds::{ConnectorSignals, GroupSignals, NoteSignals, StreamSignals};
 pub(crate) use locks::OtherEditor;
-pub(crate) use part::ProgramPart;
-pub(crate) use rewire::{Gap, Joining, WireEnd, wire_ends};
 pub(crate) use session::EditSession;
-pub(crate) use several::LineUp;
 pub(crate) use versions::{ComparedVersions, Comparing, OpenVersion};
 
 pub(crate) use editor::{
-    Asking, Conflict, EditReading, Editing, Lit, OwnLock, Saving, Selected, Sign, UnsavedMark, WriteRight, initials,
-    signs, wording,
+    Asking, Conflict, EditReading, Editing, FocusTarget, Lit, OwnLock, Put, Saving, Selected, Sign, UnsavedMark,
+    WriteRight, initials, signs, wording,
 };
 
 use super::tab::{Tab, new_id};
-use crate::layout::Tidy;
-use crate::naming;
-use behaviour::{Accepted, Behaviour, Checkpoint, Id, Place, Problem, Record, RecordId, ValueType};
-use editor::{Editor, HistoryPanel, Removers, conflict};
+use crate::{layout, naming};
+use behaviour::{Accepted, Behaviour, Checkpoint, Id, Problem, Record, RecordId, ValueType};
+use editor::{Editor, HistoryPanel, Removers, build};
 use leptos::prelude::*;
 use phrase::Phrase;
 use protocol::{LockShown, Person};
@@ -87,9 +78,9 @@ pub(crate) struct DocumentFields {
     pub(crate) note_ids: ArcRwSignal<Vec<Id>>,
     pub(crate) group_ids: ArcRwSignal<Vec<Id>>,
     /// The streams that are not seen here, and the folded group of each.
-    pub(crate) hidden: ArcRwSignal<HashMap<Id, Id>>,
-    /// Folded groups that are shown open on this page.
-    unfolded_here: ArcRwSignal<BTreeSet<Id>>,
+    pub(crate) hidden: ArcRwSignal<BTreeMap<Id, Id>>,
+    /// The groups that are seen as boxes on this page.
+    folded: ArcRwSignal<BTreeSet<Id>>,
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
     /// Tells whether what runs would run differently if it were started now.
     pub(crate) fingerprint: ArcRwSignal<u32>,
@@ -145,15 +136,6 @@ struct DocumentState {
     connectors: BTreeMap<Id, ConnectorSignals>,
     notes: BTreeMap<Id, NoteSignals>,
     groups: BTreeMap<Id, GroupSignals>,
-    /// The places of streams and notes that nobody placed.
-    fallback: BTreeMap<Id, Place>,
-    /// Lays out a behaviour in which nobody placed anything; comes later.
-    tidy: Option<Tidy>,
-    /// The width and height in which all of it shall be seen.
-    stage: (f64, f64),
-    presence: presence::Presence,
-    /// The program that is shown in place of the open one, only to look at.
-    then: Option<Behaviour>,
 }
 
 /// The events that others on the desk follow.
@@ -201,7 +183,7 @@ impl Document {
             note_ids: ArcRwSignal::default(),
             group_ids: ArcRwSignal::default(),
             hidden: ArcRwSignal::default(),
-            unfolded_here: ArcRwSignal::default(),
+            folded: ArcRwSignal::default(),
             problems: ArcRwSignal::default(),
             fingerprint: ArcRwSignal::default(),
             removed_by: ArcRwSignal::default(),
@@ -227,16 +209,11 @@ impl Document {
             conflicts: ArcRwSignal::default(),
             waits: ArcRwSignal::default(),
             state: Mutex::new(DocumentState {
-                editor: Editor::new(new_id, naming::followed, shown_pad::usual),
+                editor: Editor::new(new_id, naming::followed, shown_pad::usual, layout::SIZES),
                 streams: BTreeMap::new(),
                 connectors: BTreeMap::new(),
                 notes: BTreeMap::new(),
                 groups: BTreeMap::new(),
-                fallback: BTreeMap::new(),
-                tidy: None,
-                stage: (0.0, 0.0),
-                presence: presence::Presence::default(),
-                then: None,
             }),
             listener: OnceLock::new(),
         }))
@@ -277,8 +254,7 @@ impl Document {
     /// The behaviour that is shown: the open one with what waits to be sent, or one of the past; not reactive (read `revision`
     /// for that).
     pub(crate) fn behaviour(&self) -> Behaviour {
-        let state = self.state();
-        state.then.clone().unwrap_or_else(|| state.editor.behaviour())
+        self.state().editor.shown_behaviour()
     }
 
     /// Looks at the open behaviour as the server has it; `look` asks the document for nothing.

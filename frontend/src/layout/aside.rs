@@ -1,10 +1,7 @@
-//! The size of what stands beside the graph: notes, and groups that are folded to a box.
+//! The size of notes, which stand beside the graph.
 
-use super::{STREAM_HEIGHT, text_width};
-use behaviour::Place;
+use super::text_width;
 
-/// The size of a folded group, in canvas units.
-pub(crate) const BOX: (f64, f64) = (248.0, 64.0);
 /// The widest and the narrowest a note becomes.
 const NOTE_WIDTH: [f64; 2] = [132.0, 248.0];
 /// A line of a note, what surrounds all of them, and the line with name and day.
@@ -22,20 +19,9 @@ pub(crate) fn note_size(text: &str) -> (f64, f64) {
     (width.ceil(), lines * NOTE_LINE + NOTE_FOOT + NOTE_AROUND.1)
 }
 
-/// Returns the place of the box of a folded group that nobody placed: in the middle of its streams.
-pub(crate) fn box_place(streams: &[Place]) -> Option<Place> {
-    let span = |of: fn(&Place) -> f64| {
-        let (least, most) = streams.iter().map(of).fold((f64::MAX, f64::MIN), |(l, m), at| (l.min(at), m.max(at)));
-        (least + most) / 2.0
-    };
-    let middle = (span(|place| place.x), span(|place| place.y) + (STREAM_HEIGHT - BOX.1) / 2.0);
-    (!streams.is_empty()).then(|| Place { x: middle.0.round(), y: middle.1.round() })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{box_place, note_size};
-    use behaviour::Place;
+    use super::note_size;
 
     #[test]
     fn a_note_grows_down_and_never_wider_than_its_most() {
@@ -43,12 +29,5 @@ mod tests {
         let (wide, high) = note_size(&"Ask Yuki whether the children liked it. ".repeat(5));
         assert!(narrow < wide && wide == 248.0 && high > low + 60.0, "{narrow} {low} {wide} {high}");
         assert_eq!(note_size("a\n\nb").1, note_size("a").1 + 40.0);
-    }
-
-    #[test]
-    fn a_box_stands_in_the_middle_of_its_streams() {
-        let at = |x, y| Place { x, y };
-        assert_eq!(box_place(&[at(0.0, 0.0), at(100.0, 280.0)]), Some(at(50.0, 132.0)));
-        assert_eq!(box_place(&[]), None);
     }
 }

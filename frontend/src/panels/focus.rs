@@ -78,7 +78,7 @@ fn look_after(ms: i32, (before, selector): (FocusBefore, String), act: impl FnOn
 /// Chooses a part of the graph and presses one of the buttons it has then, once that is there, unless something else is
 /// chosen by then.
 pub(crate) fn press_of(desk: &Desk, what: &Selected, selector: &str) {
-    desk.document.selected.set(Some(what.clone()));
+    desk.document.select(Some(what.clone()));
     let (desk, what) = (desk.clone(), what.clone());
     soon_of_second_piece(SHOWN_MS, selector, move |button| {
         if desk.document.selected.with_untracked(|now| now.as_ref() == Some(&what)) {

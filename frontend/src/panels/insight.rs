@@ -28,7 +28,7 @@ pub(crate) fn Below(id: Id) -> impl IntoView {
         in_order.map(|(id, stream)| (id.clone(), stream.name.clone())).collect::<Vec<_>>()
     });
     let link = move |(id, name): (Id, String)| {
-        let select = move |_| desk.desk().document.selected.set(Some(Selected::Stream(id.clone())));
+        let select = move |_| desk.desk().document.select(Some(Selected::Stream(id.clone())));
         view! { <li><button class="link" type="button" on:click=select>{name}</button></li> }
     };
     let links = move || below.get().into_iter().take(BELOW_MAX).map(link).collect_view();
@@ -111,7 +111,7 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
     let line = move |missing: UnfitStream| {
         let (text, id) = (words::told_by(&missing), missing.stream);
         let label = words::titled(words::select(), &text);
-        let select = move |_| desk.desk().document.selected.set(Some(Selected::Stream(id.clone())));
+        let select = move |_| desk.desk().document.select(Some(Selected::Stream(id.clone())));
         view! {
             <li class="problem" data-blocks="true">
                 <Icon name="warn" />

@@ -100,7 +100,7 @@ fn SelectIt(selected: Option<Selected>, #[prop(into)] text: Signal<String>) -> i
                 class="link"
                 type="button"
                 aria-label=move || words::titled(words::select(), &text.get())
-                on:click=move |_| desk.desk().document.selected.set(selected.get_value())
+                on:click=move |_| desk.desk().document.select(selected.get_value())
             >
                 {words::select()}
             </button>

@@ -61,7 +61,7 @@ fn Ways(what: Selected, id: Id, above: Id, name: String, in_words: bool) -> impl
             if let Some(active) = active {
                 let _ = active.blur();
             }
-            desk.document.selected.set(Some(Selected::Stream(above.get_value())));
+            desk.document.select(Some(Selected::Stream(above.get_value())));
         });
     };
     let heal = Callback::new(move |()| then(&|desk| desk.document.remove_and_heal(&id)));

@@ -106,7 +106,12 @@ mod tests {
 
     #[test]
     fn that_the_server_speaks_again_is_said_once_and_only_when_nothing_waits() {
-        let mut editor = Editor::new(|| Id::new("new").unwrap(), |_, _, _, _| None, |_| behaviour::Pad::default());
+        let mut editor = Editor::new(
+            || Id::new("new").unwrap(),
+            |_, _, _, _| None,
+            |_| behaviour::Pad::default(),
+            crate::layout::tests::SIZES,
+        );
         editor.silence = Silence::Over { sent: 1 };
         let (behaviour, op) = (Id::new("b").unwrap(), Id::new("op").unwrap());
         editor.queue.push(behaviour, Change::of(op.clone(), "Aiko", "Edit"), SendMode::Propose);

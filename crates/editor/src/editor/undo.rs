@@ -65,7 +65,7 @@ impl Editor {
                     self.mine.withdrawn.push(Withdrawn { waiting, above });
                 }
             }
-            None => self.step(open, false),
+            None => self.ask_step(open, false),
         }
         self.show_steps();
     }
@@ -77,7 +77,7 @@ impl Editor {
         if let Some(waiting) = self.queue.withdraw(&open, |newest| newest.way == SendMode::TakeBack) {
             self.withdrawn(&waiting);
         } else if !self.put_again(&open, undone) {
-            self.step(open, true);
+            self.ask_step(open, true);
         }
         self.show_steps();
     }
@@ -99,7 +99,7 @@ impl Editor {
     }
 
     /// Asks for one step. What it will make is shown as far as it is known; the log decides.
-    fn step(&mut self, open: Id, again: bool) {
+    fn ask_step(&mut self, open: Id, again: bool) {
         let steps = self.steps(&open);
         let step = if again { steps.undone.last() } else { steps.done.last() };
         let Some(step) = step else { return };

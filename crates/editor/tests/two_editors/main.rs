@@ -4,9 +4,13 @@
 //! `RRP_EDITOR_SEEDS=10000` plays so many seeds, `RRP_EDITOR_SEED=7` plays one.
 
 mod dice;
+mod graph;
+mod keyboard;
 mod page;
+mod presence;
 mod scenes;
 mod server;
+mod sketch;
 mod table;
 mod world;
 
@@ -36,7 +40,19 @@ fn no_edit_is_lost_or_doubled_on_bad_links() {
     let first = failed.iter().take(8).map(|(seed, why)| format!("\n{seed}: {why}")).collect::<String>();
     assert!(failed.is_empty(), "{} of {many} seeds failed:{first}", failed.len());
     if many >= SEEDS {
-        let often = ["cut", "reload", "restart", "saved", "refused", "kept", "withdrawn", "dropped", "taken back"];
+        let often = [
+            "cut",
+            "reload",
+            "restart",
+            "saved",
+            "refused",
+            "kept",
+            "withdrawn",
+            "dropped",
+            "taken back",
+            "gesture",
+            "keyboard led on",
+        ];
         let seldom = ["reload while it is found out who was first"];
         for (what, least) in often.into_iter().map(|what| (what, 100)).chain(seldom.into_iter().map(|what| (what, 3))) {
             let times = counts.get(what).copied().unwrap_or_default();

@@ -1,8 +1,12 @@
 //! One person's page without a page: an editor, what it wants done, and a ledger of what became of every edit.
 
 use crate::server::{Server, id, note};
-use behaviour::{Behaviour, Change, Id, Note, Place, Record, RecordId, Refusal};
-use editor::{AlarmPurpose, Announcement, Editor, Effect, KeyboardStay, Me, NoAnswer, Now, Purpose, WriteRight, build};
+use behaviour::{Behaviour, Change, Connector, Id, Note, Place, Procedure, Record, RecordId, Refusal};
+use editor::layout::DrawnSizes;
+use editor::{
+    AlarmPurpose, Announcement, Editor, Effect, FocusTarget, KeyboardStay, Me, NoAnswer, Now, Purpose, Selected,
+    WriteRight, build,
+};
 use protocol::{AnyAnswer, AnyRequest, Event, Message, Refused, answer};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -56,8 +60,34 @@ pub(crate) struct Page {
     /// The number of times that something was wanted.
     wants: u64,
     pub(crate) said: Vec<Announcement>,
+    /// The places to which the keyboard was led.
+    pub(crate) focused: Vec<FocusTarget>,
+    /// The records that were drawn anew.
+    pub(crate) redrawn: Vec<RecordId>,
+    gestures: u64,
+    /// Why this person may not edit, if so.
+    pub(crate) refused: Option<Refused>,
+    /// The answers to their gestures.
+    pub(crate) answers: Vec<Result<(), Refused>>,
     /// The texts that its author decides about in this input.
     decided: BTreeSet<String>,
+}
+
+/// About the sizes of a page.
+pub(crate) const SIZES: DrawnSizes = DrawnSizes {
+    stream: |stream| (stream.name.chars().count() as f64 * 9.0 + 40.0).clamp(96.0, 260.0),
+    chip: |connector| (connector.operation.word().len() as f64 * 8.0 + 52.0).clamp(72.0, 260.0),
+    note: |text| (248.0, 38.0 + text.lines().count() as f64 * 20.0),
+};
+
+/// A name of a stream that follows a test with a number, as pages have them.
+fn followed(behaviour: &Behaviour, name: &str, seen: &Connector, edited: &Connector) -> Option<String> {
+    let called = |connector: &Connector| match connector.operation.procedure() {
+        Some(Procedure::Body { body, .. }) => Some(format!("Where {body}")),
+        _ => None,
+    };
+    let is_given = called(seen).as_deref() == Some(name) && behaviour.stream(&seen.output).is_some();
+    called(edited).filter(|_| is_given)
 }
 
 fn editor_of(who: usize, life: u32) -> Editor {
@@ -66,7 +96,7 @@ fn editor_of(who: usize, life: u32) -> Editor {
         made += 1;
         id(&format!("op-{who}-{life}-{made}"))
     };
-    Editor::new(new_id, |_, _, _, _| None, |_| behaviour::Pad::default())
+    Editor::new(new_id, followed, |_| behaviour::Pad::default(), SIZES)
 }
 
 pub(crate) fn text_of(record: Option<&Record>) -> Option<&str> {
@@ -93,6 +123,11 @@ impl Page {
             texts: 0,
             wants: 0,
             said: Vec::new(),
+            focused: Vec::new(),
+            redrawn: Vec::new(),
+            gestures: 0,
+            refused: None,
+            answers: Vec::new(),
             decided: BTreeSet::new(),
         };
         page.editor.begin_with(Some(program.clone()));
@@ -104,12 +139,42 @@ impl Page {
         let now = Now { clock_ms: self.now_ms as f64, today_ms: 1e12 + self.now_ms as f64 };
         let client = self.was_greeted.then(|| Server::client(self.who));
         let name = if self.was_greeted { Server::name(self.who) } else { String::new() };
-        let done = act(self.editor.at(now, Me { client, name, refused: None }));
+        let done = act(self.editor.at(now, Me { client, name, refused: self.refused.clone() }));
+        let news = self.editor.take_news();
+        self.redrawn.extend(news.touched);
         for effect in self.editor.take_effects() {
             self.perform(effect)?;
         }
+        self.nothing_gone_is_chosen()?;
         self.forget_safety();
         Ok(done)
+    }
+
+    /// Nothing that is gone is chosen, and the keyboard is in nothing that is gone or folded away.
+    fn nothing_gone_is_chosen(&self) -> Check {
+        let is_there = |one: &Selected| self.editor.shown(&one.record()).is_some();
+        if let Some(gone) = self.editor.chosen().iter().find(|one| !is_there(one)) {
+            return Err(format!("{gone:?} is chosen and gone"));
+        }
+        match self.editor.keyboard() {
+            Some(part) if !is_there(part) => Err(format!("the keyboard is in {part:?}, which is gone")),
+            Some(part) if self.editor.folded_away(part).is_some() => {
+                Err(format!("the keyboard is in the folded {part:?}"))
+            }
+            Some(_) | None => Ok(()),
+        }
+    }
+
+    /// A name for the change of a gesture.
+    pub(crate) fn op(&mut self) -> Id {
+        self.gestures += 1;
+        id(&format!("gesture-{}-{}-{}", self.who, self.lives, self.gestures))
+    }
+
+    /// Does a gesture under a new name.
+    pub(crate) fn gesture<T>(&mut self, act: impl FnOnce(&mut Editor, Id) -> T) -> Result<T, String> {
+        let op = self.op();
+        self.input(|editor| act(editor, op))
     }
 
     fn perform(&mut self, effect: Effect) -> Check {
@@ -122,6 +187,8 @@ impl Page {
                 self.asked.insert(self.asks, purpose);
                 self.outbox.push((self.asks, request.into()));
             }
+            Effect::Present(request) if self.session.is_some() => self.outbox.push((0, request.into())),
+            Effect::Focus(target) => self.focused.push(target),
             Effect::Tell(request) if self.session.is_some() => self.outbox.push((0, request.into())),
             Effect::After(ms, wake) => self.timers.push((self.now_ms + ms as u64, wake)),
             Effect::KeepQueue => {
@@ -147,6 +214,7 @@ impl Page {
                 }
             }
             Effect::Tell(_)
+            | Effect::Present(_)
             | Effect::ForgetDraft(_)
             | Effect::LastChange(..)
             | Effect::Address(_)
@@ -159,6 +227,9 @@ impl Page {
     }
 
     fn answered(&mut self, op: &Id, answer: Result<(), Refused>) -> Check {
+        if op.as_str().starts_with("gesture-") {
+            self.answers.push(answer.clone());
+        }
         let Some(entry) = self.ledger.get_mut(op) else { return Ok(()) };
         if entry.is_safe && matches!(answer, Err(Refused::Change(Refusal::Stale(_) | Refusal::Locked { .. }))) {
             return Err(format!("{entry:?} was typed under a lock and is refused: {answer:?}"));
@@ -216,6 +287,7 @@ impl Page {
     fn hear_event(&mut self, event: Event) -> Check {
         match event {
             Event::Accepted { behaviour, accepted } => self.input(|editor| editor.hear_accepted(&behaviour, &accepted)),
+            Event::People { behaviour, people } => self.input(|editor| editor.hear_people(&behaviour, people)),
             Event::Locks { behaviour, locks } => self.input(|editor| editor.hear_locks(&behaviour, locks)),
             Event::LockReturned { grant } => self.input(|editor| editor.hear_grant(&grant)),
             Event::LockNews { behaviour, now_ms, event } => {

@@ -89,7 +89,7 @@ fn what_is_under_way_when_the_store_goes_and_comes_is_not_sent_twice() {
     table.server.set_away(true);
     table.server.set_away(false);
     table.hear();
-    assert_eq!(table.pages[AIKO].outbox, [], "it is not answered yet");
+    assert_eq!(table.asked(AIKO), 0, "it is not answered yet");
     table.server.saved(StoreAnswer::Failed);
     table.settle();
     assert_eq!((table.saved(), table.server.log.len()), (text("Aiko wrote 1"), 1));
@@ -107,7 +107,7 @@ fn what_is_under_way_is_not_sent_twice_as_another_change_is_heard_as_saved_and_t
     for (_, wake) in std::mem::take(&mut table.pages[AIKO].timers) {
         table.pages[AIKO].input(|editor| editor.wake(wake)).unwrap();
     }
-    assert_eq!(table.pages[AIKO].outbox, [], "it is not answered yet");
+    assert_eq!(table.asked(AIKO), 0, "it is not answered yet");
     table.settle();
     assert_eq!((table.saved(), table.server.log.len()), (text("Aiko wrote 2"), 3));
 }
@@ -520,7 +520,8 @@ fn what_is_typed_just_before_the_lock_is_given_goes_with_it_and_ends_it() {
 #[test]
 fn without_a_role_to_edit_nothing_is_sent() {
     let mut table = Table::laid();
-    let mut editor = Editor::new(|| crate::server::id("x"), |_, _, _, _| None, |_| behaviour::Pad::default());
+    let usual = |_: &behaviour::Behaviour| behaviour::Pad::default();
+    let mut editor = Editor::new(|| crate::server::id("x"), |_, _, _, _| None, usual, crate::page::SIZES);
     let no = Refused::Role(protocol::Role::Editor);
     let me = editor::Me { client: None, name: "Eve".to_owned(), refused: Some(no.clone()) };
     editor.at(editor::Now::default(), me).begin_with(Some(table.server.behaviour.clone()));
@@ -596,4 +597,34 @@ fn two_people_who_change_the_same_tile_at_once_see_both_and_the_later_one_decide
     table.does(AIKO, |page| page.input(|editor| editor.keep_mine(&kept, crate::server::id("top"))));
     assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 waves 2 looks", "1 waves 2 looks"]);
     assert!(table.editor(AIKO).conflicts.is_empty());
+}
+
+#[test]
+fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_later() {
+    let mut table = Table::laid();
+    table.cut(AIKO);
+    table.does(AIKO, |page| page.write(0));
+    let (undo, redo) = (false, true);
+    // What each step shows, how much waits then, and what redo would do.
+    let steps = [
+        (undo, text("Aiko wrote 1"), 0, Some("Edit Aiko wrote 2")),
+        (undo, None, 1, Some("Edit Aiko wrote 1")),
+        (redo, text("Aiko wrote 1"), 0, Some("Edit Aiko wrote 2")),
+        (redo, text("Aiko wrote 2"), 1, None),
+        (undo, text("Aiko wrote 1"), 0, Some("Edit Aiko wrote 2")),
+        (undo, None, 1, Some("Edit Aiko wrote 1")),
+    ];
+    for (again, shown, waits, next) in steps {
+        table.does(AIKO, |page| page.step(again));
+        let editor = table.editor(AIKO);
+        assert_eq!((table.shown(AIKO), editor.queue().len(), editor.redoable.as_deref()), (shown, waits, next));
+    }
+    assert_eq!((table.editor(AIKO).undoable.as_deref(), table.shown(BEN)), (None, text("Aiko wrote 1")));
+    table.connect(AIKO);
+    assert_eq!((table.saved(), table.shown(BEN)), (None, None));
+    for next in ["Aiko wrote 1", "Aiko wrote 2"] {
+        assert_eq!(table.editor(AIKO).redoable.as_deref(), Some(format!("Edit {next}").as_str()));
+        table.does(AIKO, |page| page.step(redo));
+        assert_eq!((table.saved(), table.shown(BEN)), (text(next), text(next)));
+    }
 }

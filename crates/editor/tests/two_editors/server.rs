@@ -5,7 +5,7 @@ use behaviour::{
     AnyKnowledge, Behaviour, Change, Committed, Decision, Grant, Holder, Id, Kind, LockEvent, LockToken, Locks,
     Presented, RecordId, Refusal, Room, UndoLog,
 };
-use protocol::{AnyAnswer, AnyRequest, Event, HistoryLine, LockShown, Message, Refused, answer, request};
+use protocol::{AnyAnswer, AnyRequest, Event, HistoryLine, LockShown, Message, Person, Refused, answer, request};
 use std::collections::{BTreeMap, VecDeque};
 
 /// Changes of one answer about the log, and lines of one page of the history: few, so that there are several pages.
@@ -55,6 +55,9 @@ pub(crate) struct Server {
     pub(crate) log: Vec<Committed>,
     pub(crate) locks: Locks,
     epoch: u64,
+    /// The program before any change.
+    first: Behaviour,
+    people: BTreeMap<u64, Person>,
     sessions: BTreeMap<u64, usize>,
     jobs: VecDeque<Job>,
     under_way: Option<UnderWay>,
@@ -65,10 +68,12 @@ pub(crate) struct Server {
 }
 
 impl Server {
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(first: Behaviour) -> Self {
         Self {
             behaviour: id("program"),
-            room: Room::open(Behaviour::default(), 0),
+            room: Room::open(first.clone(), 0),
+            first,
+            people: BTreeMap::new(),
             log: Vec::new(),
             locks: Locks::new(1),
             epoch: 1,
@@ -124,6 +129,9 @@ impl Server {
 
     pub(crate) fn leave(&mut self, session: u64) {
         self.sessions.remove(&session);
+        if self.people.remove(&session).is_some() {
+            self.tell_of_people();
+        }
         self.locks.leave(self.now_ms, session);
         self.tell_of_locks();
     }
@@ -136,7 +144,8 @@ impl Server {
             AnyRequest::Open(request::Open { .. }) => {
                 let (behaviour, revision) = (self.behaviour.clone(), self.room.revision());
                 let records = Box::new(self.room.behaviour().clone());
-                let (problems, people) = (Vec::new(), Vec::new());
+                self.enter(session);
+                let (problems, people) = (Vec::new(), self.people.values().cloned().collect());
                 let fingerprint = 0;
                 let opened =
                     answer::Opened { behaviour, revision, records, more: false, problems, fingerprint, people };
@@ -169,8 +178,27 @@ impl Server {
                 let more = older.count() > PAGE;
                 self.answer(session, ask, answer::History { behaviour: self.behaviour.clone(), lines, more });
             }
+            AnyRequest::Present(request::Present { pointer, selected, view }) => {
+                if let Some(person) = self.people.get_mut(&session) {
+                    (person.pointer, person.selected, person.view) = (pointer, selected, view);
+                    self.tell_of_people();
+                }
+            }
             other => self.hear_of_locks(session, ask, other),
         }
+    }
+
+    fn enter(&mut self, session: u64) {
+        let Some(who) = self.sessions.get(&session).copied() else { return };
+        let (client, name) = (Self::client(who), Self::name(who));
+        let (color, pointer, selected, view) = (who as u8, None, None, None);
+        self.people.insert(session, Person { client, name, color, pointer, selected, view });
+        self.tell_of_people();
+    }
+
+    fn tell_of_people(&mut self) {
+        let people = self.people.values().cloned().collect();
+        self.tell_all(&Event::People { behaviour: self.behaviour.clone(), people });
     }
 
     fn hear_of_locks(&mut self, session: u64, ask: u32, request: AnyRequest) {
@@ -357,12 +385,13 @@ impl Server {
             self.log.push(committed);
         }
         self.epoch += 1;
-        let mut all = Behaviour::default();
+        let mut all = self.first.clone();
         self.log.iter().for_each(|one| all.apply(&one.change));
         self.room = Room::open(all, self.log.len() as u64);
         self.locks = Locks::new(self.epoch);
         self.locks_told = self.locks.version();
         self.sessions.clear();
+        self.people.clear();
         self.jobs.clear();
         self.said.clear();
         self.is_away = false;

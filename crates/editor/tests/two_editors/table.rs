@@ -2,6 +2,7 @@
 
 use crate::page::{Page, text_of};
 use crate::server::{Server, StoreAnswer, note};
+use behaviour::{Behaviour, Id};
 use editor::{Announcement, Editor};
 use protocol::Refused;
 
@@ -20,18 +21,40 @@ pub(crate) struct Table {
 impl Table {
     /// Both have opened the program, in which one note says "Start".
     pub(crate) fn laid() -> Self {
-        let server = Server::new();
-        let pages = [AIKO, BEN].map(|who| Page::new(who, &server.behaviour));
-        let mut table = Self { server, pages, sessions: 0, now_ms: 0, too_fast: 0 };
-        [AIKO, BEN].into_iter().for_each(|who| table.connect(who));
+        let mut table = Self::with(Behaviour::default());
         table.does(AIKO, |page| page.write(0));
         table.forget();
         table
     }
 
+    /// Both have opened a program.
+    pub(crate) fn with(first: Behaviour) -> Self {
+        let server = Server::new(first);
+        let pages = [AIKO, BEN].map(|who| Page::new(who, &server.behaviour));
+        let mut table = Self { server, pages, sessions: 0, now_ms: 0, too_fast: 0 };
+        [AIKO, BEN].into_iter().for_each(|who| table.connect(who));
+        table.forget();
+        table
+    }
+
+    /// Somebody makes a gesture, and everything comes of it that does so at once.
+    pub(crate) fn gesture<T>(&mut self, who: usize, act: impl FnOnce(&mut Editor, Id) -> T) -> T {
+        self.does(who, |page| page.gesture(act))
+    }
+
+    /// The program as it is saved.
+    pub(crate) fn program(&self) -> &Behaviour {
+        self.server.room.behaviour()
+    }
+
     /// Forgets what was said until now.
     pub(crate) fn forget(&mut self) {
-        self.pages.iter_mut().for_each(|page| page.said.clear());
+        for page in &mut self.pages {
+            page.said.clear();
+            page.focused.clear();
+            page.redrawn.clear();
+            page.answers.clear();
+        }
     }
 
     pub(crate) fn connect(&mut self, who: usize) {
@@ -158,6 +181,11 @@ impl Table {
 
     pub(crate) fn editor(&self, who: usize) -> &Editor {
         &self.pages[who].editor
+    }
+
+    /// The number of requests that wait to go to the server and want an answer.
+    pub(crate) fn asked(&self, who: usize) -> usize {
+        self.pages[who].outbox.iter().filter(|(ask, _)| *ask > 0).count()
     }
 
     /// Types into the note, and says that it is done.

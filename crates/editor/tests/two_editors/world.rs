@@ -3,15 +3,18 @@
 use crate::dice::Dice;
 use crate::page::{Check, Entry, Fate, Page, text_of};
 use crate::server::{Server, StoreAnswer};
+use crate::sketch::sketch;
 use behaviour::labels::bare;
-use behaviour::{Change, UndoLog};
-use editor::{Editor, WriteRight};
+use behaviour::{Change, Kind, Params, Place, RecordId, UndoLog};
+use editor::graph::{StepDirection, wire_ends};
+use editor::{Editor, Selected, WriteRight};
 use protocol::{AnyRequest, Event, Message};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The notes that people write.
 const NOTES: u64 = 3;
 const STEPS: u64 = 90;
+const WAYS: [StepDirection; 4] = [StepDirection::Down, StepDirection::Up, StepDirection::Left, StepDirection::Right];
 
 /// All that is on its way between a page and the server.
 #[derive(Default)]
@@ -38,7 +41,7 @@ pub(crate) struct World {
 impl World {
     pub(crate) fn new(seed: u64) -> Self {
         let mut dice = Dice(seed.wrapping_mul(0x51_7C_C1_B7));
-        let server = Server::new();
+        let server = Server::new(sketch());
         let many = 2 + usize::from(dice.roll(4) == 0);
         let pages: Vec<Page> = (0..many).map(|who| Page::new(who, &server.behaviour)).collect();
         let connects = (0..many).map(|who| (who, dice.roll(500))).collect();
@@ -75,7 +78,7 @@ impl World {
         let who = self.dice.roll(self.pages.len() as u64) as usize;
         let number = self.dice.roll(NOTES);
         let page = &mut self.pages[who];
-        match self.dice.roll(40) {
+        match self.dice.roll(48) {
             0..=11 => page.write(number)?,
             12 => page.remove(number)?,
             13 | 14 => page.put(number, self.now_ms)?,
@@ -99,9 +102,41 @@ impl World {
                 self.count("store away or back");
             }
             38 if self.dice.roll(3) == 0 => self.restart()?,
-            _ => {}
+            _ => self.gesture(who)?,
         }
         self.send();
+        Ok(())
+    }
+
+    /// Somebody does something on the graph: chooses, walks, groups, folds, moves, leads elsewhere or removes.
+    fn gesture(&mut self, who: usize) -> Check {
+        let page = &mut self.pages[who];
+        let parts: Vec<Selected> = page.editor.shown_behaviour().records.keys().filter_map(part).collect();
+        let Some(part) = parts.get(self.dice.roll(parts.len().max(1) as u64) as usize).cloned() else { return Ok(()) };
+        let seen = page.editor.seen_as(part.clone());
+        let (far, way) = (self.dice.roll(900) as f64, self.dice.roll(4));
+        let group = page.editor.shown_behaviour().groups().next().map(|(id, _)| id.clone());
+        let what = self.dice.roll(14);
+        match (what, group) {
+            (0 | 1, _) => page.input(|editor| editor.select(Some(part)))?,
+            (2 | 3, _) => page.input(|editor| editor.keyboard_at(Some(seen)))?,
+            (4, _) => page.input(|editor| editor.choose_too(seen))?,
+            (5, _) => drop(page.input(|editor| editor.step(Some(seen), WAYS[way as usize], far > 500.0))?),
+            (6, _) => page.input(|editor| editor.move_to(&[(part.id().clone(), Place { x: far, y: far })]))?,
+            (7, _) => page.gesture(|editor, op| editor.make_group(op, &editor.chosen(), "Group"))?,
+            (8 | 9, Some(group)) => page.gesture(|editor, op| editor.fold(op, &group, far > 300.0))?,
+            (10, _) => page.gesture(|editor, op| editor.add_sensor(op, ("HeadTouch", "Touch"), Params::new(), None))?,
+            (11, _) if !matches!(part, Selected::Note(_)) => page.gesture(|editor, op| editor.remove(op, &part))?,
+            (12, _) => drop(page.input(Editor::escape)?),
+            (13, _) => page.gesture(|editor, op| {
+                let ends = wire_ends(&editor.shown_behaviour(), part.id());
+                if let Some((end, _)) = ends.get(way as usize) {
+                    editor.wire(op, part.id(), end);
+                }
+            })?,
+            (_, _) => {}
+        }
+        self.count("gesture");
         Ok(())
     }
 
@@ -354,6 +389,8 @@ impl World {
                 }
             }
         }
+        let led: usize = self.pages.iter().map(|page| page.focused.len()).sum();
+        *self.counts.entry("keyboard led on").or_default() += led;
         fates.into_iter().for_each(|fate| {
             self.count(match fate {
                 Fate::Waits => "waits",
@@ -384,7 +421,8 @@ impl World {
                 }
                 continue;
             }
-            for edit in change.edits.iter().filter(|edit| edit.before != edit.after) {
+            let notes = change.edits.iter().filter(|edit| edit.id.kind == Kind::Note);
+            for edit in notes.filter(|edit| edit.before != edit.after) {
                 if let Some(text) = text_of(edit.after.as_ref())
                     && !texts.insert(text.to_owned())
                 {
@@ -405,6 +443,16 @@ enum What {
     Store,
     Ping,
     Locks,
+}
+
+fn part(key: &RecordId) -> Option<Selected> {
+    match key.kind {
+        Kind::Stream => Some(Selected::Stream(key.id.clone())),
+        Kind::Connector => Some(Selected::Connector(key.id.clone())),
+        Kind::Note => Some(Selected::Note(key.id.clone())),
+        Kind::Group => Some(Selected::Group(key.id.clone())),
+        Kind::Place | Kind::Settings | Kind::Helper | Kind::Pad => None,
+    }
 }
 
 fn writes(change: &Change, text: &str) -> bool {

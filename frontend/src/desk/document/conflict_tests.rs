@@ -1,11 +1,11 @@
 //! Tests of refused changes.
 
-use super::build;
 use crate::naming;
 use behaviour::{
     Accepted, Behaviour, Change, Connector, Id, Kind, Params, Procedure, Record, RecordId, Refusal, Stream, StreamKind,
     connectors,
 };
+use editor::{build, graph};
 
 use editor::conflict::{Conflict, beside, brought_back, is_shown_beside, since_seen};
 
@@ -140,7 +140,8 @@ fn a_new_connector_out_of_a_removed_stream_brings_it_back() {
         spot: Default::default(),
     };
     let new = (&id("s"), &id("m"));
-    let mine = build::connected(&now, &Default::default(), change("mine", "Aiko"), new, plan);
+    let ground = editor::layout::Ground { behaviour: &now, places: &Default::default(), sizes: crate::layout::SIZES };
+    let mine = graph::connected(ground, change("mine", "Aiko"), new, plan);
     assert!(is_shown_beside(&mine, &Refusal::MissingStream));
     let gone = build::without_stream(&now, change("yuki", "Yuki"), &id("c"));
     let theirs = made(&mut now, vec![gone]);

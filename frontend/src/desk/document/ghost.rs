@@ -1,125 +1,24 @@
 //! The additions of a typed sentence: shown beside the graph, and put into it as one change.
 
-use super::{Document, Selected};
-use crate::desk::tab::new_id;
-use behaviour::labels;
-use behaviour::{Behaviour, Change, Connector, FillFrom, Id, Kind, Place, Record, RecordId, Stream};
-use phrase::Phrase;
+use super::{Document, Ghost};
+use behaviour::{Id, Place};
 use protocol::{CanvasArea, Refused};
 use std::collections::BTreeMap;
-
-/// A part of a graph that nobody added yet. Its new streams have ids that only it knows.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Ghost {
-    pub(crate) streams: Vec<GhostStream>,
-    pub(crate) connectors: Vec<GhostConnector>,
-}
-
-/// A new stream.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct GhostStream {
-    pub(crate) id: Id,
-    pub(crate) stream: Stream,
-    pub(crate) place: Place,
-    /// Comes of words that were not understood.
-    pub(crate) doubtful: bool,
-}
-
-/// A new connector; what it takes from may be there already.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct GhostConnector {
-    pub(crate) connector: Connector,
-    pub(crate) doubtful: bool,
-}
-
-impl Ghost {
-    /// Returns it as a change of a behaviour, and the streams that it adds.
-    pub(super) fn into(
-        self,
-        behaviour: &Behaviour,
-        mut change: Change,
-        mut new_id: impl FnMut() -> Id,
-    ) -> (Change, Vec<Id>) {
-        let ids: BTreeMap<Id, Id> = self.streams.iter().map(|ghost| (ghost.id.clone(), new_id())).filled();
-        let real = |id: &Id| ids.get(id).unwrap_or(id).clone();
-        let mut order = behaviour.next_order();
-        for GhostStream { id, stream, place, .. } in self.streams {
-            let id = real(&id);
-            change =
-                change.put(behaviour, RecordId::new(Kind::Stream, &id), Record::Stream(Stream { order, ..stream }));
-            change = change.put(behaviour, RecordId::new(Kind::Place, &id), Record::Place(place));
-            order += 1;
-        }
-        for GhostConnector { connector, .. } in self.connectors {
-            let (inputs, output) = (connector.inputs.iter().map(real).collect(), real(&connector.output));
-            let connector = Connector { inputs, output, order, ..connector };
-            change = change.put(behaviour, RecordId::new(Kind::Connector, &new_id()), Record::Connector(connector));
-            order += 1;
-        }
-        (change, ids.into_values().collect())
-    }
-}
 
 impl Document {
     /// Adds what was shown, as one change; it is chosen then.
     pub(crate) fn put_ghost(&self, ghost: Ghost, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
-        let (change, streams) =
-            ghost.into(&self.behaviour(), self.change(labels::add(Phrase::word("a sentence"))), new_id);
-        let document = self.clone();
-        self.propose_and(change, move |answer| {
-            if answer.is_ok() {
-                document.choose(streams.into_iter().map(Selected::Stream).collect());
-            }
-            on_answer(answer);
-        });
+        let op = self.awaited(on_answer);
+        self.input(|editor| editor.put_ghost(op, ghost));
     }
 
     /// The part of the canvas in view, none where there is no canvas.
     pub(crate) fn in_view(&self) -> Option<CanvasArea> {
-        self.state().presence.in_view()
+        self.state().editor.in_view()
     }
 
     /// Returns the places of the open program's streams on this page.
     pub(crate) fn places(&self) -> BTreeMap<Id, Place> {
         self.behaviour_and_places().1
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Ghost, GhostConnector, GhostStream};
-    use behaviour::{Behaviour, Change, Connector, Id, Params, Place, Stream, StreamKind, connectors};
-
-    #[test]
-    fn what_is_new_gets_ids_and_what_is_there_keeps_its_own() {
-        let id = |text: &str| Id::new(text).unwrap();
-        let stream = Stream {
-            kind: StreamKind::Actuator,
-            name: "Eyes".into(),
-            device: Some("EyeLedColor".into()),
-            params: Params::new(),
-            order: 0,
-            resources: None,
-            priority: None,
-            hold_ms: None,
-        };
-        let place = Place { x: 10.0, y: 20.0 };
-        let operation = connectors::to_action().with(());
-        let connector = Connector { operation, inputs: vec![id("ball")], output: id("draft-0"), order: 0 };
-        let ghost = Ghost {
-            streams: vec![GhostStream { id: id("draft-0"), stream, place, doubtful: false }],
-            connectors: vec![GhostConnector { connector, doubtful: false }],
-        };
-        let mut count = 0;
-        let (change, streams) = ghost.into(&Behaviour::default(), Change::of(id("c"), "Aiko", "Add"), || {
-            count += 1;
-            Id::new(&format!("new{count}")).unwrap()
-        });
-        assert_eq!(streams, [id("new1")]);
-        let mut after = Behaviour::default();
-        after.apply(&change);
-        let made = after.connector(&id("new2")).unwrap();
-        assert_eq!((made.inputs.as_slice(), &made.output), ([id("ball")].as_slice(), &id("new1")));
-        assert_eq!(after.place(&id("new1")), Some(place));
     }
 }

@@ -1,6 +1,6 @@
 //! The door to the editor: whatever happens is told it here, what it shows goes into the signals, and what it wants is done.
 
-use super::{Document, DocumentEvent, Selected};
+use super::{Document, DocumentEvent};
 use crate::browser::{self, Drawer};
 use crate::desk::tab::{Dialog, set_if_new};
 use crate::link::{self, WrittenRequest};
@@ -77,7 +77,7 @@ impl Document {
         }
         show_news!(
             self, open, revision, history, locks, editing, lock_clock, saving, waits, undoable, redoable, conflicts,
-            removed_by
+            removed_by, folded, hidden, people, following, selected, several
         );
         effects.into_iter().for_each(|effect| self.perform(effect));
     }
@@ -90,6 +90,8 @@ impl Document {
                 link::ask_any(&WrittenRequest::of_editor(&request), Box::new(then));
             }
             Effect::Tell(request) => link::tell(request),
+            Effect::Present(request) => link::tell(request),
+            Effect::Focus(target) => self.tab.keyboard.set(Some(target)),
             Effect::After(ms, wake) => {
                 let document = self.clone();
                 browser::after(ms, move || document.input(|editor| editor.wake(wake)));
@@ -117,7 +119,7 @@ impl Document {
             Effect::Address(id) => self.remember_address(id.as_ref()),
             Effect::Decide(conflict) => self.replace_its_editor(&conflict),
             Effect::Happened(event) => self.hand_on(event),
-            Effect::Opened { problems, fingerprint, people } => self.opened(problems, fingerprint, people),
+            Effect::Opened { problems, fingerprint } => self.opened(problems, fingerprint),
             Effect::Made(accepted) => self.made(*accepted),
         }
     }
@@ -143,6 +145,10 @@ impl Document {
                     self.tab.say(&words::connected(sent), false);
                 }
             }
+            Announcement::NothingToGroup => self.tab.say(words::nothing_to_group(), false),
+            Announcement::InNoGroup => self.tab.say(words::in_no_group(), false),
+            Announcement::MovedInto(title) => self.tab.whisper.set(words::moved_into(&title)),
+            Announcement::NoLongerHere(name) => self.tab.say(&words::no_longer_here(&name), false),
             Announcement::WaitsElsewhere => self.tab.say(words::waits_elsewhere(), true),
             Announcement::WaitsUntilFree(name) => self.tab.say(&words::waits_until_free(&name), true),
             Announcement::WasFirst(who, what) => {
@@ -276,11 +282,7 @@ impl Document {
     /// The program that was open is not shown any more.
     fn left(&self) {
         self.happened(DocumentEvent::Left);
-        set_if_new(&self.selected, None::<Selected>);
-        set_if_new(&self.several, Default::default());
         set_if_new(&self.tab.dialog, None);
-        self.unfollow();
-        set_if_new(&self.people, Vec::new());
         set_if_new(&self.problems, Vec::new());
         set_if_new(&self.name, String::new());
         set_if_new(&self.versions, Vec::new());

@@ -4,7 +4,6 @@ use super::{Document, DocumentEvent};
 use crate::desk::tab::set_if_new;
 use behaviour::{Id, Problem};
 use editor::Editor;
-use protocol::Person;
 
 impl Document {
     /// Opens a program in place of the one that is open.
@@ -28,12 +27,10 @@ impl Document {
     }
 
     /// Shows what else is known of the program that was opened just now.
-    pub(super) fn opened(&self, problems: Vec<Problem>, fingerprint: u32, people: Vec<Person>) {
+    pub(super) fn opened(&self, problems: Vec<Problem>, fingerprint: u32) {
         set_if_new(&self.problems, problems);
-        set_if_new(&self.people, people);
         set_if_new(&self.fingerprint, fingerprint);
         self.compare_again();
-        self.present_anew();
         self.happened(DocumentEvent::Opened);
     }
 
@@ -45,7 +42,6 @@ impl Document {
     /// The link broke; what waits is shown until it is back.
     pub(in crate::desk) fn link_lost(&self) {
         self.input(Editor::link_lost);
-        self.unfollow();
     }
 
     /// Nothing was heard for so long; 0 with every word.

@@ -66,10 +66,7 @@ impl Document {
     }
 
     pub(in crate::desk) fn hear_people(&self, of: &Id, people: Vec<Person>) {
-        if self.is_open(of) {
-            self.follow_on(&people);
-            set_if_new(&self.people, people);
-        }
+        self.input(|editor| editor.hear_people(of, people));
     }
 
     /// A program was moved to the bin.

@@ -76,6 +76,6 @@ impl EditSession {
     /// The record as whoever types has seen it; as it is where nobody types.
     pub(crate) fn seen(&self) -> Option<Record> {
         let state = self.document.state();
-        self.begun().map_or_else(|| state.record(&self.record), |begun| state.editor.seen(&begun))
+        self.begun().map_or_else(|| state.editor.shown(&self.record), |begun| state.editor.seen(&begun))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, close};
 use crate::browser;
-use crate::commands::{ALL, CommandGroup, PageCommand};
+use crate::commands::{ALL, CommandGroup, CommandSpec, PageCommand, group_label};
 use crate::desk::{Desk, Selected};
 use crate::keys::PressedKey;
 use crate::panels::hold::{DeskHold, hold};
@@ -40,7 +40,7 @@ pub(super) fn Commands() -> impl IntoView {
         (!mine.is_empty()).then(|| {
             view! {
                 <section class="commands-group">
-                    <h3>{group.label()}</h3>
+                    <h3>{group_label(group)}</h3>
                     {mine.into_iter().map(|at| view! { <Row at /> }).collect_view()}
                 </section>
             }
@@ -94,7 +94,7 @@ fn Row(at: usize) -> impl IntoView {
     let keys = command.keys.split(' ').filter(|key| !key.is_empty());
     view! {
         <button type="button" class="menu-item" disabled=no.is_some() title=no on:click=move |_| run(desk, &ALL[at])>
-            <span class="cut">{(command.label)()}</span>
+            <span class="cut">{command.label()}</span>
             <span class="keys">{keys.map(|key| view! { <kbd>{key}</kbd> }).collect_view()}</span>
         </button>
     }
@@ -103,7 +103,7 @@ fn Row(at: usize) -> impl IntoView {
 /// The commands that are meant, by their places.
 fn indices(desk: DeskHold, search: &str) -> Vec<usize> {
     let host = desk.desk().role.get() == Some(protocol::Role::Host);
-    let shown = |command: &PageCommand| host || command.role != protocol::Role::Host;
+    let shown = |command: &CommandSpec| host || command.role != protocol::Role::Host;
     (0..ALL.len()).filter(|at| shown(&ALL[*at]) && ALL[*at].is_here() && ALL[*at].is_meant(search)).collect()
 }
 
@@ -121,7 +121,7 @@ fn streams(desk: DeskHold, search: &str) -> Vec<(Id, String)> {
     desk.document.stream_ids.get().into_iter().filter_map(name).take(STREAMS_MAX).collect()
 }
 
-fn run(desk: DeskHold, command: &'static PageCommand) {
+fn run(desk: DeskHold, command: &'static CommandSpec) {
     if untrack(|| desk.desk().may_not(command.role)).is_some() {
         return;
     }

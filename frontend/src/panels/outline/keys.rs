@@ -6,8 +6,8 @@ use crate::escape;
 use crate::keys::PressedKey;
 use crate::later::SecondPiece;
 use crate::panels::focus;
+use editor::keys::EscapeUse;
 use leptos::prelude::*;
-use std::collections::BTreeSet;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
@@ -39,10 +39,7 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, piece: &SecondPiece) {
 
 /// Escape chooses nothing any more, which is nothing to take back.
 fn deselect(event: &KeyboardEvent, desk: &Desk) {
-    escape::may_end(event, || {
-        desk.document.choose(BTreeSet::new());
-        false
-    });
+    escape::may_end(event, || desk.document.escape() == EscapeUse::EndFollowing);
 }
 
 /// Removes something; in the middle of a way its button asks how.

@@ -2,7 +2,7 @@
 //! there is no room for as buttons.
 
 use crate::browser;
-use crate::commands::{ALL, On, PageCommand};
+use crate::commands::{ALL, CommandSpec, On, PageCommand};
 use crate::panels::hold::hold;
 use crate::panels::menu::MenuItem;
 use leptos::prelude::*;
@@ -15,13 +15,13 @@ const GONE_MS: i32 = 40;
 /// there for others.
 pub(crate) fn row_menu(on: On) -> AnyView {
     let desk = hold();
-    let is_shown = |command: &&'static PageCommand| {
+    let is_shown = |command: &&'static CommandSpec| {
         command.on.contains(&on)
             && command.is_here()
             && (command.role != Role::Host || untrack(|| desk.desk().may(command.role)))
     };
     let mut before = None;
-    let item = move |command: &'static PageCommand| {
+    let item = move |command: &'static CommandSpec| {
         let no = untrack(|| !command.can_be_done(&desk.desk()));
         let run = Callback::new(move |()| {
             let desk = desk.desk();
@@ -30,7 +30,7 @@ pub(crate) fn row_menu(on: On) -> AnyView {
         let is_next = before.replace(command.group).is_some_and(|before| before != command.group);
         view! {
             {is_next.then(|| view! { <div class="menu-rule" role="separator"></div> })}
-            <MenuItem label=(command.label)() icon=command.icon disabled=no choose=run />
+            <MenuItem label=command.label() icon=command.icon() disabled=no choose=run />
         }
     };
     ALL.iter().filter(is_shown).map(item).collect_view().into_any()

@@ -91,7 +91,7 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
     let unused = Memo::new(move |_| desk.desk().robots.unused.read().contains(&used) && !desk.desk().is_then());
     view! {
         <button class="twig" type="button" data-row=what.id().to_string() aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
-            on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))
+            on:click=move |_| desk.desk().document.select(Some(what.clone()))
             on:contextmenu=move |event| {
                 event.prevent_default();
                 focus::press_of(&desk.desk(), &asked, ".strip-inline .more > button");

@@ -48,7 +48,7 @@ fn Buttons(what: Selected) -> impl IntoView {
     let edited = what.clone();
     let edit = move |_| match dialog_of(desk, &edited) {
         Some(dialog) => desk.desk().dialog.set(Some(dialog)),
-        None => desk.desk().document.selected.set(None),
+        None => desk.desk().document.select(None),
     };
     let sheet = matches!(what, Selected::Connector(_)).then(|| what.id().clone());
     let buttons = view! {
@@ -130,7 +130,7 @@ fn Sheet(id: Id, children: Children) -> impl IntoView {
         <section class="control-inline" aria-label=output>
             <div class="sheet-head">
                 <b class="cut">{output}</b>
-                <button class="icon" type="button" aria-label=words::close() on:click=move |_| desk.desk().document.selected.set(None)>
+                <button class="icon" type="button" aria-label=words::close() on:click=move |_| desk.desk().document.select(None)>
                     <Icon name="close" />
                 </button>
             </div>

@@ -92,7 +92,7 @@ impl PastShared {
             let document = self.desk.desk().document;
             let is_other = untrack(|| self.subject()).map(|id| id.to_string()) != now;
             if before.is_some_and(|before| before != now) && is_other {
-                document.selected.set(None);
+                document.select(None);
             }
             now
         });

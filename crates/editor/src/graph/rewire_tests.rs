@@ -1,12 +1,13 @@
 //! Tests of other ways through a graph.
 
-use super::super::graph_tests::{id, places, start};
-use super::super::{ConnectPlan, NewSpot, Output, build};
-use super::{Gap, Joining, WireEnd, healed, healed_by, inserted, wire_ends, wired};
+use super::super::graph_tests::{ground, id, places, start};
+use super::super::insert::inserted;
+use super::super::{ConnectPlan, Gap, NewSpot, Output, connected, sensor};
+use super::{Joining, WireEnd, healed, healed_by, wire_ends, wired};
 use behaviour::{Behaviour, Params, Procedure, StreamKind, connectors};
 
 fn add(made: &mut Behaviour, ids: (&str, &str), plan: ConnectPlan) {
-    let change = build::connected(made, &places(made), start(), (&id(ids.0), &id(ids.1)), plan);
+    let change = connected(ground(made, &places(made)), start(), (&id(ids.0), &id(ids.1)), plan);
     made.apply(&change);
 }
 
@@ -19,7 +20,7 @@ fn plan(from: &str, operation: behaviour::Operation, name: &str, device: Option<
 fn graph() -> Behaviour {
     let mut made = Behaviour::default();
     for (name, device) in [("ball", "RedBall"), ("touch", "HeadTouch")] {
-        let change = build::sensor(&made, &places(&made), start(), (&id(name), device, device, Params::new()), None);
+        let change = sensor(ground(&made, &places(&made)), start(), (&id(name), device, device, Params::new()), None);
         made.apply(&change);
     }
     let distance = connectors::map::SPEC.with(Procedure::body("redBall.size * 2"));
@@ -35,7 +36,8 @@ fn graph() -> Behaviour {
 }
 
 fn wire(made: &mut Behaviour, from: &str, end: WireEnd) {
-    let change = wired(made, &places(made), start(), (&id("new-stream"), &id("new-connector")), (&id(from), &end));
+    let change =
+        wired(ground(made, &places(made)), start(), (&id("new-stream"), &id("new-connector")), (&id(from), &end));
     assert!(!change.edits.is_empty(), "{end:?}");
     made.apply(&change);
     assert_eq!(behaviour::Graph::of(made).cycle(), None);
@@ -97,7 +99,7 @@ fn a_wire_to_a_stream_that_is_fed_merges_and_keeps_what_is_below() {
 #[test]
 fn a_stream_without_source_is_fed_again() {
     let mut made = graph();
-    made.apply(&build::without_connector(&made, start(), &id("map")));
+    made.apply(&crate::build::without_connector(&made, start(), &id("map")));
     assert!(wire_ends(&made, &id("ball")).contains(&(WireEnd::Stream(id("distance")), Joining::Feeds)));
     wire(&mut made, "touch", WireEnd::Stream(id("distance")));
     assert_eq!(made.connector(&id("new-connector")).unwrap().inputs, [id("touch")]);
@@ -119,7 +121,7 @@ fn a_connector_goes_into_an_edge_and_what_is_below_makes_room() {
     let sample = connectors::sample::SPEC.with(());
     let plan =
         ConnectPlan { spot: NewSpot::Into(gap.clone()), ..plan("distance", sample, "Distance every second", None) };
-    let change = inserted(&made, &places(&made), start(), (&id("beat"), &id("sample")), (&gap, plan));
+    let change = inserted(ground(&made, &places(&made)), start(), (&id("beat"), &id("sample")), (&gap, plan));
     made.apply(&change);
     assert_eq!(made.connector(&id("sample")).unwrap().inputs, [id("distance")]);
     assert_eq!(made.connector(&id("filter")).unwrap().inputs, [id("beat")]);

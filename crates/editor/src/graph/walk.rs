@@ -4,7 +4,7 @@ use behaviour::{Behaviour, Graph, Id, Place};
 
 /// The directions of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum StepDirection {
+pub enum StepDirection {
     Down,
     Up,
     Left,
@@ -12,12 +12,7 @@ pub(super) enum StepDirection {
 }
 
 /// The stream that is reached from `from`; `place` tells where streams stand.
-pub(super) fn walk(
-    behaviour: &Behaviour,
-    from: &Id,
-    way: StepDirection,
-    place: impl Fn(&Id) -> Option<Place>,
-) -> Option<Id> {
+pub fn walk(behaviour: &Behaviour, from: &Id, way: StepDirection, place: impl Fn(&Id) -> Option<Place>) -> Option<Id> {
     let graph = Graph::of(behaviour);
     match way {
         StepDirection::Down => graph.out_of_stream(from).first().map(|(_, connector)| connector.output.clone()),

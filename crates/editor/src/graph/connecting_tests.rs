@@ -1,8 +1,9 @@
 //! Tests of the gestures that build a behaviour.
 
-use super::super::graph_tests::{id, places};
-use super::{connected, connected_twice, connector_edited, free_name, sensor, stream_edited, without_stream};
-use crate::desk::{ConnectPlan, Gap, NewSpot, Output};
+use super::super::graph_tests::{ground, id, places};
+use super::super::{ConnectPlan, Gap, NewSpot, Output};
+use super::{connected, connected_twice, sensor};
+use crate::build::{connector_edited, free_name, stream_edited, without_stream};
 use behaviour::{Behaviour, Change, Params, Procedure, Stream, StreamKind, connectors};
 use std::collections::BTreeMap;
 
@@ -13,11 +14,16 @@ fn start(op: &str) -> Change {
 /// RedBall, filtered to Close, which Tracker follows.
 fn track() -> Behaviour {
     let mut made = Behaviour::default();
-    made.apply(&sensor(&made, &BTreeMap::new(), start("1"), (&id("ball"), "RedBall", "Red ball", Params::new()), None));
+    made.apply(&sensor(
+        ground(&made, &BTreeMap::new()),
+        start("1"),
+        (&id("ball"), "RedBall", "Red ball", Params::new()),
+        None,
+    ));
     let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.1"));
     let output = Output::New { name: "Close".into(), device: None, params: Params::new() };
     let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output, spot: NewSpot::Below };
-    made.apply(&connected(&made, &places(&made), start("2"), (&id("close"), &id("filter")), plan));
+    made.apply(&connected(ground(&made, &places(&made)), start("2"), (&id("close"), &id("filter")), plan));
     let output = Output::New { name: "Tracker".into(), device: Some("Tracker".into()), params: Params::new() };
     let plan = ConnectPlan {
         operation: connectors::subscribe::SPEC.with(()),
@@ -25,7 +31,7 @@ fn track() -> Behaviour {
         output,
         spot: NewSpot::Below,
     };
-    made.apply(&connected(&made, &places(&made), start("3"), (&id("tracker"), &id("subscribe")), plan));
+    made.apply(&connected(ground(&made, &places(&made)), start("3"), (&id("tracker"), &id("subscribe")), plan));
     made
 }
 
@@ -51,7 +57,7 @@ fn two_connectors_one_after_the_other_are_one_change() {
     let both = [(&ids[0], &ids[1]), (&ids[2], &ids[3])];
     for spot in [NewSpot::Below, NewSpot::Into(Gap { connector: id("filter"), input: id("ball") })] {
         let plans = (plan("In m", "redBall.size", spot.clone()), plan("Bright", "inM * 2.0", NewSpot::Below));
-        let change = connected_twice(&start_of, &places(&start_of), start("4"), both, plans);
+        let change = connected_twice(ground(&start_of, &places(&start_of)), start("4"), both, plans);
         let mut made = start_of.clone();
         made.apply(&change);
         assert_eq!(made.connector(&id("c2")).unwrap().inputs, [id("metres")]);

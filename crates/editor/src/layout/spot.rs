@@ -1,8 +1,7 @@
 //! A free spot for a new stream: below its sources, beside nothing.
 
 use super::{
-    CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, TIDY_VALUE_ROOM, Tidy, VALUE_ROOM, WIDTH_MAX, chip_width, chip_words,
-    snapped, stream_width,
+    CHIP_HEIGHT, DrawnSizes, GAP, Ground, LEVEL, STREAM_HEIGHT, TIDY_VALUE_ROOM, Tidy, VALUE_ROOM, WIDTH_MAX, snapped,
 };
 use behaviour::{Behaviour, Connector, FillFrom, Graph, Id, Place, Stream, StreamKind};
 use std::collections::BTreeMap;
@@ -67,40 +66,37 @@ struct SpotSize {
 }
 
 impl SpotSize {
-    fn of<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> Self {
-        let chip = into.map(|connector| chip_width(&chip_words(connector))).fold(0.0, f64::max);
-        Self { stream: stream_width(stream), chip }
+    fn of<'a>(sizes: DrawnSizes, stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> Self {
+        let chip = into.map(sizes.chip).fold(0.0, f64::max);
+        Self { stream: (sizes.stream)(stream), chip }
     }
 }
 
 /// Returns how far a stream reaches to the left and to the right of its middle when all is tidy: with its live value,
 /// and with the chips that lead to it, which stand beside each other where several lead to an action.
-pub(super) fn reach<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> (f64, f64) {
-    let chips: Vec<f64> = into.map(|connector| chip_width(&chip_words(connector))).collect();
+pub(super) fn reach<'a>(sizes: DrawnSizes, stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> (f64, f64) {
+    let chips: Vec<f64> = into.map(sizes.chip).collect();
     let chip = if stream.kind == StreamKind::Actuator {
         chips.iter().map(|width| width + GAP).sum::<f64>() - GAP
     } else {
         chips.into_iter().fold(0.0, f64::max)
     };
-    let (half, half_chip) = (stream_width(stream) / 2.0, chip / 2.0);
+    let (half, half_chip) = ((sizes.stream)(stream) / 2.0, chip / 2.0);
     (half.max(half_chip), (half + TIDY_VALUE_ROOM).max(half_chip))
 }
 
 /// Returns the place for a new stream that takes from `inputs` through `connector`.
-pub(crate) fn free_spot(
-    behaviour: &Behaviour,
-    places: &BTreeMap<Id, Place>,
-    stream: &Stream,
-    connector: &Connector,
-) -> Place {
+#[must_use]
+pub fn free_spot(ground: Ground, stream: &Stream, connector: &Connector) -> Place {
+    let Ground { behaviour, places, sizes } = ground;
     let sources: Vec<Place> = connector.inputs.iter().filter_map(|id| places.get(id).copied()).collect();
     if sources.is_empty() {
-        return free_sensor_spot(behaviour, places, stream);
+        return free_sensor_spot(ground, stream);
     }
     let x = sources.iter().map(|place| place.x).sum::<f64>() / sources.len() as f64;
     let y = sources.iter().map(|place| place.y).fold(f64::MIN, f64::max) + LEVEL;
-    let size = SpotSize::of(stream, std::iter::once(connector));
-    let taken = taken(behaviour, places);
+    let size = SpotSize::of(sizes, stream, std::iter::once(connector));
+    let taken = taken(ground);
     let wanted = snapped(Place { x, y });
     // Branches stand in the order in which they were made, from left to right: what is new comes behind its siblings.
     let last = last_sibling(behaviour, places, connector);
@@ -155,14 +151,16 @@ fn in_row(taken: &[TakenSpace], wanted: Place, from: f64, size: SpotSize, side: 
 }
 
 /// Returns the place for a new sensor: in the top row, to the right of the others.
-pub(crate) fn free_sensor_spot(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, stream: &Stream) -> Place {
+#[must_use]
+pub fn free_sensor_spot(ground: Ground, stream: &Stream) -> Place {
+    let places = ground.places;
     let top = places.values().map(|place| place.y).fold(f64::MAX, f64::min);
     let y = if places.is_empty() { 0.0 } else { top };
     let row = places.values().filter(|place| (place.y - y).abs() < STREAM_HEIGHT);
     let right = row.map(|place| place.x).fold(f64::MIN, f64::max);
     let x = if places.is_empty() { 0.0 } else { right + SENSOR_STEP };
-    let size = SpotSize::of(stream, std::iter::empty());
-    beside(&taken(behaviour, places), snapped(Place { x, y }), size, SpotSide::Nearest)
+    let size = SpotSize::of(ground.sizes, stream, std::iter::empty());
+    beside(&taken(ground), snapped(Place { x, y }), size, SpotSide::Nearest)
 }
 
 /// The wanted spot, else the nearest free one to its sides, else one lower.
@@ -176,18 +174,23 @@ fn beside(taken: &[TakenSpace], wanted: Place, size: SpotSize, side: SpotSide) -
     spots.find(is_free).unwrap_or(wanted)
 }
 
-fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<TakenSpace> {
+fn taken(Ground { behaviour, places, sizes }: Ground) -> Vec<TakenSpace> {
     let graph = Graph::of(behaviour);
     let rooms = behaviour.streams().filter_map(|(id, stream)| {
         let into = graph.into_stream(id);
-        let size = SpotSize::of(stream, into.iter().map(|(_, connector)| *connector));
+        let size = SpotSize::of(sizes, stream, into.iter().map(|(_, connector)| *connector));
         Some(TakenSpace::of(*places.get(id)?, size))
     });
     rooms.flatten().collect()
 }
 
 /// Places for streams that nobody placed: a whole layout if nobody placed any, else a free spot for each.
-pub(crate) fn missing_places(behaviour: &Behaviour, tidy: Option<Tidy>, stage: (f64, f64)) -> BTreeMap<Id, Place> {
+#[must_use]
+pub fn missing_places(
+    behaviour: &Behaviour,
+    sizes: DrawnSizes,
+    (tidy, stage): (Option<Tidy>, (f64, f64)),
+) -> BTreeMap<Id, Place> {
     let mut places: BTreeMap<Id, Place> =
         behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).filled();
     if places.is_empty() {
@@ -199,9 +202,10 @@ pub(crate) fn missing_places(behaviour: &Behaviour, tidy: Option<Tidy>, stage: (
         if places.contains_key(id) {
             continue;
         }
+        let ground = Ground { behaviour, places: &places, sizes };
         let place = match graph.into_stream(id).first() {
-            Some((_, connector)) => free_spot(behaviour, &places, stream, connector),
-            None => free_sensor_spot(behaviour, &places, stream),
+            Some((_, connector)) => free_spot(ground, stream, connector),
+            None => free_sensor_spot(ground, stream),
         };
         places.insert(id.clone(), place);
         missing.insert(id.clone(), place);
@@ -218,12 +222,17 @@ fn in_rows(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
 
 #[cfg(test)]
 mod tests {
-    use super::{free_sensor_spot, free_spot, missing_places};
-    use crate::layout::{LEVEL, Tidy, stream_width};
+    use super::{Ground, free_sensor_spot, free_spot, missing_places};
+    use crate::layout::tests::SIZES;
+    use crate::layout::{LEVEL, Tidy};
     use behaviour::{
         Behaviour, Connector, Id, Kind, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors,
     };
     use std::collections::BTreeMap;
+
+    fn ground<'a>(behaviour: &'a Behaviour, places: &'a BTreeMap<Id, Place>) -> Ground<'a> {
+        Ground { behaviour, places, sizes: SIZES }
+    }
 
     fn id(text: &str) -> Id {
         Id::new(text).unwrap()
@@ -259,7 +268,7 @@ mod tests {
         let mut spots = Vec::new();
         for name in ["a", "b", "c"] {
             let child = stream(StreamKind::Ordinary, "Close balls");
-            let spot = free_spot(&behaviour, &places, &child, &connector("s", name));
+            let spot = free_spot(ground(&behaviour, &places), &child, &connector("s", name));
             behaviour.records.insert(RecordId::new(Kind::Stream, &id(name)), Record::Stream(child));
             behaviour
                 .records
@@ -289,7 +298,7 @@ mod tests {
             put(&format!("other{at}"), StreamKind::Ordinary, f64::from(at) * 320.0, LEVEL);
         }
         behaviour.records.insert(RecordId::new(Kind::Connector, &id("a")), Record::Connector(connector("s", "a")));
-        let spot = free_spot(&behaviour, &places, &stream(StreamKind::Ordinary, "b"), &connector("s", "b"));
+        let spot = free_spot(ground(&behaviour, &places), &stream(StreamKind::Ordinary, "b"), &connector("s", "b"));
         assert!(spot.x < -150.0 && spot.x > -500.0 && spot.y == LEVEL, "{spot:?}");
     }
 
@@ -308,22 +317,22 @@ mod tests {
             (id("act"), Place { x: 0.0, y: 2.0 * LEVEL }),
         ]);
         let action = stream(StreamKind::Actuator, "Say");
-        let spot = free_spot(&behaviour, &places, &action, &connector("s", "new"));
+        let spot = free_spot(ground(&behaviour, &places), &action, &connector("s", "new"));
         assert!(spot.y == 2.0 * LEVEL && spot.x.abs() > 150.0, "{spot:?}");
-        let under = free_spot(&behaviour, &places, &action, &connector("act", "new"));
+        let under = free_spot(ground(&behaviour, &places), &action, &connector("act", "new"));
         assert_eq!(under.y, 3.0 * LEVEL, "below what it comes from in any case");
         places.insert(id("act"), Place { x: 0.0, y: 9.0 * LEVEL });
-        assert_eq!(free_spot(&behaviour, &places, &action, &connector("s", "new")).y, LEVEL, "not out of view");
+        assert_eq!(free_spot(ground(&behaviour, &places), &action, &connector("s", "new")).y, LEVEL, "not out of view");
     }
 
     #[test]
     fn sensors_stand_in_a_row() {
         let mut behaviour = Behaviour::default();
         let sensor = stream(StreamKind::Sensor, "RedBall");
-        let first = free_sensor_spot(&behaviour, &BTreeMap::new(), &sensor);
+        let first = free_sensor_spot(ground(&behaviour, &BTreeMap::new()), &sensor);
         behaviour.records.insert(RecordId::new(Kind::Stream, &id("s")), Record::Stream(sensor.clone()));
-        let second = free_sensor_spot(&behaviour, &BTreeMap::from([(id("s"), first)]), &sensor);
-        assert!(second.y == first.y && second.x - first.x > stream_width(&sensor));
+        let second = free_sensor_spot(ground(&behaviour, &BTreeMap::from([(id("s"), first)])), &sensor);
+        assert!(second.y == first.y && second.x - first.x > (SIZES.stream)(&sensor));
     }
 
     #[test]
@@ -334,12 +343,12 @@ mod tests {
                 .records
                 .insert(RecordId::new(Kind::Stream, &id(name)), Record::Stream(stream(StreamKind::Sensor, name)));
         }
-        for tidy in [None, Some(crate::layout::tidy as Tidy)] {
-            let places = missing_places(&behaviour, tidy, (860.0, 560.0));
+        for tidy in [None, Some((|behaviour, stage| crate::layout::tidy(behaviour, SIZES, stage)) as Tidy)] {
+            let places = missing_places(&behaviour, SIZES, (tidy, (860.0, 560.0)));
             assert!(places.len() == 2 && places[&id("a")] != places[&id("b")]);
         }
         let place = Record::Place(Place { x: 5.0, y: 5.0 });
         behaviour.records.insert(RecordId::new(Kind::Place, &id("a")), place);
-        assert_eq!(missing_places(&behaviour, None, (860.0, 560.0)).keys().collect::<Vec<_>>(), [&id("b")]);
+        assert_eq!(missing_places(&behaviour, SIZES, (None, (860.0, 560.0))).keys().collect::<Vec<_>>(), [&id("b")]);
     }
 }

@@ -1,8 +1,8 @@
 //! Tests of groups: how streams become one, and what becomes of it.
 
-use super::super::Selected;
 use super::super::graph_tests::{id, start};
 use super::{edited, expanded, grouped, ungrouped, without_empty};
+use crate::Selected;
 use behaviour::{Behaviour, Connector, Id, Kind, Params, Record, RecordId, Stream, StreamKind, connectors};
 use std::collections::BTreeSet;
 

@@ -1,14 +1,14 @@
 //! Several things at once: removed, lined up. Pure.
 
-use super::Selected;
-use super::build::{without_connector, without_stream};
 use super::grouping::{expanded, members, without_empty, without_group};
-use crate::layout::{BOX, GAP, LEVEL, VALUE_ROOM, note_size, snapped, stream_width};
+use crate::Selected;
+use crate::build::{without_connector, without_stream};
+use crate::layout::{BOX, GAP, Ground, LEVEL, VALUE_ROOM, snapped};
 use behaviour::{Behaviour, Change, Id, Kind, Place, Record, RecordId};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Without all of these, the connectors at the streams, and the streams in the groups.
-pub(super) fn without(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selected>) -> Change {
+pub fn without(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selected>) -> Change {
     let change = expanded(behaviour, of).iter().fold(change, |change, one| match one {
         Selected::Stream(id) => without_stream(behaviour, change, id),
         Selected::Connector(id) => without_connector(behaviour, change, id),
@@ -23,7 +23,7 @@ pub(super) fn without(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selec
 
 /// The ways to line things up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LineUp {
+pub enum LineUp {
     /// Beside each other, at the height of the topmost.
     Row,
     /// Below each other, under the topmost.
@@ -39,11 +39,11 @@ struct LinedUp {
     spare: f64,
 }
 
-fn item(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, one: &Selected) -> Option<LinedUp> {
+fn item(Ground { behaviour, places, sizes }: Ground, one: &Selected) -> Option<LinedUp> {
     let (width, spare) = match one {
-        Selected::Stream(id) => (behaviour.stream(id).map_or(0.0, stream_width), VALUE_ROOM),
+        Selected::Stream(id) => (behaviour.stream(id).map_or(0.0, sizes.stream), VALUE_ROOM),
         Selected::Note(id) => match behaviour.records.get(&RecordId::new(Kind::Note, id)) {
-            Some(Record::Note(note)) => (note_size(&note.text).0, 0.0),
+            Some(Record::Note(note)) => ((sizes.note)(&note.text).0, 0.0),
             _ => return None,
         },
         Selected::Group(_) => (BOX.0, 0.0),
@@ -53,13 +53,10 @@ fn item(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, one: &Selected) -> 
 }
 
 /// Returns the places of these in a row or a column, in the order in which they stand now.
-pub(super) fn lined_up(
-    behaviour: &Behaviour,
-    places: &BTreeMap<Id, Place>,
-    of: &BTreeSet<Selected>,
-    how: LineUp,
-) -> Vec<(Id, Place)> {
-    let mut items: Vec<LinedUp> = of.iter().filter_map(|one| item(behaviour, places, one)).collect();
+#[must_use]
+pub fn lined_up(ground: Ground, of: &BTreeSet<Selected>, how: LineUp) -> Vec<(Id, Place)> {
+    let Ground { behaviour, places, .. } = ground;
+    let mut items: Vec<LinedUp> = of.iter().filter_map(|one| item(ground, one)).collect();
     let along = |place: &Place| if how == LineUp::Row { place.x } else { place.y };
     items.sort_by(|one, other| along(&one.place).total_cmp(&along(&other.place)));
     let Some(first) = items.iter().map(|item| item.place).min_by(|one, other| one.y.total_cmp(&other.y)) else {

@@ -1,20 +1,21 @@
 //! Tidying: a layered drawing, top to bottom, the parts without a connection in rows that fit the stage.
 
-use super::snapped;
 use super::spot::reach;
+use super::{DrawnSizes, snapped};
 use behaviour::layout::{LaidOut, arranged};
 use behaviour::{Behaviour, FillFrom, Graph, Id, Place, StreamKind};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A place for every stream: senses in the top row of their part, actions in its bottom one; branches keep their order.
-pub(crate) fn tidy(behaviour: &Behaviour, stage: (f64, f64)) -> BTreeMap<Id, Place> {
+#[must_use]
+pub fn tidy(behaviour: &Behaviour, sizes: DrawnSizes, stage: (f64, f64)) -> BTreeMap<Id, Place> {
     let streams = behaviour.streams_in_order();
     let graph = Graph::of(behaviour);
     let number: HashMap<&Id, usize> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).filled();
     let shapes: Vec<LaidOut> = streams
         .iter()
         .map(|(id, stream)| {
-            let (left, right) = reach(stream, graph.into_stream(id).iter().map(|(_, connector)| *connector));
+            let (left, right) = reach(sizes, stream, graph.into_stream(id).iter().map(|(_, connector)| *connector));
             LaidOut { left, right, acts: stream.kind == StreamKind::Actuator, stood: behaviour.place(id) }
         })
         .collect();
@@ -39,6 +40,7 @@ fn edges(behaviour: &Behaviour, number: &HashMap<&Id, usize>) -> Vec<(usize, usi
 #[cfg(test)]
 mod tests {
     use super::tidy;
+    use crate::layout::tests::SIZES;
     use behaviour::{
         Behaviour, Connector, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors,
     };
@@ -71,7 +73,7 @@ mod tests {
     #[test]
     fn everything_flows_down_and_nothing_overlaps() {
         let made = behaviour(&["a", "b", "c", "d", "e", "alone"], &[("a", "b"), ("b", "c"), ("b", "d"), ("e", "d")]);
-        let places = tidy(&made, STAGE);
+        let places = tidy(&made, SIZES, STAGE);
         assert_eq!(places.len(), 6);
         for (from, to) in [("a", "b"), ("b", "c"), ("b", "d"), ("e", "d")] {
             assert!(places[&id(from)].y < places[&id(to)].y, "{from} {to} {places:?}");
@@ -97,7 +99,7 @@ mod tests {
                 };
             }
         }
-        let places = tidy(&made, STAGE);
+        let places = tidy(&made, SIZES, STAGE);
         let row = |names: &[&str]| -> std::collections::BTreeSet<i64> {
             names.iter().map(|name| places[&id(name)].y as i64).collect()
         };
@@ -115,7 +117,7 @@ mod tests {
 
     #[test]
     fn an_empty_behaviour_and_a_single_stream_are_tidy() {
-        assert!(tidy(&Behaviour::default(), STAGE).is_empty());
-        assert_eq!(tidy(&behaviour(&["a"], &[]), STAGE).len(), 1);
+        assert!(tidy(&Behaviour::default(), SIZES, STAGE).is_empty());
+        assert_eq!(tidy(&behaviour(&["a"], &[]), SIZES, STAGE).len(), 1);
     }
 }

@@ -1,9 +1,9 @@
 //! A part of a program as a text: copied, and put in elsewhere. Pure.
 
-use super::Selected;
-use super::build::free_name;
 use super::grouping::members;
-use crate::layout::{CHIP_HEIGHT, GAP, STREAM_HEIGHT, VALUE_ROOM, note_size, snapped, stream_width};
+use crate::Selected;
+use crate::build::free_name;
+use crate::layout::{CHIP_HEIGHT, DrawnSizes, GAP, Ground, STREAM_HEIGHT, VALUE_ROOM, snapped};
 use behaviour::{
     Behaviour, Change, Connector, FillFrom, Group, Helper, Id, Kind, Place, Procedure, Record, RecordId, Stream,
     numbered,
@@ -22,7 +22,7 @@ const STEPS_MAX: i32 = 40;
 /// A part of a program as a text: its records, and the helpers that they use.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct ProgramPart {
+pub struct ProgramPart {
     format: String,
     records: Behaviour,
     helpers: Vec<Helper>,
@@ -31,7 +31,7 @@ pub(crate) struct ProgramPart {
 impl ProgramPart {
     /// The streams, connectors and notes among these, the connectors between the streams, the groups of which all streams
     /// are among them, and where everything stands.
-    pub(super) fn of(
+    pub fn of(
         behaviour: &Behaviour,
         places: &BTreeMap<Id, Place>,
         of: &BTreeSet<Selected>,
@@ -75,25 +75,25 @@ impl ProgramPart {
         Self { format: FORMAT.to_owned(), records, helpers }
     }
 
-    /// Read from a text, if it is one.
-    pub(crate) fn read(text: &str) -> Option<Self> {
+    /// Read from a text by `read`, if it is one.
+    pub fn read<'a>(text: &'a str, read: impl FnOnce(&'a str) -> serde_json::Result<Self>) -> Option<Self> {
         let text = Some(text.trim()).filter(|text| text.len() <= TEXT_MAX_BYTES && text.starts_with('{'))?;
-        crate::json::read::<Self>(text).ok().filter(|part| part.format == FORMAT)
+        read(text).ok().filter(|part| part.format == FORMAT)
     }
 
     /// Returns the part as a text.
-    pub(crate) fn text(&self) -> String {
+    pub fn text(&self) -> String {
         serde_json::to_string(self).unwrap_or_default()
     }
 
     /// True if something that was chosen is in it: a connector is only with the stream that it leads to.
-    pub(crate) fn holds(&self, what: &Selected) -> bool {
+    pub fn holds(&self, what: &Selected) -> bool {
         self.records.records.contains_key(&what.record())
     }
 
     /// Fits the part to a library: a helper that the library knows under another name is used under that, and one whose
     /// name it has with another meaning gets a free one. Returns with it the helpers that the library is to get.
-    pub(super) fn for_library(mut self, known: &[Helper]) -> (Self, Vec<Helper>) {
+    pub fn for_library(mut self, known: &[Helper]) -> (Self, Vec<Helper>) {
         let mut new: Vec<Helper> = Vec::new();
         let mut names = BTreeMap::new();
         for helper in std::mem::take(&mut self.helpers) {
@@ -119,13 +119,13 @@ impl ProgramPart {
     }
 
     /// True if there is nothing in it.
-    pub(crate) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.records.streams().next().is_none() && self.records.notes().next().is_none()
     }
 
     /// Put into a behaviour under new ids and free names, so far from where it was: the change, and what it
     /// makes that is chosen then. A connector takes from streams outside of the part where they are there.
-    pub(super) fn into(
+    pub fn into(
         self,
         behaviour: &Behaviour,
         change: Change,
@@ -191,8 +191,8 @@ impl ProgramPart {
     }
 
     /// Returns the shift that brings its middle and its top to a place.
-    pub(super) fn to(&self, at: Place) -> (f64, f64) {
-        let rooms = self.rooms();
+    pub fn to(&self, at: Place, sizes: DrawnSizes) -> (f64, f64) {
+        let rooms = self.rooms(sizes);
         let places = rooms.iter().map(|(place, _)| place);
         if rooms.is_empty() {
             return (0.0, 0.0);
@@ -202,12 +202,12 @@ impl ProgramPart {
     }
 
     /// The shortest way to the right or down to where it covers nothing that stands in a behaviour.
-    pub(super) fn to_free(&self, behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> (f64, f64) {
-        let Some(own) = self.rooms().into_iter().map(|(_, room)| room).reduce(TakenRoom::and) else {
+    pub fn to_free(&self, Ground { behaviour, places, sizes }: Ground) -> (f64, f64) {
+        let Some(own) = self.rooms(sizes).into_iter().map(|(_, room)| room).reduce(TakenRoom::and) else {
             return (0.0, 0.0);
         };
         let place = |id: &Id| places.get(id).copied();
-        let taken: Vec<TakenRoom> = rooms(behaviour, place).into_iter().map(|(_, room)| room).collect();
+        let taken: Vec<TakenRoom> = rooms(behaviour, sizes, place).into_iter().map(|(_, room)| room).collect();
         let (width, height) = (own.right - own.left + GAP, own.bottom - own.top + GAP);
         let step = |start: f64, number: i32| start + f64::from(number) * STEP;
         let ways = (0..STEPS_MAX).flat_map(|number| [(step(width, number), 0.0), (0.0, step(height, number))]);
@@ -221,8 +221,8 @@ impl ProgramPart {
     }
 
     /// Returns the places of its streams and notes, and the room that they take.
-    fn rooms(&self) -> Vec<(Place, TakenRoom)> {
-        rooms(&self.records, |id| self.records.place(id))
+    fn rooms(&self, sizes: DrawnSizes) -> Vec<(Place, TakenRoom)> {
+        rooms(&self.records, sizes, |id| self.records.place(id))
     }
 
     fn connector(&self, old: &Connector, ids: &BTreeMap<Id, Id>, after: &Behaviour, order: i64) -> Option<Connector> {
@@ -287,7 +287,7 @@ impl TakenRoom {
 
 /// Returns the places of a behaviour's streams and notes, and the room that they take: a stream with its value and the
 /// chip above it.
-fn rooms(behaviour: &Behaviour, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Place, TakenRoom)> {
+fn rooms(behaviour: &Behaviour, sizes: DrawnSizes, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Place, TakenRoom)> {
     let room = |place: Place, half: f64, (above, right, below): (f64, f64, f64)| TakenRoom {
         left: place.x - half,
         top: place.y - above,
@@ -296,10 +296,10 @@ fn rooms(behaviour: &Behaviour, place: impl Fn(&Id) -> Option<Place>) -> Vec<(Pl
     };
     let streams = behaviour.streams().filter_map(|(id, stream)| {
         let place = place(id)?;
-        Some((place, room(place, stream_width(stream) / 2.0, (CHIP_HEIGHT + GAP, VALUE_ROOM, STREAM_HEIGHT))))
+        Some((place, room(place, (sizes.stream)(stream) / 2.0, (CHIP_HEIGHT + GAP, VALUE_ROOM, STREAM_HEIGHT))))
     });
     let notes = behaviour.notes().filter_map(|(id, note)| {
-        let (place, (width, height)) = (place(id)?, note_size(&note.text));
+        let (place, (width, height)) = (place(id)?, (sizes.note)(&note.text));
         Some((place, room(place, width / 2.0, (0.0, 0.0, height))))
     });
     streams.chain(notes).collect()

@@ -1,6 +1,6 @@
 //! Groups of streams, as pure functions: made, taken apart, folded, and what belongs to them.
 
-use super::Selected;
+use crate::Selected;
 use behaviour::{Behaviour, Change, Group, Id, Kind, Record, RecordId};
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ fn key(kind: Kind, id: &Id) -> RecordId {
 }
 
 /// The streams of a group that are there.
-pub(super) fn members<'a>(behaviour: &'a Behaviour, group: &'a Group) -> impl Iterator<Item = &'a Id> {
+pub fn members<'a>(behaviour: &'a Behaviour, group: &'a Group) -> impl Iterator<Item = &'a Id> {
     group.streams.iter().filter(|id| behaviour.stream(id).is_some())
 }
 
@@ -21,7 +21,7 @@ fn group<'a>(behaviour: &'a Behaviour, id: &Id) -> Option<&'a Group> {
 }
 
 /// These, and the streams of the groups among them with the connectors that lead to those.
-pub(super) fn expanded(behaviour: &Behaviour, of: &BTreeSet<Selected>) -> BTreeSet<Selected> {
+pub fn expanded(behaviour: &Behaviour, of: &BTreeSet<Selected>) -> BTreeSet<Selected> {
     let mut all = of.clone();
     let groups = of.iter().filter_map(|one| if let Selected::Group(id) = one { group(behaviour, id) } else { None });
     let inside: BTreeSet<&Id> = groups.flat_map(|group| members(behaviour, group)).collect();
@@ -33,7 +33,7 @@ pub(super) fn expanded(behaviour: &Behaviour, of: &BTreeSet<Selected>) -> BTreeS
 
 /// The chosen streams as one group: into the group among them if that is one, else a new one of that id and title. None if
 /// there is nothing to gather.
-pub(super) fn grouped(
+pub fn grouped(
     behaviour: &Behaviour,
     change: Change,
     of: &BTreeSet<Selected>,
@@ -59,7 +59,7 @@ pub(super) fn grouped(
 }
 
 /// Without these groups, whose streams stay; of the others, without these streams.
-pub(super) fn ungrouped(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selected>) -> Change {
+pub fn ungrouped(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selected>) -> Change {
     let gone = |id: &Id| of.contains(&Selected::Group(id.clone()));
     let groups: Vec<&Id> = behaviour.groups().map(|(id, _)| id).filter(|id| gone(id)).collect();
     let change = groups.iter().fold(change, |change, id| without_group(behaviour, change, id));
@@ -85,12 +85,12 @@ fn taken_out(behaviour: &Behaviour, change: Change, streams: &BTreeSet<Id>, but:
 }
 
 /// Without a group, whose streams stay.
-pub(super) fn without_group(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
+pub fn without_group(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
     change.take(behaviour, key(Kind::Group, id)).take(behaviour, key(Kind::Place, id))
 }
 
 /// A change that removes streams also removes the groups that nothing is left of.
-pub(super) fn without_empty(behaviour: &Behaviour, change: Change) -> Change {
+pub fn without_empty(behaviour: &Behaviour, change: Change) -> Change {
     let gone = |id: &Id| {
         let stream = key(Kind::Stream, id);
         change.edits.iter().any(|edit| edit.id == stream && edit.after.is_none())
@@ -102,7 +102,7 @@ pub(super) fn without_empty(behaviour: &Behaviour, change: Change) -> Change {
 }
 
 /// Another title, or folded and unfolded.
-pub(super) fn edited(behaviour: &Behaviour, change: Change, id: &Id, edit: impl FnOnce(&mut Group)) -> Change {
+pub fn edited(behaviour: &Behaviour, change: Change, id: &Id, edit: impl FnOnce(&mut Group)) -> Change {
     let Some(mut group) = group(behaviour, id).cloned() else { return change };
     edit(&mut group);
     change.put(behaviour, key(Kind::Group, id), Record::Group(group))

@@ -1,18 +1,18 @@
 //! Other ways through a graph that is there, each as one change: another input, a stream fed again, a connector put into
 //! an edge, a stream taken out of its way. Pure.
 
-use super::build::{connected, free_name};
-use super::{ConnectPlan, NewSpot, Output, Selected};
-use crate::layout::{LEVEL, snapped};
-use behaviour::{
-    Behaviour, Change, Connector, FillFrom, Graph, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream,
-    StreamKind, connectors,
-};
-use std::collections::{BTreeMap, BTreeSet};
+use super::connecting::connected;
+use super::insert::{lowered, ordinary, with_inputs};
+use super::plan::{ConnectPlan, NewSpot, Output};
+use crate::Selected;
+use crate::build::free_name;
+use crate::layout::{Ground, LEVEL};
+use behaviour::{Behaviour, Change, Connector, Graph, Id, Kind, Record, RecordId, Stream, StreamKind, connectors};
+use std::collections::BTreeSet;
 
 /// The things at which a wire out of a stream may end.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum WireEnd {
+pub enum WireEnd {
     /// A stream: an action takes its values too, an ordinary stream is fed by it.
     Stream(Id),
     /// A connector: it takes from it as well, or instead.
@@ -21,14 +21,14 @@ pub(crate) enum WireEnd {
 
 impl WireEnd {
     /// Returns the id of the end.
-    pub(crate) fn id(&self) -> &Id {
+    pub fn id(&self) -> &Id {
         match self {
             Self::Stream(id) | Self::Connector(id) => id,
         }
     }
 
     /// Returns the end as something that can be selected on the graph.
-    pub(crate) fn selected(&self) -> Selected {
+    pub fn selected(&self) -> Selected {
         match self {
             Self::Stream(id) => Selected::Stream(id.clone()),
             Self::Connector(id) => Selected::Connector(id.clone()),
@@ -38,7 +38,7 @@ impl WireEnd {
 
 /// The outcome of a wire that ends there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Joining {
+pub enum Joining {
     /// The action is told these values too.
     Acts,
     /// The stream that nothing flows into carries them.
@@ -51,18 +51,9 @@ pub(crate) enum Joining {
     Replaces,
 }
 
-/// Between a stream and a connector that takes from it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Gap {
-    /// The connector below.
-    pub(crate) connector: Id,
-    /// The stream above.
-    pub(crate) input: Id,
-}
-
 /// Returns the ends that a wire out of `from` may have, and what comes of each, in the order of the file: streams, then
 /// connectors.
-pub(crate) fn wire_ends(behaviour: &Behaviour, from: &Id) -> Vec<(WireEnd, Joining)> {
+pub fn wire_ends(behaviour: &Behaviour, from: &Id) -> Vec<(WireEnd, Joining)> {
     if behaviour.stream(from).is_none_or(|stream| stream.kind == StreamKind::Actuator) {
         return Vec::new();
     }
@@ -111,13 +102,8 @@ fn above(graph: &Graph, of: &Id) -> BTreeSet<Id> {
 }
 
 /// Leads a stream to where its wire ends. `ids` are of a new stream and a new connector, if there are any.
-pub(super) fn wired(
-    behaviour: &Behaviour,
-    places: &BTreeMap<Id, Place>,
-    change: Change,
-    ids: (&Id, &Id),
-    (from, end): (&Id, &WireEnd),
-) -> Change {
+pub fn wired(ground: Ground, change: Change, ids: (&Id, &Id), (from, end): (&Id, &WireEnd)) -> Change {
+    let behaviour = ground.behaviour;
     let joining = wire_ends(behaviour, from).into_iter().find(|(known, _)| known == end).map(|(_, joining)| joining);
     let to_existing = |operation, to: &Id| {
         let plan = ConnectPlan {
@@ -126,12 +112,12 @@ pub(super) fn wired(
             output: Output::Existing(to.clone()),
             spot: NewSpot::Below,
         };
-        connected(behaviour, places, change.clone(), ids, plan)
+        connected(ground, change.clone(), ids, plan)
     };
     match (end, joining) {
         (_, None) => change,
         (WireEnd::Stream(to), Some(Joining::Acts)) => to_existing(connectors::to_action().with(()), to),
-        (WireEnd::Stream(to), Some(Joining::Merges)) => merged(behaviour, places, change, ids, (from, to)),
+        (WireEnd::Stream(to), Some(Joining::Merges)) => merged(ground, change, ids, (from, to)),
         (WireEnd::Stream(to), Some(_)) => to_existing(connectors::to_join().with(()), to),
         (WireEnd::Connector(to), Some(joining)) => {
             let Some(connector) = behaviour.connector(to) else { return change };
@@ -146,28 +132,10 @@ pub(super) fn wired(
     }
 }
 
-/// A connector that takes from other streams: what its body calls them follows, place by place.
-pub(super) fn with_inputs(behaviour: &Behaviour, connector: &Connector, inputs: Vec<Id>) -> Connector {
-    let mut taken = Connector { inputs, ..connector.clone() };
-    if let Some(Procedure::Body { body, args: None }) = connector.operation.procedure() {
-        let (old, new) = (behaviour.arguments(connector), behaviour.arguments(&taken));
-        let body = behaviour::rename_identifiers(body, &old, &new);
-        if let Some(procedure) = taken.operation.procedure_mut() {
-            *procedure = Procedure::body(&body);
-        }
-    }
-    taken
-}
-
 /// Puts what a stream carries already, and the new values, both on it: into the merge that feeds it, or into a new one
 /// behind the connector that feeds it.
-fn merged(
-    behaviour: &Behaviour,
-    places: &BTreeMap<Id, Place>,
-    change: Change,
-    (stream_id, connector_id): (&Id, &Id),
-    (from, to): (&Id, &Id),
-) -> Change {
+fn merged(ground: Ground, change: Change, (stream_id, connector_id): (&Id, &Id), (from, to): (&Id, &Id)) -> Change {
+    let Ground { behaviour, places, .. } = ground;
     let graph = Graph::of(behaviour);
     let Some((feeding_id, feeding)) = graph.into_stream(to).first() else { return change };
     if feeding.operation.spec() == connectors::to_join() {
@@ -191,52 +159,12 @@ fn merged(
         .put(behaviour, key(Kind::Connector, connector_id), Record::Connector(merge));
     let Some(place) = places.get(to) else { return change };
     let change = change.put(behaviour, key(Kind::Place, stream_id), Record::Place(*place));
-    lowered(behaviour, places, change, to, LEVEL)
-}
-
-/// A new connector with its new stream between a stream and a connector that takes from it; what is below makes room.
-pub(super) fn inserted(
-    behaviour: &Behaviour,
-    places: &BTreeMap<Id, Place>,
-    change: Change,
-    (stream_id, connector_id): (&Id, &Id),
-    (gap, plan): (&Gap, ConnectPlan),
-) -> Change {
-    let Some(below) = behaviour.connector(&gap.connector) else { return change };
-    let Output::New { name, device: None, .. } = plan.output else { return change };
-    let order = behaviour.next_order();
-    let made = ordinary(&name, order);
-    let new = Connector { operation: plan.operation, inputs: plan.inputs, output: stream_id.clone(), order: order + 1 };
-    let mut after = behaviour.clone();
-    after.records.insert(key(Kind::Stream, stream_id), Record::Stream(made.clone()));
-    let inputs = below.inputs.iter().map(|input| if *input == gap.input { stream_id } else { input }).cloned();
-    let turned = with_inputs(&after, below, inputs.collect());
-    let change = change
-        .put(behaviour, key(Kind::Stream, stream_id), Record::Stream(made))
-        .put(behaviour, key(Kind::Connector, connector_id), Record::Connector(new))
-        .put(behaviour, key(Kind::Connector, &gap.connector), Record::Connector(turned));
-    let (Some(above), Some(output)) = (places.get(&gap.input), places.get(&below.output)) else { return change };
-    let is_alone = below.inputs.len() == 1;
-    let x = if is_alone && (above.x - output.x).abs() > LEVEL { output.x } else { above.x };
-    let place = snapped(Place { x, y: above.y + LEVEL });
-    let change = change.put(behaviour, key(Kind::Place, stream_id), Record::Place(place));
-    let missing = place.y + LEVEL - output.y;
-    if missing > 0.0 { lowered(behaviour, places, change, &below.output, missing) } else { change }
-}
-
-/// A stream and all that is below it, lower by so much.
-fn lowered(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, change: Change, from: &Id, by: f64) -> Change {
-    let graph = Graph::of(behaviour);
-    let below = graph.below(from).into_iter().chain([from]).distinct();
-    let moved = below.into_iter().filter_map(|id| Some((id, *places.get(id)?)));
-    moved.fold(change, |change, (id, place)| {
-        change.put(behaviour, key(Kind::Place, id), Record::Place(snapped(Place { y: place.y + by, ..place })))
-    })
+    lowered(ground, change, to, LEVEL)
 }
 
 /// The stream that takes the place of a removed one, if its way can be healed: it has one connector above it, which takes
 /// from one stream, and some below.
-pub(crate) fn healed_by<'a>(behaviour: &'a Behaviour, id: &Id) -> Option<&'a Id> {
+pub fn healed_by<'a>(behaviour: &'a Behaviour, id: &Id) -> Option<&'a Id> {
     let graph = Graph::of(behaviour);
     let [(_, above)] = graph.into_stream(id) else { return None };
     let [input] = above.inputs.as_slice() else { return None };
@@ -245,7 +173,7 @@ pub(crate) fn healed_by<'a>(behaviour: &'a Behaviour, id: &Id) -> Option<&'a Id>
 }
 
 /// Without a stream and the connector that makes it: what took from it takes from the stream above.
-pub(super) fn healed(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
+pub fn healed(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
     let Some(input) = healed_by(behaviour, id) else { return change };
     let graph = Graph::of(behaviour);
     let change = graph.out_of_stream(id).iter().fold(change, |change, (below, connector)| {
@@ -263,19 +191,6 @@ pub(super) fn healed(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
         change.take(behaviour, key(Kind::Connector, above)).take(behaviour, key(Kind::Place, above))
     });
     change.take(behaviour, key(Kind::Stream, id)).take(behaviour, key(Kind::Place, id))
-}
-
-fn ordinary(name: &str, order: i64) -> Stream {
-    Stream {
-        kind: StreamKind::Ordinary,
-        name: name.trim().to_owned(),
-        device: None,
-        params: Params::new(),
-        order,
-        resources: None,
-        priority: None,
-        hold_ms: None,
-    }
 }
 
 fn key(kind: Kind, id: &Id) -> RecordId {

@@ -1,8 +1,9 @@
 //! Tests of the part of a program, and what becomes of it elsewhere.
 
-use super::super::Selected;
-use super::super::graph_tests::{graph, id, places, start};
+use super::super::graph_tests::{graph, ground, id, places, start};
 use super::ProgramPart;
+use crate::Selected;
+use crate::layout::tests::SIZES;
 use behaviour::{Behaviour, Group, Helper, Id, Kind, Note, Place, Procedure, Record, RecordId};
 use std::collections::BTreeSet;
 
@@ -28,7 +29,7 @@ fn numbered() -> impl FnMut() -> Id {
 fn a_part_goes_as_a_text_into_another_program() {
     let made = graph();
     let text = part(&made, &both()).text();
-    let copy = ProgramPart::read(&text).unwrap();
+    let copy = ProgramPart::read(&text, serde_json::from_str).unwrap();
     assert_eq!(copy.helpers.len(), 0, "the connector into the part is not in it");
     let other = Behaviour::default();
     let (change, streams) = copy.into(&other, start(), (0.0, 0.0), numbered());
@@ -38,7 +39,7 @@ fn a_part_goes_as_a_text_into_another_program() {
     let (_, filter) = after.connectors().next().unwrap();
     assert_eq!(filter.operation.procedure(), Some(&Procedure::body("distance < 20")));
     for text in ["", "{}", "hello", "{\"format\":\"rrp-part/2\",\"records\":{},\"helpers\":[]}"] {
-        assert!(ProgramPart::read(text).is_none(), "{text}");
+        assert!(ProgramPart::read(text, serde_json::from_str).is_none(), "{text}");
     }
 }
 
@@ -48,7 +49,7 @@ fn a_part_put_in_beside_itself_has_names_of_its_own_and_its_bodies_follow() {
     let of: BTreeSet<Selected> = both().into_iter().chain([Selected::Connector(id("to-distance"))]).collect();
     let copy = part(&made, &of);
     assert_eq!(copy.helpers.len(), 1);
-    let shift = copy.to(Place { x: 500.0, y: 100.0 });
+    let shift = copy.to(Place { x: 500.0, y: 100.0 }, SIZES);
     let (change, streams) = copy.into(&made, start(), shift, numbered());
     made.apply(&change);
     let names: Vec<&str> = streams.iter().map(|one| made.stream(one.id()).unwrap().name.as_str()).collect();
@@ -62,7 +63,7 @@ fn a_part_put_in_beside_itself_has_names_of_its_own_and_its_bodies_follow() {
 #[test]
 fn a_copy_stands_beside_and_covers_nothing() {
     let mut made = graph();
-    let (dx, dy) = part(&made, &both()).to_free(&made, &places(&made));
+    let (dx, dy) = part(&made, &both()).to_free(ground(&made, &places(&made)));
     assert!(dx > 100.0 && dy == 0.0, "{dx} {dy}");
     let (change, _) = part(&made, &both()).into(&made, start(), (dx, dy), numbered());
     made.apply(&change);
@@ -70,7 +71,7 @@ fn a_copy_stands_beside_and_covers_nothing() {
     for (at, one) in all.iter().enumerate() {
         assert!(all[at + 1..].iter().all(|other| one.x != other.x || one.y != other.y), "{all:?}");
     }
-    let again = part(&made, &both()).to_free(&made, &places(&made));
+    let again = part(&made, &both()).to_free(ground(&made, &places(&made)));
     assert!(again != (dx, dy), "the next copy goes elsewhere");
 }
 
@@ -120,7 +121,7 @@ fn notes_and_groups_go_with_what_is_in_them() {
     let mut at = places(&made);
     at.insert(id("note"), Place { x: -300.0, y: 0.0 });
     let of: BTreeSet<Selected> = both().into_iter().chain([Selected::Note(id("note"))]).collect();
-    let copy = ProgramPart::read(&ProgramPart::of(&made, &at, &of, &[]).text()).unwrap();
+    let copy = ProgramPart::read(&ProgramPart::of(&made, &at, &of, &[]).text(), serde_json::from_str).unwrap();
     let (change, chosen) = copy.into(&made, start(), (400.0, 0.0), numbered());
     let mut after = made.clone();
     after.apply(&change);
