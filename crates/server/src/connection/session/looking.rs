@@ -2,6 +2,7 @@
 
 use super::ClientSession;
 use crate::connection::outbox::Outbox;
+use crate::rooms::RoomCommand;
 use crate::state::ServerState;
 use crate::support::identity::Sender;
 use crate::support::lock;
@@ -9,7 +10,8 @@ use crate::support::until::Until;
 use behaviour::{BehaviourFile, Helper};
 use past::{EditedRun, Hook, Past};
 use protocol::{
-    EditedProgram, MESSAGE_MAX_BYTES, Message, NotSeen, PastAnswer, PastQuestion, Refused, answer, request,
+    EditedProgram, LOOKED_NAME_MAX_BYTES, LookedMoment, MESSAGE_MAX_BYTES, Message, NotSeen, PastAnswer, PastOf,
+    PastQuestion, Refused, answer, request,
 };
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
@@ -47,6 +49,23 @@ struct NewestState {
 pub(super) struct LookingBack {
     seek: NewestQuestion,
     compare: NewestQuestion,
+    /// The past of which something was asked last.
+    past: Option<PastOf>,
+}
+
+impl LookingBack {
+    /// Returns a moment as others are told it; none if it is of another past than the one that is asked.
+    fn told(&self, at: Option<LookedMoment>) -> Option<LookedMoment> {
+        at.filter(|at| self.past.as_ref() == Some(&at.past) && is_short(&at.past))
+    }
+}
+
+/// True if a past has a name that others can be told.
+fn is_short(past: &PastOf) -> bool {
+    match past {
+        PastOf::Recording(name) => name.len() <= LOOKED_NAME_MAX_BYTES,
+        PastOf::Run(_) => true,
+    }
 }
 
 impl NewestQuestion {
@@ -77,6 +96,9 @@ impl ClientSession {
         if !self.state().recordings.pasts.enter(&self.outbox.person, self.outbox.session, &of.past) {
             return self.outbox.no(ask, Refused::from(NotSeen::TooMany));
         }
+        if self.looking_back.past.as_ref() != Some(&of.past) {
+            self.looking_back.past = Some(of.past.clone());
+        }
         let newest = match &*of.question {
             PastQuestion::Seek { .. } => &self.looking_back.seek,
             PastQuestion::Compare { .. } => &self.looking_back.compare,
@@ -102,6 +124,12 @@ impl ClientSession {
             }
             drop(place);
         });
+    }
+
+    /// Tells the others at which moment this person looks.
+    pub(super) fn present_moment(&self, request::PresentMoment { at }: request::PresentMoment) {
+        let at = self.looking_back.told(at);
+        self.tell_open(RoomCommand::PresentMoment(self.outbox.session, at));
     }
 
     /// This link needs no place any more.
