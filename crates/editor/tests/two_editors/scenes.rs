@@ -597,3 +597,47 @@ fn two_people_who_change_the_same_tile_at_once_see_both_and_the_later_one_decide
     assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 waves 2 looks", "1 waves 2 looks"]);
     assert!(table.editor(AIKO).conflicts.is_empty());
 }
+
+/// Somebody puts the tiles of two keys in each other's place.
+fn swaps_tiles(table: &mut Table, who: usize, one: u8, other: u8) {
+    let swap = |editor: &mut Editor| {
+        let behaviour = editor.behaviour();
+        let pad = behaviour.pad().cloned().unwrap_or_default().swapped(one, other);
+        let change = editor.change("Edit tiles").put(&behaviour, RecordId::pad(), Record::Pad(pad));
+        editor.propose(change);
+    };
+    assert!(table.pages[who].input(swap).is_ok(), "the page takes it");
+}
+
+#[test]
+fn a_tile_that_is_moved_while_somebody_else_writes_it_anew_is_no_conflict() {
+    let mut table = Table::laid();
+    puts_tile(&mut table, BEN, 1, "laughs");
+    puts_tile(&mut table, BEN, 2, "hides");
+    table.settle();
+    table.cut(AIKO);
+    swaps_tiles(&mut table, AIKO, 1, 2);
+    puts_tile(&mut table, BEN, 1, "smiles");
+    table.settle();
+    table.connect(AIKO);
+    assert!(table.editor(AIKO).conflicts.is_empty(), "nobody has to decide about a place");
+    assert!(table.said(AIKO).iter().any(|said| matches!(said, Announcement::WasFirst(..))), "it is said who was first");
+    assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 smiles 2 hides", "1 smiles 2 hides"]);
+
+    // Beside what others made of other tiles it is moved nevertheless.
+    table.cut(AIKO);
+    swaps_tiles(&mut table, AIKO, 1, 2);
+    puts_tile(&mut table, BEN, 3, "runs");
+    table.settle();
+    table.connect(AIKO);
+    assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 hides 2 smiles 3 runs", "1 hides 2 smiles 3 runs"]);
+
+    // A tile that is written and moved by one change is something that somebody would miss.
+    table.cut(AIKO);
+    puts_tile(&mut table, AIKO, 1, "waves");
+    swaps_tiles(&mut table, AIKO, 1, 2);
+    puts_tile(&mut table, BEN, 1, "looks");
+    table.settle();
+    table.connect(AIKO);
+    assert_eq!(table.editor(AIKO).conflicts.len(), 1);
+}
