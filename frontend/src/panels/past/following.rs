@@ -117,10 +117,11 @@ impl PastShared {
     }
 
     /// True if this person is the one whom somebody follows, or whom that one follows. Reactive.
-    fn is_followed_by(self, mut with: Option<&Id>) -> bool {
+    fn is_followed_by(self, with: Option<&Id>) -> bool {
         let desk = self.desk.desk();
         let Some(me) = desk.me.get() else { return false };
         desk.document.people.with(|people| {
+            let mut with = with;
             // In a ring that this person is not in nobody comes to an end.
             for _ in 0..=people.len() {
                 match with {
