@@ -91,6 +91,12 @@ pub(crate) fn clock_words(ms: f64) -> String {
     js_sys::Date::new(&ms.into()).to_locale_time_string_with_options(locale(), &options).into()
 }
 
+/// A time since 1970 as the time of day with seconds, by the clock on the wall here: `14:20:05`.
+pub(crate) fn clock_seconds(ms: f64) -> String {
+    let seconds = ((ms + ahead_ms(ms)).rem_euclid(86_400_000.0) / 1_000.0) as u64;
+    format!("{:02}:{:02}:{:02}", seconds / 3_600, seconds / 60 % 60, seconds % 60)
+}
+
 /// A number from 0 to 1.
 pub(crate) fn random() -> f64 {
     if cfg!(target_arch = "wasm32") { js_sys::Math::random() } else { 0.5 }

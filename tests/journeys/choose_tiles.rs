@@ -1,7 +1,7 @@
 //! A therapist chooses the tiles of the operator's page, with keys alone and with a finger alone; an operator presses one. Two
 //! people choose at once.
 
-use house::{GAME, Outcome, Page, Within, skip};
+use house::{GAME, Outcome, Page, Switch, Within, skip};
 
 use crate::by_keyboard::Hands;
 use crate::by_touch::Fingers;
@@ -233,4 +233,45 @@ async fn two_people_who_choose_tiles_at_once_lose_nothing() -> Outcome<()> {
     usable(aiko).await?;
     are(aiko, SHOWN, "2 Good evening|4 Big wave|7 laughs").await?;
     calm(yuki)
+}
+
+#[tokio::test]
+async fn words_that_are_not_saved_stay_while_their_tile_is_moved_and_somebody_changes_it() -> Outcome<()> {
+    skip::unless!(ready("journey: a tile that is moved too late"));
+    let stage = Stage::set().await?;
+    let aiko = &stage.nobody("aiko").await?;
+    operates_tiles(&stage, aiko).await?;
+    aiko.press("link", "Change the tiles …").await?;
+    aiko.find("dialog", DIALOG).await?;
+    let yuki = &stage.nobody("yuki").await?;
+    let socket = Switch::install(yuki).await?;
+    yuki.goto(&aiko.address().await?).await?;
+    usable(yuki).await?;
+    opens_tiles(yuki).await?;
+    are(yuki, CHOSEN, "1 Hello|4 Wave").await?;
+    in_dialog(yuki).press("button", "Hello*").await?;
+    in_dialog(yuki).fill("textbox", "Words on the tile", "Good evening").await?;
+
+    // Yuki moves it on a broken link, while Aiko changes it.
+    socket.cut().await?;
+    says(yuki, "Offline").await?;
+    in_dialog(yuki).press("button", "Later").await?;
+    says(yuki, "Key 2 of 9").await?;
+    in_dialog(aiko).press("button", "Hello*").await?;
+    in_dialog(aiko).fill("textbox", "Words on the tile", "Welcome").await?;
+    in_dialog(aiko).press("button", "Save").await?;
+    are(aiko, CHOSEN, "1 Welcome|4 Wave").await?;
+    socket.mend().await?;
+    silent(yuki, "Offline").await?;
+
+    // The words stay, it is said what there is now, and Yuki decides.
+    says(yuki, "Somebody changed this tile meanwhile. Now it is “Welcome”.").await?;
+    says(yuki, "Key 1 of 9").await?;
+    assert_eq!(in_dialog(yuki).text("textbox", "Words on the tile").await?, "Good evening");
+    in_dialog(yuki).press("button", "Keep mine").await?;
+    in_dialog(yuki).press("button", "Save").await?;
+    for page in [aiko, yuki] {
+        are(page, CHOSEN, "1 Good evening|4 Wave").await?;
+    }
+    calm(aiko)
 }

@@ -6,7 +6,7 @@ use crate::steps::*;
 use house::{Outcome, Page, SESSION, keep_session, keep_session_of, skip};
 
 /// True while the graph shows a moment of the past.
-const IS_THEN: &str = "document.documentElement.hasAttribute('data-then')";
+pub(crate) const IS_THEN: &str = "document.documentElement.hasAttribute('data-then')";
 /// The label of the chosen lane.
 const CHOSEN: &str = "document.querySelector('.past-row.chosen .past-label span').textContent";
 /// The number of steps of the answer.

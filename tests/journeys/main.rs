@@ -22,6 +22,7 @@ mod library;
 mod link;
 mod locks;
 mod look_back;
+mod look_back_together;
 mod look_back_why;
 mod operate;
 mod operate_marks;

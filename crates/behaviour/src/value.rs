@@ -75,6 +75,18 @@ impl Value {
         }
     }
 
+    /// Roughly the bytes that it takes in memory, itself included. What it shares with others counts for each of them.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let inside = match self {
+            Self::Null | Self::Bool(_) | Self::Int(_) | Self::Float(_) => 0,
+            Self::Text(text) => 16 + text.len(),
+            Self::List(items) => 40 + items.iter().map(Value::bytes).sum::<usize>(),
+            Self::Map(fields) => 64 + fields.values().iter().map(Value::bytes).sum::<usize>(),
+        };
+        size_of::<Self>() + inside
+    }
+
     /// True when no number in it is NaN or infinite.
     #[must_use]
     #[inline]

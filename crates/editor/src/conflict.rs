@@ -7,7 +7,7 @@
 use crate::build;
 use behaviour::{
     Accepted, Behaviour, Change, Connector, Edit, FillFrom, Group, Id, Kind, Pad, Params, Procedure, Record, RecordId,
-    Refusal, Settings, Stream,
+    Refusal, Settings, Stream, Tile,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -66,6 +66,19 @@ pub fn is_shown_beside(change: &Change, no: &Refusal) -> bool {
 /// True if a refused change says or makes something that somebody would miss.
 pub fn is_worth_keeping(change: &Change) -> bool {
     change.undoes.is_none() && change.edits.iter().any(|edit| is_about(edit) && edit.after.is_some())
+}
+
+/// True if a change only puts tiles in other places: nobody wrote anything. `usual` are the tiles that its author saw where
+/// nobody had chosen any.
+pub(crate) fn only_moves_tiles(change: &Change, usual: impl FnOnce() -> Pad) -> bool {
+    let [Edit { before, after: Some(Record::Pad(after)), .. }] = change.edits.as_slice() else { return false };
+    let before = match before {
+        Some(Record::Pad(before)) => before.clone(),
+        _ => usual(),
+    };
+    let mut left: Vec<&Tile> = before.tiles.values().collect();
+    let is_there = |tile| left.iter().position(|known| *known == tile).map(|at| left.swap_remove(at)).is_some();
+    after.tiles.values().all(is_there) && left.is_empty()
 }
 
 /// True if something of what a change edits is another by now.

@@ -126,7 +126,9 @@ impl Editor {
             return (!waits).then_some(waiting);
         }
         let is_others = self.other_editor(&waiting.change).is_some();
-        let is_kept = waiting.way == SendMode::Propose && is_worth_keeping(&waiting.change);
+        let is_kept = waiting.way == SendMode::Propose
+            && is_worth_keeping(&waiting.change)
+            && !self.only_moves_tiles(&waiting.change);
         if !is_kept || is_others && !waiting.offline || all.len() >= CONFLICTS_MAX {
             return Some(waiting);
         }

@@ -2,7 +2,7 @@
 //! as the later one of two was made on top of the earlier. Meanwhile the queue has them, and keeps them over a reload.
 
 use crate::Editor;
-use crate::conflict::{is_late, is_shown_beside, since_seen};
+use crate::conflict::{is_late, is_shown_beside, only_moves_tiles, since_seen};
 use crate::effect::{Announcement, Effect, Look};
 use crate::queue::{LateChange, SendMode, WaitingChange};
 use behaviour::{Accepted, Change, Id, Pad, Record, RecordId, Refusal, without_late_followers};
@@ -81,7 +81,9 @@ impl Editor {
         }
         let theirs = since_seen(log, &waiting.change);
         let op = waiting.change.op.clone();
-        let may_be_kept = waiting.behaviour.as_str() != LIBRARY && is_shown_beside(&waiting.change, &no);
+        let may_be_kept = waiting.behaviour.as_str() != LIBRARY
+            && is_shown_beside(&waiting.change, &no)
+            && !self.only_moves_tiles(&waiting.change);
         if may_be_kept && self.keeps(waiting, &theirs) {
             return self.tell_nobody(&op);
         }
@@ -90,6 +92,12 @@ impl Editor {
             let saver = self.saver(&last.change);
             self.say(Announcement::WasFirst(saver, what));
         }
+    }
+
+    /// True if a change only puts tiles in other places, which is small enough to be made anew.
+    pub(crate) fn only_moves_tiles(&self, change: &Change) -> bool {
+        let is_decided = self.conflicts.iter().any(|conflict| conflict.retry.as_ref() == Some(&change.op));
+        !is_decided && only_moves_tiles(change, || (self.usual_pad)(&self.confirmed))
     }
 
     /// Returns the change of tiles anew beside what others made of other tiles meanwhile; none if both changed the same one.

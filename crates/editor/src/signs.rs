@@ -76,6 +76,7 @@ mod tests {
             pointer: None,
             selected: None,
             view: None,
+            looks_at: None,
         };
         let people: Vec<Person> = names.iter().enumerate().map(person).collect();
         signs(&people).into_iter().map(|sign| (sign.letters, sign.name)).collect()

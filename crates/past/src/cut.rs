@@ -1,4 +1,4 @@
-//! Values that are short enough to be sent, and what they take.
+//! Values that are short enough to be sent.
 
 use behaviour::Value;
 
@@ -30,20 +30,9 @@ fn part(value: &Value, left: &mut usize) -> Option<Value> {
     Some(some(value, left))
 }
 
-/// Roughly the bytes that a value takes in memory.
-pub(crate) fn weight(value: &Value) -> usize {
-    let own = size_of::<Value>();
-    match value {
-        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) => own,
-        Value::Text(text) => own + 16 + text.len(),
-        Value::List(items) => own + 40 + items.iter().map(weight).sum::<usize>(),
-        Value::Map(fields) => own + 64 + fields.values().iter().map(weight).sum::<usize>(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{PARTS_MAX, TEXT_MAX_CHARS, cut, weight};
+    use super::{PARTS_MAX, TEXT_MAX_CHARS, cut};
     use behaviour::Value;
 
     #[test]
@@ -53,6 +42,6 @@ mod tests {
         let text = cut(&Value::text("あ".repeat(1_000)));
         assert_eq!(text.as_text().map(|text| text.chars().count()), Some(TEXT_MAX_CHARS + 1));
         let nested = Value::list((0..100).map(|_| Value::list((0..100).map(Value::Int))));
-        assert!(weight(&cut(&nested)) < (PARTS_MAX + 1) * 100);
+        assert!(cut(&nested).bytes() < (PARTS_MAX + 1) * 100);
     }
 }

@@ -3,6 +3,9 @@
 use protocol::{INTERRUPTIONS_MAX, Interrupted, Interruption};
 use recording::RobotLine;
 
+/// The most signs of a reason that are kept.
+const HALT_MAX_CHARS: usize = 400;
+
 /// The interruptions so far.
 #[derive(Debug, Default)]
 pub(crate) struct Interruptions {
@@ -36,7 +39,7 @@ impl Interruptions {
         }
         self.fallen = fallen;
         if let Some(halt) = &line.halt {
-            self.add(line.at_ms, Interrupted::Halted(halt.as_str().into()));
+            self.add(line.at_ms, Interrupted::Halted(halt.chars().take(HALT_MAX_CHARS).collect::<String>().into()));
         }
     }
 }

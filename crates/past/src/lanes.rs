@@ -1,6 +1,6 @@
 //! Values over time: exact where the time is short, else by the slots that were gathered at the opening.
 
-use crate::cut::{cut, weight};
+use crate::cut::cut;
 use crate::hook::Hook;
 use crate::past::Past;
 use crate::play::{PlainPlayer, Played, play};
@@ -154,7 +154,7 @@ fn of_field<'v>(value: &'v Value, name: Option<&str>) -> Option<&'v Value> {
 
 /// Takes the bytes of some values; false if they do not fit.
 fn take(left: &mut usize, each: &[LaneValue]) -> bool {
-    let bytes = each.iter().map(|one| 48 + weight(&one.value)).sum();
+    let bytes = each.iter().map(|one| 48 + one.value.bytes()).sum();
     match left.checked_sub(bytes) {
         Some(rest) => {
             *left = rest;

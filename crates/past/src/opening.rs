@@ -2,8 +2,8 @@
 
 use crate::hook::Hook;
 use crate::interruptions::Interruptions;
-use crate::past::{Past, Traces};
-use crate::program::{KnownStreams, PlayedProgram, is_action, rebuild};
+use crate::past::{Past, Traces, refusal_bytes};
+use crate::program::{KnownStreams, PlayedProgram, is_action, program_bytes, rebuild};
 use crate::segment::{Begins, PastSegment};
 use crate::series::AllSeries;
 use crate::tape::{Shapes, Tape, TapedReading};
@@ -11,7 +11,7 @@ use behaviour::{BehaviourFile, StreamKind, Value};
 use engine::{Emission, End, Handover, Matching, Run, StreamIx};
 use phrase::phrase;
 use protocol::{Interrupted, NotSeen, PAST_PROGRAMS_MAX, PastProgram, RECORDING_MARKS_MAX, RecordingMark};
-use recording::{EndLine, Entry, Header, Lack, NoteLine, mark, marks};
+use recording::{EndLine, Entry, Header, Lack, NoteLine, RefusedLine, mark, marks};
 use robot::Millis;
 use std::collections::VecDeque;
 
@@ -27,10 +27,16 @@ const TAPES_MAX_BYTES: usize = 64 << 20;
 const ACTIONS_MAX: usize = 10_000;
 /// Entries between two questions to the hook.
 const ASKED_ENTRIES: usize = 256;
-/// The most refusals that are kept.
+/// The most refusals that are kept, and the most bytes of them.
 const REFUSALS_MAX: usize = 10_000;
-/// The lines of marks that are read: no run writes more.
+const REFUSALS_MAX_BYTES: usize = 2 << 20;
+/// The lines of marks that are read: no run writes more. And the most bytes of them.
 const NOTES_MAX: usize = 4 * RECORDING_MARKS_MAX;
+const NOTES_MAX_BYTES: usize = 4 << 20;
+/// The most stretches of missing lines that are told apart; more count as missing where the last one is.
+const LOST_MAX: usize = 1_000;
+/// The most bytes of all programs, unless one alone is larger. What ran after them is left out.
+const PROGRAMS_MAX_BYTES: usize = 16 << 20;
 
 /// A past that is being opened.
 pub struct Opening {
@@ -43,6 +49,8 @@ pub struct Opening {
     last_ms: u64,
     bytes: usize,
     starts_bytes: usize,
+    refusals_bytes: usize,
+    notes_bytes: usize,
     troubles: Interruptions,
     notes: Vec<NoteLine>,
     compared: Option<Compared>,
@@ -110,6 +118,8 @@ impl Opening {
             last_ms: 0,
             bytes: 0,
             starts_bytes: 0,
+            refusals_bytes: 0,
+            notes_bytes: 0,
             troubles: Interruptions::default(),
             notes: Vec::new(),
             compared: Some(Compared::default()),
@@ -150,22 +160,13 @@ impl Opening {
                 self.program(*file.ok_or_else(unread)?, revision)?;
             }
             Entry::Memory { at_ms, memory } => self.memory(at_ms, *memory.ok_or(NotSeen::NoMemory)?)?,
-            Entry::Refused(refusal) => {
-                if self.past.refusals.len() < REFUSALS_MAX {
-                    self.past.refusals.push((refusal.at_ms, refusal.refused.to_string(), refusal.why));
-                }
-            }
+            Entry::Refused(refusal) => self.refused(refusal),
             Entry::Robot(line) => self.troubles.robot(&line),
-            Entry::Note(note) if self.notes.len() < NOTES_MAX => self.notes.push(note),
-            Entry::Gap { lost } => {
-                let after_ms = self.past.until_ms;
-                self.past.lost.push((after_ms, lost));
-                self.troubles.add(after_ms, Interrupted::Missing(lost));
-                self.differs(after_ms);
-            }
+            Entry::Note(note) => self.note(note),
+            Entry::Gap { lost } => self.lost(lost),
             Entry::End(end) => self.end = Some(end),
             Entry::Full => self.full = true,
-            Entry::Hand(_) | Entry::Note(_) | Entry::Room { .. } | Entry::Unknown => {}
+            Entry::Hand(_) | Entry::Room { .. } | Entry::Unknown => {}
         }
         self.compare();
         if self.run.as_ref().and_then(Run::ended) == Some(End::Stopped) { Err(NotSeen::TooLong) } else { Ok(()) }
@@ -234,6 +235,34 @@ impl Opening {
         Ok(past)
     }
 
+    fn refused(&mut self, refusal: RefusedLine) {
+        let kept = (refusal.at_ms, refusal.refused.to_string(), refusal.why);
+        let bytes = refusal_bytes(&kept);
+        if self.past.refusals.len() < REFUSALS_MAX && self.refusals_bytes + bytes <= REFUSALS_MAX_BYTES {
+            self.refusals_bytes += bytes;
+            self.past.refusals.push(kept);
+        }
+    }
+
+    fn note(&mut self, note: NoteLine) {
+        let bytes = size_of::<NoteLine>() + note.word.len() + note.note.len() + note.by.len();
+        if self.notes.len() < NOTES_MAX && self.notes_bytes + bytes <= NOTES_MAX_BYTES {
+            self.notes_bytes += bytes;
+            self.notes.push(note);
+        }
+    }
+
+    /// Lines are missing here.
+    fn lost(&mut self, lost: u64) {
+        let (after_ms, is_full) = (self.past.until_ms, self.past.lost.len() >= LOST_MAX);
+        match self.past.lost.last_mut().filter(|_| is_full) {
+            Some((_, last)) => *last = last.saturating_add(lost),
+            None => self.past.lost.push((after_ms, lost)),
+        }
+        self.troubles.add(after_ms, Interrupted::Missing(lost));
+        self.differs(after_ms);
+    }
+
     fn reach(&mut self, at_ms: u64) {
         self.past.until_ms = self.past.until_ms.max(at_ms);
     }
@@ -296,7 +325,10 @@ impl Opening {
 
     /// The first file begins the run; another one follows it where it was applied.
     fn program(&mut self, file: BehaviourFile, revision: u64) -> Result<(), NotSeen> {
-        if self.past.programs.len() == PAST_PROGRAMS_MAX {
+        let bytes = program_bytes(&file);
+        let all = self.past.programs.iter().map(|program| program.bytes).sum::<usize>() + bytes;
+        let is_full = all > PROGRAMS_MAX_BYTES && !self.past.programs.is_empty();
+        if is_full || self.past.programs.len() == PAST_PROGRAMS_MAX {
             self.cut();
             return Ok(());
         }
@@ -313,7 +345,7 @@ impl Opening {
         }
         let places = self.past.streams.places(&file);
         let about = PastProgram { from_ms: starts_ms, revision, fingerprint: file.fingerprint() };
-        self.past.programs.push(PlayedProgram { file, about, places });
+        self.past.programs.push(PlayedProgram { file, about, places, bytes });
         self.run = Some(run);
         self.begin(begins, start, starts_ms);
         Ok(())

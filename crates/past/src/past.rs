@@ -5,7 +5,9 @@ use crate::segment::PastSegment;
 use crate::series::AllSeries;
 use crate::tape::Shapes;
 use causes::Snapshot;
-use protocol::{Interruption, NotSeen, OpenedPast, PAST_MARKS_MAX_BYTES, PAST_STREAMS_MAX_BYTES, RecordingMark};
+use protocol::{
+    Interrupted, Interruption, NotSeen, OpenedPast, PAST_MARKS_MAX_BYTES, PAST_STREAMS_MAX_BYTES, RecordingMark,
+};
 use recording::Header;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -108,8 +110,13 @@ impl Past {
     #[must_use]
     pub fn bytes(&self) -> usize {
         let segments = self.segments.iter().map(PastSegment::bytes).sum::<usize>();
-        let files: usize = self.programs.iter().map(|program| 4_096 + recording::json(&program.file).len() * 2).sum();
-        segments + files + self.shapes.bytes() + self.series.bytes() + self.traces.bytes()
+        let programs = self.programs.iter().map(|program| program.bytes).sum::<usize>();
+        let refusals = self.refusals.iter().map(refusal_bytes).sum::<usize>();
+        let marks = self.marks.iter().map(mark_bytes).sum::<usize>();
+        let lost = self.lost.len() * size_of::<(u64, u64)>();
+        let told =
+            recording::json(&self.header).len() + refusals + marks + lost + interruption_bytes(&self.interruptions);
+        segments + programs + told + self.shapes.bytes() + self.series.bytes() + self.traces.bytes()
     }
 
     /// True if it goes on: then there is more when it is opened again.
@@ -140,6 +147,21 @@ impl Past {
     pub(crate) fn lost_until(&self, at_ms: u64) -> u64 {
         self.lost.iter().filter(|(after_ms, _)| *after_ms <= at_ms).fold(0, |sum, (_, lost)| sum.saturating_add(*lost))
     }
+}
+
+/// Roughly the bytes that a refusal takes.
+pub(crate) fn refusal_bytes(refusal: &(u64, String, String)) -> usize {
+    size_of_val(refusal) + refusal.1.len() + refusal.2.len()
+}
+
+fn mark_bytes(mark: &RecordingMark) -> usize {
+    let texts = [mark.id.as_str(), &mark.word, &mark.note, &mark.by, &mark.at];
+    size_of_val(mark) + texts.iter().map(|text| text.len()).sum::<usize>()
+}
+
+fn interruption_bytes(all: &[Interruption]) -> usize {
+    let words = |one: &Interruption| if let Interrupted::Halted(why) = &one.what { why.len() } else { 0 };
+    size_of_val(all) + all.iter().map(words).sum::<usize>()
 }
 
 /// The first of some things that fit into so many bytes of JSON.

@@ -13,6 +13,13 @@ pub(crate) struct PlayedProgram {
     pub(crate) about: PastProgram,
     /// By place in the file the place of each stream among all that ran.
     pub(crate) places: Vec<usize>,
+    /// Roughly the bytes that it takes.
+    pub(crate) bytes: usize,
+}
+
+/// Roughly the bytes that a program takes, with what is known of its streams.
+pub(crate) fn program_bytes(file: &BehaviourFile) -> usize {
+    4_096 + recording::json(file).len() * 3
 }
 
 /// The streams of all programs.

@@ -1,6 +1,6 @@
 //! The values of a stream one by one, as long as they are few: so that those of a long time can be drawn at once.
 
-use crate::cut::{cut, weight};
+use crate::cut::cut;
 use behaviour::Value;
 use protocol::LANE_VALUES_MAX;
 
@@ -13,6 +13,12 @@ pub(crate) struct SparseValue {
     pub(crate) at_ms: u64,
     pub(crate) value: Value,
     pub(crate) pretended: bool,
+}
+
+impl SparseValue {
+    fn bytes(&self) -> usize {
+        size_of::<Self>() - size_of::<Value>() + self.value.bytes()
+    }
 }
 
 /// Few values, or too many.
@@ -30,13 +36,13 @@ impl Sparse {
     pub(crate) fn add(&mut self, at_ms: u64, value: &Value, pretended: bool, bytes: &mut usize) {
         let Some(all) = &mut self.0 else { return };
         if all.len() == LANE_VALUES_MAX || *bytes > BYTES_MAX {
-            *bytes = bytes.saturating_sub(all.iter().map(|kept| weight(&kept.value)).sum());
+            *bytes = bytes.saturating_sub(all.iter().map(SparseValue::bytes).sum());
             self.0 = None;
             return;
         }
-        let value = cut(value);
-        *bytes += weight(&value);
-        all.push(SparseValue { at_ms, value, pretended });
+        let kept = SparseValue { at_ms, value: cut(value), pretended };
+        *bytes += kept.bytes();
+        all.push(kept);
     }
 
     /// All values; none if they are many.

@@ -27,6 +27,9 @@ pub const CHANGED_MOMENTS_MAX: usize = 300;
 /// The most stretches that one stream tells of when anything came; of more, those that are nearest to each other are one.
 pub const CHANGED_STRETCHES_MAX: usize = 120;
 
+/// The longest name of a recording of which others are told that somebody looks at it, in bytes: as long as that of a file.
+pub const LOOKED_NAME_MAX_BYTES: usize = 255;
+
 /// The past that somebody looks at.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]

@@ -1,5 +1,6 @@
 //! The people of a server, and where they are on the canvas.
 
+use crate::PastOf;
 use behaviour::Id;
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +23,24 @@ pub struct Person {
     /// The part of the canvas that they see.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub view: Option<CanvasArea>,
+    /// The moment of a past at which they look; none while they look at now.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub looks_at: Option<LookedMoment>,
+}
+
+/// A moment of a past at which somebody looks.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct LookedMoment {
+    /// The past. Whoever follows opens it themselves, and is refused what they may not see.
+    pub past: PastOf,
+    /// The moment, in milliseconds since Start.
+    pub at_ms: u64,
+    /// The same moment in milliseconds since 1970, for who shows its time of day without the past.
+    pub clock_ms: u64,
+    /// The client with whom they look, if they follow somebody.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub with: Option<Id>,
 }
 
 /// Proves that a client is the one that it was on an earlier link.

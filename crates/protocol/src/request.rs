@@ -3,8 +3,8 @@
 
 use crate::answer::{self, RequestAnswer, Unanswered};
 use crate::{
-    CanvasArea, Credential, Lasts, ListQuery, MarkEdit, MarkSort, PastOf, PastQuestion, PictureOf, Pointer, RealRobot,
-    RecordedSession, RecordingMark, Role,
+    CanvasArea, Credential, Lasts, ListQuery, LookedMoment, MarkEdit, MarkSort, PastOf, PastQuestion, PictureOf,
+    Pointer, RealRobot, RecordedSession, RecordingMark, Role,
 };
 use behaviour::{Change, Helper, Id, LockToken, Params, Problem, RecordId, SeenKinds, Value};
 use robot::{Control, Identity, SceneEdit};
@@ -442,6 +442,12 @@ requests! {
         /// The part of the canvas that is in view, for who follows; none where there is no canvas.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         view: Option<CanvasArea>,
+    }
+    /// The moment of a past at which this person looks, none for now; told to the others in the behaviour, never stored. It
+    /// counts only for the past of which this link asked something last.
+    PresentMoment(Session, Viewer, r#"{"at":null}"#) -> Unanswered {
+        /// The moment. Of several that come at once the newest is told.
+        at: Option<LookedMoment>,
     }
     /// Changes the name of this person that others see from now on, also beside what they are editing.
     CallMe(Session, Viewer, r#"{"name":"Ben"}"#) -> () {

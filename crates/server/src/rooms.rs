@@ -20,7 +20,7 @@ use knowledge::Knowing;
 use list_news::ListNews;
 use member::{AnswerTo, Member};
 use past::PastRequest;
-use protocol::{CanvasArea, Exercise, LIBRARY, Pointer, Refused, Role, Summary, answer};
+use protocol::{CanvasArea, Exercise, LIBRARY, LookedMoment, Pointer, Refused, Role, Summary, answer};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::{BTreeSet, HashMap};
@@ -51,6 +51,8 @@ pub(crate) enum RoomCommand {
     Since(u64, AnswerTo<answer::Newer>),
     /// Where a link's person is.
     Present(u64, Whereabouts),
+    /// At which moment of a past a link's person looks, if they do.
+    PresentMoment(u64, Option<LookedMoment>),
     /// A link's person is called something else from now on.
     Rename(u64, String),
     /// The server asks whether locks of others would let in a change of its own.
@@ -181,7 +183,7 @@ impl RoomCommand {
             Self::Locking(_, locking) => locking.refuse(no),
             Self::MayChange(_, waiting) => drop(waiting.send(Err(no))),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
-            Self::Leave(..) | Self::Present(..) | Self::Rename(..) => {}
+            Self::Leave(..) | Self::Present(..) | Self::PresentMoment(..) | Self::Rename(..) => {}
         }
     }
 }

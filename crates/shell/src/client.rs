@@ -123,7 +123,15 @@ impl Client {
         let (link, lines, told, carrier) = link::open(url).await?;
         let nobody = Id::new("nobody").map_err(|reason| NoLink::Id(reason.to_string()))?;
         let client = nobody.clone();
-        let you = Person { client, name: name.to_owned(), color: 0, pointer: None, selected: None, view: None };
+        let you = Person {
+            client,
+            name: name.to_owned(),
+            color: 0,
+            pointer: None,
+            selected: None,
+            view: None,
+            looks_at: None,
+        };
         let welcome = Welcome { epoch: 0, you, secret: nobody };
         let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome, carrier };
         let hello = request::Hello { version: VERSION, name: name.to_owned(), again };

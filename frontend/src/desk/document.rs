@@ -12,6 +12,7 @@ mod groups;
 mod input;
 mod kinds;
 mod locks;
+mod looked;
 mod mend;
 mod notes;
 mod opening;

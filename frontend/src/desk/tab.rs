@@ -113,6 +113,8 @@ pub(crate) enum OpenPast {
     Address,
     /// The running program, with the lane of this stream.
     Running(Option<Id>),
+    /// The past at which somebody else looks, who is [`TabFields::looks_with`].
+    Theirs,
 }
 
 /// One sentence for the person.
@@ -156,9 +158,13 @@ pub(crate) struct TabFields {
     /// True if this person has not said yet what the others shall see as their name.
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
+    /// True while a tile is written that is not sent yet: nothing takes the place of its dialog.
+    pub(crate) writes_tile: ArcRwSignal<bool>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
     /// The past on which somebody looks back, while they do.
     pub(crate) past: ArcRwSignal<Option<OpenPast>>,
+    /// The person with whom this one looks back, while they do.
+    pub(crate) looks_with: ArcRwSignal<Option<Id>>,
     /// The moment that the graph shows in place of now, in milliseconds since Start.
     pub(crate) then: ArcRwSignal<Option<u64>>,
     /// The words that only screen readers are told, as everybody else sees it.

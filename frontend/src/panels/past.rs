@@ -10,14 +10,17 @@ mod compare;
 mod compare_changes;
 mod compare_view;
 mod filling;
+mod following;
 mod hands;
 mod head;
 mod keys;
 mod media;
+mod others;
 mod painting;
 mod rows;
 mod signs;
 mod table;
+mod telling;
 mod then;
 mod why;
 
@@ -61,6 +64,8 @@ struct PastShared {
     /// Looks every second at a run that goes on.
     looking: StoredValue<Option<IntervalHandle>>,
     then: then::ThenState,
+    telling: telling::TellState,
+    following: following::FollowState,
 }
 
 /// The panel, as a view.
@@ -78,6 +83,8 @@ pub(crate) fn past() -> AnyView {
         asked: StoredValue::default(),
         looking: StoredValue::new(None),
         then: then::ThenState::new(),
+        telling: telling::TellState::new(),
+        following: following::FollowState::new(),
     };
     let density = RwSignal::new(density());
     let root = NodeRef::<html::Section>::new();
@@ -95,6 +102,8 @@ pub(crate) fn past() -> AnyView {
     past.follow_moment();
     past.follow_subject();
     past.compare_when_changed();
+    past.tell_moments();
+    past.go_along();
     Effect::new(move |_| {
         if let Some(root) = root.get() {
             focus::focus(&root);
@@ -125,6 +134,7 @@ pub(crate) fn past() -> AnyView {
             on:keydown=move |event| keys::key(&event, past)
         >
             <head::Head past />
+            <others::Others past />
             <compare_view::CompareLine past />
             <p class="past-note" role="status">{move || past.note()}</p>
             <Show when=is_there>
@@ -151,6 +161,7 @@ fn density() -> Density {
 
 /// Closes the panel; the keyboard goes back to the graph.
 fn close(past: PastShared) {
+    past.desk.desk().looks_with.set(None);
     past.desk.desk().past.set(None);
     if let Some(window) = browser::window()
         && let (Ok(history), Ok(hash)) = (window.history(), window.location().hash())
@@ -168,9 +179,14 @@ impl PastShared {
         self.viewer.is_disposed()
     }
 
-    /// Does what a hand or a key does.
+    /// Does what a hand or a key does. Whoever moves the cursor looks by themselves from then on.
     fn act(self, act: LaneAct) {
+        let before = self.viewer.with_untracked(Viewer::cursor);
         self.viewer.update(|viewer| viewer.act(act));
+        let moves = |viewer: &Viewer| viewer.cursor() != before || viewer.plays() || viewer.follows();
+        if self.viewer.with_untracked(moves) {
+            self.look_alone();
+        }
     }
 
     /// Begins to look at what was asked for.
@@ -203,7 +219,8 @@ impl PastShared {
         match self.desk.desk().past.get_untracked() {
             Some(OpenPast::Address) => self.open(asked_by_address().map(PastOf::Recording)),
             Some(OpenPast::Running(_)) => self.open(self.running()),
-            None => {}
+            // Going along with them opens it.
+            Some(OpenPast::Theirs) | None => {}
         }
     }
 

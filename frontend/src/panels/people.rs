@@ -70,10 +70,14 @@ fn Own(sign: Sign) -> impl IntoView {
 fn Other(sign: Sign) -> impl IntoView {
     let desk = hold();
     let pressed = is_followed(desk, sign.client.clone());
-    let (label, color) = (words::follow_person(&sign.name), in_color(&sign));
+    let (name, color, client) = (sign.name.clone(), in_color(&sign), sign.client.clone());
+    let looks_back = Memo::new(move |_| desk.desk().document.looked_at(&client).is_some());
+    let label = move || {
+        if looks_back.get() { words::follow_who_looks_back(&name) } else { words::follow_person(&name) }
+    };
     let client = sign.client.clone();
     view! {
-        <button class="avatar not-phone" type="button" data-stop="" tabindex="-1" style=("--person", color)
+        <button class="avatar not-phone" class:then=looks_back type="button" data-stop="" tabindex="-1" style=("--person", color)
             title=label.clone() aria-label=label aria-pressed=move || pressed.get().to_string()
             on:click=move |_| follow_or_end(desk, &client)>
             <span aria-hidden="true" data-letters=sign.letters></span>
@@ -98,14 +102,20 @@ fn More(class: &'static str, #[prop(into)] more: Signal<usize>) -> impl IntoView
 
 /// Whether this person is followed from here.
 pub(super) fn is_followed(desk: DeskHold, client: Id) -> Memo<bool> {
-    Memo::new(move |_| desk.desk().document.following.with(|now| now.as_ref() == Some(&client)))
+    let is_it = move |whom: &ArcRwSignal<Option<Id>>| whom.with(|now| now.as_ref() == Some(&client));
+    Memo::new(move |_| is_it(&desk.desk().document.following) || is_it(&desk.desk().looks_with))
 }
 
-/// Follows somebody, or no longer.
+/// Follows somebody, or no longer: to the past where they look back.
 pub(super) fn follow_or_end(desk: DeskHold, client: &Id) {
-    let document = desk.desk().document;
-    let is_followed = document.following.with_untracked(|now| now.as_ref() == Some(client));
-    if is_followed {
+    let (desk, document) = (desk.desk(), desk.desk().document);
+    let is_it = |whom: &ArcRwSignal<Option<Id>>| whom.with_untracked(|now| now.as_ref() == Some(client));
+    if is_it(&desk.looks_with) {
+        desk.looks_with.set(None);
+    } else if untrack(|| document.looked_at(client)).is_some() {
+        document.unfollow();
+        document.look_with(client);
+    } else if is_it(&document.following) {
         document.unfollow();
     } else {
         document.follow(client);

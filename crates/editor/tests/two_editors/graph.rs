@@ -62,7 +62,7 @@ fn a_helper_makes_a_new_value_of_the_stream_it_is_dropped_on() {
     let helper = connectors::map::SPEC.with(Procedure::Helper("distance".to_owned()));
     table.gesture(AIKO, |editor, op| editor.connect(op, plan(&["ball"], helper, "In metres")));
     assert_eq!(table.sources("In metres"), ["ball"]);
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Add map"));
+    assert_eq!(said(&table.editor(AIKO).undoable).as_deref(), Some("Add map"));
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn a_way_goes_on_without_a_stream_that_is_taken_out() {
     let mut table = Table::sketched();
     table.gesture(AIKO, |editor, op| editor.remove_and_heal(op, &id("distance")));
     assert_eq!(table.sources("close"), ["ball"]);
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Remove distance"));
+    assert_eq!(said(&table.editor(AIKO).undoable).as_deref(), Some("Remove distance"));
     table.undo(AIKO);
     assert_eq!(table.program(), &sketch());
 }
@@ -209,7 +209,7 @@ fn a_new_name_is_followed_by_what_uses_it() {
     table.gesture(BEN, |editor, op| editor.edit_stream(op, (&id("distance"), seen), renamed));
     let made = table.program().connector(&id("to-close")).unwrap();
     assert_eq!(made.operation.procedure(), Some(&Procedure::body("way < 20")));
-    assert_eq!(table.editor(BEN).undoable.as_deref(), Some("Rename distance"));
+    assert_eq!(said(&table.editor(BEN).undoable).as_deref(), Some("Rename distance"));
 }
 
 #[test]
@@ -339,7 +339,7 @@ fn several_are_lined_up_in_a_row_for_both() {
     let places = ["ball", "distance", "close"].map(|name| table.place(name));
     let apart = |one: usize, other: usize| (places[one].x - places[other].x).abs() > 200.0;
     assert!(places.iter().all(|place| place.y == 0.0) && apart(0, 1) && apart(1, 2) && apart(0, 2), "{places:?}");
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Align"));
+    assert_eq!(said(&table.editor(AIKO).undoable).as_deref(), Some("Align"));
 }
 
 #[test]
@@ -588,7 +588,7 @@ fn everything_is_laid_out_afresh_as_one_step() {
     let mut table = Table::sketched();
     let tidy: editor::layout::Tidy = |behaviour, stage| editor::layout::tidy(behaviour, crate::page::SIZES, stage);
     table.does(AIKO, |page| page.input(|editor| editor.tidy(tidy)));
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Tidy"));
+    assert_eq!(said(&table.editor(AIKO).undoable).as_deref(), Some("Tidy"));
     table.undo(AIKO);
     assert_eq!(table.program(), &sketch());
 }
@@ -753,7 +753,7 @@ fn undo_survives_a_reload_and_takes_back_only_what_is_left_of_it() {
     table.gesture(BEN, |editor, op| editor.add_sensor(op, ("HeadTouch", "His"), Params::new(), None));
     table.reload(AIKO);
     table.connect(AIKO);
-    assert_eq!(table.editor(AIKO).undoable.as_deref(), Some("Move"));
+    assert_eq!(said(&table.editor(AIKO).undoable).as_deref(), Some("Move"));
     table.undo(AIKO);
     assert_eq!((table.place("touch").x, table.names().contains(&"His".to_owned())), (600.0, true));
 }

@@ -13,6 +13,11 @@ fn ben() -> Saver {
     Saver::Other("Ben".to_owned())
 }
 
+/// What a label says.
+pub(crate) fn said(label: &Option<phrase::Phrase>) -> Option<String> {
+    label.as_ref().map(ToString::to_string)
+}
+
 fn text(of: &str) -> Option<String> {
     Some(of.to_owned())
 }
@@ -617,14 +622,58 @@ fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_later()
     for (again, shown, waits, next) in steps {
         table.does(AIKO, |page| page.step(again));
         let editor = table.editor(AIKO);
-        assert_eq!((table.shown(AIKO), editor.queue().len(), editor.redoable.as_deref()), (shown, waits, next));
+        assert_eq!((table.shown(AIKO), editor.queue().len(), said(&editor.redoable)), (shown, waits, next.map(str::to_owned)));
     }
-    assert_eq!((table.editor(AIKO).undoable.as_deref(), table.shown(BEN)), (None, text("Aiko wrote 1")));
+    assert_eq!((said(&table.editor(AIKO).undoable), table.shown(BEN)), (None, text("Aiko wrote 1")));
     table.connect(AIKO);
     assert_eq!((table.saved(), table.shown(BEN)), (None, None));
     for next in ["Aiko wrote 1", "Aiko wrote 2"] {
-        assert_eq!(table.editor(AIKO).redoable.as_deref(), Some(format!("Edit {next}").as_str()));
+        assert_eq!(said(&table.editor(AIKO).redoable), Some(format!("Edit {next}")));
         table.does(AIKO, |page| page.step(redo));
         assert_eq!((table.saved(), table.shown(BEN)), (text(next), text(next)));
     }
+}
+
+/// Somebody puts the tiles of two keys in each other's place.
+fn swaps_tiles(table: &mut Table, who: usize, one: u8, other: u8) {
+    let swap = |editor: &mut Editor| {
+        let behaviour = editor.behaviour();
+        let pad = behaviour.pad().cloned().unwrap_or_default().swapped(one, other);
+        let change = editor.change("Edit tiles").put(&behaviour, RecordId::pad(), Record::Pad(pad));
+        editor.propose(change);
+    };
+    assert!(table.pages[who].input(swap).is_ok(), "the page takes it");
+}
+
+#[test]
+fn a_tile_that_is_moved_while_somebody_else_writes_it_anew_is_no_conflict() {
+    let mut table = Table::laid();
+    puts_tile(&mut table, BEN, 1, "laughs");
+    puts_tile(&mut table, BEN, 2, "hides");
+    table.settle();
+    table.cut(AIKO);
+    swaps_tiles(&mut table, AIKO, 1, 2);
+    puts_tile(&mut table, BEN, 1, "smiles");
+    table.settle();
+    table.connect(AIKO);
+    assert!(table.editor(AIKO).conflicts.is_empty(), "nobody has to decide about a place");
+    assert!(table.said(AIKO).iter().any(|said| matches!(said, Announcement::WasFirst(..))), "it is said who was first");
+    assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 smiles 2 hides", "1 smiles 2 hides"]);
+
+    // Beside what others made of other tiles it is moved nevertheless.
+    table.cut(AIKO);
+    swaps_tiles(&mut table, AIKO, 1, 2);
+    puts_tile(&mut table, BEN, 3, "runs");
+    table.settle();
+    table.connect(AIKO);
+    assert_eq!([AIKO, BEN].map(|who| tiles(&table, who)), ["1 hides 2 smiles 3 runs", "1 hides 2 smiles 3 runs"]);
+
+    // A tile that is written and moved by one change is something that somebody would miss.
+    table.cut(AIKO);
+    puts_tile(&mut table, AIKO, 1, "waves");
+    swaps_tiles(&mut table, AIKO, 1, 2);
+    puts_tile(&mut table, BEN, 1, "looks");
+    table.settle();
+    table.connect(AIKO);
+    assert_eq!(table.editor(AIKO).conflicts.len(), 1);
 }

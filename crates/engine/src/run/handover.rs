@@ -24,20 +24,10 @@ impl Handover {
     /// Returns roughly how many bytes it takes, for who keeps many of them.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let memory = self.memory.values().map(value_bytes).sum::<usize>();
-        let counted = self.stats.streams.iter().filter_map(|stream| stream.last()).map(|(_, value)| value_bytes(value));
+        let memory = self.memory.values().map(Value::bytes).sum::<usize>();
+        let counted = self.stats.streams.iter().filter_map(|stream| stream.last()).map(|(_, value)| value.bytes());
         let slots = self.stats.streams.len() + self.stats.connectors.len();
         memory + counted.sum::<usize>() + SLOT_BYTES * slots
-    }
-}
-
-fn value_bytes(value: &Value) -> usize {
-    let own = size_of::<Value>();
-    match value {
-        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) => own,
-        Value::Text(text) => own + 16 + text.len(),
-        Value::List(items) => own + 40 + items.iter().map(value_bytes).sum::<usize>(),
-        Value::Map(fields) => own + 64 + fields.values().iter().map(value_bytes).sum::<usize>(),
     }
 }
 

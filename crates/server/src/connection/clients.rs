@@ -63,7 +63,8 @@ impl Clients {
         }
         here.insert(client.clone(), ClientLink { session, color, close });
         let name = tidy_name(name);
-        Entered { person: Person { client, name, color, pointer: None, selected: None, view: None }, secret }
+        let person = Person { client, name, color, pointer: None, selected: None, view: None, looks_at: None };
+        Entered { person, secret }
     }
 
     /// The link ended; the client may have come back on another one meanwhile.

@@ -224,7 +224,10 @@ impl ClientReader<'_> {
         if let AnyRequest::CallMe(request::CallMe { name }) = &request {
             self.by = tidy_name(name);
         }
-        let matters = !matches!(request, AnyRequest::Present(_) | AnyRequest::Scene(_) | AnyRequest::Typing(_));
+        let matters = !matches!(
+            request,
+            AnyRequest::Present(_) | AnyRequest::PresentMoment(_) | AnyRequest::Scene(_) | AnyRequest::Typing(_)
+        );
         if (!self.budget.may_ask() || !self.asking.ask(Ask { ask, stops, request })) && matters {
             self.too_fast(Some(ask));
         }

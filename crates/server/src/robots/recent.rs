@@ -126,7 +126,7 @@ impl RecentReadings {
     /// A reading was admitted.
     pub(super) fn reading(&self, at_ms: u64, stream: StreamIx, value: &Value, by: Option<&Arc<str>>) {
         let mut recent = lock(&self.inner);
-        let bytes = 48 + bytes_of(value);
+        let bytes = size_of::<RecentReading>() - size_of::<Value>() + value.bytes();
         recent.due_ms = Some(at_ms);
         let Some(part) = recent.parts.back_mut() else { return };
         part.readings.push(RecentReading { at_ms, stream, value: value.clone(), by: by.cloned() });
@@ -237,16 +237,6 @@ impl Part {
             Entry::Value { at_ms, stream, value, by: by.map(|by| by.to_string()) }
         };
         took_over.into_iter().chain(ran).chain(memory).chain(readings.into_iter().map(value))
-    }
-}
-
-/// Roughly the bytes of a value.
-fn bytes_of(value: &Value) -> usize {
-    match value {
-        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) => 0,
-        Value::Text(text) => 16 + text.len(),
-        Value::List(items) => 40 + items.iter().map(|item| 24 + bytes_of(item)).sum::<usize>(),
-        Value::Map(fields) => 64 + fields.values().iter().map(|item| 24 + bytes_of(item)).sum::<usize>(),
     }
 }
 

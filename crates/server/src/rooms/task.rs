@@ -173,6 +173,7 @@ impl RoomTask {
             RoomCommand::Remove(by, answer) => self.wait(SavingJob::Remove(by, answer)),
             RoomCommand::Since(revision, answer) => self.since(revision, answer),
             RoomCommand::Present(session, whereabouts) => self.present(session, whereabouts),
+            RoomCommand::PresentMoment(session, at) => self.present_moment(session, at),
             RoomCommand::Rename(session, name) => self.rename(session, name),
             RoomCommand::MayChange(change, waiting) => drop(waiting.send(self.may_change(&change))),
             RoomCommand::Look(waiting) => self.look(waiting),

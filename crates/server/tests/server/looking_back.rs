@@ -15,17 +15,17 @@ use std::sync::Arc;
 use store::MemoryStore;
 
 const GREET: &str = include_str!("../../../report/tests/data/greet.jsonl");
-const NEAR: &str = "2026-11-21T18-34-06Z-near.jsonl";
+pub(crate) const NEAR: &str = "2026-11-21T18-34-06Z-near.jsonl";
 
 /// Puts a recording into a data folder.
-fn put(data: &Path, name: &str, text: &str) {
+pub(crate) fn put(data: &Path, name: &str, text: &str) {
     let folder = data.join("recordings");
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join(name), text).unwrap();
 }
 
 /// A recording of a ball that comes nearer every 100 ms, of which a program tells all below 75; `body` is the work for each.
-fn near(readings: u64, body: &str) -> String {
+pub(crate) fn near(readings: u64, body: &str) -> String {
     let header = r#"{"format":"rrp-recording/2","behaviour":"near","name":"Near","revision":3,"mode":"event","began":"2026-11-21T18:34:06Z","run":1,"robot":"NAO"}"#;
     let file = serde_json::json!({"format": "rrp-behaviour/1", "name": "Near", "helpers": [],
         "streams": [
@@ -50,11 +50,11 @@ fn near(readings: u64, body: &str) -> String {
     text
 }
 
-fn recorded(name: &str) -> PastOf {
+pub(crate) fn recorded(name: &str) -> PastOf {
     PastOf::Recording(name.to_owned())
 }
 
-async fn ask(client: &Client, past: &PastOf, question: PastQuestion) -> Result<PastAnswer, ClientError> {
+pub(crate) async fn ask(client: &Client, past: &PastOf, question: PastQuestion) -> Result<PastAnswer, ClientError> {
     let question = Box::new(question);
     let answer::Past { answer } = client.ask(request::LookBack { past: past.clone(), question }).await?;
     Ok(serde_json::from_str(&answer).unwrap())

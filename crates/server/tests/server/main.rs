@@ -17,6 +17,7 @@ mod links;
 mod lists;
 mod locks;
 mod looking_back;
+mod looking_together;
 mod marking;
 mod mutated;
 mod operating;

@@ -4,7 +4,7 @@ use crate::house::{House, id, map, plain, stream_id};
 use crate::links::socket;
 use behaviour::{Behaviour, Change, SeenKinds, ValueType};
 use futures_util::{SinkExt, StreamExt};
-use protocol::{AnyRequest, Ask, ListQuery, VERSION, request};
+use protocol::{AnyRequest, Ask, ListQuery, LookedMoment, PastOf, VERSION, request};
 use std::time::Duration;
 use tokio_tungstenite::tungstenite::Message;
 
@@ -26,7 +26,7 @@ fn samples() -> Vec<String> {
     let now = Behaviour::default();
     let change = Change::of(id("op"), "Aiko", "Add").put(&now, stream_id("s"), plain("S"));
     let change = change.put(&now, crate::house::connector_id("m"), map("s + 1", "s", "t"));
-    let requests: [AnyRequest; 11] = [
+    let requests: [AnyRequest; 12] = [
         request::List { query: ListQuery::default() }.into(),
         request::Open { behaviour: id("b") }.into(),
         request::Propose { behaviour: id("b"), change: change.clone(), tokens: Vec::new() }.into(),
@@ -38,6 +38,10 @@ fn samples() -> Vec<String> {
             .into(),
         request::Stimulate { behaviour: id("b"), robot: None, stream: id("s"), value: 1.into() }.into(),
         request::Present { pointer: None, selected: Some(id("s")), view: None }.into(),
+        request::PresentMoment {
+            at: Some(LookedMoment { past: PastOf::Run(1), at_ms: 10, clock_ms: 20, with: Some(id("c")) }),
+        }
+        .into(),
         request::CallMe { name: "Aiko".to_owned() }.into(),
     ];
     let asks = requests.into_iter().zip(1..).map(|(request, ask)| Ask::new(ask, request));

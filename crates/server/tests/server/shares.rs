@@ -124,7 +124,7 @@ async fn flooded(browser: &Browser, request: &AnyRequest) -> (u32, f64) {
 async fn whatever_a_viewer_asks_counts_for_all_their_links_together() {
     let scene = Scene::open().await;
     // Not answered, not bounded, or a link that opens a program again and again and is cut off for that.
-    let apart = ["Present", "Stop", "Open"];
+    let apart = ["Present", "PresentMoment", "Stop", "Open"];
     let asked = requests().into_iter().filter(|(_, least)| *least == Role::Viewer).map(|(one, _)| one);
     for request in asked.filter(|one| !apart.contains(&one.row().name)) {
         let (browser, _) = scene.guest(Role::Viewer).await;

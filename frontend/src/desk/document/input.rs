@@ -271,7 +271,7 @@ impl Document {
             Dialog::Operation { connector: None, input, .. } => conflict.is_new() && conflict.rests_on(input),
             Dialog::EditStream(stream) => conflict.edits(stream),
             Dialog::Programs | Dialog::RenameProgram => conflict.about.kind == Kind::Settings,
-            Dialog::Tiles => conflict.about.kind == Kind::Pad,
+            Dialog::Tiles => conflict.about.kind == Kind::Pad && !self.tab.writes_tile.get_untracked(),
             _ => false,
         };
         if self.tab.dialog.with_untracked(|dialog| dialog.as_ref().is_some_and(is_its)) {

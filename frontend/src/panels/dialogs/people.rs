@@ -1,6 +1,7 @@
 //! The list of people: everyone who is here, whom to follow, and one's own name.
 
 use super::frame::{Frame, close};
+use crate::browser;
 use crate::desk::{Dialog, Sign};
 use crate::panels::hold::hold;
 use crate::panels::people::{follow_or_end, in_color, is_followed};
@@ -35,6 +36,10 @@ fn Line(sign: Sign, is_me: bool) -> impl IntoView {
     let (label, color) = (words::follow_person(&sign.name), in_color(&sign));
     let pressed = is_followed(desk, sign.client.clone());
     let client = sign.client.clone();
+    let looked = Memo::new(move |_| desk.desk().document.looked_at(&client).map(|moment| moment.clock_ms / 1_000));
+    let at =
+        move || looked.get().map(|seconds| words::looks_at_time(&browser::clock_seconds(seconds as f64 * 1_000.0)));
+    let client = sign.client.clone();
     let follow = move |_| {
         follow_or_end(desk, &client);
         close(desk);
@@ -43,6 +48,7 @@ fn Line(sign: Sign, is_me: bool) -> impl IntoView {
         <li>
             <span class="avatar" aria-hidden="true" style=("--person", color)>{sign.letters}</span>
             <span class="cut">{name}</span>
+            <span class="faint">{at}</span>
             {if is_me {
                 view! {
                     <button class="button small" type="button" on:click=move |_| desk.desk().dialog.set(Some(Dialog::MyName))>
@@ -52,7 +58,7 @@ fn Line(sign: Sign, is_me: bool) -> impl IntoView {
                 .into_any()
             } else {
                 view! {
-                    <button class="button small not-phone" type="button" aria-label=label
+                    <button class="button small" class:not-phone=move || looked.get().is_none() type="button" aria-label=label
                         aria-pressed=move || pressed.get().to_string() on:click=follow>
                         {words::follow()}
                     </button>

@@ -44,6 +44,9 @@ sentences! {
     time_of_value: "Time";
     values_come: "The values are on their way.";
     no_values_then: "Nothing came on this lane.";
+    others_look_back: "Others who look back";
+    looks_with_you: "looks with you";
+    looks_alone: "You look by yourself now.";
 }
 
 /// `red · 5 s earlier`
@@ -142,4 +145,30 @@ pub(crate) fn unfold_lane(lane: &str) -> String {
 
 pub(crate) fn remove_lane(lane: &str) -> String {
     say!(remove_lane: "Remove the lane: {lane}", lane)
+}
+
+/// The moment at which somebody else looks.
+pub(crate) fn looks_at_time(time: &str) -> String {
+    say!("at {time}", time)
+}
+
+/// The moment at which somebody else looks, in another past.
+pub(crate) fn looks_elsewhere(time: &str) -> String {
+    say!("at {time}, elsewhere", time)
+}
+
+pub(crate) fn looks_with(name: &str) -> String {
+    say!("You look back with {name}. Move the cursor to look by yourself.", name)
+}
+
+pub(crate) fn looks_at_now_again(name: &str) -> String {
+    say!("{name} looks at now again. You stay at this moment.", name)
+}
+
+pub(crate) fn looks_no_more(name: &str) -> String {
+    say!("{name} left. You stay at this moment.", name)
+}
+
+pub(crate) fn end_following_person(name: &str) -> String {
+    say!("End following {name}", name)
 }

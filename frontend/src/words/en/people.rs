@@ -20,6 +20,11 @@ pub(crate) fn follow_person(name: &str) -> String {
     say!(follow_person: "Follow {name}", name)
 }
 
+/// The same button while they look at the past.
+pub(crate) fn follow_who_looks_back(name: &str) -> String {
+    say!("Follow {name}, who looks back", name)
+}
+
 pub(crate) fn following(name: &str) -> String {
     say!(following: "Following {name}", name)
 }

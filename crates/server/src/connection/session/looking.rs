@@ -2,6 +2,7 @@
 
 use super::ClientSession;
 use crate::connection::outbox::Outbox;
+use crate::rooms::RoomCommand;
 use crate::state::ServerState;
 use crate::support::identity::Sender;
 use crate::support::lock;
@@ -9,7 +10,8 @@ use crate::support::until::Until;
 use behaviour::{BehaviourFile, Helper};
 use past::{EditedRun, Hook, Past};
 use protocol::{
-    EditedProgram, MESSAGE_MAX_BYTES, Message, NotSeen, PastAnswer, PastQuestion, Refused, answer, request,
+    EditedProgram, LOOKED_NAME_MAX_BYTES, LookedMoment, MESSAGE_MAX_BYTES, Message, NotSeen, PastAnswer, PastOf,
+    PastQuestion, Refused, answer, request,
 };
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
@@ -47,6 +49,23 @@ struct NewestState {
 pub(super) struct LookingBack {
     seek: NewestQuestion,
     compare: NewestQuestion,
+    /// The past of which something was asked last.
+    past: Option<PastOf>,
+}
+
+impl LookingBack {
+    /// Returns a moment as others are told it; none if it is of another past than the one that is asked.
+    fn told(&self, at: Option<LookedMoment>) -> Option<LookedMoment> {
+        at.filter(|at| self.past.as_ref() == Some(&at.past) && is_short(&at.past))
+    }
+}
+
+/// True if a past has a name that others can be told.
+fn is_short(past: &PastOf) -> bool {
+    match past {
+        PastOf::Recording(name) => name.len() <= LOOKED_NAME_MAX_BYTES,
+        PastOf::Run(_) => true,
+    }
 }
 
 impl NewestQuestion {
@@ -77,11 +96,17 @@ impl ClientSession {
         if !self.state().recordings.pasts.enter(&self.outbox.person, self.outbox.session, &of.past) {
             return self.outbox.no(ask, Refused::from(NotSeen::TooMany));
         }
+        if self.looking_back.past.as_ref() != Some(&of.past) {
+            self.looking_back.past = Some(of.past.clone());
+        }
         let newest = match &*of.question {
             PastQuestion::Seek { .. } => &self.looking_back.seek,
             PastQuestion::Compare { .. } => &self.looking_back.compare,
             _ => {
-                return self.later(ask, of, |state, who, of| answer(state, who.sender, of));
+                let outbox = self.outbox.clone();
+                return self.later(ask, of, |state, who, of| async move {
+                    while_wanted(&outbox, answer(state, who.sender, of)).await
+                });
             }
         };
         let Some(first) = newest.put(WaitingQuestion { ask, of }, &self.outbox) else { return };
@@ -93,7 +118,7 @@ impl ClientSession {
         self.state().tasks.spawn(async move {
             let mut next = Some(first);
             while let Some(WaitingQuestion { ask, of }) = next.filter(|_| !outbox.is_gone()) {
-                let answered = answer(Arc::clone(&state), outbox.sender(), of).await;
+                let answered = while_wanted(&outbox, answer(Arc::clone(&state), outbox.sender(), of)).await;
                 outbox.say(match answered {
                     Ok(answer) => Message::Answer { ask, answer: answer.into() },
                     Err(no) => Message::No { ask: Some(ask), no },
@@ -104,9 +129,28 @@ impl ClientSession {
         });
     }
 
+    /// Tells the others at which moment this person looks.
+    pub(super) fn present_moment(&self, request::PresentMoment { at }: request::PresentMoment) {
+        let at = self.looking_back.told(at);
+        self.tell_open(RoomCommand::PresentMoment(self.outbox.session, at));
+    }
+
     /// This link needs no place any more.
     pub(super) fn looks_back_no_more(&self) {
         self.state().recordings.pasts.leave(self.outbox.session);
+    }
+}
+
+/// Makes an answer for as long as somebody is there to hear it: with the link ends what is under way, also in the middle of
+/// reading a recording.
+async fn while_wanted<T>(outbox: &Outbox, answer: impl Future<Output = Result<T, Refused>>) -> Result<T, Refused> {
+    if outbox.is_gone() {
+        return Err(Refused::TooFast);
+    }
+    tokio::select! {
+        biased;
+        _ = outbox.close.wait() => Err(Refused::TooFast),
+        answered = answer => answered,
     }
 }
 
@@ -143,24 +187,28 @@ type EditedFiles = Option<(Option<BehaviourFile>, BehaviourFile)>;
 async fn edited(state: &ServerState, question: &PastQuestion, sender: &Sender) -> Result<EditedFiles, Refused> {
     let PastQuestion::Compare { before, now, .. } = question else { return Ok(None) };
     let before = match before {
-        Some(before) => Some(file(state, before, sender).await?),
+        Some(before) => Some(file(state, before.clone(), sender).await?),
         None => None,
     };
-    Ok(Some((before, file(state, now, sender).await?)))
+    Ok(Some((before, file(state, now.clone(), sender).await?)))
 }
 
 /// A behaviour as it is saved, or was once, with what is not saved yet.
-async fn file(state: &ServerState, edited: &EditedProgram, sender: &Sender) -> Result<BehaviourFile, Refused> {
-    let mut behaviour = match edited.revision {
-        Some(revision) => state.rooms.look_at(&edited.behaviour, revision, sender.clone()).await?,
-        None => state.rooms.look(&edited.behaviour).await?.behaviour().clone(),
+async fn file(state: &ServerState, edited: EditedProgram, sender: &Sender) -> Result<BehaviourFile, Refused> {
+    let EditedProgram { behaviour, revision, change } = edited;
+    let (was, now) = match revision {
+        Some(revision) => (Some(state.rooms.look_at(&behaviour, revision, sender.clone()).await?), None),
+        None => (None, Some(state.rooms.look(&behaviour).await?)),
     };
-    if let Some(change) = &edited.change {
-        behaviour.apply(change);
-    }
     let snapshot = state.rooms.snapshot();
-    let helpers: Vec<&Helper> = snapshot.helpers();
-    Ok(BehaviourFile::of(&behaviour, &helpers))
+    // It is copied and written as a file, which takes long where it is large.
+    let write = move |_: &_| {
+        let mut behaviour = was.or_else(|| now.map(|now| now.behaviour().clone())).unwrap_or_default();
+        change.iter().for_each(|change| behaviour.apply(change));
+        let helpers: Vec<&Helper> = snapshot.helpers();
+        BehaviourFile::of(&behaviour, &helpers)
+    };
+    Ok(state.workers.run(sender.clone(), write).await?)
 }
 
 fn told(
@@ -195,4 +243,60 @@ fn trace_later(state: &Arc<ServerState>, past: &Arc<Past>, sender: Sender) {
             tracing::debug!(?why, "causes are told more slowly");
         }
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::while_wanted;
+    use crate::connection::close_signal::CloseReason;
+    use crate::connection::outbox::{AllWaiting, Outbox};
+    use crate::support::identity::PersonIdentity;
+    use crate::support::identity::tests::guest;
+    use crate::support::workers::Workers;
+    use protocol::Refused;
+    use std::sync::{Arc, mpsc};
+
+    fn link(session: u64, person: PersonIdentity) -> (Outbox, impl Sized) {
+        let (outbox, inbox, _) = Outbox::new(session, Arc::new(person), &AllWaiting::default());
+        (outbox, inbox)
+    }
+
+    #[tokio::test]
+    async fn what_is_asked_on_a_link_that_closes_ends_in_its_middle_and_what_waits_does_not_begin() {
+        let analyses = Workers::for_analyses().unwrap();
+        let (begun, begins) = tokio::sync::oneshot::channel();
+        let (ended, ends) = mpsc::channel();
+        let (outbox, _inbox) = link(1, guest("ben", "one"));
+        // It never ends by itself.
+        let endless = analyses.run(outbox.sender(), move |token| {
+            begun.send(()).unwrap();
+            while !token.is_cancelled() {
+                std::thread::yield_now();
+            }
+            ended.send("the first").unwrap();
+        });
+        let first = while_wanted(&outbox, async { Ok(endless.await?) });
+        // The same person has one turn at a time, so this one waits behind it.
+        let waiting = analyses.run(outbox.sender(), |_| unreachable!("nobody wants it any more"));
+        let second = while_wanted(&outbox, async { Ok(waiting.await?) });
+        let closes = async {
+            begins.await.unwrap();
+            outbox.close.with(CloseReason::Left);
+        };
+        let (first, second, ()) = tokio::join!(first, second, closes);
+        assert_eq!((first, second), (Err(Refused::TooFast), Err(Refused::TooFast)));
+        assert_eq!(ends.recv(), Ok("the first"));
+        // What somebody else of the same invitation asks comes after both.
+        let (other, _inbox) = link(2, guest("ben", "two"));
+        let made = while_wanted(&other, async { Ok(analyses.run(other.sender(), |_| "done").await?) });
+        assert_eq!(made.await, Ok("done"));
+    }
+
+    #[tokio::test]
+    async fn nothing_is_begun_for_a_link_that_is_gone() {
+        let (outbox, inbox) = link(1, PersonIdentity::Host);
+        drop(inbox);
+        let made = while_wanted(&outbox, async { unreachable!("nobody hears it") });
+        assert_eq!(made.await, Err::<(), _>(Refused::TooFast));
+    }
 }

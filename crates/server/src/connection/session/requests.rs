@@ -69,6 +69,7 @@ impl ClientSession {
             AnyRequest::Told(of) => self.later(ask, of, told::told),
             AnyRequest::TryExercise(of) => self.later(ask, of, hints::try_exercise),
             AnyRequest::Present(of) => self.present(of),
+            AnyRequest::PresentMoment(of) => self.present_moment(of),
             AnyRequest::CallMe(of) => self.now(ask, of, Self::call_me),
             AnyRequest::Watch(of) => self.now(ask, of, Self::watch),
             AnyRequest::Start(of) => self.later(ask, of, start::start),
@@ -121,7 +122,7 @@ impl ClientSession {
         Ok(())
     }
 
-    fn tell_open(&self, note: RoomCommand) {
+    pub(super) fn tell_open(&self, note: RoomCommand) {
         if let Some(open) = &self.open {
             self.state().rooms.tell_open(open, note);
         }

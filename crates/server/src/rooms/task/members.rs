@@ -9,7 +9,7 @@ use crate::support::identity::ShareGroup;
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
-use protocol::{CANVAS_MAX, CanvasArea, Event, Person, Refused, answer};
+use protocol::{CANVAS_MAX, CanvasArea, Event, LookedMoment, Person, Refused, answer};
 use std::sync::Arc;
 
 /// Who missed more changes than this opens again.
@@ -95,6 +95,13 @@ impl RoomTask {
             member.person.view = view.filter(is_seen);
             self.tell_people();
         }
+    }
+
+    /// Others see that somebody looks at a past, and at which moment.
+    pub(super) fn present_moment(&mut self, session: u64, at: Option<LookedMoment>) {
+        let Some(member) = self.members.get_mut(&session).filter(|member| member.person.looks_at != at) else { return };
+        member.person.looks_at = at;
+        self.tell_people();
     }
 
     /// Everyone sees the new name at once, also beside what this person is editing.

@@ -60,6 +60,16 @@ impl TileEditing {
         });
     }
 
+    /// While this form is open and not being saved, no comparison takes its place.
+    fn hold_words(self) {
+        let desk = self.shared.desk;
+        Effect::new(move |_| {
+            let is_written = !self.busy.get();
+            desk.desk().writes_tile.set(is_written);
+        });
+        on_cleanup(move || desk.desk().writes_tile.set(false));
+    }
+
     fn save(self) {
         if untrack(|| self.is_another()) {
             return self.refusal.set(Some(words::decide_tile_first().to_owned()));
@@ -100,9 +110,12 @@ impl TileEditing {
     fn change_place(self, to: Option<u8>) {
         let Some(to) = to.filter(|to| TILE_KEYS.contains(to)) else { return };
         let document = self.shared.desk.desk().document.clone();
-        document.swap_tiles(self.key.get_untracked(), to, move |answer| {
+        let from = self.key.get_untracked();
+        document.swap_tiles(from, to, move |answer| {
             if let Err(no) = answer {
                 let _ = self.refusal.try_set(Some(words::told_by(&no)));
+                // The tile stays where it was, and so does what is written of it.
+                self.key.try_update(|key| *key = if *key == to { from } else { *key });
             }
         });
     }
@@ -114,6 +127,7 @@ pub(super) fn TileForm(shared: TilesShared, key: u8) -> impl IntoView {
     let editing = TileEditing::new(shared, key);
     let draft = editing.draft;
     editing.follow_moves();
+    editing.hold_words();
     shared.save.set_value(Some(Callback::new(move |()| editing.save())));
     let kinds = [(HAND, words::tile_by_hand()), (PRETEND, words::tile_pretends()), (WORD, words::tile_marks())];
     let does = move || match draft.kind.read().as_str() {
