@@ -1,23 +1,27 @@
 //! The state of what one person does in an open program, and what all its parts use.
 
+pub(crate) mod after;
+mod places;
+mod presence;
+mod selection;
 mod silence;
 pub(crate) mod undo;
 
-use crate::after::Following;
 use crate::conflict::{Conflict, FollowName, UsualPad};
 use crate::editing::Editing;
 use crate::effect::{Announcement, EditorEvent, Effect, Purpose, Saver};
 use crate::history::HistoryPanel;
 use crate::layout::DrawnSizes;
-use crate::places::ShownPlaces;
-use crate::presence::Presence;
 use crate::queue::Queue;
 use crate::save_state::SaveState;
-use crate::selection::{Folds, KeyboardPlace};
 use crate::{EditorRequest, Saving, Selected, Watched};
+use after::Following;
 use behaviour::{Behaviour, Change, Group, Id, Kind, Place, Record, RecordId};
 use phrase::Phrase;
+use places::ShownPlaces;
+use presence::Presence;
 use protocol::{LockShown, Person, Refused};
+use selection::{Folds, KeyboardPlace};
 use silence::Silence;
 use std::collections::{BTreeMap, BTreeSet};
 use undo::Mine;

@@ -1,8 +1,8 @@
 //! The things that an editor wants to be done: data for whoever holds the link, the clock, the drawers and the words.
 
 use crate::conflict::Conflict;
+use crate::kinds::FocusTarget;
 use crate::request::EditorRequest;
-use crate::selection::FocusTarget;
 use behaviour::{Accepted, Change, Id, Problem, RecordId};
 use phrase::Phrase;
 use protocol::{Refused, request};

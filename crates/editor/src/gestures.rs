@@ -1,7 +1,7 @@
 //! Gestures on the graph: each builds one change with a label, under the name that its caller gives, and proposes it.
 
-use crate::after::AfterSaving;
 use crate::conflict::beside;
+use crate::editor::after::AfterSaving;
 use crate::effect::Announcement;
 use crate::graph::{self, ConnectPlan, Ghost, LineUp, Output, ProgramPart, WireEnd, grouping, rewire};
 use crate::layout::{Ground, Tidy};

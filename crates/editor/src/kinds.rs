@@ -43,6 +43,15 @@ impl Selected {
     }
 }
 
+/// Where the keyboard goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FocusTarget {
+    /// To a part of the graph, as soon as it is drawn.
+    Part(Selected),
+    /// To the graph, in which nothing is left.
+    Graph,
+}
+
 /// The parts of the graph that some words mean, while somebody points at them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Lit {

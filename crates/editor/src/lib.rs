@@ -2,7 +2,6 @@
 //! refused changes. It has no page, clock, link or drawer: inputs are methods of [`Editor`], and what it wants to be done
 //! are [`Effect`]s.
 
-mod after;
 mod answers;
 pub mod build;
 pub mod commands;
@@ -21,14 +20,11 @@ mod late;
 pub mod layout;
 mod locks;
 mod opening;
-mod places;
-mod presence;
 mod propose;
 pub mod queue;
 mod reading;
 mod request;
 mod save_state;
-mod selection;
 mod signs;
 mod steps;
 mod typing;
@@ -42,9 +38,8 @@ pub use editor::{Editor, LinkState, Me, Now, RecordNews, Remover, Removers};
 pub use effect::{AlarmPurpose, Announcement, EditorEvent, Effect, LogReader, Purpose, Saver};
 pub use gestures::{Put, short};
 pub use history::HistoryPanel;
-pub use kinds::{Lit, Saving, Selected, UnsavedMark};
+pub use kinds::{FocusTarget, Lit, Saving, Selected, UnsavedMark};
 pub use request::{EditorRequest, NoAnswer, typed};
-pub use selection::FocusTarget;
 pub use signs::{Sign, initials, signs};
 pub use typing::KeyboardStay;
 pub use unsaved::unsaved;

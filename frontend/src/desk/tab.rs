@@ -1,10 +1,11 @@
 //! The state of this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
-use super::{CarriedItem, Gap, NewSpot, Pasted};
+use super::{CarriedItem, Pasted};
 use crate::link::{self, NoAnswer, WrittenRequest};
 use crate::{browser, words};
 use editor::FocusTarget;
 pub(crate) use editor::LinkState;
+use editor::graph::{Gap, NewSpot};
 
 use behaviour::Id;
 use behaviour::connectors::Spec;

@@ -2,6 +2,7 @@
 
 use crate::server::id;
 use crate::sketch::{connector, filter, plan, sketch, stream, streams};
+use crate::scenes::said;
 use crate::table::{AIKO, BEN, Table};
 use behaviour::{Behaviour, Group, Id, Kind, Note, Params, Place, Procedure, Record, RecordId, connectors};
 use editor::graph::{ConnectPlan, Gap, Ghost, Joining, LineUp, NewSpot, Output, ProgramPart, WireEnd, wire_ends};

@@ -3,18 +3,9 @@
 
 use crate::effect::Effect;
 use crate::graph::{StepDirection, walk};
-use crate::{Editor, Selected};
+use crate::{Editor, FocusTarget, Selected};
 use behaviour::{Id, Kind, Place, Record, RecordId};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Where the keyboard goes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum FocusTarget {
-    /// To a part of the graph, as soon as it is drawn.
-    Part(Selected),
-    /// To the graph, in which nothing is left.
-    Graph,
-}
 
 /// The part of the graph that has the keyboard, and where it stood then.
 #[derive(Clone, Debug, PartialEq)]
