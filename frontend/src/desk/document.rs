@@ -34,6 +34,7 @@ mod versions;
 pub(super) use build::{as_seen, helper_gone, helper_put};
 pub(crate) use choosing::Put;
 pub(crate) use conflicts::draft_key;
+pub(crate) use drafted::{DraftPreview, DraftedRecords, DraftedWhat};
 pub(super) use gestures::short;
 pub(crate) use ghost::{Ghost, GhostConnector, GhostStream};
 pub(crate) use kinds::{ConnectPlan, ConnectorSignals, GroupSignals, NewSpot, NoteSignals, Output, StreamSignals};
@@ -52,7 +53,8 @@ pub(crate) use editor::{
 use super::tab::{Tab, new_id};
 use crate::layout::Tidy;
 use crate::naming;
-use behaviour::{Accepted, Behaviour, Checkpoint, Id, Place, Problem, Record, RecordId, ValueType};
+use behaviour::{Accepted, Behaviour, Checkpoint, Id, Place, Problem, RecordId, ValueType};
+use drafted::Drafted;
 use editor::{Editor, HistoryPanel, Removers, conflict};
 use leptos::prelude::*;
 use protocol::{LockShown, Person};
@@ -111,8 +113,10 @@ pub(crate) struct DocumentFields {
     pub(crate) lit: ArcRwSignal<Lit>,
     /// The additions of a sentence that is being typed.
     pub(crate) ghost: ArcRwSignal<Option<Ghost>>,
-    /// The record that is turned or typed here just now, as it would be saved.
-    pub(crate) drafted: ArcRwSignal<Option<(RecordId, Record)>>,
+    /// What is turned or typed here just now, as it would be saved.
+    pub(crate) drafted: ArcRwSignal<Option<Drafted>>,
+    /// What would come of it, while somebody compares.
+    pub(crate) previewed: ArcRwSignal<Option<DraftPreview>>,
     /// Tells when a stream or a connector is another one than before, saved or not.
     pub(crate) edited: ArcTrigger,
     pub(crate) saving: ArcRwSignal<Saving>,
@@ -214,6 +218,7 @@ impl Document {
             lit: ArcRwSignal::default(),
             ghost: ArcRwSignal::default(),
             drafted: ArcRwSignal::default(),
+            previewed: ArcRwSignal::default(),
             edited: ArcTrigger::new(),
             saving: ArcRwSignal::default(),
             undoable: ArcRwSignal::default(),

@@ -159,7 +159,11 @@ async fn file(state: &ServerState, edited: &EditedProgram, sender: &Sender) -> R
         behaviour.apply(change);
     }
     let snapshot = state.rooms.snapshot();
-    let helpers: Vec<&Helper> = snapshot.helpers();
+    let mut helpers: Vec<&Helper> = snapshot.helpers();
+    let drafted = edited.helper.as_ref().map(|draft| Helper { name: draft.name.clone(), ..draft.helper.clone() });
+    if let Some(drafted) = &drafted {
+        helpers.iter_mut().filter(|helper| helper.name == drafted.name).for_each(|helper| *helper = drafted);
+    }
     Ok(BehaviourFile::of(&behaviour, &helpers))
 }
 
