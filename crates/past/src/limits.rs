@@ -63,7 +63,7 @@ mod tests {
     fn told(before: &[(&str, &str)], now: &[(&str, &str)]) -> Vec<(String, Option<f64>, Option<f64>)> {
         let all = changed_limits(&file(before), &file(now));
         let one = |one: protocol::ChangedLimit| {
-            (one.connector + "." + &one.of.field.unwrap_or_default(), one.before, one.now)
+            (format!("{}.{}", one.connector, one.of.field.unwrap_or_default()), one.before, one.now)
         };
         all.into_iter().map(one).collect()
     }
