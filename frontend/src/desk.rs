@@ -17,10 +17,10 @@ mod tab;
 pub(crate) use carried::{CarriedItem, CarryStage, ListItem, Moved};
 pub(crate) use document::shown_pad;
 pub(crate) use document::{
-    Asking, ComparedVersions, Conflict, ConnectPlan, ConnectorSignals, EditReading, EditSession, FocusTarget, Gap,
-    Ghost, GhostConnector, GhostStream, GroupSignals, Joining, LineUp, Lit, NewSpot, NoteSignals, OpenVersion,
-    OtherEditor, Output, OwnLock, ProgramPart, Put, Saving, Selected, Sign, StepDirection, StreamSignals, UnsavedMark,
-    WireEnd, WriteRight, draft_key, initials, signs, wire_ends, wording,
+    Asking, ComparedVersions, Conflict, ConnectPlan, ConnectorSignals, DraftPreview, DraftedRecords, DraftedWhat,
+    EditReading, EditSession, FocusTarget, Gap, Ghost, GhostConnector, GhostStream, GroupSignals, Joining, LineUp, Lit,
+    NewSpot, NoteSignals, OpenVersion, OtherEditor, Output, OwnLock, ProgramPart, Put, Saving, Selected, Sign,
+    StepDirection, StreamSignals, UnsavedMark, WireEnd, WriteRight, draft_key, initials, signs, wire_ends, wording,
 };
 pub(crate) use inviting::NewInvitation;
 pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, first_file};

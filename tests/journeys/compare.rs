@@ -10,6 +10,10 @@ use shell::Client;
 const CHIP: &str = "filter (distance < 0.5), connector from Distance to Close ball";
 /// The sum of what changes, in words.
 const COUNTS: &str = "(document.querySelector('.past-counts')?.innerText ?? '')";
+/// When what is nearer than 0.5 m, and not than 0.4 m, is seen first.
+const FIRST_MS: u64 = 5_200;
+/// What says that something is not as it was.
+const CHANGED: &str = "/only (now|before)|moved/";
 /// True once nothing changes.
 const ALL_SAME: &str = "document.querySelector('.past-sum')?.textContent === 'Nothing would be different.'";
 /// True while what is compared is not saved yet.
@@ -64,9 +68,9 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
     aiko.on("button", "Change: 0.5", "function () { this.focus(); return true; }").await?;
     aiko.key("ArrowDown").await?;
     aiko.until(NUMBER_IS_TYPED, "the number is a field").await?;
-    aiko.until(&format!("/only (now|before)/.test({COUNTS})"), "the counts are there").await?;
+    aiko.until(&format!("{CHANGED}.test({COUNTS})"), "the counts are there").await?;
     aiko.until(UNSAVED, "it says that it is not saved yet").await?;
-    aiko.until("/only (now|before)/.test(document.querySelector('.past-said').textContent)", "it is said").await?;
+    aiko.until(&format!("{CHANGED}.test(document.querySelector('.past-said').textContent)"), "it is said").await?;
     aiko.key("Escape").await?;
     aiko.until(ALL_SAME, "what was not saved leaves nothing behind").await?;
     aiko.until(&format!("!({UNSAVED})"), "and nothing waits").await?;
@@ -78,10 +82,9 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
     aiko.key("Tab").await?;
     aiko.key("Tab").await?;
     aiko.until(THUMB, "the keyboard is on the slider").await?;
-    held(&aiko, &format!("{UNSAVED} && /only (now|before)/.test({COUNTS})"), "the counts are there before it is saved")
-        .await?;
+    held(&aiko, &format!("{UNSAVED} && {CHANGED}.test({COUNTS})"), "the counts are there before it is saved").await?;
     saved(&aiko).await?;
-    aiko.until(&format!("!({UNSAVED}) && /only (now|before)/.test({COUNTS})"), "and once it is saved").await?;
+    aiko.until(&format!("!({UNSAVED}) && {CHANGED}.test({COUNTS})"), "and once it is saved").await?;
     let first = "document.querySelector('.past-row .past-label span').textContent";
     aiko.until(
         &format!("['Close ball', 'Far ball', 'Head and body tracker'].includes({first})"),
@@ -104,14 +107,14 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
 
     // Somebody else edits: the counts follow.
     yuki_edits(&yuki).await?;
-    aiko.until(&format!("/only (now|before)/.test({COUNTS})"), "the other's edit counts").await?;
+    aiko.until(&format!("{CHANGED}.test({COUNTS})"), "the other's edit counts").await?;
 
     // The version before and the one now, from the history.
     let choose = "(() => { const list = document.querySelector('.past-form'); list.value = 'revisions'; \
         list.dispatchEvent(new Event('change', { bubbles: true })); return true; })()";
     aiko.eval(choose).await?;
     aiko.find("combobox", "Version before").await?;
-    aiko.until(&format!("/only (now|before)/.test({COUNTS})"), "two versions differ").await?;
+    aiko.until(&format!("{CHANGED}.test({COUNTS})"), "two versions differ").await?;
     let same = "(() => { const lists = [...document.querySelectorAll('.past-compare .past-select')].slice(1); \
         if (lists.length < 2) return false; lists[1].value = lists[0].value; \
         lists[1].dispatchEvent(new Event('change', { bubbles: true })); return true; })()";
@@ -142,15 +145,125 @@ async fn a_number_is_turned_by_a_finger_and_shows_what_would_change() -> Outcome
     aiko.tap("button", "Change: 0.5").await?;
     aiko.until(NUMBER_IS_TYPED, "the number is a field").await?;
     aiko.tap("button", "Less").await?;
-    aiko.until(&format!("{UNSAVED} && /only (now|before)/.test({COUNTS})"), "the counts are there before it is saved")
-        .await?;
+    aiko.until(&format!("{UNSAVED} && {CHANGED}.test({COUNTS})"), "the counts are there before it is saved").await?;
     aiko.tap("button", "To the mark before").await?;
-    aiko.until(&format!("/only (now|before)/.test({COUNTS})"), "the counts are there").await?;
+    aiko.until(&format!("{CHANGED}.test({COUNTS})"), "the counts are there").await?;
     saved(&aiko).await?;
     aiko.find("button", "Stop*").await?;
     aiko.tap("button", "Undo*").await?;
     aiko.until(ALL_SAME, "undone, all are the same again").await?;
     aiko.no_errors()
+}
+
+/// The words in an open dialog of what would come of it.
+const PREVIEW: &str = "(document.querySelector('.dialog .dialog-preview:not(.old)')?.innerText ?? '')";
+/// The words in an open dialog that nothing comes of what is typed.
+const NO_PREVIEW: &str = "(document.querySelector('.dialog .dialog-preview.old')?.innerText ?? '')";
+/// True while all that is shown is marked as of before.
+const IS_OLD: &str = "!!document.querySelector('.past-old') && !!document.querySelector('.past-changes.old table')";
+/// The moment of the cursor, in milliseconds since Start.
+const CURSOR: &str = "Number(document.querySelector('.past-canvas').dataset.cursor)";
+/// The name of the chosen lane.
+const CHOSEN: &str = "document.querySelector('.past-row.chosen .past-label span').textContent";
+/// Selects what is written in the field of a procedure.
+const SELECT_ALL: &str = "function () { this.focus(); this.select(); return true; }";
+
+/// Waits until a row of the table beside the graph has led to its lane and its first difference.
+async fn led_to(page: &Page, lane: &str, first_ms: u64) -> Outcome<()> {
+    page.until(&format!("{CHOSEN} === '{lane}' && {CURSOR} === {first_ms}"), "its first difference is chosen")
+        .await
+        .map(drop)
+}
+
+#[tokio::test]
+async fn what_is_typed_in_a_dialog_shows_by_keys_what_would_change_before_it_is_saved() -> Outcome<()> {
+    skip::unless!(ready("journey: a draft is compared by keyboard"));
+    let (stage, yuki) = recorded().await?;
+    let aiko = stage.nobody("aiko").await?;
+    looks_back(&stage, &aiko).await?;
+    aiko.eval("document.querySelector('.past').focus(), 0").await?;
+    aiko.key("b").await?;
+    aiko.until(ALL_SAME, "it is the program that ran").await?;
+    open_dialog(&aiko).await?;
+    aiko.on("textbox", "Procedure", SELECT_ALL).await?;
+    aiko.type_text("distance < 0.4").await?;
+    aiko.until(&format!("{CHANGED}.test({PREVIEW})"), "the dialog says what would come of it").await?;
+    aiko.until(&format!("{UNSAVED} && {CHANGED}.test({COUNTS})"), "and so do the lanes").await?;
+    aiko.until("document.querySelectorAll('.past-limit').length === 2", "both numbers are beside their lane").await?;
+
+    // What cannot run says so, and what was shown stays, marked.
+    aiko.key("Backspace").await?;
+    aiko.key("Backspace").await?;
+    aiko.key("Backspace").await?;
+    aiko.until(&format!("/cannot run yet/.test({NO_PREVIEW}) && {IS_OLD}"), "it says that it cannot run").await?;
+    aiko.until(&format!("{CHANGED}.test({COUNTS})"), "what came of it before is still there").await?;
+    aiko.until("document.querySelectorAll('.past-trouble').length === 1", "it is said once").await?;
+    aiko.type_text("0.45").await?;
+    aiko.until(&format!("{CHANGED}.test({PREVIEW}) && !({IS_OLD})"), "mended, it counts again").await?;
+
+    // Left as it was, nothing of it stays.
+    aiko.key("Escape").await?;
+    aiko.gone("dialog", "Operation").await?;
+    aiko.until(ALL_SAME, "what was not saved leaves nothing behind").await?;
+    aiko.until(&format!("!({UNSAVED})"), "and nothing waits").await?;
+    open_dialog(&aiko).await?;
+    aiko.on("textbox", "Procedure", SELECT_ALL).await?;
+    aiko.type_text("distance < 0.4").await?;
+    aiko.key("Control+Enter").await?;
+    aiko.gone("dialog", "Operation").await?;
+    saved(&aiko).await?;
+    aiko.until(&format!("!({UNSAVED}) && {CHANGED}.test({COUNTS})"), "saved, it counts").await?;
+    aiko.until(
+        "document.querySelector('.past-changes h2').textContent === 'With 0.4 instead of 0.5\u{a0}m'",
+        "in words",
+    )
+    .await?;
+
+    // Each row of the table leads to its lane and its first difference.
+    let row = "function () { this.focus(); return !!this.closest('.right .past-changes'); }";
+    aiko.until_on("button", "Head and body tracker", row, "the table stands beside the graph").await?;
+    aiko.key("Enter").await?;
+    led_to(&aiko, "Head and body tracker", FIRST_MS).await?;
+    drop(yuki);
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn what_is_typed_in_a_dialog_shows_by_fingers_what_would_change_before_it_is_saved() -> Outcome<()> {
+    skip::unless!(ready("journey: a draft is compared by finger"));
+    let (stage, _yuki) = recorded().await?;
+    let aiko = stage.nobody("aiko").await?;
+    aiko.size(1180, 820, true).await?;
+    looks_back(&stage, &aiko).await?;
+    aiko.tap("button", "Compare").await?;
+    aiko.until(ALL_SAME, "it is the program that ran").await?;
+    aiko.tap("button", CHIP).await?;
+    let seen = "(() => { const [flyout, stage] = ['.flyout', '.stage'].map(one => document.querySelector(one)?.getBoundingClientRect()); \
+        return flyout && flyout.top >= stage.top - 1 && flyout.bottom <= stage.bottom + 1 && flyout.right <= stage.right + 1; })()";
+    aiko.until(seen, "all of the control is on the stage").await?;
+    aiko.tap("button", "More…").await?;
+    aiko.within("dialog", "Operation").tap("textbox", "Procedure").await?;
+    aiko.on("textbox", "Procedure", SELECT_ALL).await?;
+    aiko.type_text("distance < 0.4").await?;
+    aiko.until(&format!("{CHANGED}.test({PREVIEW})"), "the dialog says what would come of it").await?;
+    aiko.within("dialog", "Operation").tap("button", "Save").await?;
+    aiko.gone("dialog", "Operation").await?;
+    saved(&aiko).await?;
+    aiko.until(&format!("!({UNSAVED}) && {CHANGED}.test({COUNTS})"), "saved, it counts").await?;
+    aiko.tap("button", "Head and body tracker").await?;
+    led_to(&aiko, "Head and body tracker", FIRST_MS).await?;
+    aiko.find("button", "Stop*").await?;
+    aiko.no_errors()
+}
+
+/// Opens the dialog of the condition by keys.
+async fn open_dialog(page: &Page) -> Outcome<()> {
+    page.on("button", CHIP, "function () { this.focus(); return true; }").await?;
+    page.key("Enter").await?;
+    page.until("document.activeElement.matches('.flyout .stepper input')", "the keyboard is in the number").await?;
+    page.on("button", "More…", "function () { this.focus(); return true; }").await?;
+    page.key("Enter").await?;
+    page.find("dialog", "Operation").await.map(drop)
 }
 
 /// Somebody else keeps only balls that are closer.

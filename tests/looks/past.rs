@@ -61,7 +61,7 @@ async fn compared_in_every_window(words: &Words, button: &str) -> Outcome<()> {
     for window in WINDOWS {
         set(&page, &window).await?;
         keep(&page, words, &window, "change").await?;
-        if [PHONE.0, DESKTOP.0].contains(&window.0) && words.code() == "en" {
+        if words.code() == "en" {
             found.extend(colours(&page, &format!("change-{}", window.0)).await?);
             page.theme(false).await?;
         }

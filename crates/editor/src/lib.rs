@@ -42,5 +42,5 @@ pub use kinds::{FocusTarget, Lit, Saving, Selected, UnsavedMark};
 pub use request::{EditorRequest, NoAnswer, typed};
 pub use signs::{Sign, initials, signs};
 pub use typing::KeyboardStay;
-pub use unsaved::unsaved;
+pub use unsaved::{DraftedEdits, unsaved};
 pub use watched::Watched;

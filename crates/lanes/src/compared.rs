@@ -5,6 +5,7 @@ use crate::axis::Axis;
 use crate::draw::{BAR, BAR_LEAST, DrawnForm, Ink, LaneArea, MARBLE, MARBLES_MAX, TEXT_SPACE, ink, upright};
 use crate::lane::{Dot, LaneFilling, LaneShape, ShownLane};
 use crate::layout::Row;
+use crate::plot;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -28,6 +29,10 @@ pub enum DotChange {
     OnlyBefore,
     /// It comes at this other moment.
     MovedTo(f64),
+    /// A bar comes at this other moment, for so many milliseconds longer, or shorter where these are below 0.
+    BarTo(f64, f64),
+    /// A bar comes at the same time with other numbers.
+    OtherNumbers,
 }
 
 /// A moment of a lane, and its change.
@@ -35,6 +40,8 @@ pub enum DotChange {
 pub struct ComparedDot {
     /// The moment, before if it came then.
     pub t: f64,
+    /// The last moment of a bar, before or now, whichever is later; the moment itself of what is none.
+    pub until: f64,
     /// The value in few characters; of a moved one by how much it moved.
     pub text: Arc<str>,
     /// The change.
@@ -48,6 +55,8 @@ pub struct ComparedLane {
     pub dots: Vec<ComparedDot>,
     /// True if these are all.
     pub is_complete: bool,
+    /// True if some of them are bars, so that all are drawn as such.
+    pub has_bars: bool,
     /// The stretches in which something came before.
     pub before: Vec<(f64, f64)>,
     /// The stretches in which something comes now.
@@ -61,14 +70,38 @@ pub struct ComparedLanes {
     pub from: f64,
     /// The lanes, by their keys.
     pub lanes: BTreeMap<String, ComparedLane>,
+    /// The numbers of conditions that are others, by the keys of the lanes that they test.
+    pub limits: BTreeMap<String, Vec<ComparedLimit>>,
+}
+
+/// A number of a condition that is another one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComparedLimit {
+    /// The number before, if there was one.
+    pub before: Option<f64>,
+    /// The number now, if there is one.
+    pub now: Option<f64>,
+}
+
+/// The place of a limit beside its lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LimitPlace {
+    /// The middle of its text, from the upper edge of its row.
+    pub y: f64,
+    /// The number.
+    pub number: f64,
+    /// True if it is the one of now.
+    pub is_now: bool,
 }
 
 impl ComparedDot {
     /// The moments at which it came and comes; the first is the earlier one.
     fn ends(&self) -> (f64, f64) {
         match self.change {
-            DotChange::MovedTo(to) => (self.t.min(to), self.t.max(to)),
-            DotChange::Same | DotChange::OnlyNow | DotChange::OnlyBefore => (self.t, self.t),
+            DotChange::MovedTo(to) | DotChange::BarTo(to, _) => (self.t.min(to), self.until.max(to)),
+            DotChange::Same | DotChange::OnlyNow | DotChange::OnlyBefore | DotChange::OtherNumbers => {
+                (self.t, self.until)
+            }
         }
     }
 }
@@ -87,8 +120,9 @@ impl ComparedLane {
     /// The change of a value that came at a moment; none if it is not told.
     #[must_use]
     pub fn change_at(&self, t: f64) -> Option<DotChange> {
-        let found = self.dots.iter().find(|dot| (dot.t - t).abs() < 0.5 && dot.change != DotChange::OnlyNow);
-        found.map(|dot| dot.change)
+        let first = self.dots.partition_point(|dot| dot.t <= t - 0.5);
+        let mut near = self.dots[first..].iter().take_while(|dot| dot.t < t + 0.5);
+        near.find(|dot| dot.change != DotChange::OnlyNow).map(|dot| dot.change)
     }
 }
 
@@ -116,10 +150,50 @@ impl LaneArea<'_> {
         } else {
             self.baseline(row.middle, to);
         }
-        if lane.shape == LaneShape::Marbles && compared.has_marbles(self.axis) {
+        if lane.shape == LaneShape::Marbles && !compared.has_bars && compared.has_marbles(self.axis) {
             self.compared_marbles(lane, compared, row, to);
         } else {
             self.compared_bars(lane, compared, (row.middle, BAR), to);
+            self.bar_texts(compared, row.middle, to);
+        }
+    }
+
+    /// By how much bars moved, beside them where there is room.
+    fn bar_texts(&self, compared: &ComparedLane, y: f64, to: &mut Vec<DrawnForm>) {
+        if !compared.has_bars || !compared.has_marbles(self.axis) {
+            return;
+        }
+        let seen: Vec<&ComparedDot> = compared.seen(self.axis).collect();
+        for (index, dot) in seen.iter().enumerate().filter(|(_, dot)| matches!(dot.change, DotChange::BarTo(..))) {
+            let begins = |other: &&ComparedDot| self.x(other.ends().0) - BAR_LEAST;
+            let (first, last) = (self.x(dot.ends().0), self.x(dot.ends().1));
+            let left = index.checked_sub(1).map_or(0.0, |before| self.x(seen[before].ends().1));
+            let right = seen.get(index + 1).map_or(self.width + TEXT_SPACE, begins);
+            if let Some((x, align, _)) = self.text_place(&dot.text, (first, last), left, right) {
+                to.push(DrawnForm::Text { x, y, text: dot.text.to_string(), ink: Ink::Warn, align });
+            }
+        }
+    }
+
+    /// The numbers of conditions over a plot: dashed as they were, and as they are now.
+    pub(crate) fn compared_limits(
+        &self,
+        lane: &ShownLane,
+        limits: &[ComparedLimit],
+        row: &Row,
+        to: &mut Vec<DrawnForm>,
+    ) {
+        if row.is_folded || lane.shape != LaneShape::Plot || !lane.has_numbers() {
+            return;
+        }
+        let (y, (least, most)) = (plot::scale(lane.range, row.plot), lane.range);
+        let line = |number: Option<f64>, width, ink, is_dashed| {
+            let y = y(number.filter(|number| (least..=most).contains(number))?);
+            Some(DrawnForm::Line { points: vec![(0.0, y), (self.width, y)], width, ink, is_dashed })
+        };
+        for limit in limits {
+            to.extend(line(limit.before, 1.5, Ink::Ink2, true));
+            to.extend(line(limit.now, 1.5, Ink::Focus, limit.before.is_none()));
         }
     }
 
@@ -131,7 +205,7 @@ impl LaneArea<'_> {
             let x = self.x(dot.t);
             let disc = |x, radius, is_hollow| DrawnForm::Disc { x, y, radius, ink, is_hollow };
             match dot.change {
-                DotChange::Same => to.push(disc(x, MARBLE, false)),
+                DotChange::Same | DotChange::OtherNumbers => to.push(disc(x, MARBLE, false)),
                 DotChange::OnlyNow => {
                     to.push(disc(x, SIGNED, false));
                     plus((x, y), Ink::OnInk, to);
@@ -140,7 +214,7 @@ impl LaneArea<'_> {
                     to.push(disc(x, SIGNED, true));
                     minus((x, y), ink, to);
                 }
-                DotChange::MovedTo(now) => {
+                DotChange::MovedTo(now) | DotChange::BarTo(now, _) => {
                     to.push(disc(x, MARBLE, true));
                     self.arrow((x, self.x(now)), y, to);
                     to.push(disc(self.x(now), MARBLE, false));
@@ -240,8 +314,33 @@ pub(crate) fn compared_dots(compared: &ComparedLane, single: &[Dot]) -> Vec<(Dot
         return single.iter().map(|dot| (dot.clone(), compared.change_at(dot.t))).collect();
     }
     let text = |dot: &ComparedDot| {
-        let known = single.iter().find(|one| (one.t - dot.t).abs() < 0.5);
+        let at = single.partition_point(|one| one.t <= dot.t - 0.5);
+        let known = single.get(at).filter(|one| one.t < dot.t + 0.5);
         known.map_or_else(|| Dot { t: dot.t, number: None, text: dot.text.clone() }, Dot::clone)
     };
     compared.dots.iter().map(|dot| (text(dot), Some(dot.change))).collect()
+}
+
+/// The places of the limits of a lane beside it, the higher number above; none overlaps the next.
+pub(crate) fn limit_places(lane: &ShownLane, limits: &[ComparedLimit], row: &Row, line: f64) -> Vec<LimitPlace> {
+    let y = plot::scale(lane.range, row.plot);
+    let numbers = limits.iter().flat_map(|limit| [(limit.before, false), (limit.now, true)]);
+    let mut places: Vec<LimitPlace> = numbers
+        .filter_map(|(number, is_now)| number.map(|number| LimitPlace { y: y(number) - row.y, number, is_now }))
+        .collect();
+    places.sort_by(|one, other| other.number.total_cmp(&one.number).then(one.is_now.cmp(&other.is_now)));
+    places.dedup_by(|one, other| (one.number, one.is_now) == (other.number, other.is_now));
+    // Downwards each keeps its distance, then upwards from the lower edge.
+    let (top, bottom) = (line / 2.0, row.height - line / 2.0);
+    let mut least = top;
+    for place in &mut places {
+        place.y = place.y.max(least);
+        least = place.y + line;
+    }
+    let mut most = bottom;
+    for place in places.iter_mut().rev() {
+        place.y = place.y.min(most);
+        most = place.y - line;
+    }
+    places
 }

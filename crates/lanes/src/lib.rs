@@ -22,7 +22,7 @@ mod walk;
 
 pub use around::AROUND_MAX;
 pub use axis::{Axis, SPAN_LEAST_MS};
-pub use compared::{ComparedDot, ComparedLane, ComparedLanes, DotChange};
+pub use compared::{ComparedDot, ComparedLane, ComparedLanes, ComparedLimit, DotChange, LimitPlace};
 pub use draw::{Align, DrawnForm, Ink, MARBLES_MAX};
 pub use hit::{FINGER_REACH, Hit, MOUSE_REACH};
 pub use lane::{Dot, DotSpan, LaneFilling, LaneKind, LaneMark, LaneShape, RANGE_EMPTY, ShownLane};

@@ -2,7 +2,7 @@
 
 use crate::around::{around, around_of};
 use crate::axis::Axis;
-use crate::compared::{ComparedLane, ComparedLanes, DotChange, compared_dots};
+use crate::compared::{ComparedLane, ComparedLanes, ComparedLimit, DotChange, LimitPlace, compared_dots, limit_places};
 use crate::draw::{DrawnForm, Ink, LaneArea, Measure, under_cursor, upright};
 use crate::hit::{Hit, nearest, nearest_mark};
 use crate::lane::{Dot, LaneFilling, LaneMark, LaneShape, ShownLane};
@@ -377,6 +377,19 @@ impl Viewer {
         self.compared.is_some()
     }
 
+    /// The places of the limits of a lane that are others now, with `line` pixels for each at least. None while nothing is
+    /// compared.
+    #[must_use]
+    pub fn limit_places(&self, lane: usize, line: f64) -> Vec<LimitPlace> {
+        let Some((lane, row)) = self.lanes.get(lane).zip(self.rows().0.get(lane).copied()) else { return Vec::new() };
+        limit_places(lane, self.compared_limits(&lane.key), &row, line)
+    }
+
+    fn compared_limits(&self, key: &str) -> &[ComparedLimit] {
+        let limits = self.compared.as_ref().and_then(|compared| compared.limits.get(key));
+        limits.map_or(&[], Vec::as_slice)
+    }
+
     fn compared_lane(&self, key: &str) -> Option<(&ComparedLane, f64)> {
         let compared = self.compared.as_ref()?;
         compared.lanes.get(key).map(|lane| (lane, compared.from))
@@ -432,6 +445,7 @@ impl Viewer {
         let (rows, marks) = self.rows();
         let mut to = Vec::new();
         for (lane, row) in self.lanes.iter().zip(&rows) {
+            sheet.compared_limits(lane, self.compared_limits(&lane.key), row, &mut to);
             match self.compared_lane(&lane.key) {
                 Some(compared) => sheet.compared_lane(lane, compared, row, &mut to),
                 None => sheet.lane(lane, row, &mut to),

@@ -7,12 +7,15 @@
 #![warn(missing_docs)]
 
 mod answer;
+mod bars;
 mod change;
+mod changed;
 mod cut;
 mod fix;
 mod hook;
 mod interruptions;
 mod lanes;
+mod limits;
 mod matched;
 mod moment;
 mod opening;

@@ -19,9 +19,19 @@ impl Default for Stretches {
 }
 
 impl Stretches {
+    /// Stretches that are told as they are, as long as they are few.
+    pub(crate) fn of_bars() -> Self {
+        Self { all: Vec::new(), silence_ms: 1 }
+    }
+
     /// Something came; never before what came last.
     pub(crate) fn came(&mut self, at_ms: u64) {
-        self.add((at_ms, at_ms));
+        self.bar((at_ms, at_ms));
+    }
+
+    /// Something came for a while; never before what came last.
+    pub(crate) fn bar(&mut self, bar: (u64, u64)) {
+        self.add(bar);
         while self.all.len() > CHANGED_STRETCHES_MAX {
             self.silence_ms *= 2;
             std::mem::take(&mut self.all).into_iter().for_each(|one| self.add(one));

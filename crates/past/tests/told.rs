@@ -163,6 +163,80 @@ fn an_edited_program_moves_an_action_or_leaves_it_out_and_says_that_nobody_knows
     assert!(none.streams.is_empty(), "nothing came after its end");
 }
 
+/// Says where what is near is: by a device for which it is held, with settings.
+fn held(near: i64, (device, params): (&str, serde_json::Value)) -> BehaviourFile {
+    let mut file = program(near);
+    file.connectors[1].operation = "map".to_owned();
+    file.connectors[1].inputs = vec!["near".to_owned()];
+    (file.connectors[1].start, file.connectors[1].args) = (None, Some(vec!["cm".to_owned()]));
+    file.connectors[1].body = Some("cm + 0.0".to_owned());
+    file.streams[3].device = Some(device.to_owned());
+    file.streams[3].params = serde_json::from_value(params).unwrap();
+    file
+}
+
+#[test]
+fn an_action_that_goes_on_is_compared_by_its_bars_and_the_number_of_its_condition_is_told() {
+    let lights = ("EyeBrightness", serde_json::json!({}));
+    let mut text = Text::of(&held(50, lights.clone()));
+    // Twice for ten seconds it comes nearer and goes away again, and once it stays.
+    let distances = (0..100).map(|at: i64| (at - 50).abs() + 20);
+    for (at, cm) in distances.clone().chain(distances).chain([30; 20]).enumerate() {
+        let pause = if at < 100 { 0 } else { 10_000 * (u64::try_from(at).unwrap() / 100) };
+        text.reading(u64::try_from(at).unwrap() * 100 + pause, cm);
+    }
+    text.end(60_000);
+    let past = opened(&text.text).unwrap();
+    let compared = |now: BehaviourFile| {
+        let now = EditedRun::of(now, &hook()).unwrap();
+        past.compare(None, now, None, &["say".to_owned()], &hook()).unwrap()
+    };
+    let say = |changes: &protocol::PastChanges| changes.streams.iter().find(|one| one.stream == "say").unwrap().clone();
+    let same = say(&compared(held(50, lights.clone())));
+    assert_eq!((same.before, same.now, same.same, same.first_ms), (3, 3, 3, None));
+    assert_eq!(same.came_before, [(2_100, 7_900), (22_100, 27_900), (40_000, 41_900)]);
+
+    let shorter = compared(held(40, lights.clone()));
+    let (one, limit) = (say(&shorter), &shorter.limits[0]);
+    assert_eq!((one.before, one.now, one.same, one.moved, one.first_ms), (3, 3, 1, 2, Some(2_100)));
+    assert_eq!((one.moments[0].t, one.moments[0].until), (2_100, Some(7_900)));
+    assert_eq!((one.moments[0].what, one.moments[0].until_now), (MomentChange::MovedTo(3_100), Some(6_900)));
+    assert_eq!((limit.of.stream.as_str(), limit.before, limit.now), ("cm", Some(50.0), Some(40.0)));
+
+    let nearly = say(&compared(held(48, lights.clone())));
+    assert_eq!((nearly.same, nearly.moved), (3, 0), "both ends within 200 ms");
+
+    let mut other = held(50, lights);
+    other.connectors[1].body = Some("cm * 2.0".to_owned());
+    let other = say(&compared(other));
+    assert_eq!((other.same, other.other_numbers, other.first_ms), (3, 3, Some(2_100)), "not by value, which is told");
+    assert_eq!(other.moments.iter().filter(|one| one.what == MomentChange::OtherNumbers).count(), 3);
+}
+
+#[test]
+fn an_action_with_other_settings_does_something_else_however_often_it_comes() {
+    let colour = |colour: &str| held(50, ("EyeLedColor", serde_json::json!({"color": colour})));
+    let mut text = Text::of(&colour("red"));
+    (0..30).for_each(|at| text.reading(at * 100, 40));
+    text.end(5_000);
+    let past = opened(&text.text).unwrap();
+    let compared = |now: BehaviourFile| {
+        let now = EditedRun::of(now, &hook()).unwrap();
+        past.compare(None, now, None, &[], &hook()).unwrap().streams
+    };
+    let told = |streams: Vec<protocol::ChangedStream>| {
+        streams.into_iter().map(|one| (one.stream, one.same, one.other_settings)).collect::<Vec<_>>()
+    };
+    let (near, many) = (("near".to_owned(), 30, false), ("many".to_owned(), 30, false));
+    let say = |is_other| ("say".to_owned(), 1, is_other);
+    assert_eq!(told(compared(colour("red"))), [near.clone(), many.clone(), say(false)]);
+    assert_eq!(told(compared(colour("blue"))), [say(true), near, many], "what changed is first");
+    let other = EditedRun::of(colour("green"), &hook()).unwrap();
+    let now = EditedRun::of(colour("green"), &hook()).unwrap();
+    let both = past.compare(Some(other), now, None, &[], &hook()).unwrap();
+    assert!(both.streams.iter().all(|one| !one.other_settings && one.same == one.now), "two edited ones: {both:?}");
+}
+
 #[test]
 fn a_long_time_is_drawn_by_slots_and_stays_small() {
     let mut text = Text::of(&program(50));

@@ -4,7 +4,7 @@
 //! gone from the program as it is saved.
 
 use crate::{ProgramSentence, RecordingMark, Values, Why, WhyNot};
-use behaviour::{Behaviour, Change, Id, Params, StreamKind, Value};
+use behaviour::{Behaviour, Change, Helper, Id, Params, StreamKind, Value};
 use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +24,8 @@ pub const INTERRUPTIONS_MAX: usize = 200;
 pub const PAST_PROGRAMS_MAX: usize = 200;
 /// The most moments that one stream tells of what an edit would change; all are counted.
 pub const CHANGED_MOMENTS_MAX: usize = 300;
+/// The most numbers of conditions that a comparison tells.
+pub const CHANGED_LIMITS_MAX: usize = 24;
 /// The most stretches that one stream tells of when anything came; of more, those that are nearest to each other are one.
 pub const CHANGED_STRETCHES_MAX: usize = 120;
 
@@ -137,6 +139,18 @@ pub struct EditedProgram {
     /// An edit of it that is not saved, such as a slider that is still held.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub change: Option<Box<Change>>,
+    /// A helper that is edited and not saved yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub helper: Option<Box<EditedHelper>>,
+}
+
+/// A helper of the library that is edited and not saved yet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EditedHelper {
+    /// The name under which programs use it.
+    pub name: String,
+    /// The helper as it would be.
+    pub helper: Helper,
 }
 
 /// An answer about a past.
@@ -406,9 +420,30 @@ pub struct PastChanges {
     /// From when on the replay of what ran tells the robot something else than was recorded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub differs_ms: Option<u64>,
+    /// The numbers of conditions that are others, at most [`CHANGED_LIMITS_MAX`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<ChangedLimit>,
 }
 
-/// The changes of one stream.
+/// A number with which a condition compares, and which is another one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ChangedLimit {
+    /// The id of the connector that keeps the condition.
+    pub connector: String,
+    /// The lane of the values that it tests.
+    pub of: LaneName,
+    /// The number before; none if there was none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub before: Option<f64>,
+    /// The number now; none if there is none any more.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub now: Option<f64>,
+}
+
+/// The changes of one stream. Its moments are the values of a sense or of what is computed. What an action does for a while is
+/// one moment: a bar of values with less than a second between them, which is the same where both its ends are at most 200 ms
+/// elsewhere.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ChangedStream {
@@ -424,6 +459,15 @@ pub struct ChangedStream {
     pub same: u64,
     /// The number of those that are moved.
     pub moved: u64,
+    /// The number of bars among the same ones in which numbers are others.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub other_numbers: u64,
+    /// True if it is an action with other settings, which does something else however often it comes.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub other_settings: bool,
+    /// The time of the first moment that is not the same, told or not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first_ms: Option<u64>,
     /// The moments that are not the same, by time, at most [`CHANGED_MOMENTS_MAX`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub moments: Vec<ChangedMoment>,
@@ -452,6 +496,12 @@ pub struct ChangedMoment {
     pub value: Value,
     /// In which way it is another.
     pub what: MomentChange,
+    /// The end of a bar that is longer than one value, before if it came then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<u64>,
+    /// The end now of a bar that is moved, if it has another one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until_now: Option<u64>,
 }
 
 /// The ways in which a moment is not the same.
@@ -462,8 +512,10 @@ pub enum MomentChange {
     OnlyNow,
     /// It came only before.
     OnlyBefore,
-    /// It comes at this other time.
+    /// It comes at this other time; a bar perhaps at the same time for longer or shorter.
     MovedTo(u64),
+    /// It is a bar of the same time with other numbers.
+    OtherNumbers,
 }
 
 /// Why a question about a past is not answered.

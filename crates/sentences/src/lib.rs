@@ -10,6 +10,7 @@ mod does;
 mod explain;
 mod fits;
 mod language;
+mod limits;
 mod numbers;
 mod pattern;
 mod read;
@@ -21,6 +22,7 @@ mod words;
 
 pub use explain::{AnswerSentence, Answers, explain};
 pub use language::{Language, NoLanguage};
+pub use limits::{TestedNumber, tested_numbers};
 pub use read::{
     Doubt, Draft, DraftConnector, DraftStream, TEXT_MAX_CHARS, TextReading, Understood, VagueNumber, language_of,
     looks_like_sentence, read, read_speech,

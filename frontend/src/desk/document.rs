@@ -26,6 +26,7 @@ mod signals;
 mod versions;
 
 pub(crate) use conflicts::draft_key;
+pub(crate) use drafted::{DraftPreview, DraftedRecords, DraftedWhat};
 pub(super) use editor::build::{as_seen, helper_gone, helper_put};
 pub(crate) use editor::graph::{
     ConnectPlan, Gap, Ghost, GhostConnector, GhostStream, Joining, LineUp, NewSpot, Output, ProgramPart, StepDirection,
@@ -44,7 +45,8 @@ pub(crate) use editor::{
 
 use super::tab::{Tab, new_id};
 use crate::{layout, naming};
-use behaviour::{Accepted, Behaviour, Checkpoint, Id, Problem, Record, RecordId, ValueType};
+use behaviour::{Accepted, Behaviour, Checkpoint, Id, Problem, RecordId, ValueType};
+use drafted::Drafted;
 use editor::{Editor, HistoryPanel, Removers, build};
 use leptos::prelude::*;
 use phrase::Phrase;
@@ -104,8 +106,10 @@ pub(crate) struct DocumentFields {
     pub(crate) lit: ArcRwSignal<Lit>,
     /// The additions of a sentence that is being typed.
     pub(crate) ghost: ArcRwSignal<Option<Ghost>>,
-    /// The record that is turned or typed here just now, as it would be saved.
-    pub(crate) drafted: ArcRwSignal<Option<(RecordId, Record)>>,
+    /// What is turned or typed here just now, as it would be saved.
+    pub(crate) drafted: ArcRwSignal<Option<Drafted>>,
+    /// What would come of it, while somebody compares.
+    pub(crate) previewed: ArcRwSignal<Option<DraftPreview>>,
     /// Tells when a stream or a connector is another one than before, saved or not.
     pub(crate) edited: ArcTrigger,
     pub(crate) saving: ArcRwSignal<Saving>,
@@ -198,6 +202,7 @@ impl Document {
             lit: ArcRwSignal::default(),
             ghost: ArcRwSignal::default(),
             drafted: ArcRwSignal::default(),
+            previewed: ArcRwSignal::default(),
             edited: ArcTrigger::new(),
             saving: ArcRwSignal::default(),
             undoable: ArcRwSignal::default(),

@@ -4,6 +4,7 @@ mod address;
 mod choose;
 mod commands;
 mod conflict;
+mod drafting;
 mod faces;
 mod find;
 mod frame;

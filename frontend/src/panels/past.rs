@@ -8,6 +8,8 @@ mod asking;
 mod clock;
 mod compare;
 mod compare_changes;
+mod compare_counts;
+mod compare_taken;
 mod compare_view;
 mod filling;
 mod following;
@@ -126,6 +128,7 @@ pub(crate) fn past() -> AnyView {
             class="past"
             class:past-narrow=move || density.get() == Density::Narrow
             class:past-folded=move || past.then.is_folded.get()
+            class:past-old=move || past.compare.is_old.get()
             class:past-with-table=move || past.shows_table.get()
             node_ref=root
             tabindex="-1"

@@ -2,7 +2,8 @@
 
 use super::{lane, session};
 use lanes::{
-    ComparedDot, ComparedLane, ComparedLanes, DotChange, DrawnForm, Ink, LaneAct, LaneKind, LaneShape, Viewer,
+    Align, ComparedDot, ComparedLane, ComparedLanes, ComparedLimit, DotChange, DrawnForm, Ink, LaneAct, LaneKind,
+    LaneShape, Viewer,
 };
 
 const WIDTH: f64 = 600.0;
@@ -12,7 +13,7 @@ fn wide(text: &str) -> f64 {
 }
 
 fn dot(t: f64, text: &str, change: DotChange) -> ComparedDot {
-    ComparedDot { t, text: text.into(), change }
+    ComparedDot { t, until: t, text: text.into(), change }
 }
 
 /// A minute of an action, of which one value stays, one comes, one goes and one moves.
@@ -30,6 +31,7 @@ fn four_fates(shape: LaneShape) -> (Viewer, ComparedLane) {
             dot(45_000.0, "5 s", DotChange::MovedTo(50_000.0)),
         ],
         is_complete: true,
+        has_bars: false,
         before: vec![(5_000.0, 9_000.0), (25_000.0, 29_000.0)],
         now: vec![(5_000.0, 7_000.0), (50_000.0, 54_000.0)],
     };
@@ -38,7 +40,7 @@ fn four_fates(shape: LaneShape) -> (Viewer, ComparedLane) {
 
 fn with(mut viewer: Viewer, compared: ComparedLane) -> Viewer {
     let lanes = [("say".to_owned(), compared)].into();
-    viewer.set_compared(Some(ComparedLanes { from: 0.0, lanes }));
+    viewer.set_compared(Some(ComparedLanes { from: 0.0, lanes, ..ComparedLanes::default() }));
     viewer
 }
 
@@ -116,7 +118,7 @@ fn what_came_before_it_was_compared_is_drawn_as_it_was() {
     let (mut viewer, compared) = four_fates(LaneShape::Marbles);
     let dots = compared.dots.into_iter().filter(|dot| dot.t >= 20_000.0).collect();
     let lanes = [("say".to_owned(), ComparedLane { dots, ..compared })].into();
-    viewer.set_compared(Some(ComparedLanes { from: 20_000.0, lanes }));
+    viewer.set_compared(Some(ComparedLanes { from: 20_000.0, lanes, ..ComparedLanes::default() }));
     assert_eq!(discs(&viewer.draw(WIDTH, &wide)), [(50.0, false), (250.0, true), (450.0, true), (500.0, false)]);
 }
 
@@ -161,6 +163,56 @@ fn as_much_as_is_ever_told_is_drawn_in_few_forms() {
     let dots = (0..600).map(|at| dot(f64::from(at) * 100.0, "Hello", DotChange::OnlyNow)).collect();
     let stretches: Vec<(f64, f64)> =
         (0..120).map(|at| (f64::from(at) * 500.0, f64::from(at) * 500.0 + 200.0)).collect();
-    let compared = ComparedLane { dots, is_complete: true, before: stretches.clone(), now: stretches };
+    let compared = ComparedLane { dots, is_complete: true, has_bars: false, before: stretches.clone(), now: stretches };
     assert!(with(viewer, compared).draw(WIDTH, &wide).len() < 400);
+}
+
+#[test]
+fn bars_of_an_action_are_drawn_as_such_and_say_beside_them_by_how_much_they_moved() {
+    let (viewer, mut compared) = four_fates(LaneShape::Marbles);
+    let bar = |t: f64, until: f64, text: &str, change| ComparedDot { until, ..dot(t, text, change) };
+    compared.dots = vec![
+        bar(5_000.0, 9_000.0, "2 s", DotChange::BarTo(5_000.0, -2_000.0)),
+        bar(25_000.0, 29_000.0, "", DotChange::OnlyBefore),
+        bar(50_000.0, 54_000.0, "", DotChange::OnlyNow),
+    ];
+    compared.has_bars = true;
+    let drawn = with(viewer.clone(), compared.clone()).draw(WIDTH, &wide);
+    assert!(discs(&drawn).is_empty());
+    let text = |one: &DrawnForm| match one {
+        DrawnForm::Text { x, text, ink: Ink::Warn, align, .. } => Some((*x, text.clone(), *align)),
+        _ => None,
+    };
+    assert_eq!(drawn.iter().find_map(text), Some((99.0, "2 s".to_owned(), Align::Left)), "behind the longer one");
+    compared.dots[1].t = 10_000.0;
+    let drawn = with(viewer, compared).draw(WIDTH, &wide);
+    let left = Some((41.0, "2 s".to_owned(), Align::Right));
+    assert_eq!(drawn.iter().find_map(text), left, "before it, where the next one begins");
+}
+
+#[test]
+fn the_limit_of_before_is_dashed_and_that_of_now_solid_with_their_numbers_beside_them() {
+    let mut viewer = session();
+    let key = "face.distance".to_owned();
+    let at = viewer.lanes().iter().position(|lane| lane.key == key).unwrap();
+    let limits =
+        vec![ComparedLimit { before: Some(75.0), now: Some(60.0) }, ComparedLimit { before: Some(1e6), now: None }];
+    assert!(viewer.limit_places(at, 16.0).is_empty(), "nothing is compared");
+    viewer.set_compared(Some(ComparedLanes { limits: [(key, limits)].into(), ..ComparedLanes::default() }));
+    let level = |one: &DrawnForm| match one {
+        DrawnForm::Line { points, ink, is_dashed, .. }
+            if points.len() == 2 && points[0].1 == points[1].1 && points[1].0 == WIDTH =>
+        {
+            (*ink != Ink::Line).then_some((points[0].1, *ink, *is_dashed))
+        }
+        _ => None,
+    };
+    let drawn: Vec<_> = viewer.draw(WIDTH, &wide).iter().filter_map(level).collect();
+    let lines: Vec<_> = drawn.iter().map(|(_, ink, is_dashed)| (*ink, *is_dashed)).collect();
+    assert_eq!(lines, [(Ink::Ink2, true), (Ink::Focus, false)], "one far outside has no line: {drawn:?}");
+    assert!(drawn[0].0 < drawn[1].0, "the greater number is higher");
+    let places = viewer.limit_places(at, 16.0);
+    let numbers: Vec<_> = places.iter().map(|place| (place.number, place.is_now)).collect();
+    assert_eq!(numbers, [(1e6, false), (75.0, false), (60.0, true)]);
+    assert!(places.windows(2).all(|two| two[1].y - two[0].y >= 16.0), "{places:?}");
 }

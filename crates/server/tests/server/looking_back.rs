@@ -3,10 +3,10 @@
 use crate::console::Said;
 use crate::house::{House, connect, connector_id, map, plain, printer, sentence, start, stream, stream_id};
 use crate::invited::Scene;
-use behaviour::{Id, Operation, Procedure, Record, StreamKind, Value, connectors};
+use behaviour::{Helper, Id, Kind, Operation, Procedure, Record, RecordId, StreamKind, Value, connectors};
 use protocol::{
-    AnyAnswer, EditedProgram, Interrupted, LaneName, LaneValues, MomentChange, NotSeen, PastAnswer, PastOf,
-    PastQuestion, Refused, Role, answer, request,
+    AnyAnswer, EditedHelper, EditedProgram, Interrupted, LaneName, LaneValues, MomentChange, NotSeen, PastAnswer,
+    PastOf, PastQuestion, Refused, Role, answer, request,
 };
 use shell::{Client, ClientError, Console};
 use std::fmt::Write;
@@ -68,7 +68,7 @@ fn lane(stream: &str, field: Option<&str>) -> LaneName {
     LaneName { stream: stream.to_owned(), field: field.map(str::to_owned) }
 }
 
-fn refused(answer: Result<PastAnswer, ClientError>) -> NotSeen {
+fn refused<T: std::fmt::Debug>(answer: Result<T, ClientError>) -> NotSeen {
     match answer {
         Err(ClientError::No(no)) => match no {
             Refused::NotSeen(why) => why,
@@ -191,7 +191,7 @@ async fn an_edited_program_shows_what_it_would_have_done() {
     let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
     let (aiko, play) = house.maker("Aiko").await;
     fill(&aiko, 75).await;
-    let edited = |change| EditedProgram { behaviour: play.clone(), revision: None, change };
+    let edited = |change| EditedProgram { behaviour: play.clone(), revision: None, change, helper: None };
     let compare = |now, before| PastQuestion::Compare { before, now, from_ms: None, streams: vec!["out".into()] };
     let past = recorded(NEAR);
     let PastAnswer::Changes(same) = ask(&aiko, &past, compare(edited(None), None)).await.unwrap() else { panic!() };
@@ -224,6 +224,39 @@ async fn an_edited_program_shows_what_it_would_have_done() {
 }
 
 #[tokio::test]
+async fn a_helper_that_is_not_saved_yet_counts_in_the_program_that_uses_it() {
+    let folder = tempfile::tempdir().unwrap();
+    put(folder.path(), NEAR, &near(100, "ball.cm"));
+    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    fill(&aiko, 75).await;
+    let helper =
+        |body: &str| Helper { name: "isNear".into(), params: vec!["v".into()], body: body.into(), ..Helper::default() };
+    let kept = vec![(RecordId::new(Kind::Helper, &Id::new("h").unwrap()), Some(Record::Helper(helper("v < 75"))))];
+    let change = aiko.change("Helper", &aiko.library().records, kept);
+    let behaviour = Id::new("library").unwrap();
+    aiko.ask(request::Propose { behaviour, change, tokens: Vec::new() }).await.unwrap();
+    let uses = connectors::filter::SPEC.with(Procedure::Helper("isNear".into()));
+    aiko.put("By a helper", connector_id("f"), Some(connect(uses, &["far"], "close"))).await.unwrap();
+    let out = async |draft: Option<Helper>| {
+        // Another name is no other helper yet: the program goes on to use the old one.
+        let draft = draft.map(|helper| EditedHelper { name: "isNear".into(), helper });
+        let helper = draft.map(Box::new);
+        let now = EditedProgram { behaviour: play.clone(), revision: None, change: None, helper };
+        let question = PastQuestion::Compare { before: None, now, from_ms: None, streams: Vec::new() };
+        let PastAnswer::Changes(told) = ask(&aiko, &recorded(NEAR), question).await? else { panic!() };
+        let out = told.streams.into_iter().find(|one| one.stream == "out").unwrap();
+        Ok((out.before, out.now, out.same))
+    };
+    assert_eq!(out(None).await.unwrap(), (48, 48, 48));
+    let renamed = Helper { name: "isClose".into(), ..helper("v < 70") };
+    assert_eq!(out(Some(renamed)).await.unwrap(), (48, 38, 38));
+    assert!(matches!(refused(out(Some(helper("v <"))).await), NotSeen::CannotCompare(..)));
+    assert_eq!(out(None).await.unwrap(), (48, 48, 48), "nothing was saved");
+    house.close().await;
+}
+
+#[tokio::test]
 async fn two_revisions_of_the_history_are_compared() {
     let folder = tempfile::tempdir().unwrap();
     put(folder.path(), NEAR, &near(100, "ball.cm"));
@@ -233,7 +266,7 @@ async fn two_revisions_of_the_history_are_compared() {
     let first = aiko.open().unwrap().revision;
     aiko.put("Nearer", connector_id("f"), Some(connect(below(70), &["far"], "close"))).await.unwrap();
     aiko.put("Farther", connector_id("f"), Some(connect(below(90), &["far"], "close"))).await.unwrap();
-    let at = |revision| EditedProgram { behaviour: play.clone(), revision, change: None };
+    let at = |revision| EditedProgram { behaviour: play.clone(), revision, change: None, helper: None };
     let counts = async |before, now| {
         let question = PastQuestion::Compare { before: Some(before), now, from_ms: None, streams: vec![] };
         let PastAnswer::Changes(told) = ask(&aiko, &recorded(NEAR), question).await.unwrap() else { panic!() };

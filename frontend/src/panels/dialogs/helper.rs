@@ -5,18 +5,20 @@ mod trying;
 mod used_in;
 mod values;
 
+use super::drafting::{self, Preview};
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{Gone, gone};
 use super::operation::{LooksRight, Meant};
 use super::stream::answered;
+use crate::desk::DraftedWhat;
 use crate::fields::{CodeField, TextField};
 use crate::panels::hold::{DeskHold, hold};
 use crate::panels::may::{MayNot, may_edit};
 use crate::words;
-use behaviour::{Helper, Id, Refusal};
+use behaviour::{Helper, Id, Kind, RecordId, Refusal};
 use kinds::{KindFields, Kinds};
 use leptos::prelude::*;
-use protocol::UnknownName;
+use protocol::{EditedHelper, UnknownName};
 use trying::TryIt;
 use used_in::UsedIn;
 
@@ -52,6 +54,9 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
             save(desk, fields);
         }
     });
+    if let Some((id, _)) = fields.seen.get_untracked().filter(|_| may) {
+        drafting::keep(desk, RecordId::new(Kind::Helper, &id), move || drafted(fields));
+    }
     let title = if is_there { words::edit_helper() } else { words::add_helper() };
     view! {
         <Frame title save>
@@ -78,6 +83,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                 <Theirs fields save />
                 {fields.seen.get_untracked().map(|(id, _)| view! { <Removed fields id /> })}
             </div>
+            <Preview />
             <Feet busy=fields.busy nothing=Signal::stored(!may)>{(is_there && may).then(|| view! { <Remove fields /> })}</Feet>
         </Frame>
     }
@@ -131,12 +137,27 @@ fn params(text: &str) -> Vec<String> {
     text.split(',').map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
+/// The helper as it would be saved, if it is another one. Reactive.
+fn drafted(fields: HelperFields) -> Option<DraftedWhat> {
+    let (helper, is_busy) = (fields.helper(), fields.busy.get());
+    let (_, seen) = fields.seen.get().filter(|(_, seen)| *seen != helper && !is_busy)?;
+    Some(match bad_name(&helper) {
+        Some(why) => DraftedWhat::Unready(words::told_by(&why)),
+        None => DraftedWhat::Helper(Box::new(EditedHelper { name: seen.name, helper })),
+    })
+}
+
+/// Why its name or one of its parameters is none that a procedure can have.
+fn bad_name(helper: &Helper) -> Option<Refusal> {
+    let mut names = std::iter::once(&helper.name).chain(&helper.params);
+    names.find(|name| !behaviour::is_identifier(name)).map(|bad| Refusal::Identifier(bad.clone()))
+}
+
 fn save(desk: DeskHold, fields: HelperFields) {
     fields.refusal.set(None);
     let helper = untrack(|| fields.helper());
-    if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !behaviour::is_identifier(name))
-    {
-        fields.refusal.set(Some(Refusal::Identifier(bad.clone()).to_string()));
+    if let Some(why) = bad_name(&helper) {
+        fields.refusal.set(Some(why.to_string()));
         return;
     }
     let renamed = fields.seen.get_untracked().filter(|(_, seen)| seen.name != helper.name);

@@ -2,6 +2,7 @@
 
 mod actuator;
 mod draft;
+mod drafting;
 mod form;
 mod how;
 mod inputs;
@@ -12,6 +13,7 @@ mod saving;
 
 pub(super) use procedure::{LooksRight, Meant};
 
+use super::drafting::Preview;
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{self, Back, Gone};
 use super::held::{DialogLock, Holding};
@@ -52,6 +54,7 @@ fn OperationForm(form: OperationForm) -> impl IntoView {
     let edited = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| RecordId::new(Kind::Connector, id)));
     let held = DialogLock::of(desk, edited);
     draft::keep(form, held);
+    drafting::keep(form, held);
     follow_saved(form, held);
     let gone = gone_memo(form);
     let save = Callback::new(move |()| {
@@ -99,6 +102,7 @@ fn OperationForm(form: OperationForm) -> impl IntoView {
                 <Refused why=form.refusal />
                 <Gone who=gone written back=back />
             </div>
+            <Preview />
             <Feet busy=form.busy nothing=Signal::derive(move || gone.read().is_some() || held.reads.get()) />
         </Frame>
     }

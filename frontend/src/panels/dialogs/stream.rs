@@ -1,9 +1,10 @@
 //! Edit stream sensor, Edit stream actuator: type, name and the device's parameters.
 
+use super::drafting::{self, Preview};
 use super::frame::{Feet, Frame, Refused, close};
 use super::gone::{self, Back, Gone};
 use super::held::{DialogLock, Holding};
-use crate::desk::Desk;
+use crate::desk::{Desk, DraftedWhat};
 use crate::fields::{ChoiceOptions, ParamFields, ParamForm, Select, TextField, Unfilled};
 use crate::panels::hold::{DeskHold, hold};
 use crate::words;
@@ -55,6 +56,8 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
     let id = fields.id.get_value();
     let held = DialogLock::of(desk, Some(RecordId::new(Kind::Stream, &id)));
     follow_saved(desk, fields, held);
+    let about = RecordId::new(Kind::Stream, &id);
+    drafting::keep(desk, about, move || drafted(desk, fields).filter(|_| !held.reads.get()));
     let gone = gone::gone(desk, id.clone(), move || gone::has_stream(desk, &id));
     let save = Callback::new(move |()| {
         if gone.get_untracked().is_none() && !held.reads.get_untracked() {
@@ -80,6 +83,7 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
                 <Refused why=fields.refusal />
                 <Gone who=gone written=fields.name back=back />
             </div>
+            <Preview />
             <Feet busy=fields.busy nothing=Signal::derive(move || gone.read().is_some() || held.reads.get()) />
         </Frame>
     }
@@ -124,14 +128,31 @@ fn form_of(fields: StreamDialogFields, kind: StreamKind) -> Option<ParamForm> {
     Some(ParamForm::new(device, &given))
 }
 
+/// The stream as it would be saved, if it is another one. Reactive.
+fn drafted(desk: DeskHold, fields: StreamDialogFields) -> Option<DraftedWhat> {
+    if let Some(form) = fields.params.get() {
+        form.track();
+    }
+    let is_busy = fields.busy.get();
+    let (edited, id) = (edited(fields), fields.id.get_value());
+    match edited {
+        Ok(stream) if stream != fields.stream.get_value() && !is_busy => {
+            Some(DraftedWhat::Records(desk.desk().document.stream_drafted(&id, stream)))
+        }
+        Ok(_) => None,
+        Err(why) => Some(DraftedWhat::Unready(words::unfilled(&why))),
+    }
+}
+
+/// The stream as it is chosen and typed. Reactive.
 fn edited(fields: StreamDialogFields) -> Result<Stream, Unfilled> {
-    let name = fields.name.get_untracked().trim().to_owned();
+    let name = fields.name.get().trim().to_owned();
     if name.is_empty() {
         return Err(Unfilled::Name);
     }
     let mut stream = Stream { name, ..fields.stream.get_value() };
-    if let Some(form) = fields.params.get_untracked() {
-        stream.device = Some(fields.device.get_untracked());
+    if let Some(form) = fields.params.get() {
+        stream.device = Some(fields.device.get());
         stream.params = form.read()?;
     }
     Ok(stream)
@@ -139,7 +160,7 @@ fn edited(fields: StreamDialogFields) -> Result<Stream, Unfilled> {
 
 fn save(desk: DeskHold, fields: StreamDialogFields) {
     fields.refusal.set(None);
-    match edited(fields) {
+    match untrack(|| edited(fields)) {
         Ok(stream) => {
             let answered = answered(&desk.desk(), fields.refusal, fields.busy);
             desk.desk().document.edit_stream((&fields.id.get_value(), fields.stream.get_value()), stream, answered);

@@ -2,24 +2,20 @@
 //! on, every edit asks again, one's own before it is saved as well: the newest is asked, and one question is under way.
 
 use super::PastShared;
-use super::filling::{self, key, lane};
-use crate::desk::LinkState;
+use super::compare_counts::ChangeCounts;
+use crate::desk::{DraftPreview, LinkState};
 use crate::link::NoAnswer;
 use crate::panels::hold::Soon;
 use crate::words;
-use behaviour::{Id, Params, StreamKind};
-use lanes::{ComparedDot, ComparedLane, ComparedLanes, DotChange, LaneFilling, LaneKind, ShownLane};
+use behaviour::StreamKind;
 use leptos::prelude::*;
 use protocol::{
-    ChangedMoment, ChangedStream, EditedProgram, LANES_MAX, LaneName, LaneValue, MomentChange, NotSeen, OpenedPast,
-    PastAnswer, PastChanges, PastOf, PastQuestion, PastStream, Refused, request,
+    ChangedStream, EditedProgram, NotSeen, OpenedPast, PastAnswer, PastChanges, PastOf, PastQuestion, Refused, request,
 };
 use std::sync::Arc;
 
 /// The last so many milliseconds of what runs are compared.
 const LIVE_MS: u64 = 120_000;
-/// At most so many changed lanes are put first.
-const RAISED_MAX: usize = 8;
 /// The counts are said at most once in so many milliseconds.
 const SAY_MS: i32 = 1_000;
 
@@ -53,49 +49,16 @@ impl NewestWish {
     }
 }
 
-/// The numbers of moments of streams that are the same, and that are not.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct ChangeCounts {
-    pub(super) same: u64,
-    pub(super) only_now: u64,
-    pub(super) only_before: u64,
-    pub(super) moved: u64,
-}
-
-impl ChangeCounts {
-    pub(super) fn of(stream: &ChangedStream) -> Self {
-        let both = stream.same + stream.moved;
-        Self {
-            same: stream.same,
-            only_now: stream.now.saturating_sub(both),
-            only_before: stream.before.saturating_sub(both),
-            moved: stream.moved,
-        }
-    }
-
-    fn and(self, other: Self) -> Self {
-        Self {
-            same: self.same + other.same,
-            only_now: self.only_now + other.only_now,
-            only_before: self.only_before + other.only_before,
-            moved: self.moved + other.moved,
-        }
-    }
-
-    /// True if anything is not the same.
-    pub(super) fn changes(self) -> bool {
-        self.only_now + self.only_before + self.moved > 0
-    }
-}
-
 /// The comparison: its two programs, and what came of it.
 #[derive(Clone, Copy)]
 pub(super) struct CompareState {
     pub(super) is_on: RwSignal<bool>,
     pub(super) form: RwSignal<CompareForm>,
     pub(super) changes: RwSignal<Option<Arc<PastChanges>>>,
-    /// Why there is no comparison.
+    /// Why there is no comparison, or none of what is typed just now.
     pub(super) trouble: RwSignal<Option<String>>,
+    /// True if what is shown is of before, as nothing can be made of what is typed just now.
+    pub(super) is_old: RwSignal<bool>,
     /// The counts for screen readers, said now and then.
     pub(super) said: RwSignal<String>,
     wish: StoredValue<NewestWish>,
@@ -103,10 +66,10 @@ pub(super) struct CompareState {
     is_short: StoredValue<bool>,
     /// The lanes as they stood before, by their keys.
     order: StoredValue<Vec<String>>,
-    /// The changed lanes that were put first.
-    raised: StoredValue<Vec<String>>,
+    /// The changed lanes that were put first, by their keys.
+    pub(super) raised: StoredValue<Vec<String>>,
     /// The streams that only one of both programs has, and the past has not.
-    strange: StoredValue<Vec<String>>,
+    pub(super) strange: StoredValue<Vec<String>>,
     /// Moves while the past goes on.
     later: RwSignal<u32>,
 }
@@ -118,6 +81,7 @@ impl CompareState {
             form: RwSignal::new(CompareForm::Edits),
             changes: RwSignal::new(None),
             trouble: RwSignal::new(None),
+            is_old: RwSignal::new(false),
             said: RwSignal::new(String::new()),
             wish: StoredValue::default(),
             is_short: StoredValue::new(false),
@@ -133,6 +97,7 @@ impl CompareState {
         self.wish.set_value(NewestWish::default());
         self.changes.set(None);
         self.trouble.set(None);
+        self.is_old.set(false);
     }
 
     /// The past is longer than before.
@@ -195,6 +160,7 @@ impl PastShared {
         compare.strange.set_value(Vec::new());
         compare.changes.set(None);
         compare.trouble.set(None);
+        compare.is_old.set(false);
     }
 
     /// Another form of comparison.
@@ -232,9 +198,13 @@ impl PastShared {
             compare.form.track();
             compare.later.track();
             if compare.is_on.get() && is_there.get() && is_online {
-                untrack(|| self.want_comparison());
+                untrack(|| match desk.document.unready() {
+                    Some(why) => self.old_comparison(why),
+                    None => self.want_comparison(),
+                });
             }
         });
+        self.preview_drafts();
         Effect::new(move |_| {
             let compare = self.compare;
             compare.changes.track();
@@ -245,13 +215,36 @@ impl PastShared {
         });
     }
 
-    /// The sum of what changes in words, for who does not see it. Reactive.
+    /// Tells where something is typed what would come of it.
+    fn preview_drafts(self) {
+        let previewed = self.desk.desk().document.previewed.clone();
+        let show = {
+            let previewed = previewed.clone();
+            move |preview: Option<DraftPreview>| {
+                if previewed.with_untracked(|before| *before != preview) {
+                    previewed.set(preview);
+                }
+            }
+        };
+        Effect::new(move |_| {
+            let is_typed = self.desk.desk().document.drafted.read().is_some();
+            let text = (is_typed && self.compare.is_on.get()).then(|| self.compared_words());
+            let is_old = self.compare.trouble.read().is_some();
+            show(text.filter(|text| !text.is_empty()).map(|text| DraftPreview { text, is_old }));
+        });
+        on_cleanup(move || previewed.set(None));
+    }
+
+    /// The sum of what changes in words, or why there is none. Reactive.
     fn compared_words(self) -> String {
         if !self.compare.is_on.get() {
             return String::new();
         }
+        if let Some(why) = self.compare.trouble.get() {
+            return why;
+        }
         let Some((counts, _)) = self.sum_of_changes() else { return String::new() };
-        words::counted_changes(counts.same, counts.only_now, counts.only_before, counts.moved)
+        if counts.changes() { counts.words() } else { words::nothing_would_change().to_owned() }
     }
 
     /// The counts of all actions together, or of all streams where no action did anything; and these actions. Reactive.
@@ -271,7 +264,7 @@ impl PastShared {
         streams.iter().filter(|one| ChangeCounts::of(one).changes()).map(|one| one.stream.clone()).collect()
     }
 
-    fn kind_of_stream(self, stream: &str) -> Option<StreamKind> {
+    pub(super) fn kind_of_stream(self, stream: &str) -> Option<StreamKind> {
         let opened = self.opened.get_untracked()?;
         opened.streams.iter().find(|one| one.stream == stream).map(|one| one.kind)
     }
@@ -321,6 +314,10 @@ impl PastShared {
                 true
             }
             Err(NoAnswer::Refused(Refused::NotSeen(NotSeen::Newer))) => true,
+            Err(NoAnswer::Refused(no @ Refused::NotSeen(NotSeen::CannotCompare(..)))) => {
+                self.old_comparison(words::told_by(&no));
+                false
+            }
             Err(NoAnswer::Refused(no)) => {
                 self.no_comparison(words::told_by(&no));
                 false
@@ -336,6 +333,13 @@ impl PastShared {
     fn no_comparison(self, why: String) {
         self.viewer.update(|viewer| viewer.set_compared(None));
         self.compare.changes.set(None);
+        self.compare.is_old.set(false);
+        self.compare.trouble.set(Some(why));
+    }
+
+    /// Nothing can be made of what is typed just now: what was shown stays, marked as of before.
+    fn old_comparison(self, why: String) {
+        self.compare.is_old.set(self.compare.changes.with_untracked(Option::is_some));
         self.compare.trouble.set(Some(why));
     }
 
@@ -343,9 +347,12 @@ impl PastShared {
     fn comparison(self, opened: &OpenedPast, streams: Vec<String>) -> Option<PastQuestion> {
         let document = self.desk.desk().document;
         let behaviour = document.open.get_untracked()?;
-        let as_it_is =
-            || EditedProgram { behaviour: behaviour.clone(), revision: None, change: document.unsaved().map(Box::new) };
-        let at = |revision| EditedProgram { behaviour: behaviour.clone(), revision: Some(revision), change: None };
+        let program = |revision| EditedProgram { behaviour: behaviour.clone(), revision, change: None, helper: None };
+        let as_it_is = || {
+            let (change, helper) = (document.unsaved().map(Box::new), document.unsaved_helper());
+            EditedProgram { change, helper, ..program(None) }
+        };
+        let at = |revision| program(Some(revision));
         let (before, now) = match self.compare.form.get_untracked() {
             CompareForm::Edits => (None, as_it_is()),
             CompareForm::Revisions { before, now } => (Some(at(before)), now.map_or_else(as_it_is, at)),
@@ -356,153 +363,11 @@ impl PastShared {
         let from_ms = is_short.then(|| opened.from_ms + length.saturating_sub(LIVE_MS));
         Some(PastQuestion::Compare { before, now, from_ms, streams })
     }
-
-    /// The streams whose moments are asked for: those that changed, then those that are shown.
-    fn streams_to_compare(self) -> Vec<String> {
-        let mut streams: Vec<String> = self.compare.raised.get_value();
-        self.viewer.with_untracked(|viewer| {
-            for lane in viewer.lanes().iter().filter(|lane| lane.kind != LaneKind::Sense) {
-                let stream = filling::name(&lane.key).stream;
-                if !streams.contains(&stream) {
-                    streams.push(stream);
-                }
-            }
-        });
-        streams.truncate(LANES_MAX);
-        streams
-    }
-
-    /// Takes a comparison. True if lanes were added of which nothing was asked.
-    fn take_comparison(self, changes: PastChanges, asked: &[String]) -> bool {
-        self.know_strange_streams(&changes);
-        let raises = self.raise(&changes);
-        let Some(opened) = self.opened.get_untracked() else { return false };
-        let offset = opened.from_ms as f64;
-        self.viewer.update(|viewer| {
-            let lanes = viewer.lanes().iter().filter(|lane| lane.kind != LaneKind::Sense);
-            let compared = lanes.filter_map(|lane| {
-                let stream = filling::name(&lane.key).stream;
-                let changed = changes.streams.iter().find(|one| one.stream == stream);
-                let compared = changed.map_or_else(
-                    || ComparedLane { is_complete: true, ..ComparedLane::default() },
-                    |changed| self.compared_lane(lane, changed, offset),
-                );
-                asked.contains(&stream).then(|| (lane.key.clone(), compared))
-            });
-            let (from, lanes) = (changes.from_ms as f64 - offset, compared.collect());
-            viewer.set_compared(Some(ComparedLanes { from, lanes }));
-        });
-        self.compare.trouble.set(None);
-        self.compare.changes.set(Some(Arc::new(changes)));
-        raises && self.streams_to_compare() != asked
-    }
-
-    /// Lanes of streams that the past has not are lanes too.
-    fn know_strange_streams(self, changes: &PastChanges) {
-        let Some(opened) = self.opened.get_untracked() else { return };
-        let document = self.desk.desk().document;
-        let is_new = |one: &&ChangedStream| opened.streams.iter().all(|known| known.stream != one.stream);
-        let strange: Vec<PastStream> = changes
-            .streams
-            .iter()
-            .filter(is_new)
-            .map(|one| {
-                let stream = Id::new(&one.stream).ok().and_then(|id| document.stream(&id));
-                let stream = stream.map(|stream| stream.record.get_untracked());
-                PastStream {
-                    stream: one.stream.clone(),
-                    name: one.name.clone(),
-                    kind: stream.as_ref().map_or(StreamKind::Ordinary, |stream| stream.kind),
-                    device: stream.as_ref().and_then(|stream| stream.device.clone()),
-                    params: stream.map_or_else(Params::default, |stream| stream.params),
-                    count: 0,
-                    numbers: false,
-                    fields: Vec::new(),
-                }
-            })
-            .collect();
-        if strange.is_empty() {
-            return;
-        }
-        self.compare.strange.update_value(|known| known.extend(strange.iter().map(|one| one.stream.clone())));
-        let mut opened = (*opened).clone();
-        opened.streams.extend(strange);
-        self.opened.set(Some(Arc::new(opened)));
-    }
-
-    /// Puts the lanes of what changed first, each once. True if there are more than before.
-    fn raise(self, changes: &PastChanges) -> bool {
-        let Some(opened) = self.opened.get_untracked() else { return false };
-        let raised = self.compare.raised.get_value();
-        let mut all = raised.clone();
-        for one in changes.streams.iter().filter(|one| ChangeCounts::of(one).changes()) {
-            if !all.contains(&one.stream) && all.len() < RAISED_MAX {
-                all.push(one.stream.clone());
-            }
-        }
-        if all == raised {
-            return false;
-        }
-        self.viewer.update(|viewer| {
-            let mut lanes: Vec<ShownLane> = viewer.lanes().to_vec();
-            for stream in &all {
-                let name = LaneName { stream: stream.clone(), field: None };
-                let is_there = lanes.iter().any(|lane| lane.key == key(&name));
-                lanes.extend(lane(&opened, &name).filter(|_| !is_there && viewer.lanes().len() < lanes::LANES_MAX));
-            }
-            viewer.set_lanes(lanes);
-            viewer.put_first(&all);
-        });
-        self.compare.raised.set_value(all);
-        true
-    }
-
-    fn compared_lane(self, lane: &ShownLane, changed: &ChangedStream, offset: f64) -> ComparedLane {
-        let name = filling::name(&lane.key);
-        let kind = filling::kind_of(self, &LaneName { field: None, ..name });
-        let known: &[lanes::Dot] = match &lane.filling {
-            LaneFilling::Values(dots) => dots,
-            LaneFilling::Spans(_) => &[],
-        };
-        let text_at = |t: f64| {
-            let at = known.partition_point(|dot| dot.t < t - 0.5);
-            known.get(at).filter(|dot| (dot.t - t).abs() < 0.5).map_or_else(|| "".into(), |dot| dot.text.clone())
-        };
-        let same = |t: &u64| {
-            let t = *t as f64 - offset;
-            ComparedDot { t, text: text_at(t), change: DotChange::Same }
-        };
-        let moment = |one: &ChangedMoment| {
-            let value = LaneValue { t: one.t, nth: 0, value: one.value.clone(), pretended: false };
-            let dot = filling::dot(&value, offset, kind.as_ref());
-            let (change, text) = match one.what {
-                MomentChange::OnlyNow => (DotChange::OnlyNow, dot.text),
-                MomentChange::OnlyBefore => (DotChange::OnlyBefore, dot.text),
-                MomentChange::MovedTo(to) => {
-                    (DotChange::MovedTo(to as f64 - offset), words::moved_by(one.t.abs_diff(to)).into())
-                }
-            };
-            ComparedDot { t: dot.t, text, change }
-        };
-        let mut dots: Vec<ComparedDot> =
-            changed.same_ms.iter().map(same).chain(changed.moments.iter().map(moment)).collect();
-        dots.sort_by(|one, other| one.t.total_cmp(&other.t));
-        let stretches = |all: &[(u64, u64)]| {
-            all.iter().map(|(from, until)| (*from as f64 - offset, *until as f64 - offset)).collect()
-        };
-        ComparedLane {
-            dots,
-            is_complete: !changed.more && changed.same_ms.len() as u64 == changed.same,
-            before: stretches(&changed.came_before),
-            now: stretches(&changed.comes_now),
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{ChangeCounts, NewestWish};
-    use protocol::ChangedStream;
+    use super::NewestWish;
 
     #[test]
     fn one_is_asked_at_a_time_and_only_the_newest_after_it() {
@@ -513,15 +378,5 @@ mod tests {
         assert!(wish.answered(), "all fifty are one question");
         assert!(!wish.answered(), "and that was the newest");
         assert!(wish.want() && !wish.answered(), "what comes later is asked again");
-    }
-
-    #[test]
-    fn every_moment_is_counted_once() {
-        let stream = ChangedStream { before: 19, now: 20, same: 15, moved: 2, ..ChangedStream::default() };
-        let counts = ChangeCounts::of(&stream);
-        assert_eq!(counts, ChangeCounts { same: 15, only_now: 3, only_before: 2, moved: 2 });
-        assert!(counts.changes() && counts.and(counts).moved == 4);
-        let same = ChangedStream { before: 19, now: 19, same: 19, ..ChangedStream::default() };
-        assert!(!ChangeCounts::of(&same).changes());
     }
 }

@@ -1,10 +1,12 @@
 //! The changes stream by stream, as a table, and what nobody can know.
 
-use super::compare::ChangeCounts;
+use super::compare_counts::{ChangeCounts, change_words, dot_change};
+use super::media::page_element;
 use super::{PastShared, clock, filling};
 use crate::words;
 use behaviour::StreamKind;
-use lanes::{DotChange, LaneAct};
+use lanes::{Density, LaneAct};
+use leptos::portal::Portal;
 use leptos::prelude::*;
 use protocol::{ChangedMoment, ChangedStream, LaneName, MomentChange, PastChanges};
 use robot::Resource;
@@ -14,11 +16,24 @@ const ROWS_MAX: usize = 12;
 /// So many moved moments are told one by one.
 const MOVED_MAX: usize = 3;
 
-/// The table beside the lanes, once something is compared.
+/// The changes in a table, once something is compared: beside the graph, in a narrow window below the lanes.
 #[component]
 pub(super) fn Changes(past: PastShared) -> impl IntoView {
     let compare = past.compare;
-    let is_there = move || compare.is_on.get() && compare.changes.read().is_some();
+    let is_there = Memo::new(move |_| compare.is_on.get() && compare.changes.read().is_some());
+    let is_narrow = Memo::new(move |_| past.viewer.read().density() == Density::Narrow);
+    move || match (is_there.get(), is_narrow.get()) {
+        (true, true) => view! { <ChangesTable past /> }.into_any(),
+        (true, false) => {
+            page_element(".right").map(|mount| view! { <Portal mount><ChangesTable past /></Portal> }).into_any()
+        }
+        (false, _) => ().into_any(),
+    }
+}
+
+#[component]
+fn ChangesTable(past: PastShared) -> impl IntoView {
+    let compare = past.compare;
     let rows = move || {
         let changes = compare.changes.get()?;
         let changed = changes.streams.iter().filter(|one| ChangeCounts::of(one).changes()).take(ROWS_MAX);
@@ -28,32 +43,47 @@ pub(super) fn Changes(past: PastShared) -> impl IntoView {
         let changes = compare.changes.read();
         changes.as_ref().is_some_and(|all| !all.streams.iter().any(|one| ChangeCounts::of(one).changes()))
     };
+    let heading = move || compare.changes.read().as_ref().map(|changes| heading(past, changes));
+    let of_when = move || compare.changes.read().as_ref().map(|changes| of_when(past, changes));
+    let remarks = move || {
+        let changes = compare.changes.get()?;
+        let remark = |text| view! { <p class="second">{text}</p> };
+        Some(remarks(past, &changes).into_iter().map(remark).collect_view())
+    };
     view! {
-        <Show when=is_there>
-            <div class="past-changes" role="group" tabindex="0" aria-label=words::what_would_change()>
-                <table hidden=nothing>
-                    <caption>{words::what_would_change()}</caption>
-                    <thead><tr>
-                        <th scope="col">{words::what_differs()}</th><th scope="col">{words::before_name()}</th>
-                        <th scope="col">{words::now_version()}</th>
-                    </tr></thead>
-                    <tbody>{rows}</tbody>
-                </table>
-                {move || compare.changes.get().map(|changes| remarks(past, &changes).into_iter().map(|text| view! { <p class="second">{text}</p> }).collect_view())}
-            </div>
-        </Show>
+        <section class="past-changes" class:old=move || compare.is_old.get() aria-label=words::what_would_change()>
+            <h2>{heading}</h2>
+            <p class="second">{move || if compare.is_old.get() { Some(words::is_of_before().to_owned()) } else { of_when() }}</p>
+            <p class="second" hidden=move || !nothing()>{words::nothing_would_change()}</p>
+            <table hidden=nothing>
+                <caption class="sr">{words::what_would_change()}</caption>
+                <thead><tr>
+                    <th scope="col">{words::what_differs()}</th><th scope="col">{words::before_name()}</th>
+                    <th scope="col">{words::now_version()}</th>
+                </tr></thead>
+                <tbody>{rows}</tbody>
+            </table>
+            {remarks}
+        </section>
     }
 }
 
 /// One stream, and below it how it changes.
 #[component]
 fn ChangedRow(past: PastShared, one: ChangedStream) -> impl IntoView {
-    let counts = ChangeCounts::of(&one);
-    let words = words::counted_changes(counts.same, counts.only_now, counts.only_before, counts.moved);
-    let moved = one.moments.iter().filter_map(moved_words).take(MOVED_MAX);
-    let told = words::listed(std::iter::once(words).chain(moved));
-    let stream = one.stream.clone();
-    let choose = move |_| past.show_lane(&stream);
+    let mut moved: Vec<String> = Vec::new();
+    for told in one.moments.iter().filter_map(moved_words) {
+        if !moved.contains(&told) {
+            moved.push(told);
+        }
+    }
+    if moved.len() > MOVED_MAX {
+        moved.truncate(MOVED_MAX);
+        moved.push("…".to_owned());
+    }
+    let told = words::listed(std::iter::once(ChangeCounts::of(&one).words()).chain(moved));
+    let (stream, first_ms) = (one.stream.clone(), one.first_ms);
+    let choose = move |_| past.show_change(&stream, first_ms);
     view! {
         <tr>
             <th scope="row"><button class="link" type="button" on:click=choose>{one.name.clone()}</button></th>
@@ -63,32 +93,33 @@ fn ChangedRow(past: PastShared, one: ChangedStream) -> impl IntoView {
     }
 }
 
-/// Says by how much a moment moved, if it did.
+/// Says what happened to a moment that is elsewhere, if it is.
 fn moved_words(one: &ChangedMoment) -> Option<String> {
-    let MomentChange::MovedTo(to) = one.what else { return None };
-    Some(change_words(one.t as f64, DotChange::MovedTo(to as f64)))
+    let MomentChange::MovedTo(_) = one.what else { return None };
+    Some(change_words(one.t as f64, dot_change(one, 0.0)))
 }
 
-/// A change of a moment in words.
-pub(super) fn change_words(t: f64, change: DotChange) -> String {
-    match change {
-        DotChange::Same => words::is_same().to_owned(),
-        DotChange::OnlyNow => words::is_only_now().to_owned(),
-        DotChange::OnlyBefore => words::is_only_before().to_owned(),
-        DotChange::MovedTo(to) => {
-            let by = words::moved_by((to - t).abs() as u64);
-            if to < t { words::moved_earlier(&by) } else { words::moved_later(&by) }
-        }
-    }
+/// The heading: the number that is another one, if it is only one.
+fn heading(past: PastShared, changes: &PastChanges) -> String {
+    let mut limits = changes.limits.iter().map(|one| (&one.of, one.before, one.now)).collect::<Vec<_>>();
+    // Both sides of a condition have the same number.
+    limits.dedup();
+    let [(of, Some(before), Some(now))] = limits[..] else { return words::what_would_change().to_owned() };
+    let kind = filling::kind_of(past, of);
+    let plain = crate::live::short_value(&behaviour::Value::Float(now));
+    words::now_instead_of(&plain, &filling::number_words(before, kind.as_ref()))
 }
 
-/// The remarks to a comparison: of which time it is, from when on it is not sure, and what nobody knows.
+/// Says of which time a comparison is.
+fn of_when(past: PastShared, changes: &PastChanges) -> String {
+    let from_ms = past.opened.read().as_ref().map_or(0, |opened| opened.from_ms);
+    if changes.from_ms > from_ms { words::in_last_minutes() } else { words::in_all_of_it() }.to_owned()
+}
+
+/// The remarks to a comparison: from when on it is not sure, and what nobody knows.
 fn remarks(past: PastShared, changes: &PastChanges) -> Vec<String> {
     let Some(opened) = past.opened.get_untracked() else { return Vec::new() };
     let mut all = vec![words::the_same_readings().to_owned()];
-    if changes.from_ms > opened.from_ms {
-        all.push(words::in_last_minutes().to_owned());
-    }
     let parts = changes.open_loop.iter().flat_map(|stream| {
         let stream = opened.streams.iter().find(|one| one.stream == *stream);
         let device = stream.and_then(|one| Some((one, one.device.as_deref()?)));
@@ -127,20 +158,22 @@ pub(super) fn lane_counts(past: PastShared, key: &str) -> Option<(String, String
         return None;
     }
     let one = past.compare.of(&filling::name(key).stream)?;
-    let counts = ChangeCounts::of(&one);
-    let words = words::counted_changes(counts.same, counts.only_now, counts.only_before, counts.moved);
-    Some((format!("{} → {}", one.before, one.now), words))
+    Some((format!("{} → {}", one.before, one.now), ChangeCounts::of(&one).words()))
 }
 
 impl PastShared {
-    /// Chooses the lane of a stream, and adds it if it is not there.
-    fn show_lane(self, stream: &str) {
+    /// Chooses the lane of a stream, and adds it if it is not there; the cursor goes to its first difference.
+    fn show_change(self, stream: &str, first_ms: Option<u64>) {
         let name = LaneName { stream: stream.to_owned(), field: None };
         let at =
             self.viewer.with_untracked(|viewer| viewer.lanes().iter().position(|lane| lane.key == filling::key(&name)));
         match at {
             Some(at) => self.act(LaneAct::Choose(at)),
             None => self.add_lane(&name),
+        }
+        let from_ms = self.opened.with_untracked(|opened| opened.as_ref().map_or(0, |opened| opened.from_ms));
+        if let Some(first_ms) = first_ms {
+            self.seek(first_ms.saturating_sub(from_ms) as f64);
         }
     }
 }

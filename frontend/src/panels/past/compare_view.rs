@@ -1,7 +1,8 @@
 //! The line of the comparison below the head: what is compared, the sum of what changes, and whether that is saved.
 
 use super::PastShared;
-use super::compare::{ChangeCounts, CompareForm};
+use super::compare::CompareForm;
+use super::compare_counts::ChangeCounts;
 use crate::browser;
 use crate::icons::Icon;
 use crate::words;
@@ -58,8 +59,9 @@ fn Sum(past: PastShared) -> impl IntoView {
     let compare = past.compare;
     let sum = Memo::new(move |_| past.sum_of_changes());
     move || {
-        if let Some(why) = compare.trouble.get() {
-            return view! { <p class="past-trouble" role="status">{why}</p> }.into_any();
+        let trouble = compare.trouble.get();
+        if let Some(why) = trouble.clone().filter(|_| !compare.is_old.get()) {
+            return view! { <p class="past-trouble">{why}</p> }.into_any();
         }
         let Some((counts, actions)) = sum.get() else {
             return view! { <p class="faint">{words::comparison_comes()}</p> }.into_any();
@@ -74,13 +76,19 @@ fn Sum(past: PastShared) -> impl IntoView {
             ("changed", "→", words::count_moved(counts.moved), counts.moved),
         ];
         let kinds = kinds.into_iter().filter(|(.., many)| *many > 0);
+        let numbers = (counts.other_numbers > 0).then(|| words::count_other_numbers(counts.other_numbers));
+        let settings = (counts.other_settings > 0).then(|| words::has_other_settings().to_owned());
+        let others =
+            numbers.into_iter().chain(settings).map(|text| view! { <span class="differs changed">{text}</span>" " });
         let tag = |(kind, sign, text, _): (&'static str, &'static str, String, u64)| {
             view! { <span class=format!("differs {kind}")><i aria-hidden="true">{sign}</i>{text}</span>" " }
         };
         view! {
+            {trouble.map(|why| view! { <p class="past-trouble">{why}</p> })}
             <b class="past-sum">{title}</b>
             <p class="differs-row past-counts">
                 {kinds.map(tag).collect_view()}
+                {others.collect_view()}
                 <span class="faint">{words::count_same(counts.same)}</span>
             </p>
         }

@@ -14,6 +14,8 @@ use leptos::prelude::*;
 use std::cell::Cell;
 use std::rc::Rc;
 
+/// The height of the number of a limit.
+const LIMIT: f64 = 17.0;
 /// The height of the ruler.
 pub(super) const RULER: f64 = 26.0;
 
@@ -111,8 +113,9 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
     let (top, height) =
         (move || pixels(place.get().map(|row| row.y)), move || pixels(place.get().map(|row| row.height)));
     let folded = move || place.get().is_some_and(|row| row.is_folded);
+    let limits = Memo::new(move |_| limits(past, at));
     view! {
-        <li class="past-row" class:chosen=is_chosen style:top=top style:height=height data-kind=kind>
+        <li class="past-row" class:has-limits=move || !limits.read().is_empty() class:chosen=is_chosen style:top=top style:height=height data-kind=kind>
             <button class="past-label" type="button" aria-pressed=move || is_chosen().to_string()
                 on:click=move |_| past.act(LaneAct::Choose(at))>
                 <i aria-hidden="true"></i>
@@ -123,6 +126,10 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
                     let title = words.clone();
                     Some(view! { <span class="past-words" title=title>{words}</span> })
                 }}
+                {move || limits.get().into_iter().map(|(top, text, is_now)| {
+                    let says = if is_now { words::now_version() } else { words::before_name() };
+                    view! { <span class="past-limit" class:now=is_now style:top=top>{text}<span class="sr">" "{says}</span></span> }
+                }).collect_view()}
             </button>
             <Show when=is_chosen>
                 <span class="past-row-tools">
@@ -137,6 +144,17 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
             </Show>
         </li>
     }
+}
+
+/// The numbers of conditions that are others, each with its place and with true if it is that of now. Reactive.
+fn limits(past: PastShared, at: usize) -> Vec<(String, String, bool)> {
+    let viewer = past.viewer.read();
+    let Some(lane) = viewer.lanes().get(at) else { return Vec::new() };
+    let kind = filling::kind_of(past, &filling::name(&lane.key));
+    let place = |place: lanes::LimitPlace| {
+        (pixels(Some(place.y)), filling::number_words(place.number, kind.as_ref()), place.is_now)
+    };
+    viewer.limit_places(at, LIMIT).into_iter().map(place).collect()
 }
 
 /// A length for the stylesheet.

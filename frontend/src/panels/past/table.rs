@@ -1,6 +1,6 @@
 //! The values of the chosen lane around the cursor, as a table: shown where somebody wants it, and always there for screen readers.
 
-use super::compare_changes::change_words;
+use super::compare_counts::change_words;
 use super::rows::dot_words;
 use super::{PastShared, clock, filling};
 use crate::words;

@@ -21,6 +21,10 @@ sentences! {
     spoken_otherwise: "The robot would have spoken otherwise, and hears itself.";
     the_same_readings: "The same readings as then.";
     in_last_minutes: "In the last 2 minutes.";
+    in_all_of_it: "In all that was recorded.";
+    is_of_before: "What is shown here is of before that.";
+    has_other_numbers: "other numbers";
+    has_other_settings: "other settings";
     before_name: "before";
     change_name: "What is different";
     is_same: "same";
@@ -74,6 +78,31 @@ pub(crate) fn moved_later(by: &str) -> String {
 
 pub(crate) fn moved_earlier(by: &str) -> String {
     say!(moved_earlier: "moved: {by} earlier", by)
+}
+
+pub(crate) fn begins_later(by: &str) -> String {
+    say!("begins {by} later", by)
+}
+
+pub(crate) fn begins_earlier(by: &str) -> String {
+    say!("begins {by} earlier", by)
+}
+
+pub(crate) fn is_longer(by: &str) -> String {
+    say!("{by} longer", by)
+}
+
+pub(crate) fn is_shorter(by: &str) -> String {
+    say!("{by} shorter", by)
+}
+
+pub(crate) fn count_other_numbers(many: u64) -> String {
+    say!("{many} with other numbers", many)
+}
+
+/// The number of a condition, and the one that it had, with its unit: `With 60 instead of 75 cm`.
+pub(crate) fn now_instead_of(now: &str, before: &str) -> String {
+    say!("With {now} instead of {before}", now, before)
 }
 
 pub(crate) fn revision_number(revision: u64) -> String {

@@ -195,7 +195,7 @@ async fn edited(state: &ServerState, question: &PastQuestion, sender: &Sender) -
 
 /// A behaviour as it is saved, or was once, with what is not saved yet.
 async fn file(state: &ServerState, edited: EditedProgram, sender: &Sender) -> Result<BehaviourFile, Refused> {
-    let EditedProgram { behaviour, revision, change } = edited;
+    let EditedProgram { behaviour, revision, change, helper } = edited;
     let (was, now) = match revision {
         Some(revision) => (Some(state.rooms.look_at(&behaviour, revision, sender.clone()).await?), None),
         None => (None, Some(state.rooms.look(&behaviour).await?)),
@@ -205,7 +205,11 @@ async fn file(state: &ServerState, edited: EditedProgram, sender: &Sender) -> Re
     let write = move |_: &_| {
         let mut behaviour = was.or_else(|| now.map(|now| now.behaviour().clone())).unwrap_or_default();
         change.iter().for_each(|change| behaviour.apply(change));
-        let helpers: Vec<&Helper> = snapshot.helpers();
+        let mut helpers: Vec<&Helper> = snapshot.helpers();
+        let drafted = helper.map(|draft| Helper { name: draft.name, ..draft.helper });
+        if let Some(drafted) = &drafted {
+            helpers.iter_mut().filter(|helper| helper.name == drafted.name).for_each(|helper| *helper = drafted);
+        }
         BehaviourFile::of(&behaviour, &helpers)
     };
     Ok(state.workers.run(sender.clone(), write).await?)

@@ -37,7 +37,7 @@ fn key(form: OperationForm) -> String {
     about.unwrap_or_else(|| draft_key(&form.source.get_value()))
 }
 
-fn read(form: OperationForm) -> OperationDraft {
+pub(super) fn read(form: OperationForm) -> OperationDraft {
     OperationDraft {
         kind: form.kind.get().word.to_owned(),
         way: form.way.get(),

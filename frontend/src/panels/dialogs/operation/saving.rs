@@ -3,8 +3,9 @@
 use super::NAME;
 use super::actuator::{ActuatorChoice, chosen};
 use super::draft;
+use super::drafting::NewIds;
 use super::form::{OperationForm, milliseconds};
-use crate::desk::{ConnectPlan, Dialog, NewSpot, Output};
+use crate::desk::{ConnectPlan, Dialog, DraftedRecords, NewSpot, Output};
 use crate::fields::Unfilled;
 use crate::panels::focus;
 use crate::words;
@@ -29,11 +30,26 @@ pub(super) fn save(form: OperationForm) {
 }
 
 fn connect(form: OperationForm) -> Result<(), Unfilled> {
-    let spot = if form.kind.get().acts() { NewSpot::default() } else { form.spot.get_value() };
-    let plan = ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)?, spot };
+    let plan = plan(form)?;
     let answered = answered(form);
     form.desk.desk().document.connect(plan, answered);
     Ok(())
+}
+
+fn plan(form: OperationForm) -> Result<ConnectPlan, Unfilled> {
+    let spot = if form.kind.get().acts() { NewSpot::default() } else { form.spot.get_value() };
+    Ok(ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)?, spot })
+}
+
+/// The records as they would be saved; what is new has these ids. Reactive.
+pub(super) fn drafted(form: OperationForm, (stream, connector): &NewIds) -> Result<DraftedRecords, Unfilled> {
+    let document = form.desk.desk().document;
+    let Some((id, seen)) = form.edits.get_value() else {
+        return Ok(document.connection_drafted((stream, connector), plan(form)?));
+    };
+    let (operation, name) = (operation(form)?, named(form)?);
+    let renamed = Some(name.as_str()).filter(|name| form.name_at_first.with_value(|first| first != name));
+    Ok(document.connector_drafted((&id, &seen), (operation, form.inputs.get()), renamed))
 }
 
 fn edit(form: OperationForm) -> Result<(), Unfilled> {
