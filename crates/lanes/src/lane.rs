@@ -1,5 +1,6 @@
 //! A lane: the values of one stream, or of one number of it, over time.
 
+use crate::steps::{LaneSteps, SeenValues};
 use std::sync::Arc;
 
 /// The range of a lane without numbers.
@@ -85,6 +86,7 @@ pub struct ShownLane {
     pub gap_ms: f64,
     /// The number with which a condition compares, and how it is said.
     pub limit: Option<(f64, String)>,
+    steps: LaneSteps,
 }
 
 /// A marked moment or span.
@@ -110,6 +112,7 @@ impl ShownLane {
             range: RANGE_EMPTY,
             gap_ms: GAP_LEAST_MS,
             limit: None,
+            steps: LaneSteps::default(),
         }
     }
 
@@ -127,7 +130,14 @@ impl ShownLane {
         if let LaneFilling::Values(dots) = &filling {
             self.gap_ms = self.gap_ms.max(usual_gap(dots));
         }
+        self.steps = LaneSteps::of(&filling, self.gap_ms);
         self.filling = filling;
+    }
+
+    /// The values between two moments and their neighbours, so many of them told together that they are about `most`; none at or
+    /// after `before`.
+    pub(crate) fn seen(&self, range: (f64, f64), most: usize, before: f64) -> SeenValues<'_> {
+        self.steps.seen(&self.filling, range, (most, before))
     }
 
     /// True if a line can be drawn: there are numbers.

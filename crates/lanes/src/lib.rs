@@ -17,6 +17,7 @@ mod plot;
 mod question;
 mod ruler;
 mod spans;
+mod steps;
 mod viewer;
 mod walk;
 

@@ -14,6 +14,7 @@ mod hook;
 mod interruptions;
 mod lanes;
 mod matched;
+mod miss;
 mod moment;
 mod opening;
 mod past;

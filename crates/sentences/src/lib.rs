@@ -19,7 +19,7 @@ mod test;
 mod token;
 mod words;
 
-pub use explain::{AnswerSentence, Answers, explain};
+pub use explain::{AnswerSentence, Answers, TestMeasure, explain};
 pub use language::{Language, NoLanguage};
 pub use read::{
     Doubt, Draft, DraftConnector, DraftStream, TEXT_MAX_CHARS, TextReading, Understood, VagueNumber, language_of,

@@ -43,6 +43,9 @@ sentences! {
     back_to_now: "Back to now";
     time_of_value: "Time";
     values_come: "The values are on their way.";
+    find_moment: "Find a moment …";
+    no_marks_yet: "No marks yet. While the program runs, press Mark on the operator's page (key M): each mark then stands here.";
+    no_such_mark: "No mark has these words. A time, such as 12:04:17, goes there with Enter.";
     no_values_then: "Nothing came on this lane.";
 }
 
@@ -77,6 +80,18 @@ pub(crate) fn why_no(name: &str, time: &str) -> String {
 
 pub(crate) fn used_besides(name: &str) -> String {
     say!("With it: {name}", name)
+}
+
+pub(crate) fn marks_counted(count: usize) -> String {
+    say!("Marks · {count}", count)
+}
+
+pub(crate) fn more_marks(count: usize) -> String {
+    say!("The first {count} are listed. Type to find others.", count)
+}
+
+pub(crate) fn looked_from(time: &str) -> String {
+    say!("The time from {time} on was looked at. What came nearest stands first.", time)
 }
 
 /// `Make it 95 cm`
