@@ -1,6 +1,6 @@
 //! A lane in coarser and coarser steps: a drawing reads about as many of them as it has pixels, whatever the number of values.
 
-use crate::lane::{Dot, DotSpan, LaneFilling, RANGE_EMPTY};
+use crate::dots::{Dot, DotSpan, LaneFilling, RANGE_EMPTY};
 
 /// So many of one step are told together in the next.
 const TOGETHER: usize = 8;
@@ -124,7 +124,7 @@ fn together(all: impl Iterator<Item = DotSpan>, gap_ms: f64) -> Vec<DotSpan> {
 #[cfg(test)]
 mod tests {
     use super::{FEW, LaneSteps, SeenValues, TOGETHER};
-    use crate::lane::{Dot, LaneFilling};
+    use crate::dots::{Dot, DotSpan, LaneFilling};
 
     const ALL: (f64, f64) = (0.0, f64::INFINITY);
     const NEVER: f64 = f64::INFINITY;
@@ -163,7 +163,7 @@ mod tests {
         let filling = filling((0..10_000).map(|at| (pause(at), 1.0)));
         let steps = LaneSteps::of(&filling, 500.0);
         let bridges =
-            |step: &Vec<_>| step.iter().any(|span: &crate::lane::DotSpan| span.t < 500_250.0 && span.until > 550_000.0);
+            |step: &Vec<DotSpan>| step.iter().any(|span: &DotSpan| span.t < 500_250.0 && span.until > 550_000.0);
         assert!(steps.0.len() > 1 && !steps.0.iter().any(bridges));
         let seldom = LaneSteps::of(&self::filling((0..10_000).map(|at| (f64::from(at) * 900.0, 1.0))), 500.0);
         assert_eq!(seldom.0.len(), 1, "where all is silences there is nothing to tell together");
