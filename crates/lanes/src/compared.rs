@@ -2,8 +2,9 @@
 //! a plus, what came only before is hollow with a minus, and an arrow leads from where something came to where it comes now.
 
 use crate::axis::Axis;
+use crate::dots::Dot;
 use crate::draw::{BAR, BAR_LEAST, DrawnForm, Ink, LaneArea, MARBLE, MARBLES_MAX, TEXT_SPACE, ink, upright};
-use crate::lane::{Dot, LaneShape, ShownLane};
+use crate::lane::{LaneShape, ShownLane};
 use crate::layout::Row;
 use std::collections::BTreeMap;
 use std::sync::Arc;

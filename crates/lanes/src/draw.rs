@@ -1,7 +1,8 @@
 //! The drawing of lanes: a list of plain forms, bounded by the pixels that there are.
 
 use crate::axis::Axis;
-use crate::lane::{LaneFilling, LaneKind, LaneMark, LaneShape, ShownLane};
+use crate::dots::LaneFilling;
+use crate::lane::{LaneKind, LaneMark, LaneShape, ShownLane};
 use crate::layout::Row;
 use crate::steps::SeenValues;
 use crate::{plot, spans};

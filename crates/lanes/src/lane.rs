@@ -1,6 +1,6 @@
 //! A lane: the values of one stream, or of one number of it, over time.
 
-pub(crate) use crate::dots::{Dot, DotSpan, LaneFilling, RANGE_EMPTY};
+use crate::dots::{Dot, LaneFilling, RANGE_EMPTY};
 use crate::steps::{LaneSteps, SeenValues};
 
 /// The shortest silence that ends a presence, in milliseconds.

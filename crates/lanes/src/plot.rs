@@ -112,7 +112,8 @@ impl<Y: Fn(f64) -> f64> PlotLines<Y> {
 mod tests {
     use super::{scale, seen};
     use crate::axis::Axis;
-    use crate::lane::{Dot, DotSpan, LaneFilling, LaneKind, LaneShape, ShownLane};
+    use crate::dots::{Dot, DotSpan, LaneFilling};
+    use crate::lane::{LaneKind, LaneShape, ShownLane};
 
     const ROWS: (f64, f64) = (0.0, 50.0);
 

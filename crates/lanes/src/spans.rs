@@ -38,7 +38,8 @@ pub(crate) fn of_seen(values: SeenValues, gap_ms: f64, (from, until): (f64, f64)
 #[cfg(test)]
 mod tests {
     use super::presences;
-    use crate::lane::{Dot, DotSpan, LaneFilling, LaneKind, LaneShape, RANGE_EMPTY, ShownLane};
+    use crate::dots::{Dot, DotSpan, LaneFilling, RANGE_EMPTY};
+    use crate::lane::{LaneKind, LaneShape, ShownLane};
 
     fn lane(filling: LaneFilling) -> ShownLane {
         let mut lane = ShownLane::new("face", LaneKind::Sense, LaneShape::Bars);

@@ -3,9 +3,10 @@
 use crate::around::{around, around_of};
 use crate::axis::Axis;
 use crate::compared::{ComparedLane, ComparedLanes, DotChange, compared_dots};
+use crate::dots::{Dot, LaneFilling};
 use crate::draw::{DrawnForm, Ink, LaneArea, Measure, under_cursor, upright};
 use crate::hit::{Hit, nearest, nearest_mark};
-use crate::lane::{Dot, LaneFilling, LaneMark, LaneShape, ShownLane};
+use crate::lane::{LaneMark, LaneShape, ShownLane};
 use crate::layout::{Density, Row, row_at, rows};
 use crate::overview::{Grip, Overview, grip};
 use crate::play::Play;
