@@ -174,7 +174,7 @@ fn MarkRow(past: PastShared, mark: ListedMark, here: Memo<Option<f64>>) -> impl 
         let (name, letters) = (by.clone(), initials(&by));
         let color = move || {
             let signs = past.desk.desk().document.signs();
-            signs.iter().find(|sign| sign.name == name).map_or_else(|| "var(--line-strong)".to_owned(), in_color)
+            signs.iter().find(|sign| sign.name == name).map_or_else(|| "var(--ink-2)".to_owned(), in_color)
         };
         view! { <span class="avatar face" aria-hidden="true" style=("--person", color) title=by.clone()>{letters}</span><span class="sr">{by}</span> }
     });

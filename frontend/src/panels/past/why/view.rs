@@ -176,12 +176,15 @@ fn Fixing(past: PastShared, at: usize, fix: AnswerFix, made: RwSignal<Option<usi
         fix.with_value(|fix| {
             past.take_fix(fix, move || {
                 made.try_set(Some(at));
+                // The button is gone: the keyboard stays at the answer.
+                to_answer();
             });
         });
     };
     let undo = move |_| {
         fix.with_value(|fix| past.take_back(fix));
         made.set(None);
+        to_answer();
     };
     let said = words::fix_made(&number);
     let label = words::make_it(&number);
@@ -241,6 +244,8 @@ pub(in super::super) fn Numbers(past: PastShared) -> impl IntoView {
 
 /// All that an answer is not about steps back on the graph while that is told: it is marked by this name for the style sheet.
 const BESIDE: &str = "data-beside";
+/// A moment for what comes into view, in milliseconds.
+const SEEN_MS: i32 = 200;
 
 fn dim_beside(past: PastShared) {
     let way = Memo::new(move |_| past.then.answer.with(|answer| answer.as_ref().map(|answer| answer.way.clone())));
@@ -268,7 +273,9 @@ fn dim_beside(past: PastShared) {
         document.stream_ids.track();
         document.laid_out.track();
         past.then.at.track();
-        browser::after(0, mark);
+        past.then.is_folded.track();
+        // What comes into view stands there a moment later.
+        [0, SEEN_MS].into_iter().for_each(|ms| browser::after(ms, mark));
     });
     on_cleanup(move || {
         if let Some(stage) = element("#stage") {
