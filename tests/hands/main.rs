@@ -11,6 +11,7 @@ mod hints;
 mod inputs;
 mod keyboard;
 mod keyboards;
+mod lanes;
 mod library;
 mod many;
 mod map;

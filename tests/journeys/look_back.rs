@@ -1,5 +1,6 @@
 //! Looking back: a recorded session over time, by the keyboard alone and by a finger alone, and what runs now.
 
+use crate::by_keyboard::Hands;
 use crate::steps::*;
 use house::{Outcome, Page, SESSION, keep_session, skip};
 
@@ -137,6 +138,74 @@ async fn a_recorded_session_is_looked_at_by_a_finger_alone() -> Outcome<()> {
     aiko.find("button", "Stop*").await?;
     aiko.tap("button", "Back to now").await?;
     aiko.until("!document.querySelector('.past')", "it is closed").await?;
+    aiko.no_errors()
+}
+
+/// The rows of the marks.
+const MARKS: &str = "document.querySelectorAll('.mark-row').length";
+/// The words of the mark at which the cursor is.
+const MARK_HERE: &str = "(document.querySelector('.mark-row[aria-current]')?.textContent ?? '')";
+
+#[tokio::test]
+async fn the_marks_lead_to_their_moments_by_the_keyboard_alone() -> Outcome<()> {
+    skip::unless!(ready("journey: marks by keyboard"));
+    let folder = house::folder()?;
+    keep_session(folder.path())?;
+    let stage = Stage::set_with(folder, &[]).await?;
+    let aiko = at_session(&stage, false).await?;
+    aiko.on("link", "Look back", "function () { this.focus(); return true; }").await?;
+    aiko.key("Enter").await?;
+    usable(&aiko).await?;
+    aiko.until(THERE, "the lanes are there").await?;
+    aiko.until(&format!("{MARKS} === 4 && !!document.querySelector('.then-left')"), "the marks stand at the left")
+        .await?;
+    aiko.until(&format!("{MARK_HERE} === ''"), "the cursor is at none of them").await?;
+    let hands = Hands::of(&aiko);
+    hands.goes_to("Tab", "Find a moment …").await?;
+    hands.press("ArrowDown").await?;
+    aiko.until("document.activeElement.matches('.mark-row')", "the first mark has the keyboard").await?;
+    hands.press("Enter").await?;
+    aiko.until(&format!("{CURSOR} === 150000 && {MARK_HERE}.includes('laughs')"), "its moment").await?;
+    aiko.until(&format!("{MARK_HERE}.includes('Yuki')"), "and who set it").await?;
+    hands.press("]").await?;
+    aiko.until(&format!("{CURSOR} === 300000 && {MARK_HERE}.includes('looks away')"), "the next one").await?;
+    aiko.until("document.activeElement.getAttribute('aria-current') === 'true'", "the keyboard goes along").await?;
+    hands.press("[").await?;
+    aiko.until(&format!("{CURSOR} === 150000"), "the one before").await?;
+    hands.press("ArrowUp").await?;
+    aiko.until("document.activeElement.matches('.marks input')", "the field has the keyboard").await?;
+    hands.types("asks").await?;
+    aiko.until(&format!("{MARKS} === 1"), "only what has these words").await?;
+    hands.press("Enter").await?;
+    aiko.until(&format!("{CURSOR} === 420000"), "Enter goes to the first").await?;
+    hands.types(" for nothing").await?;
+    aiko.until("!!document.querySelector('.marks-none')", "it says that there is none").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn the_marks_lead_to_their_moments_by_a_finger_alone() -> Outcome<()> {
+    skip::unless!(ready("journey: marks by finger"));
+    let folder = house::folder()?;
+    keep_session(folder.path())?;
+    let stage = Stage::set_with(folder, &[]).await?;
+    let aiko = at_session(&stage, true).await?;
+    aiko.tap("link", "Look back").await?;
+    usable(&aiko).await?;
+    aiko.until(THERE, "the lanes are there").await?;
+    aiko.tap("button", "Marks").await?;
+    aiko.until(&format!("{MARKS} === 4 && !!document.querySelector('.past-marks')"), "the marks are below the lanes")
+        .await?;
+    aiko.settled().await?;
+    let row = "(() => { const box = document.querySelectorAll('.mark-row')[1].getBoundingClientRect(); \
+        return [box.left + 60, box.top + box.height / 2, box.height]; })()";
+    let row = aiko.eval(row).await?;
+    assert!(row[2].as_f64().is_some_and(|high| high >= 44.0), "a finger finds it: {row}");
+    aiko.tap_at((row[0].as_f64().unwrap_or_default(), row[1].as_f64().unwrap_or_default())).await?;
+    aiko.until(&format!("{CURSOR} === 300000 && {MARK_HERE}.includes('looks away')"), "its moment").await?;
+    aiko.find("button", "Stop*").await?;
+    aiko.tap("button", "Marks").await?;
+    aiko.until(&format!("{MARKS} === 0"), "they are folded away").await?;
     aiko.no_errors()
 }
 

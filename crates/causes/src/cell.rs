@@ -12,12 +12,22 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(crate) struct TracedCell {
     /// The newest value of each input.
-    known: Vec<Option<SeenValue>>,
+    known: Vec<KnownInput>,
     /// Values that it will give by itself.
     waiting: VecDeque<WaitingCause>,
     /// The result before, and since when; none if that came before there was a tracer.
     memory: Option<(Value, Millis)>,
     pub(crate) last: Option<Last>,
+}
+
+/// The newest value of an input.
+#[derive(Clone, Debug)]
+enum KnownInput {
+    /// Nothing ever came.
+    Nothing,
+    /// One came before there was a tracer: nobody knows when.
+    Before,
+    Value(SeenValue),
 }
 
 /// The end of a connector's last turn.
@@ -44,7 +54,7 @@ pub(crate) enum Turn {
 impl TracedCell {
     /// Returns the cell of a connector that begins.
     pub(crate) fn of(part: &WiredConnector, began: Millis) -> Self {
-        let known = if part.knows_inputs() { vec![None; part.inputs.len()] } else { Vec::new() };
+        let known = if part.knows_inputs() { vec![KnownInput::Nothing; part.inputs.len()] } else { Vec::new() };
         Self { known, waiting: VecDeque::new(), memory: Some((part.start.clone(), began)), last: None }
     }
 
@@ -53,10 +63,17 @@ impl TracedCell {
         self.memory = None;
     }
 
+    /// The run goes on with values of these inputs, of which it may be known when they came.
+    pub(crate) fn knew(&mut self, slot: usize, seen: Option<SeenValue>) {
+        if let Some(known) = self.known.get_mut(slot) {
+            *known = seen.map_or(KnownInput::Before, KnownInput::Value);
+        }
+    }
+
     /// It stores the value of an input, if it does.
     pub(crate) fn store(&mut self, slot: usize, cause: &Cause) {
         if let Some(known) = self.known.get_mut(slot) {
-            *known = Some(cause.seen.clone());
+            *known = KnownInput::Value(cause.seen.clone());
         }
     }
 
@@ -75,7 +92,7 @@ impl TracedCell {
             return before.map(|(memory, since)| With::Memory(memory, since)).into_iter().collect();
         }
         let others = self.known.iter().enumerate().filter(|(other, _)| *other != slot);
-        others.filter_map(|(_, known)| known.clone().map(With::Value)).collect()
+        others.filter_map(|(_, known)| known.seen().cloned().map(With::Value)).collect()
     }
 
     /// The procedure fails for a value of an input.
@@ -149,7 +166,8 @@ impl TracedCell {
 
     /// The places of the inputs that it waits for, as nothing ever came there.
     pub(crate) fn unknown(&self) -> impl Iterator<Item = usize> {
-        self.known.iter().enumerate().filter(|(_, known)| known.is_none()).map(|(slot, _)| slot)
+        let nothing = |known: &KnownInput| matches!(known, KnownInput::Nothing);
+        self.known.iter().enumerate().filter(move |(_, known)| nothing(known)).map(|(slot, _)| slot)
     }
 
     /// Returns roughly how many bytes it takes without the ways of what waits.
@@ -161,6 +179,15 @@ impl TracedCell {
 
     fn turned(&mut self, turn: Turn, took: &Cause) {
         self.last = Some(Last { turn, took: took.seen.clone() });
+    }
+}
+
+impl KnownInput {
+    fn seen(&self) -> Option<&SeenValue> {
+        match self {
+            Self::Value(seen) => Some(seen),
+            Self::Nothing | Self::Before => None,
+        }
     }
 }
 

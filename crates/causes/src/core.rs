@@ -2,8 +2,10 @@
 
 use crate::cause::{Cause, SeenValue, WayRoom, With};
 use crate::cell::TracedCell;
+use crate::kept::KeptValue;
 use crate::wiring::Wiring;
 use behaviour::BehaviourFile;
+use behaviour::connectors::ConnectorMeaning;
 use engine::ConnectorIx;
 use robot::Millis;
 use std::sync::Arc;
@@ -19,13 +21,15 @@ pub(crate) struct TracerCore {
     pub(crate) room: WayRoom,
     /// The number of readings so far.
     pub(crate) readings: u64,
+    /// The values that tests kept back since somebody asked last; none while nobody asks.
+    pub(crate) kept: Option<Vec<KeptValue>>,
 }
 
 impl TracerCore {
     pub(crate) fn of(file: &BehaviourFile, program: usize, began: Millis) -> Self {
         let wiring = Wiring::of(file);
         let cells = wiring.parts.iter().map(|part| TracedCell::of(part, began)).collect();
-        Self { program, wiring: Arc::new(wiring), cells, room: WayRoom::default(), readings: 0 }
+        Self { program, wiring: Arc::new(wiring), cells, room: WayRoom::default(), readings: 0, kept: None }
     }
 
     /// A reading.
@@ -44,5 +48,8 @@ impl TracerCore {
     pub(crate) fn takes(&mut self, by: ConnectorIx, slot: usize, cause: &Arc<Cause>) {
         let (part, cell) = (&self.wiring.parts[by.index()], &mut self.cells[by.index()]);
         cell.takes(part, slot, cause, &mut self.room);
+        if let Some(kept) = self.kept.as_mut().filter(|_| part.meaning == ConnectorMeaning::Keeps) {
+            kept.push(KeptValue { connector: by, seen: cause.seen.clone() });
+        }
     }
 }

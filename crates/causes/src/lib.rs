@@ -9,11 +9,13 @@ mod cell;
 mod core;
 mod event;
 mod frame;
+mod kept;
 mod traced;
 mod tracer;
 mod why_not;
 mod wiring;
 
 pub use cause::{Cause, STEPS_MAX};
+pub use kept::KeptValue;
 pub use traced::{Snapshot, Stretch, Traced};
 pub use tracer::Tracer;

@@ -1,6 +1,7 @@
 //! A run with its tracer: readings go in, and what was asked comes out.
 
 use crate::cause::Cause;
+use crate::kept::KeptValue;
 use crate::tracer::Tracer;
 use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Handover, Matching, Run, StreamIx};
@@ -126,14 +127,15 @@ impl Traced {
 
     /// Remembers what an earlier run of the same program remembered, before it was fed anything.
     pub fn resume(&mut self, memory: Handover) {
+        self.tracer.resume(&memory);
         self.run.resume_from(memory, &Matching::between(&self.file, &self.file));
-        self.tracer.resume();
     }
 
     /// Returns the moment as it is now. None while readings wait for the end of their frame.
     #[must_use]
     pub fn snapshot(&self) -> Option<Snapshot> {
-        let (memory, tracer) = (self.run.handover(), self.tracer.clone());
+        let (memory, mut tracer) = (self.run.handover(), self.tracer.clone());
+        tracer.gather_no_more();
         self.run.is_between().then_some(Snapshot { memory, tracer })
     }
 
@@ -143,6 +145,17 @@ impl Traced {
         let Snapshot { memory, tracer } = snapshot;
         run.resume_from(memory, &Matching::between(&file, &file));
         Self { file, run, tracer }
+    }
+
+    /// From now on the values that tests keep back are gathered. Whoever asks for that takes them with [`Traced::kept`] after each
+    /// reading, so that they are few.
+    pub fn gather_kept(&mut self) {
+        self.tracer.gather_kept();
+    }
+
+    /// Takes the values that tests of the program that runs kept back since this was asked last.
+    pub fn kept(&mut self) -> impl Iterator<Item = KeptValue> {
+        self.tracer.kept()
     }
 
     /// Tells why nothing came on a stream since `from`.

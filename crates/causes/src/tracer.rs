@@ -5,9 +5,10 @@ use crate::cell::TracedCell;
 use crate::core::TracerCore;
 use crate::event::Stack;
 use crate::frame::Present;
+use crate::kept::KeptValue;
 use crate::wiring::Ids;
 use behaviour::{BehaviourFile, Engine};
-use engine::{ConnectorIx, Emission, Matching, StreamIx};
+use engine::{ConnectorIx, Emission, Handover, Matching, StreamIx};
 use protocol::{Why, WhyStep, WhyWith};
 use robot::Millis;
 use std::sync::Arc;
@@ -82,9 +83,38 @@ impl Tracer {
         }
     }
 
-    /// The run remembers results that came before there was a tracer.
-    pub(crate) fn resume(&mut self) {
-        self.core.cells.iter_mut().for_each(TracedCell::forget_memory);
+    /// The run remembers results that came before there was a tracer, and values of inputs.
+    pub(crate) fn resume(&mut self, memory: &Handover) {
+        let (program, wiring) = (self.core.program, self.core.wiring.clone());
+        for (at, (cell, part)) in self.core.cells.iter_mut().zip(&wiring.parts).enumerate() {
+            cell.forget_memory();
+            if !part.knows_inputs() {
+                continue;
+            }
+            let inputs = part.inputs.iter().zip(memory.known(ConnectorIx::of(at))).enumerate();
+            for (slot, (&stream, value)) in inputs.filter_map(|(slot, (stream, value))| Some((slot, (stream, value?))))
+            {
+                // Only where it is the very value it is known when it came.
+                let newest = memory.newest(stream).filter(|(_, newest)| *newest == value);
+                let seen = newest.map(|(at, _)| SeenValue { program, stream, at, value: value.clone() });
+                cell.knew(slot, seen);
+            }
+        }
+    }
+
+    /// From now on the values that tests keep back are gathered, for [`Tracer::kept`].
+    pub(crate) fn gather_kept(&mut self) {
+        self.core.kept = Some(Vec::new());
+    }
+
+    /// Nothing more is gathered.
+    pub(crate) fn gather_no_more(&mut self) {
+        self.core.kept = None;
+    }
+
+    /// Takes the values that tests of the program that runs kept back since this was asked last.
+    pub(crate) fn kept(&mut self) -> impl Iterator<Item = KeptValue> {
+        self.core.kept.iter_mut().flat_map(|kept| kept.drain(..))
     }
 
     /// An edited program follows, as `matching` says: what means the same keeps what it remembers.
@@ -98,6 +128,7 @@ impl Tracer {
             std::mem::swap(old, new);
         }
         core.readings = self.core.readings;
+        core.kept = self.core.kept.take().map(|_| Vec::new());
         // The causes that were forgotten free their room.
         core.room.count(core.cells.iter().flat_map(TracedCell::waiting));
         self.core = core;

@@ -164,3 +164,26 @@ fn a_value_that_waits_since_before_keeps_the_action_waiting() {
     };
     assert_eq!(told, [waits], "the one that comes next");
 }
+
+#[test]
+fn a_run_that_goes_on_knows_what_was_known_and_since_when() {
+    let file = json!({
+        "format": "rrp-behaviour/1", "name": "", "helpers": [],
+        "streams": [{"id": "a", "kind": "sensor", "name": "a"}, {"id": "b", "kind": "sensor", "name": "b"},
+            {"id": "o", "kind": "ordinary", "name": "o"}],
+        "connectors": [{"id": "c", "type": "combineLatest", "inputs": ["a", "b"], "output": "o", "args": ["a", "b"], "body": "a + b"}],
+    });
+    let file: BehaviourFile = serde_json::from_value(file).unwrap();
+    let build = || Run::build(&file, Limits::default()).map_err(|faults| faults[0].to_string()).unwrap();
+    let mut before = build();
+    let (a, b) = (before.stream_index("a").unwrap(), before.stream_index("b").unwrap());
+    before.feed(Millis(700), b, Value::Int(3), &mut |_| {});
+    before.until(Millis(999), &mut |_| {});
+    let mut traced = Traced::of(file.clone(), build());
+    traced.resume(before.handover());
+    let mut last = None;
+    traced.feed(Millis(1_200), a, Value::Int(4), &mut |cause| last = Some(cause.clone()));
+    let told = traced.tracer().tell(&last.unwrap());
+    let known = protocol::WhyWith::Value { stream: "b".to_owned(), t: 700, value: Value::Int(3) };
+    assert_eq!((told.value, told.steps[0].with.clone()), (Value::Int(7), vec![known]));
+}

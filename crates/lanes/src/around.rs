@@ -1,6 +1,6 @@
 //! The values of a lane around a moment, for a table beside the drawing.
 
-use crate::lane::Dot;
+use crate::dots::Dot;
 
 /// The most values of the table.
 pub const AROUND_MAX: usize = 9;
@@ -23,7 +23,7 @@ pub(crate) fn around_of<T>(all: &[T], cursor: f64, t: impl Fn(&T) -> f64) -> (&[
 #[cfg(test)]
 mod tests {
     use super::around;
-    use crate::lane::Dot;
+    use crate::dots::Dot;
 
     #[test]
     fn the_table_holds_what_came_before_and_after() {

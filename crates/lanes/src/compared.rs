@@ -2,8 +2,9 @@
 //! a plus, what came only before is hollow with a minus, and an arrow leads from where something came to where it comes now.
 
 use crate::axis::Axis;
+use crate::dots::Dot;
 use crate::draw::{BAR, BAR_LEAST, DrawnForm, Ink, LaneArea, MARBLE, MARBLES_MAX, TEXT_SPACE, ink, upright};
-use crate::lane::{Dot, LaneFilling, LaneShape, ShownLane};
+use crate::lane::{LaneShape, ShownLane};
 use crate::layout::Row;
 use crate::plot;
 use std::collections::BTreeMap;
@@ -145,7 +146,7 @@ impl LaneArea<'_> {
             return self.compared_bars(lane, compared, (y, BELOW_PLOT), to);
         }
         if from > self.axis.begin() {
-            self.lane(&until(lane, from), row, to);
+            LaneArea { before: from, ..*self }.lane(lane, row, to);
             to.push(upright(self.x(from), row.y + 4.0, row.y + row.height - 4.0, Ink::Line));
         } else {
             self.baseline(row.middle, to);
@@ -295,16 +296,6 @@ fn minus((x, y): (f64, f64), ink: Ink, to: &mut Vec<DrawnForm>) {
 
 fn stroke(points: Vec<(f64, f64)>, ink: Ink) -> DrawnForm {
     DrawnForm::Line { points, width: 1.5, ink, is_dashed: false }
-}
-
-/// A lane with what came before a moment only.
-fn until(lane: &ShownLane, t: f64) -> ShownLane {
-    let end = lane.before(t);
-    let filling = match &lane.filling {
-        LaneFilling::Values(dots) => LaneFilling::Values(dots[..end].to_vec()),
-        LaneFilling::Spans(spans) => LaneFilling::Spans(spans[..end].to_vec()),
-    };
-    ShownLane { filling, ..lane.clone() }
 }
 
 /// The moments of a lane as values, each with its change: all that came or comes if these are few, else those that are known

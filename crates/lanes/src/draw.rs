@@ -1,9 +1,12 @@
 //! The drawing of lanes: a list of plain forms, bounded by the pixels that there are.
 
 use crate::axis::Axis;
-use crate::lane::{LaneFilling, LaneKind, LaneMark, LaneShape, ShownLane};
+use crate::dots::LaneFilling;
+use crate::lane::{LaneKind, LaneMark, LaneShape, ShownLane};
 use crate::layout::Row;
+use crate::steps::SeenValues;
 use crate::{plot, spans};
+use std::cell::Cell;
 
 /// Above so many marbles in view a lane is drawn as bars of presence.
 pub const MARBLES_MAX: usize = 300;
@@ -149,6 +152,10 @@ pub(crate) struct LaneArea<'a> {
     pub(crate) width: f64,
     pub(crate) cursor: f64,
     pub(crate) measure: Measure<'a>,
+    /// Nothing is drawn that came at this moment or later.
+    pub(crate) before: f64,
+    /// The number of values that were read so far.
+    pub(crate) read: &'a Cell<usize>,
 }
 
 impl LaneArea<'_> {
@@ -159,6 +166,12 @@ impl LaneArea<'_> {
     /// The milliseconds of a pixel.
     fn pixel_ms(&self) -> f64 {
         self.axis.span() / self.width.max(1.0)
+    }
+
+    /// Reads values.
+    fn reads<'v>(&self, values: SeenValues<'v>) -> SeenValues<'v> {
+        self.read.set(self.read.get() + values.len());
+        values
     }
 
     pub(crate) fn lane(&self, lane: &ShownLane, row: &Row, to: &mut Vec<DrawnForm>) {
@@ -179,7 +192,9 @@ impl LaneArea<'_> {
     fn bars(&self, lane: &ShownLane, row: &Row, to: &mut Vec<DrawnForm>) {
         self.baseline(row.middle, to);
         let step = self.pixel_ms() * BAR_LEAST;
-        for (begin, end) in spans::presences(lane, self.axis.begin(), self.axis.end(), step) {
+        let range = (self.axis.begin(), self.axis.end());
+        let values = self.reads(spans::seen(lane, range, step, self.before));
+        for (begin, end) in spans::of_seen(values, lane.gap_ms, range, step) {
             let (left, right) = (self.x(begin).max(-BAR), self.x(end).min(self.width + BAR));
             to.push(DrawnForm::Bar {
                 x: left,
@@ -197,7 +212,8 @@ impl LaneArea<'_> {
         if let Some((limit, _)) = lane.limit.as_ref().filter(|limit| (lane.range.0..=lane.range.1).contains(&limit.0)) {
             to.push(level(y(*limit), self.width, Ink::Ink2, true));
         }
-        for points in plot::lines(lane, self.axis, self.width, row.plot) {
+        let values = self.reads(plot::seen(lane, self.axis, self.width, self.before));
+        for points in plot::lines(lane, values, self.axis, (self.width, row.plot)) {
             let ink = ink(lane.kind);
             match points[..] {
                 [(x, y)] => to.push(DrawnForm::Disc { x, y, radius: 2.0, ink, is_hollow: false }),
@@ -211,13 +227,14 @@ impl LaneArea<'_> {
     }
 
     fn marbles(&self, lane: &ShownLane, row: &Row, to: &mut Vec<DrawnForm>) {
-        let (first, last) = (lane.before(self.axis.begin()), lane.until(self.axis.end()));
+        let (first, last) = (lane.before(self.axis.begin()), lane.until(self.axis.end()).min(lane.before(self.before)));
         let LaneFilling::Values(dots) = &lane.filling else { return self.bars(lane, row, to) };
         if last.saturating_sub(first) > MARBLES_MAX {
             return self.bars(lane, row, to);
         }
         self.baseline(row.middle, to);
         let seen = &dots[first.min(last)..last];
+        self.reads(SeenValues::Each(seen));
         let mut taken = f64::NEG_INFINITY;
         for (index, dot) in seen.iter().enumerate() {
             let x = self.x(dot.t);

@@ -1,9 +1,8 @@
 //! A lane: the values of one stream, or of one number of it, over time.
 
-use std::sync::Arc;
+use crate::dots::{Dot, LaneFilling, RANGE_EMPTY};
+use crate::steps::{LaneSteps, SeenValues};
 
-/// The range of a lane without numbers.
-pub const RANGE_EMPTY: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 /// The shortest silence that ends a presence, in milliseconds.
 const GAP_LEAST_MS: f64 = 500.0;
 /// The longest silence that a presence outlasts, in milliseconds: values that come more seldom are moments.
@@ -33,41 +32,6 @@ pub enum LaneShape {
     Plot,
 }
 
-/// One value at its moment.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Dot {
-    /// The moment, in milliseconds since Start.
-    pub t: f64,
-    /// The value as a number, if it is one.
-    pub number: Option<f64>,
-    /// The value in few characters; empty if the number says it all.
-    pub text: Arc<str>,
-}
-
-/// The values of a short stretch, told together.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DotSpan {
-    /// The moment of the first of them.
-    pub t: f64,
-    /// The moment of the last of them.
-    pub until: f64,
-    /// The number of values.
-    pub count: u64,
-    /// The least and the greatest number; the range is empty if there are none.
-    pub range: (f64, f64),
-    /// The first and the last number; not finite if there are none.
-    pub ends: (f64, f64),
-}
-
-/// The values of a lane, in the order of time.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LaneFilling {
-    /// Each value.
-    Values(Vec<Dot>),
-    /// Many values, told together.
-    Spans(Vec<DotSpan>),
-}
-
 /// The values of one stream, or of one number of it, over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShownLane {
@@ -85,6 +49,7 @@ pub struct ShownLane {
     pub gap_ms: f64,
     /// The number with which a condition compares, and how it is said.
     pub limit: Option<(f64, String)>,
+    steps: LaneSteps,
 }
 
 /// A marked moment or span.
@@ -110,6 +75,7 @@ impl ShownLane {
             range: RANGE_EMPTY,
             gap_ms: GAP_LEAST_MS,
             limit: None,
+            steps: LaneSteps::default(),
         }
     }
 
@@ -127,7 +93,14 @@ impl ShownLane {
         if let LaneFilling::Values(dots) = &filling {
             self.gap_ms = self.gap_ms.max(usual_gap(dots));
         }
+        self.steps = LaneSteps::of(&filling, self.gap_ms);
         self.filling = filling;
+    }
+
+    /// The values between two moments and their neighbours, so many of them told together that they are about `most`; none at or
+    /// after `before`.
+    pub(crate) fn seen(&self, range: (f64, f64), most: usize, before: f64) -> SeenValues<'_> {
+        self.steps.seen(&self.filling, range, (most, before))
     }
 
     /// True if a line can be drawn: there are numbers.

@@ -7,6 +7,7 @@
 mod around;
 mod axis;
 mod compared;
+mod dots;
 mod draw;
 mod hit;
 mod lane;
@@ -17,15 +18,17 @@ mod plot;
 mod question;
 mod ruler;
 mod spans;
+mod steps;
 mod viewer;
 mod walk;
 
 pub use around::AROUND_MAX;
 pub use axis::{Axis, SPAN_LEAST_MS};
 pub use compared::{ComparedDot, ComparedLane, ComparedLanes, ComparedLimit, DotChange, LimitPlace};
+pub use dots::{Dot, DotSpan, LaneFilling, RANGE_EMPTY};
 pub use draw::{Align, DrawnForm, Ink, MARBLES_MAX};
 pub use hit::{FINGER_REACH, Hit, MOUSE_REACH};
-pub use lane::{Dot, DotSpan, LaneFilling, LaneKind, LaneMark, LaneShape, RANGE_EMPTY, ShownLane};
+pub use lane::{LaneKind, LaneMark, LaneShape, ShownLane};
 pub use layout::{Density, Row};
 pub use play::SPEEDS;
 pub use ruler::{RULER_TEXT_WIDTH, RulerMark};

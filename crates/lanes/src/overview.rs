@@ -121,8 +121,9 @@ fn joined(all: Vec<(f64, f64)>, step: f64) -> Vec<(f64, f64)> {
 mod tests {
     use super::{Grip, Overview, grip, joined};
     use crate::axis::Axis;
+    use crate::dots::{Dot, LaneFilling};
     use crate::draw::{DrawnForm, Ink};
-    use crate::lane::{Dot, LaneFilling, LaneKind, LaneMark, LaneShape, ShownLane};
+    use crate::lane::{LaneKind, LaneMark, LaneShape, ShownLane};
 
     #[test]
     fn all_of_it_is_shown_in_small() {

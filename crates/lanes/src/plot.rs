@@ -1,7 +1,11 @@
 //! The line of a plot: at most four points for each pixel, whatever the number of values, and no line over a silence.
 
 use crate::axis::Axis;
-use crate::lane::{LaneFilling, ShownLane};
+use crate::lane::ShownLane;
+use crate::steps::SeenValues;
+
+/// The most values that are read for each pixel: they are told together by eight.
+const READ_PER_PIXEL: usize = 8;
 
 /// The numbers of one pixel.
 #[derive(Clone, Copy)]
@@ -24,18 +28,21 @@ struct PlotStep {
 }
 
 /// The lines through the numbers that are seen, as points `(x, y)`; a silence begins another line.
-pub(crate) fn lines(lane: &ShownLane, axis: &Axis, width: f64, rows: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
+pub(crate) fn lines(
+    lane: &ShownLane,
+    values: SeenValues,
+    axis: &Axis,
+    (width, rows): (f64, (f64, f64)),
+) -> Vec<Vec<(f64, f64)>> {
     let mut drawn = PlotLines { lines: Vec::new(), column: None, y: scale(lane.range, rows), gap_ms: lane.gap_ms };
-    // The neighbours just outside are needed, so that the line goes on to the edges.
-    let (first, last) = (lane.until(axis.begin()).saturating_sub(1), (lane.before(axis.end()) + 1).min(lane.len()));
-    match &lane.filling {
-        LaneFilling::Values(dots) => dots[first.min(last)..last].iter().for_each(|dot| {
+    match values {
+        SeenValues::Each(dots) => dots.iter().for_each(|dot| {
             if let Some(number) = dot.number.filter(|number| number.is_finite()) {
                 let (range, ends) = ((number, number), (number, number));
                 drawn.add(&PlotStep { t: dot.t, until: dot.t, range, ends }, axis.x(dot.t, width));
             }
         }),
-        LaneFilling::Spans(spans) => spans[first.min(last)..last].iter().for_each(|span| {
+        SeenValues::Together(spans) => spans.iter().for_each(|span| {
             if span.range.0 <= span.range.1 && span.ends.0.is_finite() && span.ends.1.is_finite() {
                 let step = PlotStep { t: span.t, until: span.until, range: span.range, ends: span.ends };
                 drawn.add(&step, axis.x(span.t, width));
@@ -43,6 +50,11 @@ pub(crate) fn lines(lane: &ShownLane, axis: &Axis, width: f64, rows: (f64, f64))
         }),
     }
     drawn.end()
+}
+
+/// The values that the lines need; the neighbours just outside are among them, so that a line goes on to the edges.
+pub(crate) fn seen<'l>(lane: &'l ShownLane, axis: &Axis, width: f64, before: f64) -> SeenValues<'l> {
+    lane.seen((axis.begin(), axis.end()), width.clamp(1.0, 65_536.0) as usize * READ_PER_PIXEL, before)
 }
 
 /// The height of a number in a row: the greatest number is at its upper end.
@@ -98,11 +110,16 @@ impl<Y: Fn(f64) -> f64> PlotLines<Y> {
 
 #[cfg(test)]
 mod tests {
-    use super::{lines, scale};
+    use super::{scale, seen};
     use crate::axis::Axis;
-    use crate::lane::{Dot, DotSpan, LaneFilling, LaneKind, LaneShape, ShownLane};
+    use crate::dots::{Dot, DotSpan, LaneFilling};
+    use crate::lane::{LaneKind, LaneShape, ShownLane};
 
     const ROWS: (f64, f64) = (0.0, 50.0);
+
+    fn lines(lane: &ShownLane, axis: &Axis, width: f64, rows: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
+        super::lines(lane, seen(lane, axis, width, f64::INFINITY), axis, (width, rows))
+    }
 
     fn lane(all: impl Iterator<Item = (f64, f64)>) -> ShownLane {
         let mut lane = ShownLane::new("face.distance", LaneKind::Sense, LaneShape::Plot);

@@ -1,25 +1,35 @@
 //! Presence: for how long values went on coming. A silence is never bridged.
 
-use crate::lane::{LaneFilling, ShownLane};
+use crate::lane::ShownLane;
+use crate::steps::SeenValues;
+
+/// The most values that are read for each step: they are told together by eight.
+const READ_PER_STEP: usize = 8;
+/// No drawing has more steps.
+const STEPS_MAX: f64 = 65_536.0;
 
 /// The stretches in which values went on coming, of those that touch `from` to `until`, at most one a `step`.
 pub(crate) fn presences(lane: &ShownLane, from: f64, until: f64, step: f64) -> Vec<(f64, f64)> {
+    of_seen(seen(lane, (from, until), step, f64::INFINITY), lane.gap_ms, (from, until), step)
+}
+
+/// The values that tell them, none at or after `before`.
+pub(crate) fn seen(lane: &ShownLane, (from, until): (f64, f64), step: f64, before: f64) -> SeenValues<'_> {
+    let most = ((until - from) / step.max(f64::MIN_POSITIVE)).clamp(0.0, STEPS_MAX) as usize * READ_PER_STEP;
+    lane.seen((from - lane.gap_ms, until + lane.gap_ms), most.max(READ_PER_STEP), before)
+}
+
+/// The stretches of some values.
+pub(crate) fn of_seen(values: SeenValues, gap_ms: f64, (from, until): (f64, f64), step: f64) -> Vec<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = Vec::new();
     let mut add = |begin: f64, end: f64| match all.last_mut() {
         // Shorter than a step the silence cannot be seen, and so many bars would be drawn for nothing.
-        Some(last) if begin - last.1 <= lane.gap_ms.max(step) => last.1 = end.max(last.1),
+        Some(last) if begin - last.1 <= gap_ms.max(step) => last.1 = end.max(last.1),
         _ => all.push((begin, end)),
     };
-    match &lane.filling {
-        LaneFilling::Values(dots) => {
-            let begin = dots.partition_point(|dot| dot.t < from - lane.gap_ms);
-            dots[begin..].iter().take_while(|dot| dot.t <= until + lane.gap_ms).for_each(|dot| add(dot.t, dot.t));
-        }
-        LaneFilling::Spans(spans) => {
-            let begin = spans.partition_point(|span| span.until < from - lane.gap_ms);
-            let seen = spans[begin..].iter().take_while(|span| span.t <= until + lane.gap_ms);
-            seen.for_each(|span| add(span.t, span.until));
-        }
+    match values {
+        SeenValues::Each(dots) => dots.iter().for_each(|dot| add(dot.t, dot.t)),
+        SeenValues::Together(spans) => spans.iter().for_each(|span| add(span.t, span.until)),
     }
     all.retain(|(begin, end)| *end >= from && *begin <= until);
     all
@@ -28,7 +38,8 @@ pub(crate) fn presences(lane: &ShownLane, from: f64, until: f64, step: f64) -> V
 #[cfg(test)]
 mod tests {
     use super::presences;
-    use crate::lane::{Dot, DotSpan, LaneFilling, LaneKind, LaneShape, RANGE_EMPTY, ShownLane};
+    use crate::dots::{Dot, DotSpan, LaneFilling, RANGE_EMPTY};
+    use crate::lane::{LaneKind, LaneShape, ShownLane};
 
     fn lane(filling: LaneFilling) -> ShownLane {
         let mut lane = ShownLane::new("face", LaneKind::Sense, LaneShape::Bars);

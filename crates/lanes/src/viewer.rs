@@ -3,15 +3,17 @@
 use crate::around::{around, around_of};
 use crate::axis::Axis;
 use crate::compared::{ComparedLane, ComparedLanes, ComparedLimit, DotChange, LimitPlace, compared_dots, limit_places};
+use crate::dots::{Dot, LaneFilling};
 use crate::draw::{DrawnForm, Ink, LaneArea, Measure, under_cursor, upright};
 use crate::hit::{Hit, nearest, nearest_mark};
-use crate::lane::{Dot, LaneFilling, LaneMark, LaneShape, ShownLane};
+use crate::lane::{LaneMark, LaneShape, ShownLane};
 use crate::layout::{Density, Row, row_at, rows};
 use crate::overview::{Grip, Overview, grip};
 use crate::play::Play;
 use crate::question::question;
 use crate::ruler::{RulerMark, ticks};
 use crate::walk::{dot_from, mark_from, value_from};
+use std::cell::Cell;
 use std::collections::BTreeSet;
 
 /// The most lanes.
@@ -441,7 +443,15 @@ impl Viewer {
     /// Draws the lanes and the marks. The list is bounded by the width and the number of lanes.
     #[must_use]
     pub fn draw(&self, width: f64, measure: Measure<'_>) -> Vec<DrawnForm> {
-        let sheet = LaneArea { axis: &self.axis, width, cursor: self.cursor, measure };
+        self.draw_counted(width, measure).0
+    }
+
+    /// Draws as [`Viewer::draw`] does, and says how many values it read for that.
+    #[must_use]
+    pub fn draw_counted(&self, width: f64, measure: Measure<'_>) -> (Vec<DrawnForm>, usize) {
+        let read = Cell::new(0);
+        let (cursor, before) = (self.cursor, f64::INFINITY);
+        let sheet = LaneArea { axis: &self.axis, width, cursor, measure, before, read: &read };
         let (rows, marks) = self.rows();
         let mut to = Vec::new();
         for (lane, row) in self.lanes.iter().zip(&rows) {
@@ -458,7 +468,7 @@ impl Viewer {
         sheet.marks(&self.marks, &marks, &mut to);
         let ink = if self.follows { Ink::Pulse } else { Ink::Ink };
         to.push(upright(self.axis.x(self.cursor, width), 0.0, marks.y + marks.height, ink));
-        to
+        (to, read.get())
     }
 
     /// Draws the overview.

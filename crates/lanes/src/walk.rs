@@ -1,6 +1,7 @@
 //! Keys lead from value to value, from mark to mark.
 
-use crate::lane::{Dot, LaneMark, ShownLane};
+use crate::dots::Dot;
+use crate::lane::{LaneMark, ShownLane};
 
 /// The moment of the next value of a lane, or of the one before.
 pub(crate) fn value_from(lane: &ShownLane, cursor: f64, forward: bool) -> Option<f64> {
@@ -31,7 +32,8 @@ pub(crate) fn mark_from(marks: &[LaneMark], cursor: f64, forward: bool) -> Optio
 #[cfg(test)]
 mod tests {
     use super::{mark_from, value_from};
-    use crate::lane::{Dot, LaneFilling, LaneKind, LaneMark, LaneShape, ShownLane};
+    use crate::dots::{Dot, LaneFilling};
+    use crate::lane::{LaneKind, LaneMark, LaneShape, ShownLane};
 
     #[test]
     fn keys_go_from_value_to_value() {

@@ -2,42 +2,64 @@
 
 use crate::change::{EditedRun, EditedSide};
 use crate::hook::Hook;
+use crate::miss::BlockedWay;
 use crate::past::Past;
 use crate::play::{Plays, play};
 use crate::tape::TapedReading;
 use behaviour::{BehaviourFile, Value};
 use engine::End;
 use protocol::{NotSeen, NumberFix};
+use sentences::Answers;
 use std::cell::Cell;
 
 /// The most fixes of one answer that are tried.
-const TRIED_MAX: usize = 4;
+const TRIED_MAX: usize = 6;
 /// The longest time on whose readings a fix is tried, in milliseconds.
 const TRIED_MAX_MS: u64 = 600_000;
 
-impl Past {
-    /// Leaves those fixes with which a value comes on a stream in a time, where the program that ran in it is tried with each
-    /// instead of itself. It takes over at the moment before that time which is kept.
-    pub(crate) fn leave_what_helps(
-        &self,
-        fixes: &mut [Option<NumberFix>],
-        (stream, from_ms, until_ms): (&str, u64, u64),
-        hook: &Hook,
-    ) {
-        let (segment, program) = (self.segment_at(from_ms), self.program_at(until_ms));
-        let is_one = self.segments[segment].program == program && until_ms - from_ms <= TRIED_MAX_MS;
-        let mut left = if is_one { TRIED_MAX } else { 0 };
-        for fix in fixes {
-            let tried = fix.as_ref().filter(|_| left > 0).and_then(|fix| {
-                left -= 1;
-                fixed(&self.programs[program].file, fix)
-            });
-            if !tried.is_some_and(|file| self.comes(file, segment, (stream, from_ms, until_ms), hook) == Ok(true)) {
-                *fix = None;
-            }
-        }
+/// Tries fixes: the program that ran in a time runs with each instead of itself, from the moment before that time which is kept.
+/// One helps if a value comes then.
+pub(crate) struct FixTrials<'p> {
+    past: &'p Past,
+    /// The stream, and the time.
+    asked: (&'p str, u64, u64),
+    segment: usize,
+    program: usize,
+    left: usize,
+    hook: &'p Hook,
+}
+
+impl<'p> FixTrials<'p> {
+    pub(crate) fn of(past: &'p Past, asked: (&'p str, u64, u64), hook: &'p Hook) -> Self {
+        let (_, from_ms, until_ms) = asked;
+        let (segment, program) = (past.segment_at(from_ms), past.program_at(until_ms));
+        let is_one = past.segments[segment].program == program && until_ms - from_ms <= TRIED_MAX_MS;
+        Self { past, asked, segment, program, left: if is_one { TRIED_MAX } else { 0 }, hook }
     }
 
+    /// Returns the fix that helps on a way, which is told by the value of the fix from then on; the nearest miss is tried first.
+    pub(crate) fn choose(&mut self, answers: &Answers, way: &mut BlockedWay) -> Option<NumberFix> {
+        let mut tried: Option<NumberFix> = None;
+        for at in 0..way.told_by.len() {
+            let Some(fix) = answers.fix(&way.told_by[at]).filter(|fix| tried.as_ref() != Some(fix)) else { continue };
+            if self.helps(&fix) {
+                way.told_by.swap(0, at);
+                return Some(fix);
+            }
+            tried = Some(fix);
+        }
+        None
+    }
+
+    fn helps(&mut self, fix: &NumberFix) -> bool {
+        let Some(left) = self.left.checked_sub(1) else { return false };
+        self.left = left;
+        let file = fixed(&self.past.programs[self.program].file, fix);
+        file.is_some_and(|file| self.past.comes(file, self.segment, self.asked, self.hook) == Ok(true))
+    }
+}
+
+impl Past {
     /// True if a value comes on a stream in a time, of a program that takes over at the beginning of a segment.
     fn comes(
         &self,

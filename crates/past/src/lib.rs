@@ -17,6 +17,7 @@ mod interruptions;
 mod lanes;
 mod limits;
 mod matched;
+mod miss;
 mod moment;
 mod opening;
 mod past;

@@ -1,6 +1,7 @@
 //! Plays a part of a past again: from a moment that is kept, reading by reading.
 
 use crate::hook::Hook;
+use crate::miss::NearestMisses;
 use crate::past::Past;
 use crate::program::rebuild;
 use crate::segment::{Begins, PastSegment};
@@ -155,6 +156,8 @@ impl Plays for PlainPlayer<'_> {
 pub(crate) struct TracedPlayer<'p> {
     pub(crate) traced: Traced,
     hook: Hook,
+    /// The values that tests keep back, if somebody asks about them.
+    misses: Option<NearestMisses>,
     out: &'p mut dyn FnMut(&Arc<Cause>),
 }
 
@@ -177,7 +180,26 @@ impl<'p> TracedPlayer<'p> {
             }
             None => (0, anew(past, 0, hook)?),
         };
-        Ok((at, Self { traced, hook: hook.clone(), out }))
+        Ok((at, Self { traced, hook: hook.clone(), misses: None, out }))
+    }
+
+    /// Gathers the nearest misses while it plays on from a segment.
+    pub(crate) fn gather(&mut self, past: &Past, segment: usize, mut misses: NearestMisses) {
+        misses.enter(past.segments[segment].program);
+        self.traced.gather_kept();
+        self.misses = Some(misses);
+    }
+
+    /// Takes the nearest misses until now.
+    pub(crate) fn take_misses(&mut self) -> Option<NearestMisses> {
+        self.hear_kept();
+        self.misses.take()
+    }
+
+    fn hear_kept(&mut self) {
+        if let Some(misses) = &mut self.misses {
+            self.traced.kept().for_each(|kept| misses.hear(kept));
+        }
     }
 }
 
@@ -195,10 +217,12 @@ fn anew(past: &Past, segment: usize, hook: &Hook) -> Result<Traced, NotSeen> {
 impl Plays for TracedPlayer<'_> {
     fn feed(&mut self, TapedReading { at_ms, stream, value, .. }: TapedReading) {
         self.traced.feed(Millis(at_ms), stream, value, &mut *self.out);
+        self.hear_kept();
     }
 
     fn until(&mut self, at_ms: u64) {
         self.traced.until(Millis(at_ms), &mut *self.out);
+        self.hear_kept();
     }
 
     fn enter(&mut self, past: &Past, at: usize) -> Result<(), NotSeen> {
@@ -211,6 +235,10 @@ impl Plays for TracedPlayer<'_> {
                 self.traced.follow(file, run, Millis(segment.starts_ms.saturating_sub(1)));
             }
             Begins::GoesOn => {}
+        }
+        if let Some(misses) = self.misses.as_mut().filter(|_| segment.begins != Begins::GoesOn) {
+            misses.enter(segment.program);
+            self.traced.gather_kept();
         }
         if self.ended().is_none()
             && !past.traces.has(at)

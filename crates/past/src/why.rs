@@ -2,7 +2,9 @@
 
 use crate::answer::unit_of;
 use crate::cut::cut;
+use crate::fix::FixTrials;
 use crate::hook::Hook;
+use crate::miss::{BlockedWay, NearestMisses};
 use crate::past::{Past, fitting};
 use crate::play::{TracedPlayer, play};
 use crate::program::PlayedProgram;
@@ -57,39 +59,16 @@ impl Past {
         let cause = came.found.ok_or(NotSeen::NoValue)?;
         let mut why = traced.tracer().tell(&cause);
         shorten(&mut why);
-        let answers = |answers: &Answers| answers.why(&why).into_iter().map(|said| said_of(said, None)).collect();
-        let mut sentences = told(&self.programs[program], language, knowledge, &answers);
+        let answers = &mut |answers: &Answers| answers.why(&why).into_iter().map(|said| said_of(said, None)).collect();
+        let mut sentences = told(&self.programs[program], language, knowledge, answers);
         let many = fitting(&why.steps, WHY_MAX_BYTES).len().max(1);
         why.steps.truncate(many);
         sentences.truncate(many);
         Ok(ToldWhy { program, why, sentences, lost: self.lost_until(at_ms) })
     }
 
-    /// Tells why each value came in a time, in their order, as [`Past::why`] does for one of them, but whole.
-    ///
-    /// # Errors
-    /// If it cannot be played.
-    pub fn each_why(
-        &self,
-        (from_ms, until_ms): (u64, u64),
-        hook: &Hook,
-        out: &mut dyn FnMut(Why),
-    ) -> Result<(), NotSeen> {
-        let (from_ms, until_ms) = (self.moment(from_ms)?, self.moment(until_ms)?);
-        let mut came = Vec::new();
-        let mut hear = |cause: &Arc<Cause>| {
-            if (from_ms..=until_ms).contains(&cause.at().0) {
-                came.push(Arc::clone(cause));
-            }
-        };
-        let (from, mut player) = TracedPlayer::before(self, self.segment_at(from_ms), hook, &mut hear)?;
-        play(self, from, until_ms, &mut player)?;
-        let traced = player.traced;
-        came.iter().for_each(|cause| out(traced.tracer().tell(cause)));
-        Ok(())
-    }
-
-    /// Tells why nothing came on a stream in a time.
+    /// Tells why nothing came on a stream in a time. Of all values that a test with numbers kept back in it, the one that was
+    /// nearest to passing is told, and the nearest miss of all ways first.
     ///
     /// # Errors
     /// If something came, or if it cannot be played.
@@ -111,22 +90,27 @@ impl Past {
         let mut came = SoughtValue { stream: at, from_ms, until_ms, left: usize::MAX, found: None, first: None };
         let mut hear = |cause: &Arc<Cause>| came.hear(cause);
         let (from, mut player) = TracedPlayer::before(self, self.segment_at(from_ms), hook, &mut hear)?;
+        player.gather(self, from, NearestMisses::of(self, program, from_ms));
         play(self, from, until_ms, &mut player)?;
-        let mut traced = player.traced;
+        let mut why = player.traced.why_not(at, Millis(from_ms));
+        let misses = player.take_misses();
+        drop(player);
         if let Some(at_ms) = came.first {
             return Err(NotSeen::Came(at_ms));
         }
-        let mut why = traced.why_not(at, Millis(from_ms));
-        why.blocked.truncate(STEPS_MAX);
-        let whole = why.clone();
-        why.blocked.iter_mut().for_each(|blocked| blocked.value = cut(&blocked.value));
-        let answers = |answers: &Answers| {
-            let mut fixes: Vec<_> = whole.blocked.iter().map(|blocked| answers.fix(blocked)).collect();
-            self.leave_what_helps(&mut fixes, (stream, from_ms, until_ms), hook);
+        let file = &self.programs[program].file;
+        let mut ways = misses.map(|misses| misses.ways(file, &why)).unwrap_or_default();
+        ways.truncate(STEPS_MAX);
+        let asked = (stream, from_ms, until_ms);
+        let answers = &mut |answers: &Answers| {
+            let mut trials = FixTrials::of(self, asked, hook);
+            let fixes: Vec<_> = ways.iter_mut().map(|way| trials.choose(answers, way)).collect();
+            why.blocked = ways.iter().filter_map(BlockedWay::told).collect();
             let fixes = fixes.into_iter().chain(std::iter::repeat(None));
             answers.why_not(&why).into_iter().zip(fixes).map(|(said, fix)| said_of(said, fix)).collect()
         };
-        let sentences = told(&self.programs[program], language, knowledge, &answers);
+        let sentences = told(&self.programs[program], language, knowledge, answers);
+        why.blocked = ways.iter().filter_map(BlockedWay::told).collect();
         Ok(ToldWhy { program, why, sentences, lost: self.lost_until(until_ms) })
     }
 
@@ -184,7 +168,7 @@ fn told(
     program: &PlayedProgram,
     language: Language,
     knowledge: &dyn Knowledge,
-    say: &dyn Fn(&Answers) -> Vec<WhySentence>,
+    say: &mut dyn FnMut(&Answers) -> Vec<WhySentence>,
 ) -> Vec<WhySentence> {
     let Ok(behaviour) = program.file.records(|_| None) else { return Vec::new() };
     let library = program.file.library();

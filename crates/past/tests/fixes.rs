@@ -1,6 +1,6 @@
-//! Why nothing came, with the number that would have let it come: programs in which one test keeps everything back. The program
-//! with the other number is run over the same readings from the beginning, and the action comes; where no single number helps,
-//! none is told.
+//! Why nothing came, with the number that would have let it come: programs in which one test keeps everything back. The nearest
+//! miss is told, which is seldom the last value. The program with the other number is run over the same readings from the
+//! beginning, and the action comes; where no single number helps, none is told.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 #[path = "../../engine/tests/oracle/chance.rs"]
@@ -46,7 +46,7 @@ struct Blocking {
     body: String,
     /// The device of the sense.
     device: &'static str,
-    /// The readings, of which the last is told.
+    /// The readings, of which the nearest miss is told.
     values: Vec<Value>,
     /// The step in which its number is rounded.
     step: f64,
@@ -198,12 +198,8 @@ impl Chain {
 }
 
 fn trace(values: &[Value]) -> Vec<Reading> {
-    let at = |number: usize| FROM - 200 + number as u64 * 300;
-    values
-        .iter()
-        .enumerate()
-        .map(|(number, value)| Reading { at: at(number), stream: 0, value: value.clone() })
-        .collect()
+    let reading = |(number, value): (usize, &Value)| Reading { at: place(number), stream: 0, value: value.clone() };
+    values.iter().enumerate().map(reading).collect()
 }
 
 /// The times at which a value comes on a stream of a program that is run from the beginning.
@@ -230,11 +226,28 @@ fn told(past: &Past, action: &str) -> Vec<WhySentence> {
         .sentences
 }
 
-/// The fixes of an answer, and the number of its sentences.
-fn fixes(file: &BehaviourFile, action: &str, trace: &[Reading]) -> (Vec<NumberFix>, usize) {
+/// The fixes of an answer, each with the time that is told, and the number of its sentences.
+fn fixes(file: &BehaviourFile, action: &str, trace: &[Reading]) -> (Vec<(NumberFix, u64)>, usize) {
     let past = opened(&text(file, trace, &[], UNTIL)).unwrap();
     let all = told(&past, action);
-    (all.iter().filter_map(|sentence| sentence.fix.clone()).collect(), all.len())
+    (all.iter().filter_map(|sentence| Some((sentence.fix.clone()?, sentence.t?))).collect(), all.len())
+}
+
+/// The number that a test compares.
+fn compared(value: &Value) -> f64 {
+    value.field("size").unwrap_or(value).as_number().unwrap()
+}
+
+/// The readings in the time that is asked about which are nearest to a number: how far, and each with its time.
+fn nearest(values: &[Value], number: f64) -> (f64, Vec<u64>) {
+    let asked = || values.iter().enumerate().map(|(at, value)| (place(at), (compared(value) - number).abs())).skip(1);
+    let least = asked().map(|(_, far)| far).fold(f64::INFINITY, f64::min);
+    (least, asked().filter(|(_, far)| *far <= least * (1.0 + 1e-9)).map(|(at, _)| at).collect())
+}
+
+/// The time of a reading by its place.
+fn place(number: usize) -> u64 {
+    FROM - 200 + number as u64 * 300
 }
 
 /// The program with the other number.
@@ -250,7 +263,7 @@ fn fixed(file: &BehaviourFile, fix: &NumberFix) -> BehaviourFile {
 
 #[test]
 fn the_action_comes_with_the_number_that_is_told() {
-    let mut tried: BTreeMap<&str, u64> = BTreeMap::new();
+    let (mut tried, mut not_last): (BTreeMap<&str, u64>, u64) = (BTreeMap::new(), 0);
     for (at, (kind, blocking)) in (0..).zip(KINDS) {
         for seed in 0..CASES + 20 {
             let mut chance = Chance::of(at * 10_000 + seed);
@@ -266,21 +279,27 @@ fn the_action_comes_with_the_number_that_is_told() {
             let said = format!("{kind}, seed {seed}: {body} of {values:?}");
             assert!(comes(&file, &action, &trace).is_empty(), "{said}");
             let (fixes, _) = fixes(&file, &action, &trace);
-            let [fix] = &fixes[..] else { panic!("{said}: {fixes:?}") };
+            let [(fix, told)] = &fixes[..] else { panic!("{said}: {fixes:?}") };
             assert_eq!((fix.connector.as_str(), fix.unit.as_str()), (connector.as_str(), unit), "{said}: {fix:?}");
             let came = comes(&fixed(&file, fix), &action, &trace);
             assert!(came.iter().any(|at| (FROM..=UNTIL).contains(at)), "{said}: {fix:?} gives {came:?}");
-            let last = values.last().unwrap();
-            let last = last.field("size").unwrap_or(last).as_number().unwrap();
-            let size = last.abs().max(fix.from.abs());
+            // What passes a value on may take a moment.
+            let (far, times) = nearest(&values, fix.from);
+            let is_then = |at: &u64| (*at..=*at + 150).contains(told);
+            // Of two numbers beside which it is, either may be the nearer one.
+            assert!(kind == "either" || times.iter().any(is_then), "{said}: {fix:?} is told of {told}");
+            let miss = compared(&values[usize::try_from((told + 200 - FROM) / 300).unwrap()]);
+            let size = miss.abs().max(fix.from.abs());
             let most = step.min(size.max(1e-9)).max(size / 1_000.0) * 1.001;
-            assert!((fix.to - last).abs() <= most, "{said}: {fix:?} is not near");
+            assert!((fix.to - miss).abs() <= most, "{said}: {fix:?} is not near");
+            not_last += u64::from(far < (compared(values.last().unwrap()) - fix.from).abs());
             *tried.entry(kind).or_default() += 1;
         }
     }
     let all: u64 = tried.values().sum();
     eprintln!("{all} programs with another number, in each the action came: {tried:?}");
     assert!(all >= 500 && tried.values().all(|cases| *cases >= CASES), "{tried:?}");
+    assert!(not_last >= 300, "only in {not_last} the last value was not the nearest");
 }
 
 /// Programs in which no single number helps, each by its tests in a row and what is sensed.
@@ -319,7 +338,7 @@ fn where_no_single_number_helps_none_is_told() {
             let (file, action) = chain.ends(&mut chance);
             let trace = trace(&values);
             let (fixes, sentences) = fixes(&file, &action, &trace);
-            assert_eq!(fixes, [], "seed {seed}: {tests:?} of {values:?}");
+            assert!(fixes.is_empty(), "seed {seed}: {tests:?} of {values:?}: {fixes:?}");
             assert!(sentences > 0, "it is said why");
             tried += 1;
         }
@@ -340,4 +359,68 @@ fn a_distance_is_rounded_in_its_unit_in_both_languages() {
         let fix = all[0].fix.clone().unwrap();
         assert_eq!((fix.from, fix.to, fix.written.as_str(), fix.unit.as_str()), (0.75, 0.95, "0.95", "m"));
     }
+}
+
+/// A chain of tests on whole numbers, with what it is told of them.
+fn of_tests(tests: &[&str], values: &[f64]) -> Vec<WhySentence> {
+    let mut chain = Chain::of("Print");
+    for test in tests {
+        chain.test(test);
+    }
+    chain.add(json!({"type": "subscribe"}));
+    let mut file = json!({"format": "rrp-behaviour/1", "name": "", "helpers": []});
+    (file["streams"], file["connectors"]) = (json!(chain.streams), json!(chain.connectors));
+    let file: BehaviourFile = serde_json::from_value(file).unwrap();
+    let values: Vec<Value> = values.iter().map(|value| Value::Float(*value)).collect();
+    let past = opened(&text(&file, &trace(&values), &[], UNTIL)).unwrap();
+    told(&past, &chain.last)
+}
+
+#[test]
+fn the_value_that_was_nearest_to_passing_is_told_with_its_moment() {
+    let all = of_tests(&["a < 90"], &[91.0, 140.0, 95.3, 120.0, 240.0]);
+    let (nearest, fix) = (&all[0], all[0].fix.as_ref().unwrap());
+    assert!(nearest.text.contains("95.3"), "{nearest:?}");
+    assert_eq!(
+        (nearest.t, fix.from),
+        (Some(place(2)), 90.0),
+        "the one before the time that is asked about does not count"
+    );
+    assert!(fix.to > 95.3 && fix.to <= 100.0, "{fix:?}");
+    let both = of_tests(&["a < 90"], &[0.0, 95.0, 95.0, 300.0]);
+    assert_eq!(both[0].t, Some(place(2)), "of two that are equally near the newest is told");
+}
+
+#[test]
+fn where_the_nearest_miss_does_not_help_the_last_value_is_told() {
+    // What is only a little too large is kept back further on.
+    let all = of_tests(&["a < 75", "a > 90"], &[300.0, 76.0, 140.0, 92.0]);
+    let fix = all[0].fix.as_ref().unwrap();
+    assert!(all[0].text.contains("92") && fix.to > 92.0 && fix.from == 75.0, "{all:?}");
+    assert_eq!(all[0].t, Some(place(3)));
+    let none = of_tests(&["a < 75", "a > 900"], &[300.0, 76.0, 140.0, 92.0]);
+    assert!(none[0].fix.is_none() && none[0].text.contains("76"), "{none:?}");
+}
+
+#[test]
+fn of_several_ways_the_nearest_miss_comes_first() {
+    let mut chain = Chain::of("Print");
+    let (near, far) = (chain.test("a < 10"), "c9");
+    let (sense, kept) = ("s".to_owned(), std::mem::replace(&mut chain.last, "s".to_owned()));
+    let wide = chain.test("a < 100");
+    chain.add(json!({"type": "subscribe"}));
+    chain.connectors.push(json!({"id": far, "type": "subscribe", "inputs": [kept], "output": chain.last}));
+    let mut file = json!({"format": "rrp-behaviour/1", "name": "", "helpers": []});
+    (file["streams"], file["connectors"]) = (json!(chain.streams), json!(chain.connectors));
+    let file: BehaviourFile = serde_json::from_value(file).unwrap();
+    assert_eq!(file.connectors.iter().filter(|known| known.inputs == [sense.clone()]).count(), 2);
+    let ways = |values: &[i64]| {
+        let values: Vec<Value> = values.iter().map(|value| Value::Int(*value)).collect();
+        let past = opened(&text(&file, &trace(&values), &[], UNTIL)).unwrap();
+        let hook: past::Hook = Rc::new(|| false);
+        let told = past.why_not((&chain.last, FROM, UNTIL), Language::English, &AnyKnowledge, &hook).unwrap();
+        told.why.blocked.into_iter().map(|blocked| blocked.connector).collect::<Vec<_>>()
+    };
+    assert_eq!(ways(&[500, 110, 900]), [wide.clone(), near.clone()], "a tenth is less than ten times as much");
+    assert_eq!(ways(&[500, 900, 101]), [wide, near]);
 }

@@ -122,6 +122,60 @@ fn a_run_that_was_recorded_from_its_middle_on_begins_there() {
     assert_eq!(told.why.steps[1].with, [memory], "from then on it is known");
 }
 
+/// Says something once three senses are known.
+fn of_three(meaning: &str) -> BehaviourFile {
+    let sense = |id: &str| serde_json::json!({"id": id, "kind": "sensor", "name": id, "device": "Sonar"});
+    let file = serde_json::json!({"format": "rrp-behaviour/1", "name": "Three", "helpers": [],
+        "streams": [sense("a"), sense("b"), sense("c"), {"id": "all", "kind": "ordinary", "name": "All"},
+            {"id": "say", "kind": "actuator", "name": "Say", "device": "SayInput"}],
+        "connectors": [
+            {"id": "t", "type": meaning, "inputs": ["a", "b", "c"], "output": "all", "args": ["a", "b", "c"], "body": "a + b + c"},
+            {"id": "s", "type": "subscribe", "inputs": ["all"], "output": "say"}]});
+    serde_json::from_value(file).unwrap()
+}
+
+#[test]
+fn an_input_that_was_known_before_it_was_recorded_is_not_waited_for() {
+    for meaning in ["combineLatest", "withLatest"] {
+        let file = of_three(meaning);
+        let mut run = Run::build(&file, Limits::default()).map_err(|faults| faults.len()).unwrap();
+        run.feed(Millis(1_000), StreamIx::of(1), Value::Int(1), &mut |_| {});
+        run.until(Millis(9_999), &mut |_| {});
+        let mut text = Text::of(&file);
+        text.line(&Line::Memory { at_ms: 10_000, memory: Box::new(run.handover()) });
+        let reading = |at_ms, stream| Line::Value { at_ms, stream: StreamIx::of(stream), value: Value::Int(5) };
+        text.line(&reading(10_500, 0));
+        text.line(&reading(12_000, 2));
+        text.line(&reading(12_000, 0));
+        text.end(13_000);
+        let past = opened(&text.text).unwrap();
+        let told = past.why_not(("say", 10_000, 11_000), Language::English, &AnyKnowledge, &hook()).unwrap();
+        let silent: Vec<_> = told.why.blocked.iter().map(|one| (one.connector.as_str(), one.stream.as_str())).collect();
+        assert_eq!(silent, [("t", "a"), ("t", "c")], "{meaning}: b is known");
+        let last =
+            past.lanes(&[LaneName { stream: "say".to_owned(), field: None }], (12_000, 12_001), 1, &hook()).unwrap();
+        let LaneValues::Each(came) = &last[0].values else { panic!("{last:?}") };
+        let told = past.why(("say", 12_000, came.len() - 1), Language::English, &AnyKnowledge, &hook()).unwrap();
+        let with: Vec<_> = told.why.steps[1].with.iter().map(|with| format!("{with:?}")).collect();
+        assert_eq!((told.why.value, with.len()), (Value::Int(11), 1), "nobody knows when b came: {with:?}");
+    }
+}
+
+#[test]
+fn a_miss_of_a_program_that_was_edited_since_is_not_told() {
+    let mut text = Text::of(&program(50));
+    text.reading(1_000, 51);
+    text.line(&Line::Applied { at_ms: 1_500, revision: 2 });
+    text.line(&Line::File { at_ms: 1_500, revision: 2, file: Arc::new(program(40)) });
+    text.reading(2_000, 44);
+    text.reading(2_500, 300);
+    text.end(4_000);
+    let past = opened(&text.text).unwrap();
+    let told = past.why_not(("say", 500, 3_500), Language::English, &AnyKnowledge, &hook()).unwrap();
+    assert_eq!((told.why.blocked[0].value.clone(), told.why.blocked[0].t), (Value::Int(44), Some(2_000)));
+    assert!(told.sentences[0].text.contains("44") && told.sentences[0].text.contains("40"), "{:?}", told.sentences);
+}
+
 #[test]
 fn missing_lines_are_told_and_all_after_them_is_not_sure() {
     let mut text = Text::of(&program(50));

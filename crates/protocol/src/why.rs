@@ -58,7 +58,8 @@ pub enum WhyWith {
 pub struct WhyNot {
     /// The id of the stream.
     pub stream: String,
-    /// The connectors that kept a value back, the nearest to the stream first, then those to which nothing came.
+    /// The connectors that kept a value back, the nearest to the stream first, then those to which nothing came. Of a past that is
+    /// looked back at the nearest miss is the first, and of each test that value is told which was nearest to passing.
     pub blocked: Vec<BlockedConnector>,
 }
 

@@ -20,7 +20,7 @@ mod test;
 mod token;
 mod words;
 
-pub use explain::{AnswerSentence, Answers, explain};
+pub use explain::{AnswerSentence, Answers, TestMeasure, explain};
 pub use language::{Language, NoLanguage};
 pub use limits::{TestedNumber, tested_numbers};
 pub use read::{

@@ -66,6 +66,13 @@ pub(crate) fn past(workspace: &Workspace) -> ToolResult<()> {
     tools::run(&mut cargo, "The benchmark of looking back")
 }
 
+/// Measures how long a picture of a million values takes in a browser, on the optimised server with the small page.
+pub(crate) fn lanes(workspace: &Workspace) -> ToolResult<()> {
+    tools::run(&mut workspace.cargo(&["build", "--release", "--package", "rrp"]), "Building the optimised server")?;
+    let test = ["test", "--package", "house", "--test", "hands", "--", "figure_lanes", "--ignored", "--nocapture"];
+    tools::run(workspace.cargo(&test).env("RRP_OPTIMISED", workspace.released()), "The benchmark of lanes")
+}
+
 /// Measures the engine, how long runaway procedures hold it, and the hand-overs between the threads around it; `words`
 /// pick a part.
 pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> ToolResult<()> {

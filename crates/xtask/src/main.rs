@@ -34,6 +34,7 @@ cargo xtask COMMAND
   bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
+  bench lanes               measure in a browser how long a picture of a million values in twelve lanes takes
   bench nao [PART]          measure a robot over the link against the stand-in, beside the Python client of libqi; PART is
                             calls, reactions, stops or calm
   bench past                measure looking back at an hour: opening it, moments, causes, an edited program, memory
@@ -83,6 +84,7 @@ fn obey(words: &[String]) -> ToolResult<()> {
             bench::nao(&Workspace::here()?, rest)
         }
         ["bench", "sentences", rest @ ..] => bench::sentences(&Workspace::here()?, rest),
+        ["bench", "lanes"] => bench::lanes(&Workspace::here()?),
         ["bench", "past"] => bench::past(&Workspace::here()?),
         ["bench", "stores"] => bench::stores(&Workspace::here()?),
         ["mutants"] => mutants::run(&Workspace::here()?, ""),

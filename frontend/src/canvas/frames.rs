@@ -276,12 +276,14 @@ fn now_memo(desk: &Desk, stage: &Stage, members: &ArcMemo<Vec<Id>>) -> ArcMemo<S
         let now = desk.robots.clock.get();
         let of = |id: &Id| {
             let live = desk.document.stream(id)?.live;
-            live.with(|live| live.value.is_some().then(|| (live.rate, live.quiet_for(now))))
+            live.with(|live| live.value.is_some().then(|| (live.rate, live.quiet_for(now), live.earlier_ms.is_some())))
         };
         let all: Vec<_> = members.with(|members| members.iter().filter_map(of).collect());
-        let awake = all.iter().filter(|(_, quiet)| quiet.is_none()).map(|(rate, _)| *rate);
-        match (awake.reduce(f32::max), all.iter().filter_map(|(_, quiet)| *quiet).min()) {
+        let awake = all.iter().filter(|(_, quiet, _)| quiet.is_none()).map(|(rate, ..)| *rate);
+        let is_then = all.iter().any(|(.., is_then)| *is_then);
+        match (awake.reduce(f32::max), all.iter().filter_map(|(_, quiet, _)| *quiet).min()) {
             (Some(rate), _) => rate_words(rate),
+            (None, Some(seconds)) if is_then => words::seconds_earlier(u64::from(seconds)),
             (None, Some(seconds)) => words::quiet_for(u64::from(seconds)),
             (None, None) => String::new(),
         }

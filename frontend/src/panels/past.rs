@@ -16,6 +16,7 @@ mod following;
 mod hands;
 mod head;
 mod keys;
+mod marks;
 mod media;
 mod others;
 mod painting;
@@ -61,6 +62,10 @@ struct PastShared {
     width: RwSignal<f64>,
     /// True while the values of the chosen lane are shown as a table, and not only read out.
     shows_table: RwSignal<bool>,
+    /// True while the marks are listed beside the lanes.
+    shows_marks: RwSignal<bool>,
+    /// True while they are listed at the left, in the place of the list of senses.
+    marks_left: RwSignal<bool>,
     compare: compare::CompareState,
     asked: StoredValue<asking::AskedLanes>,
     /// Looks every second at a run that goes on.
@@ -81,6 +86,8 @@ pub(crate) fn past() -> AnyView {
         viewer: RwSignal::new(Viewer::recorded(0.0, 0.0)),
         width: RwSignal::new(0.0),
         shows_table: RwSignal::new(false),
+        shows_marks: RwSignal::new(false),
+        marks_left: RwSignal::new(false),
         compare: compare::CompareState::new(),
         asked: StoredValue::default(),
         looking: StoredValue::new(None),
@@ -142,12 +149,14 @@ pub(crate) fn past() -> AnyView {
             <p class="past-note" role="status">{move || past.note()}</p>
             <Show when=is_there>
                 <div class="past-body">
+                    <marks::MarksBeside past />
                     <rows::Lanes past />
                     <compare_changes::Changes past />
                     <table::Table past />
                 </div>
             </Show>
             <then::Then past />
+            <marks::MarksAtLeft past />
         </section>
     }
     .into_any()

@@ -1,7 +1,7 @@
 //! What the open program does, as sentences over the graph: its phrases light their parts, its numbers and choices can be
 //! changed where they stand.
 
-mod change;
+pub(super) mod change;
 mod inline;
 mod phrase;
 mod warned;

@@ -2,8 +2,9 @@
 
 use super::{Matching, Run, RunMode};
 use crate::timeline::RunMemory;
-use crate::values::Stats;
+use crate::values::{ConnectorIx, Stats, StreamIx};
 use behaviour::Value;
+use robot::Millis;
 use serde::{Deserialize, Serialize};
 
 /// The bytes of each stream and connector besides its values.
@@ -21,6 +22,18 @@ pub struct Handover {
 }
 
 impl Handover {
+    /// Returns the values that a connector keeps, each in its place: of one that waits for all its inputs the newest of each.
+    pub fn known(&self, connector: ConnectorIx) -> impl Iterator<Item = Option<&Value>> {
+        let memory = self.memory.connectors.iter().find(|(at, _)| *at == connector);
+        memory.into_iter().flat_map(|(_, memory)| memory.known.iter().map(Option::as_ref))
+    }
+
+    /// Returns the newest value of a stream and when it came; none where that was not counted, or was left out.
+    #[must_use]
+    pub fn newest(&self, stream: StreamIx) -> Option<(Millis, &Value)> {
+        self.stats.streams.get(stream)?.last()
+    }
+
     /// Returns roughly how many bytes it takes, for who keeps many of them.
     #[must_use]
     pub fn bytes(&self) -> usize {

@@ -1,4 +1,5 @@
-//! A million values in twelve lanes: what is drawn is bounded by the pixels, so that no number of values can slow a page down.
+//! A million values in twelve lanes: what is read and drawn is bounded by the pixels, so that no number of values can slow a page
+//! down.
 
 use lanes::{Dot, DrawnForm, LaneAct, LaneFilling, LaneKind, LaneShape, MARBLES_MAX, ShownLane, Viewer};
 use std::io::Write;
@@ -41,6 +42,8 @@ fn work(drawn: &[DrawnForm]) -> usize {
 fn a_million_values_are_no_more_to_draw_than_there_are_pixels() {
     let mut viewer = hour();
     let bound = LANES * (4 * WIDTH as usize).max(2 * MARBLES_MAX) + 64;
+    // Eight for each pixel, and neighbours.
+    let read_bound = LANES * (8 * WIDTH as usize + 4);
     let mut took = Vec::new();
     viewer.act(LaneAct::Home);
     for at in 0..TIMES {
@@ -49,8 +52,9 @@ fn a_million_values_are_no_more_to_draw_than_there_are_pixels() {
         viewer.act(LaneAct::ZoomHere(factor));
         viewer.act(LaneAct::Pan { by: -13.0, width: WIDTH });
         let begun = Instant::now();
-        let drawn = viewer.draw(WIDTH, &|_| 0.0);
+        let (drawn, read) = viewer.draw_counted(WIDTH, &|_| 0.0);
         took.push(begun.elapsed());
+        assert!(read <= read_bound, "{read} values are read at a span of {} ms", viewer.axis().span());
         assert!(work(&drawn) <= bound, "{} at a span of {} ms", work(&drawn), viewer.axis().span());
     }
     took.sort();
@@ -70,4 +74,20 @@ fn a_lane_of_more_marbles_than_can_be_told_apart_is_bars() {
     assert_eq!(discs(&viewer), 0);
     viewer.act(LaneAct::ZoomHere(1e-4));
     assert!(discs(&viewer) > 0);
+}
+
+#[test]
+fn a_drawing_allocates_by_the_lanes_and_lines_and_not_by_the_values() {
+    let mut viewer = hour();
+    let mut allocations = |factor| {
+        viewer.act(LaneAct::ZoomHere(factor));
+        let mut drawn = Vec::new();
+        let counted = allocation_counter::measure(|| drawn = viewer.draw(WIDTH, &|_| 0.0));
+        (counted.count_total, drawn.len() as u64)
+    };
+    for factor in [1e9, 0.1, 0.1, 0.1, 0.1] {
+        let (all, forms) = allocations(factor);
+        // A list grows by doubling, and a form has one list or one text at most.
+        assert!(all <= forms * 2 + LANES as u64 * 40, "{all} allocations for {forms} forms");
+    }
 }

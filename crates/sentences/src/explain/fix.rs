@@ -45,8 +45,8 @@ fn far(fix: &NumberFix) -> f64 {
 }
 
 /// A comparison with the value that was kept back.
-struct KeptSide {
-    passes: bool,
+pub(super) struct KeptSide {
+    pub(super) passes: bool,
     /// The value and the number beside it, where both are numbers.
     numbers: Option<(f64, f64)>,
     is_whole: bool,
@@ -54,7 +54,7 @@ struct KeptSide {
 
 impl KeptSide {
     /// None if nobody knows what the comparison gives for the value.
-    fn of(side: &TestSide, value: &Value) -> Option<Self> {
+    pub(super) fn of(side: &TestSide, value: &Value) -> Option<Self> {
         let value = side.field.as_ref().map_or(Some(value), |field| value.field(field))?;
         let is_whole = matches!(value, Value::Int(_));
         Some(match (&side.literal, value) {
@@ -74,6 +74,13 @@ impl KeptSide {
             }
             _ => return None,
         })
+    }
+
+    /// The distance of the value from its number, as a part of that; none if another number does not help.
+    pub(super) fn distance(&self, side: &TestSide) -> Option<f64> {
+        let (number, beside) = self.numbers.filter(|_| side.comparison != Comparison::IsNot)?;
+        let size = if beside == 0.0 { 1.0 } else { beside.abs() };
+        Some((number - beside).abs() / size).filter(|distance| distance.is_finite())
     }
 
     fn fix(&self, connector: &str, body: &str, side: &TestSide, unit: &str) -> Option<NumberFix> {

@@ -1,6 +1,7 @@
 //! The head of the panel: which moment is looked at, playing, how much is seen, more lanes, and the way back to now.
 
 use super::compare_view::CompareButton;
+use super::marks::MarksButton;
 use super::signs::{BACK, FORWARD, PAUSE, Sign};
 use super::{PastShared, clock, close, filling, then};
 use crate::browser;
@@ -131,6 +132,7 @@ fn More(past: PastShared) -> impl IntoView {
             <option value="">{words::add_lane()}</option>
             {options}
         </select>
+        <MarksButton past />
         <button class="past-tool past-values" type="button" aria-pressed=move || past.shows_table.get().to_string()
             on:click=move |_| past.shows_table.update(|shows| *shows = !*shows)>
             {words::values_shown()}

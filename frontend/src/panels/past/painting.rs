@@ -2,6 +2,7 @@
 
 use crate::browser;
 use lanes::{Align, DrawnForm, Ink};
+use std::cell::Cell;
 use wasm_bindgen::JsCast;
 use web_sys::{CanvasRenderingContext2d, Element, HtmlCanvasElement};
 
@@ -29,15 +30,38 @@ const INKS: [(Ink, &str); 12] = [
     (Ink::Warn, "warn"),
 ];
 
-/// A canvas that is drawn on.
-pub(super) struct Painter {
-    pen: CanvasRenderingContext2d,
-    colors: Vec<(Ink, String)>,
+/// The colours and the letters of the theme. Asking the browser for them takes longer than drawing: they are kept until it changes.
+pub(super) struct LaneTheme {
+    /// In the order of [`INKS`].
+    colors: Vec<String>,
+    letters: String,
+    dash: [js_sys::Array; 2],
 }
 
-impl Painter {
+impl LaneTheme {
+    /// The theme as it is just now; none where the browser cannot tell it.
+    pub(super) fn of(canvas: &HtmlCanvasElement) -> Option<Self> {
+        let letters = browser::window()?.get_computed_style(canvas).ok()??.get_property_value("font-family").ok()?;
+        let colors = INKS.into_iter().map(|(_, token)| color(canvas, token).unwrap_or_default()).collect();
+        let dash = [js_sys::Array::new(), js_sys::Array::of2(&DASH.into(), &DASH.into())];
+        Some(Self { colors, letters, dash })
+    }
+}
+
+/// A canvas that is drawn on.
+pub(super) struct Painter<'t> {
+    pen: CanvasRenderingContext2d,
+    theme: &'t LaneTheme,
+    /// What the pen is set to, so that it is told only what is another.
+    fills: Cell<Option<Ink>>,
+    strokes: Cell<Option<Ink>>,
+    width: Cell<f64>,
+    is_dashed: Cell<bool>,
+}
+
+impl<'t> Painter<'t> {
     /// Takes a canvas of this size, empty. None where the browser cannot draw.
-    pub(super) fn new(canvas: &HtmlCanvasElement, (width, height): (f64, f64)) -> Option<Self> {
+    pub(super) fn new(canvas: &HtmlCanvasElement, (width, height): (f64, f64), theme: &'t LaneTheme) -> Option<Self> {
         let window = browser::window()?;
         let ratio = window.device_pixel_ratio().clamp(1.0, 3.0);
         let pixels = |length: f64| (length * ratio).round().clamp(1.0, 16_000.0) as u32;
@@ -49,16 +73,29 @@ impl Painter {
         let pen: CanvasRenderingContext2d = canvas.get_context("2d").ok()??.dyn_into().ok()?;
         pen.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0).ok()?;
         pen.clear_rect(0.0, 0.0, width, height);
-        let letters = window.get_computed_style(canvas).ok()??.get_property_value("font-family").ok()?;
-        pen.set_font(&format!("400 {TEXT_PX}px {letters}"));
+        pen.set_font(&format!("400 {TEXT_PX}px {}", theme.letters));
         pen.set_text_baseline("middle");
         pen.set_line_join("round");
-        let colors = INKS.into_iter().map(|(ink, token)| (ink, color(canvas, token).unwrap_or_default())).collect();
-        Some(Self { pen, colors })
+        let (fills, strokes) = (Cell::new(None), Cell::new(None));
+        let painter = Self { pen, theme, fills, strokes, width: Cell::new(f64::NAN), is_dashed: Cell::new(true) };
+        painter.dash(false);
+        Some(painter)
     }
 
     fn color(&self, ink: Ink) -> &str {
-        self.colors.iter().find(|(known, _)| *known == ink).map_or("", |(_, color)| color)
+        self.theme.colors.get(ink as usize).map_or("", String::as_str)
+    }
+
+    fn fills(&self, ink: Ink) {
+        if self.fills.replace(Some(ink)) != Some(ink) {
+            self.pen.set_fill_style_str(self.color(ink));
+        }
+    }
+
+    fn dash(&self, is_dashed: bool) {
+        if self.is_dashed.replace(is_dashed) != is_dashed {
+            let _ = self.pen.set_line_dash(&self.theme.dash[usize::from(is_dashed)]);
+        }
     }
 
     /// Draws all of it, in order.
@@ -90,11 +127,9 @@ impl Painter {
                     .iter()
                     .enumerate()
                     .for_each(|(at, (x, y))| if at == 0 { self.pen.move_to(*x, *y) } else { self.pen.line_to(*x, *y) });
-                let dash =
-                    if *is_dashed { js_sys::Array::of2(&DASH.into(), &DASH.into()) } else { js_sys::Array::new() };
-                let _ = self.pen.set_line_dash(&dash);
+                self.dash(*is_dashed);
                 self.stroke(*width, *ink);
-                let _ = self.pen.set_line_dash(&js_sys::Array::new());
+                self.dash(false);
             }
             DrawnForm::Text { x, y, text, ink, align } => {
                 self.pen.set_text_align(match align {
@@ -102,7 +137,7 @@ impl Painter {
                     Align::Middle => "center",
                     Align::Right => "right",
                 });
-                self.pen.set_fill_style_str(self.color(*ink));
+                self.fills(*ink);
                 let _ = self.pen.fill_text(text, *x, *y);
             }
             DrawnForm::Flag { x, y, ink } => self.flag(*x, *y, *ink),
@@ -132,13 +167,17 @@ impl Painter {
     }
 
     fn fill(&self, ink: Ink) {
-        self.pen.set_fill_style_str(self.color(ink));
+        self.fills(ink);
         self.pen.fill();
     }
 
     fn stroke(&self, width: f64, ink: Ink) {
-        self.pen.set_line_width(width);
-        self.pen.set_stroke_style_str(self.color(ink));
+        if self.width.replace(width) != width {
+            self.pen.set_line_width(width);
+        }
+        if self.strokes.replace(Some(ink)) != Some(ink) {
+            self.pen.set_stroke_style_str(self.color(ink));
+        }
         self.pen.stroke();
     }
 }
@@ -154,4 +193,14 @@ fn color(canvas: &Element, token: &str) -> Option<String> {
 /// The tokens of all colours.
 pub(super) fn tokens() -> impl Iterator<Item = &'static str> {
     INKS.into_iter().map(|(_, token)| token)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::INKS;
+
+    #[test]
+    fn a_colour_is_found_by_its_place() {
+        assert!(INKS.iter().enumerate().all(|(at, (ink, _))| *ink as usize == at));
+    }
 }

@@ -2,17 +2,18 @@
 
 use super::compare_changes::lane_counts;
 use super::media::{DARK, when_changed};
-use super::painting::{Painter, TEXT_PX, tokens};
+use super::painting::{LaneTheme, Painter, TEXT_PX, tokens};
 use super::signs::{FORM, Sign};
 use super::{PastShared, clock, filling, hands};
 use crate::browser;
 use crate::icons::Icon;
 use crate::words;
-use lanes::{Align, Dot, DrawnForm, Ink, LaneAct, LaneFilling, LaneKind, ShownLane};
+use lanes::{Align, Dot, DrawnForm, Ink, LaneAct, LaneFilling, LaneKind, Row};
 use leptos::html;
 use leptos::prelude::*;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The height of the number of a limit.
 const LIMIT: f64 = 17.0;
@@ -24,11 +25,18 @@ pub(super) const RULER: f64 = 26.0;
 pub(super) fn Lanes(past: PastShared) -> impl IntoView {
     let (over, under) = (NodeRef::<html::Canvas>::new(), NodeRef::<html::Canvas>::new());
     let density = Memo::new(move |_| past.viewer.read().density());
+    let rows = Memo::new(move |_| past.viewer.read().rows());
     let height = Memo::new(move |_| {
-        let (_, marks) = past.viewer.read().rows();
+        let (_, marks) = &*rows.read();
         marks.y + marks.height
     });
-    let count = Memo::new(move |_| past.viewer.read().lanes().len());
+    let shown = Memo::new(move |_| {
+        let viewer = past.viewer.read();
+        viewer.lanes().iter().map(|lane| (lane.key.clone(), lane.kind)).collect::<ShownKeys>()
+    });
+    let chosen = Memo::new(move |_| past.viewer.read().chosen_index());
+    let count = Memo::new(move |_| shown.read().len());
+    let marks = Memo::new(move |_| rows.read().1);
     let overview = move || density.get().overview() + RULER;
     watch_width(past, under);
     paint_when_changed(past, over, under);
@@ -53,8 +61,8 @@ pub(super) fn Lanes(past: PastShared) -> impl IntoView {
             <div class="past-rows">
                 <div class="past-high" style:height=move || format!("{}px", height.get())>
                     <ul class="past-labels" aria-label=words::lanes_name()>
-                        {move || (0..count.get()).map(|at| view! { <Label past at /> }).collect_view()}
-                        <MarksLabel past />
+                        {move || (0..count.get()).map(|at| view! { <Label past at rows shown chosen /> }).collect_view()}
+                        <MarksLabel past row=marks />
                     </ul>
                     <div class="past-canvas" role="slider" tabindex="0" aria-label=words::moment_name()
                         aria-valuemin="0"
@@ -88,28 +96,37 @@ fn Inks() -> impl IntoView {
 
 /// The label of a lane, which chooses it.
 #[component]
-fn Label(past: PastShared, at: usize) -> impl IntoView {
-    let place = Memo::new(move |_| past.viewer.read().rows().0.get(at).copied());
-    let lane = move |of: &dyn Fn(&ShownLane) -> String| past.viewer.read().lanes().get(at).map(of).unwrap_or_default();
+fn Label(
+    past: PastShared,
+    at: usize,
+    rows: Memo<(Vec<Row>, Row)>,
+    shown: Memo<ShownKeys>,
+    chosen: Memo<usize>,
+) -> impl IntoView {
+    let place = Memo::new(move |_| rows.read().0.get(at).copied());
+    let key = Memo::new(move |_| shown.read().get(at).map(|(key, _)| key.clone()));
     let name = Memo::new(move |_| {
-        let opened = past.opened.get();
-        let name = |lane: &ShownLane| opened.as_ref().map(|opened| filling::label(opened, &filling::name(&lane.key)));
-        lane(&|lane| name(lane).unwrap_or_default())
+        let (opened, key) = (past.opened.get()?, key.get()?);
+        Some(filling::label(&opened, &filling::name(&key)))
     });
+    let name = move || name.get().unwrap_or_default();
     let kind = move || {
-        let kind = past.viewer.read().lanes().get(at).map(|lane| lane.kind);
+        let kind = shown.read().get(at).map(|(_, kind)| *kind);
         match kind {
             Some(LaneKind::Sense) => "sensor",
             Some(LaneKind::Action) => "actuator",
             Some(LaneKind::Stream) | None => "ordinary",
         }
     };
-    let is_chosen = move || past.viewer.read().chosen_index() == at;
-    let counts = Memo::new(move |_| {
-        let key = past.viewer.read().lanes().get(at).map(|lane| lane.key.clone())?;
-        lane_counts(past, &key)
+    let is_chosen = move || chosen.get() == at;
+    let counts = Memo::new(move |_| lane_counts(past, &key.get()?));
+    // Telling a value takes longer than finding it: it is told anew only if it is another one.
+    let here = Memo::new(move |_| at_cursor(past, at));
+    let value = Memo::new(move |_| {
+        past.desk.desk().document.types.track();
+        let told = |_| value_words(past, &key.get().unwrap_or_default(), &here.get());
+        counts.get().map_or_else(|| told(()), |(short, _)| short)
     });
-    let value = Memo::new(move |_| counts.get().map_or_else(|| value_at(past, at), |(short, _)| short));
     let (top, height) =
         (move || pixels(place.get().map(|row| row.y)), move || pixels(place.get().map(|row| row.height)));
     let folded = move || place.get().is_some_and(|row| row.is_folded);
@@ -133,12 +150,12 @@ fn Label(past: PastShared, at: usize) -> impl IntoView {
             </button>
             <Show when=is_chosen>
                 <span class="past-row-tools">
-                    <button class="past-tool" type="button" aria-label=move || words::other_form(&name.get()) title=words::form()
+                    <button class="past-tool" type="button" aria-label=move || words::other_form(&name()) title=words::form()
                         on:click=move |_| past.act(LaneAct::Reshape(at))><Sign strokes=FORM /></button>
                     <button class="past-tool" type="button"
-                        aria-label=move || if folded() { words::unfold_lane(&name.get()) } else { words::fold_lane(&name.get()) }
+                        aria-label=move || if folded() { words::unfold_lane(&name()) } else { words::fold_lane(&name()) }
                         on:click=move |_| past.act(LaneAct::Fold(at))><Icon name="fold" /></button>
-                    <button class="past-tool" type="button" aria-label=move || words::remove_lane(&name.get())
+                    <button class="past-tool" type="button" aria-label=move || words::remove_lane(&name())
                         on:click=move |_| past.viewer.update(|viewer| viewer.remove_lane(at))><Icon name="close" /></button>
                 </span>
             </Show>
@@ -164,35 +181,62 @@ fn pixels(length: Option<f64>) -> String {
 
 /// The label of the row of marks.
 #[component]
-fn MarksLabel(past: PastShared) -> impl IntoView {
-    let row = Memo::new(move |_| past.viewer.read().rows().1);
+fn MarksLabel(past: PastShared, row: Memo<Row>) -> impl IntoView {
+    let count = Memo::new(move |_| past.viewer.read().marks().len());
     let (top, height) = (move || pixels(Some(row.get().y)), move || pixels(Some(row.get().height)));
     view! {
         <li class="past-row" style:top=top style:height=height>
             <span class="past-label"><Icon name="flag" /><span>{words::marks_name()}</span>
-                <b>{move || past.viewer.read().marks().len().to_string()}</b></span>
+                <b>{move || count.get().to_string()}</b></span>
         </li>
     }
 }
 
-/// Tells what a lane had at the cursor: its value, or for how long it had been quiet.
-pub(super) fn value_at(past: PastShared, at: usize) -> String {
+/// The lanes by their keys, with their sorts.
+type ShownKeys = Vec<(String, LaneKind)>;
+
+/// What a lane had at the cursor.
+#[derive(Clone, Debug, PartialEq)]
+enum AtCursor {
+    /// Nothing came by then.
+    Nothing,
+    /// It had been quiet for so many seconds.
+    Earlier(u64),
+    Text(Arc<str>),
+    /// One of several numbers that are told together.
+    Number(f64),
+    /// Something without a number.
+    Came,
+}
+
+fn at_cursor(past: PastShared, at: usize) -> AtCursor {
     let viewer = past.viewer.read();
-    let (Some(lane), cursor) = (viewer.lanes().get(at), viewer.cursor()) else { return String::new() };
-    let Some(newest) = lane.until(cursor).checked_sub(1) else { return String::new() };
-    let (until, text) = match &lane.filling {
-        LaneFilling::Values(dots) => dots.get(newest).map_or((0.0, String::new()), |dot| (dot.t, dot.text.to_string())),
-        LaneFilling::Spans(spans) => spans.get(newest).map_or((0.0, String::new()), |span| {
-            let kind = filling::kind_of(past, &filling::name(&lane.key));
+    let (Some(lane), cursor) = (viewer.lanes().get(at), viewer.cursor()) else { return AtCursor::Nothing };
+    let Some(newest) = lane.until(cursor).checked_sub(1) else { return AtCursor::Nothing };
+    let found = match &lane.filling {
+        LaneFilling::Values(dots) => dots
+            .get(newest)
+            .map(|dot| (dot.t, if dot.text.is_empty() { AtCursor::Came } else { AtCursor::Text(dot.text.clone()) })),
+        LaneFilling::Spans(spans) => spans.get(newest).map(|span| {
             let number = Some(span.ends.1).filter(|number| number.is_finite());
-            (span.until, number.map(|number| filling::number_words(number, kind.as_ref())).unwrap_or_default())
+            (span.until, number.map_or(AtCursor::Came, AtCursor::Number))
         }),
     };
+    let Some((until, value)) = found else { return AtCursor::Nothing };
     let quiet = cursor - until;
-    if quiet > lane.gap_ms && quiet >= 1_000.0 {
-        return words::seconds_earlier((quiet / 1_000.0) as u64);
+    if quiet > lane.gap_ms && quiet >= 1_000.0 { AtCursor::Earlier((quiet / 1_000.0) as u64) } else { value }
+}
+
+fn value_words(past: PastShared, key: &str, here: &AtCursor) -> String {
+    match here {
+        AtCursor::Nothing => String::new(),
+        AtCursor::Earlier(seconds) => words::seconds_earlier(*seconds),
+        AtCursor::Text(text) => text.to_string(),
+        AtCursor::Number(number) => {
+            filling::number_words(*number, filling::kind_of(past, &filling::name(key)).as_ref())
+        }
+        AtCursor::Came => words::value_came().to_owned(),
     }
-    if text.is_empty() { words::value_came().to_owned() } else { text }
 }
 
 /// The words of a screen reader for the moment: the time, and the chosen lane. Reactive.
@@ -201,9 +245,9 @@ fn told(past: PastShared) -> String {
     let viewer = past.viewer.read();
     let time = clock::time(&opened, viewer.cursor(), false);
     let name = viewer.chosen().map(|lane| filling::label(&opened, &filling::name(&lane.key)));
-    let at = viewer.chosen_index();
+    let (at, key) = (viewer.chosen_index(), viewer.chosen().map(|lane| lane.key.clone()).unwrap_or_default());
     drop(viewer);
-    words::moment_told(&time, &name.unwrap_or_default(), &value_at(past, at))
+    words::moment_told(&time, &name.unwrap_or_default(), &value_words(past, &key, &at_cursor(past, at)))
 }
 
 /// The text of a value in the table: its number with its unit, or its words.
@@ -237,19 +281,21 @@ fn watch_width(past: PastShared, canvas: NodeRef<html::Canvas>) {
 /// Draws both canvases anew with the next picture of the browser, once for all changes until then.
 fn paint_when_changed(past: PastShared, over: NodeRef<html::Canvas>, under: NodeRef<html::Canvas>) {
     let waits = Rc::new(Cell::new(false));
+    let theme: Rc<RefCell<Option<LaneTheme>>> = Rc::default();
+    let kept = theme.clone();
     let paint = move || {
         if waits.replace(true) {
             return;
         }
-        let waits = waits.clone();
+        let (waits, theme) = (waits.clone(), theme.clone());
         browser::next_frame(move || {
             waits.set(false);
             if !past.is_gone() {
-                paint(past, over, under);
+                paint(past, over, under, &mut theme.borrow_mut());
             }
         });
     };
-    let (theme, again) = (paint.clone(), paint.clone());
+    let again = paint.clone();
     // The drawing is lost with the process that draws, and made anew once there is another one.
     Effect::new(move |_| {
         for canvas in [over.get(), under.get()].into_iter().flatten() {
@@ -257,7 +303,19 @@ fn paint_when_changed(past: PastShared, over: NodeRef<html::Canvas>, under: Node
             browser::hear(&canvas, "contextrestored", move |_| again());
         }
     });
-    when_changed(DARK, theme);
+    for query in [DARK, "(prefers-contrast: more)", "(forced-colors: active)"] {
+        let (kept, again) = (kept.clone(), paint.clone());
+        when_changed(query, move || {
+            kept.take();
+            again();
+        });
+    }
+    // Another language has other letters, and comes with what is opened anew.
+    let opened = kept;
+    Effect::new(move |_| {
+        past.opened.track();
+        opened.take();
+    });
     Effect::new(move |_| {
         past.viewer.track();
         past.width.track();
@@ -268,21 +326,25 @@ fn paint_when_changed(past: PastShared, over: NodeRef<html::Canvas>, under: Node
     });
 }
 
-fn paint(past: PastShared, over: NodeRef<html::Canvas>, under: NodeRef<html::Canvas>) {
+fn paint(past: PastShared, over: NodeRef<html::Canvas>, under: NodeRef<html::Canvas>, theme: &mut Option<LaneTheme>) {
     let (Some(over), Some(under)) = (over.get_untracked(), under.get_untracked()) else { return };
     let Some(opened) = past.opened.get_untracked() else { return };
     let width = past.width.get_untracked();
     if width < 1.0 {
         return;
     }
+    if theme.is_none() {
+        *theme = LaneTheme::of(&under);
+    }
+    let Some(theme) = theme else { return };
     let measure = |text: &str| browser::text_width(text, 400, TEXT_PX).unwrap_or(0.0);
     past.viewer.with_untracked(|viewer| {
         let (_, marks) = viewer.rows();
-        if let Some(painter) = Painter::new(&under, (width, marks.y + marks.height)) {
+        if let Some(painter) = Painter::new(&under, (width, marks.y + marks.height), theme) {
             painter.draw(&viewer.draw(width, &measure));
         }
         let overview = viewer.density().overview();
-        if let Some(painter) = Painter::new(&over, (width, overview + RULER)) {
+        if let Some(painter) = Painter::new(&over, (width, overview + RULER), theme) {
             painter.draw(&viewer.draw_overview(width));
             let mut ruler = Vec::new();
             let tick_words = |t: f64, tenths| clock::time(&opened, t, tenths);

@@ -1,24 +1,26 @@
 //! Why something came, and why something else did not: asked about the moment on the graph, told in steps, and lit on the graph.
 
+mod fix;
 mod view;
 
 pub(super) use view::{Asking, Numbers};
 
+use fix::AnswerFix;
+
 use super::media::page_element;
 use super::{PastShared, clock, filling};
 use crate::desk::{Lit, Selected};
-use crate::live::short_value;
 use crate::panels::language::language;
 use crate::words;
-use behaviour::{Id, Operation, Procedure, StreamKind, Value};
+use behaviour::{Id, StreamKind};
 use lanes::LaneAct;
 use leptos::prelude::*;
 use protocol::{
     LaneName, LaneValues, NumberFix, OpenedPast, PastAnswer, PastQuestion, ToldWhy, Why, WhyNot, WhySentence, WhyWith,
 };
 
-/// Why not is asked about so long before the moment, in milliseconds: who misses something is late by that.
-const MISSED_MS: u64 = 2_000;
+/// Why not is asked about the time since the action came last, but no longer than this, in milliseconds.
+const MISSED_MS: u64 = 60_000;
 
 /// A value that a step used besides.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,14 +38,6 @@ struct AnswerLine {
     branches: Vec<AnswerBranch>,
     /// With which number it would have come, where that is known and the open program is the one that ran.
     fix: Option<AnswerFix>,
-}
-
-/// A number with which it would have come.
-#[derive(Clone, Debug, PartialEq)]
-struct AnswerFix {
-    number: NumberFix,
-    /// The operation that ran, in whose body the number stands.
-    ran: Operation,
 }
 
 /// A question: a stream and a moment since Start.
@@ -183,7 +177,7 @@ impl PastShared {
         });
     }
 
-    /// Asks why nothing came on a stream shortly before the moment.
+    /// Asks why nothing came on a stream since it came last.
     fn ask_why_not(self, stream: Id) {
         let Some(at) = self.then.at.get_untracked() else { return };
         let from = self.opened.get_untracked().map_or(0, |opened| opened.from_ms);
@@ -194,16 +188,17 @@ impl PastShared {
             return self.refuse(asked, words::it_came_then().to_owned());
         }
         let after = live.map_or(0, |live| live.at_ms + 1);
+        let from_ms = at.saturating_sub(MISSED_MS).max(after).max(from);
         let question = PastQuestion::WhyNot {
             stream: stream.to_string(),
-            from_ms: at.saturating_sub(MISSED_MS).max(after).max(from),
+            from_ms,
             until_ms: at,
             language: language().code().to_owned(),
         };
         let mine = self.then.another_question();
         self.ask(question, move |answer| {
             if let Some(PastAnswer::WhyNot(told)) = answer.filter(|_| self.then.is_newest(mine)) {
-                self.show_why_not(asked, told);
+                self.show_why_not(asked, from_ms, told);
             }
         });
     }
@@ -261,14 +256,14 @@ impl PastShared {
         self.show_answer(ShownAnswer { asked, title, lines, numbers, way, note: lost(told.lost) });
     }
 
-    fn show_why_not(self, asked: AskedReason, told: &ToldWhy<WhyNot>) {
+    fn show_why_not(self, asked: AskedReason, from_ms: u64, told: &ToldWhy<WhyNot>) {
         let Some(opened) = self.opened.get_untracked() else { return };
         let is_same = self.then.is_same.get_untracked();
         let document = self.desk.desk().document;
         let fix = |number: &NumberFix| {
             let signals = document.connector(&Id::new(&number.connector).ok()?)?;
             let ran = signals.record.with_untracked(|record| record.operation.clone());
-            Some(AnswerFix { number: number.clone(), ran })
+            Some(AnswerFix::of(number, ran))
         };
         let line = |sentence: &WhySentence| AnswerLine {
             text: in_times_of_day(&opened, &sentence.text),
@@ -289,31 +284,9 @@ impl PastShared {
             }
         }
         let title = self.title_of(&asked);
-        self.show_answer(ShownAnswer { asked, title, lines, numbers, way, note: lost(told.lost) });
-    }
-
-    /// Puts the number with which it would have come into the program of today, as a change that can be taken back; `done` hears
-    /// that it is saved.
-    fn take_fix(self, AnswerFix { number: fix, ran }: &AnswerFix, done: impl FnOnce() + 'static) {
-        let desk = self.desk.desk();
-        let Ok(id) = Id::new(&fix.connector) else { return };
-        let after = desk.clone();
-        desk.document.with_now(|document| {
-            let now = document.behaviour();
-            let seen = now.connector(&id).cloned();
-            let operation = seen.as_ref().and_then(|seen| with_number(&seen.operation, ran, fix));
-            let (Some(seen), Some(operation)) = (seen, operation) else {
-                return after.say(words::fix_is_late(), true);
-            };
-            let inputs = seen.inputs.clone();
-            let said = after.clone();
-            document.edit_connector((&id, seen), operation, inputs, None, move |answer| {
-                if answer.is_ok() {
-                    done();
-                }
-                said.say_refusal(answer);
-            });
-        });
+        let looked = words::looked_from(&self.time_words(from_ms, false));
+        let note = Some(lost(told.lost).map_or_else(|| looked.clone(), |lost| format!("{looked} {lost}")));
+        self.show_answer(ShownAnswer { asked, title, lines, numbers, way, note });
     }
 
     fn show_answer(self, answer: ShownAnswer) {
@@ -340,26 +313,6 @@ impl PastShared {
         let opened = self.opened.get_untracked();
         opened.map(|opened| clock::time(&opened, at as f64 - opened.from_ms as f64, has_tenths)).unwrap_or_default()
     }
-}
-
-/// A number of a fix with its unit.
-fn fix_words(fix: &NumberFix) -> String {
-    words::with_unit(short_value(&Value::Float(fix.to)), &fix.unit)
-}
-
-/// An operation with the number of a fix in its body; none if it is another one by now than the one that ran.
-fn with_number(operation: &Operation, ran: &Operation, fix: &NumberFix) -> Option<Operation> {
-    if operation != ran {
-        return None;
-    }
-    let mut operation = operation.clone();
-    let Procedure::Body { body, .. } = operation.procedure_mut()? else { return None };
-    let stands = body.get(fix.start..fix.end)?.trim().parse::<f64>().ok()?;
-    if (stands - fix.from).abs() > 1e-9 * fix.from.abs().max(1.0) {
-        return None;
-    }
-    body.replace_range(fix.start..fix.end, &fix.written);
-    Some(operation)
 }
 
 /// That an answer may be wrong, as lines of the recording are missing.
@@ -407,29 +360,7 @@ fn since_start(time: &str, digits: usize) -> Option<u64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{with_number, with_times};
-    use behaviour::Procedure;
-    use protocol::NumberFix;
-
-    #[test]
-    fn a_fix_goes_where_its_number_stands_and_nowhere_else() {
-        let test = |body: &str| behaviour::connectors::filter::SPEC.with(Procedure::body(body));
-        let fix = NumberFix {
-            connector: "c".into(),
-            start: 11,
-            end: 15,
-            from: 0.75,
-            to: 95.0,
-            written: "0.95".into(),
-            unit: "cm".into(),
-        };
-        let ran = test("distance < 0.75");
-        assert_eq!(with_number(&ran, &ran, &fix), Some(test("distance < 0.95")));
-        assert_eq!(with_number(&test("distance < 0.80"), &ran, &fix), None, "somebody changed it since");
-        assert_eq!(with_number(&test("distance < 0.755"), &ran, &fix), None, "it only begins with the number");
-        assert_eq!(with_number(&test("d < 1"), &ran, &fix), None);
-        assert_eq!(with_number(&test("d < 1"), &test("d < 1"), &fix), None);
-    }
+    use super::with_times;
 
     #[test]
     fn times_since_start_become_times_of_day_and_other_numbers_stay() {

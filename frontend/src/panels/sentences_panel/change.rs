@@ -3,11 +3,12 @@
 use crate::desk::Desk;
 use crate::panels::control::{replaced, written_like};
 use behaviour::{Connector, Kind, Operation, Parameters, Procedure, RATE_MS, Record, RecordId, Value};
+use protocol::Refused;
 use sentences::LiteralPlace;
 
 /// What takes the place of something.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum New {
+pub(in crate::panels) enum New {
     /// As it is kept.
     Number(f64),
     Text(String),
@@ -27,7 +28,17 @@ pub(super) fn record_of(at: &LiteralPlace) -> RecordId {
 /// that it is not possible is told why.
 pub(super) fn put(desk: &Desk, at: &LiteralPlace, seen: Option<Record>, new: New) {
     let after = desk.clone();
-    let said = move |answer| after.say_refusal(answer);
+    put_and(desk, at, seen, new, move |answer| after.say_refusal(answer));
+}
+
+/// Puts something new there; `said` hears what became of the change.
+pub(in crate::panels) fn put_and(
+    desk: &Desk,
+    at: &LiteralPlace,
+    seen: Option<Record>,
+    new: New,
+    said: impl FnOnce(Result<(), Refused>) + 'static,
+) {
     match (at, seen) {
         (LiteralPlace::Param { stream, param }, Some(Record::Stream(seen))) => {
             let mut stream_new = seen.clone();
@@ -60,7 +71,7 @@ pub(super) fn drafted(at: &LiteralPlace, seen: Option<Record>, new: New) -> Opti
 }
 
 /// An operation with something new at a place; none if that place is gone.
-fn with(operation: &Operation, at: &LiteralPlace, new: &New) -> Option<Operation> {
+pub(in crate::panels) fn with(operation: &Operation, at: &LiteralPlace, new: &New) -> Option<Operation> {
     match (at, new) {
         (LiteralPlace::Body { start, end, .. }, new) => {
             let mut operation = operation.clone();

@@ -81,28 +81,28 @@ pub(crate) fn moved_earlier(by: &str) -> String {
 }
 
 pub(crate) fn begins_later(by: &str) -> String {
-    say!("begins {by} later", by)
+    say!(begins_later: "begins {by} later", by)
 }
 
 pub(crate) fn begins_earlier(by: &str) -> String {
-    say!("begins {by} earlier", by)
+    say!(begins_earlier: "begins {by} earlier", by)
 }
 
 pub(crate) fn is_longer(by: &str) -> String {
-    say!("{by} longer", by)
+    say!(is_longer: "{by} longer", by)
 }
 
 pub(crate) fn is_shorter(by: &str) -> String {
-    say!("{by} shorter", by)
+    say!(is_shorter: "{by} shorter", by)
 }
 
 pub(crate) fn count_other_numbers(many: u64) -> String {
-    say!("{many} with other numbers", many)
+    say!(count_other_numbers: "{many} with other numbers", many)
 }
 
 /// The number of a condition, and the one that it had, with its unit: `With 60 instead of 75 cm`.
 pub(crate) fn now_instead_of(now: &str, before: &str) -> String {
-    say!("With {now} instead of {before}", now, before)
+    say!(now_instead_of: "With {now} instead of {before}", now, before)
 }
 
 pub(crate) fn revision_number(revision: u64) -> String {

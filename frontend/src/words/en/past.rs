@@ -43,6 +43,9 @@ sentences! {
     back_to_now: "Back to now";
     time_of_value: "Time";
     values_come: "The values are on their way.";
+    find_moment: "Find a moment …";
+    no_marks_yet: "No marks yet. While the program runs, press Mark on the operator's page (key M): each mark then stands here.";
+    no_such_mark: "No mark has these words. A time, such as 12:04:17, goes there with Enter.";
     no_values_then: "Nothing came on this lane.";
     others_look_back: "Others who look back";
     looks_with_you: "looks with you";
@@ -80,6 +83,18 @@ pub(crate) fn why_no(name: &str, time: &str) -> String {
 
 pub(crate) fn used_besides(name: &str) -> String {
     say!(used_besides: "With it: {name}", name)
+}
+
+pub(crate) fn marks_counted(count: usize) -> String {
+    say!(marks_counted: "Marks · {count}", count)
+}
+
+pub(crate) fn more_marks(count: usize) -> String {
+    say!(more_marks: "The first {count} are listed. Type to find others.", count)
+}
+
+pub(crate) fn looked_from(time: &str) -> String {
+    say!(looked_from: "The time from {time} on was looked at. What came nearest stands first.", time)
 }
 
 /// `Make it 95 cm`
@@ -149,26 +164,26 @@ pub(crate) fn remove_lane(lane: &str) -> String {
 
 /// The moment at which somebody else looks.
 pub(crate) fn looks_at_time(time: &str) -> String {
-    say!("at {time}", time)
+    say!(looks_at_time: "at {time}", time)
 }
 
 /// The moment at which somebody else looks, in another past.
 pub(crate) fn looks_elsewhere(time: &str) -> String {
-    say!("at {time}, elsewhere", time)
+    say!(looks_elsewhere: "at {time}, elsewhere", time)
 }
 
 pub(crate) fn looks_with(name: &str) -> String {
-    say!("You look back with {name}. Move the cursor to look by yourself.", name)
+    say!(looks_with: "You look back with {name}. Move the cursor to look by yourself.", name)
 }
 
 pub(crate) fn looks_at_now_again(name: &str) -> String {
-    say!("{name} looks at now again. You stay at this moment.", name)
+    say!(looks_at_now_again: "{name} looks at now again. You stay at this moment.", name)
 }
 
 pub(crate) fn looks_no_more(name: &str) -> String {
-    say!("{name} left. You stay at this moment.", name)
+    say!(looks_no_more: "{name} left. You stay at this moment.", name)
 }
 
 pub(crate) fn end_following_person(name: &str) -> String {
-    say!("End following {name}", name)
+    say!(end_following_person: "End following {name}", name)
 }

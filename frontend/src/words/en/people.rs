@@ -22,7 +22,7 @@ pub(crate) fn follow_person(name: &str) -> String {
 
 /// The same button while they look at the past.
 pub(crate) fn follow_who_looks_back(name: &str) -> String {
-    say!("Follow {name}, who looks back", name)
+    say!(follow_who_looks_back: "Follow {name}, who looks back", name)
 }
 
 pub(crate) fn following(name: &str) -> String {

@@ -2,9 +2,10 @@
 
 use super::super::PastShared;
 use super::super::media::page_element as element;
-use super::{AnswerFix, AnswerLine, ShownAnswer, fix_words};
+use super::fix::AnswerFix;
+use super::{AnswerLine, ShownAnswer};
 use crate::browser;
-use crate::desk::{Document, Lit};
+use crate::desk::Lit;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::stream_width;
@@ -115,7 +116,6 @@ fn Answer(past: PastShared, answer: ShownAnswer) -> impl IntoView {
     let is_not = answer.asked.is_not;
     let note = answer.note.clone();
     let lines: Vec<_> = answer.lines.iter().cloned().enumerate().collect();
-    // Undo takes back the newest change: only beside that one it is offered.
     let made = RwSignal::new(None);
     let lines = lines.into_iter().map(|(at, line)| view! { <Line past at line is_not made /> }).collect_view();
     view! {
@@ -168,7 +168,7 @@ fn Line(past: PastShared, at: usize, line: AnswerLine, is_not: bool, made: RwSig
 /// The number with which it would have come, as a change of the program of today that can be taken back.
 #[component]
 fn Fixing(past: PastShared, at: usize, fix: AnswerFix, made: RwSignal<Option<usize>>) -> impl IntoView {
-    let number = fix_words(&fix.number);
+    let number = fix.words();
     let fix = StoredValue::new(fix);
     // The role decides alone here: while people look back nobody may edit.
     let may = move || past.desk.desk().role.get().is_none_or(|role| role >= Role::Editor);
@@ -176,19 +176,28 @@ fn Fixing(past: PastShared, at: usize, fix: AnswerFix, made: RwSignal<Option<usi
         fix.with_value(|fix| {
             past.take_fix(fix, move || {
                 made.try_set(Some(at));
+                // The button is gone: the keyboard stays at the answer.
+                to_answer();
             });
         });
     };
     let undo = move |_| {
-        past.desk.desk().document.with_now(Document::undo);
+        fix.with_value(|fix| past.take_back(fix));
         made.set(None);
+        to_answer();
     };
     let said = words::fix_made(&number);
     let label = words::make_it(&number);
     let button = move || {
         if made.get() == Some(at) {
             let said = said.clone();
-            view! { <p role="status">{said}" "<button class="link" type="button" on:click=undo>{words::undo()}</button></p> }.into_any()
+            // Undo takes back the newest change: it is offered for as long as that is this one.
+            let can_undo = Memo::new(move |_| fix.with_value(|fix| past.can_take_back(fix)));
+            view! {
+                <p role="status">{said}</p>
+                <Show when=move || can_undo.get()><button class="link" type="button" on:click=undo>{words::undo()}</button></Show>
+            }
+            .into_any()
         } else {
             let label = label.clone();
             view! { <button class="link" type="button" on:click=take>{label}</button><p>{words::changes_today()}</p> }
@@ -209,6 +218,7 @@ pub(in super::super) fn Numbers(past: PastShared) -> impl IntoView {
             document.lit.set(way);
         }
     });
+    dim_beside(past);
     let number = move |(id, sign): (Id, String)| {
         let signals = past.desk.desk().document.stream(&id)?;
         let is_hollow = sign.parse::<usize>().is_err();
@@ -230,4 +240,46 @@ pub(in super::super) fn Numbers(past: PastShared) -> impl IntoView {
             }
         })
     }
+}
+
+/// All that an answer is not about steps back on the graph while that is told: it is marked by this name for the style sheet.
+const BESIDE: &str = "data-beside";
+/// A moment for what comes into view, in milliseconds.
+const SEEN_MS: i32 = 200;
+
+fn dim_beside(past: PastShared) {
+    let way = Memo::new(move |_| past.then.answer.with(|answer| answer.as_ref().map(|answer| answer.way.clone())));
+    let mark = move || {
+        let lit = way.try_get_untracked().flatten().filter(|way| *way != Lit::default());
+        for (list, of) in [("data-node", true), ("data-chip", false)] {
+            let Some(stage) = element("#stage") else { return };
+            for thing in focus::all(&stage, &format!("[{list}]")) {
+                let id = thing.get_attribute(list).and_then(|id| Id::new(&id).ok());
+                let is_on = |lit: &Lit| {
+                    id.as_ref()
+                        .is_some_and(|id| if of { lit.streams.contains(id) } else { lit.connectors.contains(id) })
+                };
+                let _ = match &lit {
+                    Some(lit) if !is_on(lit) => thing.set_attribute(BESIDE, ""),
+                    _ => thing.remove_attribute(BESIDE),
+                };
+            }
+        }
+    };
+    Effect::new(move |_| {
+        way.track();
+        let document = past.desk.desk().document;
+        // Another program, or another part of it in view, has other things.
+        document.stream_ids.track();
+        document.laid_out.track();
+        past.then.at.track();
+        past.then.is_folded.track();
+        // What comes into view stands there a moment later.
+        [0, SEEN_MS].into_iter().for_each(|ms| browser::after(ms, mark));
+    });
+    on_cleanup(move || {
+        if let Some(stage) = element("#stage") {
+            focus::all(&stage, &format!("[{BESIDE}]")).iter().for_each(|thing| drop(thing.remove_attribute(BESIDE)));
+        }
+    });
 }
