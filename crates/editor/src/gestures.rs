@@ -317,7 +317,8 @@ impl Editor {
 
     /// A new note with its place; gives its id.
     pub fn add_note(&mut self, op: Id, text: &str, at: Place) -> Id {
-        let (id, behaviour, start) = (self.next_id(), self.shown_behaviour(), self.start(op, labels::add(Phrase::word("note"))));
+        let (id, behaviour, start) =
+            (self.next_id(), self.shown_behaviour(), self.start(op, labels::add(Phrase::word("note"))));
         let change = start.put(&behaviour, RecordId::new(Kind::Note, &id), self.written(text));
         let place = Record::Place(crate::layout::snapped(at));
         self.propose(change.put(&behaviour, RecordId::new(Kind::Place, &id), place));
@@ -334,7 +335,8 @@ impl Editor {
     /// Removes a note that nothing is left of, if it is still as its author saw it.
     pub fn remove_note(&mut self, op: Id, id: &Id, seen: behaviour::Note) {
         let what = [Selected::Note(id.clone())].into();
-        let change = graph::without(&self.shown_behaviour(), self.start(op, labels::remove(Phrase::word("note"))), &what);
+        let change =
+            graph::without(&self.shown_behaviour(), self.start(op, labels::remove(Phrase::word("note"))), &what);
         self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
     }
 

@@ -160,7 +160,7 @@ fn mark_bytes(mark: &RecordingMark) -> usize {
 }
 
 fn interruption_bytes(all: &[Interruption]) -> usize {
-    let words = |one: &Interruption| if let Interrupted::Halted(why) = &one.what { why.len() } else { 0 };
+    let words = |one: &Interruption| if let Interrupted::Halted(why) = &one.what { why.bytes() } else { 0 };
     size_of_val(all) + all.iter().map(words).sum::<usize>()
 }
 

@@ -39,9 +39,9 @@ pub use parts::{Assembly, PART_MAX_BYTES, PartMissing, PartsCursor, RecordsPart}
 pub use past::{
     CHANGED_LIMITS_MAX, CHANGED_MOMENTS_MAX, CHANGED_STRETCHES_MAX, ChangedLimit, ChangedMoment, ChangedStream,
     EditedHelper, EditedProgram, INTERRUPTIONS_MAX, Interrupted, Interruption, LANE_COLUMNS_MAX, LANE_VALUES_MAX,
-    LANES_MAX, LOOKED_NAME_MAX_BYTES, LaneColumn, LaneName, LaneValue, LaneValues, MomentChange, NotSeen, NumberFix, OpenedPast,
-    PAST_MARKS_MAX_BYTES, PAST_PROGRAMS_MAX, PAST_STREAMS_MAX_BYTES, PastAnswer, PastChanges, PastLane, PastMoment,
-    PastOf, PastProgram, PastProgramPart, PastQuestion, PastStream, ToldWhy, WhySentence,
+    LANES_MAX, LOOKED_NAME_MAX_BYTES, LaneColumn, LaneName, LaneValue, LaneValues, MomentChange, NotSeen, NumberFix,
+    OpenedPast, PAST_MARKS_MAX_BYTES, PAST_PROGRAMS_MAX, PAST_STREAMS_MAX_BYTES, PastAnswer, PastChanges, PastLane,
+    PastMoment, PastOf, PastProgram, PastProgramPart, PastQuestion, PastStream, ToldWhy, WhySentence,
 };
 pub use person::{CanvasArea, Credential, LookedMoment, Person, Pointer};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, FoundRobot, LOGIN_MAX_CHARS, RealRobot, RobotFindings};

@@ -1,8 +1,8 @@
 //! Scenes of gestures on the graph: what one does both have, one undo takes it back, and what was made is chosen.
 
+use crate::scenes::said;
 use crate::server::id;
 use crate::sketch::{connector, filter, plan, sketch, stream, streams};
-use crate::scenes::said;
 use crate::table::{AIKO, BEN, Table};
 use behaviour::{Behaviour, Group, Id, Kind, Note, Params, Place, Procedure, Record, RecordId, connectors};
 use editor::graph::{ConnectPlan, Gap, Ghost, Joining, LineUp, NewSpot, Output, ProgramPart, WireEnd, wire_ends};

@@ -622,7 +622,10 @@ fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_later()
     for (again, shown, waits, next) in steps {
         table.does(AIKO, |page| page.step(again));
         let editor = table.editor(AIKO);
-        assert_eq!((table.shown(AIKO), editor.queue().len(), said(&editor.redoable)), (shown, waits, next.map(str::to_owned)));
+        assert_eq!(
+            (table.shown(AIKO), editor.queue().len(), said(&editor.redoable)),
+            (shown, waits, next.map(str::to_owned))
+        );
     }
     assert_eq!((said(&table.editor(AIKO).undoable), table.shown(BEN)), (None, text("Aiko wrote 1")));
     table.connect(AIKO);
