@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn names_are_in_the_language_of_the_page_and_those_of_others_are_known() {
-        let table = "{input} {every}\n{every}の{input}\n\nevery second\n毎秒\n\nevery {period}\n{period}ごと\n\n{seconds} s\n{seconds} 秒\n\nDistance\n距離\n";
+        let table = "word.{input} {every}\n{every}の{input}\n\nname_every_second\n毎秒\n\nname_every\n{period}ごと\n\nname_seconds\n{seconds} 秒\n\nword.Distance\n距離\n";
         speak(table.to_owned());
         let inputs = ["距離".to_owned()];
         let every = |naming, ms| {
@@ -182,7 +182,7 @@ mod tests {
     #[test]
     fn an_otherwise_that_becomes_one_of_its_own_is_named_anew() {
         let [english, japanese] = behaviour::OTHERWISE;
-        assert!(include_str!("../../static/ja.txt").contains(&format!("\n{english}\n{japanese}\n")));
+        assert!(include_str!("../../static/ja.txt").contains(&format!("\nword.{english}\n{japanese}\n")));
         let file = r#"{"format":"rrp-behaviour/1","name":"Test","helpers":[],"streams":[
             {"id":"d","kind":"ordinary","name":"Distance"},{"id":"n","kind":"ordinary","name":"Near"},
             {"id":"o","kind":"ordinary","name":"Otherwise"}],"connectors":[

@@ -69,80 +69,100 @@ impl Phrased for Refusal {
                 )
             }
             Self::TooLarge(what) => phrase!("Refusal.TooLarge", "{^what} is too large. Shorten its texts or lists."),
-            Self::Cycle(name) => {
-                phrase!("Refusal.Cycle", "Values would flow in a circle through “{name}”. Choose another stream.")
-            }
-            Self::SecondInput(name) => {
-                phrase!(
-                    "Refusal.SecondInput",
-                    "“{name}” already gets its values from a connector. Use merge to join two."
-                )
-            }
-            Self::IntoSensor(name) => {
-                phrase!("Refusal.IntoSensor", "“{name}” is a sense: it cannot take values from a connector.")
-            }
-            Self::OutOfActuator(name) => {
-                phrase!("Refusal.OutOfActuator", "“{name}” is an action: nothing can come out of it.")
-            }
-            Self::OnlySubscribe(name) => {
-                phrase!("Refusal.OnlySubscribe", "Only subscribe can lead to the action “{name}”.")
-            }
-            Self::SubscribeEnd(name) => {
-                phrase!("Refusal.SubscribeEnd", "Subscribe must lead to an action, and “{name}” is none.")
-            }
-            Self::MissingStream => {
-                phrase!(
-                    "Refusal.MissingStream",
-                    "A connector would have an end without a stream. Choose its streams again."
-                )
-            }
-            Self::OneInput(word) => {
-                let many =
-                    connectors::ALL.iter().filter(|spec| spec.inputs.are_many()).map(|spec| Phrase::word(spec.name));
-                let many = any_of(many.collect());
-                phrase!("Refusal.OneInput", "{^word} takes exactly one stream. Use {many} for several.")
-            }
-            Self::InputTwice(name) => {
-                phrase!("Refusal.InputTwice", "“{name}” is chosen twice. Choose every stream once.")
-            }
-            Self::Rate(_) => phrase!("Refusal.Rate", "It must last from 1 millisecond to 1 hour."),
-            Self::Infinite => phrase!("Refusal.Infinite", "A parameter is not a finite number."),
-            Self::NeedsDevice(kind, name) => {
-                let what = Phrase::word(if *kind == StreamKind::Sensor { "a sense" } else { "an action" });
-                phrase!("Refusal.NeedsDevice", "Choose {what} for “{name}”.")
-            }
-            Self::NoDevice(name) => phrase!("Refusal.NoDevice", "“{name}” has no sense or action."),
-            Self::OrdinaryDevice => phrase!("Refusal.OrdinaryDevice", "An ordinary stream has no sense or action."),
-            Self::Device(reason) => phrase!("Refusal.Device", "{^reason}."),
-            Self::Body(reason) => phrase!("Refusal.Body", "This procedure cannot run: {reason}."),
-            Self::TakesMore(name, params) => {
-                phrase!(
-                    "Refusal.TakesMore",
-                    "“{name}” is said to take more values than its {params} parameters. Leave the others out."
-                )
-            }
-            Self::Identifier(name) => {
-                phrase!(
-                    "Refusal.Identifier",
-                    "“{name}” cannot be used as a name here. Start with a letter; use letters, digits and _ only."
-                )
-            }
-            Self::HelperUsed(name, users) => {
-                phrase!("Refusal.HelperUsed", "“{name}” is still used by {users}. Change them first.")
-            }
-            Self::UsedByMany(name, most) => {
-                phrase!(
-                    "Refusal.UsedByMany",
-                    "“{name}” is used by more than {most} programs. Add a helper of the new name beside it."
-                )
-            }
-            Self::InGroup { stream, group } => {
-                phrase!("Refusal.InGroup", "“{stream}” is in the group “{group}” already. Take it out there first.")
-            }
-            Self::NotSaved(reason) => {
-                phrase!("Refusal.NotSaved", "This could not be saved ({.reason}). Nothing was changed; try again.")
-            }
+            other => of_parts(other),
         }
+    }
+}
+
+/// The refusals of streams, connectors, devices and helpers.
+fn of_parts(refusal: &Refusal) -> Phrase {
+    use Refusal as R;
+    match refusal {
+        R::Cycle(name) => {
+            phrase!("Refusal.Cycle", "Values would flow in a circle through “{name}”. Choose another stream.")
+        }
+        R::SecondInput(name) => {
+            phrase!("Refusal.SecondInput", "“{name}” already gets its values from a connector. Use merge to join two.")
+        }
+        R::IntoSensor(name) => {
+            phrase!("Refusal.IntoSensor", "“{name}” is a sense: it cannot take values from a connector.")
+        }
+        R::OutOfActuator(name) => {
+            phrase!("Refusal.OutOfActuator", "“{name}” is an action: nothing can come out of it.")
+        }
+        R::OnlySubscribe(name) => {
+            phrase!("Refusal.OnlySubscribe", "Only subscribe can lead to the action “{name}”.")
+        }
+        R::SubscribeEnd(name) => {
+            phrase!("Refusal.SubscribeEnd", "Subscribe must lead to an action, and “{name}” is none.")
+        }
+        R::MissingStream => {
+            phrase!(
+                "Refusal.MissingStream",
+                "A connector would have an end without a stream. Choose its streams again."
+            )
+        }
+        R::OneInput(word) => {
+            let many = connectors::ALL.iter().filter(|spec| spec.inputs.are_many()).map(|spec| Phrase::word(spec.name));
+            let many = any_of(many.collect());
+            phrase!("Refusal.OneInput", "{^word} takes exactly one stream. Use {many} for several.")
+        }
+        R::InputTwice(name) => {
+            phrase!("Refusal.InputTwice", "“{name}” is chosen twice. Choose every stream once.")
+        }
+        R::Rate(_) => phrase!("Refusal.Rate", "It must last from 1 millisecond to 1 hour."),
+        R::Infinite => phrase!("Refusal.Infinite", "A parameter is not a finite number."),
+        R::NeedsDevice(kind, name) => {
+            let what = Phrase::word(if *kind == StreamKind::Sensor { "a sense" } else { "an action" });
+            phrase!("Refusal.NeedsDevice", "Choose {what} for “{name}”.")
+        }
+        R::NoDevice(name) => phrase!("Refusal.NoDevice", "“{name}” has no sense or action."),
+        R::OrdinaryDevice => phrase!("Refusal.OrdinaryDevice", "An ordinary stream has no sense or action."),
+        R::Device(reason) => phrase!("Refusal.Device", "{^reason}."),
+        R::Body(reason) => phrase!("Refusal.Body", "This procedure cannot run: {reason}."),
+        R::TakesMore(name, params) => {
+            phrase!(
+                "Refusal.TakesMore",
+                "“{name}” is said to take more values than its {params} parameters. Leave the others out."
+            )
+        }
+        R::Identifier(name) => {
+            phrase!(
+                "Refusal.Identifier",
+                "“{name}” cannot be used as a name here. Start with a letter; use letters, digits and _ only."
+            )
+        }
+        R::HelperUsed(name, users) => {
+            phrase!("Refusal.HelperUsed", "“{name}” is still used by {users}. Change them first.")
+        }
+        R::UsedByMany(name, most) => {
+            phrase!(
+                "Refusal.UsedByMany",
+                "“{name}” is used by more than {most} programs. Add a helper of the new name beside it."
+            )
+        }
+        R::InGroup { stream, group } => {
+            phrase!("Refusal.InGroup", "“{stream}” is in the group “{group}” already. Take it out there first.")
+        }
+        R::NotSaved(reason) => {
+            phrase!("Refusal.NotSaved", "This could not be saved ({.reason}). Nothing was changed; try again.")
+        }
+        // Those are said above.
+        R::Stale(_)
+        | R::Locked { .. }
+        | R::ChangedSince { .. }
+        | R::NothingToUndo
+        | R::Gone
+        | R::Edits(_)
+        | R::Malformed(_)
+        | R::Reused
+        | R::Name(_)
+        | R::Unseen(_)
+        | R::NameTaken(_)
+        | R::TooLong(..)
+        | R::TooMany(..)
+        | R::Full(..)
+        | R::TooLarge(_) => Phrase::default(),
     }
 }
 

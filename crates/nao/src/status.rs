@@ -149,7 +149,7 @@ fn said(state: &mut NaoState, key: &str, value: &Value) -> Option<Phrase> {
             condition.plugged = truth(value);
             None
         }
-        "BatteryNearlyEmpty" => (truth(value)? && condition.plugged != Some(true)).then(|| battery_empty()),
+        "BatteryNearlyEmpty" => (truth(value)? && condition.plugged != Some(true)).then(battery_empty),
         "AutonomousLife/State" => {
             let life = match value.as_text()?.as_ref() {
                 "disabled" => Life::Disabled,
@@ -210,7 +210,7 @@ fn battery_empty() -> Phrase {
 
 fn empty(condition: &robot::Condition) -> Option<Phrase> {
     let low = condition.battery.is_some_and(|percent| percent <= EMPTY_PERCENT);
-    (low && condition.plugged != Some(true)).then(|| battery_empty())
+    (low && condition.plugged != Some(true)).then(battery_empty)
 }
 
 #[cfg(test)]

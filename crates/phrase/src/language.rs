@@ -24,7 +24,7 @@ impl Plural {
             Self::UpToOne => usize::from(whole > 1.0),
             Self::Few => {
                 let (tens, ones) = (whole % 100.0, whole % 10.0);
-                if whole.fract() > 0.0 || (11.0..15.0).contains(&tens) || ones > 4.0 || ones < 1.0 {
+                if whole.fract() > 0.0 || (11.0..15.0).contains(&tens) || !(1.0..=4.0).contains(&ones) {
                     2
                 } else {
                     usize::from(ones > 1.0)

@@ -15,7 +15,7 @@ pub use key::key_of;
 pub use language::{LANGUAGES, Language, Plural};
 pub use phrase_macros::{Phrased, phrase};
 pub use phrased::Phrased;
-pub use template::{filled, holes};
+pub use template::{HoleValue, filled, holes};
 
 extern crate self as phrase;
 
@@ -139,8 +139,8 @@ impl Phrase {
             }
             Self::Keyed(keyed) => {
                 let own = template(&keyed.key);
-                let language = if own.is_some() { language } else { &Language::ENGLISH };
-                filled(own.unwrap_or(&keyed.english), language, &|name| {
+                let words = if own.is_some() { language } else { &Language::ENGLISH };
+                filled(own.unwrap_or(&keyed.english), words, &|name| {
                     let (_, phrase) = keyed.with.iter().find(|(hole, _)| hole == name)?;
                     Some((phrase.said(language, template), phrase.number()))
                 })
@@ -176,18 +176,6 @@ impl PartialEq for Phrase {
 }
 
 impl Eq for Phrase {}
-
-impl PartialEq<str> for Phrase {
-    fn eq(&self, other: &str) -> bool {
-        self.to_string() == other
-    }
-}
-
-impl PartialEq<&str> for Phrase {
-    fn eq(&self, other: &&str) -> bool {
-        self.to_string() == *other
-    }
-}
 
 impl From<String> for Phrase {
     fn from(text: String) -> Self {

@@ -2,13 +2,16 @@
 
 use crate::Language;
 
+/// Tells what stands in a hole by its name, and the number that it is.
+pub type HoleValue<'a> = &'a dyn Fn(&str) -> Option<(String, Option<f64>)>;
+
 /// What may stand before the name of a hole.
 const MARKS: [char; 2] = ['^', '.'];
 
 /// Fills the holes of a sentence. `value` tells what stands in a hole, and the number that it is; a hole that nobody knows
 /// stays as it is written.
 #[must_use]
-pub fn filled(text: &str, language: &Language, value: &dyn Fn(&str) -> Option<(String, Option<f64>)>) -> String {
+pub fn filled(text: &str, language: &Language, value: HoleValue) -> String {
     let (mut made, mut rest) = (String::new(), text);
     while let Some((before, after)) = rest.split_once('{') {
         made.push_str(before);

@@ -159,6 +159,7 @@ fn with(now: &Behaviour, edits: &[Edit], side: impl Fn(&Edit) -> &Option<Record>
 
 #[cfg(test)]
 mod tests {
+    use behaviour::labels;
     use super::{done, one_number};
     use behaviour::{
         Accepted, Behaviour, Change, Connector, Id, Operation, Parameters, Params, Procedure, Record, RecordId, Stream,
@@ -199,7 +200,7 @@ mod tests {
         for (at, record) in records {
             change = change.put(&now, at.parse::<RecordId>().unwrap(), record.clone());
         }
-        let back = change.swapped(id("back"), &format!("Undo: {label}"));
+        let back = change.swapped(id("back"), labels::undo_of(false, &label.into()));
         now.apply(&change);
         [change, back].map(|change| {
             let line = HistoryLine::of(Accepted { revision: 1, change });
@@ -231,7 +232,7 @@ mod tests {
         assert_eq!(said("Connect Close ball", &[("connector/s", subscribed("b"))])[0], "led Distance to Close ball");
         let renamed = said("Rename Close ball", &[("stream/b", stream("Near", StreamKind::Ordinary))]);
         assert_eq!(renamed, ["renamed Close ball to Near", "took back “renamed Close ball to Near”"]);
-        assert_eq!(said("Tidy", &[])[0], "tidied up");
+        assert_eq!(said("Tidy", &[])[0], "made a change: Tidy", "what an older version wrote");
     }
 
     #[test]

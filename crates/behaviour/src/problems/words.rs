@@ -275,6 +275,6 @@ mod tests {
         let kind = ProblemKind::WrongUnit { wants: Unit::Metres, gets: Unit::Centimetres };
         let problem = Problem { at, name: "map".to_owned(), kind, blocks: false };
         assert_eq!(problem.to_string(), "Map wants metres, gets cm. Convert it.");
-        assert_eq!(problem.what_beside(), "Wants metres, gets cm.");
+        assert_eq!(problem.what_beside().to_string(), "Wants metres, gets cm.");
     }
 }

@@ -284,7 +284,7 @@ fn a_note_a_group_and_the_name_of_a_program_wait_beside_theirs_and_a_move_does_n
         Record::Group(behaviour::Group { title: title.into(), streams: [id("d")].into(), folded })
     };
     let settings = |name: &str| Record::Settings(behaviour::Settings::named(name));
-    let late = Refusal::Stale("it".to_owned());
+    let late = Refusal::Stale("it".into());
     let cases = [
         (RecordId::new(Kind::Note, &id("n")), note("Seen"), note("Mine"), true),
         (RecordId::new(Kind::Group, &id("g")), group("Seen", false), group("Mine", false), true),

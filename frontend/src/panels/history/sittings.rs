@@ -182,6 +182,7 @@ fn gesture(line: &HistoryLine, here: &ReaderClock, known: &HistoryScope) -> Hist
 
 #[cfg(test)]
 mod tests {
+    use behaviour::labels;
     use super::{HistoryScope, ReaderClock, SittingEntry, entries};
     use crate::words;
     use behaviour::{Checkpoint, Id};
@@ -195,7 +196,12 @@ mod tests {
 
     fn line(revision: u64, by: &str, label: &str, at_ms: u64) -> HistoryLine {
         let (op, id) = (Id::new(&format!("op{revision}")).unwrap(), Id::new(by).ok());
-        let (author, label) = (by.to_owned(), label.to_owned());
+        let author = by.to_owned();
+        let label = match label.split_once(' ') {
+            Some((_, name)) => labels::add(name),
+            None if label == "Move" => labels::moved(),
+            None => labels::tidied(),
+        };
         HistoryLine { revision, op, author, by: id, label, at_ms, undoes: None, removes: false, edits: Vec::new() }
     }
 
