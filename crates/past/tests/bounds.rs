@@ -58,7 +58,8 @@ fn refusals_marks_and_interruptions_are_counted_and_bounded() {
         Entry::Note(NoteLine { at_ms, note: long.clone(), id: None, until: None, word: String::new(), ..note() })
     };
     let halted = |at_ms| {
-        Entry::Robot(RobotLine { at_ms, link: "ready".into(), halt: Some(long.repeat(100)), ..RobotLine::default() })
+        let halt = Some(long.repeat(100));
+        Entry::Robot(Box::new(RobotLine { at_ms, link: "ready".into(), halt, ..RobotLine::default() }))
     };
     for (what, few, many, most) in [
         ("refusals", bytes_with((0..100).map(refused)), bytes_with((0..20_000).map(refused)), 2 << 20),
