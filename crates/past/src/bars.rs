@@ -183,7 +183,7 @@ impl MatchedBars {
         let mut others = std::mem::take(&mut self.others);
         others.sort_unstable();
         let pairs = pairs(self.goes_on, &before, &now);
-        let (mut before, mut now) = (Numbered::of(before), Numbered::of(now));
+        let (mut before, mut now) = (UntakenBars::of(before), UntakenBars::of(now));
         for (at, twin) in pairs {
             between(self.goes_on, before.until(at), now.until(twin), out);
             if let (Some(before), Some(now)) = (before.take_one(), now.take_one()) {
@@ -195,10 +195,11 @@ impl MatchedBars {
     }
 }
 
-/// Keeps the time of a value that came in one of both runs only.
+/// Keeps the time of a value with numbers that came in one of both runs only.
 fn keep(others: &mut Vec<u64>, found: &Found) {
-    if let Found::Other(at_ms, _, MomentChange::OnlyBefore | MomentChange::OnlyNow) = found
+    if let Found::Other(at_ms, value, MomentChange::OnlyBefore | MomentChange::OnlyNow) = found
         && others.len() < WAITING_MAX
+        && !matches!(value, Value::Text(_))
     {
         others.push(*at_ms);
     }
@@ -211,12 +212,12 @@ fn has_other(others: &[u64], before: &ActionBar, now: &ActionBar) -> bool {
 }
 
 /// Bars that are taken one after another.
-struct Numbered {
+struct UntakenBars {
     all: std::vec::IntoIter<ActionBar>,
     taken: usize,
 }
 
-impl Numbered {
+impl UntakenBars {
     fn of(all: Vec<ActionBar>) -> Self {
         Self { all: all.into_iter(), taken: 0 }
     }

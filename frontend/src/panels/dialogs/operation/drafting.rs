@@ -7,7 +7,6 @@ use crate::fields::Unfilled;
 use crate::panels::dialogs::drafting;
 use crate::panels::dialogs::held::DialogLock;
 use crate::words;
-use behaviour::Id;
 use leptos::prelude::*;
 
 /// Drafts what is chosen and typed, for as long as it is another connector than the saved one, or a new one.
@@ -27,6 +26,3 @@ pub(super) fn keep(form: OperationForm, held: DialogLock) {
         .filter(|what| !matches!(what, DraftedWhat::Records(records) if records.is_empty()))
     });
 }
-
-/// The ids of a new stream and a new connector.
-pub(super) type NewIds = (Id, Id);

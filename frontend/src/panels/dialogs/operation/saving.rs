@@ -3,13 +3,12 @@
 use super::NAME;
 use super::actuator::{ActuatorChoice, chosen};
 use super::draft;
-use super::drafting::NewIds;
 use super::form::{OperationForm, milliseconds};
 use crate::desk::{ConnectPlan, Dialog, DraftedRecords, NewSpot, Output};
 use crate::fields::Unfilled;
 use crate::panels::focus;
 use crate::words;
-use behaviour::{Operation, Parameters, Params, Procedure, RATE_MS, Value};
+use behaviour::{Id, Operation, Parameters, Params, Procedure, RATE_MS, Value};
 use leptos::prelude::*;
 use protocol::Refused;
 
@@ -42,7 +41,7 @@ fn plan(form: OperationForm) -> Result<ConnectPlan, Unfilled> {
 }
 
 /// The records as they would be saved; what is new has these ids. Reactive.
-pub(super) fn drafted(form: OperationForm, (stream, connector): &NewIds) -> Result<DraftedRecords, Unfilled> {
+pub(super) fn drafted(form: OperationForm, (stream, connector): &(Id, Id)) -> Result<DraftedRecords, Unfilled> {
     let document = form.desk.desk().document;
     let Some((id, seen)) = form.edits.get_value() else {
         return Ok(document.connection_drafted((stream, connector), plan(form)?));
