@@ -387,7 +387,7 @@ fn what_is_looked_for_in_a_folded_group_is_shown_here_and_stays_folded_for_other
         table.editor(BEN).folded.contains(&made) && group(&table, &made).folded,
         "folded here again, and no change"
     );
-    assert_eq!(table.editor(BEN).undoable.as_deref(), None);
+    assert_eq!(said(&table.editor(BEN).undoable), None);
 }
 
 #[test]
@@ -629,7 +629,7 @@ fn the_walkthrough_is_built_by_gestures_and_is_the_same_for_both() {
     assert!(heights.is_sorted_by(|one, other| one < other), "{heights:?}");
     assert_eq!(table.editor(AIKO).confirmed(), table.editor(BEN).confirmed());
     assert_eq!(
-        [AIKO, BEN].map(|who| table.editor(who).undoable.clone()),
+        [AIKO, BEN].map(|who| said(&table.editor(who).undoable)),
         [Some("Add map"), Some("Add subscribe")].map(|label| label.map(str::to_owned))
     );
 }

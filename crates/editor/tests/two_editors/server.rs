@@ -192,7 +192,7 @@ impl Server {
         let Some(who) = self.sessions.get(&session).copied() else { return };
         let (client, name) = (Self::client(who), Self::name(who));
         let (color, pointer, selected, view) = (who as u8, None, None, None);
-        self.people.insert(session, Person { client, name, color, pointer, selected, view });
+        self.people.insert(session, Person { client, name, color, pointer, selected, view, looks_at: None });
         self.tell_of_people();
     }
 
