@@ -177,6 +177,14 @@ impl PartialEq for Phrase {
 
 impl Eq for Phrase {}
 
+/// Compares what it says in English.
+impl PartialEq<&str> for Phrase {
+    fn eq(&self, other: &&str) -> bool {
+        let said = self.to_string();
+        said == *other
+    }
+}
+
 impl From<String> for Phrase {
     fn from(text: String) -> Self {
         Self::Text(text)

@@ -135,7 +135,7 @@ fn Asked(
     answers: RwSignal<Vec<Option<u8>>>,
     begin: impl Fn() + Copy + Send + 'static,
 ) -> impl IntoView {
-    let answer = move |(which, text): (u8, String)| {
+    let answer = move |(which, text): (u8, phrase::Phrase)| {
         let chosen = move || answers.read().get(at).copied().flatten() == Some(which);
         let choose = move |_| {
             answers.update(|answers| {
