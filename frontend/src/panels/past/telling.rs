@@ -32,7 +32,8 @@ impl PastShared {
     pub(super) fn tell_moments(self) {
         let looked = Memo::new(move |_| self.looked_moment());
         Effect::new(move |_| {
-            looked.track();
+            // Read, as what is only tracked is never made.
+            looked.with(|_| ());
             self.plan_telling();
         });
         let again = set_interval(
