@@ -1,7 +1,7 @@
 //! What no screen of the walk shows: small dialogs, menus, the tour, and what stands on the canvas for a moment.
 
 use crate::look::{DESKTOP, DRAWN, WINDOWS, Window, look_in, set};
-use crate::screens::{Stage, command, leave, nothing, open_template, rests, says, selected};
+use crate::screens::{Stage, command, leave, nothing, open_template, says, selected};
 use crate::words::Words;
 use house::{Outcome, Page, skip};
 use std::cell::RefCell;

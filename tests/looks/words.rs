@@ -61,21 +61,6 @@ impl Words {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::Words;
-
-    #[test]
-    fn words_are_those_of_the_table() -> house::Outcome<()> {
-        let (english, japanese) = (Words::english(), Words::japanese()?);
-        assert_eq!(english.fill("Robot: {name}", &[("name", "Blue")]), "Robot: Blue");
-        assert_eq!(japanese.say("Start"), "開始");
-        assert_eq!(japanese.fill("{what} settings", &[("what", "Blue")]), "Blue の設定");
-        assert_eq!((english.stream("Far").as_str(), japanese.stream("Far").as_str()), ("Far, *", "Far、*"));
-        Ok(())
-    }
-}
-
 /// The keys of the page's sentences and of Stop's words, and the English of each, as they stand in the code.
 fn english() -> Outcome<Vec<(String, String)>> {
     let folder = house::root().join("frontend/src/words");
@@ -104,4 +89,19 @@ fn english() -> Outcome<Vec<(String, String)>> {
     ];
     found.extend(stop.map(|(key, english)| (key.to_owned(), english.to_owned())));
     Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Words;
+
+    #[test]
+    fn words_are_those_of_the_table() -> house::Outcome<()> {
+        let (english, japanese) = (Words::english(), Words::japanese()?);
+        assert_eq!(english.fill("Robot: {name}", &[("name", "Blue")]), "Robot: Blue");
+        assert_eq!(japanese.say("Start"), "開始");
+        assert_eq!(japanese.fill("{what} settings", &[("what", "Blue")]), "Blue の設定");
+        assert_eq!((english.stream("Far").as_str(), japanese.stream("Far").as_str()), ("Far, *", "Far、*"));
+        Ok(())
+    }
 }

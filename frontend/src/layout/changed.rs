@@ -159,8 +159,8 @@ fn with(now: &Behaviour, edits: &[Edit], side: impl Fn(&Edit) -> &Option<Record>
 
 #[cfg(test)]
 mod tests {
-    use behaviour::labels;
     use super::{done, one_number};
+    use behaviour::labels;
     use behaviour::{
         Accepted, Behaviour, Change, Connector, Id, Operation, Parameters, Params, Procedure, Record, RecordId, Stream,
         StreamKind, connectors,

@@ -173,7 +173,7 @@ fn why_not(desk: DeskHold) -> Option<String> {
         return Some(words::nothing_to_run().to_owned());
     }
     let problems = desk.document.problems.get();
-    problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(problem))
+    problems.iter().find(|problem| problem.blocks).map(words::cannot_start)
 }
 
 #[component]

@@ -473,6 +473,12 @@ fn templates() -> Catalogue {
     names.iter().zip(says).flat_map(|(name, says)| of_template(name, &says)).collect()
 }
 
+/// The texts that follow on this in a source.
+fn calls(source: &str, name: &str) -> Vec<String> {
+    let first = |call: &str| call.trim_start().strip_prefix('"').map(|text| literal(text).0);
+    source.split(name).skip(1).filter_map(first).collect()
+}
+
 fn of_template(name: &str, says: &str) -> [(String, String); 2] {
     [(format!("template.{name}"), name.to_owned()), (format!("template.{name}.says"), says.to_owned())]
 }

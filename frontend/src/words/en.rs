@@ -1327,8 +1327,8 @@ mod tests {
     #[test]
     fn numbers_are_written_in_groups() {
         assert_eq!([0, 999, 1_477, 1_234_567].map(count), ["0", "999", "1,477", "1,234,567"]);
-        assert_eq!(failed(1_477, "there is no field z"), "Failed 1,477 times: there is no field z.");
-        assert_eq!(failed(1, "too many steps."), "Failed once: too many steps.");
+        assert_eq!(failed(1_477, &"there is no field z".into()), "Failed 1,477 times: there is no field z.");
+        assert_eq!(failed(1, &"too many steps.".into()), "Failed once: too many steps.");
     }
 
     #[test]

@@ -48,7 +48,7 @@ impl Desk {
     fn writes(&mut self, who: &str, notes: &[&str], what: &str) {
         let op = self.op();
         let after = (!what.is_empty()).then(|| Record::Note(Note::new(format!("{who}: {what}"))));
-        let start = Change { by: Some(id(who)), ..Change::of(op, who, &format!("Write {what}")) };
+        let start = Change { by: Some(id(who)), ..Change::of(op, who, format!("Write {what}")) };
         let change = notes.iter().fold(start, |made, name| match &after {
             Some(after) => made.put(self.room.behaviour(), note(name), after.clone()),
             None => made.take(self.room.behaviour(), note(name)),

@@ -266,7 +266,7 @@ mod tests {
     /// How many large replies are queued for a client that reads nothing before its link is cut.
     async fn queued(all: &AllWaiting, person: PersonIdentity) -> (usize, Outbox) {
         let (outbox, _inbox, _) = Outbox::new(1, Arc::new(person), all);
-        let no = Message::No { ask: None, no: Refused::Unreadable("x".repeat(32 << 10)) };
+        let no = Message::No { ask: None, no: Refused::Unreadable("x".repeat(32 << 10).into()) };
         for count in 0.. {
             tokio::select! {
                 biased;

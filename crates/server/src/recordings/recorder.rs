@@ -314,7 +314,7 @@ mod tests {
             std::thread::yield_now();
         }
         let trouble = recorder.news().unwrap().trouble.unwrap();
-        assert!(trouble.contains("could not be written on"), "{trouble}");
+        assert!(trouble.to_string().contains("could not be written on"), "{trouble}");
         drop(recorder);
         writer.join().unwrap();
     }

@@ -114,7 +114,7 @@ impl Document {
     /// The records with a new connector and perhaps its new stream, under these ids.
     pub(crate) fn connection_drafted(&self, ids: (&Id, &Id), plan: ConnectPlan) -> DraftedRecords {
         let (behaviour, places) = self.behaviour_and_places();
-        let sizes = self.state().editor.places.sizes;
+        let sizes = crate::layout::SIZES;
         let ground = Ground { behaviour: &behaviour, places: &places, sizes };
         records(graph::connected(ground, self.change(labels::edit("")), ids, plan))
     }

@@ -182,9 +182,9 @@ fn gesture(line: &HistoryLine, here: &ReaderClock, known: &HistoryScope) -> Hist
 
 #[cfg(test)]
 mod tests {
-    use behaviour::labels;
     use super::{HistoryScope, ReaderClock, SittingEntry, entries};
     use crate::words;
+    use behaviour::labels;
     use behaviour::{Checkpoint, Id};
     use protocol::HistoryLine;
     use std::collections::{BTreeMap, BTreeSet};

@@ -236,7 +236,7 @@ impl OperateShared {
             return Some(words::nothing_to_run().to_owned());
         }
         let problems = desk.document.problems.get();
-        problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(problem))
+        problems.iter().find(|problem| problem.blocks).map(words::cannot_start)
     }
 }
 

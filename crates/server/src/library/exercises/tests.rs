@@ -3,6 +3,7 @@
 use super::{ExerciseStart, exercise, exercises, rehearse};
 use crate::rooms::knowledge::Knowing;
 use behaviour::{BehaviourFile, Helper};
+use phrase::Phrase;
 use protocol::RehearsalResult;
 use std::path::Path;
 use tokio_util::sync::CancellationToken;
@@ -22,8 +23,12 @@ fn beside(name: &str) -> BehaviourFile {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-fn missed(says: &str) -> RehearsalResult {
-    RehearsalResult::Missed { says: says.to_owned(), fault: None }
+fn missed(says: impl Into<Phrase>) -> RehearsalResult {
+    RehearsalResult::Missed { says: says.into(), fault: None }
+}
+
+fn ends(says: &Phrase, with: char) -> bool {
+    says.to_string().ends_with(with)
 }
 
 #[test]
@@ -54,7 +59,7 @@ fn what_is_explained_is_reached_by_the_right_answers_only() {
         assert_eq!(answered(&file, exercise, &[]), missed(&goal.asks[0].otherwise));
         for (at, question) in goal.asks.iter().enumerate() {
             asked += 1;
-            assert!(question.ask.ends_with('?') && question.otherwise.ends_with('.'));
+            assert!(ends(&question.ask, '?') && ends(&question.otherwise, '.'));
             for other in (0..=question.answers.len()).filter(|other| *other != usize::from(question.right)) {
                 let mut answers = right.clone();
                 answers[at] = u8::try_from(other).unwrap();
@@ -73,13 +78,13 @@ fn what_is_explained_is_reached_by_the_right_answers_only() {
 fn every_expectation_is_about_a_part_and_says_something() {
     for exercise in exercises() {
         let goal = exercise.goal();
-        assert!(goal.says.ends_with('.') && goal.reached.ends_with('.'));
+        assert!(ends(&goal.says, '.') && ends(&goal.reached, '.'));
         assert!(goal.trace.iter().all(|part| part.every_ms >= 20 && part.for_ms > 1_000 && !part.values.is_empty()));
         assert!(goal.ends().0 <= 60_000);
         for one in &goal.expects {
             assert!(goal.trace.iter().any(|part| part.name == one.during), "{}", one.otherwise);
             assert!(robot::device(behaviour::StreamKind::Actuator, &one.action).is_ok(), "{}", one.action);
-            assert!(one.otherwise.ends_with('.'));
+            assert!(ends(&one.otherwise, '.'));
         }
         assert!(exercise.template.says.ends_with(['.', '?']));
         assert_eq!(exercise.template.file().name, exercise.template.name);

@@ -237,7 +237,7 @@ impl Course {
 
     /// The robot falls, and somebody presses Continue.
     fn interrupt(&mut self) {
-        self.shared.pause_all(&RunFailure::Halt("it fell".to_owned()));
+        self.shared.pause_all(&RunFailure::Halt("it fell".into()));
         self.end();
         if self.dice.one_in(2) {
             self.edit();
