@@ -256,7 +256,7 @@ fn of_others() -> Catalogue {
     sources_of_others()
         .into_iter()
         .flat_map(|source| {
-            let labels = source.contains("labels! {").then(|| labels(&source)).unwrap_or_default();
+            let labels = if source.contains("labels! {") { labels(&source) } else { Vec::new() };
             [quoted_pairs(&source, "phrase!("), of_variants(&source), labels].concat()
         })
         .filter(|(key, _)| !key.starts_with('$'))
