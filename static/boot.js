@@ -47,7 +47,7 @@ async function table(code) {
 // Stop speaks it too.
 function sayStop(text, code) {
   const said = new Map(text.split("\n\n").map((block) => block.split("\n").filter((line) => line && !line.startsWith("#"))));
-  for (const key of Object.keys(words)) words[key] = said.get(`stop.${key}`) ?? words[key];
+  for (const key of Object.keys(words)) words[key] = said.get("stop." + key) ?? words[key];
   const button = document.getElementById("stop");
   button.title = said.get("stop.title") ?? button.title;
   form.setAttribute("aria-label", said.get("stop.label") ?? form.getAttribute("aria-label"));

@@ -118,13 +118,10 @@ const COMMON_DEVICES: [&str; 5] = ["Button", "Lights", "People", "Voice", "Walk"
 
 /// The files in which browser tests sleep, how often, and what for. A ratchet: nothing may be added.
 const SLEEPS: [(&str, usize, &str); 7] = [
-    ("tests/hands/room.rs", 3, "values of a running program go on coming"),
     ("tests/journeys/by_touch.rs", 1, "between two looks"),
     ("tests/journeys/library.rs", 1, "before a request that came too fast is sent again"),
     ("tests/journeys/robot_console.rs", 1, "between two looks"),
     ("tests/journeys/stop_anywhere.rs", 1, "between two looks"),
-    ("tests/looks/corners.rs", 1, "the card of the tour looks a few times a second where it stands"),
-    ("tests/looks/load.rs", 2, "what else follows the first screen counts as well"),
 ];
 /// The longest function, in lines. A ratchet: it may only go down.
 const FUNCTION_MAX: usize = 90;

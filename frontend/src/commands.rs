@@ -83,7 +83,7 @@ fn face_of(command: Command) -> CommandFace {
         Command::OpenFile => face(words::open_file, "open", CommandWork::Desk(|_| panels::choose_file())),
         Command::SaveFile => face(words::save_file, "save", CommandWork::Opens(|| Dialog::SaveFile)),
         Command::EditTiles => face(words::edit_tiles, "row", CommandWork::Opens(|| Dialog::Tiles)),
-        Command::Print => face(words::print, "bolt", CommandWork::Desk(print)),
+        Command::PrintProgram => face(words::print, "bolt", CommandWork::Desk(print)),
         Command::Undo => face(words::undo, "undo", CommandWork::Desk(Desk::undo)),
         Command::Redo => face(words::redo, "redo", CommandWork::Desk(|desk| desk.document.redo())),
         Command::History => face(words::history, "history", CommandWork::Desk(|desk| desk.shows_history.set(true))),

@@ -1,4 +1,4 @@
-//! How large things are drawn, and the short texts on them. Where they stand is the editor's.
+//! The sizes in which things are drawn, and the short texts on them. The editor decides where they stand.
 
 mod aside;
 mod changed;

@@ -7,7 +7,6 @@ mod carries;
 mod commands;
 mod desk;
 mod escape;
-mod few;
 mod fields;
 mod icons;
 mod json;

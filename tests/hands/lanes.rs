@@ -140,9 +140,7 @@ async fn a_picture_of_the_lanes_asks_for_no_style_and_gives_few_orders() -> Outc
 #[tokio::test]
 #[ignore = "measured by `cargo xtask bench lanes`"]
 async fn figure_lanes_of_a_million_values() -> Outcome<()> {
-    if !skip::optimised("the figure of drawing lanes") {
-        return Ok(());
-    }
+    skip::unless!(optimised("the figure of drawing lanes"));
     let folder = house::folder()?;
     keep_million(folder.path())?;
     let server = Server::start_binary(&house::optimised(), folder.path(), &[]).await?;

@@ -237,6 +237,7 @@ async fn what_is_typed_in_a_dialog_shows_by_fingers_what_would_change_before_it_
     looks_back(&stage, &aiko).await?;
     aiko.tap("button", "Compare").await?;
     aiko.until(ALL_SAME, "it is the program that ran").await?;
+    to_chip(&aiko).await?;
     aiko.tap("button", CHIP).await?;
     let seen = "(() => { const [flyout, stage] = ['.flyout', '.stage'].map(one => document.querySelector(one)?.getBoundingClientRect()); \
         return flyout && flyout.top >= stage.top - 1 && flyout.bottom <= stage.bottom + 1 && flyout.right <= stage.right + 1; })()";
@@ -254,6 +255,18 @@ async fn what_is_typed_in_a_dialog_shows_by_fingers_what_would_change_before_it_
     led_to(&aiko, "Head and body tracker", FIRST_MS).await?;
     aiko.find("button", "Stop*").await?;
     aiko.no_errors()
+}
+
+/// Drags the graph on the low stage of a tablet until the condition is in the middle of what is free of it.
+async fn to_chip(page: &Page) -> Outcome<()> {
+    page.settled().await?;
+    let place = "(() => { const box = selector => document.querySelector(selector).getBoundingClientRect(); \
+        const [chip, stage, past] = [box('[data-chip=c4]'), box('#stage'), box('.past')]; \
+        return [stage.left + 24, past.top - 16, past.top - 80 - (chip.top + chip.bottom) / 2]; })()";
+    let place = page.eval(place).await?;
+    let at = |index: usize| place[index].as_f64().unwrap_or_default();
+    page.touch_drag((at(0), at(1)), (at(0), at(1) + at(2)), 6).await?;
+    page.settled().await
 }
 
 /// Opens the dialog of the condition by keys.

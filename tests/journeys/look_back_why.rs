@@ -165,7 +165,8 @@ async fn the_number_that_kept_an_action_back_is_found_and_changed_by_the_keyboar
     aiko.key("[").await?;
     aiko.until(&format!("{CURSOR} === 580000 && {IS_THEN}"), "a mark").await?;
     let hands = Hands::of(&aiko);
-    hands.goes_to("Tab", "Why not …").await?;
+    // What is asked about the moment stands before the lanes.
+    hands.goes_to("Shift+Tab", "Why not …").await?;
     hands.press("Enter").await?;
     hands.goes_to("Tab", "Why not “Head tracker”?").await?;
     hands.press("Enter").await?;
@@ -211,7 +212,7 @@ async fn the_number_that_kept_an_action_back_is_found_and_changed_by_a_finger_al
     aiko.until(&format!("{FIXED}.includes('In the program of today') && {FIXED}.includes('Undo')"), "it is done")
         .await?;
     // Undo beside it takes back this and nothing else, and offers itself no more.
-    aiko.tap("button", "Undo").await?;
+    aiko.tap("button", "Undo this change").await?;
     aiko.until(&format!("{FIXED}.includes('Make it')"), "it can be done again").await?;
     aiko.within("region", "The past on the graph").tap("button", "Back to now").await?;
     aiko.until(&format!("!{IS_THEN} && {TEST}.includes('0.5')"), "the number is the one of before").await?;

@@ -10,6 +10,7 @@ mod checkpoints;
 mod cleaned;
 mod compare;
 pub mod connectors;
+mod few;
 mod file;
 mod filled;
 pub mod flow;
@@ -46,6 +47,7 @@ pub use back::what_went;
 pub use change::{Change, Edit};
 pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
 pub use compare::{Difference, VersionComparison};
+pub use few::sort_few;
 pub use file::{
     BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, FileTile, Flaw, FlawKind,
 };

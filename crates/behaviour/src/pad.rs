@@ -35,8 +35,11 @@ mod by_key {
 
     pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<BTreeMap<u8, Tile>, D::Error> {
         let tiles: BTreeMap<String, Tile> = BTreeMap::deserialize(from)?;
-        let keyed = tiles.into_iter().map(|(key, tile)| Ok((key.parse().map_err(D::Error::custom)?, tile)));
-        keyed.collect()
+        let mut keyed = BTreeMap::new();
+        for (key, tile) in tiles {
+            keyed.insert(key.parse().map_err(D::Error::custom)?, tile);
+        }
+        Ok(keyed)
     }
 }
 

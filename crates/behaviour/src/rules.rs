@@ -108,14 +108,14 @@ pub enum Refusal {
     Stale(Phrase),
     /// Somebody is editing one of these records.
     Locked {
-        /// What a person calls it.
+        /// The words by which a person calls it.
         what: Phrase,
         /// The name of who is editing it.
         by: String,
     },
     /// Somebody changed this since, so it cannot be taken back.
     ChangedSince {
-        /// What a person calls it.
+        /// The words by which a person calls it.
         what: Phrase,
         /// The name of who changed it.
         by: String,

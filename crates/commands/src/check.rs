@@ -138,7 +138,7 @@ fn print_json(name: &str, found: &CheckFindings) -> std::io::Result<()> {
     let lines = |faults: &[FileFault], blocks: bool| {
         let line = move |fault: &FileFault| {
             let FileFault { line, column, reason } = fault;
-            serde_json::json!({"line": line, "column": column, "blocks": blocks, "reason": reason})
+            serde_json::json!({"line": line, "column": column, "blocks": blocks, "reason": reason.to_string()})
         };
         faults.iter().map(line).collect::<Vec<_>>()
     };

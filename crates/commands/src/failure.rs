@@ -2,7 +2,7 @@
 
 use crate::no_answer::WhyFailure;
 use behaviour::Refusal;
-use phrase::{Phrase, Phrased};
+use phrase::{Phrase, Phrased, phrase};
 use server::{BackupMisfit, ServeError};
 use std::error::Error;
 use std::io;
@@ -210,10 +210,27 @@ impl std::error::Error for ListenConflict {}
 impl Phrased for Failure {
     fn phrase(&self) -> Phrase {
         match self {
-            Self::Engine(fault) | Self::EngineOfFile(fault) => fault.phrase(),
+            Self::Engine(fault) => fault.phrase(),
+            Self::EngineOfFile(fault) => of_file(fault),
             Self::Unfit(error) => error.phrase(),
             Self::Record(fault) => fault.clone(),
             other => Phrase::Text(other.to_string()),
         }
+    }
+}
+
+/// A line within a procedure is not one of the file.
+pub(crate) fn of_file(fault: &engine::GraphFault) -> Phrase {
+    let reason = fault.reason.phrase();
+    match reason.key() {
+        Some("TextPlace.Both" | "TextPlace.Line") => {
+            phrase!(
+                "fault_at",
+                "{id}: {reason}",
+                id = fault.id,
+                reason = phrase!("fault_inside", "in its procedure, {reason}")
+            )
+        }
+        _ => fault.phrase(),
     }
 }

@@ -1,7 +1,6 @@
 //! What is said on standard error when a command fails, in English.
 
-use crate::failure::{Failure, ListenConflict, TraceLineError};
-use engine::GraphFault;
+use crate::failure::{Failure, ListenConflict, TraceLineError, of_file};
 use std::fmt;
 use std::path::Path;
 use store::backup::StoreDifference;
@@ -106,7 +105,7 @@ impl fmt::Display for Failure {
                 path.display()
             ),
             Self::Engine(fault) => write!(to, "{fault}"),
-            Self::EngineOfFile(fault) => of_file(fault, to),
+            Self::EngineOfFile(fault) => write!(to, "{}", of_file(fault)),
             Self::Differs(different) => write!(to, "{different}"),
             Self::EndedOf(name, reason) => write!(to, "{name}: {reason}"),
             Self::Id(why) | Self::ServerSays(why) | Self::Ended(why) => to.write_str(why),
@@ -205,12 +204,4 @@ fn unknown(wanted: &str, names: &[String], to: &mut fmt::Formatter) -> fmt::Resu
     let shown: Vec<_> = names.iter().take(NAMES_MAX).map(|name| format!("“{name}”")).collect();
     let more = if names.len() > NAMES_MAX { ", …" } else { "" };
     write!(to, "There are {}{more}.", shown.join(", "))
-}
-
-/// A line within a procedure is not one of the file.
-fn of_file(fault: &GraphFault, to: &mut fmt::Formatter) -> fmt::Result {
-    match fault.reason.to_string().strip_prefix("line ") {
-        Some(rest) => write!(to, "{}: in its procedure, line {rest}", fault.id),
-        None => write!(to, "{fault}"),
-    }
 }

@@ -24,7 +24,7 @@ pub enum Command {
     OpenFile,
     SaveFile,
     EditTiles,
-    Print,
+    PrintProgram,
     Undo,
     Redo,
     History,
@@ -122,20 +122,20 @@ pub enum Needs {
     SomethingToRedo,
 }
 
-/// What is known of a command.
+/// All that is known of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CommandSpec {
     /// The command.
     pub command: Command,
-    /// Its subject.
+    /// The subject under which it stands.
     pub group: CommandGroup,
-    /// Its keys as they are pressed, parted by blanks; empty if it has none.
+    /// The keys as they are pressed, parted by blanks; empty if it has none.
     pub keys: &'static str,
     /// The least role of who may do it.
     pub role: Role,
     /// The menus in which it stands.
     pub on: &'static [On],
-    /// What must be there besides.
+    /// The thing that must be there besides.
     pub needs: Needs,
     /// True if it is about how the graph lies, so that the list in its place has no use for it.
     pub on_graph: bool,
@@ -187,7 +187,7 @@ const fn row(command: Command, group: CommandGroup, keys: &'static str, role: Ro
     CommandSpec { command, group, keys, role, on: &[], needs: Needs::Nothing, on_graph: false }
 }
 
-/// What can be copied.
+/// The menus of all that can be copied.
 const COPIED: &[On] = &[On::Stream, On::Note, On::Group, On::Several];
 
 /// About programs: in the bar of a tablet and of a phone.
@@ -212,7 +212,7 @@ pub static ALL: &[CommandSpec] = &[
     row(Command::OpenFile, CommandGroup::Program, "", Role::Editor).on(PROGRAMS),
     row(Command::SaveFile, CommandGroup::Program, "", Role::Viewer).on(PROGRAMS).needs(Needs::OpenProgram),
     row(Command::EditTiles, CommandGroup::Program, "", Role::Editor).on(PROGRAMS).needs(Needs::OpenProgram),
-    row(Command::Print, CommandGroup::Program, "Ctrl P", Role::Viewer),
+    row(Command::PrintProgram, CommandGroup::Program, "Ctrl P", Role::Viewer),
     row(Command::Undo, CommandGroup::Program, "Ctrl Z", Role::Editor)
         .on(&[On::Ground, On::Phone])
         .needs(Needs::SomethingToUndo),

@@ -16,7 +16,7 @@ use crate::queue::Queue;
 use crate::save_state::SaveState;
 use crate::{EditorRequest, Saving, Selected, Watched};
 use after::Following;
-use behaviour::{Behaviour, Change, Group, Id, Kind, Place, Record, RecordId};
+use behaviour::{Behaviour, Change, FillFrom, Group, Id, Kind, Place, Record, RecordId};
 use phrase::Phrase;
 use places::ShownPlaces;
 use presence::Presence;
@@ -287,7 +287,7 @@ impl Editor {
         let waiting = self.wanted.as_ref().map(|open| self.queue.touched(open)).unwrap_or_default();
         let waiting = waiting.into_iter().filter(|key| key.kind == Kind::Group);
         let confirmed = self.confirmed.groups().map(|(id, _)| RecordId::new(Kind::Group, id));
-        let keys: BTreeSet<RecordId> = confirmed.chain(waiting).collect();
+        let keys: BTreeSet<RecordId> = confirmed.chain(waiting).filled();
         let group = |key: RecordId| match self.record(&key) {
             Some(Record::Group(group)) => Some((key.id, group)),
             _ => None,

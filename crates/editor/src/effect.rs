@@ -166,11 +166,11 @@ pub enum Announcement {
     WaitsElsewhere,
     /// A change waits until this person edits no more what it touches.
     WaitsUntilFree(String),
-    /// What was chosen has nothing that a group could be made of.
+    /// The choice has nothing that a group could be made of.
     NothingToGroup,
-    /// What was chosen is in no group.
+    /// Nothing of the choice is in a group.
     InNoGroup,
-    /// What was dragged is in the group of this title now.
+    /// All that was dragged is in the group of this title now.
     MovedInto(String),
     /// The person whose view was looked at has left.
     NoLongerHere(String),

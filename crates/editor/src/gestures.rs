@@ -8,7 +8,8 @@ use crate::layout::{Ground, Tidy};
 use crate::{Editor, Selected, build};
 use behaviour::labels;
 use behaviour::{
-    Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Record, RecordId, Settings, Stream,
+    Behaviour, Change, Connector, FillFrom, Helper, Id, Kind, Operation, Params, Place, Record, RecordId, Settings,
+    Stream,
 };
 use phrase::Phrase;
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,7 +48,7 @@ impl Editor {
     pub fn add_sensor(&mut self, op: Id, (device, name): (&str, &str), params: Params, at: Option<Place>) {
         let (id, start) = (self.next_id(), self.start(op, labels::add(name)));
         let change = self.built(|ground| graph::sensor(ground, start, (&id, device, name, params), at));
-        self.propose_then(change, AfterSaving::Choose([Selected::Stream(id)].into()));
+        self.propose_then(change, AfterSaving::Choose(alone(Selected::Stream(id))));
     }
 
     /// A new connector; the stream it leads to is selected once it is there.
@@ -59,7 +60,7 @@ impl Editor {
         };
         let start = self.start(op, labels::add(Phrase::word(plan.operation.word())));
         let change = self.built(|ground| graph::connected(ground, start, (&stream, &connector), plan));
-        self.propose_then(change, AfterSaving::Choose([Selected::Stream(select)].into()));
+        self.propose_then(change, AfterSaving::Choose(alone(Selected::Stream(select))));
     }
 
     /// A new connector and another one out of what it makes, as one change; the last stream is selected once it is there.
@@ -68,7 +69,7 @@ impl Editor {
         let start = self.start(op, labels::add(Phrase::word(then.operation.word())));
         let ids = [(&between, &connector), (&stream, &last)];
         let change = self.built(|ground| graph::connected_twice(ground, start, ids, (first, then)));
-        self.propose_then(change, AfterSaving::Choose([Selected::Stream(stream)].into()));
+        self.propose_then(change, AfterSaving::Choose(alone(Selected::Stream(stream))));
     }
 
     /// Leads a stream to where its wire ends, as one change; what it ends at is selected then.
@@ -158,7 +159,7 @@ impl Editor {
             Selected::Group(id) => self.shown_group(id).map(|group| short(&group.title)).unwrap_or_default().into(),
         };
         let start = self.start(op, labels::remove(label));
-        self.propose(graph::without(&behaviour, start, &[what.clone()].into()));
+        self.propose(graph::without(&behaviour, start, &alone(what.clone())));
     }
 
     /// Removes several, as one change.
@@ -189,7 +190,7 @@ impl Editor {
         let (behaviour, op) = (self.shown_behaviour(), self.next_id());
         let moved = build::moved(&behaviour, self.start(op, labels::move_into(short(&title))), places);
         let chosen = places.iter().map(|(id, _)| Selected::Stream(id.clone())).chain([Selected::Group(group.clone())]);
-        match grouping::grouped(&behaviour, moved, &chosen.collect(), (group, &title)) {
+        match grouping::grouped(&behaviour, moved, &chosen.filled(), (group, &title)) {
             Some((change, _)) => self.propose_moved(change, places, Some(title)),
             None => self.move_to(places),
         }
@@ -262,7 +263,7 @@ impl Editor {
         let title = free_title(&behaviour, base);
         let start = self.start(op, labels::group(&title));
         match grouping::grouped(&behaviour, start, of, (&new, &title)) {
-            Some((change, id)) => self.propose_then(change, AfterSaving::Choose([Selected::Group(id)].into())),
+            Some((change, id)) => self.propose_then(change, AfterSaving::Choose(alone(Selected::Group(id)))),
             None => self.say(Announcement::NothingToGroup),
         }
     }
@@ -334,7 +335,7 @@ impl Editor {
 
     /// Removes a note that nothing is left of, if it is still as its author saw it.
     pub fn remove_note(&mut self, op: Id, id: &Id, seen: behaviour::Note) {
-        let what = [Selected::Note(id.clone())].into();
+        let what = alone(Selected::Note(id.clone()));
         let change =
             graph::without(&self.shown_behaviour(), self.start(op, labels::remove(Phrase::word("note"))), &what);
         self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
@@ -345,6 +346,10 @@ impl Editor {
         let (text, by, at_ms) = (text.to_owned(), self.me.name.clone(), self.now.today_ms as u64);
         Record::Note(behaviour::Note { text, by, at_ms })
     }
+}
+
+fn alone(one: Selected) -> BTreeSet<Selected> {
+    std::iter::once(one).filled()
 }
 
 fn free_title(behaviour: &Behaviour, base: &str) -> String {

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 /// A key that was pressed, by what is written on it, and where.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct KeyPress<'a> {
-    /// What is written on it.
+    /// The letter or word that is written on it.
     pub key: &'a str,
     /// True while Shift is held.
     pub shift: bool,

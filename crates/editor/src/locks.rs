@@ -4,9 +4,8 @@
 use crate::editing::{Asking, Editing, WriteRight};
 use crate::effect::{Effect, Purpose};
 use crate::{Editor, NoAnswer};
-use behaviour::{AskResult, Grant, Id, LockEvent, LockToken, RecordId, Refusal};
+use behaviour::{AskResult, FillFrom, Grant, Id, LockEvent, LockToken, RecordId, Refusal};
 use protocol::{LockShown, Refused, answer, request};
-use std::collections::BTreeSet;
 
 /// The least time between two messages that somebody types, in milliseconds.
 const TYPING_MS: f64 = 1_000.0;
@@ -68,7 +67,8 @@ impl Editor {
     pub fn take_lock(&mut self) {
         let asked = self.edited(|at| (at.number, at.behaviour.clone(), at.record.clone()));
         if let Some((number, behaviour, record)) = asked {
-            self.ask(request::Lock { behaviour, records: BTreeSet::from([record]) }, Purpose::Lock(number));
+            let records = std::iter::once(record).filled();
+            self.ask(request::Lock { behaviour, records }, Purpose::Lock(number));
         }
     }
 

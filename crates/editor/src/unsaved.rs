@@ -2,7 +2,7 @@
 
 use behaviour::{Behaviour, Change, Edit, Record, RecordId, with_otherwise};
 
-/// What is turned or typed: the record that it is about, and each record as it would be, none where it would be gone.
+/// A draft that is turned or typed: the record that it is about, and each record as it would be, none where it would be gone.
 pub type DraftedEdits = (RecordId, Vec<(RecordId, Option<Record>)>);
 
 /// Returns the change from what is saved to what would be: what waits to be sent, and what is turned or typed.
@@ -39,7 +39,7 @@ mod tests {
         Behaviour { records: all.iter().map(|(id, text)| note(id, text)).collect() }
     }
 
-    /// What is typed about the first of some notes.
+    /// Types about the first of some notes.
     fn typed(all: &[(&str, Option<&str>)]) -> Option<DraftedEdits> {
         let about = note(all[0].0, "").0;
         let record = |(id, text): &(&str, Option<&str>)| (note(id, "").0, text.map(|text| note(id, text).1));

@@ -9,17 +9,19 @@ pub(crate) fn changed_limits(before: &BehaviourFile, now: &BehaviourFile) -> Vec
     let find = |file: &BehaviourFile, id: &str| file.connectors.iter().position(|one| one.id == id);
     let kept = now.connectors.iter().map(|one| (find(before, &one.id).map(|at| &before.connectors[at]), Some(one)));
     let gone = before.connectors.iter().filter(|one| find(now, &one.id).is_none()).map(|one| (Some(one), None));
-    let all = kept.chain(gone).flat_map(|(before, now)| changed(before, now));
+    let told =
+        |file: &BehaviourFile, one: Option<&FileConnector>| one.map(|one| numbers(file, one)).unwrap_or_default();
+    let all = kept.chain(gone).flat_map(|(old, new)| {
+        let id = new.or(old).map(|one| one.id.clone()).unwrap_or_default();
+        changed(&id, told(before, old), told(now, new))
+    });
     all.take(CHANGED_LIMITS_MAX).collect()
 }
 
 /// The numbers of one condition that are not the same. Numbers of one lane are compared by the order in which they stand.
-fn changed(before: Option<&FileConnector>, now: Option<&FileConnector>) -> Vec<ChangedLimit> {
-    let numbers = |one: Option<&FileConnector>| one.map(numbers).unwrap_or_default();
-    let (mut old, new) = (numbers(before), numbers(now));
+fn changed(connector: &str, mut old: Vec<(LaneName, f64)>, new: Vec<(LaneName, f64)>) -> Vec<ChangedLimit> {
     let mut all = Vec::new();
-    let Some(connector) = now.or(before).map(|one| one.id.clone()) else { return all };
-    let limit = |of: LaneName, before, now| ChangedLimit { connector: connector.clone(), of, before, now };
+    let limit = |of: LaneName, before, now| ChangedLimit { connector: connector.to_owned(), of, before, now };
     for (of, number) in new {
         let at = old.iter().position(|(lane, _)| *lane == of);
         let before = at.map(|at| old.remove(at).1);
@@ -32,15 +34,14 @@ fn changed(before: Option<&FileConnector>, now: Option<&FileConnector>) -> Vec<C
 }
 
 /// The lanes and the numbers of a condition over one stream.
-fn numbers(connector: &FileConnector) -> Vec<(LaneName, f64)> {
-    let (Some(body), Some(args), [input]) = (&connector.body, &connector.args, &connector.inputs[..]) else {
-        return Vec::new();
-    };
-    if !connectors::spec(&connector.operation).is_some_and(connectors::Spec::is_test) {
-        return Vec::new();
-    }
+fn numbers(file: &BehaviourFile, connector: &FileConnector) -> Vec<(LaneName, f64)> {
+    let (Some(body), [input]) = (&connector.body, &connector.inputs[..]) else { return Vec::new() };
+    let Some(spec) = connectors::spec(&connector.operation).filter(|spec| spec.is_test()) else { return Vec::new() };
+    // Where the names of its arguments are not written, they are those of its streams.
+    let name = file.streams.iter().find(|stream| stream.id == *input).map(|stream| stream.name.as_str());
+    let args = connector.args.clone().unwrap_or_else(|| spec.arguments_of(body, name));
     let lane = |TestedNumber { field, number }| (LaneName { stream: input.clone(), field }, number);
-    tested_numbers(body, args).into_iter().map(lane).collect()
+    tested_numbers(body, &args).into_iter().map(lane).collect()
 }
 
 #[cfg(test)]
@@ -85,5 +86,16 @@ mod tests {
         );
         assert_eq!(told(&[("a", "face.size > 3")], &[("a", "face.x > 3")]).len(), 2, "another field is another lane");
         assert_eq!(told(&[("a", "face.size > 3")], &[("a", "")]), [limit("a.size", Some(3.0), None)]);
+    }
+
+    #[test]
+    fn a_condition_needs_no_names_of_its_arguments() {
+        let bare = |body: &str| {
+            let mut file = file(&[("a", body)]);
+            file.connectors[0].args = None;
+            file
+        };
+        let all = changed_limits(&bare("face.size > 3"), &file(&[("a", "face.size > 4")]));
+        assert_eq!(all.iter().map(|one| (one.before, one.now)).collect::<Vec<_>>(), [(Some(3.0), Some(4.0))]);
     }
 }

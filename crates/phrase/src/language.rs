@@ -36,7 +36,7 @@ impl Plural {
 
 /// A language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Language {
+pub struct PageLanguage {
     /// The code: `ja`.
     pub code: &'static str,
     /// The code by which browsers write numbers and times: `en-GB`.
@@ -51,7 +51,7 @@ pub struct Language {
     pub comma: &'static str,
 }
 
-impl Language {
+impl PageLanguage {
     /// English, in which everything is said.
     pub const ENGLISH: Self = Self {
         code: "en",
@@ -63,7 +63,7 @@ impl Language {
     };
 }
 
-impl Language {
+impl PageLanguage {
     /// The next language of the list, the first one after the last.
     #[must_use]
     pub fn next(&self) -> &'static Self {
@@ -73,9 +73,9 @@ impl Language {
 }
 
 /// All languages, English first.
-pub const LANGUAGES: &[Language] = &[
-    Language::ENGLISH,
-    Language {
+pub const LANGUAGES: &[PageLanguage] = &[
+    PageLanguage::ENGLISH,
+    PageLanguage {
         code: "ja",
         locale: "ja",
         name: "日本語",

@@ -12,7 +12,7 @@ mod template;
 mod wire;
 
 pub use key::key_of;
-pub use language::{LANGUAGES, Language, Plural};
+pub use language::{LANGUAGES, PageLanguage, Plural};
 pub use phrase_macros::{Phrased, phrase};
 pub use phrased::Phrased;
 pub use template::{HoleValue, filled, holes};
@@ -129,7 +129,7 @@ impl Phrase {
 
     /// Says it in a language: `template` gives the words of a key there, if it has them.
     #[must_use]
-    pub fn said<'a>(&self, language: &Language, template: &dyn Fn(&str) -> Option<&'a str>) -> String {
+    pub fn said<'a>(&self, language: &PageLanguage, template: &dyn Fn(&str) -> Option<&'a str>) -> String {
         match self {
             Self::Text(text) => text.clone(),
             Self::Number(number) => number.to_string(),
@@ -139,7 +139,7 @@ impl Phrase {
             }
             Self::Keyed(keyed) => {
                 let own = template(&keyed.key);
-                let words = if own.is_some() { language } else { &Language::ENGLISH };
+                let words = if own.is_some() { language } else { &PageLanguage::ENGLISH };
                 filled(own.unwrap_or(&keyed.english), words, &|name| {
                     let (_, phrase) = keyed.with.iter().find(|(hole, _)| hole == name)?;
                     Some((phrase.said(language, template), phrase.number()))
@@ -155,7 +155,7 @@ impl Phrase {
 
 impl fmt::Display for Phrase {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        to.write_str(&self.said(&Language::ENGLISH, &|_| None))
+        to.write_str(&self.said(&PageLanguage::ENGLISH, &|_| None))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The words of a sentence with holes: `{name}`, `{^name}` with a capital letter, `{.name}` without its full stop, `{many|change|changes}` by the number.
 
-use crate::Language;
+use crate::PageLanguage;
 
 /// Tells what stands in a hole by its name, and the number that it is.
 pub type HoleValue<'a> = &'a dyn Fn(&str) -> Option<(String, Option<f64>)>;
@@ -11,7 +11,7 @@ const MARKS: [char; 2] = ['^', '.'];
 /// Fills the holes of a sentence. `value` tells what stands in a hole, and the number that it is; a hole that nobody knows
 /// stays as it is written.
 #[must_use]
-pub fn filled(text: &str, language: &Language, value: HoleValue) -> String {
+pub fn filled(text: &str, language: &PageLanguage, value: HoleValue) -> String {
     let (mut made, mut rest) = (String::new(), text);
     while let Some((before, after)) = rest.split_once('{') {
         made.push_str(before);

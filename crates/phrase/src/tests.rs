@@ -1,4 +1,6 @@
-use crate::{Language, Phrase, Phrased, Plural, filled, holes, phrase};
+//! Tests of sentences: derived ones, their holes, and how numbers decide over words.
+
+use crate::{PageLanguage, Phrase, Phrased, Plural, filled, holes, phrase};
 
 #[derive(Debug, Phrased)]
 enum Fault {
@@ -48,7 +50,7 @@ fn numbers_choose_their_words() {
     let (inner, outer) = (Phrase::from("it fell."), "no.");
     assert_eq!(phrase!("a.g", "{outer} ({.inner}): {^.inner}!").to_string(), "no. (it fell): It fell!");
     assert_eq!(holes("{many} {many|a|b} {^what}"), ["many", "many", "what"]);
-    assert_eq!(filled("{ {no}", &Language::ENGLISH, &|_| None), "{ {no}");
+    assert_eq!(filled("{ {no}", &PageLanguage::ENGLISH, &|_| None), "{ {no}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 
-struct Holes<'a>(&'a [(Cow<'static, str>, Phrase)]);
+struct WireHoles<'a>(&'a [(Cow<'static, str>, Phrase)]);
 
 impl Serialize for Phrase {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
@@ -20,7 +20,7 @@ impl Serialize for Phrase {
                 map.serialize_entry("key", &keyed.key)?;
                 map.serialize_entry("english", &keyed.english)?;
                 if !keyed.with.is_empty() {
-                    map.serialize_entry("with", &Holes(&keyed.with))?;
+                    map.serialize_entry("with", &WireHoles(&keyed.with))?;
                 }
                 map.end()
             }
@@ -28,7 +28,7 @@ impl Serialize for Phrase {
     }
 }
 
-impl Serialize for Holes<'_> {
+impl Serialize for WireHoles<'_> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         to.collect_map(self.0.iter().map(|(name, phrase)| (name, phrase)))
     }
@@ -36,13 +36,13 @@ impl Serialize for Holes<'_> {
 
 impl<'de> Deserialize<'de> for Phrase {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_any(Reading)
+        from.deserialize_any(PhraseVisitor)
     }
 }
 
-struct Reading;
+struct PhraseVisitor;
 
-impl<'de> Visitor<'de> for Reading {
+impl<'de> Visitor<'de> for PhraseVisitor {
     type Value = Phrase;
 
     fn expecting(&self, to: &mut fmt::Formatter) -> fmt::Result {
@@ -81,8 +81,8 @@ impl<'de> Visitor<'de> for Reading {
             match name.as_str() {
                 "key" => keyed.key = from.next_value::<String>()?.into(),
                 "english" => keyed.english = from.next_value::<String>()?.into(),
-                // What stands in the holes is read as pairs by the same visitor: see `Pairs`.
-                "with" => keyed.with = from.next_value::<Pairs>()?.0,
+                // What stands in the holes is read as pairs by the same visitor: see `KeyedPairs`.
+                "with" => keyed.with = from.next_value::<KeyedPairs>()?.0,
                 _ => drop(from.next_value::<Phrase>()?),
             }
         }
@@ -91,28 +91,28 @@ impl<'de> Visitor<'de> for Reading {
 }
 
 /// What stands in the holes.
-struct Pairs(Vec<(Cow<'static, str>, Phrase)>);
+struct KeyedPairs(Vec<(Cow<'static, str>, Phrase)>);
 
-impl<'de> Deserialize<'de> for Pairs {
+impl<'de> Deserialize<'de> for KeyedPairs {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_map(ReadingPairs)
+        from.deserialize_map(PairsVisitor)
     }
 }
 
-struct ReadingPairs;
+struct PairsVisitor;
 
-impl<'de> Visitor<'de> for ReadingPairs {
-    type Value = Pairs;
+impl<'de> Visitor<'de> for PairsVisitor {
+    type Value = KeyedPairs;
 
     fn expecting(&self, to: &mut fmt::Formatter) -> fmt::Result {
         to.write_str("what stands in the holes")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut from: A) -> Result<Pairs, A::Error> {
+    fn visit_map<A: MapAccess<'de>>(self, mut from: A) -> Result<KeyedPairs, A::Error> {
         let mut pairs = Vec::new();
         while let Some((name, phrase)) = from.next_entry::<String, Phrase>()? {
             pairs.push((Cow::Owned(name), phrase));
         }
-        Ok(Pairs(pairs))
+        Ok(KeyedPairs(pairs))
     }
 }

@@ -132,24 +132,14 @@ impl Phrased for Refused {
                 phrase!("Refused.Problems", "It cannot start yet. {first}")
             }
             Self::CannotStart(reason) => phrase!("Refused.CannotStart", "It cannot start: {.reason}."),
-            Self::NotApplied(reason) => {
-                phrase!(
-                    "Refused.NotApplied",
-                    "The robot goes on with what it ran before, as the change cannot be applied: {.reason}."
-                )
-            }
+            Self::NotApplied(reason) => not_applied(reason),
             Self::NotKept(reason) => {
                 phrase!("Refused.NotKept", "The order stays as it was, as it could not be kept ({reason}).")
             }
             Self::NoRobot => phrase!("Refused.NoRobot", "There is no such robot any more. Choose another one."),
             Self::RobotNotAdded(reason) => phrase!("Refused.RobotNotAdded", "The robot was not added: {reason}."),
             Self::RobotCannot(reason) => phrase!("Refused.RobotCannot", "That was not done: {reason}."),
-            Self::NotSearched(reason) => {
-                phrase!(
-                    "Refused.NotSearched",
-                    "Robots cannot be looked for in this network: {reason}. Type the address of the robot."
-                )
-            }
+            Self::NotSearched(reason) => not_searched(reason),
             Self::RobotStays(reason) => phrase!("Refused.RobotStays", "The robot stays: {reason}."),
             Self::NoRecording => {
                 phrase!("Refused.NoRecording", "There is no such recording any more. Look at the list again.")
@@ -169,10 +159,7 @@ impl Phrased for Refused {
                 phrase!("Refused.Store", "The programs cannot be reached just now ({.reason}). Try again in a moment.")
             }
             Self::NothingOpen => phrase!("Refused.NothingOpen", "No program is open. Load one first."),
-            Self::Role(Role::Host) => phrase!("Refused.Host", "Only {who} may do this. Ask them.", who = Role::Host),
-            Self::Role(role) => {
-                phrase!("Refused.Role", "Only {role} may do this. Ask {who} for another invitation.", who = Role::Host)
-            }
+            Self::Role(role) => only(*role),
             Self::NotInvited => {
                 phrase!("Refused.NotInvited", "Your invitation ended. Ask {who} for another one.", who = Role::Host)
             }
@@ -186,13 +173,35 @@ impl Phrased for Refused {
             Self::TooManyInvitations => {
                 phrase!("Refused.TooManyInvitations", "There are too many invitations. Revoke one first.")
             }
-            Self::InvitationsNotKept(reason) => {
-                phrase!(
-                    "Refused.InvitationsNotKept",
-                    "The invitations could not be kept ({reason}). What was revoked is out for now; free some space and \
-                     do this again."
-                )
-            }
+            Self::InvitationsNotKept(reason) => invitations_not_kept(reason),
         }
     }
+}
+
+fn only(role: Role) -> Phrase {
+    match role {
+        Role::Host => phrase!("Refused.Host", "Only {who} may do this. Ask them.", who = Role::Host),
+        _ => phrase!("Refused.Role", "Only {role} may do this. Ask {who} for another invitation.", who = Role::Host),
+    }
+}
+
+fn not_applied(reason: &Phrase) -> Phrase {
+    phrase!(
+        "Refused.NotApplied",
+        "The robot goes on with what it ran before, as the change cannot be applied: {.reason}."
+    )
+}
+
+fn not_searched(reason: &Phrase) -> Phrase {
+    phrase!(
+        "Refused.NotSearched",
+        "Robots cannot be looked for in this network: {reason}. Type the address of the robot."
+    )
+}
+
+fn invitations_not_kept(reason: &Phrase) -> Phrase {
+    phrase!(
+        "Refused.InvitationsNotKept",
+        "The invitations could not be kept ({reason}). What was revoked is out for now; free some space and do this again."
+    )
 }

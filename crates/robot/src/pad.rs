@@ -2,7 +2,9 @@
 
 use crate::devices::DONE_BY_HAND;
 use crate::{Device, ParamKind, device};
-use behaviour::{Behaviour, Id, Pad, Params, Stream, StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile, TileAction, Value};
+use behaviour::{
+    Behaviour, FillFrom, Id, Pad, Params, Stream, StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile, TileAction, Value,
+};
 
 /// Returns the tiles of a behaviour without a pad: its buttons, then what it says and its animations, then what each of its
 /// other senses can be pretended to tell; nine at most, each once.
@@ -32,7 +34,7 @@ pub fn usual_pad(behaviour: &Behaviour) -> Pad {
             break;
         }
     }
-    Pad { tiles: TILE_KEYS.zip(tiles).collect() }
+    Pad { tiles: TILE_KEYS.zip(tiles).filled() }
 }
 
 /// The tiles for what a sense can be pretended to tell.

@@ -1,6 +1,6 @@
 //! Parameters of devices: what may be chosen, in which range and unit.
 
-use behaviour::{Params, StreamKind, Value};
+use behaviour::{FillFrom, Params, StreamKind, Value};
 use phrase::{Phrase, Phrased, phrase};
 
 /// Which list of a robot a parameter is chosen from.
@@ -189,5 +189,5 @@ pub fn with_defaults(known: &[Param], given: &Params) -> Params {
         let value = given.get(param.name).cloned().unwrap_or_else(|| param.default());
         (param.name.to_owned(), value)
     });
-    all.collect()
+    all.filled()
 }

@@ -116,7 +116,7 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
     let empty = room.put("empty.json", &good.replace("\"body\": \"face.new\"", "\"body\": \"\""));
     let said = rrp(&["check", &empty]);
     assert!(
-        said.code == 1 && said.out.contains("empty.json:18:5: ") && said.out.contains("no procedure yet"),
+        said.code == 1 && said.out.contains("empty.json:18:5: ") && said.out.contains("choose a helper.\n"),
         "{}",
         said.out
     );
@@ -144,6 +144,8 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
     let told: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
     assert_eq!((said.code, &told["importable"], &told["ready"]), (3, &false.into(), &false.into()));
     assert_eq!(told["problems"][0]["line"], 6);
+    let sentence = told["problems"][0]["reason"].as_str().expect("a sentence");
+    assert!(said.code == 3 && lines[0].ends_with(&format!(": {sentence}")), "{sentence}");
 
     let said = rrp(&["check", &room.path("nothing.json")]);
     assert!(said.code == 4 && said.err.contains("could not be opened"), "{}", said.err);

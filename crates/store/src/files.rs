@@ -81,7 +81,7 @@ impl ReadFile {
             let known = fault.hole("id").and_then(|id| self.places.get(&id.to_string())).copied();
             let reason = known.and_then(|_| fault.hole("reason").cloned()).unwrap_or(fault);
             let (line, column) = known.unwrap_or((1, 1));
-            FileFault { line, column, reason: phrase!("FileFault.Reason", "{^reason}.") }
+            FileFault { line, column, reason: phrase!("FileFault.Reason", "{^.reason}.") }
         };
         let mut placed: Vec<_> = faults.iter().map(|fault| place(fault.phrase())).collect();
         placed.sort_by_cached_key(|fault| (fault.line, fault.column, fault.reason.to_string()));

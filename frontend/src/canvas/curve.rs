@@ -1,6 +1,7 @@
 //! The ways of connectors: the chip between its streams and the curves through it.
 
 use crate::layout::{CHIP_HEIGHT, GAP, STREAM_HEIGHT};
+use behaviour::sort_few;
 use behaviour::{Place, StreamKind};
 use std::fmt::Write;
 
@@ -38,7 +39,7 @@ pub(super) fn chip_place(inputs: &[Place], output: Place, output_kind: StreamKin
 /// where they come from. `chips` has of each where it comes from and how wide it is.
 pub(super) fn asides(chips: &[(f64, f64)]) -> Vec<f64> {
     let mut row: Vec<usize> = (0..chips.len()).collect();
-    row.sort_by(|one, other| chips[*one].0.total_cmp(&chips[*other].0));
+    sort_few(&mut row, |one, other| chips[*one].0.total_cmp(&chips[*other].0).is_lt());
     let whole: f64 = chips.iter().map(|(_, width)| width + GAP).sum::<f64>() - GAP;
     let mut asides = vec![0.0; chips.len()];
     let mut left = -whole / 2.0;

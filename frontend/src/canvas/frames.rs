@@ -11,7 +11,7 @@ use crate::icons::Icon;
 use crate::layout::stream_width;
 use crate::live::rate_words;
 use crate::words;
-use behaviour::{Id, Kind, Place, Problem, ProblemKind, RecordId, StreamKind};
+use behaviour::{FillFrom, Id, Kind, Place, Problem, ProblemKind, RecordId, StreamKind};
 use leptos::prelude::*;
 use std::collections::BTreeSet;
 
@@ -212,7 +212,7 @@ struct GroupMembers {
 fn inside_memo(desk: &Desk, members: &ArcMemo<Vec<Id>>) -> ArcMemo<GroupMembers> {
     let (desk, members) = (desk.clone(), members.clone());
     ArcMemo::new(move |_| {
-        let streams: BTreeSet<Id> = members.get().into_iter().collect();
+        let streams: BTreeSet<Id> = members.get().into_iter().filled();
         desk.document.edited.track();
         let leads_in = |id: &Id| {
             let signals = desk.document.connector(id);

@@ -4,6 +4,7 @@ use super::Stage;
 use super::bounds::bounds;
 use crate::desk::{Selected, StepDirection};
 use crate::words;
+use behaviour::sort_few;
 use behaviour::{Graph, Id, Kind, Place, RecordId};
 use leptos::prelude::*;
 use protocol::Role;
@@ -100,7 +101,7 @@ impl Stage {
         let groups = document.group_ids.get_untracked().into_iter().map(Selected::Group);
         let placed = notes.chain(groups).filter_map(|one| Some((bounds(&self.desk, one.id())?, one)));
         let mut placed: Vec<_> = placed.collect();
-        placed.sort_by(|(one, _), (other, _)| one.top.total_cmp(&other.top).then(one.left.total_cmp(&other.left)));
+        sort_few(&mut placed, |(one, _), (other, _)| (one.top, one.left) < (other.top, other.left));
         placed.into_iter().map(|(_, one)| one).collect()
     }
 

@@ -1,6 +1,7 @@
 //! The room beside a stream for its value, and beside a chip for what it says. Pure.
 
 use super::view::CanvasBounds;
+use behaviour::sort_few;
 use behaviour::{FillFrom, Id};
 use std::collections::{BTreeMap, HashMap};
 
@@ -49,7 +50,7 @@ pub(super) fn rooms(streams: &[(Id, CanvasBounds)], chips: &[CanvasBounds]) -> H
             rows.entry(row).or_default().push(bounds.left);
         }
     }
-    rows.values_mut().for_each(|lefts| lefts.sort_by(f64::total_cmp));
+    rows.values_mut().for_each(|lefts| sort_few(lefts, |one, other| one.total_cmp(other).is_lt()));
     streams.iter().map(|(id, bounds)| (id.clone(), room(&rows, bounds))).filled()
 }
 

@@ -11,7 +11,7 @@ use crate::keys::PressedKey;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};
 use crate::panels::focus;
 use crate::words;
-use behaviour::{Id, Place, StreamKind};
+use behaviour::{FillFrom, Id, Place, StreamKind, sort_few};
 use leptos::prelude::*;
 use protocol::Role;
 use std::collections::BTreeSet;
@@ -76,10 +76,13 @@ impl Stage {
         let mut ends = wire_ends(&desk.document.behaviour(), from);
         ends.retain(|(end, _)| untrack(|| desk.document.folded_away(&end.selected())).is_none());
         let at = |end: &WireEnd| end_place(desk, end).map_or((0.0, 0.0), |place| (place.y, place.x));
-        ends.sort_by(|(one, _), (other, _)| at(one).partial_cmp(&at(other)).unwrap_or(std::cmp::Ordering::Equal));
+        // A place is looked up once an end, as there may be hundreds.
+        let mut placed: Vec<_> = ends.into_iter().map(|end| (at(&end.0), end)).collect();
+        sort_few(&mut placed, |(one, _), (other, _)| one < other);
+        let ends: Vec<_> = placed.into_iter().map(|(_, end)| end).collect();
         let to = Place { x: place.x, y: place.y + STREAM_HEIGHT + 24.0 };
         self.offering.set(None);
-        let ids = Arc::new(ends.iter().map(|(end, _)| end.id().clone()).collect());
+        let ids = Arc::new(ends.iter().map(|(end, _)| end.id().clone()).filled());
         let (from, ends) = (from.clone(), ends.into());
         self.wire.set(Some(Wire { from, ends, ids, to, over: None, is_held }));
         if !is_held {

@@ -106,9 +106,9 @@ pub(crate) struct DocumentFields {
     pub(crate) lit: ArcRwSignal<Lit>,
     /// The additions of a sentence that is being typed.
     pub(crate) ghost: ArcRwSignal<Option<Ghost>>,
-    /// What is turned or typed here just now, as it would be saved.
+    /// The draft that is turned or typed here just now, as it would be saved.
     pub(crate) drafted: ArcRwSignal<Option<Drafted>>,
-    /// What would come of it, while somebody compares.
+    /// The outcome of the draft, while somebody compares.
     pub(crate) previewed: ArcRwSignal<Option<DraftPreview>>,
     /// Tells when a stream or a connector is another one than before, saved or not.
     pub(crate) edited: ArcTrigger,

@@ -1,7 +1,7 @@
 //! How live values are written in the little room beside a stream.
 
-use crate::few::sort_few;
 use crate::words;
+use behaviour::sort_few;
 use behaviour::{Unit, Value, ValueType};
 
 /// The most characters of a text or list.

@@ -12,6 +12,7 @@ use crate::desk::Dialog;
 use crate::icons::Icon;
 use crate::words;
 use behaviour::Params;
+use behaviour::sort_few;
 use leptos::prelude::*;
 use protocol::{RunPhase, Summary};
 use sketch::Sketch;
@@ -52,7 +53,7 @@ fn Library() -> impl IntoView {
     let programs = move || {
         let mut programs = desk.desk().library.programs.get();
         // Who opens the page beside a robot looks for what runs there.
-        programs.sort_by_key(|summary| !runs_now(desk, &summary.id));
+        sort_few(&mut programs, |one, other| runs_now(desk, &one.id) && !runs_now(desk, &other.id));
         programs.into_iter().map(|summary| view! { <Program summary /> }).collect_view()
     };
     let templates = move || {

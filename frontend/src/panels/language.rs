@@ -15,14 +15,14 @@ pub(crate) fn language() -> Language {
 }
 
 /// Chooses it, for later too. The page opens again where it is: what is not saved yet is kept over that.
-fn choose(language: &phrase::Language) {
+fn choose(language: &phrase::PageLanguage) {
     Drawer::Browser.put(CHOSEN, language.code);
     if let Some(window) = browser::window() {
         let _ = window.location().reload();
     }
 }
 
-fn other() -> &'static phrase::Language {
+fn other() -> &'static phrase::PageLanguage {
     words::language::spoken().next()
 }
 

@@ -11,7 +11,7 @@ use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::later::Later;
 use crate::words;
-use behaviour::{Id, Params, Procedure, StreamKind, connectors};
+use behaviour::{Id, Params, Procedure, Stream, StreamKind, connectors, sort_few};
 use leptos::prelude::*;
 use robot::Device;
 use web_sys::PointerEvent;
@@ -230,7 +230,8 @@ pub(super) fn Here(typing: SentenceField) -> impl IntoView {
         let signals = |id: Id| Some((desk.desk().document.stream(&id)?.record.get(), id));
         let streams = desk.desk().document.stream_ids.get().into_iter().filter_map(signals);
         let mut rows: Vec<_> = streams.filter(|(stream, _)| is_found(typing, &[&stream.name])).collect();
-        rows.sort_by_key(|(stream, _)| nearness(&typing.text.read(), &stream.name));
+        let near = |stream: &Stream| nearness(&typing.text.read(), &stream.name);
+        sort_few(&mut rows, |(one, _), (other, _)| near(one) < near(other));
         rows.truncate(HERE_MAX);
         let none = rows.is_empty();
         if none && typing.open.get() {

@@ -2,8 +2,8 @@
 
 use super::known::{StreamKnowledge, kind_of, signature};
 use crate::carries::{carried_by, carries};
-use crate::few::sort_few;
 use behaviour::connectors::{self, Carries, Spec};
+use behaviour::sort_few;
 use behaviour::{Behaviour, Fit, Graph, Helper, Id, Params, Procedure, StreamKind, Unit, ValueType};
 use robot::Device;
 

@@ -5,14 +5,14 @@
 //! sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots say comes as a
 //! [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
 
-use phrase::{LANGUAGES, Language, Phrase, Phrased, filled, key_of};
+use phrase::{LANGUAGES, PageLanguage, Phrase, Phrased, filled, key_of};
 use std::cell::{Cell, OnceCell};
 use std::fmt::Display;
 
 /// The sentences of a language, by the numbers of their keys.
 #[derive(Debug)]
 pub(crate) struct WordTable {
-    language: &'static Language,
+    language: &'static PageLanguage,
     texts: Vec<(u32, &'static str)>,
 }
 
@@ -38,8 +38,8 @@ pub(crate) fn speak(text: String) {
 }
 
 /// The language of the page.
-pub(crate) fn spoken() -> &'static Language {
-    TABLE.with(|table| table.get().map_or(&Language::ENGLISH, |table| table.language))
+pub(crate) fn spoken() -> &'static PageLanguage {
+    TABLE.with(|table| table.get().map_or(&PageLanguage::ENGLISH, |table| table.language))
 }
 
 /// True if the page speaks a second language.
@@ -84,7 +84,7 @@ pub(crate) fn word_of(english: &str) -> String {
 /// A sentence with its holes filled.
 pub(crate) fn fill_keyed(key: u32, english: &'static str, holes: &[(&str, &dyn Display)]) -> String {
     let own = told(key);
-    let language = if own.is_some() { spoken() } else { &Language::ENGLISH };
+    let language = if own.is_some() { spoken() } else { &PageLanguage::ENGLISH };
     fill_in(own.unwrap_or(english), language, holes)
 }
 
@@ -93,7 +93,7 @@ pub(super) fn fill(text: &str, holes: &[(&str, &dyn Display)]) -> String {
     fill_in(text, spoken(), holes)
 }
 
-fn fill_in(text: &str, language: &Language, holes: &[(&str, &dyn Display)]) -> String {
+fn fill_in(text: &str, language: &PageLanguage, holes: &[(&str, &dyn Display)]) -> String {
     filled(text, language, &|name| {
         holes.iter().find(|(hole, _)| *hole == name).map(|(_, value)| (value.to_string(), None))
     })
@@ -120,7 +120,7 @@ impl WordTable {
         Self::of(language, text)
     }
 
-    fn of(language: &'static Language, text: &'static str) -> Self {
+    fn of(language: &'static PageLanguage, text: &'static str) -> Self {
         let sentence = |block: &'static str| {
             let mut lines = block.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
             Some((key_of(lines.next()?), lines.next()?))
@@ -135,10 +135,10 @@ impl WordTable {
 mod tests {
     use super::{TABLE, WordTable, fill_keyed, is_second, keyed, shown, speak, word, word_of};
     use crate::words;
-    use phrase::{Language, Plural, key_of, phrase};
+    use phrase::{PageLanguage, Plural, key_of, phrase};
 
     /// A third language: this line, and its file.
-    static GERMAN: Language = Language {
+    static GERMAN: PageLanguage = PageLanguage {
         code: "de",
         locale: "de",
         name: "Deutsch",

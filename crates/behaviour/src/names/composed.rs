@@ -1,6 +1,7 @@
 //! Texts in their composed form (NFC, Unicode Standard Annex 15), from the library's single steps: its way for a whole text
 //! brings the tables of compatibility forms along, which nothing needs and which are a fiftieth of the page.
 
+use crate::sort_few;
 use unicode_normalization::char::{canonical_combining_class, compose, decompose_canonical};
 
 /// The text with every letter and its marks as one character, where there is one.
@@ -30,7 +31,7 @@ fn decomposed(text: &str) -> Vec<(u8, char)> {
     let mut all: Vec<(u8, char)> = Vec::with_capacity(text.len());
     text.chars().for_each(|c| decompose_canonical(c, |part| all.push((canonical_combining_class(part), part))));
     all.chunk_by_mut(|one, next| (one.0 == 0) == (next.0 == 0)).filter(|run| run[0].0 > 0).for_each(|marks| {
-        marks.sort_by_key(|(class, _)| *class);
+        sort_few(marks, |one, other| one.0 < other.0);
     });
     all
 }

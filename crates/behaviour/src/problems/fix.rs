@@ -11,7 +11,7 @@ use crate::{
     SeenKinds, Unit, ValueType, as_meant, rename_identifiers, rename_unknown,
 };
 use draft::FixDraft;
-use phrase::Phrased;
+use phrase::{Phrase, Phrased};
 use serde::{Deserialize, Serialize};
 
 /// The time between values that were too many, in milliseconds.
@@ -68,10 +68,21 @@ pub enum FixKind {
 }
 
 impl Fix {
+    /// The label of its change: labels have no full stop.
+    fn label(&self) -> Phrase {
+        match self.kind.phrase() {
+            Phrase::Keyed(mut keyed) => {
+                keyed.english = keyed.english.trim_end_matches('.').to_owned().into();
+                Phrase::Keyed(keyed)
+            }
+            other => other,
+        }
+    }
+
     /// The change that does it.
     #[must_use]
     pub fn change(&self, op: Id, author: &str) -> Change {
-        Change { edits: self.edits.clone(), ..Change::of(op, author, self.kind.phrase()) }
+        Change { edits: self.edits.clone(), ..Change::of(op, author, self.label()) }
     }
 }
 

@@ -1,5 +1,5 @@
-//! What follows of a gesture once its change is saved or refused: what is new is chosen, what could not be moved is shown where
-//! it was.
+//! The end of a gesture, once its change is saved or refused: new things are chosen, and things that could not be moved are
+//! shown where they were.
 
 use crate::effect::{Announcement, Effect};
 use crate::{Editor, Selected};
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 /// Gestures that wait for their answers.
 pub(crate) type Following = Vec<(Id, AfterSaving)>;
 
-/// What follows of one gesture.
+/// The things to do once the change of a gesture is saved or refused.
 #[derive(Clone, Debug)]
 pub(crate) enum AfterSaving {
     /// These are chosen.

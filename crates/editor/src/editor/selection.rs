@@ -1,10 +1,10 @@
-//! What is chosen, one thing or several, and which part of the graph has the keyboard. Both follow the records: nothing that
+//! The choice of one thing or several, and the part of the graph that has the keyboard. Both follow the records: nothing that
 //! is gone stays chosen, and what is folded away gives its place to its group.
 
 use crate::effect::Effect;
 use crate::graph::{StepDirection, walk};
 use crate::{Editor, FocusTarget, Selected};
-use behaviour::{Id, Kind, Place, Record, RecordId};
+use behaviour::{FillFrom, Id, Kind, Place, Record, RecordId};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The part of the graph that has the keyboard, and where it stood then.
@@ -26,7 +26,7 @@ pub(crate) struct Folds {
 impl Editor {
     /// Selects one thing alone, or nothing.
     pub fn select(&mut self, what: Option<Selected>) {
-        self.choose(what.into_iter().collect());
+        self.choose(what.into_iter().filled());
     }
 
     /// Chooses one thing more, or one less; what is chosen alone is the first of several.
@@ -70,7 +70,7 @@ impl Editor {
     /// Returns what is chosen, one or several.
     #[must_use]
     pub fn chosen(&self) -> BTreeSet<Selected> {
-        if self.several.is_empty() { self.selected.iter().cloned().collect() } else { (*self.several).clone() }
+        if self.several.is_empty() { self.selected.iter().cloned().filled() } else { (*self.several).clone() }
     }
 
     /// Chooses what is reached by an arrow key from `here`, or from nowhere. With `more` it is chosen beside the rest, and back
@@ -160,19 +160,19 @@ impl Editor {
     /// Reads which groups are folded, and what is not seen for them. What was chosen of it is given to its group.
     pub(crate) fn see_groups(&mut self) {
         let shown = self.past.as_ref().map_or_else(|| self.groups_now(), |past| past.groups().map(owned).collect());
-        let saved: BTreeSet<Id> = shown.iter().filter(|(_, group)| group.folded).map(|(id, _)| id.clone()).collect();
+        let saved: BTreeSet<Id> = shown.iter().filter(|(_, group)| group.folded).map(|(id, _)| id.clone()).filled();
         let folded_anew: Vec<Id> = saved.difference(&self.folds.saved).cloned().collect();
         self.folds.opened.retain(|id| !folded_anew.contains(id));
-        let folded: BTreeSet<Id> = saved.difference(&self.folds.opened).cloned().collect();
+        let folded: BTreeSet<Id> = saved.difference(&self.folds.opened).cloned().filled();
         let inside = shown.iter().filter(|(id, _)| folded.contains(id));
         let hidden: BTreeMap<Id, Id> = inside
             .flat_map(|(id, group)| group.streams.iter().map(move |stream| (stream.clone(), id.clone())))
-            .collect();
+            .filled();
         self.folds.saved = saved;
         self.folded.set(folded);
         self.hidden.set(hidden);
         let chosen = self.chosen();
-        let still: BTreeSet<Selected> = chosen.iter().map(|one| self.seen_as(one.clone())).collect();
+        let still: BTreeSet<Selected> = chosen.iter().map(|one| self.seen_as(one.clone())).filled();
         if still != chosen {
             self.choose(still);
         }

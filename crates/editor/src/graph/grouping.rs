@@ -1,7 +1,7 @@
 //! Groups of streams, as pure functions: made, taken apart, folded, and what belongs to them.
 
 use crate::Selected;
-use behaviour::{Behaviour, Change, Group, Id, Kind, Record, RecordId};
+use behaviour::{Behaviour, Change, FillFrom, Group, Id, Kind, Record, RecordId};
 use std::collections::BTreeSet;
 
 fn key(kind: Kind, id: &Id) -> RecordId {
@@ -24,7 +24,7 @@ fn group<'a>(behaviour: &'a Behaviour, id: &Id) -> Option<&'a Group> {
 pub fn expanded(behaviour: &Behaviour, of: &BTreeSet<Selected>) -> BTreeSet<Selected> {
     let mut all = of.clone();
     let groups = of.iter().filter_map(|one| if let Selected::Group(id) = one { group(behaviour, id) } else { None });
-    let inside: BTreeSet<&Id> = groups.flat_map(|group| members(behaviour, group)).collect();
+    let inside: BTreeSet<&Id> = groups.flat_map(|group| members(behaviour, group)).filled();
     let within = behaviour.connectors().filter(|(_, connector)| inside.contains(&connector.output));
     all.extend(within.map(|(id, _)| Selected::Connector(id.clone())));
     all.extend(inside.into_iter().map(|id| Selected::Stream(id.clone())));
@@ -46,7 +46,7 @@ pub fn grouped(
         Selected::Stream(id) => Some(id),
         _ => None,
     });
-    let streams: BTreeSet<Id> = streams.filter(|id| behaviour.stream(id).is_some()).collect();
+    let streams: BTreeSet<Id> = streams.filter(|id| behaviour.stream(id).is_some()).filled();
     let is_new = |id: &&Id| known.as_ref().is_none_or(|group| !group.streams.contains(*id));
     if streams.iter().filter(is_new).count() == 0 {
         return None;
@@ -71,7 +71,7 @@ pub fn ungrouped(behaviour: &Behaviour, change: Change, of: &BTreeSet<Selected>)
 /// Streams go out of their groups, but for one; a group that nothing is left of goes.
 fn taken_out(behaviour: &Behaviour, change: Change, streams: &BTreeSet<Id>, but: Option<&Id>) -> Change {
     behaviour.groups().filter(|(id, _)| Some(*id) != but).fold(change, |change, (id, group)| {
-        let left: BTreeSet<Id> = group.streams.difference(streams).cloned().collect();
+        let left: BTreeSet<Id> = group.streams.difference(streams).cloned().filled();
         let is_there = |id: &Id| behaviour.stream(id).is_some();
         match () {
             () if left.len() == group.streams.len() => change,

@@ -63,7 +63,7 @@ impl ProgramPart {
             }
         }
         for (id, group) in behaviour.groups() {
-            let streams: BTreeSet<Id> = members(behaviour, group).cloned().collect();
+            let streams: BTreeSet<Id> = members(behaviour, group).cloned().filled();
             if !streams.is_empty() && streams.iter().all(has) {
                 put(Kind::Group, id, Record::Group(Group { streams, ..group.clone() }));
                 if let Some(place) = behaviour.place(id) {

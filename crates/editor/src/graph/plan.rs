@@ -41,9 +41,9 @@ pub enum NewSpot {
 pub enum Output {
     /// To a new stream: ordinary without a device, an actuator with one.
     New {
-        /// Its name.
+        /// The name of the stream.
         name: String,
-        /// Its device, if it is an action.
+        /// The device, if it is an action.
         device: Option<String>,
         /// The settings of the device.
         params: Params,

@@ -92,7 +92,8 @@ fn stream_end(graph: &Graph, above: &BTreeSet<Id>, from: &Id, (id, stream): (&Id
 
 /// A stream and everything that leads to it.
 fn above(graph: &Graph, of: &Id) -> BTreeSet<Id> {
-    let mut found = BTreeSet::from([of.clone()]);
+    let mut found = BTreeSet::new();
+    found.insert(of.clone());
     let mut next = vec![of.clone()];
     while let Some(at) = next.pop() {
         let inputs = graph.into_stream(&at).iter().flat_map(|(_, connector)| &connector.inputs);

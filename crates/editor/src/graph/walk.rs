@@ -1,6 +1,6 @@
 //! Walking along the graph with arrow keys.
 
-use behaviour::{Behaviour, Graph, Id, Place};
+use behaviour::{Behaviour, FillFrom, Graph, Id, Place, sort_few};
 
 /// The directions of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,10 +21,8 @@ pub fn walk(behaviour: &Behaviour, from: &Id, way: StepDirection, place: impl Fn
         }
         StepDirection::Left | StepDirection::Right => {
             let mut row = siblings(behaviour, &graph, from);
-            row.sort_by(|one, other| {
-                let x = |id: &Id| place(id).map_or(0.0, |place| place.x);
-                x(one).total_cmp(&x(other)).then_with(|| one.cmp(other))
-            });
+            let x = |id: &Id| place(id).map_or(0.0, |place| place.x);
+            sort_few(&mut row, |one, other| x(one).total_cmp(&x(other)).then_with(|| one.cmp(other)).is_lt());
             let at = row.iter().position(|id| id == from)?;
             let next = if way == StepDirection::Left { at.checked_sub(1)? } else { at + 1 };
             row.get(next).cloned()
@@ -35,16 +33,14 @@ pub fn walk(behaviour: &Behaviour, from: &Id, way: StepDirection, place: impl Fn
 /// The streams beside one: what else comes out of its sources, or what else has no source.
 fn siblings(behaviour: &Behaviour, graph: &Graph, of: &Id) -> Vec<Id> {
     let sources: Vec<&Id> = graph.into_stream(of).iter().flat_map(|(_, connector)| &connector.inputs).collect();
-    let mut row: Vec<Id> = if sources.is_empty() {
+    let row: Vec<Id> = if sources.is_empty() {
         let alone = behaviour.streams().filter(|(id, _)| graph.into_stream(id).is_empty());
         alone.map(|(id, _)| id.clone()).collect()
     } else {
         let beside = sources.iter().flat_map(|source| graph.out_of_stream(source));
         beside.map(|(_, connector)| connector.output.clone()).collect()
     };
-    row.sort();
-    row.dedup();
-    row
+    row.into_iter().distinct()
 }
 
 #[cfg(test)]

@@ -4,14 +4,14 @@ use super::spot::reach;
 use super::{DrawnSizes, snapped};
 use behaviour::layout::{LaidOut, arranged};
 use behaviour::{Behaviour, FillFrom, Graph, Id, Place, StreamKind};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A place for every stream: senses in the top row of their part, actions in its bottom one; branches keep their order.
 #[must_use]
 pub fn tidy(behaviour: &Behaviour, sizes: DrawnSizes, stage: (f64, f64)) -> BTreeMap<Id, Place> {
     let streams = behaviour.streams_in_order();
     let graph = Graph::of(behaviour);
-    let number: HashMap<&Id, usize> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).filled();
+    let number: BTreeMap<&Id, usize> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).filled();
     let shapes: Vec<LaidOut> = streams
         .iter()
         .map(|(id, stream)| {
@@ -23,7 +23,7 @@ pub fn tidy(behaviour: &Behaviour, sizes: DrawnSizes, stage: (f64, f64)) -> BTre
     streams.iter().zip(places).map(|((id, _), place)| ((*id).clone(), snapped(place))).filled()
 }
 
-fn edges(behaviour: &Behaviour, number: &HashMap<&Id, usize>) -> Vec<(usize, usize)> {
+fn edges(behaviour: &Behaviour, number: &BTreeMap<&Id, usize>) -> Vec<(usize, usize)> {
     let mut edges = BTreeSet::new();
     for (_, connector) in behaviour.connectors_in_order() {
         for input in &connector.inputs {

@@ -13,7 +13,7 @@ fn ben() -> Saver {
     Saver::Other("Ben".to_owned())
 }
 
-/// What a label says.
+/// Returns the words of a label.
 pub(crate) fn said(label: &Option<phrase::Phrase>) -> Option<String> {
     label.as_ref().map(ToString::to_string)
 }

@@ -57,7 +57,7 @@ async fn who_opens_pages_again_and_again_locks_out_neither_host_nor_colleague() 
 
 /// What bounds what a viewer may ask, besides what everything passes: eight links, and the requests that a person and those
 /// of one invitation have in a time (`connection/budgets.rs`).
-const BOUNDS: [(&str, &str); 26] = [
+const BOUNDS: [(&str, &str); 27] = [
     ("hello", "answered at once; the greeting has one of the eight half open places of a person"),
     ("list", "eight under way of a person; one lookup at a time of an invitation"),
     ("pictures", "as a list; so many of one request; drawn by the workers, one at a time of an invitation"),
@@ -77,6 +77,7 @@ const BOUNDS: [(&str, &str); 26] = [
     ("told", "eight under way of a person; the workers, one at a time of an invitation; so many sentences"),
     ("tryExercise", "eight under way of a person; the workers, one at a time of an invitation, ended with who asks"),
     ("present", "nothing waits; people are told at their own pace"),
+    ("presentMoment", "as `present`; a past with a short name, and only the one that the link asked about last"),
     ("callMe", "known in memory; written with others once in a while, apart from revoking"),
     ("runs", "answered at once, from memory"),
     ("recordings", "eight under way of a person; the threads for files, one at a time of an invitation"),

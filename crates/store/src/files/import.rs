@@ -51,7 +51,7 @@ impl Import {
 #[derive(Clone, Debug, PartialEq, Eq, Phrased)]
 pub enum ImportError {
     /// A helper of this name calls itself, also through others.
-    #[error("{id}: {reason}", id = _0, reason = phrase!("ImportError.Itself", "it calls itself, also through others. Change its body"))]
+    #[error("{id}: {reason}", id = _0, reason = phrase!("ImportError.Itself", "it calls itself, also through others. Change its body."))]
     Circle(String),
     /// The behaviour's own id is none; with the reason.
     #[error("{id}: {reason}", id = "id", reason = _0)]

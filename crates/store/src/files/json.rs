@@ -6,7 +6,7 @@ use super::FileFault;
 use super::place::LineStarts;
 use super::tree::{DEPTH_MAX, FileNode, NODES_MAX, NoNumber, NodeKind, TOO_MANY};
 use behaviour::Value;
-use phrase::phrase;
+use phrase::{Phrase, Phrased, phrase};
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::cell::Cell;
@@ -47,7 +47,7 @@ impl JsonReader<'_, '_> {
             return Err(self.lines.fault(at, reason));
         }
         let bad = |_: serde_json::Error| match self.left.get() {
-            0 => self.lines.fault(at, TOO_MANY),
+            0 => self.lines.fault(at, Phrase::word(TOO_MANY)),
             _ => self.lines.fault(
                 at,
                 phrase!(
@@ -69,7 +69,7 @@ impl JsonReader<'_, '_> {
                 )
             }
             Some(b'-' | b'0'..=b'9') => {
-                NodeKind::Plain(number(text).map_err(|why| self.lines.fault(at, why.to_string()))?)
+                NodeKind::Plain(number(text).map_err(|why| self.lines.fault(at, why.phrase()))?)
             }
             _ => NodeKind::Plain(serde_json::from_str(text).map_err(bad)?),
         };

@@ -54,7 +54,7 @@ phrase::shown!(FileKind);
 impl Phrased for FileKind {
     fn phrase(&self) -> Phrase {
         Phrase::word(match self {
-            Self::Binary(what) => *what,
+            Self::Binary(what) => return with_format(what),
             Self::Recording => "a recording of a run",
             Self::Readings => "a list of readings",
             Self::Backup => "a backup of a whole library",
@@ -121,6 +121,18 @@ impl FileKind {
                 _ => of_text(text),
             }
         })
+    }
+}
+
+/// A kind of file with its format, whose name is the same in every language: `a picture (PNG)`.
+fn with_format(what: &'static str) -> Phrase {
+    let parts = what.strip_suffix(')').and_then(|what| what.split_once(" ("));
+    match parts {
+        Some(("a picture", format)) => phrase!("FileKind.Picture", "a picture ({format})"),
+        Some(("a packed file", format)) => phrase!("FileKind.PackedFile", "a packed file ({format})"),
+        Some(("a sound", format)) => phrase!("FileKind.Sound", "a sound ({format})"),
+        Some(("a film", format)) => phrase!("FileKind.Film", "a film ({format})"),
+        _ => Phrase::word(what),
     }
 }
 

@@ -14,6 +14,7 @@ use element::{XmlElement, root};
 #[cfg(test)]
 pub(super) use escape::reference;
 pub(super) use escape::{cannot_hold, in_element};
+use phrase::{Phrase, Phrased, phrase};
 
 /// The most characters that are told of the name of an unknown element.
 const NAME_SHOWN_CHARS: usize = 40;
@@ -116,7 +117,8 @@ fn check_name(name: &str, at: usize, lines: &LineStarts) -> Result<(), FileFault
         return Ok(());
     }
     let name: String = name.chars().filter(|c| !c.is_control()).take(NAME_SHOWN_CHARS).collect();
-    Err(lines.fault(at, format!("This is no program but <{name}>. Choose another file.")))
+    Err(lines
+        .fault(at, phrase!("file.this_is_no_program_but", "This is no program but <{name}>. Choose another file.")))
 }
 
 type XmlEntry = (String, FileNode);
@@ -130,7 +132,11 @@ impl XmlDoor<'_, '_> {
         let mut fields = self.attributes(root, BEHAVIOUR)?;
         for (name, node) in fields.iter_mut().filter(|(name, _)| name == "format") {
             if node.value().as_text() != Some(VERSION) {
-                let reason = format!("This file has another {name} than {VERSION}. Export it again with this rrp.");
+                let reason = phrase!(
+                    "file.this_file_has_another",
+                    "This file has another {name} than {VERSION}. Export it again with this rrp.",
+                    name = &*name
+                );
                 return Err(self.lines.fault(node.at, reason));
             }
             *node = FileNode::text(node.at, FORMAT);
@@ -323,11 +329,15 @@ impl XmlDoor<'_, '_> {
         for (name, at, text) in &element.attributes {
             let Some((_, field, how)) = known.iter().find(|(known, ..)| known == name) else {
                 let known: Vec<_> = known.iter().map(|(name, ..)| *name).collect();
-                let may = if known.is_empty() { "nothing".to_owned() } else { known.join(", ") };
-                let reason = format!("“{name}” is not known here; <{}> has {may}. Leave it out.", element.name);
+                let may = if known.is_empty() { Phrase::word("nothing") } else { Phrase::text(known.join(", ")) };
+                let within = &element.name;
+                let reason = phrase!(
+                    "file.is_not_known_here_within",
+                    "“{name}” is not known here; <{within}> has {may}. Leave it out."
+                );
                 return Err(self.lines.fault(*at, reason));
             };
-            let node = read(*how, text, *at).map_err(|why| self.lines.fault(*at, why.to_string()))?;
+            let node = read(*how, text, *at).map_err(|why| self.lines.fault(*at, why.phrase()))?;
             fields.push(((*field).to_owned(), node));
         }
         Ok(fields)
@@ -337,7 +347,10 @@ impl XmlDoor<'_, '_> {
     fn children<'e>(&self, element: &'e XmlElement) -> Result<&'e [XmlElement], FileFault> {
         match element.loose_text_at() {
             None => Ok(&element.children),
-            Some(at) => Err(self.lines.fault(at, format!("<{}> holds no text of its own. Take it out.", element.name))),
+            Some(at) => Err(self.lines.fault(
+                at,
+                phrase!("file.holds_no_text", "<{name}> holds no text of its own. Take it out.", name = element.name),
+            )),
         }
     }
 
@@ -361,7 +374,11 @@ impl XmlDoor<'_, '_> {
     }
 
     fn unknown(&self, element: &XmlElement, known: &str) -> FileFault {
-        let reason = format!("<{}> is not known here, only {known}. Take it out.", element.name);
+        let reason = phrase!(
+            "file.is_not_known_here_only",
+            "<{name}> is not known here, only {known}. Take it out.",
+            name = element.name
+        );
         self.lines.fault(element.at, reason)
     }
 }

@@ -1,4 +1,4 @@
-//! What is turned or typed and not saved yet, for whoever shows what would come of it.
+//! Drafts that are turned or typed and not saved yet, for whoever shows what would come of them.
 
 use super::{ConnectPlan, Document, Saving};
 use behaviour::{Change, Connector, Edit, Id, Kind, Operation, Record, RecordId, Stream, labels};
@@ -15,7 +15,7 @@ pub(crate) struct Drafted {
     what: DraftedWhat,
 }
 
-/// What would be saved.
+/// The things that would be saved.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum DraftedWhat {
     /// These records, each as it would be.
@@ -39,7 +39,7 @@ impl Drafted {
 /// Records as they would be; none of those that would be gone.
 pub(crate) type DraftedRecords = Vec<(RecordId, Option<Record>)>;
 
-/// What would come of a draft in words, for the place where it is typed.
+/// The outcome of a draft in words, for the place where it is typed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DraftPreview {
     pub(crate) text: String,

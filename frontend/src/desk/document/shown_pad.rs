@@ -1,7 +1,7 @@
 //! The tiles of a program in the words of the page: its own or the usual ones, with the picture and the look of each. Pure.
 
 use crate::words;
-use behaviour::{Behaviour, Pad, StreamKind, TILE_MAX_CHARS, Tile, TileAction};
+use behaviour::{Behaviour, FillFrom, Pad, StreamKind, TILE_MAX_CHARS, Tile, TileAction};
 use robot::{Resource, Resources};
 
 /// The tiles of a program: its own, or the usual ones.
@@ -16,7 +16,7 @@ pub(crate) fn usual(behaviour: &Behaviour) -> Pad {
         let label = shortened(&usual_words(&tile.does, &tile.label, button));
         (key, Tile { label, ..tile })
     };
-    Pad { tiles: robot::usual_pad(behaviour).tiles.into_iter().map(in_words).collect() }
+    Pad { tiles: robot::usual_pad(behaviour).tiles.into_iter().map(in_words).filled() }
 }
 
 /// The picture of what a tile is about, and whether that is a button.

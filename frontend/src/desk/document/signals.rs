@@ -199,8 +199,8 @@ impl DocumentState {
             self.streams.iter().map(|(id, signals)| (stream_order(signals), id.clone())).collect();
         let mut connectors: Vec<_> =
             self.connectors.iter().map(|(id, signals)| (connector_order(signals), id.clone())).collect();
-        streams.sort();
-        connectors.sort();
+        streams.sort_unstable();
+        connectors.sort_unstable();
         (streams.into_iter().map(|(_, id)| id).collect(), connectors.into_iter().map(|(_, id)| id).collect())
     }
 }

@@ -6,7 +6,7 @@ use crate::desk::tab::{new_id, set_if_new};
 use crate::link::{self, NoAnswer};
 use crate::words;
 use behaviour::labels;
-use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record, Refusal};
+use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record, Refusal, sort_few};
 use phrase::Phrase;
 use protocol::{LIBRARY, Refused, Role, Summary, answer, request};
 
@@ -150,7 +150,7 @@ impl LibraryPanel {
     fn refresh(&self) {
         let mut helpers: Vec<_> =
             self.with_records(|records| records.helpers().map(|(id, helper)| (id.clone(), helper.clone())).collect());
-        helpers.sort_by(|one, other| one.1.name.cmp(&other.1.name));
+        sort_few(&mut helpers, |one, other| one.1.name < other.1.name);
         set_if_new(&self.helpers, helpers);
     }
 }

@@ -4,9 +4,9 @@ use super::RobotsPanel;
 use super::unused::RecordsBefore;
 use crate::desk::document::ConnectorSignals;
 use crate::desk::tab::set_if_new;
-use crate::few::sort_few;
 use crate::layout::chip_words;
 use crate::live::LiveConnector;
+use behaviour::sort_few;
 use behaviour::{Connector, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
 

@@ -1,9 +1,9 @@
 //! The runs beside the open program: their order, and stopping one of them.
 
 use super::RobotsPanel;
-use crate::few::sort_few;
 use crate::words;
 use behaviour::Id;
+use behaviour::sort_few;
 use leptos::prelude::*;
 use protocol::{RunPhase, RunState, request};
 

@@ -133,6 +133,14 @@ fn Marks(past: PastShared) -> impl IntoView {
             }
         }
     };
+    // The keyboard goes along at once: whoever presses keys fast is not brought back afterwards.
+    let to_current = move || {
+        let at = here.get_untracked().and_then(|t| found.read_untracked().iter().position(|mark| mark.t == t));
+        let rows = page_element(".marks-list").map(|list| focus::all(&list, ".mark-row")).unwrap_or_default();
+        if let Some(row) = at.and_then(|at| rows.get(at)) {
+            focus::focus(row);
+        }
+    };
     let key = move |event: KeyboardEvent| {
         let in_field = target(&event).is_some_and(|target| target.tag_name() == "INPUT");
         let pressed = event.pressed();
@@ -140,7 +148,7 @@ fn Marks(past: PastShared) -> impl IntoView {
             event.prevent_default();
             event.stop_propagation();
             past.act(LaneAct::NextMark(pressed == "]"));
-            browser::after(0, to_current);
+            to_current();
         } else {
             focus::walk(&event, "ArrowDown", "ArrowUp");
         }
@@ -200,13 +208,6 @@ fn reveal() {
     let by = (row_at.bottom() - list_at.bottom()).max(0.0) + (row_at.top() - list_at.top()).min(0.0);
     if by != 0.0 {
         list.set_scroll_top(list.scroll_top() + by.round() as i32);
-    }
-}
-
-/// The keyboard goes to the mark at which the cursor is.
-fn to_current() {
-    if let Some((_, row)) = current_row() {
-        focus::focus(&row);
     }
 }
 

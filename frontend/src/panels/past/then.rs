@@ -293,10 +293,10 @@ impl PastShared {
         }
     }
 
-    /// Shows all of the graph again, once it has the room that the panel leaves now.
+    /// Shows all of the graph again, once it has the room that the panel leaves now: that is measured as the browser draws next.
     pub(super) fn show_whole_graph(self) {
         let document = self.desk.desk().document;
-        browser::after(0, move || document.laid_out.notify());
+        browser::next_frame(move || browser::after(0, move || document.laid_out.notify()));
     }
 
     /// Following ends at the moment under the cursor, and as soon as that is shown it is asked why.

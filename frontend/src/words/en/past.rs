@@ -17,6 +17,7 @@ sentences! {
     ask_why_not: "Why not …";
     close_answer: "Close the answer";
     changes_today: "This changes the program of today and can be undone.";
+    undo_this: "Undo this change";
     fix_is_late: "Another number stands there by now. Go back to now and change it there.";
     past_comes: "It is being opened …";
     past_is_empty: "Nothing came while this was recorded.";

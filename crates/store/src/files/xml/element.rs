@@ -4,7 +4,7 @@ use super::escape::{of_attribute, of_element, reference};
 use crate::files::FileFault;
 use crate::files::place::LineStarts;
 use crate::files::tree::TOO_MANY;
-use phrase::{Phrase, phrase};
+use phrase::{Phrase, Phrased, phrase};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
@@ -102,7 +102,7 @@ impl ElementParser<'_, '_> {
             Event::CData(text) => self.text(at, &of_element(&String::from_utf8_lossy(&text)))?,
             Event::GeneralRef(name) => {
                 let read = reference(&String::from_utf8_lossy(&name));
-                let c = read.map_err(|why| self.lines.fault(at, why.to_string()))?;
+                let c = read.map_err(|why| self.lines.fault(at, why.phrase()))?;
                 self.text(at, c.encode_utf8(&mut [0; 4]))?;
             }
             Event::Decl(declared) => self.declared(at, &declared)?,
@@ -147,7 +147,7 @@ impl ElementParser<'_, '_> {
         }
         self.elements += 1;
         if self.elements > ELEMENTS_MAX {
-            return self.no(at, TOO_MANY);
+            return self.no(at, Phrase::word(TOO_MANY));
         }
         if self.root.is_some() {
             return self.no(
@@ -199,8 +199,7 @@ impl ElementParser<'_, '_> {
             }
             let raw = String::from_utf8_lossy(&attribute.value);
             let value_at = at + 1 + inside(start, &attribute.value);
-            let text =
-                of_attribute(&raw).map_err(|(within, why)| self.lines.fault(value_at + within, why.to_string()))?;
+            let text = of_attribute(&raw).map_err(|(within, why)| self.lines.fault(value_at + within, why.phrase()))?;
             all.push((name, at + 1 + key, text));
         }
         Ok(all)

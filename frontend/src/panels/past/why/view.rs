@@ -195,7 +195,7 @@ fn Fixing(past: PastShared, at: usize, fix: AnswerFix, made: RwSignal<Option<usi
             let can_undo = Memo::new(move |_| fix.with_value(|fix| past.can_take_back(fix)));
             view! {
                 <p role="status">{said}</p>
-                <Show when=move || can_undo.get()><button class="link" type="button" on:click=undo>{words::undo()}</button></Show>
+                <Show when=move || can_undo.get()><button class="link" type="button" on:click=undo>{words::undo_this()}</button></Show>
             }
             .into_any()
         } else {

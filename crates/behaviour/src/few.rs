@@ -4,7 +4,7 @@
 ///
 /// The sort of the standard library is 4 KB of the page for every type that is sorted; this one is a few dozen bytes, and as fast
 /// for some hundred things.
-pub(crate) fn sort_few<T>(few: &mut [T], before: impl Fn(&T, &T) -> bool) {
+pub fn sort_few<T>(few: &mut [T], before: impl Fn(&T, &T) -> bool) {
     for end in 1..few.len() {
         let mut at = end;
         while at > 0 && before(&few[at], &few[at - 1]) {
