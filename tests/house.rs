@@ -117,7 +117,7 @@ const COMMON_LABELS: [&str; 2] = ["Map", "Delay"];
 const COMMON_DEVICES: [&str; 5] = ["Button", "Lights", "People", "Voice", "Walk"];
 
 /// The files in which browser tests sleep, how often, and what for. A ratchet: nothing may be added.
-const SLEEPS: [(&str, usize, &str); 7] = [
+const SLEEPS: [(&str, usize, &str); 4] = [
     ("tests/journeys/by_touch.rs", 1, "between two looks"),
     ("tests/journeys/library.rs", 1, "before a request that came too fast is sent again"),
     ("tests/journeys/robot_console.rs", 1, "between two looks"),
