@@ -85,13 +85,13 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
     held(&aiko, &format!("{UNSAVED} && {CHANGED}.test({COUNTS})"), "the counts are there before it is saved").await?;
     saved(&aiko).await?;
     aiko.until(&format!("!({UNSAVED}) && {CHANGED}.test({COUNTS})"), "and once it is saved").await?;
-    let first = "document.querySelector('.past-row .past-label span').textContent";
-    aiko.until(
-        &format!("['Close ball', 'Far ball', 'Head and body tracker'].includes({first})"),
-        "what changed is first",
-    )
-    .await?;
-    aiko.until("/→/.test(document.querySelector('.past-row .past-label b').textContent)", "with its counts").await?;
+    let label = |part: &str| {
+        format!("[...document.querySelectorAll('.past-row .past-label {part}')].map(one => one.textContent)")
+    };
+    aiko.until(&format!("{}[0] === 'Distance'", label("span")), "whose number is another one is first").await?;
+    let changed = format!("['Close ball', 'Far ball', 'Head and body tracker'].includes({}[1])", label("span"));
+    aiko.until(&changed, "what changed is next").await?;
+    aiko.until(&format!("{}.some(counts => /→/.test(counts))", label("b")), "with its counts").await?;
     says(&aiko, "What the participant would have done otherwise is not known.").await?;
     says(&aiko, "The head would have looked elsewhere.").await?;
 
