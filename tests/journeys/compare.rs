@@ -86,7 +86,8 @@ async fn a_number_is_turned_by_keys_and_shows_what_would_change() -> Outcome<()>
     saved(&aiko).await?;
     aiko.until(&format!("!({UNSAVED}) && {CHANGED}.test({COUNTS})"), "and once it is saved").await?;
     let label = |part: &str| {
-        format!("[...document.querySelectorAll('.past-row .past-label {part}')].map(one => one.textContent)")
+        let of = format!("one.querySelector('.past-label {part}')?.textContent ?? ''");
+        format!("[...document.querySelectorAll('.past-row')].map(one => {of})")
     };
     aiko.until(&format!("{}[0] === 'Distance'", label("span")), "whose number is another one is first").await?;
     let changed = format!("['Close ball', 'Far ball', 'Head and body tracker'].includes({}[1])", label("span"));

@@ -62,7 +62,13 @@ impl PastShared {
             None => {}
         });
         let place = Memo::new(move |_| self.place_of(&followed.get()?));
+        // Lanes that come later than the press, or once more, begin at now.
+        let is_astray = Memo::new(move |_| {
+            let viewer = self.viewer.read();
+            place.get().is_some_and(|at| viewer.follows() || (viewer.cursor() - at).abs() > 0.5)
+        });
         Effect::new(move |_| {
+            is_astray.track();
             if place.get().is_some() {
                 untrack(|| self.plan_going(place));
             }
