@@ -169,7 +169,7 @@ async fn learning(page: &Page, words: &Words, visit: &impl AsyncFn(&str) -> Outc
     command(page, "load program").await?;
     page.press("radio", &words.say("Templates")).await?;
     page.press("button", &words.begins("Brighter when nearer")).await?;
-    let named = words.fill("Task: {name}", &[("name", "Brighter when nearer")]);
+    let named = words.fill("Task: {name}", &[("name", &words.say("Brighter when nearer"))]);
     let task = page.within("region", &named);
     task.press("button", &words.say("Try it")).await?;
     page.until("document.querySelector('.verdict') !== null", "it is tried").await?;

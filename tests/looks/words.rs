@@ -22,7 +22,9 @@ impl Words {
         };
         let own: BTreeMap<String, String> = text.split("\n\n").filter_map(block).collect();
         let said = |(key, english): (String, String)| Some((english, own.get(&key)?.clone()));
-        let words = own.iter().filter_map(|(key, said)| Some((key.strip_prefix("word.")?.to_owned(), said.clone())));
+        let of_word =
+            |key: &str| key.strip_prefix("word.").or_else(|| key.strip_prefix("template.")).map(str::to_owned);
+        let words = own.iter().filter_map(|(key, said)| Some((of_word(key)?, said.clone())));
         let table = words.chain(english()?.into_iter().filter_map(said)).collect();
         Ok(Words { code: "ja", table })
     }

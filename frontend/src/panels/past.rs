@@ -139,7 +139,7 @@ pub(crate) fn past() -> AnyView {
             class:past-with-table=move || past.shows_table.get()
             node_ref=root
             tabindex="-1"
-            role=move || (in_place.get() && !past.then.is_folded.get()).then_some("main")
+            role=move || (in_place.get() && !past.then.is_folded.get() && !past.compare.is_on.get()).then_some("main")
             aria-label=words::over_time()
             on:keydown=move |event| keys::key(&event, past)
         >
