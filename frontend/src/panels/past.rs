@@ -36,7 +36,7 @@ use lanes::{Density, LaneAct, Viewer};
 use leptos::html;
 use leptos::leptos_dom::helpers::IntervalHandle;
 use leptos::prelude::*;
-use media::{COARSE, IN_PLACE, NARROW, holds, when_changed};
+use media::{COARSE, IN_PLACE, LOW, NARROW, holds, when_changed};
 use protocol::{OpenedPast, PastOf};
 use std::sync::Arc;
 use wasm_bindgen::JsCast;
@@ -97,10 +97,7 @@ pub(crate) fn past() -> AnyView {
     };
     let density = RwSignal::new(density());
     let root = NodeRef::<html::Section>::new();
-    let in_place = RwSignal::new(holds(IN_PLACE));
-    when_changed(IN_PLACE, move || {
-        in_place.try_set(holds(IN_PLACE));
-    });
+    let hides_graph = hides_graph(past);
     Effect::new(move |_| {
         let density = density.get();
         past.viewer.update(|viewer| viewer.set_density(density));
@@ -139,7 +136,7 @@ pub(crate) fn past() -> AnyView {
             class:past-with-table=move || past.shows_table.get()
             node_ref=root
             tabindex="-1"
-            role=move || (in_place.get() && !past.then.is_folded.get() && !past.compare.is_on.get()).then_some("main")
+            role=move || hides_graph.get().then_some("main")
             aria-label=words::over_time()
             on:keydown=move |event| keys::key(&event, past)
         >
@@ -296,4 +293,17 @@ fn asked_by_address() -> Option<String> {
 /// The element that an event is about.
 fn target(event: &web_sys::Event) -> Option<web_sys::Element> {
     event.target()?.dyn_into().ok()
+}
+
+/// True while this stands in the place of the graph. While something is compared the graph is in view too, but on a low window.
+fn hides_graph(past: PastShared) -> Memo<bool> {
+    let [in_place, is_low] = [IN_PLACE, LOW].map(|query| {
+        let now = RwSignal::new(holds(query));
+        when_changed(query, move || {
+            now.try_set(holds(query));
+        });
+        now
+    });
+    let is_beside = move || past.then.is_folded.get() || past.compare.is_on.get() && !is_low.get();
+    Memo::new(move |_| in_place.get() && !is_beside())
 }

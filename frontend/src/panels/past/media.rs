@@ -13,6 +13,8 @@ pub(super) const COARSE: &str = "(pointer: coarse)";
 /// True where the panel takes the place of the graph beside the robot.
 pub(super) const IN_PLACE: &str =
     "(min-width: 768px) and (max-width: 1199px), (min-width: 768px) and (max-height: 520px)";
+/// True on a low window, such as a phone that is held sideways.
+pub(super) const LOW: &str = "(max-height: 520px)";
 /// True while the theme is dark.
 pub(super) const DARK: &str = "(prefers-color-scheme: dark)";
 
