@@ -43,6 +43,8 @@ const TILE_BYTES: usize = 192;
 const MEMBER_BYTES: usize = 12;
 /// The words around one name, input or argument of a list.
 const ITEM_BYTES: usize = 32;
+/// The words around one phrase in another one.
+const PHRASE_BYTES: usize = 64;
 /// The words around one parameter of a device.
 const PARAM_BYTES: usize = 48;
 const NUMBER_BYTES: usize = 25;
@@ -227,9 +229,23 @@ impl Change {
     pub fn bytes(&self) -> usize {
         let names = [Some(&self.op), self.by.as_ref(), self.undoes.as_ref()].into_iter().flatten();
         let names = names.map(|name| ITEM_BYTES + name.as_str().len()).sum::<usize>();
-        let texts = text_bytes(&self.author) + self.label.bytes() + names;
+        let texts = text_bytes(&self.author) + phrase_bytes(&self.label) + names;
         STREAM_BYTES + texts + self.edits.iter().map(Edit::bytes).sum::<usize>()
     }
+}
+
+/// The most bytes of a phrase: its words, and the names around them.
+fn phrase_bytes(phrase: &Phrase) -> usize {
+    let words = match phrase {
+        Phrase::Text(text) => text_bytes(text),
+        Phrase::Number(_) => 0,
+        Phrase::List(list) => list.iter().map(phrase_bytes).sum(),
+        Phrase::Keyed(keyed) => {
+            let with = keyed.with.iter().map(|(name, phrase)| ITEM_BYTES + text_bytes(name) + phrase_bytes(phrase));
+            text_bytes(&keyed.key) + text_bytes(&keyed.english) + with.sum::<usize>()
+        }
+    };
+    PHRASE_BYTES + words
 }
 
 fn settings_bytes(settings: &Settings) -> usize {
@@ -308,6 +324,7 @@ fn text_bytes(text: &str) -> usize {
 mod tests {
     use super::{Size, record_bytes};
     use crate::{Behaviour, Change, Id, Kind, Note, Place, Record, RecordId};
+    use phrase::Phrase;
 
     fn note(text: &str) -> Record {
         Record::Note(Note::new(text.into()))
@@ -326,6 +343,18 @@ mod tests {
         let size = Size::of(&behaviour).after(&change);
         behaviour.apply(&change);
         assert_eq!(size, Size::of(&behaviour));
+    }
+
+    #[test]
+    fn a_label_is_never_larger_in_a_message_than_it_counts() {
+        let named = |with| Phrase::of("label.\u{1}", "{of}\u{2}\\", vec![("\u{3}", with)]);
+        let all =
+            [Phrase::from("\u{1}\"".repeat(300)), Phrase::Number(f64::MIN_POSITIVE), named(Phrase::List(Vec::new()))];
+        for label in all.into_iter().chain([named(named(Phrase::List(vec![Phrase::default(); 40])))]) {
+            let change = Change::of(Id::new("op").unwrap(), "Aiko", label);
+            let sent = serde_json::to_string(&change).unwrap();
+            assert!(change.bytes() >= sent.len(), "{} of {sent}", change.bytes());
+        }
     }
 
     #[test]

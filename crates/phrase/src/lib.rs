@@ -15,12 +15,18 @@ pub use key::key_of;
 pub use language::{LANGUAGES, PageLanguage, Plural};
 pub use phrase_macros::{Phrased, phrase};
 pub use phrased::Phrased;
-pub use template::{HoleValue, filled, holes};
+pub use template::{HoleValue, SAID_MAX_BYTES, filled, holes};
 
 extern crate self as phrase;
 
 use std::borrow::Cow;
 use std::fmt;
+use template::cut;
+
+/// The most parts of a sentence that lie in each other.
+const DEPTH_MAX: usize = 16;
+/// The bytes that a part of a sentence counts beside its words.
+const PART_BYTES: usize = 8;
 
 /// A sentence or a part of one. [`fmt::Display`] says it in English.
 #[derive(Clone, Debug)]
@@ -42,7 +48,7 @@ pub struct KeyedPhrase {
     pub key: Cow<'static, str>,
     /// The English: `{by} is editing {what}.`
     pub english: Cow<'static, str>,
-    /// What stands in the holes, by their names.
+    /// The phrases in the holes, by their names.
     pub with: Vec<(Cow<'static, str>, Phrase)>,
 }
 
@@ -89,7 +95,7 @@ impl Phrase {
         }
     }
 
-    /// What stands in the hole of this name.
+    /// Returns the phrase in the hole of this name.
     #[must_use]
     pub fn hole(&self, name: &str) -> Option<&Self> {
         let Self::Keyed(keyed) = self else { return None };
@@ -113,36 +119,53 @@ impl Phrase {
         }
     }
 
-    /// The bytes that it takes, about.
+    /// The bytes that it takes, about; none of its parts counts as nothing.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        match self {
+        let of_parts = match self {
             Self::Text(text) => text.len(),
-            Self::Number(_) => 8,
+            Self::Number(_) => 0,
             Self::List(list) => list.iter().map(Self::bytes).sum(),
             Self::Keyed(keyed) => {
                 let with = keyed.with.iter().map(|(name, phrase)| name.len() + phrase.bytes());
                 keyed.key.len() + keyed.english.len() + with.sum::<usize>()
             }
-        }
+        };
+        PART_BYTES + of_parts
     }
 
-    /// Says it in a language: `template` gives the words of a key there, if it has them.
+    /// Says it in a language: `template` gives the words of a key there, if it has them. What somebody made to be endless is cut:
+    /// a sentence has [`SAID_MAX_BYTES`] at most, and what lies deeper in it than any of ours is left out.
     #[must_use]
     pub fn said<'a>(&self, language: &PageLanguage, template: &dyn Fn(&str) -> Option<&'a str>) -> String {
+        self.said_within(language, template, DEPTH_MAX)
+    }
+
+    fn said_within<'a>(
+        &self,
+        language: &PageLanguage,
+        template: &dyn Fn(&str) -> Option<&'a str>,
+        depth: usize,
+    ) -> String {
+        let Some(deeper) = depth.checked_sub(1) else { return String::new() };
         match self {
             Self::Text(text) => text.clone(),
             Self::Number(number) => number.to_string(),
             Self::List(list) => {
-                let all: Vec<String> = list.iter().map(|one| one.said(language, template)).collect();
-                all.join(language.comma)
+                let all: Vec<String> = list.iter().map(|one| one.said_within(language, template, deeper)).collect();
+                cut(all.join(language.comma))
             }
             Self::Keyed(keyed) => {
                 let own = template(&keyed.key);
                 let words = if own.is_some() { language } else { &PageLanguage::ENGLISH };
+                // Each is said once, however often it stands in the sentence.
+                let said = |(name, phrase): &(Cow<'static, str>, Self)| {
+                    (name.clone(), phrase.said_within(language, template, deeper), phrase.number())
+                };
+                let with: Vec<_> = keyed.with.iter().map(said).collect();
                 filled(own.unwrap_or(&keyed.english), words, &|name| {
-                    let (_, phrase) = keyed.with.iter().find(|(hole, _)| hole == name)?;
-                    Some((phrase.said(language, template), phrase.number()))
+                    let (_, said, number) = with.iter().find(|(hole, ..)| hole == name)?;
+                    Some((said.clone(), *number))
                 })
             }
         }
@@ -165,7 +188,7 @@ impl Default for Phrase {
     }
 }
 
-/// What an old file says in words is the same as what a newer one says by its key.
+/// Words of an old file are the same as what a newer one says by its key.
 impl PartialEq for Phrase {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {

@@ -5,7 +5,10 @@ use crate::PageLanguage;
 /// Tells what stands in a hole by its name, and the number that it is.
 pub type HoleValue<'a> = &'a dyn Fn(&str) -> Option<(String, Option<f64>)>;
 
-/// What may stand before the name of a hole.
+/// The most bytes of a sentence whose holes are filled; what comes after is cut.
+pub const SAID_MAX_BYTES: usize = 32 << 10;
+
+/// The signs that may stand before the name of a hole.
 const MARKS: [char; 2] = ['^', '.'];
 
 /// Fills the holes of a sentence. `value` tells what stands in a hole, and the number that it is; a hole that nobody knows
@@ -31,9 +34,18 @@ pub fn filled(text: &str, language: &PageLanguage, value: HoleValue) -> String {
             }
         }
         rest = after;
+        if made.len() > SAID_MAX_BYTES {
+            return cut(made);
+        }
     }
     made.push_str(rest);
-    made
+    cut(made)
+}
+
+/// A text that is as long as a sentence may be.
+pub(crate) fn cut(mut text: String) -> String {
+    text.truncate(text.floor_char_boundary(SAID_MAX_BYTES));
+    text
 }
 
 /// The names of the holes of a sentence, in their order.

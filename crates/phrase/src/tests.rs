@@ -66,3 +66,22 @@ fn words_are_read_as_they_were_written() {
     assert_eq!(serde_json::from_str::<Phrase>(newer).unwrap().key(), Some("a.e"));
     assert_eq!(phrase!("a.f", "it fell"), Phrase::from("it fell"));
 }
+
+/// A label comes from whoever sits at a page: none may keep a server or the pages of others busy.
+#[test]
+fn a_sentence_that_was_made_to_be_endless_is_cut_and_every_part_counts() {
+    let nested = |english: &'static str, times: usize| {
+        (0..times).fold(Phrase::from("ha"), |of, _| Phrase::of("a.h", english, vec![("of", of)]))
+    };
+    let laughs = nested("{of}{of}{of}{of}{of}{of}{of}{of}", 14);
+    assert!(laughs.bytes() < 1_000);
+    assert_eq!(laughs.to_string().len(), crate::SAID_MAX_BYTES);
+    let twice = |_: &str| Some("{of}{of}");
+    assert_eq!(nested("", 15).said(&crate::LANGUAGES[1], &twice).len(), crate::SAID_MAX_BYTES);
+    let list = Phrase::List(vec![laughs; 3]);
+    assert_eq!(list.to_string().len(), crate::SAID_MAX_BYTES);
+    assert_eq!(nested("{of}", 200).to_string(), "", "so deep is none of ours");
+    assert_eq!(nested("{of}", 12).to_string(), "ha");
+    let empty = Phrase::List(vec![Phrase::default(); 1_000]);
+    assert!(empty.bytes() > 8_000, "parts without words count too");
+}
