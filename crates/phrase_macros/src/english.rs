@@ -1,10 +1,12 @@
 //! The English of a sentence: its words and its holes.
 
-/// What is handed in for a hole.
+use crate::faults::SentenceFault;
+
+/// An argument that is handed in for a hole.
 pub(crate) struct Argument {
     /// The name of the hole, if it is said.
     pub(crate) name: Option<String>,
-    /// Its code.
+    /// The code of its value.
     pub(crate) code: String,
 }
 
@@ -26,7 +28,7 @@ pub(crate) struct English {
 
 impl English {
     /// Reads a sentence as it is written.
-    pub(crate) fn read(written: &str) -> Result<Self, String> {
+    pub(crate) fn read(written: &str) -> Result<Self, SentenceFault> {
         let (mut text, mut holes, mut rest) = (String::new(), Vec::new(), written);
         while let Some(at) = rest.find(['{', '}']) {
             text.push_str(&rest[..at]);
@@ -36,7 +38,7 @@ impl English {
                 rest = after;
                 continue;
             }
-            let (hole, after) = after.split_once('}').filter(|_| brace == "{").ok_or("a hole is not closed")?;
+            let (hole, after) = after.split_once('}').filter(|_| brace == "{").ok_or(SentenceFault::OpenHole)?;
             let nth = holes.iter().filter(|hole: &&Hole| hole.in_order).count();
             let (made, shown) = hole_of(hole, nth);
             text.push_str(&shown);
@@ -53,7 +55,7 @@ impl English {
         key: &str,
         arguments: &[Argument],
         field: &dyn Fn(&str) -> Option<String>,
-    ) -> Result<String, String> {
+    ) -> Result<String, SentenceFault> {
         let unnamed: Vec<&Argument> = arguments.iter().filter(|argument| argument.name.is_none()).collect();
         let (mut with, mut told) = (String::new(), Vec::new());
         for hole in &self.holes {
@@ -65,10 +67,11 @@ impl English {
             let value = match (named, hole.in_order) {
                 (Some(argument), _) => argument.code.clone(),
                 (None, true) => {
-                    let nth = hole.name.parse::<usize>().map_err(|error| error.to_string())?;
-                    unnamed.get(nth).ok_or("a hole has no argument")?.code.clone()
+                    let nth = hole.name.parse::<usize>().ok();
+                    let argument = nth.and_then(|nth| unnamed.get(nth));
+                    argument.ok_or(SentenceFault::NoArgument)?.code.clone()
                 }
-                (None, false) => field(&hole.name).ok_or("a hole has no argument")?,
+                (None, false) => field(&hole.name).ok_or(SentenceFault::NoArgument)?,
             };
             let phrase = if hole.form.is_empty() {
                 format!("::phrase::Phrased::phrase(&({value}))")

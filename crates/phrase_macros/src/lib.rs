@@ -5,20 +5,23 @@
 #![warn(missing_docs)]
 
 mod english;
+mod faults;
 mod variants;
 
 use english::{Argument, English};
+use faults::SentenceFault;
 use proc_macro::{Delimiter, TokenStream, TokenTree};
+use std::fmt::Display;
 
 /// Makes a `Phrase` of its key and its English: `phrase!("Refusal.Locked", "{by} is editing {what}.")`.
-/// What is not given stands in a variable of that name.
+/// A hole without an argument is filled by the variable of that name.
 #[proc_macro]
 pub fn phrase(input: TokenStream) -> TokenStream {
     let mut parts = arguments(input).into_iter();
     let (Some(Argument { code: key, .. }), Some(Argument { code: text, .. })) = (parts.next(), parts.next()) else {
-        return wrong("phrase! takes a key and a sentence");
+        return compile_error("phrase! takes a key and a sentence");
     };
-    let Some(text) = english::unquoted(&text) else { return wrong("the sentence is no text") };
+    let Some(text) = english::unquoted(&text) else { return compile_error(SentenceFault::NoText) };
     let rest: Vec<Argument> = parts.collect();
     let unnamed: Vec<&Argument> = rest.iter().filter(|argument| argument.name.is_none()).collect();
     let value = |name: &str| match name.parse::<usize>() {
@@ -26,22 +29,22 @@ pub fn phrase(input: TokenStream) -> TokenStream {
         Err(_) => Some(name.to_owned()),
     };
     let made = English::read(&text).and_then(|read| read.code(&key, &rest, &value));
-    made.map_or_else(|why| wrong(&why), |code| parsed(&code))
+    made.map_or_else(compile_error, |code| parsed(&code))
 }
 
 /// Makes a `Phrase` of each variant by its `#[error("...")]`, under the key `Enum.Variant`; [`std::fmt::Display`] says it
 /// in English.
 #[proc_macro_derive(Phrased, attributes(error, from))]
 pub fn derive_phrased(input: TokenStream) -> TokenStream {
-    variants::implementation(input).map_or_else(|why| wrong(&why), |code| parsed(&code))
+    variants::implementation(input).map_or_else(compile_error, |code| parsed(&code))
 }
 
 fn parsed(code: &str) -> TokenStream {
-    code.parse().unwrap_or_else(|error| wrong(&format!("{error}")))
+    code.parse().unwrap_or_else(compile_error)
 }
 
-fn wrong(why: &str) -> TokenStream {
-    format!("::core::compile_error!({why:?})").parse().unwrap_or_default()
+fn compile_error(why: impl Display) -> TokenStream {
+    format!("::core::compile_error!({:?})", why.to_string()).parse().unwrap_or_default()
 }
 
 /// The parts of a list with commas; of `name = value` both.

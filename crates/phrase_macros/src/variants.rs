@@ -2,18 +2,18 @@
 
 use crate::arguments;
 use crate::english::{Argument, English, unquoted};
+use crate::faults::SentenceFault;
 use proc_macro::{Delimiter, Group, TokenStream, TokenTree};
-use std::fmt::Write;
 use std::iter::Peekable;
 
 type Tokens = Peekable<proc_macro::token_stream::IntoIter>;
 
 /// The code that says an enum.
-pub(crate) fn implementation(input: TokenStream) -> Result<String, String> {
+pub(crate) fn implementation(input: TokenStream) -> Result<String, SentenceFault> {
     let mut tokens = input.into_iter().peekable();
     let is_enum = tokens.by_ref().any(|token| token.to_string() == "enum");
-    let name = tokens.next().filter(|_| is_enum).ok_or("only an enum is said by its variants")?.to_string();
-    let body = tokens.find_map(|token| braced(&token)).ok_or("the enum has no variants")?;
+    let name = tokens.next().filter(|_| is_enum).ok_or(SentenceFault::NoEnum)?.to_string();
+    let body = tokens.find_map(|token| braced(&token)).ok_or(SentenceFault::NoVariants)?;
     let mut variants = body.stream().into_iter().peekable();
     let (mut arms, mut froms) = (String::new(), String::new());
     while let Some((said, variant, fields)) = next(&mut variants)? {
@@ -40,7 +40,7 @@ fn braced(token: &TokenTree) -> Option<Group> {
 }
 
 /// The sentence, the name and the fields of the next variant.
-fn next(tokens: &mut Tokens) -> Result<Option<(TokenStream, String, Option<Group>)>, String> {
+fn next(tokens: &mut Tokens) -> Result<Option<(TokenStream, String, Option<Group>)>, SentenceFault> {
     let mut said = None;
     while let Some(token) = tokens.next() {
         match token {
@@ -54,16 +54,16 @@ fn next(tokens: &mut Tokens) -> Result<Option<(TokenStream, String, Option<Group
                 if fields.is_some() {
                     tokens.next();
                 }
-                let said = said.ok_or_else(|| format!("{name} has no sentence"))?;
+                let said = said.ok_or_else(|| SentenceFault::NoSentence(name.to_string()))?;
                 return Ok(Some((said, name.to_string(), fields)));
             }
-            TokenTree::Literal(_) => return Err("a variant is no number here".to_owned()),
+            TokenTree::Literal(_) => return Err(SentenceFault::Numbered),
         }
     }
     Ok(None)
 }
 
-/// What stands in `[error(...)]`.
+/// Returns the tokens in `[error(...)]`.
 fn sentence(attribute: &Group) -> Option<TokenStream> {
     let mut tokens = attribute.stream().into_iter();
     let is_error = tokens.next()?.to_string() == "error";
@@ -73,9 +73,9 @@ fn sentence(attribute: &Group) -> Option<TokenStream> {
     }
 }
 
-fn arm(variant: &str, fields: Option<&Group>, said: &TokenStream, key: &str) -> Result<String, String> {
+fn arm(variant: &str, fields: Option<&Group>, said: &TokenStream, key: &str) -> Result<String, SentenceFault> {
     let mut parts = arguments(said.clone()).into_iter();
-    let text = parts.next().and_then(|text| unquoted(&text.code)).ok_or("the sentence is no text")?;
+    let text = parts.next().and_then(|text| unquoted(&text.code)).ok_or(SentenceFault::NoText)?;
     let rest: Vec<Argument> = parts.map(|part| Argument { name: part.name, code: bound(&part.code) }).collect();
     let binding = match fields {
         None => String::new(),
@@ -87,9 +87,7 @@ fn arm(variant: &str, fields: Option<&Group>, said: &TokenStream, key: &str) -> 
     };
     let field = |name: &str| Some(if name.parse::<usize>().is_ok() { format!("_{name}") } else { name.to_owned() });
     let made = English::read(&text)?.code(key, &rest, &field)?;
-    let mut arm = String::new();
-    write!(arm, "Self::{variant}{binding} => {made},").map_err(|error| error.to_string())?;
-    Ok(arm)
+    Ok(format!("Self::{variant}{binding} => {made},"))
 }
 
 /// The code that makes the fault of what stands in it, where `#[from]` says so.
