@@ -177,7 +177,7 @@ pub(crate) fn sentence(error: &QiError) -> Phrase {
              know why, choose “Change the address” here, and look at it again."
             )
         }
-        (ConnectionStage::Tls, ConnectError::Tls(why)) if why.contains("in the clear") => {
+        (ConnectionStage::Tls, ConnectError::InTheClear) => {
             phrase!(
                 "nao.user_and_password_are_only",
                 "User and password are only said in secret. Leave them out, or leave out the port, or write :9503."

@@ -87,7 +87,7 @@ impl RobotSettings {
         if is_secure(address) || (self.login.is_none() && self.trusted.is_none()) {
             return Ok(());
         }
-        let cause = ConnectError::Tls("a password is not said in the clear".to_owned());
+        let cause = ConnectError::InTheClear;
         Err(QiError::Connect { stage: ConnectionStage::Tls, cause })
     }
 

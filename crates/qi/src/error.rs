@@ -54,6 +54,9 @@ pub enum ConnectError {
     /// The other side speaks no TLS that we do.
     #[error("the encryption could not be agreed on: {0}")]
     Tls(String),
+    /// User and password are only said in secret, and the address is not.
+    #[error("the encryption could not be agreed on: a password is not said in the clear")]
+    InTheClear,
     /// The certificate is not the one that was trusted: another robot, a reset one, or somebody in between.
     #[error("the certificate changed: {found} is not {expected}, which was trusted before")]
     CertificateChanged {
@@ -231,6 +234,7 @@ impl ConnectError {
         match self {
             Self::Io(_) | Self::UnknownHost(_) | Self::Timeout(_) => true,
             Self::Tls(_)
+            | Self::InTheClear
             | Self::CertificateChanged { .. }
             | Self::Refused(_)
             | Self::UnknownLogin
