@@ -1,18 +1,16 @@
-//! What an action does for a while, as bars of two runs: what comes again within a second goes on.
+//! Bars of actions that last, in two runs: what comes again within a second goes on.
 //!
-//! First bars whose both ends are at most [`END_MS`] apart are pairs, the earliest first, and pairs never cross: they are the
+//! First bars whose both ends are at most [`SAME_END_MS`] apart are pairs, the earliest first, and pairs never cross: they are the
 //! same, whatever numbers they carry. Between two such pairs the others are moved, where bars overlap or begin at most
 //! [`MOVED_MS`] apart, the earliest first and again without crossing. What is left came in one of both runs only.
 
 use crate::matched::{CameMoment, EQUAL_MS, Found, MOVED_MS, Matched, same};
 use behaviour::{FileStream, StreamKind, Value};
-use protocol::MomentChange;
+use protocol::{MomentChange, SAME_END_MS};
 use robot::{Pace, Resource, Shape};
 
 /// The silence that ends a bar, in milliseconds.
 pub(crate) const JOINED_MS: u64 = 1_000;
-/// The most milliseconds between two ends that count as the same.
-pub(crate) const END_MS: u64 = 200;
 /// The most bars of one side that wait; of more, those that are known are compared at once.
 const WAITING_MAX: usize = 20_000;
 /// The most bars among which the twin of one is sought.
@@ -23,7 +21,7 @@ const SOUGHT_MAX: usize = 256;
 pub(crate) enum GoesOn {
     /// Only the same ones: each is said by itself.
     Same,
-    /// Whatever numbers they carry: the robot is held or led by them.
+    /// Values with any numbers go on: the robot is held or led by them.
     AnyNumber,
     /// All of them: only that one comes matters.
     Anything,
@@ -239,9 +237,9 @@ impl UntakenBars {
 fn pairs(goes_on: GoesOn, before: &[ActionBar], now: &[ActionBar]) -> Vec<(usize, usize)> {
     let (mut pairs, mut next) = (Vec::new(), 0);
     for (at, bar) in before.iter().enumerate() {
-        let first = now.partition_point(|now| now.from_ms + END_MS < bar.from_ms).max(next);
+        let first = now.partition_point(|now| now.from_ms + SAME_END_MS < bar.from_ms).max(next);
         let some = (first..now.len()).take(SOUGHT_MAX);
-        let mut some = some.take_while(|twin| now[*twin].from_ms <= bar.from_ms + END_MS);
+        let mut some = some.take_while(|twin| now[*twin].from_ms <= bar.from_ms + SAME_END_MS);
         if let Some(twin) = some.find(|twin| is_same(goes_on, bar, &now[*twin])) {
             pairs.push((at, twin));
             next = twin + 1;
@@ -252,7 +250,7 @@ fn pairs(goes_on: GoesOn, before: &[ActionBar], now: &[ActionBar]) -> Vec<(usize
 
 fn is_same(goes_on: GoesOn, before: &ActionBar, now: &ActionBar) -> bool {
     let ends = [(before.from_ms, now.from_ms), (before.until_ms, now.until_ms)];
-    ends.into_iter().all(|(one, other)| one.abs_diff(other) <= END_MS) && goes_on.joins(&before.value, &now.value)
+    ends.into_iter().all(|(one, other)| one.abs_diff(other) <= SAME_END_MS) && goes_on.joins(&before.value, &now.value)
 }
 
 fn is_moved(goes_on: GoesOn, before: &ActionBar, now: &ActionBar) -> bool {

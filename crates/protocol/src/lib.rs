@@ -41,7 +41,7 @@ pub use past::{
     EditedHelper, EditedProgram, INTERRUPTIONS_MAX, Interrupted, Interruption, LANE_COLUMNS_MAX, LANE_VALUES_MAX,
     LANES_MAX, LOOKED_NAME_MAX_BYTES, LaneColumn, LaneName, LaneValue, LaneValues, MomentChange, NotSeen, NumberFix,
     OpenedPast, PAST_MARKS_MAX_BYTES, PAST_PROGRAMS_MAX, PAST_STREAMS_MAX_BYTES, PastAnswer, PastChanges, PastLane,
-    PastMoment, PastOf, PastProgram, PastProgramPart, PastQuestion, PastStream, ToldWhy, WhySentence,
+    PastMoment, PastOf, PastProgram, PastProgramPart, PastQuestion, PastStream, SAME_END_MS, ToldWhy, WhySentence,
 };
 pub use person::{CanvasArea, Credential, LookedMoment, Person, Pointer};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, FoundRobot, LOGIN_MAX_CHARS, RealRobot, RobotFindings};

@@ -182,7 +182,7 @@ pub struct Press {
     pub params: Params,
     /// The value that the action was told, or that the sense seemed to give.
     pub value: Value,
-    /// Why nothing came of it, in one sentence, if so.
+    /// The reason why nothing came of it, in one sentence, if so.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<Phrase>,
 }

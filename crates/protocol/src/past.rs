@@ -29,6 +29,9 @@ pub const CHANGED_LIMITS_MAX: usize = 24;
 /// The most stretches that one stream tells of when anything came; of more, those that are nearest to each other are one.
 pub const CHANGED_STRETCHES_MAX: usize = 120;
 
+/// The most milliseconds between the ends of two bars that count as the same.
+pub const SAME_END_MS: u64 = 200;
+
 /// The longest name of a recording of which others are told that somebody looks at it, in bytes: as long as that of a file.
 pub const LOOKED_NAME_MAX_BYTES: usize = 255;
 

@@ -64,7 +64,7 @@ pub enum CheckStage {
 pub struct CheckStep {
     /// Which step.
     pub stage: CheckStage,
-    /// Why it failed and what to do, in one sentence; none if it went well. After a failure no step follows.
+    /// The failure and what to do, in one sentence; none if it went well. After a failure no step follows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub failed: Option<Phrase>,
 }

@@ -5,7 +5,7 @@ use behaviour::{Problem, Refusal};
 use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
 
-/// Why something was not done. [`Phrased`] says it in one sentence.
+/// The reason why something was not done. [`Phrased`] says it in one sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Refused {

@@ -36,7 +36,7 @@ use lanes::{Density, LaneAct, Viewer};
 use leptos::html;
 use leptos::leptos_dom::helpers::IntervalHandle;
 use leptos::prelude::*;
-use media::{COARSE, IN_PLACE, LOW, NARROW, holds, when_changed};
+use media::{COARSE, IN_PLACE, LOW, NARROW, holds, when_changed, while_holds};
 use protocol::{OpenedPast, PastOf};
 use std::sync::Arc;
 use wasm_bindgen::JsCast;
@@ -297,13 +297,7 @@ fn target(event: &web_sys::Event) -> Option<web_sys::Element> {
 
 /// True while this stands in the place of the graph. While something is compared the graph is in view too, but on a low window.
 fn hides_graph(past: PastShared) -> Memo<bool> {
-    let [in_place, is_low] = [IN_PLACE, LOW].map(|query| {
-        let now = RwSignal::new(holds(query));
-        when_changed(query, move || {
-            now.try_set(holds(query));
-        });
-        now
-    });
+    let [in_place, is_low] = [IN_PLACE, LOW].map(while_holds);
     let is_beside = move || past.then.is_folded.get() || past.compare.is_on.get() && !is_low.get();
     Memo::new(move |_| in_place.get() && !is_beside())
 }

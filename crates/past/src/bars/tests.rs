@@ -1,13 +1,14 @@
 //! Bars of two runs against the plain meaning over whole lists.
 
-use super::{ActionBar, END_MS, FoundBar, GoesOn, JOINED_MS, MatchedBars};
+use super::{ActionBar, FoundBar, GoesOn, JOINED_MS, MatchedBars};
 use crate::matched::MOVED_MS;
 use behaviour::{BehaviourFile, Value};
+use protocol::SAME_END_MS;
 use std::collections::BTreeMap;
 
 type Came = (u64, Value);
 
-/// What is found while both runs are played side by side, `step_ms` at a time.
+/// Returns what is found while both runs are played side by side, `step_ms` at a time.
 fn side_by_side(goes_on: GoesOn, before: &[Came], now: &[Came], step_ms: u64) -> Vec<FoundBar> {
     let (mut matched, mut found) = (MatchedBars::of(goes_on), Vec::new());
     let end_ms = before.iter().chain(now).map(|came| came.0).max().unwrap_or(0);
@@ -62,7 +63,7 @@ fn plain(goes_on: GoesOn, before: &[Came], now: &[Came]) -> Vec<FoundBar> {
     let near = |one: u64, other: u64, most: u64| one.max(other) - one.min(other) <= most;
     let same = |one: &PlainBar, other: &PlainBar| {
         let ((from, until), (begins, ends)) = (ends(one), ends(other));
-        near(from, begins, END_MS) && near(until, ends, END_MS) && joins(&one[0].1, &other[0].1)
+        near(from, begins, SAME_END_MS) && near(until, ends, SAME_END_MS) && joins(&one[0].1, &other[0].1)
     };
     let moved = |one: &PlainBar, other: &PlainBar| {
         let ((from, until), (begins, ends)) = (ends(one), ends(other));

@@ -19,6 +19,30 @@ fn looks(at: Option<LookedMoment>) -> request::PresentMoment {
     request::PresentMoment { at }
 }
 
+/// A house with a recording that Aiko has opened, and Ben beside her in the same program.
+struct Together {
+    house: House,
+    aiko: Client,
+    play: Id,
+    ben: Client,
+    /// Aiko's client.
+    me: Id,
+    past: PastOf,
+    /// The data folder, kept for as long as the house stands.
+    folder: tempfile::TempDir,
+}
+
+async fn together() -> Together {
+    let folder = tempfile::tempdir().unwrap();
+    put(folder.path(), NEAR, &near(100, "ball.cm"));
+    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
+    let ((aiko, play), ben) = (house.maker("Aiko").await, house.person("Ben").await);
+    ben.load(&play).await.unwrap();
+    let (me, past) = (aiko.you().client.clone(), recorded(NEAR));
+    ask(&aiko, &past, PastQuestion::Open).await.unwrap();
+    Together { house, aiko, play, ben, me, past, folder }
+}
+
 /// The people that are told next.
 async fn people(of: &mut Client) -> Vec<Person> {
     let mut told = Vec::new();
@@ -45,13 +69,7 @@ async fn until(of: &mut Client, whose: &Id, wanted: Option<&LookedMoment>) -> Ve
 
 #[tokio::test]
 async fn others_hear_at_which_moment_of_which_past_somebody_looks() {
-    let folder = tempfile::tempdir().unwrap();
-    put(folder.path(), NEAR, &near(100, "ball.cm"));
-    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
-    let ((aiko, play), mut ben) = (house.maker("Aiko").await, house.person("Ben").await);
-    ben.load(&play).await.unwrap();
-    let (me, past) = (aiko.you().client.clone(), recorded(NEAR));
-    ask(&aiko, &past, PastQuestion::Open).await.unwrap();
+    let Together { house, aiko, play, mut ben, me, past, folder: _folder } = together().await;
     let first = moment(&past, 2_600);
     aiko.tell(looks(Some(first.clone()))).await.unwrap();
     until(&mut ben, &me, Some(&first)).await;
@@ -92,13 +110,7 @@ async fn others_hear_at_which_moment_of_which_past_somebody_looks() {
 
 #[tokio::test]
 async fn of_many_moments_the_newest_is_told_and_stop_comes_between() {
-    let folder = tempfile::tempdir().unwrap();
-    put(folder.path(), NEAR, &near(100, "ball.cm"));
-    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
-    let ((aiko, play), mut ben) = (house.maker("Aiko").await, house.person("Ben").await);
-    ben.load(&play).await.unwrap();
-    let (me, past) = (aiko.you().client.clone(), recorded(NEAR));
-    ask(&aiko, &past, PastQuestion::Open).await.unwrap();
+    let Together { house, aiko, mut ben, me, past, folder: _folder, .. } = together().await;
     for at_ms in 1..=100 {
         aiko.tell(looks(Some(moment(&past, at_ms)))).await.unwrap();
     }
@@ -117,13 +129,7 @@ async fn of_many_moments_the_newest_is_told_and_stop_comes_between() {
 
 #[tokio::test]
 async fn a_link_that_is_lost_looks_nowhere_until_it_says_so_again() {
-    let folder = tempfile::tempdir().unwrap();
-    put(folder.path(), NEAR, &near(100, "ball.cm"));
-    let house = House::beside(Arc::new(MemoryStore::default()), folder.path()).await;
-    let ((aiko, play), mut ben) = (house.maker("Aiko").await, house.person("Ben").await);
-    ben.load(&play).await.unwrap();
-    let (me, past) = (aiko.you().client.clone(), recorded(NEAR));
-    ask(&aiko, &past, PastQuestion::Open).await.unwrap();
+    let Together { house, aiko, play, mut ben, me, past, folder: _folder } = together().await;
     let at = moment(&past, 2_600);
     aiko.tell(looks(Some(at.clone()))).await.unwrap();
     until(&mut ben, &me, Some(&at)).await;

@@ -1,11 +1,8 @@
-//! What changes, counted and in words.
+//! Changes, counted and in words.
 
 use crate::words;
 use lanes::DotChange;
-use protocol::{ChangedMoment, ChangedStream, MomentChange};
-
-/// The most milliseconds by which an end of a bar is elsewhere and counts as the same.
-const SAME_END_MS: f64 = 200.0;
+use protocol::{ChangedMoment, ChangedStream, MomentChange, SAME_END_MS};
 
 /// The numbers of moments of streams that are the same, and that are not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -82,16 +79,20 @@ pub(super) fn change_words(t: f64, change: DotChange) -> String {
         DotChange::OnlyBefore => words::is_only_before().to_owned(),
         DotChange::OtherNumbers => words::has_other_numbers().to_owned(),
         DotChange::MovedTo(to) => moved_words(to - t),
-        DotChange::BarTo(to, longer) if longer.abs() <= SAME_END_MS => moved_words(to - t),
+        DotChange::BarTo(to, longer) if is_same_end(longer) => moved_words(to - t),
         DotChange::BarTo(to, longer) => {
-            let begins = (to - t).abs() > SAME_END_MS;
-            let begins = begins.then(|| {
+            let begins = (!is_same_end(to - t)).then(|| {
                 let by = words::moved_by((to - t).abs() as u64);
                 if to < t { words::begins_earlier(&by) } else { words::begins_later(&by) }
             });
             words::listed(begins.into_iter().chain([longer_words(longer)]))
         }
     }
+}
+
+/// True if an end of a bar that is elsewhere by so many milliseconds counts as the same.
+fn is_same_end(by: f64) -> bool {
+    by.abs() <= SAME_END_MS as f64
 }
 
 fn moved_words(shift: f64) -> String {
@@ -108,7 +109,7 @@ fn longer_words(longer: f64) -> String {
 pub(super) fn moved_short(t: f64, change: DotChange) -> String {
     match change {
         DotChange::MovedTo(to) => words::moved_by((to - t).abs() as u64),
-        DotChange::BarTo(to, longer) if longer.abs() <= SAME_END_MS => words::moved_by((to - t).abs() as u64),
+        DotChange::BarTo(to, longer) if is_same_end(longer) => words::moved_by((to - t).abs() as u64),
         DotChange::BarTo(_, longer) => longer_words(longer),
         DotChange::Same | DotChange::OnlyNow | DotChange::OnlyBefore | DotChange::OtherNumbers => String::new(),
     }

@@ -1,7 +1,7 @@
 //! The marks of a past as a list: a press goes there. It stands at the left of the graph while that shows the past; in a smaller
 //! window it is opened beside the lanes, or below them.
 
-use super::media::{holds, page_element, when_changed};
+use super::media::{page_element, while_holds};
 use super::{PastShared, clock, target};
 use crate::browser;
 use crate::desk::initials;
@@ -26,12 +26,12 @@ const WIDE: &str = "(min-width: 1200px) and (min-height: 521px)";
 /// A mark as it is listed.
 #[derive(Clone, Debug, PartialEq)]
 struct ListedMark {
-    /// Its moment, and the end of a span, in milliseconds since the first moment that is known.
+    /// The moment, and the end of a span, in milliseconds since the first moment that is known.
     t: f64,
     until: Option<f64>,
     time: String,
     text: String,
-    /// What else is said of it: its verdict, a note, how long it went on.
+    /// Words beside its name: the verdict, a note, how long it went on.
     more: String,
     by: String,
 }
@@ -75,10 +75,7 @@ fn current(all: &[ListedMark], cursor: f64) -> Option<f64> {
 /// The list in its place at the left, for as long as the graph shows the past.
 #[component]
 pub(super) fn MarksAtLeft(past: PastShared) -> impl IntoView {
-    let is_wide = RwSignal::new(holds(WIDE));
-    when_changed(WIDE, move || {
-        is_wide.try_set(holds(WIDE));
-    });
+    let is_wide = while_holds(WIDE);
     let is_left = Memo::new(move |_| is_wide.get() && past.then.at.get().is_some());
     Effect::new(move |_| past.marks_left.set(is_left.get()));
     view! {

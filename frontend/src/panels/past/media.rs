@@ -46,6 +46,15 @@ pub(super) fn when_changed(query: &str, mut changed: impl FnMut() + 'static) {
     });
 }
 
+/// A signal that is true while this holds, as long as the component is there that is being made.
+pub(super) fn while_holds(query: &'static str) -> RwSignal<bool> {
+    let now = RwSignal::new(holds(query));
+    when_changed(query, move || {
+        now.try_set(holds(query));
+    });
+    now
+}
+
 impl Drop for MediaWatch {
     fn drop(&mut self) {
         let _ = self.0.remove_event_listener_with_callback("change", self.1.as_ref().unchecked_ref());
