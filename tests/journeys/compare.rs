@@ -10,9 +10,9 @@ use shell::Client;
 const CHIP: &str = "filter (distance < 0.5), connector from Distance to Close ball";
 /// The sum of what changes, in words.
 const COUNTS: &str = "(document.querySelector('.past-counts')?.innerText ?? '')";
-/// When what is nearer than 0.5 m, and not than 0.4 m, is seen first.
+/// The moment at which what is nearer than 0.5 m, and not than 0.4 m, is seen first.
 const FIRST_MS: u64 = 5_200;
-/// What says that something is not as it was.
+/// The words that say that something is not as it was.
 const CHANGED: &str = "/only (now|before)|moved/";
 /// True once nothing changes.
 const ALL_SAME: &str = "document.querySelector('.past-sum')?.textContent === 'Nothing would be different.'";

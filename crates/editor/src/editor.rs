@@ -75,7 +75,7 @@ pub struct Editor {
     pub hidden: Watched<BTreeMap<Id, Id>>,
     /// Everyone in the open program, this person included.
     pub people: Watched<Vec<Person>>,
-    /// Whose view is looked at here.
+    /// The client whose view is looked at here.
     pub following: Watched<Option<Id>>,
 
     pub(crate) confirmed: Behaviour,
@@ -118,7 +118,7 @@ pub struct Me {
     pub client: Option<Id>,
     /// The name that others see.
     pub name: String,
-    /// Why this person may not edit, if so.
+    /// The reason why this person may not edit, if so.
     pub refused: Option<Refused>,
 }
 

@@ -43,7 +43,7 @@ impl Selected {
     }
 }
 
-/// Where the keyboard goes.
+/// The part that gets the keyboard.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FocusTarget {
     /// To a part of the graph, as soon as it is drawn.

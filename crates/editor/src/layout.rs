@@ -1,4 +1,4 @@
-//! Where things stand: the free spot for what is new, tidying everything, and what stands where nobody placed it.
+//! The places of things: the free spot for what is new, tidying everything, and what stands where nobody placed it.
 
 mod spot;
 mod tidy;
@@ -16,7 +16,7 @@ pub const CHIP_HEIGHT: f64 = 28.0;
 pub const WIDTH_MAX: f64 = 260.0;
 /// Kept free at the right of every stream for its live value.
 pub const VALUE_ROOM: f64 = 180.0;
-/// Where all is tidy there is less: enough for a number with its unit.
+/// A tidy graph leaves less: enough for a number with its unit.
 const TIDY_VALUE_ROOM: f64 = 96.0;
 /// The grid things snap to, so that what looks aligned is aligned.
 const GRID: f64 = 10.0;

@@ -36,10 +36,10 @@ struct ComparedStream {
     moments: Option<ComparedMoments>,
 }
 
-/// What of both runs of a stream waits for its twin.
+/// The bars of both runs of a stream that wait for their twins.
 enum StreamMatching {
     Moments(Matched),
-    /// What an action does for a while.
+    /// An action that goes on for a while.
     Bars(Box<MatchedBars>),
 }
 

@@ -30,12 +30,12 @@ struct Miss {
 /// A way on which a value would have come: what kept it back, told by one value or by another one. The first is the nearest miss.
 pub(crate) struct BlockedWay {
     pub(crate) told_by: Vec<BlockedConnector>,
-    /// How far the nearest miss was from passing; none where nothing can be measured.
+    /// The distance of the nearest miss from passing; none where nothing can be measured.
     distance: Option<f64>,
 }
 
 impl BlockedWay {
-    /// What is told of it, short enough to be sent.
+    /// The part that is told of it, short enough to be sent.
     pub(crate) fn told(&self) -> Option<BlockedConnector> {
         let told = self.told_by.first()?;
         Some(BlockedConnector { value: cut(&told.value), ..told.clone() })

@@ -1,4 +1,4 @@
-//! What an opened past keeps besides its readings: counted in its bytes, and bounded whatever a recording says.
+//! An opened past counts what it keeps besides its readings in its bytes, and bounds it whatever a recording says.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 use behaviour::{AnyKnowledge, BehaviourFile, Id, Value};

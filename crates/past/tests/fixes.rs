@@ -1,4 +1,4 @@
-//! Why nothing came, with the number that would have let it come: programs in which one test keeps everything back. The nearest
+//! Programs in which one test keeps everything back: why nothing came, with the number that would have let it come. The nearest
 //! miss is told, which is seldom the last value. The program with the other number is run over the same readings from the
 //! beginning, and the action comes; where no single number helps, none is told.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]

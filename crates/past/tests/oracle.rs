@@ -223,7 +223,7 @@ fn causes_are_those_that_a_replay_from_the_beginning_tells() {
 /// The tests of these graphs that compare with numbers.
 const TESTS: [&str; 4] = ["a > 2", "a == 3 || a < 0", "a != 1 && a <= 5", "a.x > 1"];
 
-/// How far a value is from passing a test of these graphs, as a part of the number beside it: each test worked out by hand.
+/// The distance of a value from passing a test of these graphs, as a part of the number beside it: each test worked out by hand.
 /// None if it passes, if it is nothing that such a test compares, or if no other number is what it needs.
 fn distance(body: &str, value: &Value) -> Option<f64> {
     let number = value.as_number();
@@ -236,7 +236,7 @@ fn distance(body: &str, value: &Value) -> Option<f64> {
     }
 }
 
-/// What has to be told of a connector that kept values back: of all that came to it in a time the one that was nearest to passing,
+/// Returns what has to be told of a connector that kept values back: of all that came in a time the one nearest to passing,
 /// of several the newest. With how far that was; none where nothing can be measured and the last one is told.
 fn nearest(scene: &Scene, last: &BlockedConnector, (from, until): (u64, u64)) -> (BlockedConnector, Option<f64>) {
     let connector = scene.file.connectors.iter().find(|one| one.id == last.connector).unwrap();

@@ -43,11 +43,11 @@ pub struct PageLanguage {
     pub locale: &'static str,
     /// The name of the language in itself.
     pub name: &'static str,
-    /// What a press on the name does, in that language.
+    /// The work of a press on the name, in that language.
     pub page_in: &'static str,
     /// The words that go with a number.
     pub plural: Plural,
-    /// What stands between the parts of a list.
+    /// The text between the parts of a list.
     pub comma: &'static str,
 }
 

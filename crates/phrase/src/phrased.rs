@@ -1,4 +1,4 @@
-//! What can stand in a sentence.
+//! Types that can stand in a sentence.
 
 use crate::{Phrase, phrase};
 use std::borrow::Cow;

@@ -90,7 +90,7 @@ impl<'de> Visitor<'de> for PhraseVisitor {
     }
 }
 
-/// What stands in the holes.
+/// The phrases in the holes.
 struct KeyedPairs(Vec<(Cow<'static, str>, Phrase)>);
 
 impl<'de> Deserialize<'de> for KeyedPairs {

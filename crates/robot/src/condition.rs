@@ -115,6 +115,6 @@ impl Control {
 pub struct Lacking {
     /// The device's name.
     pub device: String,
-    /// Why not, in a few words: "it has no wrists".
+    /// The reason in a few words: "it has no wrists".
     pub why: Phrase,
 }

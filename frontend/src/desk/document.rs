@@ -71,7 +71,7 @@ pub(crate) struct DocumentFields {
     pub(crate) notes: ArcRwSignal<Vec<String>>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
-    /// Whose view is looked at here.
+    /// The client whose view is looked at here.
     pub(crate) following: ArcRwSignal<Option<Id>>,
     /// In file order; changes only when one is added, removed or moved in order.
     pub(crate) stream_ids: ArcRwSignal<Vec<Id>>,

@@ -184,7 +184,7 @@ pub(crate) struct TabFields {
     pub(crate) to_graph: ArcRwSignal<bool>,
     /// The program that this tab asked to be removed, until that is answered.
     pub(super) removing: ArcRwSignal<Option<Id>>,
-    /// Where the keyboard goes, as the part of the graph that had it is gone.
+    /// The part that gets the keyboard, as the one that had it is gone.
     pub(crate) keyboard: ArcRwSignal<Option<FocusTarget>>,
     /// True if the page is being printed: all of the graph is shown then.
     pub(crate) printing: ArcRwSignal<bool>,

@@ -424,7 +424,7 @@ fn stop() -> Catalogue {
     said.into_iter().chain(own).map(|(key, text)| (format!("stop.{key}"), text)).collect()
 }
 
-/// What is said of senses, actions and connectors, of helpers, templates and tasks.
+/// Sentences about senses, actions and connectors, of helpers, templates and tasks.
 fn of_the_catalogue() -> Catalogue {
     let mut all = Catalogue::new();
     let mut put = |key: String, text: &str| drop(all.insert(key, text.to_owned()));

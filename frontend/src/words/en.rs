@@ -1070,7 +1070,7 @@ pub(crate) fn helper_item(helper: &behaviour::Helper) -> String {
     robot::helper_label(helper).map_or(technical.clone(), |label| format!("{} · {technical}", word(label)))
 }
 
-/// What a helper does, in a sentence: what comes with rrp is said in the language of the page.
+/// Says what a helper does, in a sentence: one that comes with rrp in the language of the page.
 pub(crate) fn what_helper_does(helper: &behaviour::Helper) -> String {
     robot::helper_label(helper)
         .map_or_else(|| helper.says.clone(), |_| said_of(&format!("helper.{}.says", helper.name), &helper.says))
@@ -1081,7 +1081,7 @@ pub(crate) fn template_name(template: &protocol::Summary) -> String {
     said_of(&format!("template.{}", template.id), &template.name)
 }
 
-/// What a template does, or what one does in a task.
+/// Says what a template does, or what one does in a task.
 pub(crate) fn template_says(template: &protocol::Summary) -> String {
     said_of(&format!("template.{}.says", template.id), &template.by)
 }

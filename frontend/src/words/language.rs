@@ -22,7 +22,7 @@ thread_local! {
     static IN_ENGLISH: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What is said in English, for finding something by its English name too.
+/// Says something in English, for finding it by its English name too.
 pub(crate) fn in_english<T>(say: impl FnOnce() -> T) -> T {
     IN_ENGLISH.set(true);
     let said = say();
@@ -99,7 +99,7 @@ fn fill_in(text: &str, language: &PageLanguage, holes: &[(&str, &dyn Display)]) 
     })
 }
 
-/// What a refusal, a fault, a problem or a robot says.
+/// Says a refusal, a fault, a problem or the words of a robot.
 pub(crate) fn shown(what: &impl Phrased) -> String {
     say(&what.phrase())
 }

@@ -1,4 +1,4 @@
-//! What the other rooms say reaches the page as data, and has its Japanese.
+//! Sentences of the other rooms reach the page as data, and have their Japanese.
 
 use super::complete_tests::{folder, read};
 use super::language::{shown, speak};

@@ -1,4 +1,4 @@
-//! Where everything stands on this page: as it is saved, else in a free spot for as long as the page is open. And a program of
+//! The places of everything on this page: as they are saved, else a free spot for as long as the page is open. And a program of
 //! the past that is shown in place of the open one, only to look at.
 
 use crate::layout::{self, DrawnSizes, Tidy, snapped};

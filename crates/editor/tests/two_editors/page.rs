@@ -65,7 +65,7 @@ pub(crate) struct Page {
     /// The records that were drawn anew.
     pub(crate) redrawn: Vec<RecordId>,
     gestures: u64,
-    /// Why this person may not edit, if so.
+    /// The reason why this person may not edit, if so.
     pub(crate) refused: Option<Refused>,
     /// The answers to their gestures.
     pub(crate) answers: Vec<Result<(), Refused>>,

@@ -610,7 +610,7 @@ fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_later()
     table.cut(AIKO);
     table.does(AIKO, |page| page.write(0));
     let (undo, redo) = (false, true);
-    // What each step shows, how much waits then, and what redo would do.
+    // Each step: the text that it shows, the number of changes that wait then, and what redo would do.
     let steps = [
         (undo, text("Aiko wrote 1"), 0, Some("Edit Aiko wrote 2")),
         (undo, None, 1, Some("Edit Aiko wrote 1")),

@@ -1,4 +1,4 @@
-//! How nearly a value passed a test that kept it back.
+//! The distance of a value from passing a test that kept it back.
 
 use super::fix::KeptSide;
 use crate::test::{TestSide, comparisons};

@@ -73,7 +73,7 @@ impl Document {
         self.drafted.read().is_some() || *self.saving.read() != Saving::Saved
     }
 
-    /// Why nothing can be made of what is typed, if that is so. Reactive.
+    /// Returns the reason why nothing can be made of what is typed, if that is so. Reactive.
     pub(crate) fn unready(&self) -> Option<String> {
         match self.drafted.read().as_ref().map(|draft| &draft.what) {
             Some(DraftedWhat::Unready(why)) => Some(why.clone()),

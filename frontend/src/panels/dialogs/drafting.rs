@@ -1,4 +1,4 @@
-//! What is typed in a dialog counts while somebody compares, before it is saved: it is handed on once a hand rests, and what
+//! Drafts of dialogs count while somebody compares, before they are saved: each is handed on once a hand rests, and what
 //! would come of it stands in the dialog.
 
 use crate::browser;

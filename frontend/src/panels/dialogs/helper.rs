@@ -147,7 +147,7 @@ fn drafted(fields: HelperFields) -> Option<DraftedWhat> {
     })
 }
 
-/// Why its name or one of its parameters is none that a procedure can have.
+/// Returns the reason why its name or one of its parameters is none that a procedure can have.
 fn bad_name(helper: &Helper) -> Option<Refusal> {
     let mut names = std::iter::once(&helper.name).chain(&helper.params);
     names.find(|name| !behaviour::is_identifier(name)).map(|bad| Refusal::Identifier(bad.clone()))

@@ -55,7 +55,7 @@ pub(super) struct CompareState {
     pub(super) is_on: RwSignal<bool>,
     pub(super) form: RwSignal<CompareForm>,
     pub(super) changes: RwSignal<Option<Arc<PastChanges>>>,
-    /// Why there is no comparison, or none of what is typed just now.
+    /// The reason why there is no comparison, or none of what is typed just now.
     pub(super) trouble: RwSignal<Option<String>>,
     /// True if what is shown is of before, as nothing can be made of what is typed just now.
     pub(super) is_old: RwSignal<bool>,

@@ -1,4 +1,4 @@
-//! What a comparison changes in the lanes: those that changed first, each with what is not the same, and numbers of conditions.
+//! Lanes while two programs are compared: those that changed first, each with what is not the same, and numbers of conditions.
 
 use super::PastShared;
 use super::compare_counts::{ChangeCounts, dot_change, moved_short};

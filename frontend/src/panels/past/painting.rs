@@ -52,7 +52,7 @@ impl LaneTheme {
 pub(super) struct Painter<'t> {
     pen: CanvasRenderingContext2d,
     theme: &'t LaneTheme,
-    /// What the pen is set to, so that it is told only what is another.
+    /// The state of the pen, so that it is told only what is another.
     fills: Cell<Option<Ink>>,
     strokes: Cell<Option<Ink>>,
     width: Cell<f64>,

@@ -195,7 +195,7 @@ fn MarksLabel(past: PastShared, row: Memo<Row>) -> impl IntoView {
 /// The lanes by their keys, with their sorts.
 type ShownKeys = Vec<(String, LaneKind)>;
 
-/// What a lane had at the cursor.
+/// The value of a lane at the cursor.
 #[derive(Clone, Debug, PartialEq)]
 enum AtCursor {
     /// Nothing came by then.

@@ -11,7 +11,7 @@ const TELL_MS: f64 = 100.0;
 /// The time after which it is looked whether the others know the moment: a link may have been lost meanwhile.
 const KNOWN_EVERY: Duration = Duration::from_millis(1_000);
 
-/// What the others were told, and when.
+/// The moment that the others were told last, and when.
 #[derive(Clone, Copy)]
 pub(super) struct TellState {
     told_ms: StoredValue<f64>,

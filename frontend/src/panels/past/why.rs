@@ -19,7 +19,7 @@ use protocol::{
     LaneName, LaneValues, NumberFix, OpenedPast, PastAnswer, PastQuestion, ToldWhy, Why, WhyNot, WhySentence, WhyWith,
 };
 
-/// Why not is asked about the time since the action came last, but no longer than this, in milliseconds.
+/// The longest time before the cursor that *Why not* asks about, in milliseconds; else since the action came last.
 const MISSED_MS: u64 = 60_000;
 
 /// A value that a step used besides.

@@ -145,7 +145,7 @@ fn cut(text: &str) -> String {
     if letters.next().is_some() { format!("{begin}…") } else { begin }
 }
 
-/// What somebody did, of the label of a change. What an older version wrote stays as it was written.
+/// Says what somebody did, of the label of a change. A text of an older version stays as it was written.
 pub(crate) fn deed(label: &Phrase) -> HistoryWords {
     if let Some(again) = taken_back(label) {
         return taken_back_deed(again, &label_said(&bare(label)));
@@ -170,7 +170,7 @@ pub(crate) fn deed(label: &Phrase) -> HistoryWords {
     }
 }
 
-/// What was done to something, by the key of the label.
+/// Says what was done to something, by the key of the label.
 fn done_to(key: &str) -> Option<String> {
     Some(match key {
         "label.GoBack" => say!(done_to_went_back_to: "went back to {of}", of = HOLE),

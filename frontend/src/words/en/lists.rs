@@ -52,12 +52,12 @@ pub(crate) fn connector_says(spec: &behaviour::connectors::Spec) -> &'static str
     said_by(&format!("connector.{}.says", spec.name), spec.says)
 }
 
-/// What a connector does, at length.
+/// Says what a connector does, at length.
 pub(crate) fn connector_does(spec: &behaviour::connectors::Spec) -> &'static str {
     said_by(&format!("connector.{}.does", spec.name), spec.help.does)
 }
 
-/// When a connector is used.
+/// Says when a connector is used.
 pub(crate) fn connector_when(spec: &behaviour::connectors::Spec) -> &'static str {
     said_by(&format!("connector.{}.when", spec.name), spec.help.when)
 }
