@@ -28,7 +28,7 @@ const DEPTH_MAX: usize = 16;
 /// The bytes that a part of a sentence counts beside its words.
 const PART_BYTES: usize = 8;
 
-/// A sentence or a part of one. [`fmt::Display`] says it in English.
+/// A sentence or a part of one. [`std::fmt::Display`] says it in English.
 #[derive(Clone, Debug)]
 pub enum Phrase {
     /// Words of a person, a device or an old file: shown as they are.

@@ -4,7 +4,7 @@ use crate::DeviceFault;
 use crate::params::shown;
 use phrase::{Phrase, Phrased, phrase};
 
-/// Why a robot does not open a device, or drops a value. [`fmt::Display`] says it in a few English words.
+/// Why a robot does not open a device, or drops a value. [`std::fmt::Display`] says it in a few English words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RobotFault {
     /// It has no device of this name.

@@ -4,7 +4,7 @@ use crate::{DeviceFault, Lacking, device};
 use behaviour::{Behaviour, Id, StreamKind};
 use phrase::{Phrase, Phrased, phrase};
 
-/// A stream that a robot cannot serve. [`fmt::Display`] says it in one English sentence.
+/// A stream that a robot cannot serve. [`std::fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnfitStream {
     /// The stream.

@@ -22,7 +22,7 @@ const LOUDNESS: [f32; 2] = [0.6, 0.95];
 /// Somebody who is not there speaks so far ahead of the robot, and so high, in metres.
 const VOICE_M: [f32; 2] = [1.0, 1.0];
 
-/// Why something cannot be done in the simulated room. [`fmt::Display`] says it in a few English words.
+/// Why something cannot be done in the simulated room. [`std::fmt::Display`] says it in a few English words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RoomFault {
     /// There is no ball of this name.

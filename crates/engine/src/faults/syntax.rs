@@ -6,7 +6,7 @@ use super::plain::plain;
 use phrase::{Phrase, Phrased, phrase};
 use rhai::{LexError, ParseError, ParseErrorType};
 
-/// The reason why a text cannot be read as a procedure. [`fmt::Display`] says it in a few English words with its place.
+/// The reason why a text cannot be read as a procedure. [`std::fmt::Display`] says it in a few English words with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Syntax {
     error: ParseError,
