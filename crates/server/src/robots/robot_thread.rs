@@ -295,10 +295,12 @@ impl<'a> RobotThread<'a> {
     }
 
     fn open(&mut self, opening: OpeningRun) {
-        if opening.cancel.is_cancelled() {
-            return;
-        }
         let OpeningRun { run, behaviour, cancel, mailbox, devices, answer, follows } = opening;
+        if cancel.is_cancelled() {
+            // A Stop came first. Silence would be told as a robot that does not answer.
+            let why = if follows { StartError::StoppedMeanwhile } else { StartError::StoppedBefore };
+            return drop(answer.try_send(Err(why)));
+        }
         let opened = if follows { self.exchange(run, &devices) } else { self.open_all(run, &devices) };
         if opened.is_ok() {
             let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, ReadingsKept::of(&d.device)))).collect();

@@ -51,12 +51,16 @@ impl Still {
     }
 
     fn open(&self) -> Receiver<Result<(), StartError>> {
+        self.asks_for_devices(false)
+    }
+
+    fn asks_for_devices(&self, follows: bool) -> Receiver<Result<(), StartError>> {
         let claim = Claim { resources: Vec::new(), priority: 0, hold_ms: 0 };
         let (name, device, params) = (String::new(), "Print".to_owned(), Params::default());
         let devices = vec![WantedDevice { stream: id("page"), index: StreamIx::of(0), name, device, params, claim }];
         let (answer, opened) = sync_channel(1);
         let (behaviour, cancel, mailbox) = ((id("one"), String::new()), self.cancel.clone(), self.mailbox.clone());
-        self.shared.queue.open(OpeningRun { run: 1, behaviour, cancel, mailbox, devices, follows: false, answer });
+        self.shared.queue.open(OpeningRun { run: 1, behaviour, cancel, mailbox, devices, follows, answer });
         opened
     }
 
@@ -168,6 +172,19 @@ async fn what_a_run_told_before_it_was_stopped_is_void() {
     });
     still.begin();
     until("the robot holds", || still.puppet.log() == ["told 1", "held"]).await;
+    still.ends().await;
+}
+
+#[tokio::test]
+async fn a_run_that_was_stopped_before_its_devices_opened_hears_of_the_stop_and_not_of_a_silent_robot() {
+    let mut still = Still::new();
+    let (begins, follows) = (still.asks_for_devices(false), still.asks_for_devices(true));
+    // It comes while both wait for the robot's thread.
+    still.cancel.cancel();
+    still.begin();
+    assert!(matches!(begins.recv(), Ok(Err(StartError::StoppedBefore))));
+    assert!(matches!(follows.recv(), Ok(Err(StartError::StoppedMeanwhile))));
+    assert!(still.puppet.users().is_empty());
     still.ends().await;
 }
 
