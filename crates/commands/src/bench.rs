@@ -1,6 +1,6 @@
 //! `rrp bench`: how fast one behaviour runs on this machine, as one line of JSON.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_program;
 use crate::replay::{ReplayRefused, parse_trace, refused};
@@ -49,7 +49,7 @@ pub(crate) struct BenchArgs {
     interpreted: bool,
 }
 
-impl CommandWork for BenchArgs {
+impl LineCommand for BenchArgs {
     const EXAMPLES: &'static [&'static str] =
         &["rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000"];
     const USES_A_SERVER: bool = false;

@@ -1,6 +1,6 @@
 //! `rrp build`: what typed sentences say as a program, or what of them is in doubt.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use behaviour::{BehaviourFile, Helper};
 use clap::Args;
@@ -30,7 +30,7 @@ pub(crate) struct BuildArgs {
     json: bool,
 }
 
-impl CommandWork for BuildArgs {
+impl LineCommand for BuildArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp build \"When the head is touched, wave.\" > wave.json"];
     const USES_A_SERVER: bool = false;
 

@@ -1,6 +1,6 @@
 //! `rrp check`: everything that is wrong with a file, each with its place.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_bytes;
 use behaviour::{Behaviour, BehaviourFile, Helper, Id, Problem, Room};
@@ -32,7 +32,7 @@ pub(crate) struct CheckArgs {
     json: bool,
 }
 
-impl CommandWork for CheckArgs {
+impl LineCommand for CheckArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp check tracking.xml               look what is wrong with a file"];
     const USES_A_SERVER: bool = false;
 

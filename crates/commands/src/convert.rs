@@ -2,7 +2,7 @@
 
 mod mcap;
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::trace::read_trace;
 use clap::{Args, ValueEnum};
@@ -47,7 +47,7 @@ pub(crate) struct ConvertArgs {
     semicolon: bool,
 }
 
-impl CommandWork for ConvertArgs {
+impl LineCommand for ConvertArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp convert morning.jsonl --to csv --out morning.csv"];
 
     fn run(self, _: PageFiles) -> ExitCode {

@@ -1,6 +1,6 @@
 //! `rrp devices`: what robots can sense and do, a line each.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use clap::Args;
 use server::PageFiles;
 use std::io::Write;
@@ -13,7 +13,7 @@ use std::process::ExitCode;
 #[command(after_help = "Example: rrp devices | grep touch")]
 pub(crate) struct DevicesArgs {}
 
-impl CommandWork for DevicesArgs {
+impl LineCommand for DevicesArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp devices                          what robots can sense and do"];
     const USES_A_SERVER: bool = false;
 

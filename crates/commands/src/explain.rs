@@ -1,6 +1,6 @@
 //! `rrp explain`: what a behaviour does, a sentence a line.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_bytes;
 use behaviour::{Behaviour, Helper, Id, Unit, ValueType};
@@ -27,7 +27,7 @@ pub(crate) struct ExplainArgs {
     language: Language,
 }
 
-impl CommandWork for ExplainArgs {
+impl LineCommand for ExplainArgs {
     const EXAMPLES: &'static [&'static str] =
         &["rrp explain tracking.json            what it does, in plain sentences"];
     const USES_A_SERVER: bool = false;

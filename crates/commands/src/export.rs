@@ -1,6 +1,6 @@
 //! `rrp export`: a behaviour with its helpers as a file to carry.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::link::LocalServer;
 use crate::store_at::{StoreArgs, StoreWay, find, library, listed, run};
@@ -33,7 +33,7 @@ pub(crate) struct ExportArgs {
     at: StoreArgs,
 }
 
-impl CommandWork for ExportArgs {
+impl LineCommand for ExportArgs {
     const EXAMPLES: &'static [&'static str] =
         &["rrp export \"Track far and close balls\" --format xml --out tracking.xml"];
 

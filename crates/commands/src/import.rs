@@ -2,7 +2,7 @@
 
 mod batch;
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::link::{self, LocalServer};
 use crate::patience;
@@ -43,7 +43,7 @@ pub(crate) struct ImportArgs {
     at: StoreArgs,
 }
 
-impl CommandWork for ImportArgs {
+impl LineCommand for ImportArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp import tracking.xml              bring a behaviour in, as a copy"];
 
     fn run(self, _: PageFiles) -> ExitCode {

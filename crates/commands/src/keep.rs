@@ -1,6 +1,6 @@
 //! `rrp backup`, `rrp restore` and `rrp migrate`: a whole store at once.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::link::LocalServer;
 use crate::patience;
@@ -32,7 +32,7 @@ pub(crate) struct BackupArgs {
     at: StoreArgs,
 }
 
-impl CommandWork for BackupArgs {
+impl LineCommand for BackupArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp backup monday.rrpbackup          keep everything in one file"];
 
     fn run(self, _: PageFiles) -> ExitCode {
@@ -54,7 +54,7 @@ pub(crate) struct RestoreArgs {
     at: StoreArgs,
 }
 
-impl CommandWork for RestoreArgs {
+impl LineCommand for RestoreArgs {
     fn run(self, _: PageFiles) -> ExitCode {
         crate::ended(restore(&self))
     }
@@ -75,7 +75,7 @@ pub(crate) struct MigrateArgs {
     to: String,
 }
 
-impl CommandWork for MigrateArgs {
+impl LineCommand for MigrateArgs {
     fn run(self, _: PageFiles) -> ExitCode {
         crate::ended(migrate(&self))
     }

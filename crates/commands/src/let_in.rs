@@ -1,6 +1,6 @@
 //! `rrp open` and `rrp invite`: links of a running server, for a browser of this computer and for others.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::data_folder::no_home;
 use crate::failure::Failure;
 use crate::link::{self, LocalServer};
@@ -30,7 +30,7 @@ pub(crate) struct OpenArgs {
     at: StoreArgs,
 }
 
-impl CommandWork for OpenArgs {
+impl LineCommand for OpenArgs {
     const EXAMPLES: &'static [&'static str] =
         &["rrp open                             a link that opens the page in another browser of this computer"];
 
@@ -62,7 +62,7 @@ pub(crate) struct InviteArgs {
     label: String,
 }
 
-impl CommandWork for InviteArgs {
+impl LineCommand for InviteArgs {
     const EXAMPLES: &'static [&'static str] =
         &["rrp invite --role viewer             a link that lets somebody else look on"];
 

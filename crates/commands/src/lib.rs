@@ -42,7 +42,7 @@ struct CommandLine {
 }
 
 /// A command of the command line. Its arguments are its fields, and their comments its help.
-trait CommandWork {
+trait LineCommand {
     /// The lines about it among the examples of `rrp --help`.
     const EXAMPLES: &'static [&'static str] = &[];
     /// True if it is a server, or may talk to one by what is remembered of this user's servers.

@@ -1,7 +1,7 @@
 //! The way to a store through the running server that uses it.
 
 use crate::failure::Failure;
-use crate::store_at::NamedBehaviour;
+use behaviour::Id;
 use http_body_util::{BodyExt, Full};
 use hyper::body::{Bytes, Incoming};
 use hyper::client::conn::http1;
@@ -27,6 +27,13 @@ type BoxError = Box<dyn Error + Send + Sync>;
 /// A running server on this computer.
 pub(crate) struct LocalServer {
     pub(crate) address: SocketAddr,
+}
+
+/// A behaviour, as lists have it.
+#[derive(Debug, serde::Deserialize)]
+pub(crate) struct NamedBehaviour {
+    pub(crate) id: Id,
+    pub(crate) name: String,
 }
 
 /// What the server said.

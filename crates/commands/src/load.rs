@@ -1,6 +1,6 @@
 //! `rrp load`: many people at once on a running server, what they wait for, and whether all see the same in the end.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use ::load::{LoadPlan, Report, Wrong, run, tidy};
 use clap::Args;
 use server::PageFiles;
@@ -56,7 +56,7 @@ pub(crate) struct LoadArgs {
     keep: bool,
 }
 
-impl CommandWork for LoadArgs {
+impl LineCommand for LoadArgs {
     fn run(self, _: PageFiles) -> ExitCode {
         load(&self)
     }

@@ -5,7 +5,7 @@ mod play;
 mod printer;
 mod recording;
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_program;
 use crate::trace::{TraceReading, parse_lines, read_trace};
@@ -72,7 +72,7 @@ const EXAMPLES: &str = "Examples:
   rrp replay --arbitrate --behaviour safety.json --behaviour greeting.json --trace morning.jsonl
   rrp replay --arbitrate --behaviour a.json --behaviour b.json --trace a.jsonl --trace b.jsonl";
 
-impl CommandWork for ReplayArgs {
+impl LineCommand for ReplayArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp replay --behaviour tracking.json --trace morning.jsonl"];
     const USES_A_SERVER: bool = false;
 

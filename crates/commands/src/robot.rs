@@ -1,6 +1,6 @@
 //! `rrp robot`: the robots of a running server, from a command line. It says to the server what the console says.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use clap::{Args, Subcommand};
 use server::PageFiles;
 use shell::Console;
@@ -24,7 +24,7 @@ pub(crate) struct RobotArgs {
     what: RobotCommand,
 }
 
-impl CommandWork for RobotArgs {
+impl LineCommand for RobotArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp robot add NAO --address nao.local"];
 
     fn run(self, _: PageFiles) -> ExitCode {

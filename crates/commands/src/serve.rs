@@ -1,6 +1,6 @@
 //! `rrp serve`: the server in the foreground, until a signal or the end of its terminal.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::data_folder::{kept_in, store_url};
 use crate::ending;
 use crate::failure::Failure;
@@ -56,7 +56,7 @@ pub(crate) struct ServeArgs {
     seed: u64,
 }
 
-impl CommandWork for ServeArgs {
+impl LineCommand for ServeArgs {
     const EXAMPLES: &'static [&'static str] = &[
         "rrp serve                            serve on this computer, on http://127.0.0.1:7130/",
         "rrp serve --listen 127.0.0.1:0       on a free port",

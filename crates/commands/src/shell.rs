@@ -1,6 +1,6 @@
 //! `rrp shell`: the operator's console on a running server.
 
-use crate::CommandWork;
+use crate::LineCommand;
 use clap::Args;
 use server::PageFiles;
 use std::process::ExitCode;
@@ -16,7 +16,7 @@ pub(crate) struct ShellArgs {
     url: String,
 }
 
-impl CommandWork for ShellArgs {
+impl LineCommand for ShellArgs {
     const EXAMPLES: &'static [&'static str] =
         &["rrp shell                            look around and start behaviours from a terminal"];
 

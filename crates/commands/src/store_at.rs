@@ -2,7 +2,7 @@
 
 use crate::data_folder::{kept_in, store_url};
 use crate::failure::{Failure, few};
-use crate::link::LocalServer;
+use crate::link::{LocalServer, NamedBehaviour};
 use crate::patience;
 use behaviour::{Id, as_looks, look_same};
 use clap::Args;
@@ -85,13 +85,6 @@ fn unopened(error: StoreError) -> Failure {
 /// A running server uses the store in this folder.
 fn busy(folder: &Path) -> Failure {
     Failure::of(format!("A running rrp server uses {}. Stop it, then do this again.", folder.display()))
-}
-
-/// A behaviour.
-#[derive(Debug, serde::Deserialize)]
-pub(crate) struct NamedBehaviour {
-    pub(crate) id: Id,
-    pub(crate) name: String,
 }
 
 /// The id of the library.

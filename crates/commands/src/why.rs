@@ -3,7 +3,7 @@
 mod no_answer;
 mod tell;
 
-use crate::CommandWork;
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_program;
 use crate::replay::{ReplayMode, ReplayRefused, chosen_engine, parse_trace, refused};
@@ -87,7 +87,7 @@ pub(crate) struct WhyArgs {
     language: Language,
 }
 
-impl CommandWork for WhyArgs {
+impl LineCommand for WhyArgs {
     const EXAMPLES: &'static [&'static str] = &["rrp why greet.jsonl --action Say --at 1:04.2"];
     const USES_A_SERVER: bool = false;
 

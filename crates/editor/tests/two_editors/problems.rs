@@ -88,7 +88,7 @@ impl Mending {
     }
 
     /// The only problem is mended in this way by one change that both have; one undo brings all back as it was.
-    fn is_mended_by(mut self, kind: &FixKind) -> Self {
+    fn mended_by(mut self, kind: &FixKind) -> Self {
         let (before, wrong) = (self.table.program().clone(), self.wrong());
         assert_eq!(wrong.len(), 1, "{wrong:?}");
         self.mends(kind);
@@ -124,7 +124,7 @@ const TO_METRES: FixKind = FixKind::Convert { from: Unit::Centimetres, to: Unit:
 
 #[test]
 fn a_wrong_unit_is_told_and_mended_by_one_change() {
-    let mut mending = wrong_unit("distance_to_brightness").is_mended_by(&TO_METRES);
+    let mut mending = wrong_unit("distance_to_brightness").mended_by(&TO_METRES);
     assert_eq!(mending.wrong()[0].at, RecordId::new(Kind::Connector, &id("c2")), "it is told where it is");
     mending.mends(&TO_METRES);
     assert_eq!(mending.table.sources("Brightness"), ["Distance in m"]);
@@ -136,7 +136,7 @@ fn what_ones_own_helper_takes_is_known_as_it_was_said() {
     let mut mending = wrong_unit("warm");
     let warm = r#"{"name":"warm","params":["how_far"],"body":"if how_far < 1.0 { 1.0 } else { 0.0 }","takes":["m"],"gives":"fraction"}"#;
     mending.helpers.push(serde_json::from_str(warm).expect("it is a helper"));
-    let mut mending = mending.is_mended_by(&TO_METRES);
+    let mut mending = mending.mended_by(&TO_METRES);
     let other = FixKind::UseHelper("ball_to_distance".to_owned());
     mending.mends(&other);
     assert_eq!(mending.wrong(), [], "another helper that gives metres mends it too");
@@ -152,7 +152,7 @@ fn a_wrong_helper_is_told_and_mended_by_one_change() {
         &[BALL, &ordinary("brightness", "Brightness"), EYES],
         &[&by_helper("c1", "ball", "brightness", "distance_to_brightness"), &leads("c2", "brightness", "eyes")],
     );
-    mending.is_mended_by(&FixKind::PutHelper("ball_to_distance".to_owned()));
+    mending.mended_by(&FixKind::PutHelper("ball_to_distance".to_owned()));
 }
 
 #[test]
@@ -161,19 +161,19 @@ fn two_actions_that_fight_are_told_and_told_apart_by_one_change() {
         &[BALL, &ordinary("side", "Side"), HEAD, JOINT],
         &[&by_body("c1", "ball", "side", "redBall.x"), &leads("c2", "side", "joint"), &leads("c3", "ball", "head")],
     );
-    mending.is_mended_by(&FixKind::Prefer("Follow".to_owned()));
+    mending.mended_by(&FixKind::Prefer("Follow".to_owned()));
 }
 
 #[test]
 fn a_touch_that_acts_twice_is_told_and_acts_once_after_one_change() {
     let touch = r#"{"id":"touch","kind":"sensor","name":"Touch","device":"HeadTouch","params":{"release":"yes"}}"#;
-    Mending::of(&[touch, HELLO], &[&leads("c1", "touch", "hello")]).is_mended_by(&FixKind::OnlyPressed);
+    Mending::of(&[touch, HELLO], &[&leads("c1", "touch", "hello")]).mended_by(&FixKind::OnlyPressed);
 }
 
 #[test]
 fn a_sense_faster_than_its_action_is_slowed_down_by_one_change_that_covers_nothing() {
     let mending = Mending::of(&[BALL, HELLO], &[&leads("c1", "ball", "hello")]);
-    let mut mending = mending.is_mended_by(&FixKind::SlowDown(1_000));
+    let mut mending = mending.mended_by(&FixKind::SlowDown(1_000));
     // Nobody placed anything in this file.
     mending.mends(&FixKind::SlowDown(1_000));
     let table = &mut mending.table;
@@ -190,7 +190,7 @@ fn a_sense_faster_than_its_action_is_slowed_down_by_one_change_that_covers_nothi
 
 #[test]
 fn an_old_value_in_a_combination_is_told_and_left_out_by_one_change() {
-    Mending::file(ARM).is_mended_by(&FixKind::LeaveOutOld(1_000));
+    Mending::file(ARM).mended_by(&FixKind::LeaveOutOld(1_000));
 }
 
 #[test]
@@ -205,7 +205,7 @@ fn a_name_that_means_nothing_is_told_with_the_one_that_is_meant() {
         "{wrong:?}"
     );
     let rename = FixKind::Rename { from: "siin".to_owned(), to: "sin".to_owned() };
-    let mut mending = mending.is_mended_by(&rename);
+    let mut mending = mending.mended_by(&rename);
     mending.mends(&rename);
     assert_eq!(mending.table.body("c1"), "sin(redBall.x)");
 }

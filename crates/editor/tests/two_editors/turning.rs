@@ -33,7 +33,8 @@ fn a_number_is_turned_by_keys_and_each_rest_is_one_change() {
     turns(&mut table, "c4", |test| test.number + 10.0 * test.step());
     assert_eq!(table.body("c4"), "distance < 1.05");
     turns(&mut table, "c4", |_| 0.7);
-    for before in ["0.7", "1.05", "0.55", "0.5"] {
+    turns(&mut table, "c4", |_| 1.0);
+    for before in ["1.0", "0.7", "1.05", "0.55", "0.5"] {
         assert_eq!(table.body("c4"), format!("distance < {before}"));
         table.undo(AIKO);
     }
