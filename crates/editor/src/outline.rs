@@ -1,7 +1,7 @@
 //! The graph as the rows of a list: every stream under the connector that makes it, every connector under its first stream.
 
 use behaviour::{Behaviour, Graph, Id, StreamKind};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 /// One row of the list.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -51,15 +51,13 @@ pub fn outline(behaviour: &Behaviour, is_folded: impl Fn(&Id) -> bool) -> Vec<Ou
     let mut seen = BTreeSet::new();
     let mut rows = Vec::new();
     let alone = |what, depth| OutlineNode { what, depth, again: false, under: None };
-    let groups: HashMap<&Id, &Id> =
-        behaviour.groups().flat_map(|(id, group)| group.streams.iter().map(move |stream| (stream, id))).collect();
     for node in nodes(behaviour) {
         let stream = match &node.what {
             OutlineRowKind::Stream(id) => Some(id),
             OutlineRowKind::Connector(id) => behaviour.connector(id).map(|connector| &connector.output),
             OutlineRowKind::Group(_) | OutlineRowKind::Note(_) => None,
         };
-        let group = stream.and_then(|stream| groups.get(stream)).copied();
+        let group = stream.and_then(|stream| behaviour.group_of(stream)).map(|(id, _)| id);
         if let Some(group) = group.filter(|group| seen.insert((*group).clone())) {
             rows.push(alone(OutlineRowKind::Group(group.clone()), node.depth));
         }

@@ -1,5 +1,5 @@
-//! What the rules ask, answered as a server answers it: by the catalogue of devices and by the engine. And programs as files
-//! have them.
+//! The knowledge that the rules ask for, as a server has it, of the catalogue of devices and of the engine; and programs as
+//! files have them.
 
 use crate::server::id;
 use crate::table::{AIKO, Table};

@@ -62,7 +62,7 @@ impl Mending {
         problems(self.table.program(), &self.library(), &Known)
     }
 
-    /// What mends the first problem.
+    /// Returns the ways to mend the first problem.
     fn fixes(&self) -> Vec<Fix> {
         let mut number = 0;
         let mut new_id = || {

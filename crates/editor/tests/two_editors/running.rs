@@ -31,18 +31,18 @@ impl Running {
         &self.table.server.log[self.since..]
     }
 
-    /// What the robot would take, as somebody sees it.
+    /// Returns the changes that the robot would take, as somebody sees them.
     fn unused(&self, who: usize) -> Vec<Unused> {
         let now = |id: &RecordId| self.table.program().records.get(id).cloned();
         unused_changes(&before(self.since()), &authors(self.since()), Some(&Server::client(who)), now)
     }
 
-    /// What is marked on the graph as not used yet.
+    /// Returns the parts of the graph that are marked as not used yet.
     fn marked(&self) -> BTreeSet<Id> {
         unused(&before(self.since()), self.table.program(), &Behaviour::default())
     }
 
-    /// Who else is still at something that the robot would take, as Aiko hears it.
+    /// Names somebody else who is still at something that the robot would take, and that, as Aiko hears it.
     fn unfinished(&self) -> Option<(String, Id)> {
         let theirs = self.unused(AIKO).into_iter().filter(|unused| unused.by.is_some());
         let editor = self.table.editor(AIKO);

@@ -45,7 +45,7 @@ fn choice(table: &Table, text: &str) -> SentenceChoice {
     found.expect("it has that choice")
 }
 
-/// What somebody types, read as the page reads it.
+/// Reads a typed text as the page reads it.
 fn read(table: &Table, text: &str, language: Language) -> TextReading {
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();

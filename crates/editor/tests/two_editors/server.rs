@@ -51,7 +51,7 @@ pub(crate) enum StoreAnswer {
 pub(crate) struct Server {
     pub(crate) behaviour: Id,
     pub(crate) room: Room,
-    /// What the rules ask.
+    /// The knowledge that the rules ask for.
     pub(crate) knowledge: &'static dyn Knowledge,
     /// All that the store has.
     pub(crate) log: Vec<Committed>,
