@@ -127,27 +127,6 @@ async fn the_wheel_scrolls_and_with_control_it_zooms_at_the_pointer() -> Outcome
 }
 
 #[tokio::test]
-async fn shift_and_arrows_choose_more_and_less() -> Outcome<()> {
-    let stage = stage!("shift and arrows");
-    let program = stage.wire.make("More", BALLS).await?;
-    let aiko = stage.person("aiko", &program).await?;
-    rests(&aiko, "Ball, sensor stream").await?;
-    aiko.press("button", "Ball, sensor stream").await?;
-    aiko.key("Shift+ArrowDown").await?;
-    aiko.find("toolbar", "2 selected").await?;
-    comes_to(&aiko, "Distance, stream").await?;
-    aiko.key("Shift+ArrowDown").await?;
-    aiko.find("toolbar", "3 selected").await?;
-    comes_to(&aiko, "Far ball, stream").await?;
-    aiko.key("Shift+ArrowUp").await?;
-    aiko.find("toolbar", "2 selected").await?;
-    comes_to(&aiko, "Distance, stream").await?;
-    aiko.key("ArrowDown").await?;
-    aiko.gone("toolbar", "2 selected").await?;
-    aiko.no_errors()
-}
-
-#[tokio::test]
 async fn the_list_is_one_stop_of_tab_and_arrows_walk_in_it() -> Outcome<()> {
     let stage = stage!("the list by keys");
     let program = stage.wire.make("List", BALLS).await?;

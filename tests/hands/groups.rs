@@ -83,26 +83,6 @@ async fn a_folded_group_is_one_box_for_everybody_and_unfolds_where_it_is() -> Ou
 }
 
 #[tokio::test]
-async fn what_is_looked_for_in_a_folded_group_is_shown() -> Outcome<()> {
-    let stage = stage!("finding in a group");
-    let program = stage.wire.make("Found", BALLS).await?;
-    let aiko = chosen(&stage, &program).await?;
-    let ben = stage.person("ben", &program).await?;
-    aiko.key("Control+g").await?;
-    aiko.press("button", "Fold Group").await?;
-    aiko.gone("button", FAR).await?;
-    aiko.key("Control+f").await?;
-    aiko.type_text("far").await?;
-    aiko.press("button", "Go to Far ball").await?;
-    aiko.find("button", FAR).await?;
-    ben.find("button", "Group, folded group, 2 streams").await?;
-    aiko.press("button", "Fold Group").await?;
-    aiko.find("button", "Group, folded group, 2 streams").await?;
-    aiko.no_errors()?;
-    ben.no_errors()
-}
-
-#[tokio::test]
 async fn a_group_is_made_renamed_folded_and_taken_apart_by_keys() -> Outcome<()> {
     let stage = stage!("groups by keys");
     let program = stage.wire.make("Group keys", BALLS).await?;

@@ -193,69 +193,6 @@ async fn a_wrong_unit_is_told_without_a_press_and_mended_with_one() -> Outcome<(
 }
 
 #[tokio::test]
-async fn a_wrong_helper_is_told_without_a_press_and_mended_with_one() -> Outcome<()> {
-    let stage = stage!("wrong helper");
-    let eyes = device("eyes", "actuator", "Eyes", "EyeBrightness");
-    let streams = [ball(), ordinary("brightness", "Brightness"), eyes];
-    let connectors = [
-        by_helper("c1", "ball", "brightness", "distance_to_brightness"),
-        connector("c2", "subscribe", "brightness", "eyes"),
-    ];
-    let aiko = with_open(&stage, &file("Wrong helper", &streams, &connectors)).await?;
-    is_mended(&aiko, "Put “Distance in m” between").await
-}
-
-#[tokio::test]
-async fn two_actions_that_fight_are_told_without_a_press_and_told_apart_with_one() -> Outcome<()> {
-    let stage = stage!("fighting actions");
-    let mut joint = device("joint", "actuator", "Turn head", "SetJointPosition");
-    joint["params"] = json!({ "joint": "HeadYaw" });
-    let streams = [ball(), ordinary("side", "Side"), device("head", "actuator", "Follow", "Tracker"), joint];
-    let connectors = [
-        by_body("c1", "map", "ball", "side", "redBall.x"),
-        connector("c2", "subscribe", "side", "joint"),
-        connector("c3", "subscribe", "ball", "head"),
-    ];
-    let aiko = with_open(&stage, &file("Fight", &streams, &connectors)).await?;
-    is_mended(&aiko, "Give “Follow” the first place").await
-}
-
-#[tokio::test]
-async fn a_touch_that_acts_twice_is_told_and_acts_once_after_a_press() -> Outcome<()> {
-    let stage = stage!("press and release");
-    let mut touch = device("touch", "sensor", "Touch", "HeadTouch");
-    touch["params"] = json!({ "release": "yes" });
-    let streams = [touch, device("hello", "actuator", "Hello", "SayParameter")];
-    let aiko = with_open(&stage, &file("Twice", &streams, &[connector("c1", "subscribe", "touch", "hello")])).await?;
-    is_mended(&aiko, "Only when touched").await
-}
-
-#[tokio::test]
-async fn a_sense_faster_than_its_action_is_told_and_slowed_down_with_a_press() -> Outcome<()> {
-    let stage = stage!("faster than its action");
-    let streams = [ball(), device("hello", "actuator", "Hello", "SayParameter")];
-    let aiko = with_open(&stage, &file("Fast", &streams, &[connector("c1", "subscribe", "ball", "hello")])).await?;
-    is_mended(&aiko, "Once a second").await?;
-    // Nobody placed anything in this file: what the mend adds covers nothing all the same.
-    aiko.within("region", "Problems").press("button", "Mend it: Once a second*").await?;
-    aiko.find("button", "Red ball at times, stream").await?;
-    let boxes = "[...document.querySelectorAll('.world :is(.stream, .chip)')].map(one => one.getBoundingClientRect())";
-    let apart = format!(
-        "(boxes => boxes.length === 5 && boxes.every((a, at) => boxes.slice(at + 1).every(b =>
-            a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top)))({boxes})"
-    );
-    aiko.until(&apart, "nothing covers anything").await.map(drop)
-}
-
-#[tokio::test]
-async fn an_old_value_in_a_combination_is_told_and_left_out_with_a_press() -> Outcome<()> {
-    let stage = stage!("stale combine");
-    let program = stage.wire.make("Old", Some("Track with nearest arm")).await?;
-    let aiko = stage.person("aiko", &program).await?;
-    is_mended(&aiko, "Leave out what is older than 1 s").await
-}
-
-#[tokio::test]
 async fn a_name_that_means_nothing_is_underlined_where_it_is_written() -> Outcome<()> {
     let stage = stage!("unknown name");
     let mut joint = device("joint", "actuator", "Turn head", "SetJointPosition");

@@ -233,14 +233,6 @@ async fn the_walkthrough_is_one_sentence_by_keyboard() -> Outcome<()> {
 }
 
 #[tokio::test]
-async fn the_create_task_is_one_sentence_by_keyboard() -> Outcome<()> {
-    skip::unless!(ready("journey: create task, said by keyboard"));
-    let sentence =
-        "If the red ball is closer than 60 cm, follow it with your whole body, otherwise follow it with your head.";
-    says_a_program("Said Create", sentence, "follows red ball with whole body", 2).await
-}
-
-#[tokio::test]
 async fn the_tour_by_keyboard_alone() -> Outcome<()> {
     skip::unless!(ready("journey: tour by keyboard"));
     let stage = Stage::set().await?;

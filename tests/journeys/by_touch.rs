@@ -176,14 +176,6 @@ async fn the_walkthrough_is_one_sentence_by_touch() -> Outcome<()> {
     says_a_program("Said walkthrough", sentence, "follows red ball with head").await
 }
 
-#[tokio::test]
-async fn the_create_task_is_one_sentence_by_touch() -> Outcome<()> {
-    skip::unless!(ready("journey: create task, said by touch"));
-    let sentence =
-        "If the red ball is closer than 60 cm, follow it with your whole body, otherwise follow it with your head.";
-    says_a_program("Said Create", sentence, "follows red ball with whole body").await
-}
-
 /// A browser keeps a tap for itself that comes soon after a flick: Stop does not wait for the click.
 #[tokio::test]
 async fn stop_is_heard_as_a_finger_comes_down_also_after_a_flick() -> Outcome<()> {

@@ -221,23 +221,3 @@ async fn who_is_editing_it_keeps_mine_from_going_on_top() -> Outcome<()> {
     ben.find("button", "map (2 + 2), connector*").await?;
     calm(&ben)
 }
-
-#[tokio::test]
-async fn the_name_of_a_program_that_comes_too_late_waits_beside_theirs() -> Outcome<()> {
-    skip::unless!(ready("journey: a late name of a program"));
-    let stage = Stage::set().await?;
-    let aiko = stage.nobody("aiko").await?;
-    let (socket, ben) = two(&stage, &aiko).await?;
-    cut(&aiko, &socket).await?;
-    rename_program(&aiko, "Ours", "Aiko’s").await?;
-    rename_program(&ben, "Ours", "Ben’s").await?;
-    mend(&aiko, &socket).await?;
-    let both = "Ben changed this program too";
-    aiko.find("dialog", both).await?;
-    differs(&aiko, "Aiko", "Ben").await?;
-    aiko.press("button", "Take Ben’s").await?;
-    aiko.gone("dialog", both).await?;
-    aiko.find("button", "Ben’s").await?;
-    saved(&aiko).await?;
-    calm(&ben)
-}

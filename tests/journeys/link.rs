@@ -82,26 +82,3 @@ async fn has(page: &Page, words: &str) -> Outcome<bool> {
     let found = page.eval(&format!("document.body.innerText.includes('{words}')")).await?;
     Ok(found.as_bool().unwrap_or_default())
 }
-
-#[tokio::test]
-async fn what_waits_is_counted_and_all_of_it_goes() -> Outcome<()> {
-    skip::unless!(ready("journey: what waits is counted"));
-    let stage = Stage::set().await?;
-    let aiko = stage.nobody("aiko").await?;
-    let socket = stage.enter_with_switch(&aiko).await?;
-    add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "Red ball").await?;
-    saved(&aiko).await?;
-    socket.cut().await?;
-    says(&aiko, "Offline").await?;
-    rename_program(&aiko, "Ours", "Second").await?;
-    rename_program(&aiko, "Second", "Third").await?;
-    says(&aiko, "No connection. 2 changes wait here and are sent when it is back.").await?;
-    says(&aiko, "Offline: 2 changes wait here").await?;
-    socket.mend().await?;
-    says(&aiko, "Connected. 2 changes were sent.").await?;
-    silent(&aiko, "No connection").await?;
-    aiko.reload().await?;
-    usable(&aiko).await?;
-    aiko.find("button", "Third").await.map(drop)
-}

@@ -119,18 +119,3 @@ async fn one_persons_two_tabs_cannot_both_edit_one_connector() -> Outcome<()> {
     calm(&tab)?;
     calm(&aiko)
 }
-
-#[tokio::test]
-async fn a_quick_edit_of_what_somebody_is_editing_is_refused_by_name() -> Outcome<()> {
-    skip::unless!(ready("journey: a refused quick edit"));
-    let stage = Stage::set().await?;
-    let (aiko, ben) = two(&stage).await?;
-    open_map(&aiko).await?;
-    ben.until_on("button", "map (1), connector*", IS_LOCKED, "the map shows that Aiko is editing").await?;
-    ben.press("button", "map (1), connector*").await?;
-    next(&ben, "map", "Remove").await?;
-    says(&ben, "Aiko is editing this map.").await?;
-    ben.find("button", "map (1), connector*").await?;
-    may_write(&aiko, true).await?;
-    calm(&aiko)
-}

@@ -1,14 +1,16 @@
 //! `rrp bench`: how fast one behaviour runs on this machine, as one line of JSON.
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_program;
 use crate::replay::{ReplayRefused, parse_trace, refused};
-use crate::trace::{TraceReading, read_trace};
+use crate::trace::{TraceReading, no_readings, read_trace};
 use behaviour::BehaviourFile;
 use clap::Args;
 use engine::{Limits, Run};
 use robot::Millis;
 use serde::Serialize;
+use server::PageFiles;
 use std::hint::black_box;
 use std::io::Write;
 use std::path::PathBuf;
@@ -47,6 +49,16 @@ pub(crate) struct BenchArgs {
     interpreted: bool,
 }
 
+impl LineCommand for BenchArgs {
+    const EXAMPLES: &'static [&'static str] =
+        &["rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000"];
+    const USES_A_SERVER: bool = false;
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        bench(&self)
+    }
+}
+
 /// What is printed.
 #[derive(Debug, Serialize)]
 struct BenchFigures {
@@ -59,7 +71,7 @@ struct BenchFigures {
 }
 
 /// Measures, prints, and answers with the exit code.
-pub(crate) fn bench(args: &BenchArgs) -> ExitCode {
+fn bench(args: &BenchArgs) -> ExitCode {
     match prepare(args) {
         Ok((file, readings)) => match measure(args, &file, &readings) {
             Ok(measured) => {
@@ -81,7 +93,7 @@ fn prepare(args: &BenchArgs) -> Result<(BehaviourFile, Vec<TraceReading>), Repla
     let text = read_trace(&args.trace).map_err(ReplayRefused::Trace)?;
     let readings = parse_trace(&text, &run).map_err(ReplayRefused::Trace)?;
     if readings.is_empty() {
-        return Err(ReplayRefused::Trace(Failure::NoReadings));
+        return Err(ReplayRefused::Trace(no_readings()));
     }
     Ok((file, readings))
 }
@@ -104,7 +116,7 @@ fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[TraceReading]) ->
     (0..args.repeat).for_each(|_| trace.play(&mut run));
     let cpu = spent().saturating_sub(before);
     if let Some(reason) = run.fault() {
-        return Err(ReplayRefused::Behaviour(vec![Failure::Ended(reason.to_string())]));
+        return Err(ReplayRefused::Behaviour(vec![Failure::of(reason)]));
     }
     let mut took = trace.timed(&mut run, args.repeat);
     Ok(BenchFigures {

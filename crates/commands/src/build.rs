@@ -1,11 +1,13 @@
 //! `rrp build`: what typed sentences say as a program, or what of them is in doubt.
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use behaviour::{BehaviourFile, Helper};
 use clap::Args;
 use sentences::{Doubt, Language, Lexicon};
 use serde_json::json;
-use std::io::Write;
+use server::PageFiles;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Prints the program that typed sentences say, as a file.
@@ -28,8 +30,17 @@ pub(crate) struct BuildArgs {
     json: bool,
 }
 
+impl LineCommand for BuildArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp build \"When the head is touched, wave.\" > wave.json"];
+    const USES_A_SERVER: bool = false;
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        build(&self)
+    }
+}
+
 /// Reads, prints, and answers with the exit code.
-pub(crate) fn build(args: &BuildArgs) -> ExitCode {
+fn build(args: &BuildArgs) -> ExitCode {
     let text = args.sentences.join(" ");
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();
@@ -48,19 +59,31 @@ pub(crate) fn build(args: &BuildArgs) -> ExitCode {
         told(&json!({ "doubts": doubts.collect::<Vec<_>>() }).to_string());
         return ExitCode::from(3);
     }
-    let failures = reading.doubts.iter().map(|doubt| Failure::InDoubt {
-        words: text_of(doubt),
-        suggestions: doubt.suggestions.clone(),
-        why: doubt.why.clone(),
-    });
+    let failures = reading.doubts.iter().map(|doubt| in_doubt(&text_of(doubt), doubt));
     crate::failed(&failures.collect::<Vec<_>>(), 3)
+}
+
+/// Says that these words are in doubt; without words something is missing.
+fn in_doubt(words: &str, doubt: &Doubt) -> Failure {
+    if words.is_empty() {
+        return Failure::of("Something is missing: say what happens and what the robot does then.");
+    }
+    let more = match (&doubt.why, doubt.suggestions.as_slice()) {
+        (Some(why), _) => why.clone(),
+        (None, []) => "Say it in other words.".to_owned(),
+        (None, suggestions) => {
+            let quoted: Vec<_> = suggestions.iter().map(|suggestion| format!("“{suggestion}”")).collect();
+            format!("Is it {}?", quoted.join(" or "))
+        }
+    };
+    Failure::of(format!("“{words}” is not understood. {more}"))
 }
 
 fn printed(file: &BehaviourFile, json: bool) -> ExitCode {
     if json {
         match serde_json::to_value(file) {
             Ok(file) => told(&json!({ "behaviour": file }).to_string()),
-            Err(error) => return crate::failed(&[Failure::UnwrittenOut(error.into())], 1),
+            Err(error) => return crate::failed(&[Failure::unwritten_out(io::Error::from(error))], 1),
         }
     } else {
         told(store::files::write_json(file).trim_end());

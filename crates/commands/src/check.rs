@@ -1,11 +1,12 @@
 //! `rrp check`: everything that is wrong with a file, each with its place.
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_bytes;
 use behaviour::{Behaviour, BehaviourFile, Helper, Id, Problem, Room};
 use clap::Args;
-use phrase::{Phrased, phrase};
-use server::Knowing;
+use phrase::{Phrase, Phrased, phrase};
+use server::{Knowing, PageFiles};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -31,6 +32,15 @@ pub(crate) struct CheckArgs {
     json: bool,
 }
 
+impl LineCommand for CheckArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp check tracking.xml               look what is wrong with a file"];
+    const USES_A_SERVER: bool = false;
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        check(&self)
+    }
+}
+
 /// What was found.
 #[derive(Debug, Default, PartialEq)]
 struct CheckFindings {
@@ -43,7 +53,7 @@ struct CheckFindings {
 }
 
 /// Checks, prints, and answers with the exit code.
-pub(crate) fn check(args: &CheckArgs) -> ExitCode {
+fn check(args: &CheckArgs) -> ExitCode {
     let name = args.file.display().to_string();
     let bytes = match read_bytes(&args.file) {
         Ok(bytes) => bytes,
@@ -75,30 +85,38 @@ fn found(looked: &ReadFile) -> CheckFindings {
 
 /// The behaviour, if it could be imported.
 fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<Failure>> {
-    let behaviour = file.records(|_| None).map_err(|faults| records(&faults))?;
+    let behaviour = file.records(|_| None).map_err(|flaws| Failure::records(&flaws))?;
     let mut number = 0;
     let new_id = || {
         number += 1;
         Id::from_uuid(uuid::Uuid::from_u128(number))
     };
     let brought = store::files::import(file, ImportMode::Restore, &Behaviour::default(), "", new_id);
-    let brought = brought.map_err(|faults| faults.into_iter().map(Failure::Unfit).collect::<Vec<_>>())?;
+    let brought = brought.map_err(|faults| Failure::records(&faults))?;
     let helpers = brought.library.as_slice();
     let keeps = |changes| Room::rehearse(changes, knowing);
     let refused = keeps(&brought.changes).and_then(|()| keeps(helpers)).err();
     let Some(refusal) = refused else { return Ok(behaviour) };
     // The engine knows most reasons with their place; the rule's sentence stands where it knows none.
     let placed = engine_says(file);
-    Err(if placed.is_empty() { vec![Failure::Refused(refusal)] } else { placed })
+    Err(if placed.is_empty() { vec![Failure::of(refusal)] } else { placed })
 }
 
-/// Why the engine would not run it, with ids; a line within a procedure is not one of the file.
+/// Why the engine would not run it, with ids.
 fn engine_says(file: &BehaviourFile) -> Vec<Failure> {
-    engine::validate(file).into_iter().map(Failure::EngineOfFile).collect()
+    engine::validate(file).iter().map(|fault| of_file(fault).into()).collect()
 }
 
-fn records(faults: &[impl Phrased]) -> Vec<Failure> {
-    faults.iter().map(|fault| Failure::Record(fault.phrase())).collect()
+/// A fault of the engine in a file, whose lines are not those of a procedure.
+fn of_file(fault: &engine::GraphFault) -> Phrase {
+    let reason = fault.reason.phrase();
+    match reason.key() {
+        Some("TextPlace.Both" | "TextPlace.Line") => {
+            let inside = phrase!("fault_inside", "in its procedure, {reason}");
+            phrase!("fault_at", "{id}: {reason}", id = fault.id, reason = inside)
+        }
+        _ => fault.phrase(),
+    }
 }
 
 fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &ReadFile, knowing: &Knowing) -> CheckFindings {

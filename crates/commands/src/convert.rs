@@ -2,12 +2,15 @@
 
 mod mcap;
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::trace::read_trace;
 use clap::{Args, ValueEnum};
-use recording::{PrivateParts, Timeline};
+use recording::{Different, NoRecording, PrivateParts, Timeline};
+use server::PageFiles;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 /// The largest file of later marks that is read, in bytes.
 const MARKS_MAX_BYTES: u64 = 4 << 20;
@@ -44,6 +47,14 @@ pub(crate) struct ConvertArgs {
     semicolon: bool,
 }
 
+impl LineCommand for ConvertArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp convert morning.jsonl --to csv --out morning.csv"];
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(convert(&self))
+    }
+}
+
 /// The form of another program.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum ConvertForm {
@@ -60,28 +71,26 @@ enum ConvertForm {
 }
 
 /// Converts, or says why not.
-pub(crate) fn convert(args: &ConvertArgs) -> Result<(), Failure> {
+fn convert(args: &ConvertArgs) -> Result<(), Failure> {
     let text = read_trace(&args.recording)?;
     let keep = PrivateParts { names: args.names, personal: args.personal };
     let timeline = recording::timeline(&text, &later_marks(&args.recording)?, keep)
-        .map_err(|recording::NoRecording| Failure::Differs(recording::Different::NoRecording))?;
+        .map_err(|NoRecording| Failure::of(Different::NoRecording))?;
     let bytes = written(&timeline, args)?;
     match &args.out {
-        Some(path) => std::fs::write(path, bytes).map_err(|error| Failure::Unwritten(path.clone(), error)),
-        None => std::io::stdout().lock().write_all(&bytes).map_err(Failure::UnwrittenOut),
+        Some(path) => std::fs::write(path, bytes).map_err(|error| Failure::unwritten(path, &error)),
+        None => std::io::stdout().lock().write_all(&bytes).map_err(Failure::unwritten_out),
     }
 }
 
 fn written(timeline: &Timeline, args: &ConvertArgs) -> Result<Vec<u8>, Failure> {
-    let of = |form: report::Form| form.written(timeline).map_err(Failure::UnwrittenOut);
+    let of = |form: report::Form| form.written(timeline).map_err(Failure::unwritten_out);
     Ok(match args.to {
         ConvertForm::Csv => of(report::Form::Csv(if args.semicolon { ';' } else { ',' }))?,
         ConvertForm::Eaf => of(report::Form::Eaf)?,
         ConvertForm::Boris => of(report::Form::Boris)?,
         ConvertForm::Vtt => of(report::Form::Vtt)?,
-        ConvertForm::Mcap => {
-            mcap::written(timeline).map_err(|why| Failure::UnwrittenOut(std::io::Error::other(why)))?
-        }
+        ConvertForm::Mcap => mcap::written(timeline).map_err(Failure::unwritten_out)?,
     })
 }
 
@@ -91,9 +100,9 @@ fn later_marks(recording: &Path) -> Result<String, Failure> {
     let Some(stem) = name.strip_suffix(".jsonl") else { return Ok(String::new()) };
     let path = recording.with_file_name(format!("{stem}.marks.jsonl"));
     match path.metadata().map(|about| about.len()) {
-        Ok(bytes) if bytes > MARKS_MAX_BYTES => Err(Failure::Large(path, MARKS_MAX_BYTES)),
-        Ok(_) => std::fs::read_to_string(&path).map_err(|error| Failure::Unopened(path, error)),
+        Ok(bytes) if bytes > MARKS_MAX_BYTES => Err(Failure::too_long(&path, MARKS_MAX_BYTES)),
+        Ok(_) => std::fs::read_to_string(&path).map_err(|error| Failure::unopened(&path, &error)),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(String::new()),
-        Err(error) => Err(Failure::Unopened(path, error)),
+        Err(error) => Err(Failure::unopened(&path, &error)),
     }
 }

@@ -26,7 +26,12 @@ pub(crate) fn store_url(store: Option<String>, data: Option<PathBuf>) -> Result<
         return Ok(url);
     }
     let folder = data.map_or_else(usual_data, |data| Ok(Some(data)))?;
-    folder.map(|folder| folder.display().to_string()).ok_or(Failure::NoHome)
+    folder.map(|folder| folder.display().to_string()).ok_or_else(no_home)
+}
+
+/// Nobody said where the data is, and there is no home folder.
+pub(crate) fn no_home() -> Failure {
+    Failure::of("There is no home folder. Say where the data is with --data DIR.")
 }
 
 /// The folder that is taken if none is said.
@@ -41,7 +46,7 @@ fn usual_data() -> Result<Option<PathBuf>, Failure> {
 /// `XDG_STATE_HOME` is a relative path.
 pub(crate) fn state_is_whole() -> Result<(), Failure> {
     match std::env::var_os("XDG_STATE_HOME").filter(|folder| !folder.is_empty()).map(PathBuf::from) {
-        Some(folder) if !folder.is_absolute() => Err(Failure::RelativeState(folder)),
+        Some(folder) if !folder.is_absolute() => Err(relative("XDG_STATE_HOME", &folder, "unset it")),
         Some(_) | None => Ok(()),
     }
 }
@@ -52,9 +57,22 @@ fn usual(xdg: Option<OsString>, home: Option<OsString>) -> Result<Option<PathBuf
     let home = || home.map(|folder| ("HOME", PathBuf::from(folder), ".local/share/rrp"));
     match xdg.or_else(home) {
         Some((_, folder, below)) if folder.is_absolute() => Ok(Some(folder.join(below))),
-        Some((name, folder, _)) => Err(Failure::RelativeFolder(name, folder)),
+        Some((name, folder, _)) => Err(relative(name, &folder, "say where the data is with --data DIR")),
         None => Ok(None),
     }
+}
+
+/// A variable that names no whole path, and what to do instead of setting it to one.
+fn relative(name: &str, folder: &Path, instead: &str) -> Failure {
+    if folder.as_os_str().is_empty() {
+        let mut letters = instead.chars();
+        let instead = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>();
+        return Failure::of(format!("{name} is empty. {instead}, or set {name} to your folder."));
+    }
+    Failure::of(format!(
+        "{name} is “{}”, which is no whole path, as it does not begin with /. Set it to one, or {instead}.",
+        folder.display()
+    ))
 }
 
 /// The folder that was said; else that of the embedded store; else, for a store elsewhere, one of its own in the usual

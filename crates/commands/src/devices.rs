@@ -1,6 +1,8 @@
 //! `rrp devices`: what robots can sense and do, a line each.
 
+use crate::LineCommand;
 use clap::Args;
+use server::PageFiles;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -11,14 +13,14 @@ use std::process::ExitCode;
 #[command(after_help = "Example: rrp devices | grep touch")]
 pub(crate) struct DevicesArgs {}
 
-/// Prints them.
-pub(crate) fn devices(_: &DevicesArgs) -> ExitCode {
-    let mut out = std::io::stdout().lock();
-    for line in ::robot::catalogue_lines() {
+impl LineCommand for DevicesArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp devices                          what robots can sense and do"];
+    const USES_A_SERVER: bool = false;
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        let mut out = std::io::stdout().lock();
         // Who reads no further has seen enough.
-        if writeln!(out, "{line}").is_err() {
-            break;
-        }
+        let _ = ::robot::catalogue_lines().into_iter().try_for_each(|line| writeln!(out, "{line}"));
+        ExitCode::SUCCESS
     }
-    ExitCode::SUCCESS
 }

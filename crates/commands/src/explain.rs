@@ -1,12 +1,12 @@
 //! `rrp explain`: what a behaviour does, a sentence a line.
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_bytes;
 use behaviour::{Behaviour, Helper, Id, Unit, ValueType};
 use clap::Args;
-use phrase::Phrased;
 use sentences::Language;
-use server::Knowing;
+use server::{Knowing, PageFiles};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -27,8 +27,18 @@ pub(crate) struct ExplainArgs {
     language: Language,
 }
 
+impl LineCommand for ExplainArgs {
+    const EXAMPLES: &'static [&'static str] =
+        &["rrp explain tracking.json            what it does, in plain sentences"];
+    const USES_A_SERVER: bool = false;
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        explain(&self)
+    }
+}
+
 /// Explains, prints, and answers with the exit code.
-pub(crate) fn explain(args: &ExplainArgs) -> ExitCode {
+fn explain(args: &ExplainArgs) -> ExitCode {
     let bytes = match read_bytes(&args.file) {
         Ok(bytes) => bytes,
         Err(failure) => return crate::failed(&[failure], 4),
@@ -46,10 +56,8 @@ pub(crate) fn explain(args: &ExplainArgs) -> ExitCode {
 
 fn lines(path: &Path, bytes: &[u8], language: Language) -> Result<Vec<String>, Vec<Failure>> {
     let looked = store::files::look(bytes);
-    let Some(file) = looked.file else { return Err(vec![Failure::Faults(path.to_owned(), looked.faults)]) };
-    let flaws =
-        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.phrase())).collect::<Vec<_>>();
-    let behaviour = file.records(|_| None).map_err(flaws)?;
+    let Some(file) = looked.file else { return Err(vec![Failure::faults(path, &looked.faults)]) };
+    let behaviour = file.records(|_| None).map_err(|flaws| Failure::records(&flaws))?;
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();
     let told = sentences::explain(&behaviour, &helpers, &units(&behaviour, &helpers), language);

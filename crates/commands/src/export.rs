@@ -1,12 +1,15 @@
 //! `rrp export`: a behaviour with its helpers as a file to carry.
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::link::LocalServer;
-use crate::store_at::{NamedBehaviour, StoreArgs, StoreWay, find, library, listed, run};
+use crate::store_at::{StoreArgs, StoreWay, find, library, listed, run};
 use behaviour::{Behaviour, BehaviourFile, Helper, Id};
 use clap::{Args, ValueEnum};
+use server::PageFiles;
 use std::io::Write;
 use std::path::PathBuf;
+use std::process::ExitCode;
 use store::Store;
 
 /// Writes a behaviour with the helpers it uses as a file, to standard output or --out.
@@ -30,6 +33,15 @@ pub(crate) struct ExportArgs {
     at: StoreArgs,
 }
 
+impl LineCommand for ExportArgs {
+    const EXAMPLES: &'static [&'static str] =
+        &["rrp export \"Track far and close balls\" --format xml --out tracking.xml"];
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(export(&self))
+    }
+}
+
 /// The form of the file.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Format {
@@ -42,7 +54,7 @@ enum Format {
 }
 
 /// Exports, or says why not.
-pub(crate) fn export(args: &ExportArgs) -> Result<(), Failure> {
+fn export(args: &ExportArgs) -> Result<(), Failure> {
     let text = run(async {
         match args.at.way().await? {
             StoreWay::Store(store) => {
@@ -52,28 +64,23 @@ pub(crate) fn export(args: &ExportArgs) -> Result<(), Failure> {
             StoreWay::Server(link) => through(&link, args).await,
         }
     })?;
-    let named = |error: std::io::Error| match &args.out {
-        Some(path) => Failure::Unwritten(path.clone(), error),
-        None => Failure::UnwrittenOut(error),
-    };
     match &args.out {
-        Some(path) => std::fs::write(path, text).map_err(named),
-        None => std::io::stdout().lock().write_all(text.as_bytes()).map_err(named),
+        Some(path) => std::fs::write(path, text).map_err(|error| Failure::unwritten(path, &error)),
+        None => std::io::stdout().lock().write_all(text.as_bytes()).map_err(Failure::unwritten_out),
     }
 }
 
 fn written(file: &BehaviourFile, format: Format) -> Result<String, Failure> {
     match format {
         Format::Json => Ok(store::files::write_json(file)),
-        Format::Xml => store::files::write_xml(file).map_err(Failure::NoXml),
+        Format::Xml => store::files::write_xml(file).map_err(Failure::of),
         Format::Svg => Ok(store::files::write_svg(file)),
     }
 }
 
 /// The file as the server gives it that has the store.
 async fn through(link: &LocalServer, args: &ExportArgs) -> Result<String, Failure> {
-    let listed: Vec<NamedBehaviour> =
-        serde_json::from_str(&link.get("/api/behaviours").await?.text().await?).map_err(Failure::StrangeList)?;
+    let listed = link.listed().await?;
     let ending = match args.format {
         Format::Json => "json",
         Format::Xml => "xml",
@@ -82,13 +89,14 @@ async fn through(link: &LocalServer, args: &ExportArgs) -> Result<String, Failur
     let answer = link.get(&format!("/api/behaviours/{}.{ending}", find(&listed, &args.behaviour)?)).await?;
     let fine = answer.fine;
     let text = answer.text().await?;
-    if fine { Ok(text) } else { Err(Failure::ServerSays(text.trim().to_owned())) }
+    if fine { Ok(text) } else { Err(Failure::of(text.trim())) }
 }
 
 /// The file of a behaviour, with its id.
 async fn file(store: &dyn Store, id: &Id) -> Result<BehaviourFile, Failure> {
     let library = library()?;
-    let behaviour = store.load(id).await?.ok_or(Failure::Gone)?.behaviour;
+    let gone = || Failure::of("The behaviour is gone. Choose another one.");
+    let behaviour = store.load(id).await?.ok_or_else(gone)?.behaviour;
     let library = store.load(&library).await?.map_or_else(Behaviour::default, |loaded| loaded.behaviour);
     let helpers: Vec<&Helper> = library.helpers().map(|(_, helper)| helper).collect();
     let mut file = BehaviourFile::of(&behaviour, &helpers);

@@ -2,15 +2,16 @@
 
 mod batch;
 
+use crate::LineCommand;
 use crate::failure::Failure;
-use crate::link::LocalServer;
+use crate::link::{self, LocalServer};
 use crate::patience;
 use crate::program::read_bytes;
-use crate::store_at::{self, NamedBehaviour, StoreArgs, StoreWay, run};
+use crate::store_at::{self, StoreArgs, StoreWay, run};
 use batch::{FileBatch, Goes};
 use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
 use clap::Args;
-use server::{Knowing, free_name};
+use server::{Knowing, PageFiles, free_name};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -42,16 +43,23 @@ pub(crate) struct ImportArgs {
     at: StoreArgs,
 }
 
-/// Imports, and answers with the exit code.
-pub(crate) fn import(args: &ImportArgs) -> ExitCode {
-    let done = run(async {
+impl LineCommand for ImportArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp import tracking.xml              bring a behaviour in, as a copy"];
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(import(&self))
+    }
+}
+
+/// Imports, or says why not.
+fn import(args: &ImportArgs) -> Result<(), Failure> {
+    run(async {
         let (way, files) = (args.at.way().await?, given(args).await?);
         match way {
             StoreWay::Store(store) => patience::told(&args.at.url()?, into_store(&*store, &files, args.restore)).await,
             StoreWay::Server(link) => through_server(&link, files, args.restore).await,
         }
-    });
-    crate::ended(done)
+    })
 }
 
 async fn into_store(store: &dyn Store, files: &[(PathBuf, Vec<u8>)], restore: bool) -> Result<(), Failure> {
@@ -68,8 +76,7 @@ async fn into_store(store: &dyn Store, files: &[(PathBuf, Vec<u8>)], restore: bo
 }
 
 async fn through_server(link: &LocalServer, files: Vec<(PathBuf, Vec<u8>)>, restore: bool) -> Result<(), Failure> {
-    let listed = link.get("/api/behaviours").await?.text().await?;
-    let listed: Vec<NamedBehaviour> = serde_json::from_str(&listed).map_err(Failure::StrangeList)?;
+    let listed = link.listed().await?;
     let batch = FileBatch::among(&listed.into_iter().map(|named| named.id).collect(), &files);
     for (at, (file, bytes)) in files.into_iter().enumerate() {
         let id = (!restore).then(|| batch.id(at, 0));
@@ -115,16 +122,17 @@ async fn through(link: &LocalServer, path: &Path, bytes: Vec<u8>, copy: Option<I
     }
     let mode = copy.map_or_else(|| "restore".to_owned(), |id| format!("copy&behaviour={id}"));
     if bytes.len() > FILE_MAX_BYTES {
-        return Err(Failure::TooLarge(path.to_owned()));
+        let path = path.display();
+        return Err(Failure::of(format!("{path} is larger than {FILE_MAX_BYTES} bytes. Split it into several.")));
     }
     let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), bytes).await?;
     let fine = answer.fine;
     let text = answer.text().await?;
     if fine {
-        return serde_json::from_str(&text).map_err(Failure::StrangeAnswer);
+        return link::understood(&text);
     }
-    let No { error } = serde_json::from_str(&text).map_err(Failure::StrangeAnswer)?;
-    Err(Failure::ServerSaysOf(path.to_owned(), error))
+    let No { error } = link::understood(&text)?;
+    Err(Failure::of(format!("{}: {error}", path.display())))
 }
 
 fn tell(file: &Path, brought: &ImportOutcome) {
@@ -142,7 +150,7 @@ fn tell_is_here(file: &Path, name: &str, id: &Id) {
 /// Imports a file, as a copy of this id or as itself.
 async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], copy: Option<Id>) -> Result<Import, Failure> {
     let mut looked = store::files::look(bytes);
-    let named = |faults: Vec<FileFault>| Failure::Faults(path.to_owned(), faults);
+    let named = |faults: Vec<FileFault>| Failure::faults(path, &faults);
     let Some(mut file) = looked.file.take() else { return Err(named(looked.faults)) };
     let mode = if copy.is_some() { ImportMode::Copy } else { ImportMode::Restore };
     if mode == ImportMode::Restore {
@@ -177,7 +185,10 @@ async fn check_absent(store: &dyn Store, file: &BehaviourFile) -> Result<(), Fai
     if there.is_none() && id.as_str() != LIBRARY {
         return Ok(());
     }
-    Err(Failure::Present(file.name.clone()))
+    Err(Failure::of(format!(
+        "“{}” is there already, perhaps in the bin. Import it without --restore to get a copy.",
+        file.name
+    )))
 }
 
 /// The library as it is; a fresh store gets the helpers that come with the robot, as from a server.
@@ -203,7 +214,7 @@ async fn save_library(store: &dyn Store, library: Room, brought: &Import) -> Res
             append(store, &store_at::library()?, &made, &after).await
         }
         Decision::Duplicate(_) => Ok(()),
-        Decision::Refuse(refusal) => Err(Failure::Refused(refusal)),
+        Decision::Refuse(refusal) => Err(Failure::of(refusal)),
     }
 }
 
@@ -220,7 +231,9 @@ async fn save(store: &dyn Store, brought: &Import) -> Result<(), Failure> {
 async fn append(store: &dyn Store, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), Failure> {
     match store.append(id, made, after).await? {
         Append::Applied | Append::Duplicate { .. } => Ok(()),
-        Append::Reused { .. } | Append::Conflict { .. } => Err(Failure::Overtaken),
+        Append::Reused { .. } | Append::Conflict { .. } => {
+            Err(Failure::of("Somebody else changed the store just now. Try again."))
+        }
     }
 }
 

@@ -1,16 +1,19 @@
 //! `rrp backup`, `rrp restore` and `rrp migrate`: a whole store at once.
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::link::LocalServer;
 use crate::patience;
 use crate::store_at::{StoreArgs, StoreWay, open, open_to_fill, run};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use server::PageFiles;
 use std::fs::File;
 use std::io::{BufReader, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
-use store::backup::{BackedUpRobot, BackupError, Counted};
+use store::backup::{BackedUpRobot, BackupError, Counted, StoreDifference};
 use store::{Filling, FolderLock, Store};
 
 /// How often the bar is drawn, in times a second.
@@ -29,6 +32,14 @@ pub(crate) struct BackupArgs {
     at: StoreArgs,
 }
 
+impl LineCommand for BackupArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp backup monday.rrpbackup          keep everything in one file"];
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(backup(&self))
+    }
+}
+
 /// Puts a backup into an empty store.
 ///
 /// The whole file is read before anything is changed. Ended early, the same command goes on where it was; until then no
@@ -41,6 +52,12 @@ pub(crate) struct RestoreArgs {
     file: PathBuf,
     #[command(flatten)]
     at: StoreArgs,
+}
+
+impl LineCommand for RestoreArgs {
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(restore(&self))
+    }
 }
 
 /// Copies a whole store into another one that is empty, then compares both.
@@ -58,8 +75,14 @@ pub(crate) struct MigrateArgs {
     to: String,
 }
 
+impl LineCommand for MigrateArgs {
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(migrate(&self))
+    }
+}
+
 /// Backs up, or says why not.
-pub(crate) fn backup(args: &BackupArgs) -> Result<(), Failure> {
+fn backup(args: &BackupArgs) -> Result<(), Failure> {
     let (part, bar) = (part(&args.file), Bar::new());
     let done = run(async {
         match args.at.way().await? {
@@ -72,7 +95,7 @@ pub(crate) fn backup(args: &BackupArgs) -> Result<(), Failure> {
     });
     let done = done.and_then(|done| {
         let kept = store::disk::rename(&part, &args.file);
-        kept.map(|()| done).map_err(|error| Failure::Unwritten(args.file.clone(), error))
+        kept.map(|()| done).map_err(|error| Failure::unwritten(&args.file, &error))
     });
     match done {
         Ok(done) => say(&format!("{} in {}.", counted(done), args.file.display())),
@@ -110,7 +133,7 @@ async fn write(store: &dyn Store, robots: &[BackedUpRobot], part: &Path, bar: &B
 
 /// Has a backup written by the server that has the store.
 async fn fetch(link: &LocalServer, part: &Path) -> Result<Counted, Failure> {
-    let unwritten = |error| Failure::Unwritten(part.to_owned(), error);
+    let unwritten = |error| Failure::unwritten(part, &error);
     let mut file = BufWriter::new(store::disk::create(part).map_err(unwritten)?);
     link.get("/api/backup").await?.copy(&mut file).await?;
     let file = file.into_inner().map_err(|error| unwritten(error.into_error()))?;
@@ -120,8 +143,8 @@ async fn fetch(link: &LocalServer, part: &Path) -> Result<Counted, Failure> {
 }
 
 /// Restores, or says why not.
-pub(crate) fn restore(args: &RestoreArgs) -> Result<(), Failure> {
-    let unopened = |error| Failure::Unopened(args.file.clone(), error);
+fn restore(args: &RestoreArgs) -> Result<(), Failure> {
+    let unopened = |error| Failure::unopened(&args.file, &error);
     let (file, bar) = (BufReader::new(File::open(&args.file).map_err(unopened)?), Bar::new());
     let done = run(async {
         let (store, url) = (args.at.open_to_fill().await?, args.at.url()?);
@@ -134,12 +157,17 @@ pub(crate) fn restore(args: &RestoreArgs) -> Result<(), Failure> {
         let done = store::backup::restore(backup, &filling, &|done, of| bar.at(done, of)).await?;
         if let Some(folder) = folder {
             let kept = server::put_robots(&folder, &robots).and_then(|()| store::end_in_folder(&folder));
-            kept.map_err(Failure::DataFolder)?;
+            kept.map_err(unkept)?;
         }
         filling.end().await?;
         Ok(done)
     })?;
     say(&format!("{} from {}.", counted(done), args.file.display()))
+}
+
+/// The robots of a backup could not be kept.
+fn unkept(error: std::io::Error) -> Failure {
+    Failure::of(format!("The data folder cannot be written ({error}). Look at the disk, then do this again."))
 }
 
 /// Keeps servers away from the folder beside a store that is elsewhere.
@@ -153,9 +181,9 @@ fn lock_beside(at: &StoreArgs) -> Result<Option<FolderLock>, Failure> {
 fn folder_for(at: &StoreArgs, robots: &[BackedUpRobot], goes_on: bool) -> Result<Option<PathBuf>, Failure> {
     let folder = at.folder().filter(|folder| folder.is_dir() || !robots.is_empty());
     match &folder {
-        Some(folder) => server::check_robots(folder, robots, goes_on).map_err(Failure::Robots)?,
+        Some(folder) => server::check_robots(folder, robots, goes_on).map_err(Failure::of)?,
         None if robots.is_empty() => {}
-        None => return Err(Failure::NoRobotsFolder),
+        None => return Err(Failure::of("There is no folder for the robots in the backup. Say one with --data DIR.")),
     }
     Ok(folder)
 }
@@ -173,7 +201,7 @@ fn word(text: &str) -> String {
 }
 
 /// Copies, or says why not.
-pub(crate) fn migrate(args: &MigrateArgs) -> Result<(), Failure> {
+fn migrate(args: &MigrateArgs) -> Result<(), Failure> {
     let bar = Bar::new();
     let (done, differences) = run(async {
         if args.from == args.to {
@@ -185,9 +213,15 @@ pub(crate) fn migrate(args: &MigrateArgs) -> Result<(), Failure> {
         Ok(store::backup::migrate(&from, &to, &source, &|done, of| bar.at(done, of)).await?)
     })?;
     if !differences.is_empty() {
-        return Err(Failure::Differences(differences));
+        return Err(differ(&differences));
     }
     say(&format!("{}; both stores hold the same: revisions, records, histories and bin.", counted(done)))
+}
+
+/// In these the copied store differs from the first one.
+fn differ(all: &[StoreDifference]) -> Failure {
+    let lines: String = all.iter().map(|one| format!("\n  {}: {} differs", one.behaviour, one.what)).collect();
+    Failure::of(format!("The stores are not the same. Empty the second one and try again:{lines}"))
 }
 
 fn counted(done: Counted) -> String {
@@ -196,7 +230,7 @@ fn counted(done: Counted) -> String {
 }
 
 fn say(sentence: &str) -> Result<(), Failure> {
-    writeln!(std::io::stdout().lock(), "{sentence}").map_err(Failure::Untold)
+    writeln!(std::io::stdout().lock(), "{sentence}").map_err(Failure::of)
 }
 
 /// How far it is, on a terminal only.

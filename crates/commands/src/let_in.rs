@@ -1,16 +1,20 @@
 //! `rrp open` and `rrp invite`: links of a running server, for a browser of this computer and for others.
 
+use crate::LineCommand;
+use crate::data_folder::no_home;
 use crate::failure::Failure;
-use crate::link::LocalServer;
+use crate::link::{self, LocalServer};
 use crate::listening::tell_invitation;
 use crate::store_at::{StoreArgs, run};
 use clap::{Args, ValueEnum};
 use host_key::HostKey;
 use protocol::{HOST_LINK_PATH, Lasts, Role, answer, request};
 use serde::Deserialize;
-use server::InvitedFrom;
+use server::{InvitedFrom, PageFiles};
 use shell::Client;
 use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
 
 /// Prints a link that opens the page in a browser of this computer.
 ///
@@ -24,6 +28,15 @@ use std::io::{self, Write};
 pub(crate) struct OpenArgs {
     #[command(flatten)]
     at: StoreArgs,
+}
+
+impl LineCommand for OpenArgs {
+    const EXAMPLES: &'static [&'static str] =
+        &["rrp open                             a link that opens the page in another browser of this computer"];
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(open(&self))
+    }
 }
 
 /// Makes an invitation for somebody elsewhere, and prints its link and QR code.
@@ -47,6 +60,15 @@ pub(crate) struct InviteArgs {
     /// For whom it is, as the page lists it.
     #[arg(long, value_name = "TEXT", default_value = "")]
     label: String,
+}
+
+impl LineCommand for InviteArgs {
+    const EXAMPLES: &'static [&'static str] =
+        &["rrp invite --role viewer             a link that lets somebody else look on"];
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        crate::ended(invite(self))
+    }
 }
 
 /// What an invitation lets somebody do.
@@ -74,21 +96,28 @@ enum HowLong {
 impl StoreArgs {
     /// The running server that uses the data folder, and what shows it that we are its host.
     fn server(&self) -> Result<HostKey, Failure> {
-        let folder = self.folder().ok_or(Failure::NoHome)?;
-        host_key::in_folder(&folder).ok_or(Failure::NoServer(folder))
+        let folder = self.folder().ok_or_else(no_home)?;
+        host_key::in_folder(&folder).ok_or_else(|| no_server(&folder))
     }
 }
 
+fn no_server(folder: &Path) -> Failure {
+    Failure::of(format!(
+        "No rrp server of yours runs on {}. Start one with `rrp serve`, or say with --data DIR on which folder it runs.",
+        folder.display()
+    ))
+}
+
 /// Prints a link for a browser of this computer.
-pub(crate) fn open(args: &OpenArgs) -> Result<(), Failure> {
+fn open(args: &OpenArgs) -> Result<(), Failure> {
     run(async {
         let answer = LocalServer { address: args.at.server()?.address }.post(HOST_LINK_PATH, Vec::new()).await?;
         let (fine, text) = (answer.fine, answer.text().await?);
         if !fine {
-            return Err(Failure::ServerSays(text.trim().to_owned()));
+            return Err(Failure::of(text.trim()));
         }
-        let made: InvitationAnswer = serde_json::from_str(&text).map_err(Failure::StrangeAnswer)?;
-        tell_host_link(&mut io::stdout().lock(), &made.link).map_err(Failure::Untold)
+        let made: InvitationAnswer = link::understood(&text)?;
+        tell_host_link(&mut io::stdout().lock(), &made.link).map_err(Failure::of)
     })
 }
 
@@ -104,17 +133,17 @@ pub(crate) fn tell_host_link(out: &mut impl Write, link: &str) -> io::Result<()>
 }
 
 /// Makes an invitation and prints it.
-pub(crate) fn invite(args: InviteArgs) -> Result<(), Failure> {
+fn invite(args: InviteArgs) -> Result<(), Failure> {
     run(async {
         let client = Client::connect(&format!("http://{}/", args.at.server()?.address), "rrp invite").await;
-        let client = client.map_err(|why| Failure::ServerSays(why.to_string()))?;
+        let client = client.map_err(Failure::of)?;
         let (role, lasts) = (args.role.into(), args.lasts.into());
         match client.ask(request::Invite { role, lasts, label: args.label }).await {
             Ok(answer::Invited { link, qr, fingerprint, .. }) => {
                 let invited = InvitedFrom { role, lasts, link, qr, fingerprint };
-                tell_invitation(&mut io::stdout().lock(), &invited).map_err(Failure::Untold)
+                tell_invitation(&mut io::stdout().lock(), &invited).map_err(Failure::of)
             }
-            Err(why) => Err(Failure::ServerSays(why.to_string())),
+            Err(why) => Err(Failure::of(why)),
         }
     })
 }

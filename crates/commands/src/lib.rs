@@ -17,16 +17,15 @@ mod link;
 mod listening;
 mod load;
 mod log;
-mod no_answer;
 mod patience;
 mod program;
 mod replay;
 mod robot;
 mod serve;
+mod shell;
 mod store_at;
 mod trace;
 mod why;
-mod words;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
@@ -36,18 +35,57 @@ use std::process::ExitCode;
 
 /// Robot behaviours made together: a page for therapists, a robot or its simulation, and tools around them.
 #[derive(Debug, Parser)]
-#[command(name = "rrp", version, after_help = EXAMPLES)]
+#[command(name = "rrp", version, after_help = examples())]
 struct CommandLine {
     #[command(subcommand)]
     what: CommandChoice,
 }
 
-#[derive(Debug, Subcommand)]
-enum CommandChoice {
+/// A command of the command line. Its arguments are its fields, and their comments its help.
+trait LineCommand {
+    /// The lines about it among the examples of `rrp --help`.
+    const EXAMPLES: &'static [&'static str] = &[];
+    /// True if it is a server, or may talk to one by what is remembered of this user's servers.
+    const USES_A_SERVER: bool = true;
+
+    /// Does it, and answers with the exit code. A server shows `page`.
+    fn run(self, page: PageFiles) -> ExitCode;
+}
+
+/// The list of commands, in the order of the help.
+macro_rules! commands {
+    ($($command:ident($module:ident::$args:ident),)*) => {
+        #[derive(Debug, Subcommand)]
+        enum CommandChoice {
+            $($command($module::$args),)*
+        }
+
+        impl CommandChoice {
+            fn uses_a_server(&self) -> bool {
+                match self {
+                    $(Self::$command(_) => $module::$args::USES_A_SERVER,)*
+                }
+            }
+
+            fn run(self, page: PageFiles) -> ExitCode {
+                match self {
+                    $(Self::$command(args) => args.run(page),)*
+                }
+            }
+        }
+
+        fn examples() -> String {
+            let lines = [$($module::$args::EXAMPLES),*].concat();
+            format!("Examples:\n  {}", lines.join("\n  "))
+        }
+    };
+}
+
+commands! {
     Serve(serve::ServeArgs),
     Open(let_in::OpenArgs),
     Invite(let_in::InviteArgs),
-    Shell(ShellArgs),
+    Shell(shell::ShellArgs),
     Robot(robot::RobotArgs),
     Replay(replay::ReplayArgs),
     Why(why::WhyArgs),
@@ -65,53 +103,6 @@ enum CommandChoice {
     Migrate(keep::MigrateArgs),
 }
 
-impl CommandChoice {
-    /// True if it is a server, or may talk to one by what is remembered of this user's servers.
-    fn uses_a_server(&self) -> bool {
-        let only_files = matches!(
-            self,
-            Self::Replay(_)
-                | Self::Why(_)
-                | Self::Bench(_)
-                | Self::Devices(_)
-                | Self::Check(_)
-                | Self::Explain(_)
-                | Self::Build(_)
-        );
-        !only_files
-    }
-}
-
-/// Opens the operator's console on a running server.
-///
-/// On a terminal it completes and remembers; else it reads a command a line and exits with 1 at the first refused one.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "Example: echo 'show programs' | rrp shell http://127.0.0.1:7130/")]
-struct ShellArgs {
-    /// The server's address.
-    #[arg(value_name = "URL", default_value = shell::DEFAULT_URL)]
-    url: String,
-}
-
-const EXAMPLES: &str = "Examples:
-  rrp serve                            serve on this computer, on http://127.0.0.1:7130/
-  rrp serve --listen 127.0.0.1:0       on a free port
-  rrp open                             a link that opens the page in another browser of this computer
-  rrp invite --role viewer             a link that lets somebody else look on
-  rrp shell                            look around and start behaviours from a terminal
-  rrp robot add NAO --address nao.local
-  rrp replay --behaviour tracking.json --trace morning.jsonl
-  rrp why greet.jsonl --action Say --at 1:04.2
-  rrp convert morning.jsonl --to csv --out morning.csv
-  rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000
-  rrp export \"Track far and close balls\" --format xml --out tracking.xml
-  rrp import tracking.xml              bring a behaviour in, as a copy
-  rrp devices                          what robots can sense and do
-  rrp check tracking.xml               look what is wrong with a file
-  rrp explain tracking.json            what it does, in plain sentences
-  rrp build \"When the head is touched, wave.\" > wave.json
-  rrp backup monday.rrpbackup          keep everything in one file";
-
 /// Does what the words on the command line ask for and answers with the exit code; what cannot be read ends the process
 /// with help on standard error and exit code 2.
 ///
@@ -123,27 +114,7 @@ pub fn run(page: PageFiles) -> ExitCode {
     {
         return failed(&[failure], 1);
     }
-    match what {
-        CommandChoice::Serve(args) => serve::serve(args, page),
-        CommandChoice::Open(args) => ended(let_in::open(&args)),
-        CommandChoice::Invite(args) => ended(let_in::invite(args)),
-        CommandChoice::Shell(args) => console(&args.url),
-        CommandChoice::Robot(args) => robot::robot(&args),
-        CommandChoice::Replay(args) => replay::replay(&args),
-        CommandChoice::Why(args) => why::why(&args),
-        CommandChoice::Convert(args) => ended(convert::convert(&args)),
-        CommandChoice::Bench(args) => bench::bench(&args),
-        CommandChoice::Load(args) => load::load(&args),
-        CommandChoice::Devices(args) => devices::devices(&args),
-        CommandChoice::Export(args) => ended(export::export(&args)),
-        CommandChoice::Import(args) => import::import(&args),
-        CommandChoice::Check(args) => check::check(&args),
-        CommandChoice::Explain(args) => explain::explain(&args),
-        CommandChoice::Build(args) => build::build(&args),
-        CommandChoice::Backup(args) => ended(keep::backup(&args)),
-        CommandChoice::Restore(args) => ended(keep::restore(&args)),
-        CommandChoice::Migrate(args) => ended(keep::migrate(&args)),
-    }
+    what.run(page)
 }
 
 /// Success, or what failed on standard error and exit code 1.
@@ -163,10 +134,24 @@ fn failed(failures: &[Failure], code: u8) -> ExitCode {
     ExitCode::from(code)
 }
 
-fn console(url: &str) -> ExitCode {
-    let Ok(runtime) = tokio::runtime::Runtime::new() else { return ExitCode::FAILURE };
-    let fine = runtime.block_on(shell::run(Some(url)));
-    // Somebody may still be reading a line from the terminal.
-    runtime.shutdown_background();
-    if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+#[cfg(test)]
+mod tests {
+    use super::CommandLine;
+    use clap::CommandFactory;
+
+    #[test]
+    fn every_command_says_what_it_does_shows_an_example_and_is_listed_in_the_readme() {
+        let readme = include_str!("../../../README.md");
+        let mut line = CommandLine::command();
+        line.build();
+        let commands: Vec<_> = line.get_subcommands().filter(|command| command.get_name() != "help").collect();
+        assert!(!commands.is_empty());
+        for command in commands {
+            let name = command.get_name();
+            assert!(command.get_about().is_some(), "{name} says nothing");
+            let after = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(after.contains(&format!("rrp {name}")), "{name} has no example");
+            assert!(readme.contains(&format!("`{name}`")), "{name} is missing in README.md");
+        }
+    }
 }

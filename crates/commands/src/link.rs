@@ -1,12 +1,16 @@
 //! The way to a store through the running server that uses it.
 
-use crate::failure::{BoxError, Failure};
+use crate::failure::Failure;
+use behaviour::Id;
 use http_body_util::{BodyExt, Full};
 use hyper::body::{Bytes, Incoming};
 use hyper::client::conn::http1;
 use hyper::header::{HOST, ORIGIN};
 use hyper::{Method, Request, StatusCode};
 use hyper_util::rt::TokioIo;
+use serde::de::DeserializeOwned;
+use std::error::Error;
+use std::fmt;
 use std::io::Write;
 use std::net::SocketAddr;
 use std::time::Duration;
@@ -17,9 +21,19 @@ const CONNECT_MS: u64 = 3_000;
 /// How long the server may be silent.
 const SILENT_MS: u64 = 60_000;
 
+/// What a library complains about.
+type BoxError = Box<dyn Error + Send + Sync>;
+
 /// A running server on this computer.
 pub(crate) struct LocalServer {
     pub(crate) address: SocketAddr,
+}
+
+/// A behaviour, as lists have it.
+#[derive(Debug, serde::Deserialize)]
+pub(crate) struct NamedBehaviour {
+    pub(crate) id: Id,
+    pub(crate) name: String,
 }
 
 /// What the server said.
@@ -59,9 +73,18 @@ impl LocalServer {
         self.ask(Method::POST, path, body.into()).await
     }
 
+    /// Id and name of everything that is not in the bin.
+    pub(crate) async fn listed(&self) -> Result<Vec<NamedBehaviour>, Failure> {
+        let text = self.get("/api/behaviours").await?.text().await?;
+        serde_json::from_str(&text).map_err(|error| strange("a list", error))
+    }
+
     async fn ask(&self, method: Method, path: &str, body: Bytes) -> Result<ServerAnswer, Failure> {
         let answer = self.exchange(method, path, body).await;
-        answer.map_err(|error| Failure::Silent(self.address, error))
+        answer.map_err(|error| {
+            let address = self.address;
+            Failure::of(format!("The rrp server at http://{address}/ does not answer ({error}). Look whether it runs."))
+        })
     }
 
     async fn exchange(&self, method: Method, path: &str, body: Bytes) -> Result<ServerAnswer, BoxError> {
@@ -86,6 +109,18 @@ async fn within<T>(ms: u64, work: impl Future<Output = T>) -> Result<T, tokio::t
     tokio::time::timeout(Duration::from_millis(ms), work).await
 }
 
-fn cut_off(error: impl Into<BoxError>) -> Failure {
-    Failure::CutOff(error.into())
+fn cut_off(error: impl fmt::Display) -> Failure {
+    Failure::of(format!("The rrp server stopped in the middle of its answer ({error}). Try again."))
+}
+
+/// What an answer says.
+///
+/// # Errors
+/// It says something else.
+pub(crate) fn understood<T: DeserializeOwned>(answer: &str) -> Result<T, Failure> {
+    serde_json::from_str(answer).map_err(|error| strange("an answer", error))
+}
+
+fn strange(what: &str, error: serde_json::Error) -> Failure {
+    Failure::of(format!("The rrp server gave {what} that cannot be read ({error}). Is it of another version?"))
 }

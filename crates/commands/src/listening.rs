@@ -1,9 +1,10 @@
 //! Where `rrp serve` listens: for its host at this computer, and for others, who come by invitation.
 
-use crate::failure::{Failure, ListenConflict};
+use crate::failure::Failure;
 use clap::Args;
 use protocol::{Lasts, Role};
 use server::{GuestNetwork, InvitedFrom, Secured};
+use std::fmt;
 use std::io::{self, IsTerminal, Write};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
@@ -39,7 +40,7 @@ pub(crate) struct Listening {
 impl Listening {
     /// The address for this computer, and the way in for others if there is one.
     pub(crate) fn ways(self) -> Result<(SocketAddr, Option<GuestNetwork>), Failure> {
-        self.sorted().map_err(Failure::Listening)
+        self.sorted().map_err(Failure::of)
     }
 
     fn sorted(self) -> Result<(SocketAddr, Option<GuestNetwork>), ListenConflict> {
@@ -60,6 +61,44 @@ impl Listening {
         };
         let local = own.unwrap_or_else(|| others.map_or(USUAL, beside));
         Ok((local, others.map(|listen| GuestNetwork { listen, secured })))
+    }
+}
+
+/// Why the addresses do not go together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum ListenConflict {
+    /// There are two for this computer, or two for others.
+    TwoOfAKind,
+    /// There is a certificate and nobody to show it to.
+    NoNetwork,
+    /// This is no origin.
+    Origin(String),
+    /// This is no address to listen on.
+    Address(String),
+}
+
+impl std::error::Error for ListenConflict {}
+
+impl fmt::Display for ListenConflict {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::TwoOfAKind => to.write_str(
+                "Say --listen once for this computer and once for others at most: one address of its own, such as \
+                 127.0.0.1:7130, and one in the network.",
+            ),
+            Self::NoNetwork => to.write_str(
+                "A certificate is for those who come from elsewhere. Say with --listen where they come in, or leave out \
+                 --cert and --key.",
+            ),
+            Self::Address(said) => write!(
+                to,
+                "“{said}” is no address with a port. Write localhost:7130 for this computer, or the number of this computer \
+                 in the network, such as 192.168.1.5:7130."
+            ),
+            Self::Origin(said) => {
+                write!(to, "“{said}” is not what browsers reach the proxy by. Write it as https://rrp.example, without a path.")
+            }
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 //! `rrp load`: many people at once on a running server, what they wait for, and whether all see the same in the end.
 
+use crate::LineCommand;
 use ::load::{LoadPlan, Report, Wrong, run, tidy};
 use clap::Args;
+use server::PageFiles;
 use shell::ClientError;
 use std::io::Write;
 use std::process::ExitCode;
@@ -54,6 +56,12 @@ pub(crate) struct LoadArgs {
     keep: bool,
 }
 
+impl LineCommand for LoadArgs {
+    fn run(self, _: PageFiles) -> ExitCode {
+        load(&self)
+    }
+}
+
 fn at_most<const MOST: usize>(text: &str) -> Result<usize, String> {
     let known = text.parse().ok().filter(|number| (1..=MOST).contains(number));
     known.ok_or_else(|| format!("a number from 1 to {MOST} is needed"))
@@ -74,7 +82,7 @@ impl LoadArgs {
 }
 
 /// Loads, prints, and answers with the exit code.
-pub(crate) fn load(args: &LoadArgs) -> ExitCode {
+fn load(args: &LoadArgs) -> ExitCode {
     let Ok(runtime) = tokio::runtime::Runtime::new() else { return ExitCode::FAILURE };
     let loaded = runtime.block_on(loaded(args));
     runtime.shutdown_background();

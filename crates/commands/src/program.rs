@@ -13,7 +13,7 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 
 /// So many bytes of a file, or of standard input for `-`.
 pub(crate) fn read_up_to(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    let named = |error: std::io::Error| Failure::Unopened(path.to_owned(), error);
+    let named = |error: std::io::Error| Failure::unopened(path, &error);
     let source: Box<dyn Read> = if path == Path::new("-") {
         Box::new(std::io::stdin().lock())
     } else {
@@ -29,7 +29,7 @@ pub(crate) fn read_program(path: &Path) -> Result<BehaviourFile, Failure> {
     let bytes = read_bytes(path)?;
     let looked = look(&bytes);
     let runs = || (bytes.len() <= FILE_MAX_BYTES).then(|| text_of(&bytes).ok().and_then(plain)).flatten();
-    looked.file.or_else(runs).ok_or_else(|| Failure::Faults(path.to_owned(), looked.faults))
+    looked.file.or_else(runs).ok_or_else(|| Failure::faults(path, &looked.faults))
 }
 
 fn plain(text: &str) -> Option<BehaviourFile> {

@@ -5,6 +5,7 @@ mod play;
 mod printer;
 mod recording;
 
+use crate::LineCommand;
 use crate::failure::Failure;
 use crate::program::read_program;
 use crate::trace::{TraceReading, parse_lines, read_trace};
@@ -14,6 +15,7 @@ use engine::{Limits, Run};
 use play::{Player, play};
 use printer::Printer;
 use robot::Millis;
+use server::PageFiles;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -70,6 +72,15 @@ const EXAMPLES: &str = "Examples:
   rrp replay --arbitrate --behaviour safety.json --behaviour greeting.json --trace morning.jsonl
   rrp replay --arbitrate --behaviour a.json --behaviour b.json --trace a.jsonl --trace b.jsonl";
 
+impl LineCommand for ReplayArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp replay --behaviour tracking.json --trace morning.jsonl"];
+    const USES_A_SERVER: bool = false;
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        replay(&self)
+    }
+}
+
 /// How time runs.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum ReplayMode {
@@ -88,7 +99,7 @@ pub(crate) enum ReplayRefused {
 impl ReplayRefused {
     /// A behaviour that the engine cannot run.
     pub(crate) fn engine(faults: Vec<engine::GraphFault>) -> Self {
-        Self::Behaviour(faults.into_iter().map(Failure::Engine).collect())
+        Self::Behaviour(Failure::records(&faults))
     }
 }
 
@@ -100,7 +111,7 @@ struct ReplayTrace {
 }
 
 /// Replays, prints, and answers with the exit code.
-pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
+fn replay(args: &ReplayArgs) -> ExitCode {
     if let Some(path) = &args.check {
         return check::check(path);
     }
@@ -164,7 +175,10 @@ fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<ReplayTrace>, Failure> 
             let own = |(path, run): (&PathBuf, &Run)| parse(&read_trace(path)?, run, &[run]);
             each.iter().zip(runs).map(own).collect()
         }
-        each => Err(Failure::Traces { traces: each.len(), behaviours: runs.len() }),
+        each => {
+            let (traces, behaviours) = (each.len(), runs.len());
+            Err(Failure::of(format!("{traces} traces for {behaviours} behaviours; give one for all, or one for each")))
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 //! `rrp robot`: the robots of a running server, from a command line. It says to the server what the console says.
 
+use crate::LineCommand;
 use clap::{Args, Subcommand};
+use server::PageFiles;
 use shell::Console;
 use std::process::ExitCode;
 
@@ -20,6 +22,14 @@ pub(crate) struct RobotArgs {
     server: String,
     #[command(subcommand)]
     what: RobotCommand,
+}
+
+impl LineCommand for RobotArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp robot add NAO --address nao.local"];
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        robot(&self)
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -163,7 +173,7 @@ impl RobotCommand {
 }
 
 /// Does it, and answers with the exit code.
-pub(crate) fn robot(args: &RobotArgs) -> ExitCode {
+fn robot(args: &RobotArgs) -> ExitCode {
     let Ok(runtime) = tokio::runtime::Builder::new_current_thread().enable_all().build() else {
         return ExitCode::FAILURE;
     };

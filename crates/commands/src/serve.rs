@@ -1,5 +1,6 @@
 //! `rrp serve`: the server in the foreground, until a signal or the end of its terminal.
 
+use crate::LineCommand;
 use crate::data_folder::{kept_in, store_url};
 use crate::ending;
 use crate::failure::Failure;
@@ -55,11 +56,17 @@ pub(crate) struct ServeArgs {
     seed: u64,
 }
 
-/// Serves, and answers with the exit code.
-pub(crate) fn serve(args: ServeArgs, page: PageFiles) -> ExitCode {
-    let log = log::start();
-    more_files();
-    crate::ended(run(args, page, &log))
+impl LineCommand for ServeArgs {
+    const EXAMPLES: &'static [&'static str] = &[
+        "rrp serve                            serve on this computer, on http://127.0.0.1:7130/",
+        "rrp serve --listen 127.0.0.1:0       on a free port",
+    ];
+
+    fn run(self, page: PageFiles) -> ExitCode {
+        let log = log::start();
+        more_files();
+        crate::ended(serve(self, page, &log))
+    }
 }
 
 /// Allows as many open files and connections as the system lets us have; often it is few at first.
@@ -77,18 +84,19 @@ fn more_files() {
 #[cfg(not(unix))]
 fn more_files() {}
 
-fn run(args: ServeArgs, page: PageFiles, log: &Log) -> Result<(), Failure> {
+fn serve(args: ServeArgs, page: PageFiles, log: &Log) -> Result<(), Failure> {
     let data = kept_in(args.store.as_deref(), args.data.as_deref())?;
     let store = store_url(args.store, args.data)?;
     let (listen, network) = args.at.ways()?;
     let config = Config { listen, network, store, data, seed: args.seed, page };
     let mut threads = tokio::runtime::Builder::new_multi_thread();
     threads.max_blocking_threads(BLOCKING_THREADS).enable_all();
-    let runtime = threads.build().map_err(Failure::ServerNotStarted)?;
+    let not_started = |error| Failure::of(format!("The server could not start: {error}."));
+    let runtime = threads.build().map_err(not_started)?;
     let served = runtime.block_on(async {
-        let asked_to_end = ending::asked().map_err(Failure::ServerNotStarted)?;
+        let asked_to_end = ending::asked().map_err(not_started)?;
         tokio::select! {
-            served = server::serve(config, ready, asked_to_end) => served.map_err(Failure::Serve),
+            served = server::serve(config, ready, asked_to_end) => served.map_err(Failure::of),
             () = log.tell_losses() => Ok(()),
         }
     });

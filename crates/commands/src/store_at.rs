@@ -1,13 +1,13 @@
 //! Which store a command works on, and the way to it.
 
 use crate::data_folder::{kept_in, store_url};
-use crate::failure::Failure;
-use crate::link::LocalServer;
+use crate::failure::{Failure, few};
+use crate::link::{LocalServer, NamedBehaviour};
 use crate::patience;
 use behaviour::{Id, as_looks, look_same};
 use clap::Args;
 use std::future::Future;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::pin::Pin;
 use std::sync::Arc;
 use store::{LIBRARY, Store, StoreError};
@@ -43,7 +43,7 @@ impl StoreArgs {
             Ok(store) => Ok(StoreWay::Store(store)),
             Err(StoreError::Busy(folder)) => match server::address_in(&folder) {
                 Some(address) => Ok(StoreWay::Server(LocalServer { address })),
-                None => Err(Failure::Busy(folder)),
+                None => Err(busy(&folder)),
             },
             Err(error) => Err(error.into()),
         }
@@ -77,26 +77,25 @@ pub(crate) async fn open_to_fill(url: &str) -> Result<Arc<dyn Store>, Failure> {
 
 fn unopened(error: StoreError) -> Failure {
     match error {
-        StoreError::Busy(folder) => Failure::Busy(folder),
-        other => Failure::Store(other),
+        StoreError::Busy(folder) => busy(&folder),
+        other => other.into(),
     }
 }
 
-/// A behaviour.
-#[derive(Debug, serde::Deserialize)]
-pub(crate) struct NamedBehaviour {
-    pub(crate) id: Id,
-    pub(crate) name: String,
+/// A running server uses the store in this folder.
+fn busy(folder: &Path) -> Failure {
+    Failure::of(format!("A running rrp server uses {}. Stop it, then do this again.", folder.display()))
 }
 
 /// The id of the library.
 pub(crate) fn library() -> Result<Id, Failure> {
-    Id::new(LIBRARY).map_err(|reason| Failure::Id(reason.to_string()))
+    Id::new(LIBRARY).map_err(Failure::of)
 }
 
 /// Runs what waits for a store, to its end.
 pub(crate) fn run<T>(work: impl Future<Output = Result<T, Failure>>) -> Result<T, Failure> {
-    let runtime = tokio::runtime::Runtime::new().map_err(Failure::NotStarted)?;
+    let runtime = tokio::runtime::Runtime::new();
+    let runtime = runtime.map_err(|error| Failure::of(format!("This could not start: {error}.")))?;
     // In a box commands with the same answer look the same, and the runtime is compiled once for all of them.
     let work: Pin<Box<dyn Future<Output = Result<T, Failure>> + '_>> = Box::pin(work);
     runtime.block_on(work)
@@ -118,15 +117,25 @@ pub(crate) fn find(listed: &[NamedBehaviour], wanted: &str) -> Result<Id, Failur
     let near: Vec<_> = listed.iter().filter(|line| as_looks(&line.name).to_lowercase() == lower).collect();
     match (exact.as_slice(), near.as_slice()) {
         ([one], _) | ([], [one]) => Ok(one.id.clone()),
-        ([], []) => {
-            let names = listed.iter().map(|line| line.name.clone()).collect();
-            Err(Failure::Unknown { wanted: wanted.to_owned(), names })
-        }
-        ([], many) | (many, _) => {
-            let ids = many.iter().map(|line| line.id.to_string()).collect();
-            Err(Failure::Several { wanted: wanted.to_owned(), ids })
-        }
+        ([], []) => Err(unknown(listed, wanted)),
+        ([], many) | (many, _) => Err(several(many, wanted)),
     }
+}
+
+/// No behaviour has this id or name.
+fn unknown(listed: &[NamedBehaviour], wanted: &str) -> Failure {
+    let names: Vec<_> = listed.iter().map(|line| line.name.clone()).collect();
+    let there = match names[..] {
+        [] => "The store is empty; look whether --store or --data is right.".to_owned(),
+        [..] => few(&names),
+    };
+    Failure::of(format!("There is no behaviour “{wanted}”. {there}"))
+}
+
+/// All of these behaviours have this name.
+fn several(many: &[&NamedBehaviour], wanted: &str) -> Failure {
+    let ids: Vec<_> = many.iter().map(|line| line.id.as_str()).collect();
+    Failure::of(format!("Several behaviours are called “{wanted}”. Say which one by its id: {}.", ids.join(", ")))
 }
 
 #[cfg(test)]

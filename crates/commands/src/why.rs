@@ -1,10 +1,10 @@
 //! `rrp why`: why a value came, and why an action did not.
 
+mod no_answer;
 mod tell;
-mod words;
 
+use crate::LineCommand;
 use crate::failure::Failure;
-use crate::no_answer::WhyFailure;
 use crate::program::read_program;
 use crate::replay::{ReplayMode, ReplayRefused, chosen_engine, parse_trace, refused};
 use crate::trace::read_trace;
@@ -12,9 +12,11 @@ use behaviour::{BehaviourFile, FileStream, StreamKind};
 use causes::{Cause, Stretch, Traced};
 use clap::Args;
 use engine::{Limits, Run, StreamIx};
+use no_answer::WhyFailure;
 use recording::{Different, open};
 use robot::Millis;
 use sentences::Language;
+use server::PageFiles;
 use shell::{Moment, Ran};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -85,6 +87,15 @@ pub(crate) struct WhyArgs {
     language: Language,
 }
 
+impl LineCommand for WhyArgs {
+    const EXAMPLES: &'static [&'static str] = &["rrp why greet.jsonl --action Say --at 1:04.2"];
+    const USES_A_SERVER: bool = false;
+
+    fn run(self, _: PageFiles) -> ExitCode {
+        why(&self)
+    }
+}
+
 /// The run, played up to the moment that is asked about.
 struct PlayedRun {
     traced: Traced,
@@ -103,7 +114,7 @@ struct AskedStretch {
 }
 
 /// Tells, and answers with the exit code.
-pub(crate) fn why(args: &WhyArgs) -> ExitCode {
+fn why(args: &WhyArgs) -> ExitCode {
     let outcome = match (&args.recording, &args.behaviour, &args.trace) {
         (Some(recording), ..) => of_recording(args, recording),
         (None, Some(behaviour), Some(trace)) => of_trace(args, behaviour, trace),
@@ -111,7 +122,7 @@ pub(crate) fn why(args: &WhyArgs) -> ExitCode {
     };
     match outcome.and_then(|(asked, played)| answer(args, asked, played)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(WhyOutcome::No(why)) => crate::failed(&[Failure::NoAnswer(why)], 1),
+        Err(WhyOutcome::No(why)) => crate::failed(&[Failure::of(why)], 1),
         Err(WhyOutcome::Failed(failures, code)) => crate::failed(&failures, code),
         Err(WhyOutcome::Refused(refusal)) => refused(refusal),
     }

@@ -5,6 +5,9 @@ use crate::graph::StepDirection;
 use crate::{Editor, Selected};
 use std::collections::BTreeSet;
 
+/// The signs that the program knows, whichever key they stand on.
+const SIGNS: &str = "+-=";
+
 /// A key that was pressed, by what is written on it, and where.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct KeyPress<'a> {
@@ -71,6 +74,20 @@ pub enum GraphChord {
     Group,
     /// Takes a group apart.
     Ungroup,
+}
+
+/// Returns the name of a key: what it writes, or its place where that is no Latin letter or no digit. `types` says that a
+/// modifier makes another sign of it.
+#[must_use]
+pub fn key_name(key: String, code: &str, shift: bool, types: bool) -> String {
+    let letter = code.strip_prefix("Key").filter(|_| !key.is_ascii());
+    let is_sign = |key: &str| key.chars().count() == 1 && !key.chars().all(|sign| sign.is_ascii_alphanumeric());
+    let digit = code.strip_prefix("Digit").filter(|_| !shift && is_sign(&key) && !SIGNS.contains(&key));
+    match letter.or(digit).filter(|_| !types) {
+        Some(name) if shift => name.to_owned(),
+        Some(name) => name.to_lowercase(),
+        None => key,
+    }
 }
 
 /// Returns the meaning of a key without Control.
@@ -162,7 +179,7 @@ impl Editor {
 
 #[cfg(test)]
 mod tests {
-    use super::{GraphChord, GraphKey, KeyPress, graph_chord, graph_key};
+    use super::{GraphChord, GraphKey, KeyPress, graph_chord, graph_key, key_name};
 
     #[test]
     fn a_button_keeps_the_keys_that_press_it() {
@@ -174,6 +191,38 @@ mod tests {
             assert!(on(key, true).is_some(), "{key}");
         }
         assert_eq!(on("Q", false), None);
+    }
+
+    #[test]
+    fn a_key_is_called_by_its_place_where_it_writes_no_latin_letter() {
+        let cases = [
+            // What it writes, where it is, with Shift; what it is called.
+            ("z", "KeyZ", false, "z"),
+            ("Z", "KeyZ", true, "Z"),
+            ("я", "KeyZ", false, "z"),
+            ("Я", "KeyZ", true, "Z"),
+            ("ζ", "KeyZ", false, "z"),
+            ("ئ", "KeyZ", false, "z"),
+            ("لا", "KeyB", false, "b"),
+            ("ז", "KeyZ", false, "z"),
+            // French: the letters are Latin and count as written, whichever place they have; digits need no Shift.
+            ("a", "KeyQ", false, "a"),
+            ("z", "KeyW", false, "z"),
+            ("à", "Digit0", false, "0"),
+            ("&", "Digit1", false, "1"),
+            ("-", "Digit6", false, "-"),
+            ("1", "Digit1", true, "1"),
+            ("!", "Digit1", true, "!"),
+            ("+", "Digit1", false, "+"),
+            ("ü", "BracketLeft", false, "ü"),
+            ("Enter", "Enter", false, "Enter"),
+            (" ", "Space", false, " "),
+            ("", "", false, ""),
+        ];
+        for (key, code, shift, name) in cases {
+            assert_eq!(key_name(key.to_owned(), code, shift, false), name, "{key} at {code}");
+        }
+        assert_eq!(key_name("å".to_owned(), "KeyA", false, true), "å", "a sign of its own, by Option");
     }
 
     #[test]

@@ -10,12 +10,12 @@ mod theirs;
 mod unused;
 mod values;
 
-pub(crate) use theirs::Unused;
-
 use super::document::Document;
 use super::library::LibraryPanel;
 use super::tab::Tab;
 use behaviour::Id;
+pub(crate) use editor::unused::Unused;
+use editor::unused::{Authors, RecordsBefore};
 use leptos::prelude::*;
 use protocol::{RobotState, RunState, Values};
 use robot::Scene;
@@ -67,10 +67,10 @@ struct RobotsState {
     held: Option<Values>,
     /// The version of the open behaviour that runs, if it runs, and what it has of what was changed since.
     version: Option<unused::RobotVersion>,
-    before: unused::RecordsBefore,
+    before: RecordsBefore,
     /// Values of now, while the graph shows those of a moment of the past.
     kept: Option<values::ValuesOfNow>,
-    authors: theirs::Authors,
+    authors: Authors,
 }
 
 impl Deref for RobotsPanel {

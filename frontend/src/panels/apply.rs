@@ -8,6 +8,7 @@ use crate::desk::{Desk, Unused};
 use crate::layout;
 use crate::words;
 use behaviour::{Kind, Record};
+use editor::unused::{UnusedAuthors, whose};
 use leptos::prelude::*;
 
 /// So many changes of others are told; of the rest, how many they are.
@@ -35,18 +36,16 @@ pub(super) fn Apply() -> impl IntoView {
     let desk = hold();
     let press = move |_| desk.desk().robots.apply();
     view! {
-        <button class="link" type="button" disabled=move || !may_operate(desk) on:click=press>{move || whose(&desk.desk())}</button>
+        <button class="link" type="button" disabled=move || !may_operate(desk) on:click=press>{move || whose_words(&desk.desk())}</button>
     }
 }
 
 /// *Use my changes*, *Use Ben’s changes*, or *Use all changes*. Reactive.
-fn whose(desk: &Desk) -> String {
-    let changes = desk.robots.unused_changes();
-    let first = changes.first().and_then(|first| first.by.clone());
-    match first {
-        None if changes.iter().all(|change| change.by.is_none()) => words::apply().to_owned(),
-        Some(name) if changes.iter().all(|change| change.by.as_ref() == Some(&name)) => words::apply_of(&name),
-        Some(_) | None => words::apply_all().to_owned(),
+fn whose_words(desk: &Desk) -> String {
+    match whose(&desk.robots.unused_changes()) {
+        UnusedAuthors::Me => words::apply().to_owned(),
+        UnusedAuthors::One(name) => words::apply_of(&name),
+        UnusedAuthors::Several => words::apply_all().to_owned(),
     }
 }
 

@@ -5,7 +5,6 @@ mod lock;
 mod now;
 mod rows;
 mod slider;
-mod test;
 mod turned;
 
 use crate::panels::hold::hold;
@@ -13,13 +12,12 @@ use crate::panels::may::{MayNot, may_edit};
 use crate::panels::uses::Uses;
 use crate::words;
 use behaviour::{Connector, Id, Kind, Procedure, RecordId};
+use editor::numbers::number_tests;
 pub(super) use foot::instead_of;
 use foot::{Foot, becomes, still_used};
 use leptos::prelude::*;
 use lock::Lock;
 use rows::{HelperRow, PeriodRow, TestRow};
-use test::tests;
-pub(crate) use test::{replaced, written_like};
 use turned::Turned;
 
 /// A connector as a control; `whole` with the ways to its dialog and to the bin.
@@ -88,7 +86,9 @@ enum Simple {
 
 fn simple(connector: &Connector) -> Simple {
     match connector.operation.procedure() {
-        Some(Procedure::Body { body, .. }) => tests(body).map_or(Simple::Other, |tests| Simple::Tests(tests.all.len())),
+        Some(Procedure::Body { body, .. }) => {
+            number_tests(body).map_or(Simple::Other, |tests| Simple::Tests(tests.all.len()))
+        }
         Some(Procedure::Helper(_)) => Simple::Helper,
         None if connector.operation.period_ms().is_some() => Simple::Period,
         None => Simple::Other,

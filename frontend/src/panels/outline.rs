@@ -5,7 +5,6 @@ mod keys;
 mod row_menu;
 mod rows;
 mod strip;
-mod tree;
 
 use super::empty::EmptyStage;
 use super::focus;
@@ -19,11 +18,11 @@ use crate::later::{Later, second_piece};
 use crate::words;
 use aside::{AddNote, GroupRow, NoteRow};
 use behaviour::Id;
+use editor::outline::{OutlineNode, OutlineRowKind, outline as outline_rows};
 use leptos::prelude::*;
 pub(crate) use row_menu::row_menu;
 use rows::{ConnectorRow, StreamRow};
 use std::time::Duration;
-use tree::{OutlineNode, OutlineRowKind};
 use web_sys::FocusOptions;
 
 /// What is opened is shown from its beginning, and has the keyboard if nothing else has it.
@@ -62,7 +61,7 @@ fn Outline() -> impl IntoView {
         desk.document.hidden.track();
         desk.document.note_ids.track();
         desk.document.group_ids.track();
-        tree::with_asides(&desk.document.behaviour(), |id| untrack(|| desk.document.is_folded(id)))
+        outline_rows(&desk.document.behaviour(), |id| untrack(|| desk.document.is_folded(id)))
     });
     // What is looked for is shown, whatever is folded around it.
     Effect::new(move |_| {

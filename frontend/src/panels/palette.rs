@@ -12,15 +12,13 @@ use crate::keys::PressedKey;
 use crate::later::Later;
 use crate::words;
 use behaviour::{Id, Params, Procedure, Stream, StreamKind, connectors, sort_few};
+use editor::find;
 use leptos::prelude::*;
 use robot::Device;
 use web_sys::PointerEvent;
 
 /// At most so many streams of the open program are listed.
 const HERE_MAX: usize = 30;
-
-/// A word of a sentence finds something from so many letters on, where letters are no words.
-const WORD_MIN: usize = 3;
 
 /// The left list.
 #[component]
@@ -115,27 +113,10 @@ fn is_longer(text: &str) -> bool {
     text.split_whitespace().nth(1).is_some() || text.chars().any(|c| c as u32 > 0x3000)
 }
 
-/// Whether a name, or what it is called, holds what is looked for.
-fn matches(search: &str, names: &[&str]) -> bool {
-    let wanted = search.trim().to_lowercase();
-    wanted.is_empty() || names.iter().any(|name| name.to_lowercase().contains(&wanted))
-}
-
-/// Whether a sentence holds a name, or a word that begins like a part of one: “the eyes” finds *Eye color*.
-fn is_named_in(sentence: &str, names: &[&str]) -> bool {
-    let sentence = sentence.to_lowercase();
-    let is_long = |text: &str| text.chars().count() >= WORD_MIN || (!text.is_ascii() && !text.is_empty());
-    let apart = |c: char| !c.is_alphanumeric();
-    let words: Vec<&str> = sentence.split(apart).filter(|word| is_long(word)).collect();
-    let begins = |part: &str| is_long(part) && words.iter().any(|word| word.starts_with(part));
-    let is_named = |name: &str| is_long(name) && sentence.contains(name) || name.split(apart).any(begins);
-    names.iter().any(|name| is_named(&name.to_lowercase()))
-}
-
 /// Whether something is found by what is typed: a name, or a sentence in which it is named. Reactive.
 pub(super) fn is_found(typing: SentenceField, names: &[&str]) -> bool {
     let text = typing.text.read();
-    if typing.open.get() { is_named_in(&text, names) } else { matches(&text, names) }
+    find::is_found(&text, typing.open.get(), names)
 }
 
 /// Over the list, while a sentence is typed.
@@ -230,7 +211,7 @@ pub(super) fn Here(typing: SentenceField) -> impl IntoView {
         let signals = |id: Id| Some((desk.desk().document.stream(&id)?.record.get(), id));
         let streams = desk.desk().document.stream_ids.get().into_iter().filter_map(signals);
         let mut rows: Vec<_> = streams.filter(|(stream, _)| is_found(typing, &[&stream.name])).collect();
-        let near = |stream: &Stream| nearness(&typing.text.read(), &stream.name);
+        let near = |stream: &Stream| find::nearness(&typing.text.read(), &stream.name);
         sort_few(&mut rows, |(one, _), (other, _)| near(one) < near(other));
         rows.truncate(HERE_MAX);
         let none = rows.is_empty();
@@ -256,28 +237,12 @@ pub(super) fn Here(typing: SentenceField) -> impl IntoView {
     view! { {found} }
 }
 
-/// How near a name is to what is typed: the name itself first, then those that begin so.
-fn nearness(typed: &str, name: &str) -> u8 {
-    let (typed, name) = (typed.trim().to_lowercase(), name.to_lowercase());
-    match () {
-        () if name == typed => 0,
-        () if name.starts_with(&typed) => 1,
-        () => 2,
-    }
-}
-
-/// The stream that Enter goes to: the one that is called so, else the first that is found, unless a sentence is typed. Reactive.
+/// The stream that Enter goes to. Reactive.
 fn goes_to(desk: DeskHold, typing: SentenceField) -> Option<Id> {
-    let typed = typing.text.read();
-    if typed.trim().is_empty() {
-        return None;
-    }
     let document = &desk.desk().document;
     let named = |id: Id| Some((document.stream(&id)?.record.with(|stream| stream.name.clone()), id));
     let streams = document.stream_ids.get().into_iter().filter_map(named);
-    let found = streams.filter(|(name, _)| is_found(typing, &[name]));
-    let (near, id) = found.map(|(name, id)| (nearness(&typed, &name), id)).min_by_key(|(near, _)| *near)?;
-    (near == 0 || !typing.open.get()).then_some(id)
+    find::nearest(&typing.text.read(), typing.open.get(), streams)
 }
 
 /// How many connectors of the open program use a helper. Reactive.
@@ -354,37 +319,4 @@ pub(crate) fn lead_to_action(desk: &Desk, input: Id, device: &'static Device) {
         spot: NewSpot::default(),
     };
     desk.document.connect(plan, |_| {});
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{is_named_in, matches, nearness};
-
-    #[test]
-    fn the_exact_name_is_nearest() {
-        let mut names = ["Far ball", "Ball color", "ball", "Red ball"];
-        names.sort_by_key(|name| nearness(" Ball", name));
-        assert_eq!(names[..2], ["ball", "Ball color"]);
-    }
-
-    #[test]
-    fn a_sentence_finds_what_it_names() {
-        let sentence = "When the red ball is nearer than 40 cm, the eyes shine";
-        for names in [["RedBall", "Red ball"], ["EyeLedColor", "Eye color"], ["ColorBall", "Color ball"]] {
-            assert!(is_named_in(sentence, &names), "{names:?}");
-        }
-        for names in [["Tracker", "Tracker"], ["Sonar", "Distance ahead"], ["x", "it"]] {
-            assert!(!is_named_in(sentence, &names), "{names:?}");
-        }
-        assert!(is_named_in("赤いボールが近いとき", &["RedBall", "赤いボール"]));
-        assert!(!is_named_in("赤いボールが近いとき", &["FaceDetection", "顔"]));
-    }
-
-    #[test]
-    fn what_is_looked_for_may_stand_anywhere() {
-        assert!(
-            matches("ball", &["RedBall", "Red ball"]) && matches(" ", &["x"]) && matches("RED B", &["", "Red ball"])
-        );
-        assert!(!matches("face", &["RedBall"]));
-    }
 }

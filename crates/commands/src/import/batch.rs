@@ -81,7 +81,7 @@ impl FileBatch {
                 (id, There::Nothing) => return Ok(Goes::Under(id)),
                 (id, There::Whole(name)) => return Ok(Goes::IsHere(id, name)),
                 (id, There::Half) if store.remove(&id, now_ms, "rrp import").await? => {}
-                (id, There::Half) => return Err(Failure::Id(format!("{id} is left half done"))),
+                (id, There::Half) => return Err(Failure::of(format!("{id} is left half done"))),
             }
         }
     }

@@ -17,6 +17,6 @@ pub(super) fn check(path: &Path) -> ExitCode {
             let _ = writeln!(std::io::stdout(), "{checked}");
             ExitCode::SUCCESS
         }
-        Err(different) => crate::failed(&[Failure::Differs(different)], 1),
+        Err(different) => crate::failed(&[Failure::of(different)], 1),
     }
 }

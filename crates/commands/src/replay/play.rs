@@ -45,7 +45,7 @@ impl Player {
 
     /// Why it ended by itself, if it did.
     pub(super) fn fault(&self) -> Option<Failure> {
-        self.run.fault().map(|reason| Failure::EndedOf(self.name.clone(), reason.to_string()))
+        self.run.fault().map(|reason| Failure::of(format!("{}: {reason}", self.name)))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Recordings of runs as traces: the readings are replayed, outputs and marks between them are left out.
 
 use super::ReplayTrace;
-use crate::failure::{Failure, TraceLineError};
-use crate::trace::{TraceReading, parse_line};
+use crate::failure::Failure;
+use crate::trace::{TraceLineError, TraceReading, parse_line};
 use behaviour::{StreamKind, Value};
 use engine::Run;
 use robot::Millis;
@@ -27,7 +27,7 @@ fn read(lines: recording::OpenRecording, run: &Run) -> Result<ReplayTrace, Failu
         remembers: 0,
     };
     for (number, line) in lines.lines() {
-        reader.read(line).map_err(|why| Failure::RecordingLine(number, why))?;
+        reader.read(line).map_err(|why| Failure::of(format!("recording line {number}: {why}")))?;
     }
     for warning in reader.warnings() {
         let _ = writeln!(std::io::stderr(), "{warning}");

@@ -4,7 +4,6 @@ use crate::explain::units;
 use crate::failure::Failure;
 use behaviour::{BehaviourFile, Helper};
 use engine::RunFault;
-use phrase::Phrased;
 use protocol::{Why, WhyNot};
 use recording::SinceStart;
 use sentences::{Answers, Language};
@@ -49,9 +48,7 @@ pub(super) fn tell(
 }
 
 fn sentences(told: &ToldAnswer, file: &BehaviourFile, language: Language) -> Result<Vec<String>, Vec<Failure>> {
-    let flaws =
-        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.phrase())).collect::<Vec<_>>();
-    let behaviour = file.records(|_| None).map_err(flaws)?;
+    let behaviour = file.records(|_| None).map_err(|flaws| Failure::records(&flaws))?;
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();
     let unit = units(&behaviour, &helpers);

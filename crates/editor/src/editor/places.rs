@@ -3,7 +3,7 @@
 
 use crate::layout::{self, DrawnSizes, Tidy, snapped};
 use crate::{Editor, Selected};
-use behaviour::{Behaviour, FillFrom, Group, Id, Kind, Place, Record, RecordId};
+use behaviour::{Behaviour, Change, Edit, FillFrom, Group, Id, Kind, Place, Record, RecordId};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The distance to the left of the graph at which a note stands that nobody placed, and below the one before.
@@ -104,6 +104,23 @@ impl Editor {
     #[must_use]
     pub fn missing_places(&self, behaviour: &Behaviour) -> BTreeMap<Id, Place> {
         self.places.missing(behaviour)
+    }
+
+    /// Returns a change with places for the streams that it makes and places nowhere, and, where nobody placed any stream yet,
+    /// for all: what is laid out by itself would not make room.
+    #[must_use]
+    pub fn with_room(&self, change: Change) -> Change {
+        let makes_streams = |edit: &Edit| edit.id.kind == Kind::Stream && edit.before.is_none();
+        if !change.edits.iter().any(makes_streams) {
+            return change;
+        }
+        let behaviour = self.shown_behaviour();
+        let mut after = behaviour.clone();
+        after.apply(&change);
+        let put = |change: Change, (id, place): (Id, Place)| {
+            change.put(&behaviour, RecordId::new(Kind::Place, &id), Record::Place(place))
+        };
+        self.missing_places(&after).into_iter().fold(change, put)
     }
 
     /// Returns the place where something that is shown was put.

@@ -534,16 +534,23 @@ fn notes_that_nobody_placed_stand_left_of_the_graph_below_each_other() {
 fn the_name_of_a_program_that_comes_too_late_waits_beside_theirs() {
     let mut first = sketch();
     first.records.insert(RecordId::settings(), Record::Settings(behaviour::Settings::named("Ball")));
-    let mut table = Table::with(first);
-    let seen = table.program().settings().cloned().unwrap();
-    table.cut(AIKO);
-    table.gesture(AIKO, |editor, op| editor.rename_program(op, seen.clone(), "Mine"));
-    table.gesture(BEN, |editor, op| editor.rename_program(op, seen, "Theirs"));
-    table.connect(AIKO);
-    assert_eq!(table.program().settings().map(|now| now.name.as_str()), Some("Theirs"));
-    let kept = table.editor(AIKO).conflicts[0].mine.op.clone();
-    table.does(AIKO, |page| page.input(|editor| editor.keep_mine(&kept, id("top"))));
-    assert_eq!(table.program().settings().map(|now| now.name.as_str()), Some("Mine"));
+    let name = |table: &Table| table.program().settings().map(|now| now.name.clone());
+    for (keeps, decided) in [(true, "Mine"), (false, "Theirs")] {
+        let mut table = Table::with(first.clone());
+        let seen = table.program().settings().cloned().unwrap();
+        table.cut(AIKO);
+        table.gesture(AIKO, |editor, op| editor.rename_program(op, seen.clone(), "Mine"));
+        table.gesture(BEN, |editor, op| editor.rename_program(op, seen, "Theirs"));
+        table.connect(AIKO);
+        assert_eq!(name(&table).as_deref(), Some("Theirs"));
+        let kept = table.editor(AIKO).conflicts[0].mine.op.clone();
+        table.does(AIKO, |page| {
+            page.input(|editor| if keeps { editor.keep_mine(&kept, id("top")) } else { editor.drop_conflict(&kept) })
+        });
+        assert_eq!(name(&table).as_deref(), Some(decided));
+        assert!(table.editor(AIKO).conflicts.is_empty() && table.editor(AIKO).is_saved(), "nothing waits");
+        assert_eq!(table.editor(AIKO).confirmed(), table.program());
+    }
 }
 
 #[test]

@@ -4,14 +4,21 @@
 //! `RRP_EDITOR_SEEDS=10000` plays so many seeds, `RRP_EDITOR_SEED=7` plays one.
 
 mod dice;
+mod finding;
 mod graph;
+mod keeping;
 mod keyboard;
+mod known;
 mod page;
 mod presence;
+mod problems;
+mod running;
 mod scenes;
+mod sentences;
 mod server;
 mod sketch;
 mod table;
+mod turning;
 mod world;
 
 use std::collections::BTreeMap;

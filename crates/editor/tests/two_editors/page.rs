@@ -69,6 +69,8 @@ pub(crate) struct Page {
     pub(crate) refused: Option<Refused>,
     /// The answers to their gestures.
     pub(crate) answers: Vec<Result<(), Refused>>,
+    /// The refusals of other changes, such as undo.
+    pub(crate) refusals: Vec<Refused>,
     /// The texts that its author decides about in this input.
     decided: BTreeSet<String>,
 }
@@ -128,6 +130,7 @@ impl Page {
             gestures: 0,
             refused: None,
             answers: Vec::new(),
+            refusals: Vec::new(),
             decided: BTreeSet::new(),
         };
         page.editor.begin_with(Some(program.clone()));
@@ -229,6 +232,8 @@ impl Page {
     fn answered(&mut self, op: &Id, answer: Result<(), Refused>) -> Check {
         if op.as_str().starts_with("gesture-") {
             self.answers.push(answer.clone());
+        } else if let Err(no) = &answer {
+            self.refusals.push(no.clone());
         }
         let Some(entry) = self.ledger.get_mut(op) else { return Ok(()) };
         if entry.is_safe && matches!(answer, Err(Refused::Change(Refusal::Stale(_) | Refusal::Locked { .. }))) {

@@ -2,8 +2,8 @@
 //! the room decides, the store saves, the room commits, everyone is told (`crates/server/src/rooms/task`).
 
 use behaviour::{
-    AnyKnowledge, Behaviour, Change, Committed, Decision, Grant, Holder, Id, Kind, LockEvent, LockToken, Locks,
-    Presented, RecordId, Refusal, Room, UndoLog,
+    AnyKnowledge, Behaviour, Change, Committed, Decision, Grant, Holder, Id, Kind, Knowledge, LockEvent, LockToken,
+    Locks, Presented, RecordId, Refusal, Room, UndoLog,
 };
 use protocol::{AnyAnswer, AnyRequest, Event, HistoryLine, LockShown, Message, Person, Refused, answer, request};
 use std::collections::{BTreeMap, VecDeque};
@@ -51,6 +51,8 @@ pub(crate) enum StoreAnswer {
 pub(crate) struct Server {
     pub(crate) behaviour: Id,
     pub(crate) room: Room,
+    /// The knowledge that the rules ask for.
+    pub(crate) knowledge: &'static dyn Knowledge,
     /// All that the store has.
     pub(crate) log: Vec<Committed>,
     pub(crate) locks: Locks,
@@ -72,6 +74,7 @@ impl Server {
         Self {
             behaviour: id("program"),
             room: Room::open(first.clone(), 0),
+            knowledge: &AnyKnowledge,
             first,
             people: BTreeMap::new(),
             log: Vec::new(),
@@ -329,7 +332,7 @@ impl Server {
             let change = Change { author: holder.name, by: Some(holder.client), ..change };
             self.room.check_locks(&change, &presented, &self.locks)?;
             self.locks.begin_saving(self.now_ms, &change, &presented);
-            match self.room.propose(self.now_ms, change, &AnyKnowledge) {
+            match self.room.propose(self.now_ms, change, self.knowledge) {
                 Decision::Save(committed) => Ok(committed),
                 Decision::Refuse(refusal) => Err(refusal),
                 Decision::Duplicate(_) => Err(Refusal::Reused),

@@ -4,9 +4,7 @@
 use super::Document;
 use crate::desk::tab::{new_id, set_if_new};
 use crate::live;
-use behaviour::{
-    Change, Edit, Fix, Id, Kind, Place, Problem, ProblemKind, Record, RecordId, SeenKinds, Unit, Value, ValueType,
-};
+use behaviour::{Fix, Id, Problem, ProblemKind, SeenKinds, Unit, Value, ValueType};
 use leptos::prelude::*;
 use protocol::{answer, request};
 
@@ -44,28 +42,14 @@ impl Document {
     /// Does what mends a problem, as one change; then what is left to do once that is so.
     pub(crate) fn mend(&self, fix: &Fix, then: impl FnOnce() + 'static) {
         let tab = self.tab.clone();
-        self.propose_and(self.with_room(fix.change(new_id(), &self.tab.my_name())), move |answer| {
+        let change = fix.change(new_id(), &self.tab.my_name());
+        let change = self.state().editor.with_room(change);
+        self.propose_and(change, move |answer| {
             if answer.is_ok() {
                 then();
             }
             tab.say_refusal(answer);
         });
-    }
-
-    /// A change with places for the streams that it makes and places nowhere, and, where nobody placed any stream yet, for
-    /// all: what is laid out by itself would not make room.
-    fn with_room(&self, change: Change) -> Change {
-        let makes_streams = |edit: &Edit| edit.id.kind == Kind::Stream && edit.before.is_none();
-        if !change.edits.iter().any(makes_streams) {
-            return change;
-        }
-        let behaviour = self.behaviour();
-        let mut after = behaviour.clone();
-        after.apply(&change);
-        let put = |change: Change, (id, place): (Id, Place)| {
-            change.put(&behaviour, RecordId::new(Kind::Place, &id), Record::Place(place))
-        };
-        self.missing_places(&after).into_iter().fold(change, put)
     }
 
     /// Asks what the streams of the open program carry.

@@ -1,13 +1,13 @@
 //! The connectors of the run that fail, and how often.
 
 use super::RobotsPanel;
-use super::unused::RecordsBefore;
 use crate::desk::document::ConnectorSignals;
 use crate::desk::tab::set_if_new;
 use crate::layout::chip_words;
 use crate::live::LiveConnector;
 use behaviour::sort_few;
 use behaviour::{Connector, Id, Kind, Record, RecordId};
+use editor::unused::RecordsBefore;
 use leptos::prelude::*;
 
 /// A connector whose procedure failed since Start.

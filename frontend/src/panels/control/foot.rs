@@ -1,7 +1,6 @@
 //! What becomes of the value now, what the robot uses of what was changed, and the ways to the dialog and to the bin.
 
 use super::now::{measured, shown};
-use super::test::tests;
 use super::{Turned, now};
 use crate::desk::Selected;
 use crate::live::short_value;
@@ -11,25 +10,26 @@ use crate::panels::may::may_edit;
 use crate::panels::remove::RemoveButton;
 use crate::words;
 use behaviour::{Connector, Id, Operation, Procedure, Value};
+use editor::numbers::{NumberTest, number_tests};
 use leptos::prelude::*;
 
 /// Whether the values now pass as it would be saved; nothing where that cannot be told, or nothing is left out. Reactive.
 pub(super) fn passes(turned: Turned, record: Memo<Connector>) -> Option<bool> {
-    let tests = tests(&turned.body(record)).filter(|_| record.read().operation.spec().is_test())?;
+    let tests = number_tests(&turned.body(record)).filter(|_| record.read().operation.spec().is_test())?;
     let now = |test| measured(turned.desk, &record.read(), test, 0.0).now;
     tests.passes(&tests.all.iter().map(now).collect::<Option<Vec<f64>>>()?)
 }
 
 /// What becomes of the values now, in words. Reactive.
 pub(super) fn becomes(turned: Turned, record: Memo<Connector>) -> Option<String> {
-    let tests = tests(&turned.body(record))?;
+    let tests = number_tests(&turned.body(record))?;
     let all: Vec<now::ComparedNow> =
         tests.all.iter().map(|test| measured(turned.desk, &record.read(), test, 0.0)).collect();
     let values = all.iter().map(|of| of.now).collect::<Option<Vec<f64>>>()?;
     let passes = tests.passes(&values)?;
     let mut given: Vec<String> =
         all.iter().zip(&values).map(|(of, value)| words::with_unit(shown(*value), of.unit)).collect();
-    let subject = |test: Option<&super::test::NumberTest>| test.map(|test| test.subject.clone());
+    let subject = |test: Option<&NumberTest>| test.map(|test| test.subject.clone());
     if given.len() > 1 && subject(tests.all.first()) == subject(tests.all.last()) {
         given.truncate(1);
     }
@@ -57,7 +57,8 @@ pub(in crate::panels) fn instead_of(ran: &Operation, now: &Operation, unit: &str
     }
     match (ran.procedure(), now.procedure()) {
         (Some(Procedure::Body { body: before, .. }), Some(Procedure::Body { body: after, .. })) if before != after => {
-            Some(match (tests(before).as_ref().map(|it| &it.all[..]), tests(after).as_ref().map(|it| &it.all[..])) {
+            let (was, is) = (number_tests(before), number_tests(after));
+            Some(match (was.as_ref().map(|it| &it.all[..]), is.as_ref().map(|it| &it.all[..])) {
                 (Some([was]), Some([is])) if (&was.subject, was.sign) == (&is.subject, is.sign) => {
                     words::with_unit(was.written(was.number), if was.subject.contains('.') { "" } else { unit })
                 }

@@ -1,6 +1,5 @@
 //! That somebody else is editing a connector, what one sees of it meanwhile, and the way to ask for it.
 
-use super::test::tests;
 use crate::browser;
 use crate::desk::OtherEditor;
 use crate::icons::Icon;
@@ -8,6 +7,7 @@ use crate::panels::dialogs::held::{DialogLock, Holding};
 use crate::panels::hold::{DeskHold, hold};
 use crate::words;
 use behaviour::{Connector, Procedure, RecordId};
+use editor::numbers::number_tests;
 use leptos::prelude::*;
 
 /// Nothing while nobody else is editing it.
@@ -101,7 +101,7 @@ fn written(connector: &Connector) -> String {
 
 /// Its number with its unit, if it has one only.
 fn number(desk: DeskHold, connector: &Connector) -> Option<String> {
-    let tests = tests(&written(connector));
+    let tests = number_tests(&written(connector));
     let [test] = tests.as_ref().map(|tests| &tests.all[..])? else { return None };
     let unit = super::now::measured(desk, connector, test, test.number).unit;
     Some(words::with_unit(test.written(test.number), unit))

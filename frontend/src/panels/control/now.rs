@@ -1,9 +1,9 @@
 //! What a comparison reads: of which stream, in which unit and within what range, and what it is now.
 
-use super::test::NumberTest;
 use crate::live::short_value;
 use crate::panels::hold::DeskHold;
 use behaviour::{Connector, Id, Procedure, Value};
+use editor::numbers::NumberTest;
 use leptos::prelude::*;
 
 /// Room on a slider beside what was seen and the number itself, as a share.

@@ -3,18 +3,18 @@
 use super::foot::passes;
 use super::now::{ComparedNow, measured};
 use super::slider::{Slider, Stepper};
-use super::test::{NumberTest, replaced, tests};
 use super::turned::Turned;
 use crate::icons::Icon;
 use crate::words;
-use behaviour::{Connector, Parameters, Procedure, RATE_MS};
+use behaviour::{Connector, Procedure};
+use editor::numbers::{NumberTest, number_tests, with_period, with_text};
 use leptos::prelude::*;
 
 /// A comparison: what, how, with which number, and a slider with a tick where the value is now.
 #[component]
 pub(super) fn TestRow(record: Memo<Connector>, turned: Turned, at: usize) -> impl IntoView {
     let desk = turned.desk;
-    let test = Memo::new(move |_| tests(&turned.body(record)).and_then(|tests| tests.all.get(at).cloned()));
+    let test = Memo::new(move |_| number_tests(&turned.body(record)).and_then(|tests| tests.all.get(at).cloned()));
     // The slider does not grow under the hand.
     let first = test.with_untracked(|test| test.as_ref().map_or(0.0, |test| test.number));
     let of = Memo::new(move |before: Option<&ComparedNow>| {
@@ -23,8 +23,9 @@ pub(super) fn TestRow(record: Memo<Connector>, turned: Turned, at: usize) -> imp
     });
     let verdict = Memo::new(move |_| passes(turned, record));
     let put = move |range: std::ops::Range<usize>, text: &str, at_once: bool| {
-        let body = replaced(&untrack(|| turned.body(record)), &range, text);
-        turned.turn_body(record, body, at_once);
+        if let Some(operation) = with_text(&untrack(|| turned.now(record)), &range, text) {
+            turned.turn(operation, at_once);
+        }
     };
     let set = move |number: f64, at_once: bool| {
         if let Some(test) = test.get_untracked() {
@@ -65,14 +66,7 @@ pub(super) fn TestRow(record: Memo<Connector>, turned: Turned, at: usize) -> imp
 pub(super) fn PeriodRow(record: Memo<Connector>, turned: Turned) -> impl IntoView {
     let period = move || turned.now(record).period_ms().unwrap_or_default();
     let set = move |(seconds, at_once): (f64, bool)| {
-        let ms = ((seconds * 1_000.0).round().max(0.0) as u64).clamp(*RATE_MS.start(), *RATE_MS.end());
-        let operation = untrack(|| turned.now(record));
-        let parameters = Parameters {
-            period_ms: Some(ms),
-            procedure: operation.procedure().cloned(),
-            start: operation.start().cloned(),
-        };
-        turned.turn(operation.spec().with(parameters), at_once);
+        turned.turn(with_period(&untrack(|| turned.now(record)), seconds * 1_000.0), at_once);
     };
     let seconds = Signal::derive(move || period() as f64 / 1_000.0);
     view! {

@@ -1,7 +1,6 @@
 //! A number that is turned: by keys and a field, or along a slider with a tick where the value is now.
 
 use super::now::{ComparedNow, shown};
-use super::test::NumberTest;
 use super::turned::Turned;
 use crate::escape;
 use crate::icons::Icon;
@@ -9,6 +8,7 @@ use crate::keys::PressedKey;
 use crate::panels::hold::hold;
 use crate::words;
 use behaviour::TypedNumber;
+use editor::numbers::NumberTest;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::Element;

@@ -125,17 +125,6 @@ impl Turned {
         if at_once { save() } else { browser::after(SAVE_AFTER_MS, save) }
     }
 
-    pub(super) fn turn_body(self, record: Memo<Connector>, body: String, at_once: bool) {
-        let mut operation = untrack(|| self.now(record));
-        if let Some(procedure) = operation.procedure_mut() {
-            match procedure {
-                Procedure::Body { body: old, .. } => *old = body,
-                Procedure::Helper(_) => return,
-            }
-        }
-        self.turn(operation, at_once);
-    }
-
     pub(super) fn save(self) {
         if let Some(operation) = self.operation.get_untracked() {
             self.operation.set(None);

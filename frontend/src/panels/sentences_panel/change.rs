@@ -1,8 +1,8 @@
 //! What is changed in a sentence is changed where it is kept: in a body, a duration, a parameter.
 
 use crate::desk::Desk;
-use crate::panels::control::{replaced, written_like};
-use behaviour::{Connector, Kind, Operation, Parameters, Procedure, RATE_MS, Record, RecordId, Value};
+use behaviour::{Connector, Kind, Operation, Record, RecordId, Value};
+use editor::numbers::{with_number, with_period, with_text};
 use protocol::Refused;
 use sentences::LiteralPlace;
 
@@ -73,25 +73,11 @@ pub(super) fn drafted(at: &LiteralPlace, seen: Option<Record>, new: New) -> Opti
 /// An operation with something new at a place; none if that place is gone.
 pub(in crate::panels) fn with(operation: &Operation, at: &LiteralPlace, new: &New) -> Option<Operation> {
     match (at, new) {
-        (LiteralPlace::Body { start, end, .. }, new) => {
-            let mut operation = operation.clone();
-            let Procedure::Body { body, .. } = operation.procedure_mut()? else { return None };
-            let old = body.get(*start..*end)?;
-            let text = match new {
-                New::Number(number) => written_like(old, *number),
-                New::Text(text) => text.clone(),
-            };
-            *body = replaced(body, &(*start..*end), &text);
-            Some(operation)
+        (LiteralPlace::Body { start, end, .. }, New::Number(number)) => {
+            with_number(operation, &(*start..*end), *number)
         }
-        (LiteralPlace::Period { .. }, New::Number(ms)) => {
-            let parameters = Parameters {
-                period_ms: Some((ms.round().max(0.0) as u64).clamp(*RATE_MS.start(), *RATE_MS.end())),
-                procedure: operation.procedure().cloned(),
-                start: operation.start().cloned(),
-            };
-            Some(operation.spec().with(parameters))
-        }
+        (LiteralPlace::Body { start, end, .. }, New::Text(text)) => with_text(operation, &(*start..*end), text),
+        (LiteralPlace::Period { .. }, New::Number(ms)) => Some(with_period(operation, *ms)),
         (LiteralPlace::Period { .. } | LiteralPlace::Param { .. }, _) => None,
     }
 }

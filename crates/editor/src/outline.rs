@@ -1,31 +1,36 @@
-//! The graph as rows: every stream under the connector that makes it, every connector under its first stream.
+//! The graph as the rows of a list: every stream under the connector that makes it, every connector under its first stream.
 
 use behaviour::{Behaviour, Graph, Id, StreamKind};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
-/// One row.
+/// One row of the list.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct OutlineNode {
-    pub(super) what: OutlineRowKind,
-    pub(super) depth: usize,
-    /// Whether the stream stands above already; then nothing follows below it.
-    pub(super) again: bool,
-    /// Where it stands, so that the same stream twice is two rows.
+pub struct OutlineNode {
+    /// The thing that it shows.
+    pub what: OutlineRowKind,
+    /// The number of rows above it that it hangs below.
+    pub depth: usize,
+    /// True if the stream stands above already; then nothing follows below it.
+    pub again: bool,
+    /// The row that it stands under, so that the same stream twice is two rows.
     under: Option<Id>,
 }
 
-/// What a row shows.
+/// The things that a row shows.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum OutlineRowKind {
+pub enum OutlineRowKind {
+    /// A stream.
     Stream(Id),
+    /// A connector.
     Connector(Id),
     /// The heading of a group, before the first of its streams.
     Group(Id),
+    /// A note, below all others.
     Note(Id),
 }
 
-/// All rows from top to bottom.
-pub(super) fn nodes(behaviour: &Behaviour) -> Vec<OutlineNode> {
+/// Returns the rows of streams and connectors from top to bottom.
+fn nodes(behaviour: &Behaviour) -> Vec<OutlineNode> {
     let graph = Graph::of(behaviour);
     let mut walk = OutlineWalk { graph: &graph, seen: BTreeSet::new(), rows: Vec::new() };
     let streams = behaviour.streams_in_order();
@@ -41,20 +46,18 @@ pub(super) fn nodes(behaviour: &Behaviour) -> Vec<OutlineNode> {
     walk.rows
 }
 
-/// The same with groups and notes: what is in a folded group is left out.
-pub(super) fn with_asides(behaviour: &Behaviour, is_folded: impl Fn(&Id) -> bool) -> Vec<OutlineNode> {
+/// Returns all rows from top to bottom, with groups and notes; what is in a folded group is left out.
+pub fn outline(behaviour: &Behaviour, is_folded: impl Fn(&Id) -> bool) -> Vec<OutlineNode> {
     let mut seen = BTreeSet::new();
     let mut rows = Vec::new();
     let alone = |what, depth| OutlineNode { what, depth, again: false, under: None };
-    let groups: HashMap<&Id, &Id> =
-        behaviour.groups().flat_map(|(id, group)| group.streams.iter().map(move |stream| (stream, id))).collect();
     for node in nodes(behaviour) {
         let stream = match &node.what {
             OutlineRowKind::Stream(id) => Some(id),
             OutlineRowKind::Connector(id) => behaviour.connector(id).map(|connector| &connector.output),
             OutlineRowKind::Group(_) | OutlineRowKind::Note(_) => None,
         };
-        let group = stream.and_then(|stream| groups.get(stream)).copied();
+        let group = stream.and_then(|stream| behaviour.group_of(stream)).map(|(id, _)| id);
         if let Some(group) = group.filter(|group| seen.insert((*group).clone())) {
             rows.push(alone(OutlineRowKind::Group(group.clone()), node.depth));
         }
@@ -90,7 +93,7 @@ impl OutlineWalk<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{OutlineRowKind, nodes, with_asides};
+    use super::{OutlineRowKind, nodes, outline};
     use behaviour::{Behaviour, Connector, Group, Id, Kind, Note, Record, RecordId, Stream, StreamKind, connectors};
 
     fn put(behaviour: &mut Behaviour, kind: Kind, id: &str, record: Record) {
@@ -134,7 +137,7 @@ mod tests {
         put(&mut behaviour, Kind::Group, "g", Record::Group(Group { title: "G".into(), streams, folded: false }));
         put(&mut behaviour, Kind::Note, "n", Record::Note(Note::default()));
         let shown = |folded: bool| {
-            let told = with_asides(&behaviour, |_| folded).into_iter().map(|row| match row.what {
+            let told = outline(&behaviour, |_| folded).into_iter().map(|row| match row.what {
                 OutlineRowKind::Stream(id) | OutlineRowKind::Connector(id) => id.to_string(),
                 OutlineRowKind::Group(id) => format!("[{id}]"),
                 OutlineRowKind::Note(id) => format!("({id})"),

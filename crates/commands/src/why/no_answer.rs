@@ -1,11 +1,37 @@
-//! The sentences on standard error where nothing can be told, in English.
+//! The reasons why `rrp why` has nothing to tell.
 
-use crate::no_answer::WhyFailure;
+use crate::failure::few;
 use recording::{Different, SinceStart};
+use shell::NotThen;
 use std::fmt;
 
-/// Names that are shown to somebody who looks for another one.
-const NAMES_MAX: usize = 10;
+/// Why there is nothing to tell.
+#[derive(Debug)]
+pub(super) enum WhyFailure {
+    /// No stream has this id, or no action this name; with those that there are.
+    NoStream { wanted: String, is_action: bool, names: Vec<String> },
+    /// The stream has so few values then.
+    NoValue { stream: String, at_ms: u64, count: usize, before_ms: Option<u64> },
+    /// It came, though somebody asks why it did not.
+    Came { stream: String, at_ms: u64 },
+    /// The end is before the beginning.
+    Backwards,
+    /// The recording was not running at this time of day.
+    NotThen { began: String, until_ms: u64 },
+    /// A trace has no time of day.
+    NoClock,
+    /// The recording cannot be played again.
+    Unplayed(Different),
+}
+
+impl From<NotThen> for WhyFailure {
+    fn from(why: NotThen) -> Self {
+        match why {
+            NotThen::NotThen { began, until_ms } => Self::NotThen { began, until_ms },
+            NotThen::NoClock => Self::NoClock,
+        }
+    }
+}
 
 impl fmt::Display for WhyFailure {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
@@ -53,7 +79,5 @@ fn unknown(wanted: &str, is_action: bool, names: &[String], to: &mut fmt::Format
     if names.is_empty() {
         return write!(to, "The program has no {other}.");
     }
-    let shown: Vec<_> = names.iter().take(NAMES_MAX).map(|name| format!("“{name}”")).collect();
-    let more = if names.len() > NAMES_MAX { ", …" } else { "" };
-    write!(to, "There are {}{more}.", shown.join(", "))
+    write!(to, "{}", few(names))
 }
