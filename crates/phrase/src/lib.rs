@@ -5,12 +5,14 @@
 //! it says. Words of people, of a device or of an old file are texts within it and stay as they are.
 #![warn(missing_docs)]
 
+mod catalogue;
 mod key;
 mod language;
 mod phrased;
 mod template;
 mod wire;
 
+pub use catalogue::Catalogue;
 pub use key::key_of;
 pub use language::{LANGUAGES, PageLanguage, Plural};
 pub use phrase_macros::{Phrased, phrase};

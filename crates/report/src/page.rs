@@ -13,7 +13,7 @@ use crate::replayed::Replayed;
 use crate::sessions::SessionNumbers;
 use behaviour::without_unseen;
 use maud::{DOCTYPE, Markup, html};
-use sentences::Language;
+use phrase::Catalogue;
 use words::Words;
 
 /// The stylesheet of the page.
@@ -47,13 +47,13 @@ struct Sheet<'a> {
 /// The page of what was gathered of a recording, with the sessions of the same participant.
 #[must_use]
 pub fn page(of: &Gathered, replayed: Replayed, sessions: &[SessionNumbers], asked: &ReportWishes) -> String {
-    let sheet = Sheet { of, clock: Clock::of(&of.header.began, asked.zone), words: Words(of.language) };
+    let sheet = Sheet { of, clock: Clock::of(&of.header.began, asked.zone), words: of.words };
     let words = sheet.words;
     let title = words.title(of.header.participant.as_deref().map(clean).as_deref());
     let [style, script] = asked.parts;
     let page = html! {
         (DOCTYPE)
-        html lang=(of.language.code()) {
+        html lang=(words.code()) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
@@ -63,7 +63,7 @@ pub fn page(of: &Gathered, replayed: Replayed, sessions: &[SessionNumbers], aske
                 script src=(script) defer {}
             }
             body {
-                (links::all(of, words, asked))
+                (links::all(words, asked))
                 main data-began=(clean(&of.header.began)) {
                     (facts::head(&sheet, &title))
                     (facts::lacks(&sheet))
@@ -105,8 +105,8 @@ pub(crate) fn clean(text: &str) -> String {
     without_unseen(&line)
 }
 
-/// The language in which a page is written.
+/// The catalogue of the language in which a page is written.
 #[must_use]
-pub fn language_of(code: Option<&str>, otherwise: Language) -> Language {
-    code.and_then(|code| code.parse().ok()).unwrap_or(otherwise)
+pub fn language_of(code: Option<&str>, otherwise: &'static Catalogue) -> &'static Catalogue {
+    code.and_then(catalogues::of).unwrap_or(otherwise)
 }

@@ -142,6 +142,8 @@ pub async fn serve_with(
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
+    // Read before anybody can press Stop, whose answer waits for nothing.
+    catalogues::all();
     let listening = |error| ServeError::Listen(config.listen, error);
     let listener = accept::listen(config.listen).map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;

@@ -42,7 +42,7 @@ fn plan(desk: &Desk, input: &Id, step: &Step, spot: NewSpot) -> Option<(ConnectP
             (kind.with(()), new_output(desk, &name_of(desk, input, kind), None, Params::new()), false)
         }
         Step::Otherwise(spec, body, _) => {
-            let output = new_output(desk, words::otherwise_name(), None, Params::new());
+            let output = new_output(desk, words::language::spoken().otherwise, None, Params::new());
             (spec.with(Procedure::body(body)), output, false)
         }
         Step::Action(device, params) => {

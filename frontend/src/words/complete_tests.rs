@@ -83,7 +83,7 @@ const NOT_SHOWN: [&str; 22] = [
     "Unkept.Unwritable",
 ];
 /// The rooms whose sentences reach the page.
-const ROOMS: [&str; 13] = [
+const ROOMS: [&str; 14] = [
     "behaviour",
     "editor",
     "engine",
@@ -93,6 +93,7 @@ const ROOMS: [&str; 13] = [
     "protocol",
     "qi",
     "recording",
+    "report",
     "robot",
     "server",
     "simulation",
@@ -144,6 +145,9 @@ fn what_is_wrong_with_a_catalogue_is_found() {
     assert_eq!(quoted_pairs(calls, "phrase!("), [("F.g".to_owned(), "{x} {0}".to_owned())]);
     let derived = "#[derive(Debug, Phrased)]\npub enum Way {\n    /// One.\n    #[error(\"{} of {0}\", .0.a())]\n    One(u8),\n}\n";
     assert_eq!(of_variants(derived), [("Way.One".to_owned(), "{0} of {0}".to_owned())]);
+    let report = "said! {\n    \"report\";\n    day: \"Day\";\n    as_if: \"As if: \";\n}\n";
+    let pairs = [("report.day", "Day"), ("report.as_if", "As if: ")];
+    assert_eq!(under_one_name(report), pairs.map(|(key, text)| (key.to_owned(), text.to_owned())));
     assert_eq!(in_rows("sentences! {\n    // Two\n    one: \"1\";\n}\n\"3\""), [("one".to_owned(), "1".to_owned())]);
 }
 
@@ -258,7 +262,7 @@ fn of_others() -> Catalogue {
         .into_iter()
         .flat_map(|source| {
             let labels = if source.contains("labels! {") { labels(&source) } else { Vec::new() };
-            [quoted_pairs(&source, "phrase!("), of_variants(&source), labels].concat()
+            [quoted_pairs(&source, "phrase!("), of_variants(&source), labels, under_one_name(&source)].concat()
         })
         .filter(|(key, _)| !key.starts_with('$'))
         .collect()
@@ -331,6 +335,21 @@ fn in_rows(source: &str) -> Vec<(String, String)> {
             let name = name.rsplit([' ', '\n']).next().unwrap_or_default().to_owned();
             let (text, after) = literal(&rest[at + 1..]);
             found.push((name, text));
+            rest = after;
+        }
+    }
+    found
+}
+
+/// The rows of every `said!`, which begins with what all of its keys begin with.
+fn under_one_name(source: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for rows in source.split("said! {\n    \"").skip(1) {
+        let (of, mut rest) = literal(rows);
+        rest = rest.split("\n}").next().unwrap_or_default();
+        while let Some((name, text)) = rest.split_once(": \"") {
+            let (english, after) = literal(text);
+            found.push((format!("{of}.{}", name.trim_start_matches([';', '\n', ' '])), english));
             rest = after;
         }
     }

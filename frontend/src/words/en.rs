@@ -116,7 +116,6 @@ sentences! {
     helpers: "Helpers";
     actions: "Actions";
     an_action: "action";
-    otherwise_name: "Otherwise";
     connect: "Connect";
     duplicate: "Duplicate";
     line_up_row: "Line up in a row";

@@ -5,19 +5,12 @@
 //! sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots say comes as a
 //! [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
 
-use phrase::{LANGUAGES, PageLanguage, Phrase, Phrased, filled, key_of};
+use phrase::{Catalogue, PageLanguage, Phrase, Phrased, filled, key_of};
 use std::cell::{Cell, OnceCell};
 use std::fmt::Display;
 
-/// The sentences of a language, by the numbers of their keys.
-#[derive(Debug)]
-pub(crate) struct WordTable {
-    language: &'static PageLanguage,
-    texts: Vec<(u32, &'static str)>,
-}
-
 thread_local! {
-    static TABLE: OnceCell<WordTable> = const { OnceCell::new() };
+    static TABLE: OnceCell<Catalogue> = const { OnceCell::new() };
     /// True while something is said in English for who looks for it by that.
     static IN_ENGLISH: Cell<bool> = const { Cell::new(false) };
 }
@@ -33,13 +26,13 @@ pub(crate) fn in_english<T>(say: impl FnOnce() -> T) -> T {
 /// Begins to speak the language of this catalogue. It counts once, before anything is shown.
 pub(crate) fn speak(text: String) {
     TABLE.with(|table| {
-        let _ = table.set(WordTable::read(text.leak()));
+        let _ = table.set(Catalogue::read(text.leak()));
     });
 }
 
 /// The language of the page.
 pub(crate) fn spoken() -> &'static PageLanguage {
-    TABLE.with(|table| table.get().map_or(&PageLanguage::ENGLISH, |table| table.language))
+    TABLE.with(|table| table.get().map_or(&PageLanguage::ENGLISH, Catalogue::language))
 }
 
 /// True if the page speaks a second language.
@@ -49,11 +42,7 @@ pub(crate) fn is_second() -> bool {
 
 /// The sentence of a key in the second language, if that is spoken and has it.
 fn told(key: u32) -> Option<&'static str> {
-    TABLE.with(|table| {
-        let texts = &table.get().filter(|_| !IN_ENGLISH.get())?.texts;
-        let at = texts.binary_search_by_key(&key, |(known, _)| *known).ok()?;
-        Some(texts[at].1)
-    })
+    TABLE.with(|table| table.get().filter(|_| !IN_ENGLISH.get())?.told(key))
 }
 
 /// The sentence of a key; its English where the language lacks it.
@@ -113,45 +102,20 @@ pub(crate) fn shown_within(what: &impl Phrased) -> String {
     shown(what).trim_end_matches(['.', '。']).to_owned()
 }
 
-impl WordTable {
-    fn read(text: &'static str) -> Self {
-        let code = text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
-        let language = LANGUAGES.iter().find(|language| language.code == code).unwrap_or(&LANGUAGES[1]);
-        Self::of(language, text)
-    }
-
-    fn of(language: &'static PageLanguage, text: &'static str) -> Self {
-        let sentence = |block: &'static str| {
-            let mut lines = block.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
-            Some((key_of(lines.next()?), lines.next()?))
-        };
-        let mut texts: Vec<(u32, &'static str)> = text.split("\n\n").filter_map(sentence).collect();
-        texts.sort_unstable_by_key(|(key, _)| *key);
-        Self { language, texts }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{TABLE, WordTable, fill_keyed, is_second, keyed, shown, speak, word, word_of};
+    use super::{TABLE, fill_keyed, is_second, keyed, shown, speak, word, word_of};
     use crate::words;
-    use phrase::{PageLanguage, Plural, key_of, phrase};
+    use phrase::{Catalogue, PageLanguage, key_of, phrase};
 
     /// A third language: this line, and its file.
-    static GERMAN: PageLanguage = PageLanguage {
-        code: "de",
-        locale: "de",
-        name: "Deutsch",
-        page_in: "Diese Seite auf Deutsch",
-        plural: Plural::One,
-        comma: ", ",
-    };
+    static GERMAN: PageLanguage =
+        phrase::language!("de", "de", "Deutsch", "Diese Seite auf Deutsch", One, ", ", "Sonst");
     const GERMAN_TEXTS: &str = include_str!("../../../tests/languages/de.txt");
 
     #[test]
     fn a_third_language_is_one_file_and_one_line_and_english_stands_in_for_what_it_lacks() {
-        TABLE.with(|table| table.set(WordTable::of(&GERMAN, GERMAN_TEXTS)).unwrap());
-        assert_eq!(GERMAN_TEXTS.split("\n\n").skip(1).count(), 10);
+        TABLE.with(|table| table.set(Catalogue::of(&GERMAN, GERMAN_TEXTS)).unwrap());
         assert_eq!((words::start(), words::history()), ("Start", "Verlauf"));
         assert_eq!(words::saying("Ball"), "„Ball“");
         assert_eq!(words::needs_connection(), "This needs the connection.");

@@ -1,27 +1,21 @@
-//! The words of a report, in English and in Japanese.
+//! The words of a report: English here, other languages by the same keys in their catalogues.
 
 use crate::clock::length;
 use crate::replayed::Replayed;
+use phrase::{Catalogue, Phrase, key_of, phrase};
 use protocol::MarkSort;
-use sentences::Language;
 
 /// The words of one language.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Words(pub(crate) Language);
+pub(crate) struct Words(pub(crate) &'static Catalogue);
 
-/// Texts without holes, after a name for all of them: a name, English, Japanese.
+/// Texts without holes: the first part of their keys, then a name and the English of each.
 macro_rules! said {
-    ($all:ident; $($name:ident: $english:literal, $japanese:literal;)*) => {
+    ($of:literal; $($name:ident: $english:literal;)*) => {
         impl Words {
             $(pub(crate) fn $name(self) -> &'static str {
-                self.said($english, $japanese)
+                self.keyed(concat!($of, ".", stringify!($name)), $english)
             })*
-
-            /// All of them, in both languages.
-            #[cfg(test)]
-            pub(crate) fn $all() -> Vec<[&'static str; 2]> {
-                vec![$([$english, $japanese]),*]
-            }
         }
     };
 }
@@ -29,304 +23,291 @@ macro_rules! said {
 pub(crate) use said;
 
 said! {
-    all_of_reports;
-    after: "After", "変更後";
-    as_if: "As if: ", "ためしに：";
-    before: "Before", "変更前";
-    beside: "Beside the report", "レポートの操作";
-    by: "By", "操作した人";
-    by_hand: "By hand", "手動操作";
-    by_operators: "written by the operators", "操作した人が書いたもの";
-    by_program: "By the program", "プログラムの動作";
-    colon: ": ", "：";
-    comma: ", ", "、";
-    count: "Count", "回数";
-    day: "Day", "日付";
-    does_nothing: "The program has no action.", "このプログラムには動作がありません。";
-    download: "Download", "ダウンロード";
-    ended: "It ended", "終わりの理由";
-    fell: "The robot fell.", "ロボットが転びました。";
-    halted: "The robot interrupted the program.", "ロボットがプログラムを中断しました。";
-    is_cut_off: "The recording ends here without its last line: the server or the disk ended first.",
-        "記録はここで途切れています。サーバーかディスクが先に終わりました。";
-    is_full: "The recording is as large as one may be, and ends here.", "記録が最大の大きさになり、ここで終わっています。";
-    kept_by: "It was kept by", "優先：";
-    length: "Length", "長さ";
-    marks: "Marks", "印";
-    marks_only: "Only marks and actions were recorded: what the robot sensed is not here, and nothing can be replayed.",
-        "印と動作だけの記録です。センサーの値はなく、再生して確かめることはできません。";
-    no_marks: "Nothing was marked.", "印はありません。";
-    no_name: "The participant stands here as a code. No name was asked for.",
-        "参加者はコードで示しています。名前はたずねていません。";
-    no_program: "The recording is cut off before it says what ran.", "何が実行されたかが書かれる前に、記録が途切れています。";
-    no_troubles: "None.", "ありません。";
-    nobody: "nobody is named in it", "名前の記録なし";
-    not_by_hand: "was pressed and not done", "を押しましたが、実行されませんでした";
-    note_only: "a note only", "メモだけ";
-    notes: "Notes and verdicts", "メモと評価";
-    nothing_by_hand: "Nothing was done by hand.", "手動操作はありません。";
+    "report";
+    after: "After";
+    as_if: "As if: ";
+    before: "Before";
+    beside: "Beside the report";
+    by: "By";
+    by_hand: "By hand";
+    by_operators: "written by the operators";
+    by_program: "By the program";
+    colon: ": ";
+    count: "Count";
+    day: "Day";
+    does_nothing: "The program has no action.";
+    download: "Download";
+    ended: "It ended";
+    fell: "The robot fell.";
+    good: "good";
+    halted: "The robot interrupted the program.";
+    how_often: "times";
+    is_cut_off: "The recording ends here without its last line: the server or the disk ended first.";
+    is_full: "The recording is as large as one may be, and ends here.";
+    kept_by: "It was kept by";
+    length: "Length";
+    marks: "Marks";
+    marks_only: "Only marks and actions were recorded: what the robot sensed is not here, and nothing can be replayed.";
+    minutes_and_seconds: "minutes:seconds";
+    no_marks: "Nothing was marked.";
+    no_name: "The participant stands here as a code. No name was asked for.";
+    no_program: "The recording is cut off before it says what ran.";
+    no_troubles: "None.";
+    nobody: "nobody is named in it";
+    not_by_hand: "was pressed and not done";
+    not_good: "not good";
+    note_only: "a note only";
+    notes: "Notes and verdicts";
+    nothing_by_hand: "Nothing was done by hand.";
     old_form: "This recording is of an older form. It lacks the program, and what was pretended, refused or done by hand; streams \
-               stand here by their ids.",
-        "古い形式の記録です。プログラムと、ためしに入れた値、断られた動作、手動操作は残っていません。ストリームは ID で示しています。";
-    other_language: "日本語", "English";
-    own_words: "Notes are the operators’ own words. Read them before you hand this report on.",
-        "メモは操作した人が自由に書いたものです。レポートを渡す前に読んでください。";
-    people: "People", "操作した人";
-    print: "Print it", "印刷";
-    replay: "Replay", "再生";
-    robot: "Robot", "ロボット";
-    same_sentences: "Its sentences are the same.", "文は同じです。";
-    sensed: "What it sensed", "感じたもの";
-    session: "session", "セッション";
-    this_one: " · this one", "・この回";
-    time: "Time", "時間";
-    timeline: "Timeline", "時間の流れ";
-    timeline_label: "Timeline of the session. The tables below say the same in numbers.",
-        "セッションの時間の流れ。下の表に同じことを数で示しています。";
-    troubles: "Troubles", "問題";
-    unknown: "not known", "不明";
-    unreadable_program: "This rrp cannot read the program in it. Update rrp, then open the report again.",
-        "この rrp では記録の中のプログラムを読めません。rrp を更新してから、もう一度開いてください。";
-    values: "Values by id", "ID ごとの値";
-    version_row: "Version", "版";
-    what: "What", "内容";
-    what_it_did: "What it did", "プログラム";
-    word: "Word", "言葉";
+               stand here by their ids.";
+    own_words: "Notes are the operators’ own words. Read them before you hand this report on.";
+    people: "People";
+    print: "Print it";
+    replay: "Replay";
+    robot: "Robot";
+    same_sentences: "Its sentences are the same.";
+    sensed: "What it sensed";
+    session: "session";
+    should_have: "it should have";
+    show_codes: "Show codes instead of names";
+    show_names: "Show the names of staff";
+    this_one: " · this one";
+    time: "Time";
+    timeline: "Timeline";
+    timeline_label: "Timeline of the session. The tables below say the same in numbers.";
+    troubles: "Troubles";
+    unknown: "not known";
+    unreadable_program: "This rrp cannot read the program in it. Update rrp, then open the report again.";
+    values: "Values by id";
+    version_row: "Version";
+    what: "What";
+    what_it_did: "What it did";
+    with_codes: "Staff stand here and in the downloads as P1, P2 and so on; only the .jsonl has everything as it was recorded.";
+    with_names: "Staff are named here and in the downloads. Faces and recognised words are left out of the tables for other programs; \
+        the .jsonl has everything.";
+    word: "Word";
 }
 
 impl Words {
-    pub(crate) fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
-        match self.0 {
-            Language::English => english,
-            Language::Japanese => japanese,
-        }
+    /// The text of a key; its English where the language lacks it.
+    pub(crate) fn keyed(self, key: &'static str, english: &'static str) -> &'static str {
+        self.0.told(key_of(key)).unwrap_or(english)
     }
 
-    /// One of two texts with holes.
-    pub(crate) fn either(self, english: String, japanese: String) -> String {
-        match self.0 {
-            Language::English => english,
-            Language::Japanese => japanese,
-        }
+    /// The code of the language: `en`.
+    pub(crate) fn code(self) -> &'static str {
+        self.0.language().code
+    }
+
+    /// The sign between the parts of a list.
+    pub(crate) fn comma(self) -> &'static str {
+        self.0.language().comma
     }
 
     /// The title, of the session of a participant with this code.
     pub(crate) fn title(self, code: Option<&str>) -> String {
-        match code {
-            Some(code) => self.either(format!("Session report: {code}"), format!("セッションのレポート：{code}")),
-            None => self.said("Session report", "セッションのレポート").to_owned(),
-        }
+        self.0.say(&match code {
+            Some(code) => phrase!("report.title_of", "Session report: {code}"),
+            None => phrase!("report.title", "Session report"),
+        })
     }
 
     pub(crate) fn version(self, revision: u64) -> String {
-        self.either(format!("version {revision}"), format!("版 {revision}"))
+        self.0.say(&phrase!("report.version", "version {revision}"))
     }
 
     pub(crate) fn time_span(self, from: &str, to: &str, length: &str) -> String {
-        self.either(format!("{from} to {to} ({length})"), format!("{from}〜{to}（{length}）"))
+        self.0.say(&phrase!("report.time_span", "{from} to {to} ({length})"))
     }
 
     pub(crate) fn battery(self, first: u8, last: u8) -> String {
-        if first == last {
-            self.either(format!("battery {first} %"), format!("バッテリー {first} %"))
+        self.0.say(&if first == last {
+            phrase!("report.battery", "battery {first} %")
         } else {
-            self.either(format!("battery {first} to {last} %"), format!("バッテリー {first}〜{last} %"))
-        }
+            phrase!("report.battery_from", "battery {first} to {last} %")
+        })
     }
 
     pub(crate) fn changed(self, at: &str, revision: u64) -> String {
-        self.either(
-            format!("At {at} changed while it ran: version {revision}."),
-            format!("{at} に実行中に変更：版 {revision}。"),
-        )
+        self.0.say(&phrase!("report.changed", "At {at} changed while it ran: version {revision}."))
     }
 
     pub(crate) fn more(self, count: u64) -> String {
-        self.either(format!("and {count} more"), format!("ほか {count} 件"))
+        self.0.say(&phrase!("report.more", "and {count} more"))
     }
 
     pub(crate) fn cut_off(self, until: &str) -> String {
-        self.either(
-            format!("It ends early, at {until}: the server or the disk ended before its last line was written."),
-            format!("{until} で途切れています。最後の行が書かれる前に、サーバーかディスクが終わりました。"),
-        )
+        self.0.say(&phrase!(
+            "report.cut_off",
+            "It ends early, at {until}: the server or the disk ended before its last line was written."
+        ))
     }
 
     pub(crate) fn full(self, until: &str) -> String {
-        self.either(
-            format!("It ends early, at {until}: it is as large as a recording may be."),
-            format!("{until} で終わっています。記録が最大の大きさになりました。"),
-        )
+        self.0.say(&phrase!("report.full", "It ends early, at {until}: it is as large as a recording may be."))
     }
 
     pub(crate) fn goes_on(self, until: &str) -> String {
-        self.either(
-            format!("The session goes on. This is what was recorded until {until}; reload the page to see more."),
-            format!(
-                "セッションは続いています。{until} までの記録です。続きを見るには、ページを読み込み直してください。"
-            ),
-        )
+        self.0.say(&phrase!(
+            "report.goes_on",
+            "The session goes on. This is what was recorded until {until}; reload the page to see more."
+        ))
     }
 
     pub(crate) fn unread(self, until: &str) -> String {
-        self.either(
-            format!("The recording is too long to be read at once. This report says what came until {until}; what came after \
-                     is in the download."),
-            format!("記録が長すぎて、一度に読めません。{until} までのレポートです。そのあとは、ダウンロードした記録にあります。"),
-        )
+        self.0.say(&phrase!(
+            "report.unread",
+            "The recording is too long to be read at once. This report says what came until {until}; what came after it is in \
+             the download."
+        ))
     }
 
     /// `3 times`, for what happened more than once.
     pub(crate) fn times(self, count: u64) -> String {
-        match count {
-            1 => String::new(),
-            _ => self.either(format!(", {count} times"), format!("（{count} 回）")),
-        }
+        self.0.say(&times(count))
     }
 
     pub(crate) fn not_done(self, count: u64) -> String {
-        self.either(format!("was refused{}", self.times(count)), format!("は実行されませんでした{}", self.times(count)))
+        self.0.say(&phrase!("report.not_done", "was refused{times}", times = times(count)))
     }
 
     pub(crate) fn failed(self, count: u64) -> String {
-        self.either(format!("failed{}", self.times(count)), format!("の計算が失敗しました{}", self.times(count)))
+        self.0.say(&phrase!("report.failed", "failed{times}", times = times(count)))
     }
 
     /// A length in a sentence: `8 s`, `1:20`.
     pub(crate) fn lasting(self, ms: u64) -> String {
         match ms {
-            0..60_000 => self.either(format!("{} s", ms.div_ceil(1_000)), format!("{} 秒", ms.div_ceil(1_000))),
+            0..60_000 => self.0.say(&phrase!("report.lasting", "{seconds} s", seconds = ms.div_ceil(1_000))),
             _ => length(ms),
         }
     }
 
     pub(crate) fn no_connection(self, lasted: Option<String>) -> String {
-        match lasted {
-            Some(lasted) => self.either(
-                format!("No connection to the robot for {lasted}."),
-                format!("{lasted} の間、ロボットとの接続がありませんでした。"),
-            ),
-            None => self
-                .said("No connection to the robot until the end.", "最後までロボットとの接続がありませんでした。")
-                .to_owned(),
-        }
+        self.0.say(&match lasted {
+            Some(lasted) => phrase!("report.no_connection_for", "No connection to the robot for {lasted}."),
+            None => phrase!("report.no_connection", "No connection to the robot until the end."),
+        })
     }
 
     pub(crate) fn weak(self, lasted: Option<String>) -> String {
-        match lasted {
-            Some(lasted) => self.either(
-                format!("The robot was not wholly ready for {lasted}."),
-                format!("{lasted} の間、ロボットの一部が使えませんでした。"),
-            ),
-            None => self
-                .said("The robot was not wholly ready until the end.", "最後までロボットの一部が使えませんでした。")
-                .to_owned(),
-        }
+        self.0.say(&match lasted {
+            Some(lasted) => phrase!("report.weak_for", "The robot was not wholly ready for {lasted}."),
+            None => phrase!("report.weak", "The robot was not wholly ready until the end."),
+        })
     }
 
     pub(crate) fn late(self, count: u64) -> String {
-        self.either(
-            format!("Values that were dropped in all, as a procedure took too long: {count}."),
-            format!("処理に時間がかかりすぎて捨てられた値：合計 {count} 個。"),
-        )
+        self.0.say(&phrase!("report.late", "Values that were dropped in all, as a procedure took too long: {count}."))
     }
 
     pub(crate) fn missing(self, lost: u64) -> String {
-        self.either(
-            format!("Lines that could not be written in time and are missing here: {lost}."),
-            format!("書き込みが間に合わず、ここに欠けている行：{lost} 行。"),
-        )
+        self.0.say(&phrase!("report.missing", "Lines that could not be written in time and are missing here: {lost}."))
     }
 
     pub(crate) fn over_sessions(self, code: &str, count: usize) -> String {
-        self.either(format!("{code} over {count} sessions"), format!("{code} の {count} 回のセッション"))
+        self.0.say(&phrase!("report.over_sessions", "{code} over {count} sessions"))
     }
 
     /// The unit of a plot.
     pub(crate) fn unit(self, lasts: bool) -> &'static str {
-        if lasts { self.said("minutes:seconds", "分:秒") } else { self.said("times", "回") }
+        if lasts { self.minutes_and_seconds() } else { self.how_often() }
     }
 
     pub(crate) fn switch_names(self, names: bool) -> &'static str {
-        if names {
-            self.said("Show codes instead of names", "名前の代わりにコードを表示")
-        } else {
-            self.said("Show the names of staff", "スタッフの名前を表示")
-        }
+        if names { self.show_codes() } else { self.show_names() }
     }
 
     pub(crate) fn about_names(self, names: bool) -> &'static str {
-        if names {
-            self.said(
-                "Staff are named here and in the downloads. Faces and recognised words are left out of the tables for other programs; the .jsonl \
-                 has everything.",
-                "スタッフの名前は、ここでもダウンロードでも表示されます。ほかのプログラム用の表には、顔と聞き取った言葉は含まれません。.jsonl にはすべてが入っています。",
-            )
-        } else {
-            self.said(
-                "Staff stand here and in the downloads as P1, P2 and so on; only the .jsonl has everything as it was recorded.",
-                "スタッフは、ここでもダウンロードでも P1、P2 などと示されます。.jsonl だけには、すべてが記録されたまま入っています。",
-            )
-        }
+        if names { self.with_names() } else { self.with_codes() }
     }
 
     /// The verdict of a mark on its moment.
     pub(crate) fn verdict(self, sort: MarkSort) -> &'static str {
         match sort {
             MarkSort::Note => "",
-            MarkSort::Good => self.said("good", "良い"),
-            MarkSort::Bad => self.said("not good", "良くない"),
-            MarkSort::Now => self.said("it should have", "してほしかった"),
+            MarkSort::Good => self.good(),
+            MarkSort::Bad => self.not_good(),
+            MarkSort::Now => self.should_have(),
         }
     }
 
     /// The finding of a replay; `at` tells moments.
     pub(crate) fn replayed(self, found: Replayed, at: impl Fn(u64) -> String) -> String {
-        let plain = match found {
-            Replayed::Same => self.said("same as recorded", "記録どおり"),
-            Replayed::OldForm => {
-                self.said("not possible: old file without the program", "できません：古い記録でプログラムがありません")
+        self.0.say(&match found {
+            Replayed::Same => phrase!("replayed.same", "same as recorded"),
+            Replayed::OldForm => phrase!("replayed.old_form", "not possible: old file without the program"),
+            Replayed::MarksOnly => phrase!("replayed.marks_only", "not possible: marks and actions only"),
+            Replayed::Unknown => {
+                phrase!("replayed.unknown", "not possible: it lacks what ran or what that remembered")
             }
-            Replayed::MarksOnly => {
-                self.said("not possible: marks and actions only", "できません：印と動作だけの記録です")
+            Replayed::CannotRun => {
+                phrase!("replayed.cannot_run", "not possible: the program in it cannot run here")
             }
-            Replayed::Unknown => self.said(
-                "not possible: it lacks what ran or what that remembered",
-                "できません：実行内容の記録が足りません",
-            ),
-            Replayed::CannotRun => self.said(
-                "not possible: the program in it cannot run here",
-                "できません：記録の中のプログラムをここでは実行できません",
-            ),
-            Replayed::TooLong => self.said(
-                "not tried, as it is long; use rrp replay --check with the download",
-                "長いため試していません。ダウンロードして rrp replay --check を使ってください",
-            ),
-            Replayed::Differs(ms) => {
-                return self.either(format!("differs from {}", at(ms)), format!("{} から違う", at(ms)));
+            Replayed::TooLong => {
+                phrase!("replayed.too_long", "not tried, as it is long; use rrp replay --check with the download")
             }
+            Replayed::Differs(ms) => phrase!("replayed.differs", "differs from {at}", at = at(ms)),
             Replayed::SameUntil(ms) => {
-                let until = at(ms);
-                return self.either(
-                    format!("same as recorded until {until}; lines are missing after it"),
-                    format!("{until} までは記録どおり。そのあとは行が欠けています"),
-                );
+                phrase!("replayed.same_until", "same as recorded until {at}; lines are missing after it", at = at(ms))
             }
-        };
-        plain.to_owned()
+        })
+    }
+
+    /// The day of a moment in words: `24 November 2026`.
+    pub(crate) fn day_of(self, year: i32, month: u8, day: u8) -> String {
+        let [month, _] = month_names(month);
+        self.0.say(&phrase!("day.long", "{day} {month} {year}", year = year.to_string()))
+    }
+
+    /// The day of a moment in few letters: `24 Nov`.
+    pub(crate) fn short_day_of(self, month: u8, day: u8) -> String {
+        let [_, month] = month_names(month);
+        self.0.say(&phrase!("day.short", "{day} {month}"))
+    }
+}
+
+/// `, 3 times`, for what happened more than once.
+fn times(count: u64) -> Phrase {
+    if count == 1 { Phrase::default() } else { phrase!("report.times", ", {count} times") }
+}
+
+/// The name of a month, and its short name.
+fn month_names(month: u8) -> [Phrase; 2] {
+    match month {
+        1 => [phrase!("month.1", "January"), phrase!("month.short.1", "Jan")],
+        2 => [phrase!("month.2", "February"), phrase!("month.short.2", "Feb")],
+        3 => [phrase!("month.3", "March"), phrase!("month.short.3", "Mar")],
+        4 => [phrase!("month.4", "April"), phrase!("month.short.4", "Apr")],
+        5 => [phrase!("month.5", "May"), phrase!("month.short.5", "May")],
+        6 => [phrase!("month.6", "June"), phrase!("month.short.6", "Jun")],
+        7 => [phrase!("month.7", "July"), phrase!("month.short.7", "Jul")],
+        8 => [phrase!("month.8", "August"), phrase!("month.short.8", "Aug")],
+        9 => [phrase!("month.9", "September"), phrase!("month.short.9", "Sep")],
+        10 => [phrase!("month.10", "October"), phrase!("month.short.10", "Oct")],
+        11 => [phrase!("month.11", "November"), phrase!("month.short.11", "Nov")],
+        _ => [phrase!("month.12", "December"), phrase!("month.short.12", "Dec")],
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::Words;
+    use phrase::{Catalogue, PageLanguage};
+    use std::sync::LazyLock;
+
+    /// A third language: this line, and its file.
+    static GERMAN: PageLanguage =
+        phrase::language!("de", "de", "Deutsch", "Diese Seite auf Deutsch", One, ", ", "Sonst");
+    static TEXTS: LazyLock<Catalogue> =
+        LazyLock::new(|| Catalogue::of(&GERMAN, include_str!("../../../../tests/languages/de.txt")));
 
     #[test]
-    fn every_text_has_its_japanese() {
-        for [english, japanese] in [Words::all_of_reports(), Words::all_of_lists()].concat() {
-            assert!(!japanese.is_empty() && english != japanese, "{english}");
-            let has_kana = !japanese.is_ascii();
-            assert!(has_kana || english == "日本語", "{japanese}");
-        }
+    fn a_third_language_is_a_catalogue_and_a_line() {
+        let words = Words(&TEXTS);
+        assert_eq!((words.code(), words.title(Some("C-07")).as_str()), ("de", "Sitzungsbericht: C-07"));
+        assert_eq!(words.day_of(2026, 11, 24), "24. November 2026");
+        assert_eq!((words.title(None).as_str(), words.count()), ("Session report", "Count"), "English stands in");
     }
 }
