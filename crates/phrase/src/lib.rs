@@ -11,6 +11,7 @@ mod language;
 mod phrased;
 mod template;
 mod wire;
+mod word;
 
 pub use catalogue::Catalogue;
 pub use key::key_of;
@@ -18,6 +19,7 @@ pub use language::{LANGUAGES, PageLanguage, Plural};
 pub use phrase_macros::{Phrased, phrase};
 pub use phrased::Phrased;
 pub use template::{HoleValue, SAID_MAX_BYTES, filled, holes};
+pub use word::{Label, Word};
 
 extern crate self as phrase;
 

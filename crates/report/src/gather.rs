@@ -287,8 +287,7 @@ impl Gathered {
     }
 }
 
-/// The sentences of a program, and the number of those that are too many; none if it is no program. They are English where
-/// sentences are not told in the language of the report.
+/// The sentences of a program, and the number of those that are too many; none if it is no program.
 fn told(file: &BehaviourFile, words: Words, knowledge: &dyn Knowledge) -> Option<(Vec<String>, usize)> {
     let behaviour = file.records(|_| None).ok()?;
     let library = file.library();
@@ -299,7 +298,7 @@ fn told(file: &BehaviourFile, words: Words, knowledge: &dyn Knowledge) -> Option
         Some(ValueType::Number { unit: Some(unit), .. }) if *unit != Unit::Fraction => Some(unit.symbol().to_owned()),
         _ => None,
     };
-    let all = sentences::explain(&behaviour, &helpers, &unit, words.code().parse().unwrap_or_default());
+    let all = sentences::explain(&behaviour, &helpers, &unit, words.of_sentences());
     let told = all.iter().take(SENTENCES_MAX).map(|sentence| cut(&sentence.to_string(), SENTENCE_MAX_CHARS));
     Some((told.collect(), all.len().saturating_sub(SENTENCES_MAX)))
 }

@@ -114,7 +114,7 @@ impl List {
     fn address(&self, chosen: Option<&str>, rows: usize) -> String {
         let Choice { find, program, code, bin, .. } = &self.choice;
         let encoded = self.encoded;
-        let mut parts = vec![format!("language={}", self.words().code())];
+        let mut parts = vec![format!("language={}", self.words().tag())];
         parts.extend(self.zone.minutes().map(|minutes| format!("offset={minutes}")));
         for (name, value) in [("find", find), ("program", program), ("code", code)] {
             parts.extend((!value.is_empty()).then(|| format!("{name}={}", encoded(value))));
@@ -128,7 +128,7 @@ impl List {
     /// The fields of a form besides those that people fill in.
     fn hidden(&self) -> Markup {
         html! {
-            input type="hidden" name="language" value=(self.words().code());
+            input type="hidden" name="language" value=(self.words().tag());
             @if let Some(minutes) = self.zone.minutes() { input type="hidden" name="offset" value=(minutes); }
             @if self.choice.bin { input type="hidden" name="bin" value="1"; }
         }
@@ -177,7 +177,7 @@ pub fn no(why: &Refused, language: &'static Catalogue, parts: [&'static str; 3],
 fn document(title: &str, words: Words, [style, own, script]: [&str; 3], body: &Markup) -> String {
     let page = html! {
         (DOCTYPE)
-        html lang=(words.code()) {
+        html lang=(words.tag()) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";

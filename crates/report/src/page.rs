@@ -53,7 +53,7 @@ pub fn page(of: &Gathered, replayed: Replayed, sessions: &[SessionNumbers], aske
     let [style, script] = asked.parts;
     let page = html! {
         (DOCTYPE)
-        html lang=(words.code()) {
+        html lang=(words.tag()) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";

@@ -13,6 +13,7 @@ mod fits;
 mod helpers;
 mod identity;
 mod installed;
+mod labels;
 mod pad;
 mod params;
 mod parts;
@@ -32,7 +33,7 @@ pub use helpers::{
 };
 pub use identity::{Identity, Stranger};
 pub use installed::{INSTALLED_MAX, INSTALLED_MAX_BYTES, INSTALLED_NAME_MAX_CHARS, Installed, is_file, not_installed};
-pub use pad::{first_by_hand, label_by_hand, usual_pad};
+pub use pad::{TileWords, first_by_hand, label_by_hand, usual_pad};
 pub use params::{DeviceFault, Offers, Param, ParamKind, with_defaults};
 pub use scene::{
     Ball, Body, JOINTS, Obstacle, Printed, PrintedMark, SPOKEN_MAX_CHARS, Scene, SceneEdit, ScenePerson, Touchable,

@@ -46,7 +46,7 @@ fn plan(desk: &Desk, input: &Id, step: &Step, spot: NewSpot) -> Option<(ConnectP
             (spec.with(Procedure::body(body)), output, false)
         }
         Step::Action(device, params) => {
-            let base = device.next_step.stream.map_or_else(|| words::device(device), words::language::word);
+            let base = words::label_of(&device.next_stream());
             let output = new_output(desk, base, Some(device.name), params.clone());
             (connectors::to_action().with(()), output, device.next_step.asks)
         }

@@ -5,7 +5,7 @@
 //! sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots say comes as a
 //! [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
 
-use phrase::{Catalogue, PageLanguage, Phrase, Phrased, filled, key_of};
+use phrase::{Catalogue, Label, PageLanguage, Phrase, Phrased, filled, key_of};
 use std::cell::{Cell, OnceCell};
 use std::fmt::Display;
 
@@ -60,14 +60,9 @@ pub(crate) fn said_of(key: &str, english: &str) -> String {
     told(key_of(key)).unwrap_or(english).to_owned()
 }
 
-/// A word of the catalogue of senses, actions and connectors: of a unit, a colour, a choice, a part of the body.
-pub(crate) fn word(english: &'static str) -> &'static str {
-    said_by(&format!("word.{english}"), english)
-}
-
-/// The same for a word that came from elsewhere.
-pub(crate) fn word_of(english: &str) -> String {
-    said_of(&format!("word.{english}"), english)
+/// The words on something of a list.
+pub(crate) fn label_of(label: &Label) -> &'static str {
+    said_by(&label.key, label.english)
 }
 
 /// A sentence with its holes filled.
@@ -104,7 +99,7 @@ pub(crate) fn shown_within(what: &impl Phrased) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{TABLE, fill_keyed, is_second, keyed, shown, speak, word, word_of};
+    use super::{TABLE, fill_keyed, is_second, keyed, label_of, said_of, shown, speak};
     use crate::words;
     use phrase::{Catalogue, PageLanguage, key_of, phrase};
 
@@ -119,7 +114,7 @@ mod tests {
         assert_eq!((words::start(), words::history()), ("Start", "Verlauf"));
         assert_eq!(words::saying("Ball"), "„Ball“");
         assert_eq!(words::needs_connection(), "This needs the connection.");
-        let locked = behaviour::Refusal::Locked { what: phrase::Phrase::word("this note"), by: "Ben".to_owned() };
+        let locked = behaviour::Refusal::Locked { what: phrase!("this.note", "this note"), by: "Ben".to_owned() };
         assert_eq!(shown(&locked), "Ben bearbeitet gerade diese Notiz.");
         let many = |many: usize| shown(&behaviour::Refusal::Edits(many));
         assert_eq!(many(1), "1 Änderung auf einmal ist zu viel.");
@@ -127,7 +122,7 @@ mod tests {
         assert_eq!(shown(&behaviour::Refusal::Gone), "This program was removed. Open another one.");
     }
 
-    const TEXTS: &str = "# ja\n\nstart\n開始\n\nRefusal.Locked\n{by} さんが{what}を編集中です。\n\nword.filter\n条件\n\nheld\n{name} が{part}を使用中\n";
+    const TEXTS: &str = "# ja\n\nstart\n開始\n\nRefusal.Locked\n{by} さんが{what}を編集中です。\n\nconnector.filter\n条件\n\nheld\n{name} が{part}を使用中\n";
 
     #[test]
     fn a_second_language_is_a_catalogue() {
@@ -138,13 +133,14 @@ mod tests {
         assert_eq!((keyed(key_of("start"), "Start"), keyed(key_of("stop"), "Stop")), ("開始", "Stop"));
         let held = fill_keyed(key_of("held"), "{part} is held by {name}", &[("part", &"{name}"), ("name", &"Aiko")]);
         assert_eq!(held, "Aiko が{name}を使用中");
-        assert_eq!((word("filter"), word_of("start").as_str()), ("条件", "start"));
+        let filter = behaviour::connectors::filter::SPEC.called_by_people();
+        assert_eq!((label_of(&filter), said_of("nobody.knows", "start").as_str()), ("条件", "start"));
     }
 
     #[test]
     fn what_others_say_is_found_by_its_key_alone() {
         speak(TEXTS.to_owned());
-        let what = phrase::Phrase::word("filter");
+        let what = behaviour::connectors::filter::SPEC.called_by_people();
         let locked = phrase!("Refusal.Locked", "{by} is editing {what}. Ask, or wait until it is free.", by = "start");
         assert_eq!(shown(&locked), "start さんが条件を編集中です。");
         assert_eq!(shown(&"start"), "start", "the words of a person");

@@ -30,7 +30,7 @@ pub(super) fn aside(list: &List, chosen: &ChosenRecording) -> Markup {
             }
             @if list.choice.bin { (of_bin(list, &file)) } @else {
                 p {
-                    a class="button first" href=(format!("{REPORTS_PATH}/{file}/report?language={}{offset}", words.code())) { (words.report()) }
+                    a class="button first" href=(format!("{REPORTS_PATH}/{file}/report?language={}{offset}", words.tag())) { (words.report()) }
                 }
                 @if !recording.old_form && recording.session.records == Records::All {
                     p { a class="button" href=(format!("/?past={file}")) { (words.look_back()) } }

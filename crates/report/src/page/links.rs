@@ -13,9 +13,9 @@ pub(super) fn all(words: Words, asked: &ReportWishes) -> Markup {
     let names = if asked.names { "&names=1" } else { "" };
     html! {
         nav aria-label=(words.beside()) {
-            a href=(back(asked, words.code())) { (words.back_to_list()) }
+            a href=(back(asked, words.tag())) { (words.back_to_list()) }
             button id=(SCRIPT_ID) type="button" hidden { (words.print()) }
-            a href=(address(asked, words.code(), !asked.names)) { (words.switch_names(asked.names)) }
+            a href=(address(asked, words.tag(), !asked.names)) { (words.switch_names(asked.names)) }
             a href=(address(asked, other.code, asked.names)) lang=(other.code) { (other.name) }
             span { (words.download()) ": "
                 @for (form, name) in FORMS {

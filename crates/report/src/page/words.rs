@@ -4,6 +4,7 @@ use crate::clock::length;
 use crate::replayed::Replayed;
 use phrase::{Catalogue, Phrase, key_of, phrase};
 use protocol::MarkSort;
+use sentences::Language;
 
 /// The words of one language.
 #[derive(Clone, Copy, Debug)]
@@ -95,9 +96,14 @@ impl Words {
         self.0.told(key_of(key)).unwrap_or(english)
     }
 
-    /// The code of the language: `en`.
-    pub(crate) fn code(self) -> &'static str {
+    /// The tag of the language, as HTML has it: `en`.
+    pub(crate) fn tag(self) -> &'static str {
         self.0.language().code
+    }
+
+    /// The language in which sentences about programs are told: English where they are not told in this one.
+    pub(crate) fn of_sentences(self) -> Language {
+        self.tag().parse().unwrap_or_default()
     }
 
     /// The sign between the parts of a list.
@@ -306,7 +312,7 @@ mod tests {
     #[test]
     fn a_third_language_is_a_catalogue_and_a_line() {
         let words = Words(&TEXTS);
-        assert_eq!((words.code(), words.title(Some("C-07")).as_str()), ("de", "Sitzungsbericht: C-07"));
+        assert_eq!((words.tag(), words.title(Some("C-07")).as_str()), ("de", "Sitzungsbericht: C-07"));
         assert_eq!(words.day_of(2026, 11, 24), "24. November 2026");
         assert_eq!((words.title(None).as_str(), words.count()), ("Session report", "Count"), "English stands in");
     }
