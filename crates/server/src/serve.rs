@@ -38,7 +38,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
-use store::{Append, Store, StoreError};
+use store::{Append, Damage, Store, StoreError};
 use tokio::runtime::{Handle, Runtime};
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
@@ -223,7 +223,7 @@ async fn open(
     host: Arc<HostAccess>,
 ) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
-    let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
+    let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(Damage::Id(reason)))?;
     retry(url, || Box::pin(bounded(store::check_whole(&*store)))).await?;
     let health = StoreHealth::good();
     let epoch = match retry(url, || Box::pin(bounded(store.next_epoch()))).await {

@@ -16,12 +16,13 @@ use std::path::{Path, PathBuf};
 /// The most Latin letters in a row that need no reason.
 const LATIN_MAX: usize = 3;
 /// Words that are the same in Japanese: keys, names, and words of procedures.
-const LATIN: [&str; 39] = [
+const LATIN: [&str; 46] = [
     "Ctrl",
     "DOCTYPE",
     "English",
     "Enter",
     "JSON",
+    "JavaScript",
     "LyingBelly",
     "PageDown",
     "PageUp",
@@ -31,7 +32,9 @@ const LATIN: [&str; 39] = [
     "Standing",
     "Wi-Fi",
     "actuator",
+    "behind",
     "break",
+    "check",
     "continue",
     "data",
     "engine",
@@ -39,12 +42,16 @@ const LATIN: [&str; 39] = [
     "false",
     "frame",
     "frameMs",
+    "jsonl",
     "listen",
     "local",
     "name",
     "null",
+    "open",
     "ordinary",
     "params",
+    "proxy",
+    "replay",
     "sensor",
     "serve",
     "soFar",
@@ -59,8 +66,9 @@ const LATIN: [&str; 39] = [
 ];
 
 /// Keys of what the page never shows: lines for who reads files, starts a server, or mends a robot's protocol.
-const NOT_SHOWN: [&str; 22] = [
+const NOT_SHOWN: [&str; 23] = [
     "BackupMisfit.Others",
+    "BadAddress.",
     "BadId.",
     "FlawKind.",
     "Malformed.",
