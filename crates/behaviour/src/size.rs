@@ -334,7 +334,7 @@ fn text_bytes(text: &str) -> usize {
 mod tests {
     use super::{Size, record_bytes};
     use crate::{Behaviour, Change, Id, Kind, Note, Place, Record, RecordId};
-    use phrase::{Phrased, phrase, word};
+    use phrase::Phrase;
 
     fn note(text: &str) -> Record {
         Record::Note(Note::new(text.into()))

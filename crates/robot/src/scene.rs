@@ -332,11 +332,12 @@ pub const SPOKEN_MAX_CHARS: usize = 200;
 #[cfg(test)]
 mod tests {
     use super::Touchable;
+    use phrase::Phrased;
 
     #[test]
     fn what_can_be_touched_is_told_apart_in_words_and_listed_in_order() {
         assert!(Touchable::ALL.is_sorted());
-        let mut words = Touchable::ALL.map(Touchable::words).to_vec();
+        let mut words = Touchable::ALL.map(|part| part.phrase().to_string()).to_vec();
         words.sort_unstable();
         words.dedup();
         assert_eq!(words.len(), Touchable::ALL.len());
