@@ -105,7 +105,7 @@ const DEVICE_ROOMS: [&str; 6] = [
 ];
 /// Files or folders in which one of them (none: any of them) is named all the same, and why.
 const NAMED_ELSEWHERE: [(&str, &str, &str); 5] = [
-    ("crates/report/src/page/words.rs", "People", "those who took part in a session"),
+    ("crates/report/src/words.rs", "People", "those who took part in a session"),
     ("crates/behaviour/src/connectors/", "Tracker", "a stream of an example, as people call it"),
     ("crates/nao/src/senses.rs", "subscribe", "a method of NAOqi's extractors"),
     ("crates/store/src/contract/", "", "what every store is tried with"),

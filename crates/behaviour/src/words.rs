@@ -103,11 +103,7 @@ fn of_parts(refusal: &Refusal) -> Phrase {
             )
         }
         R::OneInput(word) => {
-            let many = connectors::ALL
-                .iter()
-                .filter(|spec| spec.inputs.are_many())
-                .map(|spec| spec.called_by_people().phrase());
-            let many = any_of(many.collect());
+            let many = connectors_of_many();
             phrase!("Refusal.OneInput", "{^word} takes exactly one stream. Use {many} for several.")
         }
         R::InputTwice(name) => {
@@ -116,11 +112,7 @@ fn of_parts(refusal: &Refusal) -> Phrase {
         R::Rate(_) => phrase!("Refusal.Rate", "It must last from 1 millisecond to 1 hour."),
         R::Infinite => phrase!("Refusal.Infinite", "A parameter is not a finite number."),
         R::NeedsDevice(kind, name) => {
-            let what = if *kind == StreamKind::Sensor {
-                phrase!("one.sense", "a sense")
-            } else {
-                phrase!("one.action", "an action")
-            };
+            let what = one_of(*kind);
             phrase!("Refusal.NeedsDevice", "Choose {what} for “{name}”.")
         }
         R::NoDevice(name) => phrase!("Refusal.NoDevice", "“{name}” has no sense or action."),
@@ -171,6 +163,17 @@ fn of_parts(refusal: &Refusal) -> Phrase {
         | R::Full(..)
         | R::TooLarge(_) => Phrase::default(),
     }
+}
+
+/// The connectors that take several streams.
+fn connectors_of_many() -> Phrase {
+    let many = connectors::ALL.iter().filter(|spec| spec.inputs.are_many());
+    any_of(many.map(|spec| spec.called_by_people().phrase()).collect())
+}
+
+/// A sense or an action, in the middle of a sentence.
+fn one_of(kind: StreamKind) -> Phrase {
+    if kind == StreamKind::Sensor { phrase!("one.sense", "a sense") } else { phrase!("one.action", "an action") }
 }
 
 /// The most fields of an object that a sentence names.

@@ -64,7 +64,7 @@ impl Phrase {
         Self::Keyed(Box::new(KeyedPhrase { key: key.into(), english: english.into(), with }))
     }
 
-    /// Makes a word of the catalogue that its own English names, such as that of a unit or of a connector.
+    /// Makes a word under which labels of changes stand in logs: that of a connector in files, `note`. Its key is made of it.
     #[must_use]
     pub fn word(english: impl Into<Cow<'static, str>>) -> Self {
         let english = english.into();

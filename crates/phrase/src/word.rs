@@ -2,7 +2,7 @@
 
 use crate::{Phrase, Phrased};
 
-/// A word of the catalogue: its key, and its English. [`word!`](crate::word) makes it.
+/// A word of the catalogue: its key, and its English. [`word!`](crate::word!) makes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Word {
     /// The key.

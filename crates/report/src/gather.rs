@@ -1,8 +1,8 @@
 //! Gathers from a recording, an entry at a time, what its report says: however long it is, that stays small.
 
 use crate::bars::ReportBars;
-use crate::page::words::Words;
 use crate::troubles::{Trouble, Troubles};
+use crate::words::Words;
 use behaviour::{BehaviourFile, Helper, Id, Knowledge, Params, StreamKind, Unit, Value, ValueType, infer};
 use phrase::Catalogue;
 use protocol::{RECORDING_MARKS_MAX, RecordingMark};

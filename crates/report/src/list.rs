@@ -5,9 +5,9 @@ mod chosen;
 mod words;
 
 use crate::clock::{Clock, Zone, length};
-use crate::page::words::Words;
 use crate::page::{SCRIPT_ID, clean, own};
 use crate::replayed::Replayed;
+use crate::words::Words;
 use maud::{DOCTYPE, Markup, html};
 use phrase::Catalogue;
 use protocol::{OPERATE_PATH, Recording, RecordingMark, Records, Refused};
@@ -88,7 +88,7 @@ impl Choice {
             return false;
         }
         let clock = Clock::of(&recording.began, zone);
-        let days = catalogues::all().iter().map(|language| clock.day(Words(language))).collect::<Vec<_>>().join(" ");
+        let days = catalogues::all().iter().map(|language| Words(language).day_of(clock)).collect::<Vec<_>>().join(" ");
         let (title, session) = (recording.title.as_deref(), recording.session.session.as_deref());
         let all = [
             code,
@@ -270,10 +270,10 @@ fn row(list: &List, one: &ListedRecording) -> Markup {
             th scope="row" {
                 a href=(list.address(Some(&recording.file), list.choice.rows)) aria-current=[is_chosen.then_some("true")] {
                     @match code { Some(code) => (own(code)), None => (words.no_code()) }
-                    span class="hidden" { " " (clock.day(words)) " " (clock.at(0)) }
+                    span class="hidden" { " " (words.day_of(clock)) " " (clock.at(0)) }
                 }
             }
-            td { (clock.day(words)) br; span class="faint" { (clock.at(0)) (clock.zone()) } }
+            td { (words.day_of(clock)) br; span class="faint" { (clock.at(0)) (clock.zone()) } }
             td {
                 @if let Some(title) = &recording.title { b { (own(title)) } br; }
                 (own(&recording.name)) br; span class="faint" { (own(&recording.by)) }

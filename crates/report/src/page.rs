@@ -5,16 +5,15 @@ mod facts;
 mod links;
 mod tables;
 mod timeline;
-pub(crate) mod words;
 
 use crate::clock::{Clock, Zone};
 use crate::gather::Gathered;
 use crate::replayed::Replayed;
 use crate::sessions::SessionNumbers;
+use crate::words::Words;
 use behaviour::without_unseen;
 use maud::{DOCTYPE, Markup, html};
 use phrase::Catalogue;
-use words::Words;
 
 /// The stylesheet of the page.
 pub const STYLE: &str = include_str!("page/page.css");

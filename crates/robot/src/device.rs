@@ -1,7 +1,7 @@
 //! A sense or an action, as the catalogue declares it: its words, parameters, values and parts of the body.
 
 use crate::Shape::{Object, ObjectOrFirst};
-use crate::params::{DeviceFault, Param, ParamKind, check_params};
+use crate::params::{Param, ParamKind};
 use behaviour::connectors::Carries;
 use behaviour::{FillFrom, Params, StreamKind, Unit, Value};
 use phrase::{Phrase, Phrased};
@@ -202,13 +202,5 @@ impl Device {
             ParamKind::Choice(_) | ParamKind::Number { .. } => None,
         };
         chosen.map(Phrase::from).or_else(usual)
-    }
-
-    /// Checks that these parameters fit: known names, right kinds, inside their ranges.
-    ///
-    /// # Errors
-    /// The first parameter that does not fit.
-    pub fn check(&self, params: &Params) -> Result<(), DeviceFault> {
-        check_params(self, params)
     }
 }

@@ -4,6 +4,7 @@
 
 mod camera;
 mod catalogue;
+mod check;
 mod condition;
 mod describe;
 mod device;

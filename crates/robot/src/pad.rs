@@ -101,7 +101,6 @@ fn shortened(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::usual_pad;
-    use crate::params::check_params;
     use behaviour::{Behaviour, Id, Kind, Params, Record, RecordId, Stream, StreamKind, TileAction, Value};
 
     /// A stream: its kind, its device and its parameters.
@@ -154,7 +153,7 @@ mod tests {
         for tile in pad.tiles.values() {
             if let TileAction::Hand { device, params, .. } = &tile.does {
                 let device = crate::device(StreamKind::Actuator, device).unwrap();
-                assert!(check_params(device, params).is_ok(), "{tile:?}");
+                assert!(device.check(params).is_ok(), "{tile:?}");
             }
         }
         assert!(labels(&Behaviour::default()).is_empty());

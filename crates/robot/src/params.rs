@@ -1,6 +1,5 @@
 //! Parameters of devices: what may be chosen, in which range and unit.
 
-use crate::Device;
 use behaviour::{FillFrom, Params, StreamKind, Value};
 use phrase::{Label, Phrase, Phrased, phrase};
 
@@ -110,34 +109,6 @@ impl Param {
             ParamKind::Text { default, .. } => Value::text(default),
         }
     }
-
-    fn check(&self, of: &Device, value: &Value) -> Result<(), DeviceFault> {
-        let label = || of.param_called(self);
-        match self.kind {
-            ParamKind::Choice(options) if options.iter().any(|option| value.as_text() == Some(option.0)) => Ok(()),
-            ParamKind::Choice(options) => {
-                let choices = options.iter().map(|option| of.choice_called(self, *option)).collect();
-                Err(DeviceFault::Choice(label(), choices))
-            }
-            ParamKind::Number { min, max, .. } if value.as_number().is_some_and(|n| (min..=max).contains(&n)) => Ok(()),
-            ParamKind::Number { min, max, unit, .. } => {
-                Err(DeviceFault::Number { label: label(), min, max, unit: of.unit_called(self, unit) })
-            }
-            ParamKind::Text { max_chars, .. } => match value.as_text() {
-                Some(text) if text.chars().count() <= max_chars => Ok(()),
-                Some(_) => Err(DeviceFault::TooLong(label(), max_chars)),
-                None => Err(DeviceFault::Text(label())),
-            },
-        }
-    }
-}
-
-pub(crate) fn check_params(of: &Device, given: &Params) -> Result<(), DeviceFault> {
-    for (name, value) in given {
-        let param = of.params.iter().find(|param| param.name == name);
-        param.ok_or_else(|| DeviceFault::NoParam(name.clone()))?.check(of, value)?;
-    }
-    Ok(())
 }
 
 impl std::error::Error for DeviceFault {}

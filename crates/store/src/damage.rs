@@ -1,11 +1,11 @@
-//! What of the data is damaged, and why a text is no address of a store.
+//! Damage of data, and texts that are no address of a store.
 
 use behaviour::{BadId, Id};
 use phrase::{Phrase, Phrased};
 use std::fmt::Display;
 use std::path::Path;
 
-/// What of the data is damaged, and how: in words of a library where that found it.
+/// Damage of the data, in the words of the library that found it.
 #[derive(Clone, Debug, PartialEq, Eq, Phrased)]
 pub enum Damage {
     /// A file.
@@ -13,7 +13,7 @@ pub enum Damage {
     File {
         /// The path of the file.
         file: String,
-        /// What is wrong.
+        /// The reason.
         why: Phrase,
     },
     /// A line of a file.
@@ -23,7 +23,7 @@ pub enum Damage {
         file: String,
         /// The number of the line, from 1.
         line: u64,
-        /// What is wrong.
+        /// The reason.
         why: Phrase,
     },
     /// A Neo4j.
@@ -34,7 +34,7 @@ pub enum Damage {
     Neo4jChange {
         /// The revision that the change made.
         revision: u64,
-        /// What is wrong.
+        /// The reason.
         why: Phrase,
     },
     /// A Neo4j has lost what a change does.

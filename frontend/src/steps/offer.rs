@@ -29,7 +29,7 @@ impl Offer {
                 let then = Self::of((**then).clone(), helpers);
                 (then.icon, then.label)
             }
-            Step::Converted(_, to, None) => ("fx", words::convert_to(to.name())),
+            Step::Converted(_, to, None) => ("fx", words::convert_to(&words::shown(to))),
         };
         Self { step, icon, label }
     }
@@ -41,7 +41,7 @@ impl Offer {
             Step::Connector(spec) => words::connector_says(spec).to_owned(),
             Step::Otherwise(spec, body, _) => format!("{} ({body})", words::connector_word(spec)),
             Step::Action(device, _) => words::device_says(device).to_owned(),
-            Step::Converted(from, to, _) => words::converts_first(from.name(), to.name()),
+            Step::Converted(from, to, _) => words::converts_first(&words::shown(from), &words::shown(to)),
         }
     }
 
@@ -52,7 +52,7 @@ impl Offer {
             Step::Connector(spec) => words::label_of(&spec.in_brief()).to_owned(),
             Step::Otherwise(_, body, _) => body.clone(),
             Step::Action(..) => words::an_action().to_owned(),
-            Step::Converted(_, to, Some(_)) => words::converts_to(to.name()),
+            Step::Converted(_, to, Some(_)) => words::converts_to(&words::shown(to)),
             Step::Converted(_, _, None) => words::connector_word(connectors::to_new_value()).to_owned(),
         }
     }

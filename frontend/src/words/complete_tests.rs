@@ -256,12 +256,16 @@ fn after_hole(at: usize, part: &str) -> String {
 /// The sentences of the page by their keys.
 fn of_the_page() -> Catalogue {
     let words = folder().join("src/words");
-    let parts = sources(&words.join("en")).into_iter().map(|(_, source)| source);
-    let all = parts.chain([read(&words.join("en.rs"))]);
+    let parts = sources(&words.join("en")).into_iter().chain(sources(&folder().join("src/desk")));
+    let all = parts.map(|(_, source)| source).chain([read(&words.join("en.rs"))]);
     all.map(|source| source.split("#[cfg(test)]").next().unwrap_or_default().to_owned())
         .flat_map(|source| {
-            let pairs =
-                [keyed_calls(&source, "say!("), keyed_calls(&source, "said!("), quoted_pairs(&source, "self.keyed(")];
+            let pairs = [
+                keyed_calls(&source, "say!("),
+                keyed_calls(&source, "said!("),
+                quoted_pairs(&source, "self.keyed("),
+                quoted_pairs(&source, "phrase!("),
+            ];
             [in_rows(&source), pairs.concat()].concat()
         })
         .collect()

@@ -52,7 +52,7 @@ impl Syntax {
     }
 }
 
-/// What Rhai misses; only one of its words is not a sign.
+/// Says a missing token of Rhai: a sign, or one of its words.
 fn missing(token: &str) -> Phrase {
     match token {
         "a boolean expression" => phrase!("Syntax.Condition", "a boolean expression"),

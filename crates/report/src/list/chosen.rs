@@ -18,7 +18,7 @@ pub(super) fn aside(list: &List, chosen: &ChosenRecording) -> Markup {
     let offset = list.zone.minutes().map(|minutes| format!("&offset={minutes}")).unwrap_or_default();
     html! {
         aside aria-label=(words.chosen()) {
-            h2 { bdi { (code) } " · " (clock.day(words)) ", " (clock.at(0)) }
+            h2 { bdi { (code) } " · " (words.day_of(clock)) ", " (clock.at(0)) }
             p class="faint" {
                 (own(&recording.name)) (words.comma()) (words.version(recording.revision))
                 @if !recording.robot.is_empty() { " · " (own(&recording.robot)) }

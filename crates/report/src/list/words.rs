@@ -1,6 +1,6 @@
 //! The words of the list of recordings: English here, other languages by the same keys in their catalogues.
 
-use crate::page::words::{Words, said};
+use crate::words::{Words, said};
 use phrase::phrase;
 
 said! {

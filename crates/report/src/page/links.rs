@@ -1,7 +1,7 @@
 //! The links beside a report, which are not printed: other language, names, and the recording in other forms.
 
-use super::words::Words;
 use super::{ReportWishes, SCRIPT_ID};
+use crate::words::Words;
 use maud::{Markup, html};
 use protocol::REPORTS_PATH;
 

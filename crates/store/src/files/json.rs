@@ -6,7 +6,7 @@ use super::FileFault;
 use super::place::LineStarts;
 use super::tree::{DEPTH_MAX, FileNode, NODES_MAX, NoNumber, NodeKind, TOO_MANY};
 use behaviour::Value;
-use phrase::{Phrase, Phrased, phrase};
+use phrase::{Phrased, phrase};
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::cell::Cell;

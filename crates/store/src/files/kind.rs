@@ -132,10 +132,10 @@ pub enum BinaryKind {
     /// Files that were packed in this format.
     Packed(&'static str),
     /// A sound of this format.
-    Sound(&'static str),
+    Audio(&'static str),
     /// A film of this format.
     Film(&'static str),
-    /// What has no format to tell.
+    /// Another file, which has no format to tell.
     Other(Word),
 }
 
@@ -144,7 +144,7 @@ impl Phrased for BinaryKind {
         match self {
             Self::Picture(format) => phrase!("FileKind.Picture", "a picture ({format})"),
             Self::Packed(format) => phrase!("FileKind.PackedFile", "a packed file ({format})"),
-            Self::Sound(format) => phrase!("FileKind.Sound", "a sound ({format})"),
+            Self::Audio(format) => phrase!("FileKind.Sound", "a sound ({format})"),
             Self::Film(format) => phrase!("FileKind.Film", "a film ({format})"),
             Self::Other(word) => word.phrase(),
         }
@@ -172,8 +172,8 @@ const BINARY: [(&[u8], BinaryKind); 22] = [
     (b"SQLite format 3\0", BinaryKind::Other(word!("FileKind.Database", "a database (SQLite)"))),
     (b"\xd0\xcf\x11\xe0", BinaryKind::Other(word!("FileKind.OldOffice", "a document of an older Office"))),
     (b"OggS", SOUND_OR_FILM),
-    (b"ID3", BinaryKind::Sound("MP3")),
-    (b"fLaC", BinaryKind::Sound("FLAC")),
+    (b"ID3", BinaryKind::Audio("MP3")),
+    (b"fLaC", BinaryKind::Audio("FLAC")),
     (b"\x1aE\xdf\xa3", BinaryKind::Film("Matroska")),
     (b"\x7fELF", BinaryKind::Other(word!("FileKind.LinuxProgram", "a program for Linux"))),
     (b"MZ", BinaryKind::Other(word!("FileKind.WindowsProgram", "a program for Windows"))),
@@ -185,7 +185,7 @@ fn binary(bytes: &[u8]) -> Option<BinaryKind> {
     let all_text = is_text(beginning(bytes));
     let known = BINARY.iter().find(|(first, _)| bytes.starts_with(first) && (first.len() > 3 || !all_text));
     known.map(|(_, what)| *what).or_else(|| match (bytes.get(..4)?, bytes.get(4..12)?) {
-        (b"RIFF", rest) if rest.ends_with(b"WAVE") => Some(BinaryKind::Sound("WAV")),
+        (b"RIFF", rest) if rest.ends_with(b"WAVE") => Some(BinaryKind::Audio("WAV")),
         (b"RIFF", rest) if rest.ends_with(b"WEBP") => Some(BinaryKind::Picture("WebP")),
         (b"RIFF", _) => Some(SOUND_OR_FILM),
         (_, rest) if rest.starts_with(b"ftyp") => Some(SOUND_OR_FILM),

@@ -96,8 +96,8 @@ fn plain(part: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::{Neo4jAddress, SCHEMES};
+    use crate::StoreError;
     use crate::open::is_neo4j;
-    use crate::{BadAddress, StoreError};
 
     fn read(url: &str) -> Result<Neo4jAddress, StoreError> {
         Neo4jAddress::read(url, &|name| (name == "RRP_NEO4J_PASSWORD").then(|| "from the variable".to_owned()))

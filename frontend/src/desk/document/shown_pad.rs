@@ -1,7 +1,7 @@
 //! The tiles of a program in the words of the page: its own or the usual ones, with the picture and the look of each. Pure.
 
 use crate::words;
-use behaviour::{Behaviour, Pad, StreamKind, TILE_MAX_CHARS, Tile, TileAction};
+use behaviour::{Behaviour, Pad, StreamKind, TILE_MAX_CHARS, TileAction};
 use phrase::{Phrase, Phrased};
 use robot::{Resource, Resources};
 

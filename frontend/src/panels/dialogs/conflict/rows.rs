@@ -94,8 +94,9 @@ fn of_tile(key: u8, tile: &Tile, name: &dyn Fn(&Id) -> String) -> Facet {
     let does = match &tile.does {
         TileAction::Hand { device, params, value } => {
             let action = robot::device(StreamKind::Actuator, device).ok();
-            let of = |param: &Param| Some(shown(param, params.get(param.name)?));
-            let chosen = action.into_iter().flat_map(|action| action.params).filter_map(of);
+            let of = |(action, param): (&Device, &Param)| Some(shown(action, param, params.get(param.name)?));
+            let all = action.into_iter().flat_map(|action| action.params.iter().map(move |param| (action, param)));
+            let chosen = all.filter_map(of);
             let told = action.is_none_or(|action| crate::json::read(action.example).ok().as_ref() != Some(value));
             let action = action.map_or_else(|| device.clone(), |action| words::device(action).to_owned());
             words::listed([action].into_iter().chain(chosen).chain(told.then(|| short_value(value))))

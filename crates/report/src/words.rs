@@ -1,6 +1,6 @@
-//! The words of a report: English here, other languages by the same keys in their catalogues.
+//! The words of reports: English here, other languages by the same keys in their catalogues.
 
-use crate::clock::length;
+use crate::clock::{Clock, length};
 use crate::replayed::Replayed;
 use phrase::{Catalogue, Phrase, key_of, phrase};
 use protocol::MarkSort;
@@ -169,11 +169,6 @@ impl Words {
         ))
     }
 
-    /// `3 times`, for what happened more than once.
-    pub(crate) fn times(self, count: u64) -> String {
-        self.0.say(&times(count))
-    }
-
     pub(crate) fn not_done(self, count: u64) -> String {
         self.0.say(&phrase!("report.not_done", "was refused{times}", times = times(count)))
     }
@@ -261,14 +256,16 @@ impl Words {
         })
     }
 
-    /// The day of a moment in words: `24 November 2026`.
-    pub(crate) fn day_of(self, year: i32, month: u8, day: u8) -> String {
+    /// The day on which a recording began, in words: `24 November 2026`. Empty if it is not known.
+    pub(crate) fn day_of(self, clock: Clock) -> String {
+        let Some((year, month, day)) = clock.date() else { return String::new() };
         let [month, _] = month_names(month);
         self.0.say(&phrase!("day.long", "{day} {month} {year}", year = year.to_string()))
     }
 
-    /// The day of a moment in few letters: `24 Nov`.
-    pub(crate) fn short_day_of(self, month: u8, day: u8) -> String {
+    /// The day in few letters: `24 Nov`.
+    pub(crate) fn short_day_of(self, clock: Clock) -> String {
+        let Some((_, month, day)) = clock.date() else { return String::new() };
         let [_, month] = month_names(month);
         self.0.say(&phrase!("day.short", "{day} {month}"))
     }
@@ -300,6 +297,7 @@ fn month_names(month: u8) -> [Phrase; 2] {
 #[cfg(test)]
 mod tests {
     use super::Words;
+    use crate::clock::{Clock, Zone};
     use phrase::{Catalogue, PageLanguage};
     use std::sync::LazyLock;
 
@@ -307,13 +305,22 @@ mod tests {
     static GERMAN: PageLanguage =
         phrase::language!("de", "de", "Deutsch", "Diese Seite auf Deutsch", One, ", ", "Sonst");
     static TEXTS: LazyLock<Catalogue> =
-        LazyLock::new(|| Catalogue::of(&GERMAN, include_str!("../../../../tests/languages/de.txt")));
+        LazyLock::new(|| Catalogue::of(&GERMAN, include_str!("../../../tests/languages/de.txt")));
 
     #[test]
     fn a_third_language_is_a_catalogue_and_a_line() {
         let words = Words(&TEXTS);
         assert_eq!((words.tag(), words.title(Some("C-07")).as_str()), ("de", "Sitzungsbericht: C-07"));
-        assert_eq!(words.day_of(2026, 11, 24), "24. November 2026");
+        assert_eq!(words.day_of(Clock::of("2026-11-24T18:34:06Z", Zone::default())), "24. November 2026");
         assert_eq!((words.title(None).as_str(), words.count()), ("Session report", "Count"), "English stands in");
+    }
+
+    #[test]
+    fn days_are_told_in_the_zone_of_the_reader() {
+        let [english, japanese] = ["en", "ja"].map(|code| Words(catalogues::of(code).unwrap()));
+        let tokyo = Clock::of("2026-11-23T18:34:06Z", Zone::east_by(Some(540)));
+        assert_eq!([english.day_of(tokyo), japanese.day_of(tokyo)], ["24 November 2026", "2026年11月24日"]);
+        assert_eq!([english.short_day_of(tokyo), japanese.short_day_of(tokyo)], ["24 Nov", "11/24"]);
+        assert_eq!(english.day_of(Clock::of("yesterday", Zone::default())), "");
     }
 }
