@@ -24,7 +24,8 @@ document.addEventListener("keydown", (event) => {
 // ---- The language: as chosen, else as the browser is set; English needs nothing --------------------------------------
 
 const LANGUAGE = "rrp.language";
-const LANGUAGES = new Map([["ja", "/ja.txt"]]);
+// The build names the catalogues that there are.
+const LANGUAGES = (document.documentElement.dataset.languages ?? "").split(" ");
 const WORDS_WAIT_MS = 4_000;
 
 function language() {
@@ -35,9 +36,9 @@ function language() {
 
 // The table of a second language, which the program takes when it starts. Without it the page speaks English.
 async function table(code) {
-  if (!LANGUAGES.has(code)) return null;
+  if (!LANGUAGES.includes(code)) return null;
   try {
-    const answer = await fetch(LANGUAGES.get(code), { signal: AbortSignal.timeout?.(WORDS_WAIT_MS) });
+    const answer = await fetch("/" + code + ".txt", { signal: AbortSignal.timeout?.(WORDS_WAIT_MS) });
     return answer.ok ? await answer.text() : null;
   } catch {
     return null;

@@ -86,7 +86,7 @@ const SINCE: [(&str, Versions); 11] = [
     ("light-dark", [(123, 0), (120, 0), (17, 5)]),
 ];
 /// The names that boot.js uses and all browsers have had since 2015.
-const USUAL: [&str; 66] = [
+const USUAL: [&str; 67] = [
     "AbortSignal",
     "CompileError",
     "Map",
@@ -110,17 +110,18 @@ const USUAL: [&str; 66] = [
     "getAttribute",
     "getElementById",
     "getItem",
-    "has",
     "head",
     "hidden",
     "href",
     "id",
+    "includes",
     "isComposing",
     "key",
     "keyCode",
     "keys",
     "lang",
     "language",
+    "languages",
     "localStorage",
     "location",
     "map",

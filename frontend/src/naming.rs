@@ -35,7 +35,7 @@ fn called_in(naming: NameLanguage, spec: &Spec, parts: &NameParts) -> String {
         "every" => parts.period_ms.map(|ms| naming.every(ms)),
         _ => None,
     };
-    let name = spec.called.iter().find_map(|template| filled_whole(naming.said(template), value));
+    let name = spec.output_names().find_map(|template| filled_whole(naming.said(&template), value));
     clipped(&name.unwrap_or_default())
 }
 
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn names_are_in_the_language_of_the_page_and_those_of_others_are_known() {
-        let table = "word.{input} {every}\n{every}の{input}\n\nname_every_second\n毎秒\n\nname_every\n{period}ごと\n\nname_seconds\n{seconds} 秒\n\nword.Distance\n距離\n";
+        let table = "connector.sample.called0\n{every}の{input}\n\nname_every_second\n毎秒\n\nname_every\n{period}ごと\n\nname_seconds\n{seconds} 秒\n\nhelper.distance.stream\n距離\n";
         speak(table.to_owned());
         let inputs = ["距離".to_owned()];
         let every = |naming, ms| {
@@ -181,8 +181,6 @@ mod tests {
 
     #[test]
     fn an_otherwise_that_becomes_one_of_its_own_is_named_anew() {
-        let [english, japanese] = behaviour::OTHERWISE;
-        assert!(include_str!("../../static/ja.txt").contains(&format!("\nword.{english}\n{japanese}\n")));
         let file = r#"{"format":"rrp-behaviour/1","name":"Test","helpers":[],"streams":[
             {"id":"d","kind":"ordinary","name":"Distance"},{"id":"n","kind":"ordinary","name":"Near"},
             {"id":"o","kind":"ordinary","name":"Otherwise"}],"connectors":[

@@ -36,4 +36,4 @@ pub(crate) mod language;
 mod others_tests;
 
 pub(crate) use en::*;
-pub(crate) use language::{shown, shown_within, word_of};
+pub(crate) use language::{label_of, shown, shown_within};

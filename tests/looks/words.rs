@@ -22,10 +22,9 @@ impl Words {
         };
         let own: BTreeMap<String, String> = text.split("\n\n").filter_map(block).collect();
         let said = |(key, english): (String, String)| Some((english, own.get(&key)?.clone()));
-        let of_word =
-            |key: &str| key.strip_prefix("word.").or_else(|| key.strip_prefix("template.")).map(str::to_owned);
-        let words = own.iter().filter_map(|(key, said)| Some((of_word(key)?, said.clone())));
-        let table = words.chain(english()?.into_iter().filter_map(said)).collect();
+        let named = |key: &str| key.strip_prefix("word.").or_else(|| key.strip_prefix("template.")).map(str::to_owned);
+        let named = own.iter().filter_map(|(key, said)| Some((named(key)?, said.clone())));
+        let table = named.chain(labels().into_iter().chain(english()?).filter_map(said)).collect();
         Ok(Words { code: "ja", table })
     }
 
@@ -61,6 +60,20 @@ impl Words {
     pub(crate) fn stream(&self, name: &str) -> String {
         format!("{}*", self.fill("{before}, {last}", &[("before", name), ("last", "")]))
     }
+}
+
+/// The keys and the English of the words on senses, actions, helpers and connectors.
+fn labels() -> Vec<(String, String)> {
+    let devices = || robot::sensors().chain(robot::actuators());
+    let connectors = behaviour::connectors::ALL.iter().map(|spec| spec.called_by_people());
+    let labels =
+        devices().flat_map(robot::Device::labels).chain(devices().map(robot::Device::called)).chain(connectors);
+    let mut all: Vec<_> = labels.map(|label| (label.key, label.english.to_owned())).collect();
+    for helper in robot::shipped_helpers() {
+        let label = robot::helper_label(&helper).unwrap_or_default();
+        all.push((format!("helper.{}", helper.name), label.to_owned()));
+    }
+    all
 }
 
 /// The keys of the page's sentences and of Stop's words, and the English of each, as they stand in the code.

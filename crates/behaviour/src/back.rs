@@ -88,7 +88,7 @@ pub fn what_went(removal: &Change) -> Option<Phrase> {
         (Some(_), Some(_)) => None,
         (None, _) => gone.clone().find_map(|record| match record {
             Record::Connector(connector) => {
-                Some(phrase!("called.Connector", "the {word}", word = Phrase::word(connector.operation.word())))
+                Some(phrase!("called.Connector", "the {word}", word = connector.operation.spec()))
             }
             Record::Helper(helper) => Some(phrase!("called.Helper", "the helper “{name}”", name = helper.name)),
             _ => None,

@@ -1,7 +1,7 @@
 //! Named checkpoints: revisions of a behaviour that somebody gave a name, to find and compare them later.
 
 use crate::{Refusal, has_unseen, without_unseen};
-use phrase::{Phrase, phrase};
+use phrase::phrase;
 use serde::{Deserialize, Serialize};
 
 /// The longest name of a checkpoint, in characters.
@@ -55,7 +55,7 @@ impl Checkpoints {
             )));
         }
         if self.0.len() >= CHECKPOINTS_MAX {
-            return Err(Refusal::TooMany(Phrase::word("named versions"), CHECKPOINTS_MAX));
+            return Err(Refusal::TooMany(phrase!("many.named_versions", "named versions"), CHECKPOINTS_MAX));
         }
         let (name, by) = (self.check_name(&wanted.name)?, without_unseen(&wanted.by));
         let made = Checkpoint { name, by, ..wanted };
@@ -73,7 +73,7 @@ impl Checkpoints {
     fn check_name(&self, name: &str) -> Result<String, Refusal> {
         let name = name.trim();
         if name.chars().count() > CHECKPOINT_NAME_MAX_CHARS {
-            return Err(Refusal::TooLong(Phrase::word("this name"), CHECKPOINT_NAME_MAX_CHARS));
+            return Err(Refusal::TooLong(phrase!("limited.name", "this name"), CHECKPOINT_NAME_MAX_CHARS));
         }
         if name.is_empty() || name.chars().any(char::is_control) {
             return Err(Refusal::Name(without_unseen(name)));

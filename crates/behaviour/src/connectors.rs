@@ -21,6 +21,7 @@ pub use crate::spec::{
     Carries, ConnectorMeaning, GraphForm, Help, Icon, Inputs, Offered, PERIOD_MS, Passes, Procedural, ResultUse, Spec,
     Takes,
 };
+use phrase::{Phrase, Phrased};
 
 /// All connectors, in the order in which people see them: that of the thesis, `merge` before `timestamp`.
 pub const ALL: &[&Spec] = &[
@@ -42,6 +43,12 @@ pub const ALL: &[&Spec] = &[
 #[must_use]
 pub fn spec(word: &str) -> Option<&'static Spec> {
     ALL.iter().copied().find(|spec| spec.word == word)
+}
+
+/// Speaks of a connector by its word in files.
+#[must_use]
+pub fn named(word: &str) -> Phrase {
+    spec(word).map_or_else(|| word.phrase(), Phrased::phrase)
 }
 
 /// The connector that a sentence with this meaning makes: of several the first, in the order of [`ALL`], that makes ordinary

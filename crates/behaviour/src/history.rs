@@ -5,7 +5,7 @@ use crate::room::check_whole;
 use crate::rules;
 use crate::size::Size;
 use crate::{AnyKnowledge, Behaviour, Change, Id, Kind, LookupSet, NAME_MAX_CHARS, RecordId, Refusal, without_unseen};
-use phrase::{Phrase, Phrased, phrase};
+use phrase::{Phrased, phrase};
 
 /// A behaviour as its changes make it from nothing, one after the other, each decided about as a room would have.
 ///
@@ -64,7 +64,7 @@ impl History {
                 return Err(Refusal::Malformed(edit.id.phrase()));
             }
             if edit.id == RecordId::settings() && edit.after.is_none() {
-                return Err(Refusal::Malformed(Phrase::word("the settings cannot be removed")));
+                return Err(Refusal::Malformed(phrase!("malformed.settings", "the settings cannot be removed")));
             }
             let fits = self.behaviour.records.get(&edit.id) == edit.before.as_ref();
             if fits { Ok(()) } else { Err(Refusal::Stale(edit.id.phrase())) }
@@ -76,7 +76,7 @@ impl History {
 /// control characters comes from elsewhere.
 fn check_said(change: &Change) -> Result<(), Refusal> {
     if change.label.bytes() > LABEL_MAX_BYTES {
-        return Err(Refusal::TooLong(Phrase::word("the label"), LABEL_MAX_BYTES));
+        return Err(Refusal::TooLong(phrase!("limited.label", "the label"), LABEL_MAX_BYTES));
     }
     let label = change.label.to_string();
     if label.chars().any(char::is_control) {
@@ -91,7 +91,7 @@ fn check_said(change: &Change) -> Result<(), Refusal> {
 /// Refuses a name that is too long or holds characters that are not seen there.
 pub fn check_person(name: &str) -> Result<(), Refusal> {
     if name.chars().count() > NAME_MAX_CHARS {
-        return Err(Refusal::TooLong(Phrase::word("this name"), NAME_MAX_CHARS));
+        return Err(Refusal::TooLong(phrase!("limited.name", "this name"), NAME_MAX_CHARS));
     }
     if name.chars().any(char::is_control) {
         return Err(Refusal::Unseen(without_unseen(name).chars().take(40).collect()));

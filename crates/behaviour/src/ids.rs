@@ -1,6 +1,6 @@
 //! Names of records that never change: an id, and what kind of record it names.
 
-use phrase::{Phrase, Phrased};
+use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 use std::str::FromStr;
@@ -117,6 +117,20 @@ impl Kind {
     #[must_use]
     pub fn word(self) -> &'static str {
         WORDS[self as usize].1
+    }
+
+    /// Speaks of a record of this kind, in the middle of a sentence.
+    pub(crate) fn this(self) -> Phrase {
+        match self {
+            Self::Settings => phrase!("this.settings", "the name or settings"),
+            Self::Helper => phrase!("this.helper", "this helper"),
+            Self::Stream => phrase!("this.stream", "this stream"),
+            Self::Connector => phrase!("this.connector", "this connector"),
+            Self::Place => phrase!("this.position", "this position"),
+            Self::Note => phrase!("this.note", "this note"),
+            Self::Group => phrase!("this.group", "this group"),
+            Self::Pad => phrase!("this.tiles", "the tiles"),
+        }
     }
 }
 

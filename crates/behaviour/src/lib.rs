@@ -68,7 +68,7 @@ pub use names::{
 };
 pub use numbered::numbered;
 pub use operation::{Operation, Parameters};
-pub use otherwise::{OTHERWISE, follows_test, is_otherwise, opposite, with_otherwise, without_late_followers};
+pub use otherwise::{follows_test, is_otherwise, opposite, with_otherwise, without_late_followers};
 pub use pad::{Pad, TILE_KEYS, TILE_MAX_BYTES, TILE_MAX_CHARS, Tile, TileAction};
 pub use problems::{Fix, FixKind, Problem, ProblemKind, fixes, fixes_seeing, near, problems, problems_seeing};
 pub use record::{

@@ -228,7 +228,7 @@ pub fn rename_identifiers<S: AsRef<str>>(body: &str, old: &[S], new: &[S]) -> St
     }
     let read = read(body);
     let apart = apart(body, &read, &names);
-    let word = |word: &scopes::Word| {
+    let word = |word: &scopes::ScopedWord| {
         let new = match word.meaning {
             WordMeaning::Outer => (*names.get(&body[word.place.clone()])?).to_owned(),
             WordMeaning::Local(local) => apart.get(&local)?.clone(),
@@ -259,7 +259,7 @@ fn apart(body: &str, read: &ReadProcedure, names: &Lookup<&str, &str>) -> Lookup
 #[must_use]
 pub fn rename_unknown(body: &str, arguments: &[String], old: &str, new: &str) -> String {
     let is_value = arguments.iter().any(|name| name == old);
-    let means = |word: &&scopes::Word| match word.meaning {
+    let means = |word: &&scopes::ScopedWord| match word.meaning {
         WordMeaning::Outer => !is_value,
         WordMeaning::Function | WordMeaning::Part => true,
         WordMeaning::Local(_) => false,

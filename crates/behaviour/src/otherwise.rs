@@ -7,18 +7,16 @@ use crate::names::tokens::{TokenKind, tokens};
 use crate::{
     Behaviour, Change, Connector, Edit, Id, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers,
 };
-
-/// The default names of such a test's stream, in English and in Japanese.
-pub const OTHERWISE: [&str; 2] = ["Otherwise", "それ以外"];
+use phrase::LANGUAGES;
 
 /// Signs that compare, each with the one that is true when it is false.
 const OPPOSITES: [(&str, &str); 6] =
     [(" < ", " >= "), (" > ", " <= "), (" <= ", " > "), (" >= ", " < "), (" == ", " != "), (" != ", " == ")];
 
-/// True if a stream is called “Otherwise”, perhaps with a number.
+/// True if a stream is called “Otherwise” in one of our languages, perhaps with a number.
 #[must_use]
 pub fn is_otherwise(name: &str) -> bool {
-    let rest = OTHERWISE.iter().find_map(|word| name.trim().strip_prefix(word));
+    let rest = LANGUAGES.iter().find_map(|language| name.trim().strip_prefix(language.otherwise));
     rest.is_some_and(|rest| rest.trim().bytes().all(|byte| byte.is_ascii_digit()))
 }
 

@@ -1,7 +1,7 @@
 //! The pad of a behaviour: up to nine tiles that a person presses beside a session.
 
 use crate::{Id, Knowledge, Params, RecordId, Refusal, StreamKind, Value};
-use phrase::Phrase;
+use phrase::{Phrased, Word, phrase, word};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -174,22 +174,22 @@ impl Pad {
 /// Checks a pad that somebody changed.
 pub(crate) fn check(id: &RecordId, pad: &Pad, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
     if *id != RecordId::pad() {
-        return Err(Refusal::Malformed(Phrase::word("a second pad")));
+        return Err(Refusal::Malformed(phrase!("malformed.second_pad", "a second pad")));
     }
     pad.tiles.iter().try_for_each(|(key, tile)| {
         if !TILE_KEYS.contains(key) {
-            return Err(Refusal::Malformed(Phrase::word("a tile")));
+            return Err(Refusal::Malformed(phrase!("malformed.tile", "a tile")));
         }
-        named("this label", &tile.label)?;
+        named(word!("limited.tile_label", "this label"), &tile.label)?;
         if tile.asks && matches!(tile.does, TileAction::Word { .. }) {
-            return Err(Refusal::Malformed(Phrase::word("a word that asks first")));
+            return Err(Refusal::Malformed(phrase!("malformed.asking_word", "a word that asks first")));
         }
         if tile.does.values().any(|(_, value)| !value.is_finite()) {
             return Err(Refusal::Infinite);
         }
         let bytes: usize = tile.does.values().map(|(name, value)| name.len() + value.to_string().len()).sum();
         if bytes > TILE_MAX_BYTES {
-            return Err(Refusal::TooLarge(Phrase::word("this tile")));
+            return Err(Refusal::TooLarge(phrase!("this.tile", "this tile")));
         }
         match &tile.does {
             TileAction::Hand { device, params, .. } => {
@@ -197,17 +197,17 @@ pub(crate) fn check(id: &RecordId, pad: &Pad, knowledge: &dyn Knowledge) -> Resu
             }
             // A stream that is gone, or no sense any more, can be one again; until then the tile rests.
             TileAction::Pretend { .. } => Ok(()),
-            TileAction::Word { word, .. } => named("this word", word),
+            TileAction::Word { word, .. } => named(word!("limited.tile_word", "this word"), word),
         }
     })
 }
 
-fn named(what: &'static str, text: &str) -> Result<(), Refusal> {
+fn named(what: Word, text: &str) -> Result<(), Refusal> {
     if text.trim().is_empty() || text.chars().any(char::is_control) {
         return Err(Refusal::Name(crate::without_unseen(text).chars().take(TILE_MAX_CHARS).collect()));
     }
     let fits = text.chars().count() <= TILE_MAX_CHARS;
-    if fits { Ok(()) } else { Err(Refusal::TooLong(Phrase::word(what), TILE_MAX_CHARS)) }
+    if fits { Ok(()) } else { Err(Refusal::TooLong(what.phrase(), TILE_MAX_CHARS)) }
 }
 
 #[cfg(test)]

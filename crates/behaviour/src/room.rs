@@ -176,7 +176,7 @@ impl Room {
             }
         }
         if change.edits.iter().any(|edit| edit.id == RecordId::settings() && edit.after.is_none()) {
-            return Err(Refusal::Malformed(Phrase::word("the settings cannot be removed")));
+            return Err(Refusal::Malformed(phrase!("malformed.settings", "the settings cannot be removed")));
         }
         let mut after = self.behaviour.clone();
         after.apply(change);
@@ -189,13 +189,11 @@ impl Room {
         match record {
             Some(Record::Stream(stream)) => phrase!("called.Stream", "“{name}”", name = stream.name),
             Some(Record::Helper(helper)) => phrase!("called.Helper", "the helper “{name}”", name = helper.name),
-            Some(Record::Connector(connector)) => Phrase::word(format!("this {}", connector.operation.word())),
-            Some(Record::Settings(_)) => Phrase::word("the name or settings"),
-            Some(Record::Place(_)) => Phrase::word("this position"),
-            Some(Record::Note(_)) => Phrase::word("this note"),
-            Some(Record::Group(_)) => Phrase::word("this group"),
-            Some(Record::Pad(_)) => Phrase::word("the tiles"),
-            None => Phrase::word("this"),
+            Some(Record::Connector(connector)) => {
+                phrase!("this.connector_of", "this {of}", of = connector.operation.spec())
+            }
+            Some(record) => record.kind().this(),
+            None => phrase!("this.thing", "this"),
         }
     }
 
@@ -240,7 +238,7 @@ pub(crate) fn check_whole(change: &Change) -> Result<(), Refusal> {
         }
     }
     let too_long = change.author.chars().count() > rules::NAME_MAX_CHARS || change.label.bytes() > LABEL_MAX_BYTES;
-    if too_long { Err(Refusal::TooLong(Phrase::word("the label"), rules::NAME_MAX_CHARS)) } else { Ok(()) }
+    if too_long { Err(Refusal::TooLong(phrase!("limited.label", "the label"), rules::NAME_MAX_CHARS)) } else { Ok(()) }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use crate::{
     Behaviour, Change, Connector, DeviceType, Edit, FillFrom, Graph, Group, Helper, Id, Lookup, LookupSet, Note,
     Params, Procedure, Record, Settings, Signature, Stream, StreamKind, ValueType, as_looks, has_unseen, record_bytes,
 };
-use phrase::Phrase;
+use phrase::{Phrase, Phrased, Word, phrase, word};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
@@ -226,12 +226,12 @@ fn check_bounds(edit: &Edit) -> Result<(), Refusal> {
     let Some(after) = &edit.after else { return Ok(()) };
     let (bytes, before) = (record_bytes(&edit.id, after), edit.before.as_ref());
     if bytes > RECORD_MAX_BYTES && before.is_none_or(|before| record_bytes(&edit.id, before) < bytes) {
-        return Err(Refusal::TooLarge(Phrase::word(format!("this {}", edit.id.kind.word()))));
+        return Err(Refusal::TooLarge(edit.id.kind.this()));
     }
     let known: LookupSet<&str> = before.map(names_in).unwrap_or_default().into_iter().filled();
     let mut new = names_in(after).into_iter().filter(|name| !known.contains(name));
     new.try_for_each(|name| {
-        within("this name", name, NAME_MAX_CHARS)?;
+        within(word!("limited.name", "this name"), name, NAME_MAX_CHARS)?;
         if has_unseen(name) { Err(Refusal::Unseen(shortened(name))) } else { Ok(()) }
     })
 }
@@ -271,22 +271,26 @@ fn check_touched(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) 
             Record::Group(group) => check_group(group)?,
             Record::Pad(pad) => crate::pad::check(&edit.id, pad, knowledge)?,
             Record::Place(place) if place.x.is_finite() && place.y.is_finite() => {}
-            Record::Place(_) => return Err(Refusal::Malformed(Phrase::word("a position"))),
+            Record::Place(_) => return Err(Refusal::Malformed(phrase!("malformed.position", "a position"))),
         }
     }
     Ok(())
 }
 
 fn check_note(note: &Note) -> Result<(), Refusal> {
-    within("this note", &note.text, NOTE_MAX_CHARS)?;
-    within("this name", &note.by, NAME_MAX_CHARS)?;
-    if note.at_ms > NOTE_MAX_MS { Err(Refusal::Malformed(Phrase::word("the time of a note"))) } else { Ok(()) }
+    within(word!("this.note", "this note"), &note.text, NOTE_MAX_CHARS)?;
+    within(word!("limited.name", "this name"), &note.by, NAME_MAX_CHARS)?;
+    if note.at_ms > NOTE_MAX_MS {
+        Err(Refusal::Malformed(phrase!("malformed.note_time", "the time of a note")))
+    } else {
+        Ok(())
+    }
 }
 
 fn check_group(group: &Group) -> Result<(), Refusal> {
     check_name(&group.title)?;
     let fits = group.streams.len() <= STREAMS_MAX;
-    if fits { Ok(()) } else { Err(Refusal::TooMany(Phrase::word("streams"), STREAMS_MAX)) }
+    if fits { Ok(()) } else { Err(Refusal::TooMany(phrase!("many.streams", "streams"), STREAMS_MAX)) }
 }
 
 /// A stream is in one group at most, whether it is there or gone.
@@ -316,7 +320,7 @@ fn check_settings(settings: &Settings) -> Result<(), Refusal> {
 /// Tags are short, few, and different from each other in more than their case.
 fn check_tags(tags: &[String]) -> Result<(), Refusal> {
     if tags.len() > TAGS_MAX {
-        return Err(Refusal::TooMany(Phrase::word("tags"), TAGS_MAX));
+        return Err(Refusal::TooMany(phrase!("many.tags", "tags"), TAGS_MAX));
     }
     let mut seen = LookupSet::new();
     tags.iter().try_for_each(|tag| {
@@ -324,7 +328,7 @@ fn check_tags(tags: &[String]) -> Result<(), Refusal> {
             return Err(Refusal::Name(shortened(tag)));
         }
         check_name(tag)?;
-        within("this tag", tag, TAG_MAX_CHARS)?;
+        within(word!("limited.tag", "this tag"), tag, TAG_MAX_CHARS)?;
         if seen.insert(as_looks(tag).to_lowercase()) { Ok(()) } else { Err(Refusal::NameTaken(tag.clone())) }
     })
 }
@@ -333,11 +337,11 @@ fn check_name(name: &str) -> Result<(), Refusal> {
     if name.trim().is_empty() || name.chars().any(char::is_control) {
         return Err(Refusal::Name(shortened(name)));
     }
-    within("this name", name, NAME_MAX_CHARS)
+    within(word!("limited.name", "this name"), name, NAME_MAX_CHARS)
 }
 
-fn within(what: &'static str, text: &str, limit: usize) -> Result<(), Refusal> {
-    if text.chars().count() > limit { Err(Refusal::TooLong(Phrase::word(what), limit)) } else { Ok(()) }
+fn within(what: Word, text: &str, limit: usize) -> Result<(), Refusal> {
+    if text.chars().count() > limit { Err(Refusal::TooLong(what.phrase(), limit)) } else { Ok(()) }
 }
 
 fn shortened(text: &str) -> String {
@@ -364,7 +368,7 @@ fn check_connector(after: &Behaviour, connector: &Connector, knowledge: &dyn Kno
         return Err(Refusal::Rate(period_ms));
     }
     let Some(Procedure::Body { body, args }) = connector.operation.procedure() else { return Ok(()) };
-    within("this procedure", body, BODY_MAX_CHARS)?;
+    within(word!("limited.procedure", "this procedure"), body, BODY_MAX_CHARS)?;
     if let Some(bad) = args.iter().flatten().find(|name| !crate::is_identifier(name)) {
         return Err(Refusal::Identifier(shortened(bad)));
     }
@@ -375,9 +379,9 @@ fn check_connector(after: &Behaviour, connector: &Connector, knowledge: &dyn Kno
 }
 
 fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
-    within("this name", &helper.name, NAME_MAX_CHARS)?;
-    within("this procedure", &helper.body, BODY_MAX_CHARS)?;
-    within("This sentence", &helper.says, NOTE_MAX_CHARS)?;
+    within(word!("limited.name", "this name"), &helper.name, NAME_MAX_CHARS)?;
+    within(word!("limited.procedure", "this procedure"), &helper.body, BODY_MAX_CHARS)?;
+    within(word!("limited.sentence", "This sentence"), &helper.says, NOTE_MAX_CHARS)?;
     let names = std::iter::once(&helper.name).chain(&helper.params);
     if let Some(bad) = names.into_iter().find(|name| !crate::is_identifier(name)) {
         return Err(Refusal::Identifier(shortened(bad)));
@@ -467,7 +471,7 @@ fn check_ends(streams: &Lookup<&Id, &Stream>, connector: &Connector) -> Result<(
     let inputs = inputs.ok_or(Refusal::MissingStream)?;
     let spec = connector.operation.spec();
     if !spec.inputs.are_many() && inputs.len() != 1 {
-        return Err(Refusal::OneInput(Phrase::word(spec.word)));
+        return Err(Refusal::OneInput(spec.phrase()));
     }
     let mut seen = LookupSet::new();
     for (id, input) in connector.inputs.iter().zip(inputs) {

@@ -8,7 +8,7 @@ use crate::{
     Behaviour, Change, Connector, Edit, Group, Helper, Id, Kind, Note, Pad, Procedure, Record, RecordId, Refusal,
     Settings, Stream, TileAction, Value,
 };
-use phrase::Phrase;
+use phrase::{Phrase, Phrased, phrase, word};
 
 /// The streams, connectors, places, notes, groups, pad and settings of one behaviour together, in bytes.
 pub const BEHAVIOUR_MAX_BYTES: usize = 6 << 20;
@@ -146,23 +146,33 @@ impl Size {
     /// The first bound that is passed.
     pub(crate) fn check(&self, before: &Self) -> Result<(), Refusal> {
         let counts = [
-            ("helpers", self.helpers.count, before.helpers.count, HELPERS_MAX),
-            ("streams", self.streams.count, before.streams.count, crate::STREAMS_MAX),
-            ("connectors", self.connectors.count, before.connectors.count, crate::CONNECTORS_MAX),
-            ("notes", self.notes.count, before.notes.count, NOTES_MAX),
-            ("groups", self.groups.count, before.groups.count, GROUPS_MAX),
-            ("places", self.places.count, before.places.count, PLACES_MAX),
-            ("inputs, arguments and parameters", self.behaviour_entries(), before.behaviour_entries(), ENTRIES_MAX),
+            (word!("many.helpers", "helpers"), self.helpers.count, before.helpers.count, HELPERS_MAX),
+            (word!("many.streams", "streams"), self.streams.count, before.streams.count, crate::STREAMS_MAX),
+            (
+                word!("many.connectors", "connectors"),
+                self.connectors.count,
+                before.connectors.count,
+                crate::CONNECTORS_MAX,
+            ),
+            (word!("many.notes", "notes"), self.notes.count, before.notes.count, NOTES_MAX),
+            (word!("many.groups", "groups"), self.groups.count, before.groups.count, GROUPS_MAX),
+            (word!("many.places", "places"), self.places.count, before.places.count, PLACES_MAX),
+            (
+                word!("many.entries", "inputs, arguments and parameters"),
+                self.behaviour_entries(),
+                before.behaviour_entries(),
+                ENTRIES_MAX,
+            ),
         ];
         if let Some((what, .., most)) = counts.into_iter().find(|(_, now, before, most)| now > most && now > before) {
-            return Err(Refusal::TooMany(Phrase::word(what), most));
+            return Err(Refusal::TooMany(what.phrase(), most));
         }
         let (helpers, behaviour) = (self.helpers.bytes, self.behaviour_bytes());
         if helpers > LIBRARY_MAX_BYTES && helpers > before.helpers.bytes {
-            return Err(Refusal::Full(Phrase::word("library"), LIBRARY_MAX_BYTES));
+            return Err(Refusal::Full(phrase!("full.library", "library"), LIBRARY_MAX_BYTES));
         }
         if behaviour > BEHAVIOUR_MAX_BYTES && behaviour > before.behaviour_bytes() {
-            return Err(Refusal::Full(Phrase::word("program"), BEHAVIOUR_MAX_BYTES));
+            return Err(Refusal::Full(phrase!("full.program", "program"), BEHAVIOUR_MAX_BYTES));
         }
         Ok(())
     }

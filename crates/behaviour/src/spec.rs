@@ -3,6 +3,7 @@
 use crate::flow::Gives;
 use crate::marbles::Example;
 use crate::{Lasting, Operation, Parameters, Procedure, StreamKind, Value};
+use phrase::{Label, Phrase, Phrased};
 use std::fmt;
 
 /// The duration of a connector for which none was chosen, in milliseconds.
@@ -214,6 +215,39 @@ pub struct Help {
 }
 
 impl Spec {
+    fn labelled(&self, place: &str, english: &'static str) -> Label {
+        Label { key: format!("connector.{}{place}", self.word), english }
+    }
+
+    /// The name for people.
+    #[must_use]
+    pub fn called_by_people(&self) -> Label {
+        self.labelled("", self.name)
+    }
+
+    /// Says in a few words what it does.
+    #[must_use]
+    pub fn in_brief(&self) -> Label {
+        self.labelled(".brief", self.brief)
+    }
+
+    /// The words for its duration in the form, if it has one.
+    #[must_use]
+    pub fn period_called(&self) -> Option<Label> {
+        Some(self.labelled(".period", self.takes.period?))
+    }
+
+    /// The words for its value to start from in the form, if it has one.
+    #[must_use]
+    pub fn start_called(&self) -> Option<Label> {
+        Some(self.labelled(".start", self.takes.start?))
+    }
+
+    /// The names that its output may have, with holes.
+    pub fn output_names(&self) -> impl Iterator<Item = Label> {
+        self.called.iter().enumerate().map(|(nth, name)| self.labelled(&format!(".called{nth}"), name))
+    }
+
     /// The connector with its parameter. What it does not take is left out; what is missing begins empty.
     #[must_use]
     pub fn with(&'static self, parameters: impl Into<Parameters>) -> Operation {
@@ -315,6 +349,13 @@ impl PartialEq for Spec {
 }
 
 impl Eq for Spec {}
+
+/// By its word in files.
+impl Phrased for Spec {
+    fn phrase(&self) -> Phrase {
+        self.labelled(".word", self.word).phrase()
+    }
+}
 
 impl fmt::Debug for Spec {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {

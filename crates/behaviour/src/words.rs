@@ -52,7 +52,7 @@ impl Phrased for Refusal {
             Self::TooLong(what, limit) => {
                 phrase!("Refusal.TooLong", "{^what} is too long. It may have {limit} characters.")
             }
-            Self::TooMany(what, limit) if what.key() == Some("word.helpers") => {
+            Self::TooMany(what, limit) if what.key() == Some("many.helpers") => {
                 phrase!(
                     "Refusal.ManyHelpers",
                     "The library holds at most {limit} helpers. Remove some that nobody uses first."
@@ -103,8 +103,7 @@ fn of_parts(refusal: &Refusal) -> Phrase {
             )
         }
         R::OneInput(word) => {
-            let many = connectors::ALL.iter().filter(|spec| spec.inputs.are_many()).map(|spec| Phrase::word(spec.name));
-            let many = any_of(many.collect());
+            let many = connectors_of_many();
             phrase!("Refusal.OneInput", "{^word} takes exactly one stream. Use {many} for several.")
         }
         R::InputTwice(name) => {
@@ -113,7 +112,7 @@ fn of_parts(refusal: &Refusal) -> Phrase {
         R::Rate(_) => phrase!("Refusal.Rate", "It must last from 1 millisecond to 1 hour."),
         R::Infinite => phrase!("Refusal.Infinite", "A parameter is not a finite number."),
         R::NeedsDevice(kind, name) => {
-            let what = Phrase::word(if *kind == StreamKind::Sensor { "a sense" } else { "an action" });
+            let what = one_of(*kind);
             phrase!("Refusal.NeedsDevice", "Choose {what} for “{name}”.")
         }
         R::NoDevice(name) => phrase!("Refusal.NoDevice", "“{name}” has no sense or action."),
@@ -166,6 +165,17 @@ fn of_parts(refusal: &Refusal) -> Phrase {
     }
 }
 
+/// The connectors that take several streams.
+fn connectors_of_many() -> Phrase {
+    let many = connectors::ALL.iter().filter(|spec| spec.inputs.are_many());
+    any_of(many.map(|spec| spec.called_by_people().phrase()).collect())
+}
+
+/// A sense or an action, in the middle of a sentence.
+fn one_of(kind: StreamKind) -> Phrase {
+    if kind == StreamKind::Sensor { phrase!("one.sense", "a sense") } else { phrase!("one.action", "an action") }
+}
+
 /// The most fields of an object that a sentence names.
 const FIELDS_SAID_MAX: usize = 4;
 
@@ -174,9 +184,9 @@ impl Phrased for ValueType {
         match self {
             Self::Any => phrase!("ValueType.Any", "anything"),
             Self::Truth => phrase!("ValueType.Truth", "true or false"),
-            Self::Number { unit: Some(Unit::Fraction), .. } => Phrase::word(Unit::Fraction.name()),
+            Self::Number { unit: Some(Unit::Fraction), .. } => Unit::Fraction.phrase(),
             Self::Number { unit: Some(unit), .. } => {
-                phrase!("ValueType.NumberIn", "a number in {unit}", unit = Phrase::word(unit.name()))
+                phrase!("ValueType.NumberIn", "a number in {unit}", unit = unit)
             }
             Self::Number { unit: None, .. } => phrase!("ValueType.Number", "a number"),
             Self::Text => phrase!("ValueType.Text", "a text"),

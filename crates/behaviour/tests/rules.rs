@@ -397,8 +397,14 @@ fn a_behaviour_has_one_pad_of_nine_tiles_that_can_be_pressed() {
         );
     }
     let long = "x".repeat(TILE_MAX_CHARS + 1);
-    assert_eq!(refused("pad", pad(1, &long, word("smile"))), Refusal::TooLong(phrase::Phrase::word("this label"), 40));
-    assert_eq!(refused("pad", pad(1, "Press", word(&long))), Refusal::TooLong(phrase::Phrase::word("this word"), 40));
+    assert_eq!(
+        refused("pad", pad(1, &long, word("smile"))),
+        Refusal::TooLong(phrase::phrase!("limited.tile_label", "this label"), 40)
+    );
+    assert_eq!(
+        refused("pad", pad(1, "Press", word(&long))),
+        Refusal::TooLong(phrase::phrase!("limited.tile_word", "this word"), 40)
+    );
     let large = Value::text("x".repeat(TILE_MAX_BYTES));
     assert_eq!(refused("pad", pad(1, "Press", hand("Walk", large))), Refusal::TooLarge("this tile".into()));
     assert_eq!(refused("pad", pad(1, "Press", hand("Walk", f64::NAN.into()))), Refusal::Infinite);

@@ -1,4 +1,4 @@
-//! The languages, each with its rules for numbers and lists. A language is one line here and one folder of words.
+//! The languages, each with its rules for numbers and lists. A language is one line here and one catalogue, `static/ja.txt`.
 
 /// The words that go with a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,21 +49,46 @@ pub struct PageLanguage {
     pub plural: Plural,
     /// The text between the parts of a list.
     pub comma: &'static str,
+    /// The name of a test's stream that passes what another test keeps out.
+    pub otherwise: &'static str,
+}
+
+/// Hands the languages beside English to a macro, so that whatever every language has is made of these lines:
+/// [`LANGUAGES`](crate::LANGUAGES), and the catalogues in the program.
+#[macro_export]
+macro_rules! languages {
+    ($then:ident) => {
+        $then! {
+            ("ja", "ja", "日本語", "このページを日本語で", Same, "、", "それ以外")
+        }
+    };
+}
+
+/// A language of one line: code, locale, name, [`PageLanguage::page_in`](crate::PageLanguage::page_in),
+/// [`Plural`](crate::Plural), comma, [`PageLanguage::otherwise`](crate::PageLanguage::otherwise).
+#[macro_export]
+macro_rules! language {
+    ($code:literal, $locale:literal, $name:literal, $page_in:literal, $plural:ident, $comma:literal, $otherwise:literal) => {
+        $crate::PageLanguage {
+            code: $code,
+            locale: $locale,
+            name: $name,
+            page_in: $page_in,
+            plural: $crate::Plural::$plural,
+            comma: $comma,
+            otherwise: $otherwise,
+        }
+    };
+}
+
+macro_rules! rows {
+    ($(($($of:tt)*))*) => { &[PageLanguage::ENGLISH, $(language!($($of)*)),*] };
 }
 
 impl PageLanguage {
     /// English, in which everything is said.
-    pub const ENGLISH: Self = Self {
-        code: "en",
-        locale: "en-GB",
-        name: "English",
-        page_in: "This page in English",
-        plural: Plural::One,
-        comma: ", ",
-    };
-}
+    pub const ENGLISH: Self = language!("en", "en-GB", "English", "This page in English", One, ", ", "Otherwise");
 
-impl PageLanguage {
     /// The next language of the list, the first one after the last.
     #[must_use]
     pub fn next(&self) -> &'static Self {
@@ -73,14 +98,4 @@ impl PageLanguage {
 }
 
 /// All languages, English first.
-pub const LANGUAGES: &[PageLanguage] = &[
-    PageLanguage::ENGLISH,
-    PageLanguage {
-        code: "ja",
-        locale: "ja",
-        name: "日本語",
-        page_in: "このページを日本語で",
-        plural: Plural::Same,
-        comma: "、",
-    },
-];
+pub const LANGUAGES: &[PageLanguage] = languages!(rows);

@@ -5,17 +5,21 @@
 //! it says. Words of people, of a device or of an old file are texts within it and stay as they are.
 #![warn(missing_docs)]
 
+mod catalogue;
 mod key;
 mod language;
 mod phrased;
 mod template;
 mod wire;
+mod word;
 
+pub use catalogue::Catalogue;
 pub use key::key_of;
 pub use language::{LANGUAGES, PageLanguage, Plural};
 pub use phrase_macros::{Phrased, phrase};
 pub use phrased::Phrased;
 pub use template::{HoleValue, SAID_MAX_BYTES, filled, holes};
+pub use word::{Label, Word};
 
 extern crate self as phrase;
 
@@ -60,7 +64,7 @@ impl Phrase {
         Self::Keyed(Box::new(KeyedPhrase { key: key.into(), english: english.into(), with }))
     }
 
-    /// Makes a word of the catalogue that its own English names, such as that of a unit or of a connector.
+    /// Makes a word under which labels of changes stand in logs: that of a connector in files, `note`. Its key is made of it.
     #[must_use]
     pub fn word(english: impl Into<Cow<'static, str>>) -> Self {
         let english = english.into();

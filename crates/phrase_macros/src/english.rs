@@ -1,14 +1,9 @@
 //! The English of a sentence: its words and its holes.
 
-use crate::faults::SentenceFault;
-
-/// An argument that is handed in for a hole.
-pub(crate) struct Argument {
-    /// The name of the hole, if it is said.
-    pub(crate) name: Option<String>,
-    /// The code of its value.
-    pub(crate) code: String,
-}
+use crate::arguments::Argument;
+use proc_macro2::{Span, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{Error, Ident, LitStr, Result};
 
 /// One hole.
 struct Hole {
@@ -24,21 +19,25 @@ pub(crate) struct English {
     /// The sentence as it travels: `{name}` for each hole.
     text: String,
     holes: Vec<Hole>,
+    /// The place where it is written.
+    at: Span,
 }
 
 impl English {
     /// Reads a sentence as it is written.
-    pub(crate) fn read(written: &str) -> Result<Self, SentenceFault> {
-        let (mut text, mut holes, mut rest) = (String::new(), Vec::new(), written);
-        while let Some(at) = rest.find(['{', '}']) {
-            text.push_str(&rest[..at]);
-            let (brace, after) = rest[at..].split_at(1);
+    pub(crate) fn read(written: &LitStr) -> Result<Self> {
+        let (all, at) = (written.value(), written.span());
+        let (mut text, mut holes, mut rest) = (String::new(), Vec::new(), all.as_str());
+        while let Some(found) = rest.find(['{', '}']) {
+            text.push_str(&rest[..found]);
+            let (brace, after) = rest[found..].split_at(1);
             if let Some(after) = after.strip_prefix(brace) {
                 text.push_str(brace);
                 rest = after;
                 continue;
             }
-            let (hole, after) = after.split_once('}').filter(|_| brace == "{").ok_or(SentenceFault::OpenHole)?;
+            let hole = after.split_once('}').filter(|_| brace == "{");
+            let (hole, after) = hole.ok_or_else(|| Error::new(at, "a hole is not closed"))?;
             let nth = holes.iter().filter(|hole: &&Hole| hole.in_order).count();
             let (made, shown) = hole_of(hole, nth);
             text.push_str(&shown);
@@ -46,42 +45,54 @@ impl English {
             rest = after;
         }
         text.push_str(rest);
-        Ok(Self { text, holes })
+        Ok(Self { text, holes, at })
     }
 
     /// The code that makes the phrase; `field` tells how a name of the sentence is written in code.
     pub(crate) fn code(
         &self,
-        key: &str,
+        key: &impl ToTokens,
         arguments: &[Argument],
-        field: &dyn Fn(&str) -> Option<String>,
-    ) -> Result<String, SentenceFault> {
-        let unnamed: Vec<&Argument> = arguments.iter().filter(|argument| argument.name.is_none()).collect();
-        let (mut with, mut told) = (String::new(), Vec::new());
+        field: &dyn Fn(&str) -> Option<Ident>,
+    ) -> Result<TokenStream> {
+        let (mut told, mut with) = (Vec::new(), Vec::new());
         for hole in &self.holes {
-            if told.contains(&hole.name) {
+            if told.contains(&hole.name.as_str()) {
                 continue;
             }
-            told.push(hole.name.clone());
-            let named = arguments.iter().find(|argument| argument.name.as_deref() == Some(hole.name.as_str()));
-            let value = match (named, hole.in_order) {
-                (Some(argument), _) => argument.code.clone(),
-                (None, true) => {
-                    let nth = hole.name.parse::<usize>().ok();
-                    let argument = nth.and_then(|nth| unnamed.get(nth));
-                    argument.ok_or(SentenceFault::NoArgument)?.code.clone()
-                }
-                (None, false) => field(&hole.name).ok_or(SentenceFault::NoArgument)?,
-            };
-            let phrase = if hole.form.is_empty() {
-                format!("::phrase::Phrased::phrase(&({value}))")
+            told.push(hole.name.as_str());
+            let value = self.value(hole, arguments, field)?;
+            let (name, form) = (&hole.name, &hole.form);
+            with.push(if form.is_empty() {
+                quote!((#name, ::phrase::Phrased::phrase(&(#value))))
             } else {
-                format!("::phrase::Phrase::text(::std::format!(\"{{{}}}\", {value}))", hole.form)
-            };
-            with.push_str(&format!("({:?}, {phrase}),", hole.name));
+                let format = format!("{{{form}}}");
+                quote!((#name, ::phrase::Phrase::text(::std::format!(#format, #value))))
+            });
         }
-        Ok(format!("::phrase::Phrase::of({key}, {:?}, ::std::vec![{with}])", self.text))
+        let text = &self.text;
+        Ok(quote!(::phrase::Phrase::of(#key, #text, ::std::vec![#(#with),*])))
     }
+
+    /// The code of what stands in a hole: its argument, else a field or a variable.
+    fn value(&self, hole: &Hole, arguments: &[Argument], field: &dyn Fn(&str) -> Option<Ident>) -> Result<TokenStream> {
+        let named = arguments.iter().find(|argument| argument.name.as_deref() == Some(hole.name.as_str()));
+        let in_order = || {
+            let nth = hole.name.parse::<usize>().ok()?;
+            arguments.iter().filter(|argument| argument.name.is_none()).nth(nth)
+        };
+        if let Some(argument) = named.or_else(in_order) {
+            return Ok(argument.value.clone());
+        }
+        let known = field(&hole.name).filter(|_| !hole.in_order);
+        let missing = || Error::new(self.at, format!("the hole {{{}}} has no argument", hole.name));
+        Ok(known.ok_or_else(missing)?.into_token_stream())
+    }
+}
+
+/// A variable of this name where the sentence is said; none if no variable can have it.
+pub(crate) fn named(name: &str) -> Option<Ident> {
+    syn::parse_str::<Ident>(name).ok().map(|name| Ident::new(&name.to_string(), Span::call_site()))
 }
 
 /// Of `name`, `name:?`, `^name` (with a capital letter), `.name` (without its full stop), `name|one|many` (by how many) or nothing; and as it travels.
@@ -94,28 +105,4 @@ fn hole_of(hole: &str, nth: usize) -> (Hole, String) {
     let name = if in_order { nth.to_string() } else { name.to_owned() };
     let shown = format!("{{{marks}{name}{forms}}}");
     (Hole { name, in_order, form }, shown)
-}
-
-/// A text without its quotation marks and backslashes.
-pub(crate) fn unquoted(code: &str) -> Option<String> {
-    let inner = code.strip_prefix('"')?.strip_suffix('"')?;
-    let (mut text, mut rest) = (String::new(), inner.chars());
-    while let Some(letter) = rest.next() {
-        if letter != '\\' {
-            text.push(letter);
-            continue;
-        }
-        match rest.next()? {
-            'n' => text.push('\n'),
-            't' => text.push('\t'),
-            '\n' => rest = rest.as_str().trim_start().chars(),
-            'u' => {
-                let (number, after) = rest.as_str().strip_prefix('{')?.split_once('}')?;
-                text.push(char::from_u32(u32::from_str_radix(number, 16).ok()?)?);
-                rest = after.chars();
-            }
-            other => text.push(other),
-        }
-    }
-    Some(text)
 }

@@ -55,8 +55,10 @@ pub enum Different {
     NoRecording,
     /// It lacks something that a replay needs.
     Lacks(Lack),
-    /// The program in it cannot be read or cannot run here; with the reason.
-    Program(String),
+    /// The program in it is of a newer form.
+    NewProgram,
+    /// The program in it cannot run here; with the first fault, if there is one.
+    CannotRun(Option<engine::GraphFault>),
     /// The program in it has no such stream.
     Stream {
         /// The time of the value, in milliseconds since Start.
@@ -205,11 +207,9 @@ impl Replay {
 
     /// The first file begins the run; another one follows it where it was applied.
     fn file(&mut self, file: Option<BehaviourFile>) -> Result<(), Different> {
-        let unread = || Different::Program("this rrp cannot read it; update rrp".to_owned());
-        let file = file.ok_or_else(unread)?;
+        let file = file.ok_or(Different::NewProgram)?;
         let built = Run::build(&file, self.limits());
-        let first = |faults: Vec<engine::GraphFault>| faults.first().map(ToString::to_string).unwrap_or_default();
-        let mut run = built.map_err(|faults| Different::Program(first(faults)))?;
+        let mut run = built.map_err(|faults| Different::CannotRun(faults.into_iter().next()))?;
         if let (Some(until_ms), Some(before)) = (self.applied_ms.take(), &mut self.playing) {
             let to = &mut self.replayed;
             before.run.until(Millis(until_ms), &mut |emission| told(&before.file, &emission, to));

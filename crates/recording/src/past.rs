@@ -109,10 +109,9 @@ impl PastPlayer<'_> {
 
     /// The first file begins the run; another one follows it where it was applied.
     fn file(&mut self, file: Option<BehaviourFile>) -> Result<(), Different> {
-        let unread = || Different::Program("this rrp cannot read it; update rrp".to_owned());
-        let file = file.ok_or_else(unread)?;
-        let first = |faults: Vec<engine::GraphFault>| faults.first().map(ToString::to_string).unwrap_or_default();
-        let run = Run::build(&file, Limits::default()).map_err(|faults| Different::Program(first(faults)))?;
+        let file = file.ok_or(Different::NewProgram)?;
+        let built = Run::build(&file, Limits::default());
+        let run = built.map_err(|faults| Different::CannotRun(faults.into_iter().next()))?;
         let stream = file.streams.iter().position(|stream| (self.is_it)(stream)).map(StreamIx::of);
         match (&mut self.traced, self.applied_ms.take()) {
             (Some(traced), Some(until_ms)) => {

@@ -26,7 +26,11 @@ impl fmt::Display for Different {
                 to.write_str("This is no recording. Give the file that ends in .jsonl, as it was downloaded.")
             }
             Self::Lacks(lack) => write!(to, "This cannot be checked: {lack}."),
-            Self::Program(why) => write!(to, "The program in this recording cannot run here: {why}."),
+            Self::NewProgram => {
+                write!(to, "The program in this recording cannot run here: this rrp cannot read it; update rrp.")
+            }
+            Self::CannotRun(Some(fault)) => write!(to, "The program in this recording cannot run here: {fault}."),
+            Self::CannotRun(None) => write!(to, "The program in this recording cannot run here."),
             Self::Stream { at_ms, stream } => write!(
                 to,
                 "At {} the recording has a stream “{stream}” that its own program does not have. Was it edited?",

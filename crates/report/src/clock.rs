@@ -1,6 +1,5 @@
 //! Days and times of the day of a recording, as people read them.
 
-use sentences::Language;
 use time::format_description::well_known::Rfc3339;
 use time::{OffsetDateTime, UtcOffset};
 
@@ -42,23 +41,9 @@ impl Clock {
         Self { began: began.and_then(|began| began.checked_to_offset(offset)), zone }
     }
 
-    /// The day, in words; empty if it is not known.
-    pub(crate) fn day(self, language: Language) -> String {
-        let Some(began) = self.began else { return String::new() };
-        let (day, month, year) = (began.day(), began.month(), began.year());
-        match language {
-            Language::English => format!("{day} {month} {year}"),
-            Language::Japanese => format!("{year}年{}月{day}日", u8::from(month)),
-        }
-    }
-
-    /// The day in few letters: `24 Nov`.
-    pub(crate) fn short_day(self, language: Language) -> String {
-        let Some(began) = self.began else { return String::new() };
-        match language {
-            Language::English => format!("{} {:.3}", began.day(), began.month().to_string()),
-            Language::Japanese => format!("{}/{}", u8::from(began.month()), began.day()),
-        }
+    /// The year, the month and the day, if they are known.
+    pub(crate) fn date(self) -> Option<(i32, u8, u8)> {
+        self.began.map(|began| (began.year(), began.month().into(), began.day()))
     }
 
     /// The time of day so long after the beginning, with seconds; that since the beginning if it is not known when that was.
@@ -98,24 +83,18 @@ pub(crate) fn length(ms: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::{Clock, Zone, length};
-    use sentences::Language;
 
     #[test]
     fn moments_are_told_in_the_zone_of_the_reader() {
         let tokyo = Clock::of("2026-11-23T18:34:06Z", Zone::east_by(Some(540)));
-        assert_eq!((tokyo.day(Language::English).as_str(), tokyo.zone()), ("24 November 2026", ""));
-        assert_eq!(tokyo.day(Language::Japanese), "2026年11月24日");
-        assert_eq!([tokyo.short_day(Language::English), tokyo.short_day(Language::Japanese)], ["24 Nov", "11/24"]);
+        assert_eq!((tokyo.date(), tokyo.zone()), (Some((2026, 11, 24)), ""));
         assert_eq!([tokyo.at(0), tokyo.at(3_600_500)], ["03:34:06", "04:34:06"]);
         for strange in [None, Some(900), Some(i32::MIN + 1), Some(i32::MIN)] {
             let utc = Clock::of("2026-11-23T18:34:06Z", Zone::east_by(strange));
             assert_eq!((utc.at(0).as_str(), utc.zone()), ("18:34:06", " UTC"));
         }
         let unknown = Clock::of("yesterday", Zone::default());
-        assert_eq!(
-            (unknown.day(Language::English), unknown.at(62_000), unknown.zone()),
-            (String::new(), "1:02".into(), "")
-        );
+        assert_eq!((unknown.date(), unknown.at(62_000).as_str(), unknown.zone()), (None, "1:02", ""));
         assert_eq!([length(59_999), length(3_723_000)], ["0:59", "1:02:03"]);
         assert_eq!(tokyo.at(u64::MAX), length(u64::MAX), "a time that no calendar has");
     }

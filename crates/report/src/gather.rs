@@ -2,10 +2,11 @@
 
 use crate::bars::ReportBars;
 use crate::troubles::{Trouble, Troubles};
+use crate::words::Words;
 use behaviour::{BehaviourFile, Helper, Id, Knowledge, Params, StreamKind, Unit, Value, ValueType, infer};
+use phrase::Catalogue;
 use protocol::{RECORDING_MARKS_MAX, RecordingMark};
 use recording::{Entry, Hand, Header, Private, PrivateParts, mark, marks};
-use sentences::Language;
 use std::collections::BTreeMap;
 
 /// The most streams, and the most presses of different kinds, that have a row each.
@@ -27,7 +28,8 @@ const TEXT_MAX_CHARS: usize = 200;
 pub struct Gathered {
     pub(crate) header: Header,
     pub(crate) private: Private,
-    pub(crate) language: Language,
+    /// The words of the report.
+    pub(crate) words: Words,
     /// The streams with a row, in the order of the program.
     pub(crate) rows: Vec<StreamRow>,
     /// The number of streams without one, for want of room.
@@ -105,15 +107,15 @@ pub(crate) enum Ended {
 }
 
 impl Gathered {
-    /// Begins with the first line of a recording.
+    /// Begins with the first line of a recording, for a report in the language of this catalogue.
     #[must_use]
-    pub fn of(header: Header, keep: PrivateParts, language: Language) -> Self {
+    pub fn of(header: Header, keep: PrivateParts, language: &'static Catalogue) -> Self {
         let mut private = Private::keeping(keep);
         private.person(&header.by);
         Self {
             header,
             private,
-            language,
+            words: Words(language),
             rows: Vec::new(),
             more_rows: 0,
             programs: Vec::new(),
@@ -276,7 +278,7 @@ impl Gathered {
             }
         }
         if self.programs.len() < PROGRAMS_MAX {
-            let (sentences, more) = match file.and_then(|file| told(file, self.language, knowledge)) {
+            let (sentences, more) = match file.and_then(|file| told(file, self.words, knowledge)) {
                 Some((sentences, more)) => (Some(sentences), more),
                 None => (None, 0),
             };
@@ -286,7 +288,7 @@ impl Gathered {
 }
 
 /// The sentences of a program, and the number of those that are too many; none if it is no program.
-fn told(file: &BehaviourFile, language: Language, knowledge: &dyn Knowledge) -> Option<(Vec<String>, usize)> {
+fn told(file: &BehaviourFile, words: Words, knowledge: &dyn Knowledge) -> Option<(Vec<String>, usize)> {
     let behaviour = file.records(|_| None).ok()?;
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();
@@ -296,7 +298,7 @@ fn told(file: &BehaviourFile, language: Language, knowledge: &dyn Knowledge) -> 
         Some(ValueType::Number { unit: Some(unit), .. }) if *unit != Unit::Fraction => Some(unit.symbol().to_owned()),
         _ => None,
     };
-    let all = sentences::explain(&behaviour, &helpers, &unit, language);
+    let all = sentences::explain(&behaviour, &helpers, &unit, words.of_sentences());
     let told = all.iter().take(SENTENCES_MAX).map(|sentence| cut(&sentence.to_string(), SENTENCE_MAX_CHARS));
     Some((told.collect(), all.len().saturating_sub(SENTENCES_MAX)))
 }

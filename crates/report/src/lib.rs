@@ -13,6 +13,7 @@ mod page;
 mod replayed;
 mod sessions;
 mod troubles;
+mod words;
 
 pub use clock::Zone;
 pub use exports::{Form, clock};

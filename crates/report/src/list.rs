@@ -5,12 +5,12 @@ mod chosen;
 mod words;
 
 use crate::clock::{Clock, Zone, length};
-use crate::page::words::Words;
 use crate::page::{SCRIPT_ID, clean, own};
 use crate::replayed::Replayed;
+use crate::words::Words;
 use maud::{DOCTYPE, Markup, html};
+use phrase::Catalogue;
 use protocol::{OPERATE_PATH, Recording, RecordingMark, Records, Refused};
-use sentences::Language;
 use std::collections::BTreeSet;
 
 /// The stylesheet of the list; that of reports comes before it.
@@ -68,8 +68,8 @@ pub struct List {
     pub most_bytes: u64,
     /// True if the reader may change something.
     pub may_change: bool,
-    /// The language.
-    pub language: Language,
+    /// The catalogue of the language of the page.
+    pub language: &'static Catalogue,
     /// The zone in which moments are told.
     pub zone: Zone,
     /// The addresses of both stylesheets and of the script.
@@ -88,7 +88,7 @@ impl Choice {
             return false;
         }
         let clock = Clock::of(&recording.began, zone);
-        let days = Language::ALL.map(|language| clock.day(language)).join(" ");
+        let days = catalogues::all().iter().map(|language| Words(language).day_of(clock)).collect::<Vec<_>>().join(" ");
         let (title, session) = (recording.title.as_deref(), recording.session.session.as_deref());
         let all = [
             code,
@@ -114,7 +114,7 @@ impl List {
     fn address(&self, chosen: Option<&str>, rows: usize) -> String {
         let Choice { find, program, code, bin, .. } = &self.choice;
         let encoded = self.encoded;
-        let mut parts = vec![format!("language={}", self.language.code())];
+        let mut parts = vec![format!("language={}", self.words().tag())];
         parts.extend(self.zone.minutes().map(|minutes| format!("offset={minutes}")));
         for (name, value) in [("find", find), ("program", program), ("code", code)] {
             parts.extend((!value.is_empty()).then(|| format!("{name}={}", encoded(value))));
@@ -128,7 +128,7 @@ impl List {
     /// The fields of a form besides those that people fill in.
     fn hidden(&self) -> Markup {
         html! {
-            input type="hidden" name="language" value=(self.language.code());
+            input type="hidden" name="language" value=(self.words().tag());
             @if let Some(minutes) = self.zone.minutes() { input type="hidden" name="offset" value=(minutes); }
             @if self.choice.bin { input type="hidden" name="bin" value="1"; }
         }
@@ -166,10 +166,10 @@ pub fn list(list: &List) -> String {
 
 /// A page that says why something was not done, with the way back.
 #[must_use]
-pub fn no(why: &Refused, language: Language, parts: [&'static str; 3], back: &str) -> String {
+pub fn no(why: &Refused, language: &'static Catalogue, parts: [&'static str; 3], back: &str) -> String {
     let words = Words(language);
     let body = html! {
-        main class="list" { div { h1 { (words.not_done_title()) } p role="alert" { (words.refusal(why)) } p { a class="button" href=(back) { (words.back_to_list()) } } } }
+        main class="list" { div { h1 { (words.not_done_title()) } p role="alert" { (language.say(why)) } p { a class="button" href=(back) { (words.back_to_list()) } } } }
     };
     document(words.not_done_title(), words, parts, &body)
 }
@@ -177,7 +177,7 @@ pub fn no(why: &Refused, language: Language, parts: [&'static str; 3], back: &st
 fn document(title: &str, words: Words, [style, own, script]: [&str; 3], body: &Markup) -> String {
     let page = html! {
         (DOCTYPE)
-        html lang=(words.0.code()) {
+        html lang=(words.tag()) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
@@ -195,17 +195,15 @@ fn document(title: &str, words: Words, [style, own, script]: [&str; 3], body: &M
 
 fn links(list: &List) -> Markup {
     let words = list.words();
-    let other = match list.language {
-        Language::English => Language::Japanese,
-        Language::Japanese => Language::English,
-    };
-    let address = List { language: other, ..list.clone() }.address(None, 0);
+    let other = words.0.language().next();
+    let language = catalogues::of(other.code).unwrap_or_else(catalogues::english);
+    let address = List { language, ..list.clone() }.address(None, 0);
     html! {
         nav aria-label=(words.around()) {
             a href="/?graph" { (words.programs()) }
             a href=(OPERATE_PATH) { (words.operate()) }
             a href=(list.address(None, 0)) aria-current="page" { (words.recordings()) }
-            a href=(address) lang=(other.code()) { (words.other_language()) }
+            a href=(address) lang=(other.code) { (other.name) }
             button id=(SCRIPT_ID) type="button" hidden { (words.print()) }
             form method="post" action="/stop" { button class="stop" type="submit" { (words.stop_all()) } }
         }
@@ -272,10 +270,10 @@ fn row(list: &List, one: &ListedRecording) -> Markup {
             th scope="row" {
                 a href=(list.address(Some(&recording.file), list.choice.rows)) aria-current=[is_chosen.then_some("true")] {
                     @match code { Some(code) => (own(code)), None => (words.no_code()) }
-                    span class="hidden" { " " (clock.day(list.language)) " " (clock.at(0)) }
+                    span class="hidden" { " " (words.day_of(clock)) " " (clock.at(0)) }
                 }
             }
-            td { (clock.day(list.language)) br; span class="faint" { (clock.at(0)) (clock.zone()) } }
+            td { (words.day_of(clock)) br; span class="faint" { (clock.at(0)) (clock.zone()) } }
             td {
                 @if let Some(title) = &recording.title { b { (own(title)) } br; }
                 (own(&recording.name)) br; span class="faint" { (own(&recording.by)) }

@@ -5,16 +5,15 @@ mod facts;
 mod links;
 mod tables;
 mod timeline;
-pub(crate) mod words;
 
 use crate::clock::{Clock, Zone};
 use crate::gather::Gathered;
 use crate::replayed::Replayed;
 use crate::sessions::SessionNumbers;
+use crate::words::Words;
 use behaviour::without_unseen;
 use maud::{DOCTYPE, Markup, html};
-use sentences::Language;
-use words::Words;
+use phrase::Catalogue;
 
 /// The stylesheet of the page.
 pub const STYLE: &str = include_str!("page/page.css");
@@ -47,13 +46,13 @@ struct Sheet<'a> {
 /// The page of what was gathered of a recording, with the sessions of the same participant.
 #[must_use]
 pub fn page(of: &Gathered, replayed: Replayed, sessions: &[SessionNumbers], asked: &ReportWishes) -> String {
-    let sheet = Sheet { of, clock: Clock::of(&of.header.began, asked.zone), words: Words(of.language) };
+    let sheet = Sheet { of, clock: Clock::of(&of.header.began, asked.zone), words: of.words };
     let words = sheet.words;
     let title = words.title(of.header.participant.as_deref().map(clean).as_deref());
     let [style, script] = asked.parts;
     let page = html! {
         (DOCTYPE)
-        html lang=(of.language.code()) {
+        html lang=(words.tag()) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
@@ -63,7 +62,7 @@ pub fn page(of: &Gathered, replayed: Replayed, sessions: &[SessionNumbers], aske
                 script src=(script) defer {}
             }
             body {
-                (links::all(of, words, asked))
+                (links::all(words, asked))
                 main data-began=(clean(&of.header.began)) {
                     (facts::head(&sheet, &title))
                     (facts::lacks(&sheet))
@@ -105,8 +104,8 @@ pub(crate) fn clean(text: &str) -> String {
     without_unseen(&line)
 }
 
-/// The language in which a page is written.
+/// The catalogue of the language in which a page is written.
 #[must_use]
-pub fn language_of(code: Option<&str>, otherwise: Language) -> Language {
-    code.and_then(|code| code.parse().ok()).unwrap_or(otherwise)
+pub fn language_of(code: Option<&str>, otherwise: &'static Catalogue) -> &'static Catalogue {
+    code.and_then(catalogues::of).unwrap_or(otherwise)
 }

@@ -36,7 +36,7 @@ impl From<&Result<CheckedRecording, Different>> for Replayed {
             Err(Different::Lacks(Lack::Program)) => Self::OldForm,
             Err(Different::Lacks(Lack::Readings)) => Self::MarksOnly,
             Err(Different::Lacks(Lack::Everything | Lack::Memory) | Different::NoRecording) => Self::Unknown,
-            Err(Different::Program(_)) => Self::CannotRun,
+            Err(Different::NewProgram | Different::CannotRun(_)) => Self::CannotRun,
         }
     }
 }

@@ -2,18 +2,18 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 
 use behaviour::{DeviceType, Knowledge, Params, StreamKind};
+use phrase::Catalogue;
 use protocol::Recording;
 use recording::{PrivateParts, open};
 use report::{Gathered, Replayed, ReportWishes, SessionNumbers, Zone, page};
-use sentences::Language;
 
 const RECORDING: &str = include_str!("data/greet.jsonl");
 const MARKS: &str = include_str!("data/greet.marks.jsonl");
 
 /// The catalogue of devices alone.
-struct Catalogue;
+struct Devices;
 
-impl Knowledge for Catalogue {
+impl Knowledge for Devices {
     fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), phrase::Phrase> {
         Ok(())
     }
@@ -27,10 +27,10 @@ impl Knowledge for Catalogue {
     }
 }
 
-fn gathered(text: &str, later: &str, names: bool, language: Language) -> Gathered {
+fn gathered(text: &str, later: &str, names: bool, language: &'static Catalogue) -> Gathered {
     let (header, lines) = open(text).unwrap();
     let mut gathered = Gathered::of(header, PrivateParts { names, personal: false }, language);
-    lines.entries().for_each(|entry| gathered.take(&entry, &Catalogue));
+    lines.entries().for_each(|entry| gathered.take(&entry, &Devices));
     gathered.finish(later);
     gathered
 }
@@ -40,13 +40,13 @@ fn asked(names: bool) -> ReportWishes {
     ReportWishes { names, zone: Zone::east_by(Some(60)), download, parts: ["/report.css", "/report.js"] }
 }
 
-fn told(text: &str, later: &str, names: bool, language: Language) -> String {
+fn told(text: &str, later: &str, names: bool, language: &'static Catalogue) -> String {
     let gathered = gathered(text, later, names, language);
     page(&gathered, Replayed::from(&recording::check(text)), &[], &asked(names))
 }
 
 fn english(text: &str) -> String {
-    told(text, "", false, Language::English)
+    told(text, "", false, catalogues::english())
 }
 
 /// A page as its reader sees it: without tags, and each run of spaces as one.
@@ -75,7 +75,7 @@ fn says(page: &str, wanted: &[&str]) {
 
 #[test]
 fn a_report_says_what_happened() {
-    let page = told(RECORDING, MARKS, true, Language::English);
+    let page = told(RECORDING, MARKS, true, catalogues::english());
     says(
         &page,
         &[
@@ -101,7 +101,7 @@ fn a_report_says_what_happened() {
 
 #[test]
 fn staff_are_named_by_choice_alone_and_never_what_the_robot_sensed_of_somebody() {
-    for language in Language::ALL {
+    for language in catalogues::all() {
         let plain = told(RECORDING, MARKS, false, language);
         for name in ["Aiko", "Ben", "Cleo", "Emma", "banana"] {
             assert!(!plain.contains(name), "{name}: {plain}");
@@ -116,7 +116,7 @@ fn staff_are_named_by_choice_alone_and_never_what_the_robot_sensed_of_somebody()
 
 #[test]
 fn the_words_are_japanese_where_they_are_wanted() {
-    let page = told(RECORDING, MARKS, false, Language::Japanese);
+    let page = told(RECORDING, MARKS, false, catalogues::of("ja").unwrap());
     says(
         &page,
         &[
@@ -154,14 +154,14 @@ fn a_recording_says_what_it_lacks_and_where_it_ends() {
     says(&english(header), &["cut off before it says what ran", "it lacks what ran", "Nothing was marked."]);
     let strange = RECORDING.replacen("2026-11-21T18:34:06Z", "some day", 1);
     says(&english(&strange), &["0:00 to 0:04 (0:04)"]);
-    let mut goes_on = gathered(&torn, "", false, Language::English);
+    let mut goes_on = gathered(&torn, "", false, catalogues::english());
     goes_on.goes_on();
     says(&page(&goes_on, Replayed::Same, &[], &asked(false)), &["The session goes on.", "same as recorded"]);
 }
 
 #[test]
 fn a_replay_says_if_it_is_the_same() {
-    let of = |found| page(&gathered(RECORDING, "", false, Language::English), found, &[], &asked(false));
+    let of = |found| page(&gathered(RECORDING, "", false, catalogues::english()), found, &[], &asked(false));
     says(&of(Replayed::Same), &["Replay: same as recorded"]);
     says(&of(Replayed::Differs(3_000)), &["Replay: differs from 19:34:09"]);
     says(&of(Replayed::SameUntil(1_000)), &["same as recorded until 19:34:07; lines are missing after it"]);
@@ -219,7 +219,7 @@ fn no_text_of_anybody_is_more_than_a_text() {
         .fold(RECORDING.replace("\"Face\"", "\"Face\\\"\""), |all, known| all.replace(known, inner));
         let later = MARKS.replace("laughs", inner).replace("Cleo", inner);
         for names in [false, true] {
-            let page = told(&hostile, &later, names, Language::English);
+            let page = told(&hostile, &later, names, catalogues::english());
             let tags: Vec<&str> = page.split('<').skip(1).collect();
             assert_eq!(tags.iter().filter(|tag| tag.starts_with("script")).count(), 1, "{text}: {page}");
             assert!(!tags.iter().any(|tag| tag.starts_with("img")), "{text}: {page}");
@@ -256,7 +256,7 @@ fn session(began: &str, laughs: u64, away_ms: u64, is_this: bool) -> SessionNumb
 
 #[test]
 fn sessions_of_a_participant_are_compared() {
-    let of = gathered(RECORDING, "", false, Language::English);
+    let of = gathered(RECORDING, "", false, catalogues::english());
     let sessions = [
         session("2026-11-03T10:00:00Z", 1, 200_000, false),
         session("2026-11-12T10:00:00Z", 4, 122_000, false),

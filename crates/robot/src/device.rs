@@ -1,10 +1,10 @@
 //! A sense or an action, as the catalogue declares it: its words, parameters, values and parts of the body.
 
 use crate::Shape::{Object, ObjectOrFirst};
-use crate::params::{DeviceFault, Param, check_params};
+use crate::params::{Param, ParamKind};
 use behaviour::connectors::Carries;
 use behaviour::{FillFrom, Params, StreamKind, Unit, Value};
-use std::borrow::Cow;
+use phrase::{Phrase, Phrased};
 
 /// A sense or an action.
 #[derive(Clone, Copy, Debug)]
@@ -192,20 +192,15 @@ impl Shape {
 }
 
 impl Device {
-    /// Returns the words on its button with these parameters, if it has one.
+    /// Returns the words on its button with these parameters, if it has one: as somebody wrote them, else its own.
     #[must_use]
-    pub fn button_words<'a>(&'a self, params: &'a Params) -> Option<Cow<'a, str>> {
+    pub fn button_words(&self, params: &Params) -> Option<Phrase> {
         let param = self.params.iter().find(|param| Some(param.name) == self.button)?;
         let chosen = params.get(param.name).and_then(Value::as_text).filter(|text| !text.trim().is_empty());
-        let default = || param.default().as_text().map(|text| Cow::Owned(text.to_owned()));
-        chosen.map(Cow::Borrowed).or_else(default)
-    }
-
-    /// Checks that these parameters fit: known names, right kinds, inside their ranges.
-    ///
-    /// # Errors
-    /// The first parameter that does not fit.
-    pub fn check(&self, params: &Params) -> Result<(), DeviceFault> {
-        check_params(self.params, params)
+        let usual = || match param.kind {
+            ParamKind::Text { default, .. } => Some(self.usual_on_button(param, default).phrase()),
+            ParamKind::Choice(_) | ParamKind::Number { .. } => None,
+        };
+        chosen.map(Phrase::from).or_else(usual)
     }
 }

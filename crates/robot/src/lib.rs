@@ -4,6 +4,7 @@
 
 mod camera;
 mod catalogue;
+mod check;
 mod condition;
 mod describe;
 mod device;
@@ -13,6 +14,7 @@ mod fits;
 mod helpers;
 mod identity;
 mod installed;
+mod labels;
 mod pad;
 mod params;
 mod parts;
@@ -32,7 +34,7 @@ pub use helpers::{
 };
 pub use identity::{Identity, Stranger};
 pub use installed::{INSTALLED_MAX, INSTALLED_MAX_BYTES, INSTALLED_NAME_MAX_CHARS, Installed, is_file, not_installed};
-pub use pad::{first_by_hand, label_by_hand, usual_pad};
+pub use pad::{TileWords, first_by_hand, label_by_hand, usual_pad};
 pub use params::{DeviceFault, Offers, Param, ParamKind, with_defaults};
 pub use scene::{
     Ball, Body, JOINTS, Obstacle, Printed, PrintedMark, SPOKEN_MAX_CHARS, Scene, SceneEdit, ScenePerson, Touchable,

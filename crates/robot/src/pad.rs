@@ -1,15 +1,19 @@
 //! The pad that people are shown while nobody made one.
 
 use crate::devices::DONE_BY_HAND;
-use crate::{Device, ParamKind, device};
+use crate::{Device, Param, ParamKind, device};
 use behaviour::{
     Behaviour, FillFrom, Id, Pad, Params, Stream, StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile, TileAction, Value,
 };
+use phrase::{Phrase, Phrased};
 
-/// Returns the tiles of a behaviour without a pad: its buttons, then what it says and its animations, then what each of its
-/// other senses can be pretended to tell; nine at most, each once.
+/// Says the words on a tile that does this.
+pub type TileWords<'a> = &'a dyn Fn(&TileAction, &Phrase) -> String;
+
+/// Returns the tiles of a behaviour without a pad, in the words of whoever says them: its buttons, then what it says and its
+/// animations, then what each of its other senses can be pretended to tell; nine at most, each once.
 #[must_use]
-pub fn usual_pad(behaviour: &Behaviour) -> Pad {
+pub fn usual_pad(behaviour: &Behaviour, say: TileWords) -> Pad {
     let streams = behaviour.streams_in_order();
     let with_device = |kind: StreamKind| {
         let known = streams.iter().filter(move |(_, stream)| stream.kind == kind);
@@ -17,14 +21,16 @@ pub fn usual_pad(behaviour: &Behaviour) -> Pad {
     };
     let buttons = with_device(StreamKind::Sensor).filter(|(.., sense)| sense.button.is_some());
     let pressed = buttons.flat_map(|(id, stream, sense)| {
-        let written = sense.button.and_then(|param| written(&stream.params, sense, param));
-        pretended(id, sense, written)
+        let written = sense.button_words(&stream.params);
+        pretended(id, sense, written, say)
     });
     let by_hand = DONE_BY_HAND.into_iter().flat_map(|offered| {
-        with_device(StreamKind::Actuator).filter(move |(.., action)| *action == offered).filter_map(by_hand)
+        with_device(StreamKind::Actuator)
+            .filter(move |(.., action)| *action == offered)
+            .filter_map(|all| by_hand(all, say))
     });
     let others = with_device(StreamKind::Sensor).filter(|(.., sense)| sense.button.is_none());
-    let others = others.flat_map(|(id, _, sense)| pretended(id, sense, None));
+    let others = others.flat_map(|(id, _, sense)| pretended(id, sense, None, say));
     let mut tiles: Vec<Tile> = Vec::new();
     for tile in pressed.chain(by_hand).chain(others) {
         if !tiles.contains(&tile) {
@@ -38,21 +44,22 @@ pub fn usual_pad(behaviour: &Behaviour) -> Pad {
 }
 
 /// The tiles for what a sense can be pretended to tell.
-fn pretended(id: &Id, sense: &Device, label: Option<String>) -> Vec<Tile> {
+fn pretended(id: &Id, sense: &Device, label: Option<Phrase>, say: TileWords) -> Vec<Tile> {
     let tile = |pretend: &crate::Pretend| {
         let value = serde_json::from_str(pretend.value).ok()?;
-        let label = shortened(label.as_deref().unwrap_or(pretend.says));
-        Some(Tile { label, does: TileAction::Pretend { stream: id.clone(), value }, asks: false })
+        let does = TileAction::Pretend { stream: id.clone(), value };
+        let label = label.clone().unwrap_or_else(|| sense.pretend_called(pretend).phrase());
+        Some(Tile { label: shortened(&say(&does, &label)), does, asks: false })
     };
     sense.pretend.iter().filter_map(tile).collect()
 }
 
 /// The tile for an action.
-fn by_hand((_, stream, action): (&Id, &Stream, &Device)) -> Option<Tile> {
+fn by_hand((_, stream, action): (&Id, &Stream, &Device), say: TileWords) -> Option<Tile> {
     let label = label_by_hand(action, &stream.params)?;
     let (device, params) = (action.name.to_owned(), stream.params.clone());
     let does = TileAction::Hand { device, params, value: serde_json::from_str(action.example).ok()? };
-    Some(Tile { label, does, asks: false })
+    Some(Tile { label: shortened(&say(&does, &label)), does, asks: false })
 }
 
 /// Returns the action with which a new tile begins.
@@ -63,24 +70,24 @@ pub fn first_by_hand() -> &'static Device {
 
 /// Returns the words of the last parameter that says which one of many an action is; none if no parameter does.
 #[must_use]
-pub fn label_by_hand(action: &Device, params: &Params) -> Option<String> {
-    let label = action.params.iter().rev().find_map(|param| {
-        let chosen = written(params, action, param.name)?;
-        let of_choice =
-            |options: &[(&str, &'static str)]| options.iter().find(|(value, _)| *value == chosen).map(|one| one.1);
-        match param.kind {
-            ParamKind::Choice(options) => of_choice(options).map(str::to_owned),
-            ParamKind::Text { .. } | ParamKind::Number { .. } => Some(chosen),
-        }
-        .filter(|label| !label.trim().is_empty())
-    })?;
-    Some(shortened(&label))
+pub fn label_by_hand(action: &Device, params: &Params) -> Option<Phrase> {
+    action.params.iter().rev().find_map(|param| written(params, action, param))
 }
 
-/// The text of a parameter, or what it is where nobody chose.
-fn written(params: &Params, device: &Device, param: &str) -> Option<String> {
-    let all = crate::with_defaults(device.params, params);
-    all.get(param).and_then(Value::as_text).map(str::to_owned)
+/// The words of a parameter: its choice, the text that somebody wrote, or what it is where nobody chose; none if it says nothing.
+fn written(params: &Params, device: &Device, param: &Param) -> Option<Phrase> {
+    let given = params.get(param.name).and_then(Value::as_text);
+    match param.kind {
+        ParamKind::Choice(options) => {
+            let first = options.first().map(|(choice, _)| *choice);
+            let option = options.iter().find(|(choice, _)| given.or(first) == Some(choice))?;
+            Some(device.choice_called(param, *option).phrase())
+        }
+        ParamKind::Text { default, .. } => {
+            Some(given.unwrap_or(default)).filter(|text| !text.trim().is_empty()).map(Phrase::from)
+        }
+        ParamKind::Number { .. } => None,
+    }
 }
 
 fn shortened(text: &str) -> String {
@@ -94,7 +101,6 @@ fn shortened(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::usual_pad;
-    use crate::params::check_params;
     use behaviour::{Behaviour, Id, Kind, Params, Record, RecordId, Stream, StreamKind, TileAction, Value};
 
     /// A stream: its kind, its device and its parameters.
@@ -114,7 +120,7 @@ mod tests {
     }
 
     fn labels(behaviour: &Behaviour) -> Vec<String> {
-        usual_pad(behaviour).tiles.into_values().map(|tile| tile.label).collect()
+        usual_pad(behaviour, &|_, words| words.to_string()).tiles.into_values().map(|tile| tile.label).collect()
     }
 
     #[test]
@@ -141,12 +147,13 @@ mod tests {
         let senses: Vec<Given> =
             crate::sensors().map(|sense| (StreamKind::Sensor, sense.name, [].as_slice())).collect();
         let actions = crate::actuators().map(|action| (StreamKind::Actuator, action.name, [].as_slice()));
-        let pad = usual_pad(&with(&senses.into_iter().chain(actions).collect::<Vec<_>>()));
+        let all = with(&senses.into_iter().chain(actions).collect::<Vec<_>>());
+        let pad = usual_pad(&all, &|_, words| words.to_string());
         assert_eq!(pad.tiles.keys().copied().collect::<Vec<_>>(), (1..=9).collect::<Vec<u8>>());
         for tile in pad.tiles.values() {
             if let TileAction::Hand { device, params, .. } = &tile.does {
                 let device = crate::device(StreamKind::Actuator, device).unwrap();
-                assert!(check_params(device.params, params).is_ok(), "{tile:?}");
+                assert!(device.check(params).is_ok(), "{tile:?}");
             }
         }
         assert!(labels(&Behaviour::default()).is_empty());

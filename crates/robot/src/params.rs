@@ -1,7 +1,7 @@
 //! Parameters of devices: what may be chosen, in which range and unit.
 
 use behaviour::{FillFrom, Params, StreamKind, Value};
-use phrase::{Phrase, Phrased, phrase};
+use phrase::{Label, Phrase, Phrased, phrase};
 
 /// Which list of a robot a parameter is chosen from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,14 +17,13 @@ pub enum Offers {
 }
 
 impl Offers {
-    /// One of it, in a few English words.
-    #[must_use]
-    pub fn word(self) -> &'static str {
+    /// One of it, in the middle of a sentence.
+    fn one(self) -> Phrase {
         match self {
-            Self::Behaviors => "behaviour",
-            Self::Gestures => "gesture",
-            Self::Sounds => "sound",
-            Self::Languages => "language",
+            Self::Behaviors => phrase!("Offers.Behaviors", "behaviour"),
+            Self::Gestures => phrase!("Offers.Gestures", "gesture"),
+            Self::Sounds => phrase!("Offers.Sounds", "sound"),
+            Self::Languages => phrase!("Offers.Languages", "language"),
         }
     }
 }
@@ -37,22 +36,22 @@ pub enum DeviceFault {
     /// The device has no parameter of this name.
     NoParam(String),
     /// The parameter of this label is none of these, as people call them.
-    Choice(&'static str, &'static [(&'static str, &'static str)]),
+    Choice(Label, Vec<Label>),
     /// The parameter is no number within its range.
     Number {
         /// The name for people.
-        label: &'static str,
+        label: Label,
         /// The smallest.
         min: f64,
         /// The largest.
         max: f64,
-        /// The unit of the number.
-        unit: &'static str,
+        /// The unit of the number, which may be empty.
+        unit: Label,
     },
     /// The parameter of this label is no text.
-    Text(&'static str),
+    Text(Label),
     /// The text of the parameter of this label is longer than so many characters.
-    TooLong(&'static str, usize),
+    TooLong(Label, usize),
     /// Nothing of this name is installed on the robot.
     NotInstalled(Offers, String),
 }
@@ -110,29 +109,6 @@ impl Param {
             ParamKind::Text { default, .. } => Value::text(default),
         }
     }
-
-    fn check(&self, value: &Value) -> Result<(), DeviceFault> {
-        let label = self.label;
-        match self.kind {
-            ParamKind::Choice(options) if options.iter().any(|option| value.as_text() == Some(option.0)) => Ok(()),
-            ParamKind::Choice(options) => Err(DeviceFault::Choice(label, options)),
-            ParamKind::Number { min, max, .. } if value.as_number().is_some_and(|n| (min..=max).contains(&n)) => Ok(()),
-            ParamKind::Number { min, max, unit, .. } => Err(DeviceFault::Number { label, min, max, unit }),
-            ParamKind::Text { max_chars, .. } => match value.as_text() {
-                Some(text) if text.chars().count() <= max_chars => Ok(()),
-                Some(_) => Err(DeviceFault::TooLong(label, max_chars)),
-                None => Err(DeviceFault::Text(label)),
-            },
-        }
-    }
-}
-
-pub(crate) fn check_params(known: &[Param], given: &Params) -> Result<(), DeviceFault> {
-    for (name, value) in given {
-        let param = known.iter().find(|param| param.name == name);
-        param.ok_or_else(|| DeviceFault::NoParam(name.clone()))?.check(value)?;
-    }
-    Ok(())
 }
 
 impl std::error::Error for DeviceFault {}
@@ -143,7 +119,11 @@ impl Phrased for DeviceFault {
     fn phrase(&self) -> Phrase {
         match self {
             Self::Unknown(kind, name) => {
-                let what = Phrase::word(if *kind == StreamKind::Sensor { "sense" } else { "action" });
+                let what = if *kind == StreamKind::Sensor {
+                    phrase!("kind.sense", "sense")
+                } else {
+                    phrase!("kind.action", "action")
+                };
                 let name = shown(name);
                 phrase!("DeviceFault.Unknown", "there is no {what} called “{name}”; choose one from the list")
             }
@@ -151,23 +131,20 @@ impl Phrased for DeviceFault {
                 phrase!("DeviceFault.NoParam", "there is no setting called “{name}” here", name = shown(name))
             }
             Self::Choice(label, options) => {
-                let words: Vec<Phrase> = options.iter().map(|option| Phrase::word(option.1)).collect();
-                phrase!("DeviceFault.Choice", "{label} must be one of: {words}", label = Phrase::word(*label))
+                phrase!("DeviceFault.Choice", "{label} must be one of: {words}", words = options)
             }
-            Self::Number { label, min, max, unit: "" } => {
-                let label = Phrase::word(*label);
+            Self::Number { label, min, max, unit } if unit.english.is_empty() => {
                 phrase!("DeviceFault.Number", "{label} must be a number from {min} to {max}")
             }
             Self::Number { label, min, max, unit } => {
-                let (label, unit) = (Phrase::word(*label), Phrase::word(*unit));
                 phrase!("DeviceFault.NumberIn", "{label} must be a number from {min} to {max} {unit}")
             }
-            Self::Text(label) => phrase!("DeviceFault.Text", "{label} must be a text", label = Phrase::word(*label)),
+            Self::Text(label) => phrase!("DeviceFault.Text", "{label} must be a text"),
             Self::TooLong(label, most) => {
-                phrase!("DeviceFault.TooLong", "{label} may have {most} characters", label = Phrase::word(*label))
+                phrase!("DeviceFault.TooLong", "{label} may have {most} characters")
             }
             Self::NotInstalled(of, name) => {
-                let (word, name) = (Phrase::word(of.word()), shown(name));
+                let (word, name) = (of.one(), shown(name));
                 phrase!(
                     "DeviceFault.NotInstalled",
                     "the {word} “{name}” is not installed on this robot; choose one from its list"

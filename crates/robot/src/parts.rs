@@ -4,7 +4,11 @@ use crate::{Device, Resource, Resources};
 use behaviour::Params;
 
 impl Resource {
-    /// Returns the name of the part for people.
+    /// All of them.
+    pub const ALL: [Self; 7] =
+        [Self::Head, Self::LeftArm, Self::RightArm, Self::Legs, Self::Voice, Self::Eyes, Self::Memory];
+
+    /// Returns the name of the part, in files and for people.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

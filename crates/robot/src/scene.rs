@@ -2,6 +2,7 @@
 //! x points ahead of where the robot first stood, y to its left, z up.
 
 use crate::Use;
+use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -153,22 +154,23 @@ impl Touchable {
         Self::BumperLeft,
         Self::BumperRight,
     ];
+}
 
-    /// Returns the name of the place for people.
-    #[must_use]
-    pub fn words(self) -> &'static str {
+/// In the middle of a sentence: "the front of the head".
+impl Phrased for Touchable {
+    fn phrase(&self) -> Phrase {
         match self {
-            Self::HeadFront => "front of the head",
-            Self::HeadMiddle => "middle of the head",
-            Self::HeadRear => "rear of the head",
-            Self::HandLeftBack => "back of the left hand",
-            Self::HandLeftLeft => "left side of the left hand",
-            Self::HandLeftRight => "right side of the left hand",
-            Self::HandRightBack => "back of the right hand",
-            Self::HandRightLeft => "left side of the right hand",
-            Self::HandRightRight => "right side of the right hand",
-            Self::BumperLeft => "bumper of the left foot",
-            Self::BumperRight => "bumper of the right foot",
+            Self::HeadFront => phrase!("Touchable.HeadFront", "front of the head"),
+            Self::HeadMiddle => phrase!("Touchable.HeadMiddle", "middle of the head"),
+            Self::HeadRear => phrase!("Touchable.HeadRear", "rear of the head"),
+            Self::HandLeftBack => phrase!("Touchable.HandLeftBack", "back of the left hand"),
+            Self::HandLeftLeft => phrase!("Touchable.HandLeftLeft", "left side of the left hand"),
+            Self::HandLeftRight => phrase!("Touchable.HandLeftRight", "right side of the left hand"),
+            Self::HandRightBack => phrase!("Touchable.HandRightBack", "back of the right hand"),
+            Self::HandRightLeft => phrase!("Touchable.HandRightLeft", "left side of the right hand"),
+            Self::HandRightRight => phrase!("Touchable.HandRightRight", "right side of the right hand"),
+            Self::BumperLeft => phrase!("Touchable.BumperLeft", "bumper of the left foot"),
+            Self::BumperRight => phrase!("Touchable.BumperRight", "bumper of the right foot"),
         }
     }
 }
@@ -330,11 +332,12 @@ pub const SPOKEN_MAX_CHARS: usize = 200;
 #[cfg(test)]
 mod tests {
     use super::Touchable;
+    use phrase::Phrased;
 
     #[test]
     fn what_can_be_touched_is_told_apart_in_words_and_listed_in_order() {
         assert!(Touchable::ALL.is_sorted());
-        let mut words = Touchable::ALL.map(Touchable::words).to_vec();
+        let mut words = Touchable::ALL.map(|part| part.phrase().to_string()).to_vec();
         words.sort_unstable();
         words.dedup();
         assert_eq!(words.len(), Touchable::ALL.len());

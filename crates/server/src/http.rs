@@ -7,6 +7,8 @@ mod catalogue;
 mod cut;
 pub(crate) mod door;
 mod downloads;
+#[cfg(test)]
+mod german;
 mod headers;
 mod join;
 mod known;

@@ -38,7 +38,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
-use store::{Append, Store, StoreError};
+use store::{Append, Damage, Store, StoreError};
 use tokio::runtime::{Handle, Runtime};
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
@@ -142,6 +142,8 @@ pub async fn serve_with(
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
+    // Read before anybody can press Stop, whose answer waits for nothing.
+    catalogues::all();
     let listening = |error| ServeError::Listen(config.listen, error);
     let listener = accept::listen(config.listen).map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;
@@ -221,7 +223,7 @@ async fn open(
     host: Arc<HostAccess>,
 ) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
-    let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
+    let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(Damage::Id(reason)))?;
     retry(url, || Box::pin(bounded(store::check_whole(&*store)))).await?;
     let health = StoreHealth::good();
     let epoch = match retry(url, || Box::pin(bounded(store.next_epoch()))).await {

@@ -12,7 +12,7 @@ pub use copy::{StoreDifference, compare, migrate};
 pub use restore::{Backup, read, restore, verify};
 pub use robots::{BackedUpBody, BackedUpRobot, Reached};
 
-use crate::{LIBRARY, Query, SearchPlace, Store, StoreError};
+use crate::{Damage, LIBRARY, Query, SearchPlace, Store, StoreError};
 use behaviour::{Checkpoint, Id, Refusal};
 use lines::{BackupLine, Sum};
 use std::future::Future;
@@ -159,7 +159,7 @@ async fn page(
     let mut page = store.history(&shelf.id, since, PAGE_CHANGES).await?;
     page.retain(|change| change.revision <= shelf.revision);
     if page.is_empty() {
-        let lost = format!("the history of {} ends at {since} instead of {}", shelf.id, shelf.revision);
+        let lost = Damage::EndsEarly { id: shelf.id.clone(), since, revision: shelf.revision };
         return Err(StoreError::Damaged(lost).into());
     }
     Ok(page)
@@ -192,7 +192,7 @@ pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<BackedUpBehaviour>,
     }
     all.sort_by(|a, b| a.id.cmp(&b.id));
     all.dedup_by(|a, b| a.id == b.id);
-    let library = Id::new(LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
+    let library = Id::new(LIBRARY).map_err(|reason| StoreError::Damaged(Damage::Id(reason)))?;
     if let Some(loaded) = store.load(&library).await? {
         all.insert(0, BackedUpBehaviour { id: library, revision: loaded.revision, removed: None });
     }

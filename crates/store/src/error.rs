@@ -1,5 +1,6 @@
 //! The reasons why the store could not do what it was asked, each in a sentence that says what to do.
 
+use crate::{BadAddress, Damage};
 use behaviour::RecordId;
 use phrase::{Phrase, Phrased};
 use std::path::PathBuf;
@@ -19,9 +20,9 @@ pub enum StoreError {
     /// The disk is full; nothing was saved, everything can still be read.
     #[error("The disk is full. Nothing was lost; free some space and try again.")]
     Full,
-    /// The file is damaged; with the file and what is wrong.
+    /// The data is damaged.
     #[error("The data is damaged: {0}. Restore a backup, or move it aside to start empty.")]
-    Damaged(String),
+    Damaged(Damage),
     /// The data was written by a newer rrp.
     #[error("The data has schema {found}, and this rrp knows only {known}. Start the newer rrp that wrote it.")]
     Newer {
@@ -30,9 +31,9 @@ pub enum StoreError {
         /// The newest version this program knows.
         known: u32,
     },
-    /// The store's address cannot be understood; with what it should be.
+    /// The store's address cannot be understood.
     #[error("This is no address of a store: {0}.")]
-    Address(String),
+    Address(BadAddress),
     /// The program was built without what speaks to a Neo4j.
     #[error(
         "This rrp was built without Neo4j. Start it by cargo xtask serve -- --store and the address, or build it by \

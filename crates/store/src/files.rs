@@ -20,7 +20,7 @@ mod tests;
 
 pub use import::{Import, ImportError, ImportMode, import};
 pub use json::write::write_json;
-pub use kind::FileKind;
+pub use kind::{BinaryKind, FileKind};
 pub use svg::write_svg;
 pub use text::text_of;
 pub use xml::write::{NoXml, write_xml};

@@ -1,7 +1,7 @@
 //! Filling a store from a backup or from another store. That this has begun and not ended is marked in the store itself, so
 //! that nobody, also no server elsewhere, takes a part of it for the whole.
 
-use crate::{Store, StoreError, disk};
+use crate::{Damage, Store, StoreError, disk};
 use serde::{Deserialize, Serialize};
 use std::io;
 use std::path::Path;
@@ -125,7 +125,7 @@ pub(crate) fn in_folder(folder: &Path) -> Result<Option<FillingSource>, StoreErr
     let file = folder.join(FILE);
     match std::fs::read(&file) {
         Ok(text) => {
-            let damaged = |error| StoreError::Damaged(format!("{}: {error}", file.display()));
+            let damaged = |error: serde_json::Error| StoreError::Damaged(Damage::file(&file, &error));
             serde_json::from_slice(&text).map(Some).map_err(damaged)
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(of_older(folder)),

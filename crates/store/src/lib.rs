@@ -10,6 +10,7 @@ pub mod backup;
 mod checkpoints;
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
+mod damage;
 pub mod disk;
 mod error;
 pub mod files;
@@ -31,6 +32,7 @@ mod without_neo4j;
 
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{ActionDriver, Contested, Cursor, HelperUse, SearchPlace, Similar, Sort, Tagged};
+pub use damage::{BadAddress, Damage};
 pub use error::{StoreError, Unkept};
 pub use filling::{Filling, FillingSource, check_folder, check_whole, end_in_folder};
 pub use folder::FolderStore;

@@ -1,6 +1,6 @@
 //! A store by its address.
 
-use crate::{FillingSource, FolderStore, Store, StoreError, check_whole};
+use crate::{BadAddress, FillingSource, FolderStore, Store, StoreError, check_whole};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -51,8 +51,7 @@ async fn opened(url: &str, answer_max: Option<Duration>) -> Result<Arc<dyn Store
     }
     let folder = url.strip_prefix("sqlite:").unwrap_or(url);
     if folder.contains("://") || folder.is_empty() {
-        let known = "begin it with sqlite: or files: and a folder, or with bolt:// for a Neo4j";
-        return Err(StoreError::Address(known.to_owned()));
+        return Err(StoreError::Address(BadAddress::Kind));
     }
     Ok(Arc::new(crate::open(Path::new(folder)).await?))
 }

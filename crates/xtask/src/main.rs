@@ -4,6 +4,7 @@
 mod bench;
 mod beside;
 mod dist;
+mod languages;
 mod mutants;
 mod neo4j;
 mod order;

@@ -10,6 +10,7 @@ use std::process::Command;
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::dist::{self, DistFiles};
+use crate::languages;
 use crate::order;
 use crate::split;
 use crate::styles;
@@ -20,7 +21,7 @@ const PACKAGE: &str = "frontend";
 /// The page's module is `app.js`, its code `app_bg.wasm`.
 const NAME: &str = "app";
 /// Raised when this program writes something else for the same input.
-const FORMAT: u32 = 7;
+const FORMAT: u32 = 8;
 
 /// The variable in which cargo reads flags of the compiler for the page, and the flag that keeps the type of a view
 /// from growing with all that is in it: a sixth of the page's bytes, and half of the time to compile it.
@@ -89,7 +90,7 @@ fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: PageMode) -> ToolR
     let code = fs::read(wasm).map_err(|error| format!("{} cannot be read: {error}.", wasm.display()))?;
     let mut statics = dist::read(statics)?;
     statics.retain(|name, _| !name.split('/').any(|part| part.starts_with('.')));
-    let statics = styles::join(statics)?;
+    let statics = languages::name(styles::join(statics)?)?;
     let stamp = Stamp { file: target.join("page-build/page.stamp"), input: fingerprint(&code, &statics, mode) };
     let page = target.join("page");
     if stamp.holds(&page) {

@@ -87,7 +87,7 @@ fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
         Some(Selected::Connector(id)) => desk
             .document
             .connector(id)
-            .map(|at| at.record.with_untracked(|at| words::connector_word(at.operation.word()).to_owned())),
+            .map(|at| at.record.with_untracked(|at| words::connector_word(at.operation.spec()).to_owned())),
         Some(Selected::Note(_)) => Some(words::a_note().to_owned()),
         Some(Selected::Group(id)) => desk.document.group(id).map(|at| at.record.with_untracked(|at| at.title.clone())),
         None => None,

@@ -49,7 +49,7 @@ pub(super) fn BoltMenu(input: Id) -> impl IntoView {
                             <button type="button" role="menuitem" tabindex="-1" class="item"
                                 title=words::connector_says(kind) on:click=move |_| choose(kind)>
                                 <Icon name=kind.icon.name />
-                                <span>{words::connector_word(kind.name)}</span>
+                                <span>{words::connector_word(kind)}</span>
                             </button>
                         }
                     }).collect_view()}

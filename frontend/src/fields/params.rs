@@ -112,21 +112,28 @@ pub(crate) fn ParamFields(
 ) -> impl IntoView {
     form.rows
         .into_iter()
-        .map(|row| view! { <ParamField param=row.param value=RwSignal::from(row.text) side_by_side /> })
+        .map(|row| view! { <ParamField device=form.device param=row.param value=RwSignal::from(row.text) side_by_side /> })
         .collect_view()
 }
 
 #[component]
-fn ParamField(param: &'static Param, value: RwSignal<String>, side_by_side: bool) -> impl IntoView {
-    let label = words::label_of(param.label);
+fn ParamField(
+    device: &'static Device,
+    param: &'static Param,
+    value: RwSignal<String>,
+    side_by_side: bool,
+) -> impl IntoView {
+    let label = words::label_of(&device.param_called(param));
     match param.kind {
         ParamKind::Choice(options) => {
-            let options =
-                options.iter().map(|(key, option)| ((*key).to_owned(), words::label_of(option).to_owned())).collect();
+            let words =
+                |option: &(&str, &'static str)| words::label_of(&device.choice_called(param, *option)).to_owned();
+            let options = options.iter().map(|option| (option.0.to_owned(), words(option))).collect();
             view! { <Choice label options value side_by_side /> }.into_any()
         }
         ParamKind::Number { min, max, step, unit, .. } => {
-            view! { <NumberField label value unit=words::label_of(unit) min max step /> }.into_any()
+            view! { <NumberField label value unit=words::label_of(&device.unit_called(param, unit)) min max step /> }
+                .into_any()
         }
         ParamKind::Text { max_chars, offers: None, .. } => {
             view! { <TextField label value max_chars first=true /> }.into_any()

@@ -2,7 +2,7 @@
 
 use crate::words;
 use behaviour::{Connector, Procedure, Stream, Value};
-use robot::{Param, ParamKind};
+use robot::{Device, Param, ParamKind};
 
 /// The text of a connector's chip: `filter` and `(distanceToBall < 20)`, `map` and `(Distance in cm)`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,7 +37,7 @@ pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
     let detail = if chosen.is_empty() { String::new() } else { format!("({})", chosen.join(", ")) };
     let plain = helper.is_some_and(|name| words::plain_helper(name) != *name);
     let compares = operation.spec().is_test() && helper.is_none() && compared(&detail).next().is_some();
-    ChipWords { word: words::connector_word(operation.spec().name).to_owned(), detail, plain, compares }
+    ChipWords { word: words::connector_word(operation.spec()).to_owned(), detail, plain, compares }
 }
 
 /// The signs with which something is compared.
@@ -79,24 +79,24 @@ fn one_line(body: &str) -> String {
 pub(crate) fn what_it_is(stream: &Stream) -> String {
     let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
     let Some(device) = device else { return String::new() };
-    let words = device.params.iter().filter_map(|param| setting(param, stream.params.get(param.name)));
+    let words = device.params.iter().filter_map(|param| setting(device, param, stream.params.get(param.name)));
     words.collect::<Vec<_>>().join(" · ")
 }
 
-fn setting(param: &Param, given: Option<&Value>) -> Option<String> {
+fn setting(device: &Device, param: &Param, given: Option<&Value>) -> Option<String> {
     let default = param.default();
     let value = given.unwrap_or(&default);
     match param.kind {
         ParamKind::Choice(options) => {
-            let word = options.iter().find(|option| value.as_text() == Some(option.0))?.1;
-            (word != "none").then(|| words::label_of(word).to_owned())
+            let option = options.iter().find(|option| value.as_text() == Some(option.0))?;
+            (option.1 != "none").then(|| words::label_of(&device.choice_called(param, *option)).to_owned())
         }
         ParamKind::Number { unit, .. } => {
             let number = value.as_number()?;
             if *value == default && unit != "ms" {
                 None
             } else {
-                Some(format!("{number} {}", words::label_of(unit)).trim_end().to_owned())
+                Some(format!("{number} {}", words::label_of(&device.unit_called(param, unit))).trim_end().to_owned())
             }
         }
         // A text that nobody chose is not told.

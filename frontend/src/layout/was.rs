@@ -8,10 +8,9 @@ use behaviour::{Behaviour, Connector, Group, Id, Record, RecordId, Stream};
 pub(crate) fn called(behaviour: &Behaviour, id: &RecordId) -> String {
     match behaviour.records.get(id) {
         Some(Record::Stream(stream)) => stream.name.clone(),
-        Some(Record::Connector(connector)) => words::connector_to(
-            words::connector_word(connector.operation.spec().name),
-            &name(behaviour, &connector.output),
-        ),
+        Some(Record::Connector(connector)) => {
+            words::connector_to(words::connector_word(connector.operation.spec()), &name(behaviour, &connector.output))
+        }
         Some(Record::Helper(helper)) => helper.name.clone(),
         Some(Record::Note(_)) => words::a_note().to_owned(),
         Some(Record::Group(group)) => group.title.clone(),

@@ -6,7 +6,6 @@ use crate::keys::PressedKey;
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
-use std::borrow::Cow;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
@@ -71,9 +70,5 @@ fn label(desk: super::hold::DeskHold, id: &Id) -> Option<String> {
     let stream = desk.desk().document.stream(id)?;
     let stream = stream.record.read();
     let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;
-    // What a person wrote stays as it is; what stands there if nobody did is the page's.
-    device.button_words(&stream.params).map(|label| match label {
-        Cow::Borrowed(written) => written.to_owned(),
-        Cow::Owned(usual) => words::word_of(&usual),
-    })
+    device.button_words(&stream.params).as_ref().map(words::shown)
 }

@@ -196,7 +196,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
     let dialog = edit_dialog(&id, &record.get_untracked());
     view! {
         <section class="panel" aria-label=words::inspector_name()>
-            <h2>{move || view! { <Icon name=spec().icon.name /> }} {move || words::connector_word(spec().name)}</h2>
+            <h2>{move || view! { <Icon name=spec().icon.name /> }} {move || words::connector_word(spec())}</h2>
             <p class="second">{move || words::connector_says(spec())}</p>
             {move || procedure_text(&record.read()).map(|text| view! { <pre class="code-line"><code>{text}</code></pre> })}
             <ConnectorControl id=id.clone() />

@@ -22,17 +22,14 @@ impl Offer {
     fn of(step: Step, helpers: &[Helper]) -> Self {
         let (icon, label) = match &step {
             Step::Helper(name) => ("fx", called(name, helpers)),
-            Step::Connector(spec) => (spec.icon.name, words::connector_word(spec.name).to_owned()),
+            Step::Connector(spec) => (spec.icon.name, words::connector_word(spec).to_owned()),
             Step::Otherwise(spec, ..) => (spec.icon.name, words::otherwise().to_owned()),
-            Step::Action(device, _) => (
-                device.icon,
-                device.next_step.label.map_or_else(|| words::device(device), words::language::word).to_owned(),
-            ),
+            Step::Action(device, _) => (device.icon, words::label_of(&device.offered_as()).to_owned()),
             Step::Converted(_, _, Some(then)) => {
                 let then = Self::of((**then).clone(), helpers);
                 (then.icon, then.label)
             }
-            Step::Converted(_, to, None) => ("fx", words::convert_to(to.name())),
+            Step::Converted(_, to, None) => ("fx", words::convert_to(&words::shown(to))),
         };
         Self { step, icon, label }
     }
@@ -40,23 +37,23 @@ impl Offer {
     /// Returns the sentence that says what the step does.
     pub(crate) fn says(&self) -> String {
         match &self.step {
-            Step::Helper(name) => format!("{} ({name})", words::connector_word(connectors::to_new_value().name)),
+            Step::Helper(name) => format!("{} ({name})", words::connector_word(connectors::to_new_value())),
             Step::Connector(spec) => words::connector_says(spec).to_owned(),
-            Step::Otherwise(spec, body, _) => format!("{} ({body})", words::connector_word(spec.name)),
+            Step::Otherwise(spec, body, _) => format!("{} ({body})", words::connector_word(spec)),
             Step::Action(device, _) => words::device_says(device).to_owned(),
-            Step::Converted(from, to, _) => words::converts_first(from.name(), to.name()),
+            Step::Converted(from, to, _) => words::converts_first(&words::shown(from), &words::shown(to)),
         }
     }
 
     /// Returns a few words on the result, which stand beside the label.
     pub(crate) fn brief(&self) -> String {
         match &self.step {
-            Step::Helper(_) => words::connector_word(connectors::to_new_value().name).to_owned(),
-            Step::Connector(spec) => words::label_of(spec.brief).to_owned(),
+            Step::Helper(_) => words::connector_word(connectors::to_new_value()).to_owned(),
+            Step::Connector(spec) => words::label_of(&spec.in_brief()).to_owned(),
             Step::Otherwise(_, body, _) => body.clone(),
             Step::Action(..) => words::an_action().to_owned(),
-            Step::Converted(_, to, Some(_)) => words::converts_to(to.name()),
-            Step::Converted(_, _, None) => words::connector_word(connectors::to_new_value().name).to_owned(),
+            Step::Converted(_, to, Some(_)) => words::converts_to(&words::shown(to)),
+            Step::Converted(_, _, None) => words::connector_word(connectors::to_new_value()).to_owned(),
         }
     }
 

@@ -42,11 +42,11 @@ fn plan(desk: &Desk, input: &Id, step: &Step, spot: NewSpot) -> Option<(ConnectP
             (kind.with(()), new_output(desk, &name_of(desk, input, kind), None, Params::new()), false)
         }
         Step::Otherwise(spec, body, _) => {
-            let output = new_output(desk, words::otherwise_name(), None, Params::new());
+            let output = new_output(desk, words::language::spoken().otherwise, None, Params::new());
             (spec.with(Procedure::body(body)), output, false)
         }
         Step::Action(device, params) => {
-            let base = device.next_step.stream.map_or_else(|| words::device(device), words::language::word);
+            let base = words::label_of(&device.next_stream());
             let output = new_output(desk, base, Some(device.name), params.clone());
             (connectors::to_action().with(()), output, device.next_step.asks)
         }

@@ -38,7 +38,7 @@ pub(crate) use tiles::*;
 pub(crate) use told::*;
 pub(crate) use warning::*;
 
-use super::language::{fill, said_of, shown, shown_within, word, word_of};
+use super::language::{fill, label_of, said_by, said_of, shown, shown_within};
 use crate::desk::{Joining, NotBrought};
 use crate::fields::Unfilled;
 use crate::link::NoAnswer;
@@ -46,6 +46,7 @@ use behaviour::{Refusal, StreamKind};
 use phrase::Phrase;
 
 sentences! {
+    whole_value: "Value";
     // Sentences
     what_it_does: "What it does";
     show_sentences: "Show the sentences";
@@ -116,7 +117,6 @@ sentences! {
     helpers: "Helpers";
     actions: "Actions";
     an_action: "action";
-    otherwise_name: "Otherwise";
     connect: "Connect";
     duplicate: "Duplicate";
     line_up_row: "Line up in a row";
@@ -488,7 +488,7 @@ pub(crate) fn two_ways(typed: &str) -> Option<String> {
 
 /// What a sense or an action is called.
 pub(crate) fn device(device: &robot::Device) -> &'static str {
-    word(device.label)
+    label_of(&device.called())
 }
 
 pub(crate) fn unfilled(why: &Unfilled) -> String {
@@ -682,13 +682,18 @@ pub(crate) fn settings_of(what: &str) -> String {
     say!(settings_of: "{what} settings", what)
 }
 
+/// A part of the body, or what somebody called one.
+fn part_of_body(part: &str) -> String {
+    said_of(&format!("part.{part}"), part)
+}
+
 pub(crate) fn held_by(part: &str, name: &str) -> String {
-    let part = word_of(part);
+    let part = part_of_body(part);
     say!(held_by: "The {part} is held by “{name}”.", part, name)
 }
 
 pub(crate) fn holds(part: &str, name: &str) -> String {
-    let part = word_of(part);
+    let part = part_of_body(part);
     say!(holds: "Holds the {part}; “{name}” waits.", part, name)
 }
 
@@ -792,7 +797,7 @@ pub(crate) fn saying(text: &str) -> String {
 }
 
 pub(crate) fn follows(what: &str) -> String {
-    say!(follows: "follows {what}", what = listed(what.split(", ").map(word_of)))
+    say!(follows: "follows {what}", what = listed(what.split(", ")))
 }
 
 /// How far something is, as the open program has it too: in centimetres, else in metres.
@@ -808,8 +813,8 @@ pub(crate) fn spelling(written: &str, right: &str) -> String {
     say!(spelling: "Change {written} to {right}", written, right)
 }
 
-pub(crate) fn field_of(argument: &str, field: &str, says: &'static str) -> String {
-    format!("{argument}.{field}: {says}", says = word(says))
+pub(crate) fn field_of(argument: &str, device: &robot::Device, field: &robot::Field) -> String {
+    format!("{argument}.{}: {}", field.name, label_of(&device.field_called(field)))
 }
 
 pub(crate) fn trial(given: &str, result: &str) -> String {
@@ -1054,20 +1059,25 @@ pub(crate) fn converts_first(from: &str, to: &str) -> String {
     say!(converts_first: "Wants {to}, gets {from}: it is converted first.", from, to)
 }
 
+fn helper_word(name: &str, label: &'static str) -> &'static str {
+    said_by(&format!("helper.{name}"), label)
+}
+
 /// How a helper is called: what a fresh library has by plain words, others as they were named.
 pub(crate) fn helper_name_of(helper: &behaviour::Helper) -> String {
-    robot::helper_label(helper).map_or_else(|| helper.name.clone(), |label| word(label).to_owned())
+    robot::helper_label(helper).map_or_else(|| helper.name.clone(), |label| helper_word(&helper.name, label).to_owned())
 }
 
 /// What the helper of this name is called on a chip: “Distance in m”, its own name for one that somebody made.
 pub(crate) fn plain_helper(name: &str) -> String {
-    robot::helper_label_of(name).map_or_else(|| name.to_owned(), |label| word(label).to_owned())
+    robot::helper_label_of(name).map_or_else(|| name.to_owned(), |label| helper_word(name, label).to_owned())
 }
 
 /// A helper in a list: "Distance in m · ball_to_distance (ball)".
 pub(crate) fn helper_item(helper: &behaviour::Helper) -> String {
     let technical = format!("{} ({})", helper.name, helper.params.join(", "));
-    robot::helper_label(helper).map_or(technical.clone(), |label| format!("{} · {technical}", word(label)))
+    robot::helper_label(helper)
+        .map_or(technical.clone(), |label| format!("{} · {technical}", helper_word(&helper.name, label)))
 }
 
 /// Says what a helper does, in a sentence: one that comes with rrp in the language of the page.

@@ -5,19 +5,12 @@
 //! sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots say comes as a
 //! [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
 
-use phrase::{LANGUAGES, PageLanguage, Phrase, Phrased, filled, key_of};
+use phrase::{Catalogue, Label, PageLanguage, Phrase, Phrased, filled, key_of};
 use std::cell::{Cell, OnceCell};
 use std::fmt::Display;
 
-/// The sentences of a language, by the numbers of their keys.
-#[derive(Debug)]
-pub(crate) struct WordTable {
-    language: &'static PageLanguage,
-    texts: Vec<(u32, &'static str)>,
-}
-
 thread_local! {
-    static TABLE: OnceCell<WordTable> = const { OnceCell::new() };
+    static TABLE: OnceCell<Catalogue> = const { OnceCell::new() };
     /// True while something is said in English for who looks for it by that.
     static IN_ENGLISH: Cell<bool> = const { Cell::new(false) };
 }
@@ -33,13 +26,13 @@ pub(crate) fn in_english<T>(say: impl FnOnce() -> T) -> T {
 /// Begins to speak the language of this catalogue. It counts once, before anything is shown.
 pub(crate) fn speak(text: String) {
     TABLE.with(|table| {
-        let _ = table.set(WordTable::read(text.leak()));
+        let _ = table.set(Catalogue::read(text.leak()));
     });
 }
 
 /// The language of the page.
 pub(crate) fn spoken() -> &'static PageLanguage {
-    TABLE.with(|table| table.get().map_or(&PageLanguage::ENGLISH, |table| table.language))
+    TABLE.with(|table| table.get().map_or(&PageLanguage::ENGLISH, Catalogue::language))
 }
 
 /// True if the page speaks a second language.
@@ -49,11 +42,7 @@ pub(crate) fn is_second() -> bool {
 
 /// The sentence of a key in the second language, if that is spoken and has it.
 fn told(key: u32) -> Option<&'static str> {
-    TABLE.with(|table| {
-        let texts = &table.get().filter(|_| !IN_ENGLISH.get())?.texts;
-        let at = texts.binary_search_by_key(&key, |(known, _)| *known).ok()?;
-        Some(texts[at].1)
-    })
+    TABLE.with(|table| table.get().filter(|_| !IN_ENGLISH.get())?.told(key))
 }
 
 /// The sentence of a key; its English where the language lacks it.
@@ -71,14 +60,9 @@ pub(crate) fn said_of(key: &str, english: &str) -> String {
     told(key_of(key)).unwrap_or(english).to_owned()
 }
 
-/// A word of the catalogue of senses, actions and connectors: of a unit, a colour, a choice, a part of the body.
-pub(crate) fn word(english: &'static str) -> &'static str {
-    said_by(&format!("word.{english}"), english)
-}
-
-/// The same for a word that came from elsewhere.
-pub(crate) fn word_of(english: &str) -> String {
-    said_of(&format!("word.{english}"), english)
+/// The words on something of a list.
+pub(crate) fn label_of(label: &Label) -> &'static str {
+    said_by(&label.key, label.english)
 }
 
 /// A sentence with its holes filled.
@@ -113,49 +97,24 @@ pub(crate) fn shown_within(what: &impl Phrased) -> String {
     shown(what).trim_end_matches(['.', '。']).to_owned()
 }
 
-impl WordTable {
-    fn read(text: &'static str) -> Self {
-        let code = text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
-        let language = LANGUAGES.iter().find(|language| language.code == code).unwrap_or(&LANGUAGES[1]);
-        Self::of(language, text)
-    }
-
-    fn of(language: &'static PageLanguage, text: &'static str) -> Self {
-        let sentence = |block: &'static str| {
-            let mut lines = block.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
-            Some((key_of(lines.next()?), lines.next()?))
-        };
-        let mut texts: Vec<(u32, &'static str)> = text.split("\n\n").filter_map(sentence).collect();
-        texts.sort_unstable_by_key(|(key, _)| *key);
-        Self { language, texts }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{TABLE, WordTable, fill_keyed, is_second, keyed, shown, speak, word, word_of};
+    use super::{TABLE, fill_keyed, is_second, keyed, label_of, said_of, shown, speak};
     use crate::words;
-    use phrase::{PageLanguage, Plural, key_of, phrase};
+    use phrase::{Catalogue, PageLanguage, key_of, phrase};
 
     /// A third language: this line, and its file.
-    static GERMAN: PageLanguage = PageLanguage {
-        code: "de",
-        locale: "de",
-        name: "Deutsch",
-        page_in: "Diese Seite auf Deutsch",
-        plural: Plural::One,
-        comma: ", ",
-    };
+    static GERMAN: PageLanguage =
+        phrase::language!("de", "de", "Deutsch", "Diese Seite auf Deutsch", One, ", ", "Sonst");
     const GERMAN_TEXTS: &str = include_str!("../../../tests/languages/de.txt");
 
     #[test]
     fn a_third_language_is_one_file_and_one_line_and_english_stands_in_for_what_it_lacks() {
-        TABLE.with(|table| table.set(WordTable::of(&GERMAN, GERMAN_TEXTS)).unwrap());
-        assert_eq!(GERMAN_TEXTS.split("\n\n").skip(1).count(), 10);
+        TABLE.with(|table| table.set(Catalogue::of(&GERMAN, GERMAN_TEXTS)).unwrap());
         assert_eq!((words::start(), words::history()), ("Start", "Verlauf"));
         assert_eq!(words::saying("Ball"), "„Ball“");
         assert_eq!(words::needs_connection(), "This needs the connection.");
-        let locked = behaviour::Refusal::Locked { what: phrase::Phrase::word("this note"), by: "Ben".to_owned() };
+        let locked = behaviour::Refusal::Locked { what: phrase!("this.note", "this note"), by: "Ben".to_owned() };
         assert_eq!(shown(&locked), "Ben bearbeitet gerade diese Notiz.");
         let many = |many: usize| shown(&behaviour::Refusal::Edits(many));
         assert_eq!(many(1), "1 Änderung auf einmal ist zu viel.");
@@ -163,7 +122,7 @@ mod tests {
         assert_eq!(shown(&behaviour::Refusal::Gone), "This program was removed. Open another one.");
     }
 
-    const TEXTS: &str = "# ja\n\nstart\n開始\n\nRefusal.Locked\n{by} さんが{what}を編集中です。\n\nword.filter\n条件\n\nheld\n{name} が{part}を使用中\n";
+    const TEXTS: &str = "# ja\n\nstart\n開始\n\nRefusal.Locked\n{by} さんが{what}を編集中です。\n\nconnector.filter\n条件\n\nheld\n{name} が{part}を使用中\n";
 
     #[test]
     fn a_second_language_is_a_catalogue() {
@@ -174,13 +133,14 @@ mod tests {
         assert_eq!((keyed(key_of("start"), "Start"), keyed(key_of("stop"), "Stop")), ("開始", "Stop"));
         let held = fill_keyed(key_of("held"), "{part} is held by {name}", &[("part", &"{name}"), ("name", &"Aiko")]);
         assert_eq!(held, "Aiko が{name}を使用中");
-        assert_eq!((word("filter"), word_of("start").as_str()), ("条件", "start"));
+        let filter = behaviour::connectors::filter::SPEC.called_by_people();
+        assert_eq!((label_of(&filter), said_of("nobody.knows", "start").as_str()), ("条件", "start"));
     }
 
     #[test]
     fn what_others_say_is_found_by_its_key_alone() {
         speak(TEXTS.to_owned());
-        let what = phrase::Phrase::word("filter");
+        let what = behaviour::connectors::filter::SPEC.called_by_people();
         let locked = phrase!("Refusal.Locked", "{by} is editing {what}. Ask, or wait until it is free.", by = "start");
         assert_eq!(shown(&locked), "start さんが条件を編集中です。");
         assert_eq!(shown(&"start"), "start", "the words of a person");

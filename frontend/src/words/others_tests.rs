@@ -3,13 +3,13 @@
 use super::complete_tests::{folder, read};
 use super::language::{shown, speak};
 use behaviour::{Refusal, ValueType};
-use phrase::{Phrase, phrase};
+use phrase::phrase;
 use protocol::Refused;
 
 #[test]
 fn a_refusal_within_a_refusal_is_said_in_japanese() {
     speak(read(&folder().join("../static/ja.txt")));
-    let locked = Refusal::Locked { what: Phrase::word("this note"), by: "start".to_owned() };
+    let locked = Refusal::Locked { what: phrase!("this.note", "this note"), by: "start".to_owned() };
     let said = shown(&Refused::Change(locked));
     assert!(said.starts_with("start さんがこのメモを編集中です"), "{said}");
     let said = shown(&Refused::CannotStart(phrase!("StartError.Silent", "the robot does not answer")));

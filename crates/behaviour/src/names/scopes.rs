@@ -27,7 +27,7 @@ pub(super) enum WordMeaning {
 
 /// A word of a procedure.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Word {
+pub(super) struct ScopedWord {
     pub(super) place: Range<usize>,
     pub(super) meaning: WordMeaning,
     /// The values of its own that are known where a value from outside is used: so many of [`ReadProcedure::known`].
@@ -37,7 +37,7 @@ pub(super) struct Word {
 /// A procedure that is read.
 #[derive(Default)]
 pub(super) struct ReadProcedure {
-    pub(super) words: Vec<Word>,
+    pub(super) words: Vec<ScopedWord>,
     /// The names of the values of its own, in the order in which they are declared.
     pub(super) locals: Vec<String>,
     known: Vec<usize>,
@@ -45,7 +45,7 @@ pub(super) struct ReadProcedure {
 
 impl ReadProcedure {
     /// The values of its own that are known where the word stands.
-    pub(super) fn known_at(&self, word: &Word) -> &[usize] {
+    pub(super) fn known_at(&self, word: &ScopedWord) -> &[usize] {
         &self.known[word.known.clone()]
     }
 }
@@ -308,7 +308,7 @@ impl<'b> ScopeReader<'b> {
         if meaning == WordMeaning::Outer {
             self.read.known.extend(&self.scope);
         }
-        self.read.words.push(Word { place, meaning, known: start..self.read.known.len() });
+        self.read.words.push(ScopedWord { place, meaning, known: start..self.read.known.len() });
     }
 }
 

@@ -16,7 +16,7 @@ impl Problem {
     /// Names what has the problem: a stream by its name, a connector by its word.
     fn subject(&self) -> Phrase {
         let spec = connectors::ALL.iter().find(|spec| self.at.kind == Kind::Connector && spec.word == self.name);
-        spec.map_or_else(|| self.name.phrase(), |spec| Phrase::word(spec.word))
+        spec.map_or_else(|| self.name.phrase(), |spec| spec.phrase())
     }
 
     /// Says the problem beside its element, so without the name where the sentence has none in the middle.
@@ -68,19 +68,18 @@ impl Phrased for ProblemSubject<'_> {
             ProblemKind::NoSource => phrase!("Problem.NoSource", "“{name}” gets no values."),
             ProblemKind::Unused => phrase!("Problem.Unused", "Nothing happens with “{name}” yet."),
             ProblemKind::Multiplies => {
-                let becomes = Phrase::word(if *blocks { "becomes" } else { "can become" });
+                let becomes = if *blocks {
+                    phrase!("Problem.becomes", "becomes")
+                } else {
+                    phrase!("Problem.can_become", "can become")
+                };
                 phrase!(
                     "Problem.Multiplies",
                     "Values multiply at “{name}”: one reading {becomes} more than 100,000 values."
                 )
             }
             ProblemKind::WrongUnit { wants, gets } => {
-                phrase!(
-                    "Problem.WrongUnit",
-                    "{^name} wants {wants}, gets {gets}.",
-                    wants = full(*wants),
-                    gets = Phrase::word(gets.name())
-                )
+                phrase!("Problem.WrongUnit", "{^name} wants {wants}, gets {gets}.", wants = full(*wants), gets = gets)
             }
             ProblemKind::WrongType { wants, gets } => {
                 phrase!("Problem.WrongType", "{^name} wants {wants}, gets {gets}.")
@@ -89,7 +88,7 @@ impl Phrased for ProblemSubject<'_> {
                 phrase!(
                     "Problem.FightingActions",
                     "“{name}” and “{with}” want the {part} at the same time, and the later one wins.",
-                    part = Phrase::word(part.clone())
+                    part = Phrase::named(format!("part.{part}"), part.clone())
                 )
             }
             ProblemKind::PressAndRelease { sense } => {
@@ -133,12 +132,9 @@ struct WordsBeside<'a>(&'a Problem);
 impl Phrased for WordsBeside<'_> {
     fn phrase(&self) -> Phrase {
         match &self.0.kind {
-            ProblemKind::WrongUnit { wants, gets } => phrase!(
-                "Problem.BesideWrongUnit",
-                "Wants {wants}, gets {gets}.",
-                wants = full(*wants),
-                gets = Phrase::word(gets.name())
-            ),
+            ProblemKind::WrongUnit { wants, gets } => {
+                phrase!("Problem.BesideWrongUnit", "Wants {wants}, gets {gets}.", wants = full(*wants), gets = gets)
+            }
             ProblemKind::WrongType { wants, gets } => phrase!("Problem.BesideWrongType", "Wants {wants}, gets {gets}."),
             _ => ProblemSubject(self.0).phrase(),
         }
@@ -219,16 +215,16 @@ impl Phrased for FixKind {
 
 /// A unit as the wish of an action or a helper.
 fn full(unit: Unit) -> Phrase {
-    Phrase::word(match unit {
-        Unit::Metres => "metres",
-        Unit::Centimetres => "centimetres",
-        Unit::Radians => "radians",
-        Unit::Degrees => "degrees",
-        Unit::Seconds => "seconds",
-        Unit::Milliseconds => "milliseconds",
-        Unit::Percent => "percent",
-        Unit::Fraction | Unit::MetresPerSecond | Unit::RadiansPerSecond => unit.name(),
-    })
+    match unit {
+        Unit::Metres => phrase!("unit.full.m", "metres"),
+        Unit::Centimetres => phrase!("unit.full.cm", "centimetres"),
+        Unit::Radians => phrase!("unit.full.rad", "radians"),
+        Unit::Degrees => phrase!("unit.full.deg", "degrees"),
+        Unit::Seconds => phrase!("unit.full.s", "seconds"),
+        Unit::Milliseconds => phrase!("unit.full.ms", "milliseconds"),
+        Unit::Percent => phrase!("unit.full.percent", "percent"),
+        Unit::Fraction | Unit::MetresPerSecond | Unit::RadiansPerSecond => unit.phrase(),
+    }
 }
 
 #[cfg(test)]

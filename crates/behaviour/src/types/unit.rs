@@ -1,5 +1,6 @@
 //! The units of numbers, and how one unit becomes another.
 
+use phrase::{Phrase, Phrased, phrase};
 use serde::{Deserialize, Serialize};
 
 /// The quantities that are measured.
@@ -77,12 +78,6 @@ impl Unit {
         }
     }
 
-    /// Returns the name in a sentence: the sign, unless there is none.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        if self == Self::Fraction { "a number from 0 to 1" } else { self.symbol() }
-    }
-
     /// Names a stream whose values are those of the stream `name` in this unit: "Distance in m".
     #[must_use]
     pub fn of(self, name: &str) -> String {
@@ -134,6 +129,18 @@ impl Unit {
             Self::Centimetres | Self::Percent => 100.0,
             Self::Milliseconds => 1_000.0,
             _ => 1.0,
+        }
+    }
+}
+
+/// In a sentence: by its sign, which most languages share, unless there is none.
+impl Phrased for Unit {
+    fn phrase(&self) -> Phrase {
+        match self {
+            Self::Fraction => phrase!("unit.fraction", "a number from 0 to 1"),
+            Self::Seconds => phrase!("unit.s", "s"),
+            Self::Milliseconds => phrase!("unit.ms", "ms"),
+            sign => sign.symbol().phrase(),
         }
     }
 }

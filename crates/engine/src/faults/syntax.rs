@@ -33,7 +33,7 @@ impl Syntax {
                 phrase!("Syntax.Closing", "a closing {token} is missing")
             }
             E::MissingToken(token, _) | E::ExprExpected(token) => {
-                phrase!("Syntax.Missing", "{token} is missing", token = Phrase::word(token.clone()))
+                phrase!("Syntax.Missing", "{token} is missing", token = missing(token))
             }
             E::UnexpectedEOF => phrase!("Syntax.End", "it ends too early"),
             E::VariableUndefined(name) => unknown_name(name, &self.arguments),
@@ -49,6 +49,14 @@ impl Syntax {
             E::LoopBreak => phrase!("Syntax.LoopBreak", "break and continue belong inside a loop"),
             other => Phrase::Text(plain(&other.to_string())),
         }
+    }
+}
+
+/// Says a missing token of Rhai: a sign, or one of its words.
+fn missing(token: &str) -> Phrase {
+    match token {
+        "a boolean expression" => phrase!("Syntax.Condition", "a boolean expression"),
+        sign => sign.phrase(),
     }
 }
 

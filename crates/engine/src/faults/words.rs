@@ -2,7 +2,7 @@
 
 use super::plain::plain;
 use super::{BodyFault, CallFault, GraphFault, Misuse, Reason, RunFault, TextPlace, TrialFault, ValueFault, ValueKind};
-use behaviour::connectors::Inputs;
+use behaviour::connectors::{self, Inputs};
 use behaviour::{AsMeant, BODY_MAX_CHARS, Value, has_unseen};
 use phrase::{Phrase, Phrased, phrase};
 
@@ -25,7 +25,7 @@ impl Phrased for Reason {
             Self::Inputs { word, takes, gets } => phrase!(
                 "Reason.Inputs",
                 "{word} takes {inputs}, not {gets}",
-                word = Phrase::word(*word),
+                word = connectors::named(word),
                 inputs = inputs(*takes)
             ),
             Self::InputTwice(id) => phrase!("Reason.InputTwice", "the input {id} is there twice"),
@@ -39,7 +39,7 @@ impl Phrased for Reason {
             Self::NoActuator(word, id) => phrase!(
                 "Reason.NoActuator",
                 "{word} must lead to an actuator stream, and {id} is none",
-                word = Phrase::word(*word)
+                word = connectors::named(word)
             ),
             Self::SecondInput(id) => phrase!("Reason.SecondInput", "the stream {id} already has an incoming connector"),
             Self::Circle => phrase!("Reason.Circle", "values would flow in a circle through it"),
@@ -60,11 +60,11 @@ impl Phrased for Reason {
 }
 
 fn inputs(takes: Inputs) -> Phrase {
-    Phrase::word(match takes {
-        Inputs::One => "exactly one input",
-        Inputs::OneOrMore => "one input or more",
-        Inputs::TwoOrMore => "two inputs or more",
-    })
+    match takes {
+        Inputs::One => phrase!("Inputs.One", "exactly one input"),
+        Inputs::OneOrMore => phrase!("Inputs.OneOrMore", "one input or more"),
+        Inputs::TwoOrMore => phrase!("Inputs.TwoOrMore", "two inputs or more"),
+    }
 }
 
 impl Phrased for RunFault {
@@ -286,18 +286,18 @@ impl Phrased for ValueFault {
 
 impl Phrased for ValueKind {
     fn phrase(&self) -> Phrase {
-        Phrase::word(match self {
-            Self::Nothing => "nothing",
-            Self::Whole => "a whole number",
-            Self::Measured => "a measured number",
-            Self::Truth => "true or false",
-            Self::Letter => "a letter",
-            Self::Object => "an object",
-            Self::List => "a list",
-            Self::Function => "a function",
-            Self::Text => "a text",
-            Self::Range => "a range",
-            Self::Other(name) => return name.phrase(),
-        })
+        match self {
+            Self::Nothing => phrase!("ValueKind.Nothing", "nothing"),
+            Self::Whole => phrase!("ValueKind.Whole", "a whole number"),
+            Self::Measured => phrase!("ValueKind.Measured", "a measured number"),
+            Self::Truth => phrase!("ValueKind.Truth", "true or false"),
+            Self::Letter => phrase!("ValueKind.Letter", "a letter"),
+            Self::Object => phrase!("ValueKind.Object", "an object"),
+            Self::List => phrase!("ValueKind.List", "a list"),
+            Self::Function => phrase!("ValueKind.Function", "a function"),
+            Self::Text => phrase!("ValueKind.Text", "a text"),
+            Self::Range => phrase!("ValueKind.Range", "a range"),
+            Self::Other(name) => name.phrase(),
+        }
     }
 }

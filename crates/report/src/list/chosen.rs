@@ -18,7 +18,7 @@ pub(super) fn aside(list: &List, chosen: &ChosenRecording) -> Markup {
     let offset = list.zone.minutes().map(|minutes| format!("&offset={minutes}")).unwrap_or_default();
     html! {
         aside aria-label=(words.chosen()) {
-            h2 { bdi { (code) } " · " (clock.day(list.language)) ", " (clock.at(0)) }
+            h2 { bdi { (code) } " · " (words.day_of(clock)) ", " (clock.at(0)) }
             p class="faint" {
                 (own(&recording.name)) (words.comma()) (words.version(recording.revision))
                 @if !recording.robot.is_empty() { " · " (own(&recording.robot)) }
@@ -30,7 +30,7 @@ pub(super) fn aside(list: &List, chosen: &ChosenRecording) -> Markup {
             }
             @if list.choice.bin { (of_bin(list, &file)) } @else {
                 p {
-                    a class="button first" href=(format!("{REPORTS_PATH}/{file}/report?language={}{offset}", list.language.code())) { (words.report()) }
+                    a class="button first" href=(format!("{REPORTS_PATH}/{file}/report?language={}{offset}", words.tag())) { (words.report()) }
                 }
                 @if !recording.old_form && recording.session.records == Records::All {
                     p { a class="button" href=(format!("/?past={file}")) { (words.look_back()) } }

@@ -41,7 +41,7 @@ pub(super) fn section(sheet: &Sheet, sessions: &[SessionNumbers], zone: Zone) ->
                 tbody {
                     @for (session, day) in sessions.iter().zip(&days) {
                         tr class=[session.is_this.then_some("this")] {
-                            th scope="row" { (day.day(sheet.of.language)) " " (day.at(0)) @if session.is_this { (words.this_one()) } }
+                            th scope="row" { (words.day_of(*day)) " " (day.at(0)) @if session.is_this { (words.this_one()) } }
                             td { (session.length_ms.map(length).unwrap_or_default()) }
                             @for (word, _) in &most {
                                 @let (count, ms) = session.words.get(word).copied().unwrap_or_default();
@@ -87,7 +87,7 @@ fn plot(sheet: &Sheet, days: &[Clock], values: &[u64], lasts: bool) -> Markup {
                 @let high = *value as f64 / most * TALL;
                 rect class="bar" x=(px(middle - wide / 2.0)) y=(px(floor - high)) width=(px(wide)) height=(px(high)) {}
                 text x=(px(middle)) y=(px(floor - high - 4.0)) text-anchor="middle" { (says(*value)) }
-                text x=(px(middle)) y=(px(HEIGHT - 5.0)) text-anchor="middle" class="faint" { (day.short_day(sheet.of.language)) }
+                text x=(px(middle)) y=(px(HEIGHT - 5.0)) text-anchor="middle" class="faint" { (sheet.words.short_day_of(*day)) }
             }
             path class="axis" d=(format!("M0 {}h{WIDTH}", px(floor))) {}
         }

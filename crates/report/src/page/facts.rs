@@ -19,7 +19,7 @@ pub(super) fn head(sheet: &Sheet, title: &str) -> Markup {
                 @if let Some(session) = &header.session { " · " (words.session()) " " (sheet.text(session)) }
             }
             dl {
-                div { dt { (words.day()) } dd { (clock.day(of.language)) } }
+                div { dt { (words.day()) } dd { (words.day_of(clock)) } }
                 div { dt { (words.time()) } dd {
                     (words.time_span(&clock.at(0), &clock.at(of.last_ms), &length(of.last_ms))) (clock.zone())
                 } }

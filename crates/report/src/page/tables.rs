@@ -92,8 +92,8 @@ fn by_hand(sheet: &Sheet) -> Markup {
 
 /// An action of the catalogue with the text that it was told.
 fn action(sheet: &Sheet, (device, text): &(String, String)) -> Markup {
-    let label =
-        sentences::device_label(device, sheet.of.language).map_or_else(|| own(device), |label| html! { (label) });
+    let label = sentences::device_label(device, sheet.words.of_sentences())
+        .map_or_else(|| own(device), |label| html! { (label) });
     html! { (label) @if !text.is_empty() { (sheet.words.colon()) "“" (sheet.text(text)) "”" } }
 }
 

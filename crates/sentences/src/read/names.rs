@@ -9,7 +9,8 @@ use crate::pattern::{HoleFiller, filled, grammar};
 use crate::sentence::{LiteralPlace, Piece};
 use crate::test::{Asks, Comparison, ValueTest};
 use crate::words::{device_label, words};
-use behaviour::{Behaviour, Id, OTHERWISE, argument_names, as_looks, numbered};
+use behaviour::{Behaviour, Id, argument_names, as_looks, numbered};
+use phrase::{LANGUAGES, PageLanguage};
 use std::collections::BTreeSet;
 
 /// The longest name that a name is made of, in characters.
@@ -63,11 +64,8 @@ impl<'a> NameGiver<'a> {
     }
 
     fn otherwise(&self) -> &'static str {
-        let [english, japanese] = OTHERWISE;
-        match self.language {
-            Language::English => english,
-            Language::Japanese => japanese,
-        }
+        let code = self.language.code();
+        LANGUAGES.iter().find(|language| language.code == code).unwrap_or(&PageLanguage::ENGLISH).otherwise
     }
 
     fn existing(&self, id: &Id) -> String {

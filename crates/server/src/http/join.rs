@@ -54,8 +54,8 @@ pub(super) fn ask_for_one(language: BrowserLanguage) -> Response {
 /// For who is at this computer, or comes through a tunnel with this port, and shows no secret of it.
 pub(super) fn ask_for_link(language: BrowserLanguage, tunnel: Option<u16>) -> Response {
     let [title, text] = language.by_link();
-    let text = tunnel.map_or_else(|| text.to_owned(), |port| language.by_link_through(port));
-    show(StatusCode::UNAUTHORIZED, language, [title, &text], PageButtons { join: None, stop: true })
+    let text = tunnel.map_or(text, |port| language.by_link_through(port));
+    show(StatusCode::UNAUTHORIZED, language, [title, text], PageButtons { join: None, stop: true })
 }
 
 /// Says who invites by the link of this token and what for, before it is used; or why it lets nobody in.
@@ -63,10 +63,13 @@ pub(super) async fn invitation(came: RequestArrival, request: Request) -> Respon
     let (source, language) = (came.source(request.headers()), BrowserLanguage::of(request.headers()));
     let token = token(request).await;
     let (status, says) = match came.door.lets_in() {
-        LetsIn::Host(_) => (StatusCode::OK, language.opening()[1].to_owned()),
+        LetsIn::Host(_) => {
+            let [_, says] = language.opening();
+            (StatusCode::OK, says)
+        }
         LetsIn::Guests(invitations) => match invitations.promise(&token, source) {
             Ok((by, role)) => (StatusCode::OK, language.invites(&by, role)),
-            Err(why) => (status_of(&why), language.why(&why)),
+            Err(why) => (status_of(&why), language.say(&why)),
         },
     };
     let headers = [(header::CONTENT_TYPE, "text/plain; charset=utf-8"), (header::CACHE_CONTROL, "no-store")];
@@ -136,7 +139,7 @@ fn status_of(why: &NotIn) -> StatusCode {
 }
 
 fn no(why: &NotIn, language: BrowserLanguage) -> Response {
-    let mut response = show(status_of(why), language, [language.not_in(), &language.why(why)], PageButtons::default());
+    let mut response = show(status_of(why), language, language.not_in(why), PageButtons::default());
     if let NotIn::TooMany(seconds) = why {
         response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from(*seconds));
     }
@@ -160,20 +163,20 @@ struct PageButtons {
 }
 
 /// The page with this title, text and buttons.
-fn show(status: StatusCode, language: BrowserLanguage, [title, text]: [&str; 2], shows: PageButtons) -> Response {
-    let text = escaped(text);
+fn show(status: StatusCode, language: BrowserLanguage, [title, text]: [String; 2], shows: PageButtons) -> Response {
+    let text = escaped(&text);
     let hidden_unless = |shown: bool| if shown { "" } else { "hidden" };
     let holes = [
         ("{language}", language.code()),
-        ("{title}", title),
+        ("{title}", &title),
         ("{hidden}", hidden_unless(shows.join.is_some())),
         ("{at once}", if shows.join == Some(EntryMoment::Once) { "data-at-once" } else { "" }),
-        ("{come in}", language.join()),
-        ("{broken}", language.broken()),
-        ("{needs script}", language.needs_script()),
+        ("{come in}", &language.join()),
+        ("{broken}", &language.broken()),
+        ("{needs script}", &language.needs_script()),
         ("{no stop}", hidden_unless(shows.stop)),
-        ("{stop}", language.stop_all()),
-        ("{text}", text.as_str()),
+        ("{stop}", &language.stop_all()),
+        ("{text}", &text),
     ];
     let page = holes.iter().fold(PAGE.to_owned(), |page, (hole, said)| page.replace(hole, said));
     let headers = [

@@ -52,14 +52,6 @@ pub(super) struct ListForm {
     gone: Option<String>,
 }
 
-fn language_of(wanted: Option<&str>, browser: BrowserLanguage) -> sentences::Language {
-    let otherwise = match browser {
-        BrowserLanguage::English => sentences::Language::English,
-        BrowserLanguage::Japanese => sentences::Language::Japanese,
-    };
-    report::language_of(wanted, otherwise)
-}
-
 fn number<T: std::str::FromStr>(text: Option<&str>) -> Option<T> {
     text.and_then(|text| text.parse().ok())
 }
@@ -84,7 +76,7 @@ pub(super) async fn page(
             binned: recordings.binned().len(),
             most_bytes: ALL_MAX_BYTES,
             may_change,
-            language: language_of(wanted.language.as_deref(), browser),
+            language: report::language_of(wanted.language.as_deref(), browser.catalogue()),
             zone: Zone::east_by(number(wanted.offset.as_deref())),
             parts: PARTS,
             downloads: RECORDINGS_PATH,
@@ -105,8 +97,8 @@ pub(super) async fn change(
     (files, sender): (&Workers, Sender),
     (file, change, by, browser): (String, ListForm, String, BrowserLanguage),
 ) -> Response {
-    let language = language_of(change.language.as_deref(), browser);
-    let mut back = format!("{REPORTS_PATH}?language={}", language.code());
+    let language = report::language_of(change.language.as_deref(), browser.catalogue());
+    let mut back = format!("{REPORTS_PATH}?language={}", language.language().code);
     if let Some(minutes) = number::<i32>(change.offset.as_deref()) {
         back.push_str(&format!("&offset={minutes}"));
     }

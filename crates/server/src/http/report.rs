@@ -58,11 +58,7 @@ pub(super) async fn page(
     (analyses, sender): (&Workers, Sender),
     (name, wanted, browser): (String, ReportQuery, BrowserLanguage),
 ) -> Response {
-    let otherwise = match browser {
-        BrowserLanguage::English => sentences::Language::English,
-        BrowserLanguage::Japanese => sentences::Language::Japanese,
-    };
-    let language = report::language_of(wanted.language.as_deref(), otherwise);
+    let language = report::language_of(wanted.language.as_deref(), browser.catalogue());
     let names = wanted.names();
     let offset = wanted.offset.as_deref().and_then(|minutes| minutes.parse().ok());
     let asked = ReportWishes {

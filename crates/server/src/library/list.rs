@@ -4,7 +4,7 @@ use crate::support::store_call::{bounded, store_no};
 use behaviour::{Id, as_looks, numbered};
 use protocol::{LIST_MAX_LINES, ListQuery, Refused, Summary, WORDS_MAX_CHARS, answer};
 use std::collections::BTreeSet;
-use store::{ListedBehaviour, Listing, Query, Store, StoreError};
+use store::{Damage, ListedBehaviour, Listing, Query, Store, StoreError};
 
 /// A page of the list.
 pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<answer::Programs, Refused> {
@@ -74,7 +74,7 @@ pub async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, StoreE
 /// The names that begin like this one in any case: in order of name they stand together.
 async fn names_from(store: &dyn Store, wanted: &str) -> Result<BTreeSet<String>, StoreError> {
     let key = as_looks(wanted).to_lowercase();
-    let first = Id::new(FIRST_ID).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
+    let first = Id::new(FIRST_ID).map_err(|reason| StoreError::Damaged(Damage::Id(reason)))?;
     let just_before = store::Cursor { changed_ms: 0, name_key: key.clone(), id: first };
     let mut query = Query { sort: store::Sort::Name, after: Some(just_before), ..Query::default() };
     let mut names = BTreeSet::new();

@@ -3,7 +3,7 @@
 use super::LibraryService;
 use crate::support::store_call::{bounded, reason};
 use behaviour::{Behaviour, Committed, Id, Refusal, has_unseen, without_unseen};
-use phrase::Phrase;
+use phrase::phrase;
 use protocol::Refused;
 use store::{Append, StoreError};
 
@@ -18,7 +18,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), Refused> {
     }
     // Room for the number that a taken name gets.
     let most = behaviour::NAME_MAX_CHARS - 10;
-    if name.chars().count() > most { no(Refusal::TooLong(Phrase::word("this name"), most)) } else { Ok(()) }
+    if name.chars().count() > most { no(Refusal::TooLong(phrase!("limited.name", "this name"), most)) } else { Ok(()) }
 }
 
 /// Saves a change of a behaviour that nobody has open; once more if the outcome is open, the op id settles it.
@@ -35,7 +35,7 @@ pub(crate) async fn append(
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
         Ok(Append::Reused { .. }) => Err(Refused::Change(Refusal::Reused)),
-        Ok(Append::Conflict { .. }) => Err(Refused::Change(Refusal::Stale(Phrase::word("this program")))),
+        Ok(Append::Conflict { .. }) => Err(Refused::Change(Refusal::Stale(phrase!("this.program", "this program")))),
         Err(error) => {
             library.health.failed(&error);
             Err(Refused::Change(Refusal::NotSaved(reason(&error))))

@@ -5,10 +5,10 @@ use super::{NotRecorded, RECORDING_MAX_BYTES, Recordings, described, later, mark
 use crate::support::lock;
 use crate::support::until::Until;
 use behaviour::Knowledge;
+use phrase::Catalogue;
 use protocol::{Recording, Refused};
 use recording::{Header, PrivateParts, Replay, Timeline, read_line};
 use report::{ChosenRecording, Gathered, ListedRecording, Replayed, SessionNumbers};
-use sentences::Language;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
@@ -63,7 +63,7 @@ impl Recordings {
     pub(crate) fn look(
         &self,
         name: &str,
-        (keep, language): (PrivateParts, Language),
+        (keep, language): (PrivateParts, &'static Catalogue),
         knowledge: &dyn Knowledge,
         token: &CancellationToken,
     ) -> Result<ReportSource, Refused> {

@@ -6,7 +6,7 @@ use super::FileFault;
 use super::place::LineStarts;
 use super::tree::{DEPTH_MAX, FileNode, NODES_MAX, NoNumber, NodeKind, TOO_MANY};
 use behaviour::Value;
-use phrase::{Phrase, Phrased, phrase};
+use phrase::{Phrased, phrase};
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::cell::Cell;
@@ -47,7 +47,7 @@ impl JsonReader<'_, '_> {
             return Err(self.lines.fault(at, reason));
         }
         let bad = |_: serde_json::Error| match self.left.get() {
-            0 => self.lines.fault(at, Phrase::word(TOO_MANY)),
+            0 => self.lines.fault(at, TOO_MANY.phrase()),
             _ => self.lines.fault(
                 at,
                 phrase!(
@@ -80,7 +80,7 @@ impl JsonReader<'_, '_> {
 /// One thing more, if there may be one.
 fn count<E: Error>(left: &Cell<usize>) -> Result<(), E> {
     left.set(left.get().saturating_sub(1));
-    if left.get() == 0 { Err(E::custom(TOO_MANY)) } else { Ok(()) }
+    if left.get() == 0 { Err(E::custom(TOO_MANY.english)) } else { Ok(()) }
 }
 
 /// An object's fields as they are written, also those that are there twice.

@@ -2,7 +2,7 @@
 
 use super::text::text_of;
 use super::xml::first_name;
-use phrase::{Phrase, Phrased, phrase};
+use phrase::{Phrase, Phrased, Word, phrase, word};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;
@@ -14,7 +14,7 @@ const LOOKED_AT_BYTES: usize = 64 << 10;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// Not text at all: a picture, an archive, and others that say by their first bytes what they are.
-    Binary(&'static str),
+    Binary(BinaryKind),
     /// A recording of a run, `rrp-recording`.
     Recording,
     /// Readings to replay, one a line.
@@ -53,25 +53,25 @@ phrase::shown!(FileKind);
 
 impl Phrased for FileKind {
     fn phrase(&self) -> Phrase {
-        Phrase::word(match self {
-            Self::Binary(what) => return with_format(what),
-            Self::Recording => "a recording of a run",
-            Self::Readings => "a list of readings",
-            Self::Backup => "a backup of a whole library",
-            Self::Part => "a part of a program that was copied",
-            Self::WebPage => "a web page",
-            Self::Drawing => "a drawing (SVG)",
-            Self::Choregraphe => "a Choregraphe project",
-            Self::NodeRed => "a file of Node-RED flows",
-            Self::Scratch => "a Scratch project",
-            Self::Blocks => "a file of blocks (Blockly)",
-            Self::Notebook => "a Jupyter notebook",
-            Self::RichText => "a formatted text (RTF)",
-            Self::Table => "a table (CSV)",
-            Self::Script => "a script",
-            Self::LfsPointer => "a pointer of Git LFS",
-            Self::Json => "another kind of JSON",
-        })
+        match self {
+            Self::Binary(what) => what.phrase(),
+            Self::Recording => phrase!("FileKind.a.Recording", "a recording of a run"),
+            Self::Readings => phrase!("FileKind.a.Readings", "a list of readings"),
+            Self::Backup => phrase!("FileKind.a.Backup", "a backup of a whole library"),
+            Self::Part => phrase!("FileKind.a.Part", "a part of a program that was copied"),
+            Self::WebPage => phrase!("FileKind.a.WebPage", "a web page"),
+            Self::Drawing => phrase!("FileKind.a.Drawing", "a drawing (SVG)"),
+            Self::Choregraphe => phrase!("FileKind.a.Choregraphe", "a Choregraphe project"),
+            Self::NodeRed => phrase!("FileKind.a.NodeRed", "a file of Node-RED flows"),
+            Self::Scratch => phrase!("FileKind.a.Scratch", "a Scratch project"),
+            Self::Blocks => phrase!("FileKind.a.Blocks", "a file of blocks (Blockly)"),
+            Self::Notebook => phrase!("FileKind.a.Notebook", "a Jupyter notebook"),
+            Self::RichText => phrase!("FileKind.a.RichText", "a formatted text (RTF)"),
+            Self::Table => phrase!("FileKind.a.Table", "a table (CSV)"),
+            Self::Script => phrase!("FileKind.a.Script", "a script"),
+            Self::LfsPointer => phrase!("FileKind.a.LfsPointer", "a pointer of Git LFS"),
+            Self::Json => phrase!("FileKind.a.Json", "another kind of JSON"),
+        }
     }
 }
 
@@ -99,7 +99,7 @@ impl FileKind {
                 "This is {what}, no program of rrp. Bring it back with rrp restore.",
                 what = self
             ),
-            Self::Binary(ARCHIVE) => {
+            Self::Binary(BinaryKind::Packed("zip")) => {
                 phrase!(
                     "FileKind.Packed",
                     "This is {what}, no program of rrp. Unpack it first, or choose another file.",
@@ -124,56 +124,71 @@ impl FileKind {
     }
 }
 
-/// A kind of file with its format, whose name is the same in every language: `a picture (PNG)`.
-fn with_format(what: &'static str) -> Phrase {
-    let parts = what.strip_suffix(')').and_then(|what| what.split_once(" ("));
-    match parts {
-        Some(("a picture", format)) => phrase!("FileKind.Picture", "a picture ({format})"),
-        Some(("a packed file", format)) => phrase!("FileKind.PackedFile", "a packed file ({format})"),
-        Some(("a sound", format)) => phrase!("FileKind.Sound", "a sound ({format})"),
-        Some(("a film", format)) => phrase!("FileKind.Film", "a film ({format})"),
-        _ => Phrase::word(what),
+/// A kind of file that is not text. The names of formats are the same in every language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryKind {
+    /// A picture of this format.
+    Picture(&'static str),
+    /// Files that were packed in this format.
+    Packed(&'static str),
+    /// A sound of this format.
+    Audio(&'static str),
+    /// A film of this format.
+    Film(&'static str),
+    /// Another file, which has no format to tell.
+    Other(Word),
+}
+
+impl Phrased for BinaryKind {
+    fn phrase(&self) -> Phrase {
+        match self {
+            Self::Picture(format) => phrase!("FileKind.Picture", "a picture ({format})"),
+            Self::Packed(format) => phrase!("FileKind.PackedFile", "a packed file ({format})"),
+            Self::Audio(format) => phrase!("FileKind.Sound", "a sound ({format})"),
+            Self::Film(format) => phrase!("FileKind.Film", "a film ({format})"),
+            Self::Other(word) => word.phrase(),
+        }
     }
 }
 
-const ARCHIVE: &str = "a packed file (zip)";
+const SOUND_OR_FILM: BinaryKind = BinaryKind::Other(word!("FileKind.SoundOrFilm", "a sound or film"));
 
 /// First bytes that say what a file is.
-const BINARY: [(&[u8], &str); 22] = [
-    (b"\x89PNG\r\n", "a picture (PNG)"),
-    (b"\xff\xd8\xff", "a picture (JPEG)"),
-    (b"GIF8", "a picture (GIF)"),
-    (b"BM", "a picture (BMP)"),
-    (b"II*\0", "a picture (TIFF)"),
-    (b"MM\0*", "a picture (TIFF)"),
-    (b"%PDF", "a PDF"),
-    (b"PK\x03\x04", ARCHIVE),
-    (b"PK\x05\x06", ARCHIVE),
-    (b"\x1f\x8b", "a packed file (gzip)"),
-    (b"7z\xbc\xaf\x27\x1c", "a packed file (7z)"),
-    (b"Rar!", "a packed file (rar)"),
-    (b"BZh", "a packed file (bzip2)"),
-    (b"\xfd7zXZ", "a packed file (xz)"),
-    (b"SQLite format 3\0", "a database (SQLite)"),
-    (b"\xd0\xcf\x11\xe0", "a document of an older Office"),
-    (b"OggS", "a sound or film"),
-    (b"ID3", "a sound (MP3)"),
-    (b"fLaC", "a sound (FLAC)"),
-    (b"\x1aE\xdf\xa3", "a film (Matroska)"),
-    (b"\x7fELF", "a program for Linux"),
-    (b"MZ", "a program for Windows"),
+const BINARY: [(&[u8], BinaryKind); 22] = [
+    (b"\x89PNG\r\n", BinaryKind::Picture("PNG")),
+    (b"\xff\xd8\xff", BinaryKind::Picture("JPEG")),
+    (b"GIF8", BinaryKind::Picture("GIF")),
+    (b"BM", BinaryKind::Picture("BMP")),
+    (b"II*\0", BinaryKind::Picture("TIFF")),
+    (b"MM\0*", BinaryKind::Picture("TIFF")),
+    (b"%PDF", BinaryKind::Other(word!("FileKind.Pdf", "a PDF"))),
+    (b"PK\x03\x04", BinaryKind::Packed("zip")),
+    (b"PK\x05\x06", BinaryKind::Packed("zip")),
+    (b"\x1f\x8b", BinaryKind::Packed("gzip")),
+    (b"7z\xbc\xaf\x27\x1c", BinaryKind::Packed("7z")),
+    (b"Rar!", BinaryKind::Packed("rar")),
+    (b"BZh", BinaryKind::Packed("bzip2")),
+    (b"\xfd7zXZ", BinaryKind::Packed("xz")),
+    (b"SQLite format 3\0", BinaryKind::Other(word!("FileKind.Database", "a database (SQLite)"))),
+    (b"\xd0\xcf\x11\xe0", BinaryKind::Other(word!("FileKind.OldOffice", "a document of an older Office"))),
+    (b"OggS", SOUND_OR_FILM),
+    (b"ID3", BinaryKind::Audio("MP3")),
+    (b"fLaC", BinaryKind::Audio("FLAC")),
+    (b"\x1aE\xdf\xa3", BinaryKind::Film("Matroska")),
+    (b"\x7fELF", BinaryKind::Other(word!("FileKind.LinuxProgram", "a program for Linux"))),
+    (b"MZ", BinaryKind::Other(word!("FileKind.WindowsProgram", "a program for Windows"))),
 ];
 
-fn binary(bytes: &[u8]) -> Option<&'static str> {
+fn binary(bytes: &[u8]) -> Option<BinaryKind> {
     let is_text = |beginning: &[u8]| beginning.is_ascii() && !beginning.contains(&0);
     // Two or three letters may begin a text as well.
     let all_text = is_text(beginning(bytes));
     let known = BINARY.iter().find(|(first, _)| bytes.starts_with(first) && (first.len() > 3 || !all_text));
     known.map(|(_, what)| *what).or_else(|| match (bytes.get(..4)?, bytes.get(4..12)?) {
-        (b"RIFF", rest) if rest.ends_with(b"WAVE") => Some("a sound (WAV)"),
-        (b"RIFF", rest) if rest.ends_with(b"WEBP") => Some("a picture (WebP)"),
-        (b"RIFF", _) => Some("a sound or film"),
-        (_, rest) if rest.starts_with(b"ftyp") => Some("a sound or film"),
+        (b"RIFF", rest) if rest.ends_with(b"WAVE") => Some(BinaryKind::Audio("WAV")),
+        (b"RIFF", rest) if rest.ends_with(b"WEBP") => Some(BinaryKind::Picture("WebP")),
+        (b"RIFF", _) => Some(SOUND_OR_FILM),
+        (_, rest) if rest.starts_with(b"ftyp") => Some(SOUND_OR_FILM),
         _ => None,
     })
 }

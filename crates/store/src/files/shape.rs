@@ -11,7 +11,7 @@ use behaviour::{
     StreamKind, TAG_MAX_CHARS, TAGS_MAX, TILE_KEYS, connectors, is_identifier, without_control,
 };
 use fields::ShapeFields;
-use phrase::{Phrase, phrase};
+use phrase::{Phrase, phrase, word};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The lengths a frame may have, in milliseconds.
@@ -71,7 +71,7 @@ impl ShapeReader<'_, '_> {
     fn file(&mut self, root: &FileNode) -> BehaviourFile {
         const KNOWN: &str =
             "format id name robot engine exercise tags helpers streams connectors notes groups pad order layout";
-        let fields = ShapeFields::of(self, root, "a program", KNOWN);
+        let fields = ShapeFields::of(self, root, word!("file.a_program", "a program"), KNOWN);
         let format = fields.text(self, "format");
         if let Some(node) = fields.get("format").filter(|_| format != FORMAT) {
             self.fault(
@@ -171,7 +171,7 @@ impl ShapeReader<'_, '_> {
         if node.value().as_text() == Some("event") {
             return Engine::Event;
         }
-        let fields = ShapeFields::of(self, node, "an engine", "frame");
+        let fields = ShapeFields::of(self, node, word!("file.a_engine", "an engine"), "frame");
         let Some(frame) = fields.get("frame") else {
             self.fault(
                 node.at,
@@ -182,7 +182,7 @@ impl ShapeReader<'_, '_> {
             );
             return Engine::Event;
         };
-        let fields = ShapeFields::of(self, frame, "a frame", "frameMs");
+        let fields = ShapeFields::of(self, frame, word!("file.a_frame", "a frame"), "frameMs");
         let frame_ms = fields.count(self, "frameMs").unwrap_or_default();
         if !FRAME_MS.contains(&frame_ms) {
             self.fault(frame.at, phrase!("file.a_frame_must_have_1", "A frame must have 1 to 1000 milliseconds."));
@@ -217,7 +217,8 @@ impl ShapeReader<'_, '_> {
     }
 
     fn helper(&mut self, node: &FileNode) -> FileHelper {
-        let fields = ShapeFields::of(self, node, "a helper", "name params body says takes gives");
+        let fields =
+            ShapeFields::of(self, node, word!("file.a_helper", "a helper"), "name params body says takes gives");
         let name = fields.text(self, "name");
         self.check_identifier(node.at, &name);
         self.check_name(node.at, &name);
@@ -262,7 +263,12 @@ impl ShapeReader<'_, '_> {
     }
 
     fn stream(&mut self, node: &FileNode) -> FileStream {
-        let fields = ShapeFields::of(self, node, "a stream", "id kind name device params resources priority holdMs");
+        let fields = ShapeFields::of(
+            self,
+            node,
+            word!("file.a_stream", "a stream"),
+            "id kind name device params resources priority holdMs",
+        );
         let (id, name) = (self.own_id(node, &fields), fields.text(self, "name"));
         self.check_name(node.at, &name);
         FileStream {
@@ -299,8 +305,12 @@ impl ShapeReader<'_, '_> {
     }
 
     fn connector(&mut self, node: &FileNode) -> FileConnector {
-        let fields =
-            ShapeFields::of(self, node, "a connector", "id type inputs output body args helper periodMs start");
+        let fields = ShapeFields::of(
+            self,
+            node,
+            word!("file.a_connector", "a connector"),
+            "id type inputs output body args helper periodMs start",
+        );
         let connector = FileConnector {
             id: self.own_id(node, &fields),
             operation: fields.text(self, "type"),
@@ -354,14 +364,14 @@ impl ShapeReader<'_, '_> {
     }
 
     fn note(&mut self, node: &FileNode) -> FileNote {
-        let fields = ShapeFields::of(self, node, "a note", "id text by at");
+        let fields = ShapeFields::of(self, node, word!("file.a_note", "a note"), "id text by at");
         let by = fields.maybe_text(self, "by");
         self.check_name(fields.at("by"), by.as_deref().unwrap_or_default());
         FileNote { id: self.own_id(node, &fields), text: fields.text(self, "text"), by, at: fields.count(self, "at") }
     }
 
     fn group(&mut self, node: &FileNode) -> FileGroup {
-        let fields = ShapeFields::of(self, node, "a group", "id title streams folded");
+        let fields = ShapeFields::of(self, node, word!("file.a_group", "a group"), "id title streams folded");
         let (id, title) = (self.own_id(node, &fields), fields.text(self, "title"));
         self.check_name(node.at, &title);
         let streams = fields.texts(self, "streams").unwrap_or_else(|| self.missing(node.at, "streams"));
@@ -380,7 +390,12 @@ impl ShapeReader<'_, '_> {
     }
 
     fn tile(&mut self, node: &FileNode) -> FileTile {
-        let fields = ShapeFields::of(self, node, "a tile", "key label device params stream value word span asks");
+        let fields = ShapeFields::of(
+            self,
+            node,
+            word!("file.a_tile", "a tile"),
+            "key label device params stream value word span asks",
+        );
         let (key, stream) = (fields.count(self, "key"), fields.maybe_text(self, "stream"));
         stream.iter().for_each(|stream| self.check_id(fields.at("stream"), stream));
         let tile = FileTile {
@@ -418,7 +433,7 @@ impl ShapeReader<'_, '_> {
     }
 
     fn place(&mut self, node: &FileNode) -> Place {
-        let fields = ShapeFields::of(self, node, "a place", "x y");
+        let fields = ShapeFields::of(self, node, word!("file.a_place", "a place"), "x y");
         let mut number = |name: &str| {
             let found = fields.get(name).and_then(|node| node.value().as_number());
             found.unwrap_or_else(|| {

@@ -1,7 +1,7 @@
 //! A file as a tree of named things, each with its place: what JSON and XML have in common.
 
 use behaviour::Value;
-use phrase::Phrased;
+use phrase::{Phrased, Word, word};
 
 /// The greatest depth to which things may lie in each other.
 pub(super) const DEPTH_MAX: usize = 32;
@@ -10,7 +10,8 @@ pub(super) const DEPTH_MAX: usize = 32;
 pub(super) const NODES_MAX: usize = 250_000;
 
 /// The sentence about a file that has more.
-pub(super) const TOO_MANY: &str = "The file has more things in it than a program may have. Split it into several.";
+pub(super) const TOO_MANY: Word =
+    word!("file.too_many", "The file has more things in it than a program may have. Split it into several.");
 
 /// The reasons why a text is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Phrased)]

@@ -329,7 +329,8 @@ impl XmlDoor<'_, '_> {
         for (name, at, text) in &element.attributes {
             let Some((_, field, how)) = known.iter().find(|(known, ..)| known == name) else {
                 let known: Vec<_> = known.iter().map(|(name, ..)| *name).collect();
-                let may = if known.is_empty() { Phrase::word("nothing") } else { Phrase::text(known.join(", ")) };
+                let may =
+                    if known.is_empty() { phrase!("file.nothing", "nothing") } else { Phrase::text(known.join(", ")) };
                 let within = &element.name;
                 let reason = phrase!(
                     "file.is_not_known_here_within",

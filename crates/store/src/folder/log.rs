@@ -1,7 +1,7 @@
 //! The files: `b-ID.jsonl`, one JSON object a line, each line whole and synced or not there.
 
 use crate::disk::{self, told};
-use crate::{StoreError, json};
+use crate::{Damage, StoreError, json};
 use behaviour::{Checkpoint, Committed, Id};
 use serde::{Deserialize, Serialize};
 use std::fmt::Display;
@@ -220,5 +220,5 @@ fn cut(path: &Path, length: u64) -> io::Result<()> {
 }
 
 fn damaged(path: &Path, line: u64, reason: &impl Display) -> StoreError {
-    StoreError::Damaged(format!("{} line {line}: {reason}", path.display()))
+    StoreError::Damaged(Damage::line(path, line, reason))
 }

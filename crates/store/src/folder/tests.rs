@@ -84,6 +84,9 @@ async fn a_damaged_line_is_an_error_with_its_file_and_number() {
     for bad in [[lines[0], "{}", lines[2]].join("\n") + "\n", [lines[0], lines[2]].join("\n") + "\n"] {
         std::fs::write(&file, bad).expect("to write");
         let error = FolderStore::open(dir.path()).await.err().expect("damage is noticed");
-        assert!(matches!(&error, StoreError::Damaged(what) if what.contains("b-b.jsonl line 2")), "{error:?}");
+        assert!(
+            matches!(&error, StoreError::Damaged(damage) if damage.to_string().contains("b-b.jsonl line 2")),
+            "{error:?}"
+        );
     }
 }

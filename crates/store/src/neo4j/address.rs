@@ -1,11 +1,10 @@
 //! The address of a Neo4j: where it is and who we are there.
 
-use crate::StoreError;
+use crate::{BadAddress, StoreError};
 use std::fmt;
 
 const PASSWORD: &str = "RRP_NEO4J_PASSWORD";
 const PASSWORD_FILE: &str = "RRP_NEO4J_PASSWORD_FILE";
-const SHAPE: &str = "write it as bolt://USER@HOST:PORT, with the password in RRP_NEO4J_PASSWORD";
 /// The name of each scheme of Neo4j when there is one server and no cluster.
 const SCHEMES: [(&str, &str); 6] = [
     ("bolt", "bolt"),
@@ -38,7 +37,7 @@ impl fmt::Debug for Neo4jAddress {
 impl Neo4jAddress {
     /// Reads an address; a missing password is looked for in the variables of `environment`.
     pub(super) fn read(url: &str, environment: &dyn Fn(&str) -> Option<String>) -> Result<Self, StoreError> {
-        let wrong = || StoreError::Address(SHAPE.to_owned());
+        let wrong = || StoreError::Address(BadAddress::Neo4j);
         let (scheme, rest) = url.split_once("://").ok_or_else(wrong)?;
         let (_, scheme) = SCHEMES.iter().find(|(known, _)| *known == scheme).ok_or_else(wrong)?;
         let (who, place) = rest.rsplit_once('@').unwrap_or(("", rest));
@@ -70,14 +69,11 @@ fn secret(environment: &dyn Fn(&str) -> Option<String>) -> Result<String, StoreE
     if let Some(password) = environment(PASSWORD) {
         return Ok(password);
     }
-    let missing = || {
-        StoreError::Address(format!(
-            "it has no password; put it into {PASSWORD}, or its file's name into {PASSWORD_FILE}"
-        ))
-    };
+    let missing = || StoreError::Address(BadAddress::NoPassword { variable: PASSWORD, of_file: PASSWORD_FILE });
     let file = environment(PASSWORD_FILE).ok_or_else(missing)?;
-    let unread = |error| {
-        StoreError::Address(format!("the password file {file} that {PASSWORD_FILE} names cannot be read: {error}"))
+    let unread = |error: std::io::Error| {
+        let (file, why) = (file.clone(), error.to_string());
+        StoreError::Address(BadAddress::PasswordUnread { file, of_file: PASSWORD_FILE, why })
     };
     let text = std::fs::read_to_string(&file).map_err(unread)?;
     Ok(text.trim_end_matches(['\r', '\n']).to_owned())

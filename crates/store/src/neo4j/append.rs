@@ -3,7 +3,7 @@
 use super::delta::Delta;
 use super::link::{Broken, Neo4jConnections, StatementParams};
 use super::nodes::relationships;
-use crate::{Append, LIBRARY, StoreError};
+use crate::{Append, Damage, LIBRARY, StoreError};
 use behaviour::{Behaviour, Change, Committed, Id};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -245,9 +245,9 @@ fn outcome_of(outcome: &AppendOutcome, committed: &Committed, open_before: bool)
 }
 
 fn again(outcome: &AppendOutcome, committed: &Committed, revision: u64) -> Result<Append, StoreError> {
-    let damaged = |why: String| StoreError::Damaged(format!("the Neo4j database: change {revision}: {why}"));
-    let text = outcome.saved.as_deref().ok_or_else(|| damaged("it has lost what it does".to_owned()))?;
-    let saved: Change = crate::json::decode(text).map_err(|error| damaged(error.to_string()))?;
+    let text = outcome.saved.as_deref().ok_or(StoreError::Damaged(Damage::LostChange(revision)))?;
+    let damaged = |error: serde_json::Error| Damage::Neo4jChange { revision, why: error.to_string().into() };
+    let saved: Change = crate::json::decode(text).map_err(|error| StoreError::Damaged(damaged(error)))?;
     Ok(Append::again(&committed.change, &saved, revision))
 }
 

@@ -2,7 +2,7 @@
 
 use super::link::{Broken, Neo4jConnections, StatementParams};
 use super::nodes::whole;
-use crate::StoreError;
+use crate::{Damage, StoreError};
 use behaviour::Id;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -95,7 +95,7 @@ pub(super) async fn purge(link: &Neo4jConnections, removed_before_ms: u64) -> Re
 /// The next number of a server start.
 pub(super) async fn next_epoch(link: &Neo4jConnections) -> Result<u64, StoreError> {
     match count(link, EPOCH, &[]).await? {
-        0 => Err(StoreError::Damaged("the Neo4j database: it has lost the number of its starts".to_owned())),
+        0 => Err(StoreError::Damaged(Damage::LostStarts)),
         epoch => Ok(epoch),
     }
 }

@@ -1,6 +1,6 @@
 //! The complaints of Neo4j and its driver, in the words of the store.
 
-use crate::{StoreError, Unkept};
+use crate::{Damage, StoreError, Unkept};
 use neo4rs::{Error, Neo4jClientErrorKind, Neo4jError, Neo4jErrorKind};
 use phrase::{Phrase, phrase};
 use std::fmt::Display;
@@ -29,7 +29,7 @@ pub(super) enum Neo4jFault {
 impl Neo4jFault {
     /// Returns the fault of a database whose content cannot be what we wrote.
     pub(super) fn damaged(reason: &impl Display) -> Self {
-        Self::Said(StoreError::Damaged(format!("the Neo4j database: {reason}")))
+        Self::Said(StoreError::Damaged(Damage::Neo4j(reason.to_string().into())))
     }
 }
 

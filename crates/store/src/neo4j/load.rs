@@ -5,7 +5,7 @@ use super::link::{Broken, Neo4jConnections, StatementParams};
 use super::nodes::{
     ConnectorNode, GroupNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, pad, whole, with_relationships,
 };
-use crate::{Loaded, StoreError, json};
+use crate::{Damage, Loaded, StoreError, json};
 use behaviour::{Behaviour, Committed, Id};
 use serde::Deserialize;
 use serde_json::json;
@@ -114,7 +114,7 @@ pub(super) async fn history(
 
 fn committed(made: MadeRecords) -> Result<Committed, StoreError> {
     let damaged = |reason: serde_json::Error| {
-        StoreError::Damaged(format!("the Neo4j database: change {}: {reason}", made.revision))
+        StoreError::Damaged(Damage::Neo4jChange { revision: made.revision, why: reason.to_string().into() })
     };
     Ok(Committed { revision: made.revision, change: json::decode(&made.change).map_err(damaged)? })
 }

@@ -1,8 +1,8 @@
 //! Records as the properties of nodes and relationships, and back.
 
 use super::fault::Neo4jFault;
-use crate::json;
 use crate::usage::words;
+use crate::{Damage, StoreError, json};
 use behaviour::{
     Connector, Declared, Engine, Group, Helper, Id, Kind, Note, Pad, Parameters, Place, Procedure, Record, RecordId,
     Settings, Stream, StreamKind, connectors, connectors::Spec,
@@ -206,7 +206,7 @@ pub(super) struct ConnectorNode {
 impl ConnectorNode {
     /// The connector.
     pub(super) fn record(self) -> Result<(RecordId, Record), Neo4jFault> {
-        let wrong = || Neo4jFault::damaged(&format!("connector {} has a part too few", self.id));
+        let wrong = || Neo4jFault::Said(StoreError::Damaged(Damage::PartMissing(self.id.clone())));
         let kept_as = |spec: &&&Spec| spec.graph.label == self.kind || spec.graph.relationship == Some(&self.kind);
         let spec = *connectors::ALL.iter().find(kept_as).ok_or_else(wrong)?;
         let procedure = match (&self.helper, &self.body) {

@@ -1,6 +1,6 @@
 //! The complaints of SQLite, in the words of the store.
 
-use crate::StoreError;
+use crate::{Damage, StoreError};
 use phrase::phrase;
 use rusqlite::ErrorCode;
 use std::fmt::Display;
@@ -66,5 +66,5 @@ fn told(error: &rusqlite::Error, file: &Path) -> StoreError {
 }
 
 fn damaged(file: &Path, reason: &str) -> StoreError {
-    StoreError::Damaged(format!("{}: {reason}", file.display()))
+    StoreError::Damaged(Damage::file(file, &reason))
 }

@@ -141,7 +141,10 @@ async fn a_damaged_file_is_an_error_with_its_path() {
         bytes[cut..fill].fill(0xA5);
         std::fs::write(&file, bytes).expect("to damage it");
         let error = open(dir.path()).await.err().expect("damage is noticed before anything is written to it");
-        assert!(matches!(&error, StoreError::Damaged(reason) if reason.contains("rrp.sqlite")), "{error:?}");
+        assert!(
+            matches!(&error, StoreError::Damaged(damage) if damage.to_string().contains("rrp.sqlite")),
+            "{error:?}"
+        );
     }
 }
 

@@ -5,12 +5,12 @@ use super::{Document, build};
 use behaviour::labels;
 use behaviour::{Change, Pad, Record, RecordId, Tile};
 use leptos::prelude::*;
-use phrase::Phrase;
+use phrase::{Phrase, phrase};
 use protocol::Refused;
 
 /// The label of every change of tiles.
 fn label() -> Phrase {
-    labels::edit(Phrase::word("tiles"))
+    labels::edit(phrase!("thing.tiles", "tiles"))
 }
 
 impl Document {

@@ -1,7 +1,8 @@
 //! The tiles of a program in the words of the page: its own or the usual ones, with the picture and the look of each. Pure.
 
 use crate::words;
-use behaviour::{Behaviour, FillFrom, Pad, StreamKind, TILE_MAX_CHARS, Tile, TileAction};
+use behaviour::{Behaviour, Pad, StreamKind, TILE_MAX_CHARS, TileAction};
+use phrase::{Phrase, Phrased};
 use robot::{Resource, Resources};
 
 /// The tiles of a program: its own, or the usual ones.
@@ -11,12 +12,10 @@ pub(crate) fn of(behaviour: &Behaviour) -> Pad {
 
 /// The usual tiles of what is in a program, in words.
 pub(crate) fn usual(behaviour: &Behaviour) -> Pad {
-    let in_words = |(key, tile): (u8, Tile)| {
-        let (_, button) = pictured(behaviour, &tile.does);
-        let label = shortened(&usual_words(&tile.does, &tile.label, button));
-        (key, Tile { label, ..tile })
-    };
-    Pad { tiles: robot::usual_pad(behaviour).tiles.into_iter().map(in_words).filled() }
+    robot::usual_pad(behaviour, &|does, label| {
+        let (_, button) = pictured(behaviour, does);
+        shortened(&usual_words(does, label, button))
+    })
 }
 
 /// The picture of what a tile is about, and whether that is a button.
@@ -48,25 +47,25 @@ pub(crate) fn proposed_words(behaviour: &Behaviour, does: &TileAction) -> String
         TileAction::Hand { device, params, .. } => {
             let action = robot::device(StreamKind::Actuator, device).ok();
             let label = action.and_then(|action| robot::label_by_hand(action, params));
-            label.or(action.map(|action| action.label.to_owned())).unwrap_or_default()
+            label.or_else(|| action.map(|action| action.called().phrase())).unwrap_or_default()
         }
         TileAction::Pretend { stream, value } => {
             let stream = behaviour.stream(stream);
             let sense = stream.and_then(|stream| robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok());
             let is_it = |pretend: &&robot::Pretend| crate::json::read(pretend.value).ok().as_ref() == Some(value);
-            let says = sense.and_then(|sense| sense.pretend.iter().find(is_it)).map(|pretend| pretend.says.to_owned());
-            says.or(stream.map(|stream| stream.name.clone())).unwrap_or_default()
+            let known = sense.and_then(|sense| Some(sense.pretend_called(sense.pretend.iter().find(is_it)?).phrase()));
+            known.or_else(|| stream.map(|stream| stream.name.phrase())).unwrap_or_default()
         }
         TileAction::Word { word, .. } => return shortened(word),
     };
-    if label.is_empty() { label } else { shortened(&usual_words(does, &label, button)) }
+    if label.is_empty() { String::new() } else { shortened(&usual_words(does, &label, button)) }
 }
 
 /// The words on a usual tile: what is said stands in quotes, what is pretended behind “as if”.
-fn usual_words(does: &TileAction, label: &str, button: bool) -> String {
-    let said = words::word_of(label);
+fn usual_words(does: &TileAction, label: &Phrase, button: bool) -> String {
+    let said = words::shown(label);
     match does {
-        TileAction::Hand { device, .. } if speaks(device) => words::saying(label),
+        TileAction::Hand { device, .. } if speaks(device) => words::saying(&label.to_string()),
         TileAction::Pretend { .. } if !button => words::as_if_there_is(&said),
         _ => words::capitalised(&said),
     }

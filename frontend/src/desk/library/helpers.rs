@@ -7,7 +7,7 @@ use crate::link::{self, NoAnswer};
 use crate::words;
 use behaviour::labels;
 use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record, Refusal, sort_few};
-use phrase::Phrase;
+use phrase::phrase;
 use protocol::{LIBRARY, Refused, Role, Summary, answer, request};
 
 /// Of so many helpers it is remembered who changed them.
@@ -72,7 +72,7 @@ impl LibraryPanel {
 
     /// The library without a helper; refused while programs use it.
     pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
-        let change = self.document.change(labels::remove(Phrase::word("helper")));
+        let change = self.document.change(labels::remove(phrase!("thing.helper", "helper")));
         let change = self.with_records(|records| helper_gone(records, change, id));
         self.document.propose_to_library(change, on_answer);
     }

@@ -53,7 +53,7 @@ pub(super) fn still_used(desk: DeskHold, id: &Id, record: Memo<Connector>) -> Op
 /// What the robot still uses in the place of what is here now, in few words: the number where only that differs.
 pub(in crate::panels) fn instead_of(ran: &Operation, now: &Operation, unit: &str) -> Option<String> {
     if ran.spec() != now.spec() {
-        return Some(words::connector_word(ran.spec().name).to_owned());
+        return Some(words::connector_word(ran.spec()).to_owned());
     }
     match (ran.procedure(), now.procedure()) {
         (Some(Procedure::Body { body: before, .. }), Some(Procedure::Body { body: after, .. })) if before != after => {
@@ -80,7 +80,7 @@ pub(in crate::panels) fn instead_of(ran: &Operation, now: &Operation, unit: &str
 pub(super) fn Foot(id: Id, record: Memo<Connector>, turned: Turned, said: Memo<Option<String>>) -> impl IntoView {
     let desk = turned.desk;
     let removed = Selected::Connector(id.clone());
-    let word = record.with_untracked(|connector| words::connector_word(connector.operation.word()));
+    let word = record.with_untracked(|connector| words::connector_word(connector.operation.spec()));
     let look = if untrack(|| may_edit(desk)) { words::more_of_it() } else { words::look_at_it() };
     let open = move |_| {
         turned.save();

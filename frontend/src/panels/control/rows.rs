@@ -71,7 +71,7 @@ pub(super) fn PeriodRow(record: Memo<Connector>, turned: Turned) -> impl IntoVie
     let seconds = Signal::derive(move || period() as f64 / 1_000.0);
     view! {
         <div class="control-row">
-            <span class="cut">{move || record.read().operation.spec().takes.period.map(words::label_of)}</span>
+            <span class="cut">{move || record.read().operation.spec().period_called().as_ref().map(words::label_of)}</span>
             <Stepper number=seconds written=Signal::derive(move || seconds.get().to_string())
                 step=Signal::derive(move || if period() < 2_000 { 0.1 } else { 1.0 })
                 set=Callback::new(set) unit=Signal::stored(words::seconds_unit()) turned />

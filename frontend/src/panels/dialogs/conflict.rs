@@ -70,7 +70,7 @@ fn title(conflict: &Conflict, by: Option<String>, removed: bool) -> String {
 fn what(conflict: &Conflict) -> &'static str {
     match conflict.mine_of(&conflict.about) {
         Some((_, Some(Record::Connector(connector))) | (Some(Record::Connector(connector)), None)) => {
-            words::connector_word(connector.operation.spec().name)
+            words::connector_word(connector.operation.spec())
         }
         _ => match conflict.about.kind {
             Kind::Note => words::note_word(),

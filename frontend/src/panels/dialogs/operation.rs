@@ -85,11 +85,11 @@ fn OperationForm(form: OperationForm) -> impl IntoView {
                 <how::HowItWorks form />
                 <Show when=move || form.kind.get().inputs.are_many()><inputs::Inputs form /></Show>
                 <Show when=move || form.is_edit() && !form.kind.get().inputs.are_many()><inputs::TakesFrom form /></Show>
-                {move || form.kind.get().takes.start.map(words::label_of).map(|label| view! {
+                {move || form.kind.get().start_called().as_ref().map(words::label_of).map(|label| view! {
                     <TextField label value=form.start mono=true />
                 })}
                 <Show when=move || form.kind.get().takes.procedure.is_some()><procedure::ProcedureFields form /></Show>
-                {move || form.kind.get().takes.period.map(words::label_of).map(|label| view! {
+                {move || form.kind.get().period_called().as_ref().map(words::label_of).map(|label| view! {
                     <NumberField label value=form.period unit=words::seconds()
                         min=*RATE_MS.start() as f64 / 1_000.0 max=*RATE_MS.end() as f64 / 1_000.0 step=0.1 />
                 })}
@@ -156,7 +156,7 @@ fn Picker(form: OperationForm) -> impl IntoView {
                     prop:checked=move || form.kind.get() == kind
                     on:change=move |_| form.choose(kind)
                 />
-                <span><Icon name=kind.icon.name />{words::connector_word(kind.name)}</span>
+                <span><Icon name=kind.icon.name />{words::connector_word(kind)}</span>
             </label>
         }
     };

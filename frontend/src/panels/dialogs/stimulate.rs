@@ -120,7 +120,7 @@ fn AsIf(all: Vec<(&'static str, Value)>, told: SentValue, send: Callback<()>) ->
         };
         view! {
             <button class="button small" type="button" data-first=(at == 0).then_some("") on:click=press>
-                {words::label_of(says)}
+                {says}
             </button>
         }
     };
@@ -135,7 +135,7 @@ fn AsIf(all: Vec<(&'static str, Value)>, told: SentValue, send: Callback<()>) ->
 /// One part of the value.
 #[component]
 fn PartField(part: ValuePart, told: SentValue) -> impl IntoView {
-    let label = words::as_label(words::label_of(part.says));
+    let label = words::as_label(part.says);
     let field = part.field;
     let now = Memo::new(move |_| told.value.with(|value| of_part(value, field).cloned()).unwrap_or(Value::Null));
     match part.kind {

@@ -1,6 +1,6 @@
 //! Names in a row, and what others say.
 
-use crate::words::language::{said_by, shown, word};
+use crate::words::language::{label_of, said_by, shown};
 use behaviour::Lasting;
 use phrase::Phrased;
 use std::fmt::Display;
@@ -33,8 +33,8 @@ pub(crate) fn titled(title: &str, text: &str) -> String {
 }
 
 /// What a connector is called.
-pub(crate) fn connector_word(name: &'static str) -> &'static str {
-    word(name)
+pub(crate) fn connector_word(spec: &behaviour::connectors::Spec) -> &'static str {
+    label_of(&spec.called_by_people())
 }
 
 /// What a refusal, a problem or the server says.
@@ -44,33 +44,28 @@ pub(crate) fn told_by(what: &impl Phrased) -> String {
 
 /// What a sense or an action does.
 pub(crate) fn device_says(device: &robot::Device) -> &'static str {
-    said_by(&format!("device.{}.says", device.name), device.says)
+    label_of(&device.described())
 }
 
 /// What a connector does.
 pub(crate) fn connector_says(spec: &behaviour::connectors::Spec) -> &'static str {
-    said_by(&format!("connector.{}.says", spec.name), spec.says)
+    said_by(&format!("connector.{}.says", spec.word), spec.says)
 }
 
 /// Says what a connector does, at length.
 pub(crate) fn connector_does(spec: &behaviour::connectors::Spec) -> &'static str {
-    said_by(&format!("connector.{}.does", spec.name), spec.help.does)
+    said_by(&format!("connector.{}.does", spec.word), spec.help.does)
 }
 
 /// Says when a connector is used.
 pub(crate) fn connector_when(spec: &behaviour::connectors::Spec) -> &'static str {
-    said_by(&format!("connector.{}.when", spec.name), spec.help.when)
+    said_by(&format!("connector.{}.when", spec.word), spec.help.when)
 }
 
 /// The title of an example of a connector.
 pub(crate) fn connector_example(spec: &behaviour::connectors::Spec, title: &'static str) -> &'static str {
     let nth = spec.help.examples.iter().position(|example| example.title == title).unwrap_or_default();
-    said_by(&format!("connector.{}.example{nth}", spec.name), title)
-}
-
-/// A label of a field or a choice of the catalogue.
-pub(crate) fn label_of(label: &'static str) -> &'static str {
-    word(label)
+    said_by(&format!("connector.{}.example{nth}", spec.word), title)
 }
 
 /// How long something lasts, in the unit in which people say it.

@@ -2,7 +2,8 @@
 
 use super::fill;
 use crate::naming::in_words;
-use crate::words::language::{said_by, word};
+use crate::words::language::said_by;
+use phrase::Label;
 
 /// In which language a name is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,9 +15,9 @@ pub(crate) enum NameLanguage {
 }
 
 impl NameLanguage {
-    /// This text, in that language.
-    pub(crate) fn said(self, text: &'static str) -> &'static str {
-        if self == Self::Page { word(text) } else { text }
+    /// The words on something of a list, in that language.
+    pub(crate) fn said(self, label: &Label) -> &'static str {
+        self.keyed(&label.key, label.english)
     }
 
     /// The sentence of this key, in that language.
@@ -27,7 +28,8 @@ impl NameLanguage {
     /// What a helper makes: of `ball_to_distance` it is "Distance in m", of one's own `near_enough` "Near enough". Empty if
     /// its name has nothing to say.
     pub(crate) fn helper(self, name: &str) -> String {
-        robot::helper_stream(name).map_or_else(|| in_words(name), |stream| self.said(stream).to_owned())
+        let stream = robot::helper_stream(name);
+        stream.map_or_else(|| in_words(name), |stream| self.keyed(&format!("helper.{name}.stream"), stream).to_owned())
     }
 
     /// A duration: "500 ms", "2 s".

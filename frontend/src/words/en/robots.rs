@@ -1,7 +1,7 @@
 //! Real robots: adding one, how its body is, and who has it.
 
 use super::{listed, saying};
-use crate::words::language::{shown_within, word, word_of};
+use crate::words::language::{said_of, shown, shown_within};
 use phrase::Phrase;
 use protocol::CheckStage;
 use robot::{Condition, Control, Identity, JOINTS, Life, Network, Touchable};
@@ -71,7 +71,7 @@ pub(crate) fn touch_part(part: Touchable) -> String {
     if part == Touchable::HeadMiddle {
         say!(touch_part_touch_head: "Touch head")
     } else {
-        say!(touch_part_touch_the: "Touch the {words}", words = word(part.words()))
+        say!(touch_part_touch_the: "Touch the {words}", words = shown(&part))
     }
 }
 
@@ -84,7 +84,7 @@ pub(crate) fn goes_out(name: &str) -> String {
 }
 
 pub(crate) fn box_named(color: &str) -> String {
-    say!(box_named: "{color} box", color = word_of(color))
+    say!(box_named: "{color} box", color = said_of(&format!("color.{color}"), color))
 }
 
 pub(crate) fn mark_named(number: u16) -> String {
@@ -120,7 +120,7 @@ pub(crate) fn found_robot(name: &str, model: &str, certificate: Option<&str>) ->
 /// Which body: "“Momo”, NAO #0344".
 pub(crate) fn who(identity: &Identity) -> String {
     let name = if identity.name.is_empty() { said!(who: "without a name").to_owned() } else { saying(&identity.name) };
-    let (kind, tail) = (word_of(&identity.body), identity.tail());
+    let (kind, tail) = (said_of(&format!("body.{}", identity.body), &identity.body), identity.tail());
     let number = (!tail.is_empty()).then(|| format!("#{tail}"));
     let kind = [Some(kind).filter(|kind| !kind.is_empty()), number].into_iter().flatten();
     listed([name, kind.collect::<Vec<_>>().join(" ")].into_iter().filter(|part| !part.is_empty()))
@@ -302,7 +302,7 @@ fn moves(joint: &str) -> String {
         }
         words.extend(letter.to_lowercase());
     }
-    word_of(&words)
+    said_of(&format!("joint.{joint}"), &words)
 }
 
 #[cfg(test)]

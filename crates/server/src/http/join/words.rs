@@ -1,214 +1,205 @@
-//! What the pages of invitations say, in English and in Japanese: they come before the page, which knows its language.
+//! What the pages of invitations say, in the language of the browser: they come before the page, which knows its language.
 
 use crate::invitations::NotIn;
 use axum::http::{HeaderMap, header};
+use phrase::{Catalogue, Phrase, Phrased, phrase};
 use protocol::Role;
 
 /// In which language a browser is answered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::http) enum BrowserLanguage {
-    English,
-    Japanese,
-}
+#[derive(Clone, Copy, Debug)]
+pub(in crate::http) struct BrowserLanguage(&'static Catalogue);
 
 impl BrowserLanguage {
-    /// What the browser asks for first.
+    /// What the browser asks for first; English if that is none of ours.
     pub(in crate::http) fn of(headers: &HeaderMap) -> Self {
-        let asked = headers.get(header::ACCEPT_LANGUAGE).and_then(|asked| asked.to_str().ok()).unwrap_or_default();
-        let first = asked.split([',', ';']).next().unwrap_or_default().trim().to_ascii_lowercase();
-        if first == "ja" || first.starts_with("ja-") { Self::Japanese } else { Self::English }
+        Self(asked(headers, catalogues::all()).unwrap_or_else(catalogues::english))
+    }
+
+    /// The language of this catalogue.
+    #[cfg(test)]
+    pub(in crate::http) fn with(catalogue: &'static Catalogue) -> Self {
+        Self(catalogue)
+    }
+
+    /// The catalogue of this language.
+    pub(in crate::http) fn catalogue(self) -> &'static Catalogue {
+        self.0
     }
 
     /// The tag of this language, as HTML has it.
     pub(in crate::http) fn code(self) -> &'static str {
-        self.said("en", "ja")
+        self.0.language().code
     }
 
-    /// One of two texts.
-    pub(in crate::http) fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
-        match self {
-            Self::English => english,
-            Self::Japanese => japanese,
-        }
+    /// Says something in this language.
+    pub(in crate::http) fn say(self, what: &impl Phrased) -> String {
+        self.0.say(what)
     }
 
-    pub(super) fn invited(self) -> [&'static str; 2] {
-        [
-            self.said("You are invited", "招待されています"),
-            self.said("Somebody who has a robot invites you.", "ロボットを使っている人から招待されています。"),
-        ]
+    pub(super) fn invited(self) -> [String; 2] {
+        self.both(
+            &phrase!("join.invited", "You are invited"),
+            &phrase!("join.by_somebody", "Somebody who has a robot invites you."),
+        )
     }
 
     /// Who invites, and what for.
     pub(super) fn invites(self, by: &str, role: Role) -> String {
+        let may = may(role);
         // A terminal makes invitations in the name of its program.
         let is_named = !by.is_empty() && !by.starts_with("rrp ");
-        let by = if is_named {
-            by
+        self.say(&if is_named {
+            phrase!("join.invites", "{by} invites you {may}")
         } else {
-            self.said("The person at the robot’s computer", "ロボットのコンピューターを使っている人")
-        };
-        match self {
-            Self::English => {
-                let may = match role {
-                    Role::Viewer => {
-                        "to watch what a robot does. You see the programs and can press Stop; you change nothing."
-                    }
-                    Role::Operator => "to run a robot. You start and stop programs; you do not edit them.",
-                    Role::Editor | Role::Host => {
-                        "to build robot programs together. You edit them, and start and stop the robot."
-                    }
-                };
-                format!("{by} invites you {may}")
-            }
-            Self::Japanese => {
-                let may = match role {
-                    Role::Viewer => {
-                        "ロボットの動きを見ることができます。プログラムの表示と停止はできますが、変更はできません。"
-                    }
-                    Role::Operator => "ロボットを動かせます。プログラムの開始と停止はできますが、編集はできません。",
-                    Role::Editor | Role::Host => {
-                        "ロボットのプログラムをいっしょに作れます。編集と、ロボットの開始と停止ができます。"
-                    }
-                };
-                let by = if matches!(by, "ロボットのコンピューターを使っている人") {
-                    by.to_owned()
-                } else {
-                    format!("{by} さん")
-                };
-                format!("{by}からの招待です。{may}")
-            }
-        }
+            phrase!("join.host_invites", "The person at the robot’s computer invites you {may}")
+        })
     }
 
-    pub(super) fn by_invitation(self) -> [&'static str; 2] {
-        [
-            self.said("By invitation only", "招待された人だけが入れます"),
-            self.said(
-                "Ask the person at the robot’s computer for an invitation: a link to open here, or its QR code to scan.",
-                "ロボットのコンピューターを使っている人に、招待を頼んでください。リンクをここで開くか、QR コードを読み取ります。",
+    pub(super) fn by_invitation(self) -> [String; 2] {
+        self.both(
+            &phrase!("join.by_invitation", "By invitation only"),
+            &phrase!(
+                "join.ask",
+                "Ask the person at the robot’s computer for an invitation: a link to open here, or its QR code to scan."
             ),
-        ]
+        )
     }
 
     /// For who follows the link of the host.
-    pub(super) fn opening(self) -> [&'static str; 2] {
-        [
-            self.said("Opening rrp", "rrp を開いています"),
-            self.said(
-                "This browser becomes the host’s: it stays in, also after a restart.",
-                "このブラウザーがホストになります。再起動の後もそのまま使えます。",
-            ),
-        ]
+    pub(super) fn opening(self) -> [String; 2] {
+        self.both(
+            &phrase!("join.opening", "Opening rrp"),
+            &phrase!("join.becomes_host", "This browser becomes the host’s: it stays in, also after a restart."),
+        )
     }
 
     /// For who is at the host's computer and not known.
-    pub(super) fn by_link(self) -> [&'static str; 2] {
-        [
-            self.said("This browser is not known here yet", "このブラウザーはまだ登録されていません"),
-            self.said(
-                "In a terminal of this computer, run “rrp open” and open the link that it prints. Stop works without it.",
-                "このコンピューターの端末で「rrp open」を実行し、表示されたリンクを開いてください。停止は今すぐ使えます。",
+    pub(super) fn by_link(self) -> [String; 2] {
+        self.both(
+            &phrase!("join.not_known", "This browser is not known here yet"),
+            &phrase!(
+                "join.open_link",
+                "In a terminal of this computer, run “rrp open” and open the link that it prints. Stop works without it."
             ),
-        ]
+        )
     }
 
     /// For who comes through a tunnel with this port and is not known.
     pub(super) fn by_link_through(self, port: u16) -> String {
-        match self {
-            Self::English => format!(
-                "In a terminal of the computer that runs rrp, run “rrp open”. Open the link that it prints here, with {port} \
-                 in the place of its port. Stop works without it."
-            ),
-            Self::Japanese => format!(
-                "rrp を動かしているコンピューターの端末で「rrp open」を実行し、表示されたリンクのポート番号を {port} に変えて、ここで開いてください。停止は今すぐ使えます。"
-            ),
-        }
+        self.say(&phrase!(
+            "join.open_link_through",
+            "In a terminal of the computer that runs rrp, run “rrp open”. Open the link that it prints here, with {port} in the \
+             place of its port. Stop works without it."
+        ))
     }
 
     /// For who opens the link of the host a second time.
-    pub(super) fn old_link(self) -> [&'static str; 2] {
-        [
-            self.said("This link was used already", "このリンクは使用済みです"),
-            self.said(
-                "Each link works once, until rrp ends. Run “rrp open” in a terminal of this computer and open the link \
-                 that it prints. Stop works without it.",
-                "リンクは rrp が終わるまでに一度だけ使えます。このコンピューターの端末で「rrp open」を実行し、表示されたリンクを開いてください。停止は今すぐ使えます。",
+    pub(super) fn old_link(self) -> [String; 2] {
+        self.both(
+            &phrase!("join.used", "This link was used already"),
+            &phrase!(
+                "join.used_once",
+                "Each link works once, until rrp ends. Run “rrp open” in a terminal of this computer and open the link that it \
+                 prints. Stop works without it."
             ),
-        ]
+        )
     }
 
     /// What is on the button that stops all robots.
-    pub(super) fn stop_all(self) -> &'static str {
-        self.said("Stop all robots", "すべてのロボットを停止")
+    pub(super) fn stop_all(self) -> String {
+        self.say(&phrase!("join.stop_all", "Stop all robots"))
     }
 
-    pub(super) fn not_in(self) -> &'static str {
-        self.said("You are not in yet", "まだ入っていません")
+    /// That somebody did not come in, and why.
+    pub(super) fn not_in(self, why: &NotIn) -> [String; 2] {
+        self.both(&phrase!("join.not_in", "You are not in yet"), &why.phrase())
     }
 
-    /// Why somebody did not come in.
-    pub(super) fn why(self, why: &NotIn) -> String {
-        match (self, why) {
-            (Self::English, why) => why.to_string(),
-            (Self::Japanese, NotIn::Unknown) => {
-                "このリンクは使えないか、使えなくなりました。もう一度招待を頼んでください。".to_owned()
-            }
-            (Self::Japanese, NotIn::TooMany(seconds)) => format!(
-                "このリンクは使えません。使えないリンクが、あなたのネットワークから何度も試されました。もう一度招待を頼むか、{seconds} 秒待ってから別のリンクを開いてください。"
-            ),
-            (Self::Japanese, NotIn::NotKept(reason)) => format!(
-                "今は入れませんでした（{reason}）。しばらくしてからもう一度リンクを開くか、ロボットのコンピューターを使っている人に伝えてください。"
-            ),
+    pub(super) fn join(self) -> String {
+        self.say(&phrase!("join.come_in", "Come in"))
+    }
+
+    pub(super) fn broken(self) -> String {
+        self.say(&phrase!("join.broken", "This link is not whole. Copy all of it, or scan the QR code again."))
+    }
+
+    pub(super) fn needs_script(self) -> String {
+        self.say(&phrase!(
+            "join.needs_script",
+            "This page needs JavaScript. Allow it for this address, then open the link again."
+        ))
+    }
+
+    /// A title and a text.
+    pub(in crate::http) fn both(self, title: &Phrase, text: &Phrase) -> [String; 2] {
+        [self.say(title), self.say(text)]
+    }
+}
+
+/// The first of these languages that a browser asks for, if that is one of them.
+fn asked(headers: &HeaderMap, all: &'static [Catalogue]) -> Option<&'static Catalogue> {
+    let asked = headers.get(header::ACCEPT_LANGUAGE).and_then(|asked| asked.to_str().ok()).unwrap_or_default();
+    let first = asked.split([',', ';']).next().unwrap_or_default().trim().to_ascii_lowercase();
+    let code = first.split('-').next().unwrap_or_default();
+    all.iter().find(|catalogue| catalogue.language().code == code)
+}
+
+/// What an invitation is for, after who invites.
+fn may(role: Role) -> Phrase {
+    match role {
+        Role::Viewer => phrase!(
+            "join.to_watch",
+            "to watch what a robot does. You see the programs and can press Stop; you change nothing."
+        ),
+        Role::Operator => {
+            phrase!("join.to_run", "to run a robot. You start and stop programs; you do not edit them.")
         }
-    }
-
-    pub(super) fn join(self) -> &'static str {
-        self.said("Come in", "入る")
-    }
-
-    pub(super) fn broken(self) -> &'static str {
-        self.said(
-            "This link is not whole. Copy all of it, or scan the QR code again.",
-            "リンクが途中で切れています。全部をコピーするか、QR コードをもう一度読み取ってください。",
-        )
-    }
-
-    pub(super) fn needs_script(self) -> &'static str {
-        self.said(
-            "This page needs JavaScript. Allow it for this address, then open the link again.",
-            "このページには JavaScript が必要です。このアドレスで許可してから、リンクをもう一度開いてください。",
-        )
+        Role::Editor | Role::Host => {
+            phrase!("join.to_build", "to build robot programs together. You edit them, and start and stop the robot.")
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::BrowserLanguage;
+    use super::{BrowserLanguage, asked};
+    use crate::http::german::german;
     use crate::invitations::NotIn;
     use axum::http::{HeaderMap, HeaderValue, header};
+    use protocol::Role;
 
-    fn asked(text: &'static str) -> BrowserLanguage {
-        BrowserLanguage::of(&HeaderMap::from_iter([(header::ACCEPT_LANGUAGE, HeaderValue::from_static(text))]))
+    fn headers(text: &'static str) -> HeaderMap {
+        HeaderMap::from_iter([(header::ACCEPT_LANGUAGE, HeaderValue::from_static(text))])
     }
 
     #[test]
     fn the_browser_says_in_which_language() {
         for text in ["ja", "ja-JP,ja;q=0.9,en;q=0.8", "JA-jp"] {
-            assert_eq!(asked(text), BrowserLanguage::Japanese, "{text}");
+            assert_eq!(BrowserLanguage::of(&headers(text)).code(), "ja", "{text}");
         }
-        for text in ["", "en-GB,ja;q=0.5", "jam", "*"] {
-            assert_eq!(asked(text), BrowserLanguage::English, "{text}");
+        for text in ["", "en-GB,ja;q=0.5", "jam", "*", "de-DE,ja;q=0.9"] {
+            assert_eq!(BrowserLanguage::of(&headers(text)).code(), "en", "{text}");
         }
-        assert_eq!(BrowserLanguage::of(&HeaderMap::new()), BrowserLanguage::English);
+        assert_eq!(BrowserLanguage::of(&HeaderMap::new()).code(), "en");
     }
 
     #[test]
     fn every_reason_is_said_in_japanese() {
+        let [english, japanese] = ["en", "ja"].map(|code| BrowserLanguage::of(&headers(code)));
         for why in [NotIn::Unknown, NotIn::TooMany(9), NotIn::NotKept("…".into())] {
-            assert!(
-                BrowserLanguage::Japanese.why(&why).contains('。') && BrowserLanguage::English.why(&why).contains('.')
-            );
+            assert!(japanese.not_in(&why)[1].contains('。') && english.not_in(&why)[1].contains('.'));
         }
+        let invites = japanese.invites("Aiko", Role::Viewer);
+        assert!(invites.starts_with("Aiko さんからの招待です。ロボットの動き"), "{invites}");
+        assert!(!japanese.invites("rrp open", Role::Viewer).contains("rrp"));
+    }
+
+    #[test]
+    fn a_third_language_is_a_catalogue_and_a_line() {
+        let language = BrowserLanguage(asked(&headers("de-AT,de;q=0.9,en;q=0.8"), german()).unwrap());
+        assert_eq!(language.code(), "de");
+        assert_eq!(language.join(), "Hereinkommen");
+        let invites = language.invites("Aiko", Role::Operator);
+        assert_eq!(invites, "Aiko lädt Sie ein: to run a robot. You start and stop programs; you do not edit them.");
     }
 }

@@ -67,11 +67,11 @@ fn page(became: &Result<(), NotAllowed>, uri: &Uri, language: BrowserLanguage) -
     };
     let holes = [
         ("{language}", language.code()),
-        ("{title}", title),
-        ("{text}", text),
+        ("{title}", title.as_str()),
+        ("{text}", &text),
         ("{address}", &escaped(&address(uri))),
-        ("{stop}", language.stop()),
-        ("{back}", language.back()),
+        ("{stop}", &language.stop()),
+        ("{back}", &language.back()),
     ];
     holes.iter().fold(PAGE.to_owned(), |page, (hole, said)| page.replace(hole, said))
 }
@@ -88,7 +88,9 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{StopAnswer, wants_page};
+    use super::{StopAnswer, page, wants_page};
+    use crate::http::german::german;
+    use crate::http::join::BrowserLanguage;
     use crate::http::origin::NotAllowed;
     use axum::http::{HeaderMap, HeaderValue, Uri, header};
 
@@ -115,6 +117,14 @@ mod tests {
         let page = StopAnswer::of(&Ok(()), &uri, &asked("text/html", "en")).body;
         assert!(page.contains("action=\"/stop?robot=r1&amp;x=%7Btitle}'\""), "{page}");
         assert!(!page.contains('{'), "every hole is filled");
+    }
+
+    #[test]
+    fn a_third_language_is_a_catalogue_and_a_line() {
+        let german = BrowserLanguage::with(&german()[0]);
+        let page = page(&Ok(()), &Uri::from_static("/stop"), german);
+        assert!(page.contains("lang=\"de\"") && page.contains("<h1 role=\"status\">Angehalten</h1>"), "{page}");
+        assert!(page.contains("The robot holds still."), "English stands in: {page}");
     }
 
     #[test]

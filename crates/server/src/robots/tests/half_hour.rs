@@ -103,7 +103,7 @@ fn half_an_hour_is_reported_as_it_was_and_gives_its_actions_again() {
     let is = recording::check(text).unwrap_or_else(|why| panic!("{why}"));
     assert!(matches!(is.ends, Ending::Whole(_)), "{:?}", is.ends);
     let listed = recordings.list();
-    let keep = (PrivateParts { names: true, personal: false }, sentences::Language::English);
+    let keep = (PrivateParts { names: true, personal: false }, catalogues::english());
     let looked = recordings.look(&listed[0].file, keep, &Knowing::default(), &CancellationToken::new());
     let ReportSource { gathered, replayed, sessions } = looked.unwrap();
     let (zone, download) = (Zone::east_by(Some(0)), "/x".to_owned());

@@ -7,7 +7,7 @@ use behaviour::{Behaviour, Committed, Id, Room};
 use protocol::Refused;
 use std::collections::VecDeque;
 use std::sync::Arc;
-use store::StoreError;
+use store::{Damage, StoreError};
 
 /// Changes that are fetched from the store at once.
 pub(super) const PAGE_MAX_CHANGES: u64 = 32;
@@ -20,7 +20,7 @@ pub(super) async fn page(around: &Surroundings, id: &Id, from: u64, to: u64) -> 
     if page.iter().map(|made| made.revision).eq(from + 1..=to) {
         return Ok(page);
     }
-    Err(store_no(&StoreError::Damaged(format!("the history of {id} has a gap after revision {from}"))))
+    Err(store_no(&StoreError::Damaged(Damage::Gap { id: id.clone(), from })))
 }
 
 /// The change of one revision.

@@ -10,7 +10,7 @@ use crate::support::workers::WorkNotDone;
 use behaviour::{
     Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, LockToken, Record, Refusal, Room,
 };
-use phrase::Phrase;
+use phrase::phrase;
 use protocol::{Refused, answer};
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -200,7 +200,7 @@ async fn after(
 }
 
 fn stale() -> Refused {
-    Refused::Change(Refusal::Stale(Phrase::word("this program")))
+    Refused::Change(Refusal::Stale(phrase!("this.program", "this program")))
 }
 
 /// Decides about small changes one after another, each as if those before it were saved, then keeps them together. The

@@ -3,7 +3,7 @@
 use super::ShapeReader;
 use crate::files::tree::{FileNode, NodeKind};
 use behaviour::{Params, Value, without_control};
-use phrase::{Phrase, phrase};
+use phrase::{Phrased, Word, phrase};
 
 /// The fields that people write lines into. In all others a line end would break a name or a procedure.
 const LINES: [&str; 2] = ["text", "says"];
@@ -18,8 +18,8 @@ pub(super) struct ShapeFields<'n> {
 
 impl<'n> ShapeFields<'n> {
     /// The fields of `node`, which must be an object with no other than the `known` ones.
-    pub(super) fn of(to: &mut ShapeReader, node: &'n FileNode, what: &'static str, known: &str) -> Self {
-        let what = Phrase::word(what);
+    pub(super) fn of(to: &mut ShapeReader, node: &'n FileNode, what: Word, known: &str) -> Self {
+        let what = what.phrase();
         let NodeKind::Object(all) = &node.what else {
             to.fault(
                 node.at,

@@ -147,7 +147,7 @@ impl ElementParser<'_, '_> {
         }
         self.elements += 1;
         if self.elements > ELEMENTS_MAX {
-            return self.no(at, Phrase::word(TOO_MANY));
+            return self.no(at, TOO_MANY.phrase());
         }
         if self.root.is_some() {
             return self.no(

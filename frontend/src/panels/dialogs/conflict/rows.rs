@@ -6,7 +6,7 @@ use crate::words;
 use behaviour::{
     Behaviour, Connector, Id, Kind, Procedure, Record, RecordId, Stream, StreamKind, Tile, TileAction, Value,
 };
-use robot::{Param, ParamKind};
+use robot::{Device, Param, ParamKind};
 
 /// One part, as both have it.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,8 +94,9 @@ fn of_tile(key: u8, tile: &Tile, name: &dyn Fn(&Id) -> String) -> Facet {
     let does = match &tile.does {
         TileAction::Hand { device, params, value } => {
             let action = robot::device(StreamKind::Actuator, device).ok();
-            let of = |param: &Param| Some(shown(param, params.get(param.name)?));
-            let chosen = action.into_iter().flat_map(|action| action.params).filter_map(of);
+            let of = |(action, param): (&Device, &Param)| Some(shown(action, param, params.get(param.name)?));
+            let all = action.into_iter().flat_map(|action| action.params.iter().map(move |param| (action, param)));
+            let chosen = all.filter_map(of);
             let told = action.is_none_or(|action| crate::json::read(action.example).ok().as_ref() != Some(value));
             let action = action.map_or_else(|| device.clone(), |action| words::device(action).to_owned());
             words::listed([action].into_iter().chain(chosen).chain(told.then(|| short_value(value))))
@@ -121,7 +122,7 @@ fn of_connector(connector: &Connector, name: &dyn Fn(&Id) -> String) -> Vec<Face
     let start = operation.start().map(|start| Facet::of(words::start_label(), short_value(start)));
     let every = operation.period_ms().map(|ms| Facet::of(words::every_label(), words::duration(ms)));
     let first = [
-        Facet::of(words::connector_label(), words::connector_word(spec.name).to_owned()),
+        Facet::of(words::connector_label(), words::connector_word(spec).to_owned()),
         Facet::of(words::takes_from(), words::listed(inputs)),
     ];
     let last = Facet::of(words::leads_to(), name(&connector.output)).always();
@@ -139,10 +140,11 @@ fn of_stream(stream: &Stream) -> Vec<Facet> {
     let mut all = vec![Facet::of(words::leads_to(), stream.name.clone()).always()];
     let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
     all.extend(stream.device.clone().map(|name| Facet::of(words::type_of(), name)));
-    let params = device.map_or(&[][..], |device| device.params);
-    all.extend(params.iter().map(|param| {
+    let params = device.into_iter().flat_map(|device| device.params.iter().map(move |param| (device, param)));
+    all.extend(params.map(|(device, param)| {
         let default = param.default();
-        Facet::of(words::label_of(param.label), shown(param, stream.params.get(param.name).unwrap_or(&default)))
+        let value = stream.params.get(param.name).unwrap_or(&default);
+        Facet::of(words::label_of(&device.param_called(param)), shown(device, param, value))
     }));
     let other = (&stream.resources, stream.priority, stream.hold_ms);
     if other != (&None, None, None) {
@@ -153,12 +155,13 @@ fn of_stream(stream: &Stream) -> Vec<Facet> {
     all
 }
 
-fn shown(param: &Param, value: &Value) -> String {
+fn shown(device: &Device, param: &Param, value: &Value) -> String {
     let option = match param.kind {
         ParamKind::Choice(options) => options.iter().find(|option| value.as_text() == Some(option.0)),
         _ => None,
     };
-    option.map_or_else(|| short_value(value), |option| words::label_of(option.1).to_owned())
+    option
+        .map_or_else(|| short_value(value), |option| words::label_of(&device.choice_called(param, *option)).to_owned())
 }
 
 /// Two texts in pieces, so that only what differs is pointed out.

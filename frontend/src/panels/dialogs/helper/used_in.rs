@@ -86,7 +86,7 @@ fn connectors_here(desk: DeskHold, helper: &str) -> Vec<String> {
     let label = |id: Id| {
         let connector = now.document.connector(&id)?.record.get();
         let output = now.document.stream(&connector.output)?.record.get().name;
-        Some(format!("{} → {output}", words::connector_word(connector.operation.spec().name)))
+        Some(format!("{} → {output}", words::connector_word(connector.operation.spec())))
     };
     users_of(desk, helper).into_iter().filter_map(label).collect()
 }

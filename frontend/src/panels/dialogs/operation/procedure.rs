@@ -8,6 +8,7 @@ use crate::words;
 use behaviour::{Helper, StreamKind, Value};
 use leptos::prelude::*;
 use protocol::UnknownName;
+use robot::Device;
 
 /// Body or Helper.
 #[component]
@@ -141,13 +142,13 @@ fn FieldNames(form: OperationForm) -> impl IntoView {
     let fields = move || {
         let desk = form.desk.desk();
         let inputs = form.inputs.get();
-        let shape = |id: &behaviour::Id| {
+        let sense = |id: &behaviour::Id| {
             let record = desk.document.stream(id)?.record.get();
-            robot::device(StreamKind::Sensor, record.device.as_deref()?).ok().map(|device| device.shape)
+            robot::device(StreamKind::Sensor, record.device.as_deref()?).ok()
         };
         let skipped = form.arguments().len().saturating_sub(inputs.len());
-        let named: Vec<_> = inputs.iter().map(shape).zip(form.arguments().into_iter().skip(skipped)).collect();
-        named.into_iter().flat_map(|(shape, argument)| names(shape, &argument)).collect::<Vec<_>>()
+        let named: Vec<_> = inputs.iter().map(sense).zip(form.arguments().into_iter().skip(skipped)).collect();
+        named.into_iter().flat_map(|(sense, argument)| names(sense, &argument)).collect::<Vec<_>>()
     };
     let button = move |(text, says): (String, String)| {
         let added = text.clone();
@@ -157,12 +158,12 @@ fn FieldNames(form: OperationForm) -> impl IntoView {
     view! { <div class="offers">{move || fields().into_iter().map(button).collect_view()}</div> }
 }
 
-fn names(shape: Option<robot::Shape>, argument: &str) -> Vec<(String, String)> {
-    let fields = shape.as_ref().map_or(&[][..], robot::Shape::fields);
-    let name = |field: &robot::Field| {
-        (format!("{argument}.{}", field.name), words::field_of(argument, field.name, field.says))
+fn names(sense: Option<&'static Device>, argument: &str) -> Vec<(String, String)> {
+    let fields = sense.into_iter().flat_map(|sense| sense.shape.fields().iter().map(move |field| (sense, field)));
+    let name = |(sense, field): (&Device, &robot::Field)| {
+        (format!("{argument}.{}", field.name), words::field_of(argument, sense, field))
     };
-    fields.iter().map(name).collect()
+    fields.map(name).collect()
 }
 
 /// Helpers with as many parameters as the procedure has arguments. Reactive.

@@ -1,5 +1,6 @@
 //! The parts of a sense's value that can be set by hand, with their ends, and a value with one of them set. Pure.
 
+use crate::words;
 use behaviour::{Params, Unit, Value};
 use robot::{Device, Shape, with_defaults};
 
@@ -49,9 +50,11 @@ pub(super) fn parts(device: &'static Device, params: &Params) -> Vec<ValuePart> 
     match shape {
         Shape::Object(fields) | Shape::ObjectOrFirst(fields) => {
             let shown = fields.iter().filter(|field| field.of != Shape::Number(Some(Unit::Milliseconds)));
-            shown.filter_map(|field| part(Some(field.name), field.says, &field.of)).collect()
+            shown
+                .filter_map(|field| part(Some(field.name), words::label_of(&device.field_called(field)), &field.of))
+                .collect()
         }
-        whole => part(None, "Value", whole).into_iter().collect(),
+        whole => part(None, words::whole_value(), whole).into_iter().collect(),
     }
 }
 
@@ -89,7 +92,10 @@ pub(super) fn pretended(device: &'static Device, parts: &[ValuePart]) -> Vec<(&'
             _ => true,
         })
     };
-    let read = device.pretend.iter().filter_map(|one| Some((one.says, crate::json::read(one.value).ok()?)));
+    let read = device
+        .pretend
+        .iter()
+        .filter_map(|one| Some((words::label_of(&device.pretend_called(one)), crate::json::read(one.value).ok()?)));
     read.filter(|(_, value)| fits(value)).collect()
 }
 

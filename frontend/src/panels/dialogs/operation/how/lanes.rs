@@ -50,7 +50,7 @@ fn drawn(example: &'static Example, given: Lane, top: f64, look: MarbleLook) -> 
         let (value, time) = marble.parts();
         Bead { x: x(example, marble.at_ms), text: value.to_owned(), under: time.map(words::at_ms) }
     });
-    lane(words::language::word(given.0).to_owned(), beads, top, look)
+    lane(name_of(given).to_owned(), beads, top, look)
 }
 
 /// Thin lines at the marks of time, through all lanes.
@@ -67,9 +67,14 @@ fn x(example: &Example, at_ms: u64) -> f64 {
     (ASIDE + (WIDTH - 2.0 * ASIDE) * at_ms as f64 / example.until_ms.max(1) as f64).round()
 }
 
+/// The name of a lane, by which the procedures of the example know its stream.
+fn name_of(lane: Lane) -> &'static str {
+    words::language::said_by(&format!("lane.{}", lane.0), lane.0)
+}
+
 /// A lane as a sentence.
 fn told(lane: Lane) -> String {
-    let lane = Lane(words::language::word(lane.0), lane.1);
+    let lane = Lane(name_of(lane), lane.1);
     let marbles: Vec<_> = lane.marbles().map(|marble| words::value_at(marble.parts().0, marble.at_ms)).collect();
     words::lane_tells(lane.0, &words::listed(marbles))
 }
