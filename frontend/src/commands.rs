@@ -1,17 +1,25 @@
 //! The commands of the page: what each is called, and how it is done. Their list, with keys and who may do them, is the editor's.
 
+mod language;
+
+pub(crate) use language::{other_language, speak_other};
+
 use crate::desk::{Desk, Dialog, LineUp, OpenPast, Selected};
 use crate::keys::PressedKey;
-use crate::{panels, words};
+use crate::{focus, words};
 use behaviour::StreamKind;
 pub(crate) use editor::commands::{ALL, CommandGroup, CommandSpec, On};
 use editor::commands::{Command, CommandState};
 use leptos::prelude::*;
+use protocol::REPORTS_PATH;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent, KeyboardEventInit};
 
 /// A moment for all of the graph to be in the page before it is printed, in milliseconds.
 const PRINTS_MS: i32 = 120;
+
+/// The picker of the browser for a file to open, which nobody sees.
+pub(crate) const FILE_PICKER_ID: &str = "file-to-open";
 
 /// A command as the page knows it.
 pub(crate) trait PageCommand {
@@ -80,7 +88,7 @@ fn face_of(command: Command) -> CommandFace {
         Command::RenameProgram => face(words::rename_program, "bolt", CommandWork::Opens(|| Dialog::RenameProgram)),
         Command::RemoveProgram => face(words::remove_program, "trash", CommandWork::Opens(|| Dialog::RemoveProgram)),
         Command::MakeCopy => face(words::make_copy, "bolt", CommandWork::Desk(copy_open)),
-        Command::OpenFile => face(words::open_file, "open", CommandWork::Desk(|_| panels::choose_file())),
+        Command::OpenFile => face(words::open_file, "open", CommandWork::Desk(|_| choose_file())),
         Command::SaveFile => face(words::save_file, "save", CommandWork::Opens(|| Dialog::SaveFile)),
         Command::EditTiles => face(words::edit_tiles, "row", CommandWork::Opens(|| Dialog::Tiles)),
         Command::PrintProgram => face(words::print, "bolt", CommandWork::Desk(print)),
@@ -88,7 +96,7 @@ fn face_of(command: Command) -> CommandFace {
         Command::Redo => face(words::redo, "redo", CommandWork::Desk(|desk| desk.document.redo())),
         Command::History => face(words::history, "history", CommandWork::Desk(|desk| desk.shows_history.set(true))),
         Command::ShowExercise => face(words::show_exercise, "bolt", CommandWork::Desk(show_exercise)),
-        Command::TakeTour => face(words::take_tour, "bolt", CommandWork::Desk(panels::take_tour)),
+        Command::TakeTour => face(words::take_tour, "bolt", CommandWork::Desk(Desk::take_tour)),
         Command::AddSensor => face(words::add_sensor, "eye", CommandWork::Opens(|| Dialog::AddSensor)),
         Command::AddHelper => face(words::add_helper, "plus", CommandWork::Opens(|| Dialog::Helper(None))),
         Command::EditHelper => face(words::edit_helper, "fx", CommandWork::Opens(|| Dialog::Helpers)),
@@ -132,7 +140,7 @@ fn face_of(command: Command) -> CommandFace {
         Command::OverTime => face(words::over_time, "history", CommandWork::Desk(over_time)),
         Command::Recordings => face(words::recordings, "print", CommandWork::Desk(recordings)),
         Command::Operate => face(words::operate, "play", CommandWork::Desk(operate)),
-        Command::OtherLanguage => face(words::other_language, "globe", CommandWork::Desk(|_| panels::speak_other())),
+        Command::OtherLanguage => face(words::other_language, "globe", CommandWork::Desk(|_| speak_other())),
         Command::KeysAndGestures => face(words::keys_and_gestures, "help", CommandWork::Opens(|| Dialog::Help)),
         Command::PeopleHere => face(words::people_here, "bolt", CommandWork::Opens(|| Dialog::People)),
         Command::MyName => face(words::my_name, "bolt", CommandWork::Opens(|| Dialog::MyName)),
@@ -201,7 +209,7 @@ pub(crate) fn find(desk: &Desk) {
 
 /// Presses the page's Stop, which stops the robot that is looked at.
 fn press_stop(_: &Desk) {
-    panels::focus::by_id("stop").iter().for_each(HtmlElement::click);
+    focus::by_id("stop").iter().for_each(HtmlElement::click);
 }
 
 /// Lets the run go on with what was changed since.
@@ -254,7 +262,18 @@ pub(crate) fn over_time(desk: &Desk) {
 
 /// Opens the recordings beside this page.
 fn recordings(_: &Desk) {
-    let _ = window().open_with_url_and_target(&panels::recordings_address(), "_blank");
+    let _ = window().open_with_url_and_target(&recordings_address(), "_blank");
+}
+
+/// Returns the address of the recordings, in the language of this page.
+pub(crate) fn recordings_address() -> String {
+    let language = words::language::spoken().code;
+    format!("{REPORTS_PATH}?language={language}")
+}
+
+/// Asks the person for a file.
+pub(crate) fn choose_file() {
+    focus::by_id(FILE_PICKER_ID).iter().for_each(HtmlElement::click);
 }
 
 /// Prints once all of the graph is in the page: the browser waits for nothing that comes later.

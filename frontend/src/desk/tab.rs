@@ -1,7 +1,7 @@
 //! The state of this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
 use super::{CarriedItem, Pasted};
-use crate::link::{self, NoAnswer, WrittenRequest};
+use crate::link::{self, LinkEnd, NoAnswer, WrittenRequest};
 use crate::{browser, words};
 use editor::FocusTarget;
 pub(crate) use editor::LinkState;
@@ -16,15 +16,6 @@ use std::sync::Arc;
 
 /// The time until something that could not be done just now is asked again.
 pub(super) const AGAIN_MS: i32 = 1_000;
-
-/// The reasons why there will be no link again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LinkEnd {
-    /// The invitation ended by which this person came.
-    Revoked,
-    /// Another page of this person has the place of this one.
-    GaveWay,
-}
 
 /// Something of the graph to choose from a list, where the graph is shown.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,9 +8,8 @@ mod slider;
 mod test;
 mod turned;
 
-use crate::panels::hold::hold;
-use crate::panels::may::{MayNot, may_edit};
 use crate::panels::uses::Uses;
+use crate::parts::{MayNot, hold, may_edit};
 use crate::words;
 use behaviour::{Connector, Id, Kind, Procedure, RecordId};
 pub(super) use foot::instead_of;

@@ -5,15 +5,14 @@ mod naming;
 mod rows;
 mod sittings;
 
-use super::focus;
-use super::hold::{DeskHold, hold};
-use super::may::{MayNot, may_edit};
 use crate::browser;
 use crate::desk::{LinkState, OpenVersion};
 use crate::escape;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::done;
+use crate::parts::{DeskHold, MayNot, hold, may_edit};
 use crate::words;
 use behaviour::Id;
 use foot::Foot;

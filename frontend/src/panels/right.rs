@@ -1,11 +1,11 @@
 //! The right column: the robot always at the same place, its room and what is selected, or the history.
 
-use super::hold::hold;
 use super::inspector::Inspector;
 use super::robot_box::RobotBox;
 use super::room::Room;
 use super::teaching::ExercisePlace;
 use crate::later::Later;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 

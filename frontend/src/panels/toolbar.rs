@@ -1,17 +1,15 @@
 //! The bar: the program's name and how saving goes, the thesis's tools in their order, undo, redo and the people.
 
-use super::focus;
-use super::hold::{DeskHold, hold};
 use super::language::OtherLanguage;
-use super::may::{may_edit, title_or_why};
-use super::menu::Menu;
 use super::people::People;
 use super::tools::{AddSensorMenu, EditHelperMenu, LoadMenu};
 use crate::browser;
 use crate::commands::On;
 use crate::desk::{Dialog, LinkState, Saving};
+use crate::focus;
 use crate::icons::Icon;
 use crate::later::Later;
+use crate::parts::{DeskHold, Menu, hold, may_edit, title_or_why};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;

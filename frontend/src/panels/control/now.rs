@@ -2,7 +2,7 @@
 
 use super::test::NumberTest;
 use crate::live::short_value;
-use crate::panels::hold::DeskHold;
+use crate::parts::DeskHold;
 use behaviour::{Connector, Id, Procedure, Value};
 use leptos::prelude::*;
 

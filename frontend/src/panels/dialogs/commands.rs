@@ -5,7 +5,7 @@ use crate::browser;
 use crate::commands::{ALL, CommandGroup, CommandSpec, PageCommand, group_label};
 use crate::desk::{Desk, Selected};
 use crate::keys::PressedKey;
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

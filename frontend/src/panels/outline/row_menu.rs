@@ -3,8 +3,7 @@
 
 use crate::browser;
 use crate::commands::{ALL, CommandSpec, On, PageCommand};
-use crate::panels::hold::hold;
-use crate::panels::menu::MenuItem;
+use crate::parts::{MenuItem, hold};
 use leptos::prelude::*;
 use protocol::Role;
 
