@@ -1,10 +1,12 @@
 //! The link to the server: one WebSocket that comes back by itself, and the answers that are waited for.
 
+mod editor_link;
 mod socket;
 mod written;
 
 use crate::browser;
 pub(crate) use editor::NoAnswer;
+pub(crate) use editor_link::EditorLink;
 pub(crate) use written::WrittenRequest;
 
 use protocol::{AnyAnswer, Assembly, Event, Message, Refused, Request, STOPS_PER_START, Unanswered, answer, request};
@@ -151,8 +153,12 @@ pub(crate) fn ask_pressed(stops: Option<u64>, request: &WrittenRequest, then: On
 
 /// Says something that is not answered.
 pub(crate) fn tell<R: Request<Answer = Unanswered>>(request: R) {
+    tell_written(&WrittenRequest::of(&request));
+}
+
+fn tell_written(request: &WrittenRequest) {
     if is_up() {
-        send(0, stops(), &WrittenRequest::of(&request));
+        send(0, stops(), request);
     }
 }
 

@@ -19,7 +19,7 @@ impl WrittenRequest {
     }
 
     /// Writes a request of the editor, which is data.
-    pub(crate) fn of_editor(request: &EditorRequest) -> Self {
+    pub(super) fn of_editor(request: &EditorRequest) -> Self {
         Self::named(request.name(), request)
     }
 

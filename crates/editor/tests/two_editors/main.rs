@@ -6,6 +6,7 @@
 mod dice;
 mod graph;
 mod keyboard;
+mod link;
 mod page;
 mod presence;
 mod scenes;
