@@ -49,8 +49,8 @@ pub(crate) trait PasteTarget {
 pub(crate) struct LazyViews {
     /// What stands in the frame of an open dialog, and the frame.
     pub(crate) dialog: fn(Dialog) -> AnyView,
-    /// The history of the open program.
-    pub(crate) history: fn() -> AnyView,
+    /// In the right column, the panel of this name.
+    pub(crate) panel: fn(&str) -> AnyView,
     /// On the graph, what one of two compared versions has and the graph has not.
     pub(crate) shadows: fn() -> AnyView,
     /// Lays out a whole behaviour.

@@ -70,6 +70,7 @@ fn App() -> impl IntoView {
     let later = later::SecondPiece::new(pieces::FETCH_REST);
     if !operates {
         undo_keys(&desk);
+        commands::know_panels(panels::PANELS);
         commands::keys(&desk);
         paper(&desk);
         later.serve(&desk);

@@ -29,6 +29,7 @@ mod robots;
 mod room;
 mod running;
 mod sentences_panel;
+mod side;
 mod stranger;
 mod teaching;
 mod to_stop;
@@ -46,7 +47,6 @@ pub(crate) use editors::Editors;
 pub(crate) use empty::EmptyStage;
 pub(crate) use ended::Ended;
 pub(crate) use files::Files;
-pub(crate) use history::history;
 pub(crate) use inspector::selected;
 pub(crate) use name_card::asks_name;
 pub(crate) use notices::Notices;
@@ -66,3 +66,27 @@ pub(crate) use teaching::{TourPlace, exercise, tour};
 pub(crate) use toolbar::Toolbar;
 pub(crate) use tools::tool_items;
 pub(crate) use typed::typed;
+
+use crate::commands::ListedPanel;
+use leptos::prelude::*;
+
+/// The panels of the right column, each by its module, which has its `PANEL` and its `view`.
+macro_rules! panels {
+    ($($name:ident),* $(,)?) => {
+        /// All panels that open by a command, in the order of their commands.
+        pub(crate) static PANELS: &[ListedPanel] =
+            &[$(ListedPanel { name: stringify!($name), panel: $name::PANEL }),*];
+
+        /// The panel of this name, as a view. It is of the second piece of the page.
+        pub(crate) fn panel(name: &str) -> AnyView {
+            match name {
+                $(stringify!($name) => $name::view(),)*
+                _ => ().into_any(),
+            }
+        }
+    };
+}
+
+panels! {
+    history,
+}

@@ -80,7 +80,7 @@ impl From<SplitLoaderError> for NotLoaded {
 fn rest() -> Result<LazyViews, NotLoaded> {
     Ok(LazyViews {
         dialog: panels::dialog,
-        history: panels::history,
+        panel: panels::panel,
         shadows: canvas::shadows,
         tidy: layout::tidy,
         control: panels::control,

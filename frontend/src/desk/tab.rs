@@ -169,8 +169,8 @@ pub(crate) struct TabFields {
     pub(crate) put_away: ArcRwSignal<Option<Id>>,
     /// At which step of the tour this person is, while they take it.
     pub(crate) tour: ArcRwSignal<Option<usize>>,
-    /// True if the history is shown.
-    pub(crate) shows_history: ArcRwSignal<bool>,
+    /// The panel that is open in the right column, by its name in the list of panels.
+    pub(crate) panel: ArcRwSignal<Option<&'static str>>,
     /// True if the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
     pub(crate) to_graph: ArcRwSignal<bool>,
     /// The program that this tab asked to be removed, until that is answered.

@@ -241,7 +241,8 @@ fn after_hole(at: usize, part: &str) -> String {
 /// The sentences of the page by their keys.
 fn of_the_page() -> Catalogue {
     let words = folder().join("src/words");
-    let parts = sources(&words.join("en")).into_iter().map(|(_, source)| source);
+    let parts = ["src/words/en", "src/panels"].into_iter().flat_map(|part| sources(&folder().join(part)));
+    let parts = parts.map(|(_, source)| source);
     let all = parts.chain([read(&words.join("en.rs"))]);
     all.map(|source| source.split("#[cfg(test)]").next().unwrap_or_default().to_owned())
         .flat_map(|source| {
