@@ -11,25 +11,7 @@ use house::sources::{Source, none, words};
 const KNOWN: &[(&str, &[&str])] = &[
     (
         "frontend/src",
-        &[
-            "canvas",
-            "later",
-            "panels/apply",
-            "panels/chosen",
-            "panels/control",
-            "panels/control/foot",
-            "panels/empty",
-            "panels/files",
-            "panels/focus",
-            "panels/inspector",
-            "panels/menu",
-            "panels/note_field",
-            "panels/problems",
-            "panels/remove",
-            "panels/tools",
-            "panels/typed",
-            "panels/uses",
-        ],
+        &["panels/apply", "panels/chosen", "panels/control", "panels/control/foot", "panels/inspector", "panels/uses"],
     ),
     (
         "frontend/src",
@@ -49,7 +31,7 @@ const KNOWN: &[(&str, &[&str])] = &[
             "canvas/wire",
         ],
     ),
-    ("frontend/src", &["desk", "desk/library/files", "desk/library/pasted", "desk/tab", "link"]),
+    ("frontend/src", &["desk/library/files", "desk/library/pasted", "desk/tab"]),
     (
         "frontend/src",
         &[

@@ -209,6 +209,22 @@ impl Drawer {
     }
 }
 
+/// The text that is pasted, unless it goes into a field.
+pub(crate) fn pasted(event: &web_sys::Event) -> Option<String> {
+    let target = event.target()?.dyn_into::<Element>().ok()?;
+    if target.closest("input, textarea").ok().flatten().is_some() {
+        return None;
+    }
+    clip(event)
+}
+
+/// The text of the clipboard that an event brings.
+pub(crate) fn clip(event: &web_sys::Event) -> Option<String> {
+    let data = js_sys::Reflect::get(event, &"clipboardData".into()).ok()?;
+    let get = js_sys::Reflect::get(&data, &"getData".into()).ok()?.dyn_into::<js_sys::Function>().ok()?;
+    get.call1(&data, &"text/plain".into()).ok()?.as_string()
+}
+
 /// Puts a text on the clipboard, also where the page came over plain HTTP; whether that worked. The keyboard stays where it
 /// is.
 pub(crate) fn copy(text: &str) -> bool {

@@ -62,8 +62,8 @@ pub(crate) use strip::strip;
 
 use crate::desk::{Desk, FocusTarget, Lit, Selected, use_desk};
 use crate::later::{Later, LazyViews, second_piece};
-use crate::panels::{EmptyStage, focus};
 use crate::words;
+use crate::{browser, focus};
 use chip::Chip;
 use far::Edges;
 use follow::Following;
@@ -86,9 +86,9 @@ const TEXT_LEAST: f64 = 9.0;
 /// Below this zoom nothing could be read anyway: streams are plain shapes, and what stands on the lines is not drawn.
 const TINY: f64 = 0.12;
 
-/// The graph of the open behaviour.
+/// The graph of the open behaviour; its children stand over it while there is nothing to draw.
 #[component]
-pub(crate) fn Canvas() -> impl IntoView {
+pub(crate) fn Canvas(children: Children) -> impl IntoView {
     let desk = use_desk();
     let stage = Stage::new(&desk);
     provide_context(stage.clone());
@@ -138,7 +138,7 @@ pub(crate) fn Canvas() -> impl IntoView {
             on:contextmenu=move |event| menu.menu(&event)
             on:keydown=move |event| keys::key(&event, &key_desk, &key_stage)
             on:paste=move |event| {
-                if pasted(event.as_ref()).is_some_and(|text| paste_stage.paste(&paste_desk, text)) {
+                if browser::pasted(event.as_ref()).is_some_and(|text| paste_stage.paste(&paste_desk, text)) {
                     event.prevent_default();
                 }
             }
@@ -174,7 +174,7 @@ pub(crate) fn Canvas() -> impl IntoView {
             <Following />
             {move || large.get().then(|| view! { <Later show=|rest| (rest.minimap)() /> })}
             <Zoom />
-            <EmptyStage />
+            {children()}
         </main>
     }
 }
@@ -308,22 +308,6 @@ fn Carried() -> impl IntoView {
     let is_pressed = ArcMemo::new(move |_| carried.with(Option::is_some));
     let piece = second_piece();
     move || piece.get().filter(|_| is_pressed.get()).map(|rest| (rest.carry)())
-}
-
-/// The text that is pasted, unless it goes into a field.
-pub(crate) fn pasted(event: &web_sys::Event) -> Option<String> {
-    let target = event.target()?.dyn_into::<web_sys::Element>().ok()?;
-    if target.closest("input, textarea").ok().flatten().is_some() {
-        return None;
-    }
-    clip(event)
-}
-
-/// The text of the clipboard that an event brings.
-pub(crate) fn clip(event: &web_sys::Event) -> Option<String> {
-    let data = js_sys::Reflect::get(event, &"clipboardData".into()).ok()?;
-    let get = js_sys::Reflect::get(&data, &"getData".into()).ok()?.dyn_into::<js_sys::Function>().ok()?;
-    get.call1(&data, &"text/plain".into()).ok()?.as_string()
 }
 
 /// The first thing that Tab comes to: a way past all tools.

@@ -1,32 +1,50 @@
 //! The commands of the page: what each is called, and how it is done. Their list, with keys and who may do them, is the editor's.
 
+mod language;
+mod panel;
+
+pub(crate) use language::{other_language, speak_other};
+pub(crate) use panel::{ListedPanel, Panel, know_panels, open_panel, panels};
+
 use crate::desk::{Desk, Dialog, LineUp, OpenPast, Selected};
 use crate::keys::PressedKey;
-use crate::{panels, words};
-use behaviour::StreamKind;
-pub(crate) use editor::commands::{ALL, CommandGroup, CommandSpec, On};
-use editor::commands::{Command, CommandState};
+use crate::{focus, words};
+use behaviour::{StreamKind, sort_few};
+use editor::commands::{ALL, Command, CommandSpec, CommandState};
+pub(crate) use editor::commands::{CommandGroup, Needs, On};
 use leptos::prelude::*;
+use protocol::REPORTS_PATH;
+use std::ops::Deref;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent, KeyboardEventInit};
 
 /// A moment for all of the graph to be in the page before it is printed, in milliseconds.
 const PRINTS_MS: i32 = 120;
 
+/// The picker of the browser for a file to open, which nobody sees.
+pub(crate) const FILE_PICKER_ID: &str = "file-to-open";
+
 /// A command as the page knows it.
-pub(crate) trait PageCommand {
-    /// Its name.
-    fn label(&self) -> &'static str;
-    /// Its sign in menus that have signs.
-    fn icon(&self) -> &'static str;
-    /// True if all words that are looked for are in its name or in what it is about.
-    fn is_meant(&self, search: &str) -> bool;
-    /// Does it. Whatever is open is closed already.
-    fn run(&self, desk: &Desk);
-    /// True if there is what it needs, and who is here is allowed to do it. Reactive.
-    fn can_be_done(&self, desk: &Desk) -> bool;
-    /// True if it can be done here: with the list in place of the graph there is nothing to zoom, to tidy or to walk about.
-    fn is_here(&self) -> bool;
+#[derive(Clone, Copy)]
+pub(crate) struct PageCommand {
+    spec: CommandSpec,
+    face: CommandFace,
+}
+
+/// Reaches what the editor knows of it.
+impl Deref for PageCommand {
+    type Target = CommandSpec;
+    fn deref(&self) -> &CommandSpec {
+        &self.spec
+    }
+}
+
+/// Returns all commands, group by group: the editor's, then those that open panels.
+pub(crate) fn all() -> Vec<PageCommand> {
+    let own = ALL.iter().filter_map(|spec| Some(PageCommand { spec: *spec, face: face_of(spec.command)? }));
+    let mut all: Vec<PageCommand> = own.chain(panels().iter().map(ListedPanel::command)).collect();
+    sort_few(&mut all, |one, other| one.group < other.group);
+    all
 }
 
 /// Returns the name of what commands are about.
@@ -49,6 +67,8 @@ enum CommandWork {
     Desk(fn(&Desk)),
     /// As if its key were pressed on the graph, with Control or without.
     Key(&'static str, bool),
+    /// The panel of this name opens.
+    Panel(&'static str),
     /// As if what this selector finds were pressed; what is said where it is not shown.
     Press(&'static str, fn() -> &'static str),
 }
@@ -60,8 +80,9 @@ const fn face(label: fn() -> &'static str, icon: &'static str, work: CommandWork
     (label, icon, work)
 }
 
-fn face_of(command: Command) -> CommandFace {
-    match command {
+/// Returns how a command looks and is done; nothing for one that opens a panel, of which the list of panels knows.
+fn face_of(command: Command) -> Option<CommandFace> {
+    Some(match command {
         Command::Start => face(words::start, "bolt", CommandWork::Desk(|desk| desk.robots.start())),
         Command::Apply => face(words::apply, "bolt", CommandWork::Desk(use_changes)),
         Command::Record => {
@@ -80,15 +101,14 @@ fn face_of(command: Command) -> CommandFace {
         Command::RenameProgram => face(words::rename_program, "bolt", CommandWork::Opens(|| Dialog::RenameProgram)),
         Command::RemoveProgram => face(words::remove_program, "trash", CommandWork::Opens(|| Dialog::RemoveProgram)),
         Command::MakeCopy => face(words::make_copy, "bolt", CommandWork::Desk(copy_open)),
-        Command::OpenFile => face(words::open_file, "open", CommandWork::Desk(|_| panels::choose_file())),
+        Command::OpenFile => face(words::open_file, "open", CommandWork::Desk(|_| choose_file())),
         Command::SaveFile => face(words::save_file, "save", CommandWork::Opens(|| Dialog::SaveFile)),
         Command::EditTiles => face(words::edit_tiles, "row", CommandWork::Opens(|| Dialog::Tiles)),
         Command::PrintProgram => face(words::print, "bolt", CommandWork::Desk(print)),
         Command::Undo => face(words::undo, "undo", CommandWork::Desk(Desk::undo)),
         Command::Redo => face(words::redo, "redo", CommandWork::Desk(|desk| desk.document.redo())),
-        Command::History => face(words::history, "history", CommandWork::Desk(|desk| desk.shows_history.set(true))),
         Command::ShowExercise => face(words::show_exercise, "bolt", CommandWork::Desk(show_exercise)),
-        Command::TakeTour => face(words::take_tour, "bolt", CommandWork::Desk(panels::take_tour)),
+        Command::TakeTour => face(words::take_tour, "bolt", CommandWork::Desk(Desk::take_tour)),
         Command::AddSensor => face(words::add_sensor, "eye", CommandWork::Opens(|| Dialog::AddSensor)),
         Command::AddHelper => face(words::add_helper, "plus", CommandWork::Opens(|| Dialog::Helper(None))),
         Command::EditHelper => face(words::edit_helper, "fx", CommandWork::Opens(|| Dialog::Helpers)),
@@ -132,35 +152,46 @@ fn face_of(command: Command) -> CommandFace {
         Command::OverTime => face(words::over_time, "history", CommandWork::Desk(over_time)),
         Command::Recordings => face(words::recordings, "print", CommandWork::Desk(recordings)),
         Command::Operate => face(words::operate, "play", CommandWork::Desk(operate)),
-        Command::OtherLanguage => face(words::other_language, "globe", CommandWork::Desk(|_| panels::speak_other())),
+        Command::OtherLanguage => face(words::other_language, "globe", CommandWork::Desk(|_| speak_other())),
         Command::KeysAndGestures => face(words::keys_and_gestures, "help", CommandWork::Opens(|| Dialog::Help)),
         Command::PeopleHere => face(words::people_here, "bolt", CommandWork::Opens(|| Dialog::People)),
         Command::MyName => face(words::my_name, "bolt", CommandWork::Opens(|| Dialog::MyName)),
         Command::Invite => face(words::invite, "invite", CommandWork::Opens(|| Dialog::Invite)),
-    }
+        Command::Panel(_) => return None,
+    })
 }
 
-impl PageCommand for CommandSpec {
-    fn label(&self) -> &'static str {
-        face_of(self.command).0()
+impl PageCommand {
+    /// Returns its name.
+    pub(crate) fn label(&self) -> &'static str {
+        self.face.0()
     }
 
-    fn icon(&self) -> &'static str {
-        face_of(self.command).1
+    /// Returns its sign in menus that have signs.
+    pub(crate) fn icon(&self) -> &'static str {
+        self.face.1
     }
 
-    fn is_meant(&self, search: &str) -> bool {
+    /// Returns the name of the panel that it opens, if it opens one.
+    pub(crate) fn panel(&self) -> Option<&'static str> {
+        if let Command::Panel(name) = self.command { Some(name) } else { None }
+    }
+
+    /// Returns true if all words that are looked for are in its name or in what it is about.
+    pub(crate) fn is_meant(&self, search: &str) -> bool {
         let (group, label) = (group_label(self.group), self.label());
         let english = words::language::in_english(|| [group_label(self.group), self.label()].join(" "));
         let name = format!("{group} {label} {} {english}", self.keys).to_lowercase();
         search.to_lowercase().split_whitespace().all(|word| name.contains(word))
     }
 
-    fn run(&self, desk: &Desk) {
-        match face_of(self.command).2 {
+    /// Does it. Whatever is open is closed already.
+    pub(crate) fn run(&self, desk: &Desk) {
+        match self.face.2 {
             CommandWork::Opens(dialog) => desk.dialog.set(Some(dialog())),
             CommandWork::Desk(act) => act(desk),
             CommandWork::Key(key, control) => press(key, control),
+            CommandWork::Panel(name) => desk.panel.set(Some(name)),
             CommandWork::Press(selector, not_there) => match shown(selector) {
                 Some(shown) => shown.click(),
                 None => desk.say(not_there(), false),
@@ -168,14 +199,17 @@ impl PageCommand for CommandSpec {
         }
     }
 
-    fn can_be_done(&self, desk: &Desk) -> bool {
+    /// Returns true if there is what it needs, and who is here is allowed to do it. Reactive.
+    pub(crate) fn can_be_done(&self, desk: &Desk) -> bool {
         let can_redo = desk.document.redoable.read().is_some();
         let (role, is_past, can_undo) = (desk.role.get(), desk.is_then(), desk.can_undo());
         let is_open = desk.document.open.read().is_some();
         self.is_allowed(&CommandState { role, is_past, is_open, can_undo, can_redo })
     }
 
-    fn is_here(&self) -> bool {
+    /// Returns true if it can be done here: with the list in place of the graph there is nothing to zoom, to tidy or to walk
+    /// about.
+    pub(crate) fn is_here(&self) -> bool {
         !self.on_graph || has_canvas()
     }
 }
@@ -201,7 +235,7 @@ pub(crate) fn find(desk: &Desk) {
 
 /// Presses the page's Stop, which stops the robot that is looked at.
 fn press_stop(_: &Desk) {
-    panels::focus::by_id("stop").iter().for_each(HtmlElement::click);
+    focus::by_id("stop").iter().for_each(HtmlElement::click);
 }
 
 /// Lets the run go on with what was changed since.
@@ -254,7 +288,18 @@ pub(crate) fn over_time(desk: &Desk) {
 
 /// Opens the recordings beside this page.
 fn recordings(_: &Desk) {
-    let _ = window().open_with_url_and_target(&panels::recordings_address(), "_blank");
+    let _ = window().open_with_url_and_target(&recordings_address(), "_blank");
+}
+
+/// Returns the address of the recordings, in the language of this page.
+pub(crate) fn recordings_address() -> String {
+    let language = words::language::spoken().code;
+    format!("{REPORTS_PATH}?language={language}")
+}
+
+/// Asks the person for a file.
+pub(crate) fn choose_file() {
+    focus::by_id(FILE_PICKER_ID).iter().for_each(HtmlElement::click);
 }
 
 /// Prints once all of the graph is in the page: the browser waits for nothing that comes later.
@@ -267,7 +312,8 @@ fn print(desk: &Desk) {
     });
 }
 
-/// Ctrl K opens the palette of commands, Ctrl F goes to the field that finds things; both from anywhere.
+/// Ctrl K opens the palette of commands, Ctrl F goes to the field that finds things, and panels have keys of their own; all from
+/// anywhere.
 pub(crate) fn keys(desk: &Desk) {
     let desk = desk.clone();
     crate::browser::hear(&window(), "keydown", move |event| {
@@ -279,10 +325,19 @@ pub(crate) fn keys(desk: &Desk) {
         match event.pressed().as_str() {
             "k" | "K" => desk.dialog.set(Some(Dialog::Help)),
             "f" | "F" => find(&desk),
-            _ => return,
+            key => match panel_of_key(key).filter(|panel| untrack(|| panel.can_be_shown(&desk))) {
+                Some(panel) => desk.panel.set(Some(panel.name)),
+                None => return,
+            },
         }
         event.prevent_default();
     });
+}
+
+/// Returns the panel that Control and this key open.
+fn panel_of_key(key: &str) -> Option<&'static ListedPanel> {
+    let is_it = |keys: &str| keys.strip_prefix("Ctrl ").is_some_and(|own| own.eq_ignore_ascii_case(key));
+    panels().iter().find(|panel| is_it(panel.panel.keys))
 }
 
 /// Shows the goal of the open program again, if it has one.

@@ -13,6 +13,7 @@ mod library;
 mod robots;
 mod roles;
 mod tab;
+mod tour;
 
 pub(crate) use carried::{CarriedItem, CarryStage, ListItem, Moved};
 pub(crate) use document::shown_pad;
@@ -23,9 +24,9 @@ pub(crate) use document::{
     StepDirection, StreamSignals, UnsavedMark, WireEnd, WriteRight, draft_key, initials, signs, wire_ends, wording,
 };
 pub(crate) use inviting::NewInvitation;
-pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, first_file};
+pub(crate) use library::{Pasted, ProgramPage, Settle, file_address, first_file};
 pub(crate) use robots::Unused;
-pub(crate) use tab::{Dialog, GraphChoice, LinkEnd, LinkState, OpenPast, PAST_QUERY, TILES_QUERY, new_id, settled};
+pub(crate) use tab::{Dialog, GraphChoice, LinkState, OpenPast, PAST_QUERY, TILES_QUERY, new_id, settled};
 
 pub(crate) use document::Document;
 use document::DocumentEvent;
@@ -122,27 +123,5 @@ impl Desk {
             DocumentEvent::NotSaved => self.robots.give_up_press(),
             DocumentEvent::Rewritten(connector) => self.robots.rewritten(&connector),
         }
-    }
-
-    /// The server greeted back.
-    pub(crate) fn link_up(&self) {
-        self.online.set(LinkState::Online);
-        self.document.link_up();
-    }
-
-    /// The link broke; what waits is shown until it is back.
-    pub(crate) fn link_lost(&self) {
-        self.online.set(LinkState::Offline);
-        self.document.link_lost();
-    }
-
-    /// There will be no link again.
-    pub(crate) fn end(&self, end: LinkEnd) {
-        self.ended.set(Some(end));
-    }
-
-    /// Nothing was heard for so long; 0 with every word.
-    pub(crate) fn listen(&self, silent_ms: f64) {
-        self.document.listen(silent_ms);
     }
 }

@@ -3,11 +3,11 @@
 mod choice;
 mod code;
 mod params;
+mod sentence;
 mod text;
-mod unfilled;
 
 pub(crate) use choice::{Choice, ChoiceOptions, Select};
 pub(crate) use code::{CodeField, pieces};
 pub(crate) use params::{ParamFields, ParamForm};
-pub(crate) use text::{NumberField, TextField};
-pub(crate) use unfilled::Unfilled;
+pub(crate) use sentence::SentenceField;
+pub(crate) use text::{NumberField, TextField, read_one_way};

@@ -1,32 +1,56 @@
-//! What of the page comes later: dialogs, the history and what else nobody needs at first are a second piece of the code.
-//! It is fetched quietly once the page is usable, and at once when something of it is wanted before.
+//! The second piece of the page as everything else sees it: dialogs, the history and what else nobody needs at first. It is
+//! fetched quietly once the page is usable, and at once when something of it is wanted before.
 //!
 //! A new dialog is in it by itself, as `LazyViews::dialog` makes them all. Something else that shall come later gets a field of
-//! `LazyViews`, and `<Later show=|rest| (rest.field)() />` where it stands. The build cuts the code at `rest` below: into the
-//! second piece goes what is reached from there only, so nothing else may name what is behind a field.
+//! `LazyViews`, which `pieces` fills, and `<Later show=|rest| (rest.field)() />` where it stands.
 
 use crate::browser;
-use crate::commands::On;
-use crate::desk::{Desk, Dialog, LinkState, Selected, use_desk};
-use crate::layout::{self, Tidy};
-use crate::panels::{SentenceField, ToolMenu};
-use crate::{canvas, panels, words};
-use behaviour::Id;
+use crate::desk::{Desk, Dialog, LinkState, Selected};
+use crate::fields::SentenceField;
+use crate::layout::Tidy;
+use crate::words;
+use behaviour::{Id, Place};
+use editor::commands::On;
 use leptos::prelude::*;
-use leptos::wasm_split::{SplitLoaderError, wasm_split};
 use protocol::{Exercise, Recorded};
+use std::cell::Cell;
+use std::pin::Pin;
 use web_sys::KeyboardEvent;
 
 /// How long a browser that does not say when it is idle is left alone, in milliseconds.
 const QUIET_MS: i32 = 1_000;
+
+/// Fetches the second piece; nothing if it does not come.
+pub(crate) type FetchRest = fn() -> Pin<Box<dyn Future<Output = Option<LazyViews>>>>;
+
+thread_local! {
+    /// The way to fetch the second piece, which the top of the page knows: it alone names what is in it.
+    static FETCH_REST: Cell<Option<FetchRest>> = const { Cell::new(None) };
+}
+
+/// The menus whose items come with the second piece.
+#[derive(Clone, Copy)]
+pub(crate) enum ToolMenu {
+    Programs,
+    Senses,
+    Helpers,
+}
+
+/// The graph on the screen, as what is pasted finds it.
+pub(crate) trait PasteTarget {
+    /// Returns the place for what is pasted.
+    fn paste_place(&self) -> Place;
+    /// Returns what brings into view what is chosen then.
+    fn reveal(&self) -> Box<dyn FnOnce()>;
+}
 
 /// The ways into the second piece.
 #[derive(Clone, Copy)]
 pub(crate) struct LazyViews {
     /// What stands in the frame of an open dialog, and the frame.
     pub(crate) dialog: fn(Dialog) -> AnyView,
-    /// The history of the open program.
-    pub(crate) history: fn() -> AnyView,
+    /// In the right column, the panel of this name.
+    pub(crate) panel: fn(&str) -> AnyView,
     /// On the graph, what one of two compared versions has and the graph has not.
     pub(crate) shadows: fn() -> AnyView,
     /// Lays out a whole behaviour.
@@ -67,9 +91,9 @@ pub(crate) struct LazyViews {
     /// The same menu under a row of the list in place of the graph.
     pub(crate) row_menu: fn(On) -> AnyView,
     /// Keys with Control or Command on the graph, or on the list in its place; whether it was one.
-    pub(crate) chord: fn(&KeyboardEvent, &Desk, Option<&canvas::Stage>) -> bool,
+    pub(crate) chord: fn(&KeyboardEvent, &Desk, Option<&dyn PasteTarget>) -> bool,
     /// Puts a pasted text in if it is a part of a program; whether it was.
-    pub(crate) paste: fn(&Desk, Option<&canvas::Stage>, &str) -> bool,
+    pub(crate) paste: fn(&Desk, Option<&dyn PasteTarget>, &str) -> bool,
     /// On the graph, what is wrong with what is selected, or has just become wrong.
     pub(crate) bubble: fn() -> AnyView,
     /// What is carried from the left list to the graph.
@@ -100,127 +124,24 @@ pub(crate) struct LazyViews {
     pub(crate) selected: fn(Selected) -> AnyView,
 }
 
-/// Fetches the operator's page, a piece of its own, which needs nothing of the second one.
-#[wasm_split(operate, wasm_split_path = leptos::wasm_split, fallible)]
-fn operating() -> Result<fn() -> AnyView, NotLoaded> {
-    Ok(panels::operate)
-}
-
-/// Fetches the panel that looks back, a piece of its own.
-#[wasm_split(past, wasm_split_path = leptos::wasm_split, fallible)]
-fn looking_back() -> Result<fn() -> AnyView, NotLoaded> {
-    Ok(panels::past)
-}
-
-/// The operator's page: nothing until it is here, and a sentence if it does not come.
-#[component]
-pub(crate) fn Operate() -> impl IntoView {
-    let shown = RwSignal::new(Some(None));
-    apart(
-        shown,
-        Callback::new(move |()| {
-            leptos::task::spawn_local(async move {
-                shown.set(operating().await.ok().map(Some));
-            })
-        }),
-    )
-}
-
-/// The panel that looks back, while somebody does.
-#[component]
-pub(crate) fn LookBack() -> impl IntoView {
-    let past = use_desk().past.clone();
-    let is_open = Memo::new(move |_| past.with(Option::is_some));
-    let shown = RwSignal::new(Some(None));
-    let fetch = Callback::new(move |()| {
-        leptos::task::spawn_local(async move {
-            shown.set(looking_back().await.ok().map(Some));
-        })
-    });
-    move || is_open.get().then(|| apart(shown, fetch))
-}
-
-/// A view whose code is a piece of its own: `Some(None)` until the piece is here, `None` when it did not come.
-type FetchedView = Option<Option<fn() -> AnyView>>;
-
-/// Shows what comes in a piece of its own: nothing until it is here, and a sentence if it does not come.
-fn apart(shown: RwSignal<FetchedView>, fetch: Callback<()>) -> AnyView {
-    fetch.run(());
-    (move || match shown.get() {
-        Some(Some(show)) => show(),
-        Some(None) => ().into_any(),
-        None => view! { <Failed again=fetch /> }.into_any(),
-    })
-    .into_any()
-}
-
 /// A piece did not come, and another try.
 #[component]
-fn Failed(again: Callback<()>) -> impl IntoView {
+pub(crate) fn Failed(again: Callback<()>) -> impl IntoView {
     view! {
         <p>{words::not_loaded()}</p>
         <button class="button" type="button" data-first="" on:click=move |_| again.run(())>{words::try_again()}</button>
     }
 }
 
-/// The second piece could not be fetched.
-struct NotLoaded;
-
-impl From<SplitLoaderError> for NotLoaded {
-    fn from(_: SplitLoaderError) -> Self {
-        Self
-    }
-}
-
-/// Fetches the second piece.
-#[wasm_split(later, wasm_split_path = leptos::wasm_split, fallible)]
-fn rest() -> Result<LazyViews, NotLoaded> {
-    Ok(LazyViews {
-        dialog: panels::dialog,
-        history: panels::history,
-        shadows: canvas::shadows,
-        tidy: layout::tidy,
-        control: panels::control,
-        offer: canvas::offer,
-        frames: canvas::frames,
-        boxes: canvas::boxes,
-        notes: canvas::notes,
-        chosen: panels::chosen,
-        several: canvas::several,
-        sentences_panel: panels::sentences_panel,
-        lit: canvas::lit,
-        typed: panels::typed,
-        ghost: canvas::ghost,
-        exercise: panels::exercise,
-        tour: panels::tour,
-        outline: panels::outline,
-        strip: canvas::strip,
-        problems: panels::problems,
-        context: canvas::context,
-        row_menu: panels::row_menu,
-        chord: canvas::chord,
-        paste: canvas::paste,
-        bubble: canvas::bubble,
-        carry: canvas::carry,
-        minimap: canvas::minimap,
-        apply: panels::apply,
-        robot_list: panels::robot_list,
-        recorded: panels::recorded,
-        tool_items: panels::tool_items,
-        running: panels::running,
-        room_tools: panels::room_tools,
-        camera: panels::camera,
-        name_field: canvas::name_field,
-        asks_name: panels::asks_name,
-        stranger: panels::stranger,
-        selected: panels::selected,
-    })
+/// Returns the second piece once it is here; nothing if it cannot be fetched.
+async fn fetched() -> Option<LazyViews> {
+    FETCH_REST.get()?().await
 }
 
 /// Does something once the second piece is here, a moment later if it is; works everywhere. Nothing if it cannot be fetched.
 pub(crate) fn once_here(act: impl FnOnce() + 'static) {
     leptos::task::spawn_local(async move {
-        if rest().await.is_ok() {
+        if fetched().await.is_some() {
             act();
         }
     });
@@ -249,8 +170,9 @@ pub(crate) fn second_piece() -> SecondPiece {
 }
 
 impl SecondPiece {
-    /// Not fetched yet.
-    pub(crate) fn new() -> Self {
+    /// A piece that is not fetched yet, and how it is fetched.
+    pub(crate) fn new(how: FetchRest) -> Self {
+        FETCH_REST.set(Some(how));
         Self { rest: ArcRwSignal::new(None), fetching: ArcRwSignal::new(Fetching::Rests) }
     }
 
@@ -286,7 +208,7 @@ impl SecondPiece {
     pub(crate) fn when_here(&self, act: impl FnOnce(Option<LazyViews>) + 'static) {
         let me = self.clone();
         leptos::task::spawn_local(async move {
-            let fetched = rest().await.ok();
+            let fetched = fetched().await;
             me.keep(fetched);
             act(fetched);
         });
@@ -300,7 +222,7 @@ impl SecondPiece {
         self.fetching.set(Fetching::Goes);
         let me = self.clone();
         leptos::task::spawn_local(async move {
-            let fetched = rest().await.ok();
+            let fetched = fetched().await;
             me.fetching.set(if fetched.is_some() { Fetching::Rests } else { Fetching::Failed });
             me.keep(fetched);
         });

@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 pub(crate) const SIZES: DrawnSizes =
     DrawnSizes { stream: stream_width, chip: |connector| chip_width(&chip_words(connector)), note: note_size };
 
-/// Lays out a whole behaviour for a stage of that width and height. It comes later (`later.rs`).
+/// Lays out a whole behaviour for a stage of that width and height. It comes with the second piece (`pieces.rs`).
 pub(crate) fn tidy(behaviour: &Behaviour, stage: (f64, f64)) -> BTreeMap<Id, Place> {
     editor::layout::tidy(behaviour, SIZES, stage)
 }

@@ -8,6 +8,7 @@ mod commands;
 mod desk;
 mod escape;
 mod fields;
+mod focus;
 mod icons;
 mod json;
 mod keys;
@@ -17,6 +18,9 @@ mod link;
 mod live;
 mod naming;
 mod panels;
+mod parts;
+mod pieces;
+mod reasons;
 mod steps;
 mod words;
 
@@ -63,9 +67,10 @@ fn App() -> impl IntoView {
     desk.start_up();
     title(&desk);
     let operates = is_operate();
-    let later = later::SecondPiece::new();
+    let later = later::SecondPiece::new(pieces::FETCH_REST);
     if !operates {
         undo_keys(&desk);
+        commands::know_panels(panels::PANELS);
         commands::keys(&desk);
         paper(&desk);
         later.serve(&desk);
@@ -76,7 +81,7 @@ fn App() -> impl IntoView {
     let phone = is_phone();
     move || match ended.get() {
         Some(end) => view! { <panels::Ended end /> }.into_any(),
-        None if operates => view! { <later::Operate /> }.into_any(),
+        None if operates => view! { <pieces::Operate /> }.into_any(),
         None => view! { <Page phone=phone.clone() /> }.into_any(),
     }
 }
@@ -97,10 +102,10 @@ fn Page(phone: ArcRwSignal<bool>) -> impl IntoView {
         {move || if phone.get() {
             view! { <later::Later show=|rest| (rest.outline)() /> }.into_any()
         } else {
-            view! { <Canvas /> }.into_any()
+            view! { <Canvas><panels::EmptyStage /></Canvas> }.into_any()
         }}
         <panels::RightColumn />
-        <later::LookBack />
+        <pieces::LookBack />
         <panels::Files />
         <panels::Dialogs />
         <panels::Notices />

@@ -1,14 +1,15 @@
 //! The link to the server: one WebSocket that comes back by itself, and the answers that are waited for.
 
+mod editor_link;
 mod socket;
+mod written;
 
 use crate::browser;
-use crate::desk::{Desk, LinkEnd};
 pub(crate) use editor::NoAnswer;
+pub(crate) use editor_link::EditorLink;
+pub(crate) use written::WrittenRequest;
 
-use editor::EditorRequest;
-use protocol::{AnyAnswer, Assembly, Event, Message, Request, STOPS_PER_START, Unanswered, answer, request};
-use serde::Serialize;
+use protocol::{AnyAnswer, Assembly, Event, Message, Refused, Request, STOPS_PER_START, Unanswered, answer, request};
 use socket::Socket;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -30,9 +31,36 @@ pub(crate) type OnAnyAnswer = Box<dyn FnOnce(Result<AnyAnswer, NoAnswer>)>;
 /// The work that is done with every event.
 type Ear = Rc<dyn Fn(&Event)>;
 
+/// The reasons why there will be no link again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LinkEnd {
+    /// The invitation ended by which this person came.
+    Revoked,
+    /// Another page of this person has the place of this one.
+    GaveWay,
+}
+
+/// Hears what the link brings. The link knows nothing else of whoever does.
+pub(crate) trait LinkHandler {
+    /// Returns the greeting of this page.
+    fn greeting(&self) -> request::Hello;
+    /// The server greeted back.
+    fn greeted(&self, welcome: answer::Welcome);
+    /// The server told something unasked.
+    fn hear(&self, event: Event);
+    /// The server refused something, and nobody waits for that answer.
+    fn refused(&self, no: &Refused);
+    /// Nothing was heard for so long; 0 with every word.
+    fn listen(&self, silent_ms: f64);
+    /// The link broke.
+    fn lost(&self);
+    /// There will be no link again.
+    fn end(&self, end: LinkEnd);
+}
+
 #[derive(Default)]
 struct PageLink {
-    desk: Option<Desk>,
+    handler: Option<Rc<dyn LinkHandler>>,
     socket: Option<Socket>,
     /// Counts sockets, so that the late event of an old one is recognised.
     generation: u32,
@@ -47,7 +75,7 @@ struct PageLink {
     answers: BTreeMap<u32, OnAnyAnswer>,
     /// There will be no link again: the invitation ended, or another page has the place of this one.
     is_over: bool,
-    /// The listener that hears every event before the desk does.
+    /// The listener that hears every event before the handler does.
     ear: Option<Ear>,
     /// What comes in parts.
     assembly: Assembly,
@@ -62,8 +90,8 @@ fn with<T>(act: impl FnOnce(&mut PageLink) -> T) -> T {
 }
 
 /// Starts to connect, and keeps at it.
-pub(crate) fn start(desk: Desk) {
-    with(|link| link.desk = Some(desk));
+pub(crate) fn start(handler: impl LinkHandler + 'static) {
+    with(|link| link.handler = Some(Rc::new(handler)));
     connect();
     let Some(window) = browser::window() else { return };
     browser::hear(&window, "online", |_| hurry());
@@ -73,22 +101,22 @@ pub(crate) fn start(desk: Desk) {
     browser::every(LISTEN_MS, listen);
 }
 
-/// Tells the desk for how long the server has been silent, and gives the link up after too long.
+/// Tells for how long the server has been silent, and gives the link up after too long.
 fn listen() {
     let now = browser::now_ms();
-    let (silent, desk) = with(|link| {
+    let (silent, handler) = with(|link| {
         let silent = link.socket.is_some() && now - link.heard_ms.max(link.opened_ms) > SILENCE_MS;
-        (silent, link.desk.clone().map(|desk| (desk, now - link.heard_ms)))
+        (silent, link.handler.clone().map(|handler| (handler, now - link.heard_ms)))
     });
     if silent {
         lose(with(|link| link.generation));
     }
-    if let Some((desk, silent_ms)) = desk {
-        desk.listen(silent_ms);
+    if let Some((handler, silent_ms)) = handler {
+        handler.listen(silent_ms);
     }
 }
 
-/// From now on every event is heard here too, before the desk hears it.
+/// From now on every event is heard here too, before the handler does.
 pub(crate) fn overhear(ear: impl Fn(&Event) + 'static) {
     with(|link| link.ear = Some(Rc::new(ear)));
 }
@@ -125,49 +153,18 @@ pub(crate) fn ask_pressed(stops: Option<u64>, request: &WrittenRequest, then: On
 
 /// Says something that is not answered.
 pub(crate) fn tell<R: Request<Answer = Unanswered>>(request: R) {
+    tell_written(&WrittenRequest::of(&request));
+}
+
+fn tell_written(request: &WrittenRequest) {
     if is_up() {
-        send(0, stops(), &WrittenRequest::of(&request));
+        send(0, stops(), request);
     }
 }
 
 /// Another answer than that of the request counts as none.
 fn typed<R: Request>(then: impl FnOnce(Result<R::Answer, NoAnswer>) + 'static) -> OnAnyAnswer {
     Box::new(move |answer| then(editor::typed(answer)))
-}
-
-/// A request as JSON. Each is written where it is asked, so that code which loads later brings its own; from there on all
-/// requests share their code.
-pub(crate) struct WrittenRequest {
-    name: &'static str,
-    fields: String,
-}
-
-impl WrittenRequest {
-    /// Writes a request.
-    #[inline(never)]
-    pub(crate) fn of<R: Request>(request: &R) -> Self {
-        Self::named(R::NAME, request)
-    }
-
-    /// Writes a request of the editor, which is data.
-    pub(crate) fn of_editor(request: &EditorRequest) -> Self {
-        Self::named(request.name(), request)
-    }
-
-    fn named(name: &'static str, request: &impl Serialize) -> Self {
-        let mut fields = Vec::new();
-        // A text that could not be written is no request, and the server says so.
-        let _ = request.serialize(&mut serde_json::Serializer::new(&mut fields));
-        Self { name, fields: String::from_utf8(fields).unwrap_or_default() }
-    }
-
-    /// The message that [`protocol::Ask`] is, with its number and the newest Stop.
-    fn message(&self, number: u32, stops: Option<u64>) -> String {
-        let (name, rest) = (request::wire_name(self.name), self.fields.strip_prefix('{').unwrap_or("}"));
-        let comma = if rest == "}" { "" } else { "," };
-        let stops = stops.map(|stops| format!(r#""stops":{stops},"#)).unwrap_or_default();
-        format!(r#"{{"ask":{number},{stops}"request":{{"is":"{name}"{comma}{rest}}}"#)
-    }
 }
 
 fn ask_written(stops: Option<u64>, request: &WrittenRequest, then: OnAnyAnswer) -> bool {
@@ -248,39 +245,37 @@ fn hurry() {
 }
 
 fn greet(generation: u32) {
-    if let Some(desk) = with(|link| link.desk.clone().filter(|_| link.generation == generation)) {
-        let greeting = desk.greeting();
-        let then = typed::<request::Hello>(move |answer| greeted(&desk, answer));
+    if let Some(handler) = with(|link| link.handler.clone().filter(|_| link.generation == generation)) {
+        let greeting = handler.greeting();
+        let then = typed::<request::Hello>(move |answer| greeted(&*handler, answer));
         ask_written(stops(), &WrittenRequest::of(&greeting), then);
     }
 }
 
 /// The server greeted back, or said why not.
-fn greeted(desk: &Desk, answer: Result<answer::Welcome, NoAnswer>) {
+fn greeted(handler: &dyn LinkHandler, answer: Result<answer::Welcome, NoAnswer>) {
     match answer {
         Ok(welcome) => {
             with(|link| (link.greeted, link.tries) = (true, 0));
-            desk.link_up();
-            desk.listen(0.0);
-            desk.welcome(welcome);
+            handler.greeted(welcome);
         }
-        Err(NoAnswer::Refused(no)) => desk.say_no(&no),
+        Err(NoAnswer::Refused(no)) => handler.refused(&no),
         Err(NoAnswer::Unreachable) => {}
     }
 }
 
 fn hear(generation: u32, text: &str) {
-    let desk = with(|link| {
+    let handler = with(|link| {
         link.heard_ms = browser::now_ms();
-        link.desk.clone().filter(|_| link.generation == generation)
+        link.handler.clone().filter(|_| link.generation == generation)
     });
-    let (Some(desk), Ok(message)) = (desk, crate::json::read::<Message>(text)) else { return };
+    let (Some(handler), Ok(message)) = (handler, crate::json::read::<Message>(text)) else { return };
     let message = match with(|link| link.assembly.take(message)) {
         Ok(Some(message)) => message,
         Ok(None) => return,
         Err(_) => return lose(generation),
     };
-    desk.listen(0.0);
+    handler.listen(0.0);
     if let Some(stops) = message.stops() {
         with(|link| link.stops = Some(newest_stop(link.stops, (generation, stops))));
     }
@@ -288,14 +283,14 @@ fn hear(generation: u32, text: &str) {
         Message::Answer { ask, answer } => drop(answered(ask, Ok(answer))),
         Message::No { ask, no } => {
             if !ask.is_some_and(|ask| answered(ask, Err(NoAnswer::Refused(no.clone())))) {
-                desk.say_no(&no);
+                handler.refused(&no);
             }
         }
         Message::Event(event) => {
             if let Some(ear) = with(|link| link.ear.clone()) {
                 ear(&event);
             }
-            desk.hear(event);
+            handler.hear(event);
         }
         // They were put together.
         Message::Records { .. } => {}
@@ -310,9 +305,10 @@ fn closed(generation: u32, code: u16) {
         protocol::CLOSE_GAVE_WAY => Some(LinkEnd::GaveWay),
         _ => None,
     };
-    if let (Some(end), Some(desk)) = (end, with(|link| link.desk.clone().filter(|_| link.generation == generation))) {
+    let handler = with(|link| link.handler.clone().filter(|_| link.generation == generation));
+    if let (Some(end), Some(handler)) = (end, handler) {
         with(|link| link.is_over = true);
-        desk.end(end);
+        handler.end(end);
     }
     lose(generation);
 }
@@ -322,16 +318,16 @@ fn lose(generation: u32) {
     if with(|link| link.generation != generation) {
         return;
     }
-    let (answers, desk, tries) = with(|link| {
+    let (answers, handler, tries) = with(|link| {
         link.socket = None;
         link.greeted = false;
         link.assembly = Assembly::default();
         link.generation += 1;
         link.tries += 1;
-        (std::mem::take(&mut link.answers), link.desk.clone(), link.tries)
+        (std::mem::take(&mut link.answers), link.handler.clone(), link.tries)
     });
-    if let Some(desk) = desk {
-        desk.link_lost();
+    if let Some(handler) = handler {
+        handler.lost();
     }
     answers.into_values().for_each(|then| then(Err(NoAnswer::Unreachable)));
     let wait = wait_ms(tries, browser::random());
@@ -347,32 +343,7 @@ fn wait_ms(tries: i32, chance: f64) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{WrittenRequest, newest_stop, wait_ms, with_own_stop};
-    use behaviour::Id;
-    use protocol::{AnyRequest, Ask, Request, request};
-
-    /// Compares what is sent with what the protocol says.
-    fn is_as_the_protocol_says<R: Request + Clone>(request: &R) {
-        for stops in [None, Some(7_000_001)] {
-            let text = WrittenRequest::of(request).message(7, stops);
-            let request: AnyRequest = request.clone().into();
-            assert_eq!(text, serde_json::to_string(&Ask { stops, ..Ask::new(7, request) }).unwrap());
-        }
-    }
-
-    #[test]
-    fn a_request_is_sent_as_the_protocol_says() {
-        let behaviour = Id::new("b").unwrap();
-        is_as_the_protocol_says(&request::Tags {});
-        is_as_the_protocol_says(&request::Open { behaviour: behaviour.clone() });
-        is_as_the_protocol_says(&request::TakeBack {
-            behaviour: behaviour.clone(),
-            op: behaviour,
-            again: true,
-            tokens: vec![],
-        });
-        is_as_the_protocol_says(&request::CallMe { name: "\"Aiko\" {}".to_owned() });
-    }
+    use super::{newest_stop, wait_ms, with_own_stop};
 
     #[test]
     fn the_answer_to_ones_own_stop_counts_before_the_link_tells_of_it() {

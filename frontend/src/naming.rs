@@ -1,6 +1,6 @@
 //! What a stream is called until a person types a name: it follows the connector that makes it. Pure.
 
-use crate::words::{NameLanguage, filled_whole};
+use crate::words::{NameLanguage, filled_whole, first_upper};
 use behaviour::connectors::Spec;
 use behaviour::{Behaviour, Connector, Procedure};
 
@@ -91,16 +91,6 @@ fn by_body(body: &str, arguments: &[String], names: &[String]) -> Option<String>
     }
     let named = behaviour::rename_identifiers(body, arguments, names);
     Some(first_upper(&named.split_whitespace().collect::<Vec<_>>().join(" ")))
-}
-
-/// The name of a helper as that of a stream: `near_enough` becomes "Near enough".
-pub(crate) fn in_words(helper: &str) -> String {
-    first_upper(helper.replace('_', " ").trim())
-}
-
-fn first_upper(text: &str) -> String {
-    let mut rest = text.chars();
-    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }
 
 fn clipped(name: &str) -> String {

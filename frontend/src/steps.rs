@@ -7,4 +7,4 @@ mod take;
 
 pub(crate) use offer::{Offer, actions, after, everything, offers_memo};
 pub(crate) use suggest::Step;
-pub(crate) use take::{lead_to_helper, take, takes_one};
+pub(crate) use take::{lead_to_action, lead_to_helper, take, takes_one};

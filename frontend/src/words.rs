@@ -1,9 +1,9 @@
 //! Every sentence of the page, in English where it is made; `language` has the others.
 
-/// Sentences without holes, a function each, of which the name is the key.
+/// Sentences without holes, a function each, of which the name is the key. A panel has those that it alone says in its own file.
 macro_rules! sentences {
     ($($name:ident: $text:literal;)*) => {
-        $(pub(crate) fn $name() -> &'static str { said!($name: $text) })*
+        $(pub(crate) fn $name() -> &'static str { $crate::words::said!($name: $text) })*
     };
 }
 
@@ -18,15 +18,17 @@ macro_rules! said {
 macro_rules! say {
     (@of $name:ident) => { $name };
     (@of $name:ident $value:expr) => { $value };
-    ($key:ident: $text:literal $(,)?) => { said!($key: $text).to_owned() };
+    ($key:ident: $text:literal $(,)?) => { $crate::words::said!($key: $text).to_owned() };
     ($key:ident: $text:literal $(, $name:ident $(= $value:expr)?)+ $(,)?) => {
         $crate::words::language::fill_keyed(
             const { ::phrase::key_of(stringify!($key)) },
             $text,
-            &[$((stringify!($name), &say!(@of $name $($value)?))),+],
+            &[$((stringify!($name), &$crate::words::say!(@of $name $($value)?))),+],
         )
     };
 }
+
+pub(crate) use {said, say, sentences};
 
 #[cfg(test)]
 mod complete_tests;

@@ -85,6 +85,7 @@ pub(crate) async fn walk(page: &Page, words: &Words, visit: impl AsyncFn(&str) -
     learning(page, words, &visit).await?;
     run_template(page, words).await?;
     visit("running").await?;
+    panels(page, &visit).await?;
     robots(page, words, &visit).await?;
     operations(page, words, &visit).await?;
     selected(page, words, "Head tracker").await?;
@@ -174,6 +175,26 @@ async fn learning(page: &Page, words: &Words, visit: &impl AsyncFn(&str) -> Outc
     task.press("button", &words.say("Try it")).await?;
     page.until("document.querySelector('.verdict') !== null", "it is tried").await?;
     visit("task").await
+}
+
+/// Every panel that opens by a command, one after the other.
+async fn panels(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
+    let row = ".commands-list [data-panel]";
+    page.key("Control+k").await?;
+    page.until(&format!("!!document.querySelector('{row}')"), "commands that open panels are listed").await?;
+    let names = page.eval(&format!("[...document.querySelectorAll('{row}')].map(row => row.dataset.panel)")).await?;
+    leave(page).await?;
+    for name in names.as_array().into_iter().flatten().filter_map(serde_json::Value::as_str) {
+        let (row, panel) = (format!(".commands-list [data-panel={name}]"), format!(".side[data-panel={name}]"));
+        page.key("Control+k").await?;
+        page.until(&format!("!!document.querySelector('{row}')"), "the command is listed").await?;
+        page.eval(&format!("document.querySelector('{row}').click()")).await?;
+        page.until(&format!("!!document.querySelector('{panel} h2')"), &format!("the panel {name} is open")).await?;
+        visit(&format!("panel-{name}")).await?;
+        page.eval(&format!("document.querySelector('{panel} [data-close]').click()")).await?;
+        page.until("!document.querySelector('.side')", &format!("the panel {name} is closed")).await?;
+    }
+    Ok(())
 }
 
 /// Adds a second robot and goes back to the one on which something runs.

@@ -27,7 +27,6 @@ pub enum Command {
     PrintProgram,
     Undo,
     Redo,
-    History,
     ShowExercise,
     TakeTour,
     AddSensor,
@@ -70,6 +69,8 @@ pub enum Command {
     PeopleHere,
     MyName,
     Invite,
+    /// Opens the panel of this name. Panels are the page's, and so are the rows of these.
+    Panel(&'static str),
 }
 
 /// The subjects of commands.
@@ -219,7 +220,6 @@ pub static ALL: &[CommandSpec] = &[
     row(Command::Redo, CommandGroup::Program, "Ctrl Y", Role::Editor)
         .on(&[On::Ground, On::Phone])
         .needs(Needs::SomethingToRedo),
-    row(Command::History, CommandGroup::Program, "", Role::Viewer).on(&[On::Phone]).needs(Needs::OpenProgram),
     row(Command::ShowExercise, CommandGroup::Program, "", Role::Viewer),
     row(Command::TakeTour, CommandGroup::Program, "", Role::Editor),
     row(Command::AddSensor, CommandGroup::Graph, "", Role::Editor)
@@ -318,7 +318,7 @@ mod tests {
         let missing = |now: CommandState| allowed(host).difference(&allowed(now)).copied().collect::<BTreeSet<_>>();
         assert_eq!(missing(nothing), [Command::Undo].into());
         assert_eq!(missing(CommandState { can_redo: false, ..host }), [Command::Redo].into());
-        assert!(missing(none).is_superset(&[Command::SaveFile, Command::AddSensor, Command::History].into()));
+        assert!(missing(none).is_superset(&[Command::SaveFile, Command::AddSensor, Command::RenameProgram].into()));
         assert!(!missing(none).contains(&Command::LoadProgram));
     }
 

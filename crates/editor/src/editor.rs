@@ -376,7 +376,12 @@ impl Editor {
         self.effect(Effect::Say(announcement));
     }
 
+    /// Tells the server something that it does not answer.
+    pub(crate) fn send_news(&mut self, news: impl Into<EditorRequest>) {
+        self.effect(Effect::Send(news.into(), None));
+    }
+
     pub(crate) fn ask(&mut self, request: impl Into<EditorRequest>, purpose: Purpose) {
-        self.effect(Effect::Ask(request.into(), purpose));
+        self.effect(Effect::Send(request.into(), Some(purpose)));
     }
 }

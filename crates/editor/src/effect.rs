@@ -5,17 +5,14 @@ use crate::kinds::FocusTarget;
 use crate::request::EditorRequest;
 use behaviour::{Accepted, Change, Id, Problem, RecordId};
 use phrase::Phrase;
-use protocol::{Refused, request};
+use protocol::Refused;
 
 /// One thing to do. The order counts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
-    /// Ask the server. The answer, or its lack, goes to [`crate::Editor::hear_answer`] with this note.
-    Ask(EditorRequest, Purpose),
-    /// Tell the server that somebody types, which it does not answer.
-    Tell(request::Typing),
-    /// Tell the server where this person is, which it does not answer.
-    Present(request::Present),
+    /// Send the server something over a [`crate::Link`]. The answer, or its lack, goes to [`crate::Editor::hear_answer`] with
+    /// this note; without one nothing is answered.
+    Send(EditorRequest, Option<Purpose>),
     /// Give the keyboard to a part of the graph once it is drawn, unless it is somewhere by then.
     Focus(FocusTarget),
     /// Call [`crate::Editor::wake`] after so many milliseconds.

@@ -19,6 +19,7 @@ pub mod keys;
 mod kinds;
 mod late;
 pub mod layout;
+mod link;
 mod locks;
 pub mod numbers;
 mod opening;
@@ -43,6 +44,7 @@ pub use effect::{AlarmPurpose, Announcement, EditorEvent, Effect, LogReader, Pur
 pub use gestures::{Put, short};
 pub use history::HistoryPanel;
 pub use kinds::{FocusTarget, Lit, Saving, Selected, UnsavedMark};
+pub use link::Link;
 pub use request::{EditorRequest, NoAnswer, typed};
 pub use signs::{Sign, initials, signs};
 pub use typing::KeyboardStay;

@@ -2,7 +2,7 @@
 //! comparing, so that whoever is offline edits without one.
 
 use crate::editing::{Asking, Editing, WriteRight};
-use crate::effect::{Effect, Purpose};
+use crate::effect::Purpose;
 use crate::{Editor, NoAnswer};
 use behaviour::{AskResult, FillFrom, Grant, Id, LockEvent, LockToken, RecordId, Refusal};
 use protocol::{LockShown, Refused, answer, request};
@@ -170,7 +170,7 @@ impl Editor {
         self.change_editing(|now| now.own(|own| own.free_ms = None));
         if self.now.clock_ms - self.typed_ms >= TYPING_MS {
             self.typed_ms = self.now.clock_ms;
-            self.effect(Effect::Tell(request::Typing { behaviour, token }));
+            self.send_news(request::Typing { behaviour, token });
         }
     }
 

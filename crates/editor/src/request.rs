@@ -53,6 +53,7 @@ requests! {
     Lock,
     Unlock,
     Typing,
+    Present,
     TakeOver,
     AskFor,
     Withdraw,

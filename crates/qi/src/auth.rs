@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use crate::agreed::{Agreed, Generation};
 use crate::error::{ConnectError, QiError};
-use crate::link::{Link, MemberTarget};
+use crate::link::{MemberTarget, QiLink};
 use crate::signature::ValueSignature;
 use crate::value::{Layout, Value, decode, encode};
 use crate::wire::MessageKind;
@@ -51,7 +51,7 @@ fn ours() -> Vec<(&'static str, Value)> {
 
 /// Says hello on a new link.
 pub(crate) async fn greet(
-    link: &Link,
+    link: &QiLink,
     credentials: Option<&Credentials>,
     within: Duration,
 ) -> Result<(), ConnectError> {
@@ -82,7 +82,7 @@ pub(crate) async fn greet(
     Err(ConnectError::UnknownLogin)
 }
 
-async fn ask(link: &Link, credentials: Option<&Credentials>, within: Duration) -> Result<Value, QiError> {
+async fn ask(link: &QiLink, credentials: Option<&Credentials>, within: Duration) -> Result<Value, QiError> {
     let mut said = ours();
     if let Some(Credentials { user, password }) = credentials {
         said.push(("auth_user", Value::dynamic(user.as_str())));
@@ -94,7 +94,7 @@ async fn ask(link: &Link, credentials: Option<&Credentials>, within: Duration) -
 }
 
 /// A refusal of somebody who greeted us first is no refusal: it does not know that call.
-fn greet_2014(link: &Link, refusal: String) -> Result<(), ConnectError> {
+fn greet_2014(link: &QiLink, refusal: String) -> Result<(), ConnectError> {
     let Some(greeting) = link.greeting() else { return Err(ConnectError::Refused(refusal)) };
     let call = |error: QiError| ConnectError::Call(Box::new(error));
     let theirs = decode(greeting, &capabilities(), Layout::default()).map_err(|error| call(error.into()))?;

@@ -90,7 +90,7 @@ pub enum LinkEnding {
     /// The peer closed it.
     #[error("the other side closed it")]
     Peer,
-    /// Closed by [`crate::Link::close`], or by nobody holding it any more.
+    /// Closed by [`crate::QiLink::close`], or by nobody holding it any more.
     #[error("it was closed here")]
     Here,
     /// The system says so.

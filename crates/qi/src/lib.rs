@@ -2,7 +2,7 @@
 //!
 //! A [`Session`] connects to a service directory, logs in as the peer's generation wants it, and finds services. An
 //! [`Object`] calls their methods by name, choosing overloads by the types of the arguments, and subscribes to signals.
-//! A [`Link`] is what both stand on: one connection with bounded queues and its own ping.
+//! A [`QiLink`] is what both stand on: one connection with bounded queues and its own ping.
 //!
 //! ```no_run
 //! # async fn shown() -> Result<(), qi::QiError> {
@@ -41,7 +41,7 @@ pub use choose::ChosenMethod;
 pub use error::{ConnectError, ConnectionStage, LinkEnding, QiError};
 pub use fingerprint::Fingerprint;
 pub use link::{
-    CallAnswer, EventChoice, IN_FLIGHT_MAX, Link, MemberTarget, QUEUE_MAX_BYTES, QUEUE_MAX_FRAMES, SUBSCRIBERS_MAX,
+    CallAnswer, EventChoice, IN_FLIGHT_MAX, MemberTarget, QUEUE_MAX_BYTES, QUEUE_MAX_FRAMES, QiLink, SUBSCRIBERS_MAX,
     SignalEvent, Subscription, WAITING_MAX_BYTES,
 };
 pub use malformed::{DEPTH_MAX, Malformed, TypeMismatch, VALUES_MAX};

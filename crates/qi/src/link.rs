@@ -51,7 +51,7 @@ pub struct MemberTarget {
 
 /// One connection; clones are the same one. It ends when nobody holds it any more.
 #[derive(Debug, Clone)]
-pub struct Link(Arc<LinkHandle>);
+pub struct QiLink(Arc<LinkHandle>);
 
 #[derive(Debug)]
 struct LinkHandle {
@@ -84,7 +84,7 @@ struct LinkShared {
     late: AtomicU64,
 }
 
-impl Link {
+impl QiLink {
     /// A link over any stream of bytes. Starts its two tasks on the current tokio runtime; nothing is said yet.
     pub fn over(stream: impl AsyncRead + AsyncWrite + Send + 'static) -> Self {
         let (outgoing, waiting) = mpsc::channel(QUEUE_MAX_FRAMES);
@@ -124,11 +124,11 @@ impl Link {
         self.answered(&mut waiting, within, what).await
     }
 
-    /// [`Link::call`] until somebody does not want it any more: then the peer is asked to cancel it, if it said that it can,
+    /// [`QiLink::call`] until somebody does not want it any more: then the peer is asked to cancel it, if it said that it can,
     /// and its answer is not waited for. What a method makes of that is the peer's.
     ///
     /// # Errors
-    /// Fails as [`Link::call`] does; with [`QiError::Canceled`] if it was not wanted any more.
+    /// Fails as [`QiLink::call`] does; with [`QiError::Canceled`] if it was not wanted any more.
     pub async fn call_until(
         &self,
         target: MemberTarget,

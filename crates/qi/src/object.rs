@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::error::QiError;
-use crate::link::{EventChoice, Link, MemberTarget, Subscription};
+use crate::link::{EventChoice, MemberTarget, QiLink, Subscription};
 use crate::meta::{MetaMethod, MetaObject};
 use crate::signature::ValueSignature;
 use crate::value::{ObjectRef, Value, encode_arguments};
@@ -24,7 +24,7 @@ const SET_PROPERTY: u32 = 6;
 /// An object of a peer; clones are the same one. What a method gave out is terminated with the last clone.
 #[derive(Debug, Clone)]
 pub struct Object {
-    link: Link,
+    link: QiLink,
     service: u32,
     object: u32,
     name: Arc<str>,
@@ -38,7 +38,7 @@ impl Object {
     ///
     /// # Errors
     /// Fails as any call can.
-    pub async fn at(link: Link, service: u32, object: u32, name: &str, within: Duration) -> Result<Self, QiError> {
+    pub async fn at(link: QiLink, service: u32, object: u32, name: &str, within: Duration) -> Result<Self, QiError> {
         let target = MemberTarget { service, object, action: META_OBJECT };
         let answer = link.call(target, 0, object.to_le_bytes().to_vec(), within, "metaObject").await?;
         let meta = Arc::new(MetaObject::decode(answer.payload())?);
@@ -46,7 +46,7 @@ impl Object {
     }
 
     /// The object that a method of the peer at the end of `link` gave out, if `value` is one.
-    pub fn from_value(link: &Link, value: &Value, within: Duration) -> Option<Self> {
+    pub fn from_value(link: &QiLink, value: &Value, within: Duration) -> Option<Self> {
         let ObjectRef { meta, service, object, .. } = value.as_object()?;
         let given_out = GivenOut { link: link.clone(), service: *service, object: *object };
         Some(Self {
@@ -66,7 +66,7 @@ impl Object {
     }
 
     /// The link it is reached by.
-    pub fn link(&self) -> &Link {
+    pub fn link(&self) -> &QiLink {
         &self.link
     }
 
@@ -142,7 +142,7 @@ impl Object {
     /// Listens to the signal of this name, or to the changes of a property.
     ///
     /// # Errors
-    /// [`QiError::NoMember`], and those of [`Link::subscribe`].
+    /// [`QiError::NoMember`], and those of [`QiLink::subscribe`].
     pub async fn subscribe(&self, signal: &str, keep: EventChoice) -> Result<Subscription, QiError> {
         let found = self.meta.signal(signal).ok_or_else(|| self.no_member("signal", signal))?;
         self.link.subscribe(self.target(found.uid), found.signature.clone(), keep, self.within).await
@@ -204,7 +204,7 @@ impl Object {
 /// An object that the peer keeps for us until it is told that nobody needs it.
 #[derive(Debug)]
 struct GivenOut {
-    link: Link,
+    link: QiLink,
     service: u32,
     object: u32,
 }

@@ -17,7 +17,7 @@ use crate::address::PeerAddress;
 use crate::auth::Credentials;
 use crate::error::{ConnectError, ConnectionStage, QiError};
 use crate::fingerprint::Fingerprint;
-use crate::link::{EventChoice, Link, Subscription};
+use crate::link::{EventChoice, QiLink, Subscription};
 use crate::object::{CALL_WITHIN, Object};
 use crate::tls::Trust;
 use crate::value::Value;
@@ -57,7 +57,7 @@ pub struct Session(Arc<SessionInner>);
 
 #[derive(Debug)]
 struct SessionInner {
-    link: Link,
+    link: QiLink,
     address: PeerAddress,
     peer: IpAddr,
     fingerprint: Option<Fingerprint>,
@@ -67,7 +67,7 @@ struct SessionInner {
     itself: Option<ServiceInfo>,
     cache: Arc<Cache>,
     /// To other processes of the same host.
-    links: tokio::sync::Mutex<BTreeMap<PeerAddress, Link>>,
+    links: tokio::sync::Mutex<BTreeMap<PeerAddress, QiLink>>,
     watcher: AbortHandle,
 }
 
@@ -105,7 +105,7 @@ impl Session {
     }
 
     /// The link to the directory, with everything that is offered by the same process.
-    pub fn link(&self) -> &Link {
+    pub fn link(&self) -> &QiLink {
         &self.0.link
     }
 
@@ -176,7 +176,7 @@ impl Session {
         ServiceInfo::from_value(&value).ok_or(wrong)
     }
 
-    async fn link_to(&self, info: &ServiceInfo) -> Result<Link, QiError> {
+    async fn link_to(&self, info: &ServiceInfo) -> Result<QiLink, QiError> {
         let inner = &self.0;
         let relative = inner.link.agreed().is_some_and(|agreed| agreed.relative_endpoints);
         match endpoint::choose(info, inner.itself.as_ref(), &inner.address, inner.peer, relative) {
@@ -191,7 +191,7 @@ impl Session {
         }
     }
 
-    async fn other_link(&self, address: &PeerAddress) -> Result<Link, QiError> {
+    async fn other_link(&self, address: &PeerAddress) -> Result<QiLink, QiError> {
         let mut links = self.0.links.lock().await;
         links.retain(|_, link| link.ending().is_none());
         if let Some(link) = links.get(address) {

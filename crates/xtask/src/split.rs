@@ -1,4 +1,4 @@
-//! Cuts the page's code into pieces: what is needed first, and what `frontend/src/later.rs` fetches after that.
+//! Cuts the page's code into pieces: what is needed first, and what `frontend/src/pieces.rs` fetches after that.
 
 use std::fmt::Display;
 use std::fs;
@@ -20,7 +20,7 @@ pub(crate) const FLAGS: &str = "-C link-args=--emit-relocs";
 const LINK: &str = "./later.js";
 const MAIN: &str = "main.wasm";
 /// The beginning of the names of later pieces, as they are cut; behind it is the word in the attribute in
-/// `frontend/src/later.rs`.
+/// `frontend/src/pieces.rs`.
 const CUT: &str = "split_";
 /// The beginning of the names of what several of them have in common, which comes with the first of those.
 const COMMON: &str = "chunk_";

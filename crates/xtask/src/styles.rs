@@ -1,4 +1,4 @@
-//! The stylesheet of the page: small files, each named after what it dresses, joined into one in a fixed order.
+//! The stylesheet of the page: small files, each named after what it dresses, joined into one in a stated order.
 
 use crate::dist::DistFiles;
 use crate::tools::ToolResult;
@@ -10,9 +10,10 @@ const SHEET: &str = "page.css";
 /// The sheets of screens whose code comes in a piece of its own, which fetches them; nobody else does.
 #[cfg(test)]
 const APART: [&str; 2] = ["operate.css", "past.css"];
-/// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
-/// small screens after it, and the canvas last.
-const ORDER: [&str; 52] = [
+/// The files that stand first, in this order. Of two rules that weigh alike the later one holds: tokens stand before the page from
+/// top to bottom. Every file that is named neither here nor below stands after these, by its name: one that dresses a single
+/// panel or dialog needs no place.
+const FIRST: [&str; 29] = [
     "tokens",
     "base",
     "frame",
@@ -23,7 +24,6 @@ const ORDER: [&str; 52] = [
     "running",
     "recordings",
     "panels",
-    "history",
     "room",
     "controls",
     "code",
@@ -43,6 +43,9 @@ const ORDER: [&str; 52] = [
     "presence",
     "invite",
     "tiles",
+];
+/// The files that stand last, in this order: what adapts the page to small screens after the page, and the canvas after that.
+const LAST: [&str; 22] = [
     "stop",
     "tablet",
     "phone",
@@ -69,13 +72,13 @@ const ORDER: [&str; 52] = [
 
 /// The static files with one stylesheet in place of the small ones.
 pub(crate) fn join(mut statics: DistFiles) -> ToolResult<DistFiles> {
+    let named: Vec<String> = FIRST.iter().chain(&LAST).map(|name| path(name)).collect();
+    let others: Vec<String> =
+        statics.keys().filter(|name| name.starts_with(FOLDER) && !named.contains(name)).cloned().collect();
+    let (first, last) = named.split_at(FIRST.len());
     let mut sheet = Vec::new();
-    for name in ORDER {
-        let part = statics.remove(&path(name));
-        sheet.extend(part.ok_or_else(|| format!("static/{} is missing; styles.rs names it.", path(name)))?);
-    }
-    if let Some(other) = statics.keys().find(|name| name.starts_with(FOLDER)) {
-        return Err(format!("static/{other} has no place in the order of styles.rs; give it one."));
+    for name in first.iter().chain(&others).chain(last) {
+        sheet.extend(statics.remove(name).ok_or_else(|| format!("static/{name} is missing; styles.rs names it."))?);
     }
     if statics.insert(SHEET.to_owned(), sheet).is_some() {
         return Err(format!("static/{SHEET} has the name of what the stylesheets are joined into; rename it."));
@@ -97,11 +100,11 @@ mod tests {
     type Tested = Result<(), Box<dyn std::error::Error>>;
 
     fn all() -> DistFiles {
-        ORDER.iter().map(|name| (path(name), format!("{name};").into_bytes())).collect()
+        FIRST.iter().chain(&LAST).map(|name| (path(name), format!("{name};").into_bytes())).collect()
     }
 
     fn at(name: &str) -> Option<usize> {
-        ORDER.iter().position(|known| *known == name)
+        FIRST.iter().chain(&LAST).position(|known| *known == name)
     }
 
     #[test]
@@ -121,17 +124,24 @@ mod tests {
             assert!(at(adapted) < at("tablet") && at(adapted) < at("phone") && at(adapted) < at("motion"));
         }
         assert!(at("menus") < at("strip") && at("frame") < at("stage"), "the canvas has its own menus and stage");
-        assert_eq!(at("adapted"), Some(ORDER.len() - 1));
+        assert_eq!(at("adapted"), Some(FIRST.len() + LAST.len() - 1));
     }
 
     #[test]
-    fn a_stylesheet_that_is_missing_or_has_no_place_stops_the_build() {
+    fn a_stylesheet_that_is_missing_stops_the_build() {
         let mut missing = all();
         missing.remove("styles/room.css");
         assert!(join(missing).is_err_and(|sentence| sentence.contains("static/styles/room.css is missing")));
-        let mut other = all();
-        other.insert("styles/new.css".to_owned(), Vec::new());
-        assert!(join(other).is_err_and(|sentence| sentence.contains("static/styles/new.css has no place")));
+    }
+
+    #[test]
+    fn a_stylesheet_that_nobody_names_stands_before_what_adapts_the_page() -> Tested {
+        let mut more = all();
+        more.extend(["zebra", "ant"].map(|name| (path(name), format!("{name};").into_bytes())));
+        let joined = join(more)?;
+        let text = std::str::from_utf8(&joined[SHEET])?;
+        assert!(text.contains(&format!("{};ant;zebra;{};", FIRST[FIRST.len() - 1], LAST[0])), "{text}");
+        Ok(())
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::view::CanvasBounds;
 use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
 use crate::icons::Icon;
-use crate::panels::ProblemLine;
+use crate::parts::ProblemLine;
 use crate::words;
 use behaviour::{Id, Problem, ProblemKind};
 use leptos::prelude::*;

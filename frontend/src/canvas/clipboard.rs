@@ -4,6 +4,7 @@ use super::Stage;
 use crate::browser;
 use crate::desk::{Desk, Dialog, Pasted, ProgramPart, Put, Selected};
 use crate::keys::PressedKey;
+use crate::later::PasteTarget;
 use crate::words;
 use behaviour::{Helper, Place};
 use editor::keys::{GraphChord, graph_chord};
@@ -50,7 +51,7 @@ fn cut(desk: &Desk) {
 }
 
 /// Pastes what was copied in this page.
-fn paste_copied(desk: &Desk, stage: Option<&Stage>) {
+fn paste_copied(desk: &Desk, stage: Option<&dyn PasteTarget>) {
     match desk.document.copied.get_untracked() {
         Some(text) => drop(paste(desk, stage, &text)),
         None => desk.say(words::nothing_copied(), false),
@@ -58,17 +59,13 @@ fn paste_copied(desk: &Desk, stage: Option<&Stage>) {
 }
 
 /// Puts a part in; on the canvas it is brought into view.
-fn put(desk: &Desk, stage: Option<&Stage>, part: ProgramPart, at: Put) {
-    let stage = stage.cloned();
-    desk.document.put_in(part, at, &helpers(desk), move || {
-        if let Some(stage) = stage {
-            stage.reveal_chosen();
-        }
-    });
+fn put(desk: &Desk, stage: Option<&dyn PasteTarget>, part: ProgramPart, at: Put) {
+    let reveal = stage.map(PasteTarget::reveal);
+    desk.document.put_in(part, at, &helpers(desk), move || reveal.into_iter().for_each(|reveal| reveal()));
 }
 
 /// A second one of what is chosen, beside it.
-pub(super) fn duplicate(desk: &Desk, stage: Option<&Stage>) {
+pub(super) fn duplicate(desk: &Desk, stage: Option<&dyn PasteTarget>) {
     if let Some((part, _)) = chosen_part(desk) {
         put(desk, stage, part, Put::Beside);
     }
@@ -76,7 +73,7 @@ pub(super) fn duplicate(desk: &Desk, stage: Option<&Stage>) {
 
 /// Pastes a part of a program under the pointer, and beside what was copied where there is no canvas; offers to open a
 /// whole program. Returns true if it was one of them.
-pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
+pub(crate) fn paste(desk: &Desk, stage: Option<&dyn PasteTarget>, text: &str) -> bool {
     let Some(part) = ProgramPart::read(text, crate::json::read) else {
         let whole = Pasted::read(text);
         let is_whole = whole.is_some();
@@ -88,16 +85,21 @@ pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
     true
 }
 
-impl Stage {
-    /// Returns the place for what is pasted: under the pointer, else in the middle of what is seen.
+impl PasteTarget for Stage {
+    /// Returns the place under the pointer, else in the middle of what is seen.
     fn paste_place(&self) -> Place {
         let (middle, view) = (self.size.get_untracked(), self.view.get_untracked());
         self.pointer.get_untracked().unwrap_or_else(|| view.to_canvas((middle.0 / 2.0, middle.1 / 3.0)))
     }
+
+    fn reveal(&self) -> Box<dyn FnOnce()> {
+        let stage = self.clone();
+        Box::new(move || stage.reveal_chosen())
+    }
 }
 
 /// Keys with Control or Command on the graph, or on the list in its place; whether it was one.
-pub(crate) fn chord(event: &KeyboardEvent, desk: &Desk, stage: Option<&Stage>) -> bool {
+pub(crate) fn chord(event: &KeyboardEvent, desk: &Desk, stage: Option<&dyn PasteTarget>) -> bool {
     let may = untrack(|| desk.may(Role::Editor));
     match graph_chord(&event.pressed(), event.shift_key(), may) {
         Some(GraphChord::ChooseAll) => desk.document.choose_all(),

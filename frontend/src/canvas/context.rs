@@ -5,7 +5,7 @@ use super::hand::StagePoint;
 use super::offer::{leaves_menu, step};
 use super::strip_spot::EDGE;
 use crate::browser;
-use crate::commands::{ALL, CommandSpec, On, PageCommand};
+use crate::commands::{self, On, PageCommand};
 use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
 use crate::keys::PressedKey;
@@ -76,8 +76,8 @@ fn Menu() -> impl IntoView {
 
 #[component]
 fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
-    let is_shown = |command: &&CommandSpec| command.on.contains(&context.on) && untrack(|| command.can_be_done(&desk));
-    let commands: Vec<&'static CommandSpec> = ALL.iter().filter(is_shown).collect();
+    let is_shown = |command: &PageCommand| command.on.contains(&context.on) && untrack(|| command.can_be_done(&desk));
+    let commands: Vec<PageCommand> = commands::all().into_iter().filter(is_shown).collect();
     let size = stage.size.get_untracked();
     let height = commands.len() as f64 * ROW + 12.0;
     let fit = |at: f64, own: f64, whole: f64| at.min(whole - own - EDGE).max(EDGE);

@@ -8,7 +8,7 @@ use super::node::OthersRing;
 use super::noting::NoteWriting;
 use crate::desk::{Desk, NoteSignals, Selected, use_desk};
 use crate::layout::note_size;
-use crate::panels::{NoteField, author_color, note_name, written_by};
+use crate::parts::{NoteField, author_color, note_name, written_by};
 use crate::words;
 use behaviour::{Id, Kind, Place, RecordId};
 use leptos::prelude::*;

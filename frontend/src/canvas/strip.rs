@@ -8,7 +8,7 @@ use super::{Stage, pointers};
 use crate::desk::{Desk, LinkState, NewSpot, Saving, Selected, use_desk};
 use crate::icons::Icon;
 use crate::layout::{STREAM_HEIGHT, VALUE_ROOM, stream_width, text_width};
-use crate::panels::RemoveButton;
+use crate::parts::RemoveButton;
 use crate::steps::{Offer, offers_memo, take};
 use crate::words;
 use behaviour::{Id, Place, StreamKind};

@@ -1,13 +1,25 @@
-//! The events of the server, put where they belong.
+//! All that the link brings, put where it belongs.
 
-use super::Desk;
-use super::identity::keep_credential;
+use super::identity::{greeting, keep_credential};
+use super::{Desk, LinkState};
+use crate::link::{LinkEnd, LinkHandler};
 use leptos::prelude::*;
-use protocol::{Event, LIBRARY, answer};
+use protocol::{Event, LIBRARY, Refused, answer, request};
 
-impl Desk {
-    /// Hears one event.
-    pub(crate) fn hear(&self, event: Event) {
+impl LinkHandler for Desk {
+    fn greeting(&self) -> request::Hello {
+        greeting()
+    }
+
+    /// Begins with what the server says when it greets back.
+    fn greeted(&self, welcome: answer::Welcome) {
+        self.online.set(LinkState::Online);
+        self.document.link_up();
+        self.document.listen(0.0);
+        self.welcome(welcome);
+    }
+
+    fn hear(&self, event: Event) {
         match event {
             Event::Invitations { invitations } => self.invitations.set(invitations),
             Event::ProgramsChanged => self.library.programs_changed(),
@@ -42,8 +54,28 @@ impl Desk {
         }
     }
 
-    /// The server greeted back: all begins with what it says.
-    pub(crate) fn welcome(&self, welcome: answer::Welcome) {
+    fn refused(&self, no: &Refused) {
+        self.say_no(no);
+    }
+
+    fn listen(&self, silent_ms: f64) {
+        self.document.listen(silent_ms);
+    }
+
+    /// Shows what waits until the link is back.
+    fn lost(&self) {
+        self.online.set(LinkState::Offline);
+        self.document.link_lost();
+    }
+
+    fn end(&self, end: LinkEnd) {
+        self.ended.set(Some(end));
+    }
+}
+
+impl Desk {
+    /// Takes in what the server says when it greets back.
+    fn welcome(&self, welcome: answer::Welcome) {
         let answer::Welcome { epoch, you, role, secret, library, library_revision, templates, exercises, .. } = welcome;
         self.epoch.set(epoch);
         self.role.set(Some(role));

@@ -18,11 +18,6 @@ const NAME_MAX_CHARS: usize = 40;
 const GUEST: &str = "Guest ";
 
 impl Desk {
-    /// The greeting of this tab.
-    pub(crate) fn greeting(&self) -> request::Hello {
-        request::Hello { version: protocol::VERSION, name: my_name(), again: kept_credential() }
-    }
-
     /// Sets the name of this person that others see; keeps it in this browser, and tells them at once.
     pub(crate) fn set_my_name(&self, name: &str) {
         let name: String = name.trim().chars().take(NAME_MAX_CHARS).collect();
@@ -54,6 +49,11 @@ impl Desk {
             }
         });
     }
+}
+
+/// Returns the greeting of this tab.
+pub(super) fn greeting() -> request::Hello {
+    request::Hello { version: protocol::VERSION, name: my_name(), again: kept_credential() }
 }
 
 /// Returns the credential that this tab had on an earlier link.

@@ -9,7 +9,7 @@ mod pasted;
 mod pictures;
 mod settings;
 
-pub(crate) use files::{NotBrought, file_address, first_file};
+pub(crate) use files::{file_address, first_file};
 pub(crate) use lists::ProgramPage;
 pub(crate) use pasted::Pasted;
 pub(crate) use settings::Settle;

@@ -1,7 +1,7 @@
 //! The state of this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
 use super::{CarriedItem, Pasted};
-use crate::link::{self, NoAnswer, WrittenRequest};
+use crate::link::{self, LinkEnd, NoAnswer, WrittenRequest};
 use crate::{browser, words};
 use editor::FocusTarget;
 pub(crate) use editor::LinkState;
@@ -16,15 +16,6 @@ use std::sync::Arc;
 
 /// The time until something that could not be done just now is asked again.
 pub(super) const AGAIN_MS: i32 = 1_000;
-
-/// The reasons why there will be no link again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LinkEnd {
-    /// The invitation ended by which this person came.
-    Revoked,
-    /// Another page of this person has the place of this one.
-    GaveWay,
-}
 
 /// Something of the graph to choose from a list, where the graph is shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -178,8 +169,8 @@ pub(crate) struct TabFields {
     pub(crate) put_away: ArcRwSignal<Option<Id>>,
     /// At which step of the tour this person is, while they take it.
     pub(crate) tour: ArcRwSignal<Option<usize>>,
-    /// True if the history is shown.
-    pub(crate) shows_history: ArcRwSignal<bool>,
+    /// The panel that is open in the right column, by its name in the list of panels.
+    pub(crate) panel: ArcRwSignal<Option<&'static str>>,
     /// True if the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
     pub(crate) to_graph: ArcRwSignal<bool>,
     /// The program that this tab asked to be removed, until that is answered.

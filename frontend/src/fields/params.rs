@@ -1,7 +1,8 @@
 //! The parameters of a device as a form, straight from the catalogue.
 
-use super::{Choice, NumberField, TextField, Unfilled};
+use super::{Choice, NumberField, TextField, read_one_way};
 use crate::desk::use_desk;
+use crate::reasons::Unfilled;
 use crate::words;
 use behaviour::{FillFrom, Params, Value};
 use leptos::prelude::*;
@@ -82,7 +83,7 @@ impl ParamRow {
     /// Nobody guesses a number that may be either of two.
     fn in_two_ways(&self) -> Result<(), Unfilled> {
         match self.param.kind {
-            ParamKind::Number { .. } => self.text.with_untracked(|text| Unfilled::in_two_ways(text)),
+            ParamKind::Number { .. } => self.text.with_untracked(|text| read_one_way(text)),
             ParamKind::Choice(_) | ParamKind::Text { .. } => Ok(()),
         }
     }

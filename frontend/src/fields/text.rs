@@ -1,6 +1,8 @@
 //! One line of text, and a number with its unit.
 
 use crate::keys::PressedKey;
+use crate::reasons::Unfilled;
+use crate::words;
 use leptos::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wasm_bindgen::JsCast;
@@ -123,4 +125,12 @@ pub(crate) fn NumberField(
             </span>
         </label>
     }
+}
+
+/// Checks that a number that was typed can be read in one way only.
+///
+/// # Errors
+/// If it may be either of two.
+pub(crate) fn read_one_way(typed: &str) -> Result<(), Unfilled> {
+    words::two_ways(typed).map_or(Ok(()), |said| Err(Unfilled::TwoWays(said)))
 }

@@ -2,10 +2,9 @@
 //! does it.
 
 use super::control::instead_of;
-use super::hold::hold;
-use super::may::may_operate;
 use crate::desk::{Desk, Unused};
 use crate::layout;
+use crate::parts::{hold, may_operate};
 use crate::words;
 use behaviour::{Kind, Record};
 use editor::unused::{UnusedAuthors, whose};

@@ -1,8 +1,7 @@
 //! The buttons of the open program: an operator presses them while it runs, or the keys 1 to 9.
 
-use super::hold::hold;
-use super::may::may_operate;
 use crate::keys::PressedKey;
+use crate::parts::{hold, may_operate};
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
@@ -66,7 +65,7 @@ fn number_of(event: &KeyboardEvent) -> Option<usize> {
 }
 
 /// What stands on the button that a stream senses, if it is one. Reactive.
-fn label(desk: super::hold::DeskHold, id: &Id) -> Option<String> {
+fn label(desk: crate::parts::DeskHold, id: &Id) -> Option<String> {
     let stream = desk.desk().document.stream(id)?;
     let stream = stream.record.read();
     let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;

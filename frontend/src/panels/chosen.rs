@@ -1,12 +1,10 @@
 //! Several things that are chosen, a note or a group, in the right column.
 
-use super::hold::{DeskHold, hold};
 use super::inspector::{device_icon, kind_class};
-use super::may::{MayNot, may_edit};
-use super::note_field::{author_color, written_by};
 use crate::desk::{GroupSignals, NoteSignals, Selected};
 use crate::icons::Icon;
 use crate::layout::chip_words;
+use crate::parts::{DeskHold, MayNot, author_color, hold, may_edit, written_by};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

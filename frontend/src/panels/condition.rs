@@ -1,6 +1,6 @@
 //! How the robot's body is, as plain lights with words.
 
-use super::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use robot::Health;

@@ -7,9 +7,8 @@ mod rows;
 mod slider;
 mod turned;
 
-use crate::panels::hold::hold;
-use crate::panels::may::{MayNot, may_edit};
 use crate::panels::uses::Uses;
+use crate::parts::{MayNot, hold, may_edit};
 use crate::words;
 use behaviour::{Connector, Id, Kind, Procedure, RecordId};
 use editor::numbers::number_tests;

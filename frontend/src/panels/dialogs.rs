@@ -27,13 +27,11 @@ mod stream;
 mod tiles;
 mod waiting;
 
-pub(crate) use save_file::NoPicture;
-
-use super::focus;
-use super::hold::{DeskHold, hold};
 use crate::browser;
 use crate::desk::{Dialog, TILES_QUERY};
+use crate::focus;
 use crate::later::{NotHere, second_piece};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use frame::Frame;
 use leptos::prelude::*;

@@ -1,7 +1,7 @@
 //! Says aloud, once, when somebody else begins to edit something.
 
-use super::hold::{DeskHold, hold};
 use crate::layout::chip_words;
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::{Kind, RecordId};
 use leptos::prelude::*;

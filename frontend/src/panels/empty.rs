@@ -2,14 +2,12 @@
 
 mod sketch;
 
-use super::focus;
-use super::hold::{DeskHold, hold};
 use super::language::OtherLanguage;
-use super::may::{MayNot, may_edit};
-use super::teaching::take_tour;
 use super::tools::open_program;
 use crate::desk::Dialog;
+use crate::focus;
 use crate::icons::Icon;
+use crate::parts::{DeskHold, MayNot, hold, may_edit};
 use crate::words;
 use behaviour::Params;
 use behaviour::sort_few;
@@ -180,7 +178,7 @@ pub(crate) fn TemplateCard(summary: Summary) -> impl IntoView {
 fn TourButton() -> impl IntoView {
     let desk = hold();
     view! {
-        <button class="button" type="button" disabled=move || !may_edit(desk) on:click=move |_| take_tour(&desk.desk())>
+        <button class="button" type="button" disabled=move || !may_edit(desk) on:click=move |_| desk.desk().take_tour()>
             <Icon name="flag" />
             {words::take_tour()}
         </button>

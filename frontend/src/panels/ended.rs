@@ -1,8 +1,8 @@
 //! What is seen where there will be no link again: calm, and nothing that goes on pretending.
 
-use super::focus;
 use crate::browser;
-use crate::desk::LinkEnd;
+use crate::focus;
+use crate::link::LinkEnd;
 use crate::words;
 use leptos::prelude::*;
 

@@ -5,30 +5,48 @@ mod naming;
 mod rows;
 mod sittings;
 
-use super::focus;
-use super::hold::{DeskHold, hold};
-use super::may::{MayNot, may_edit};
+use super::side::SidePanel;
 use crate::browser;
+use crate::commands::{CommandGroup, Needs, On, Panel};
 use crate::desk::{LinkState, OpenVersion};
 use crate::escape;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::done;
+use crate::parts::{DeskHold, MayNot, hold, may_edit};
 use crate::words;
 use behaviour::Id;
 use foot::Foot;
-use leptos::html;
 use leptos::prelude::*;
 use naming::Naming;
-use protocol::{HistoryLine, Person};
+use protocol::{HistoryLine, Person, Role};
 use rows::{EditingNow, Row};
 use sittings::{HistoryScope, ReaderClock, SittingEntry, entries};
 use std::collections::{BTreeMap, BTreeSet};
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
 
+words::sentences! {
+    name_version: "Name this version";
+    earlier_changes: "Earlier changes";
+    no_history: "Nothing was changed yet.";
+}
+
+/// The history in the list of panels.
+pub(super) const PANEL: Panel = Panel {
+    label: words::history,
+    icon: "history",
+    group: CommandGroup::Program,
+    keys: "",
+    role: Role::Viewer,
+    on: &[On::Phone],
+    needs: Needs::OpenProgram,
+    in_bar: true,
+};
+
 /// The history of the open program.
-pub(crate) fn history() -> AnyView {
+pub(super) fn view() -> AnyView {
     view! { <HistoryPanel /> }.into_any()
 }
 
@@ -41,29 +59,20 @@ fn HistoryPanel() -> impl IntoView {
     // People move far more often than they rename themselves, and the lines are about names only.
     let called = Memo::new(move |_| called_now(desk));
     let shown = Memo::new(move |_| lines(desk, &unfolded.read(), called.get()));
-    let root = NodeRef::<html::Section>::new();
-    Effect::new(move |_| {
-        if root.get().is_some() {
-            let _ = request_animation_frame(move || take_keyboard(root));
-        }
-    });
     end_from_outside(desk);
     let row = move |entry: SittingEntry| view! { <Row entry unfolded /> };
     let name_it = move |_| names.set(Some(meant(desk)));
+    let tools = view! {
+        <button class="button small" type="button" aria-keyshortcuts="N" title=format!("{} (N)", name_version())
+            disabled=move || !may_change(desk) || desk.desk().document.revision.get() == 0 on:click=name_it>
+            <Icon name="flag" />
+            {name_version()}
+        </button>
+    };
+    let on_key = Callback::new(move |event: KeyboardEvent| key(&event, desk, names));
+    let before = Callback::new(move |()| desk.desk().document.end_comparing());
     view! {
-        <section class="history" aria-label=words::history() node_ref=root on:keydown=move |event| key(&event, desk, names)>
-            <div class="history-head">
-                <h2 tabindex="-1">{words::history()}</h2>
-                <button class="button small" type="button" aria-keyshortcuts="N" title=format!("{} (N)", words::name_version())
-                    disabled=move || !may_change(desk) || desk.desk().document.revision.get() == 0 on:click=name_it>
-                    <Icon name="flag" />
-                    {words::name_version()}
-                </button>
-                <button class="tool icon" type="button" aria-label=words::close() title=words::close()
-                    on:click=move |_| close(desk)>
-                    <Icon name="close" />
-                </button>
-            </div>
+        <SidePanel tools=tools.into_any() on_key before>
             {move || names.get().map(|revision| view! { <Naming revision names /> })}
             <MayNot />
             <div class="history-lines">
@@ -74,7 +83,7 @@ fn HistoryPanel() -> impl IntoView {
                 <End />
             </div>
             <Foot />
-        </section>
+        </SidePanel>
     }
 }
 
@@ -120,11 +129,11 @@ fn End() -> impl IntoView {
         (false, ..) => view! { <p class="faint">{words::reading_history()}</p> }.into_any(),
         (_, true, _) => view! {
             <button class="link" type="button" on:click=move |_| desk.desk().document.read_older()>
-                {words::earlier_changes()}
+                {earlier_changes()}
             </button>
         }
         .into_any(),
-        (_, false, true) => view! { <p class="faint">{words::no_history()}</p> }.into_any(),
+        (_, false, true) => view! { <p class="faint">{no_history()}</p> }.into_any(),
         (_, false, false) => ().into_any(),
     }
 }
@@ -147,7 +156,8 @@ fn choose(desk: DeskHold, revision: u64) {
     }
 }
 
-fn key(event: &KeyboardEvent, desk: DeskHold, names: RwSignal<Option<u64>>) {
+/// Names a version, or ends what was begun last; whether this key does.
+fn key(event: &KeyboardEvent, desk: DeskHold, names: RwSignal<Option<u64>>) -> bool {
     let target = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
     let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "SELECT"));
     let with_others = event.ctrl_key() || event.meta_key() || event.alt_key();
@@ -157,21 +167,21 @@ fn key(event: &KeyboardEvent, desk: DeskHold, names: RwSignal<Option<u64>>) {
         names.set(Some(meant(desk)));
         event.prevent_default();
     }
-    if is_naming || escape::ends(event, || end_next(desk, names)) {
-        event.stop_propagation();
-    }
+    is_naming || escape::may_end(event, || end_next(desk, names))
 }
 
-/// Ends what was begun last: a name, comparing, the panel.
-fn end_next(desk: DeskHold, names: RwSignal<Option<u64>>) {
+/// Ends what was begun last, a name or comparing; whether there was something.
+fn end_next(desk: DeskHold, names: RwSignal<Option<u64>>) -> bool {
     if names.get_untracked().is_some() {
         names.set(None);
         back_to_lines();
-    } else if desk.desk().document.comparing.with_untracked(Option::is_some) {
-        desk.desk().document.end_comparing();
-    } else {
-        close(desk);
+        return true;
     }
+    let compares = desk.desk().document.comparing.with_untracked(Option::is_some);
+    if compares {
+        desk.desk().document.end_comparing();
+    }
+    compares
 }
 
 /// Escape ends comparing from everywhere on the page where it means nothing else.
@@ -188,22 +198,6 @@ fn end_from_outside(desk: DeskHold) {
         });
     });
     on_cleanup(move || handle.remove());
-}
-
-fn close(desk: DeskHold) {
-    desk.desk().document.end_comparing();
-    desk.desk().shows_history.set(false);
-    if let Some(button) = focus::by_id("history-button").filter(|button| button.offset_width() > 0) {
-        focus::focus(&button);
-    }
-}
-
-fn take_keyboard(root: NodeRef<html::Section>) {
-    let Some(root) = root.get_untracked() else { return };
-    let stops = focus::all(&root, "[data-stop][tabindex='0']");
-    if let Some(first) = stops.into_iter().next().or_else(|| focus::all(&root, "h2").into_iter().next()) {
-        focus::focus(&first);
-    }
 }
 
 /// The line that Tab comes to has the keyboard again.

@@ -1,8 +1,8 @@
 //! What a stream has to do with the rest: what hangs below it, who else uses its action, and whether the robot has all.
 
-use super::hold::hold;
 use crate::desk::Selected;
 use crate::icons::Icon;
+use crate::parts::hold;
 use crate::words;
 use behaviour::{Graph, Id, Stream, StreamKind};
 use leptos::prelude::*;

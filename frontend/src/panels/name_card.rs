@@ -1,9 +1,9 @@
 //! What others see as one's name, asked once and politely: when somebody else is here for the first time.
 
-use super::hold::hold;
 use crate::escape;
 use crate::icons::Icon;
 use crate::later::Later;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 

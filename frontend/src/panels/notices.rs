@@ -1,10 +1,10 @@
 //! One sentence for the person, away from Stop; and the offline line at every size.
 
-use super::hold::hold;
 use super::name_card::NameCard;
 use crate::browser;
 use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 

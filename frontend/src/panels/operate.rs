@@ -20,8 +20,8 @@ mod tiles;
 mod trouble;
 mod verdict;
 
-use super::hold::{DeskHold, hold};
 use crate::browser;
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -178,7 +178,7 @@ fn forget_own_stops(op: OperateShared) {
 
 /// True while the page's Stop says what became of a press.
 fn stop_was_pressed() -> bool {
-    let form = super::focus::by_id("stop-form").and_then(|form| form.get_attribute("data-state"));
+    let form = crate::focus::by_id("stop-form").and_then(|form| form.get_attribute("data-state"));
     form.is_some_and(|state| !state.is_empty())
 }
 

@@ -7,14 +7,13 @@ mod rows;
 mod strip;
 
 use super::empty::EmptyStage;
-use super::focus;
-use super::hold::{DeskHold, hold};
-use super::may::may_edit;
-use super::problems::problem_count;
-use crate::canvas::{PaperTitle, pasted};
+use crate::browser::pasted;
+use crate::canvas::PaperTitle;
 use crate::desk::Dialog;
+use crate::focus;
 use crate::icons::Icon;
 use crate::later::{Later, second_piece};
+use crate::parts::{DeskHold, hold, may_edit, problem_count};
 use crate::words;
 use aside::{AddNote, GroupRow, NoteRow};
 use behaviour::Id;

@@ -1,17 +1,17 @@
 //! The left list: find or add senses, helpers and actions.
 
-use super::focus;
-use super::hold::{DeskHold, hold};
 use super::inspector::{device_icon, kind_class};
-use super::may::{MayNot, may_edit};
-use super::typed::SentenceField;
-use crate::desk::{CarriedItem, ConnectPlan, Desk, Dialog, ListItem, NewSpot, Output, Selected};
+use crate::desk::{CarriedItem, Dialog, ListItem, Selected};
 use crate::escape;
+use crate::fields::SentenceField;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::later::Later;
+use crate::parts::{DeskHold, MayNot, hold, may_edit};
+use crate::steps::lead_to_action;
 use crate::words;
-use behaviour::{Id, Params, Procedure, Stream, StreamKind, connectors, sort_few};
+use behaviour::{Id, Params, Procedure, Stream, StreamKind, sort_few};
 use editor::find;
 use leptos::prelude::*;
 use robot::Device;
@@ -306,17 +306,4 @@ fn subscribe(desk: DeskHold, source: Option<Id>, device: &'static Device) {
     if let Some(input) = source {
         lead_to_action(&desk.desk(), input, device);
     }
-}
-
-/// Leads a stream to a new action.
-pub(crate) fn lead_to_action(desk: &Desk, input: Id, device: &'static Device) {
-    let name = desk.document.name_for(words::device(device));
-    let output = Output::New { name, device: Some(device.name.to_owned()), params: Params::new() };
-    let plan = ConnectPlan {
-        operation: connectors::to_action().with(()),
-        inputs: vec![input],
-        output,
-        spot: NewSpot::default(),
-    };
-    desk.document.connect(plan, |_| {});
 }

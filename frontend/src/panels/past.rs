@@ -27,10 +27,10 @@ mod telling;
 mod then;
 mod why;
 
-use super::focus;
-use super::hold::{DeskHold, hold};
 use crate::browser;
 use crate::desk::{LinkState, OpenPast};
+use crate::focus;
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use lanes::{Density, LaneAct, Viewer};
 use leptos::html;

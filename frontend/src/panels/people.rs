@@ -1,7 +1,7 @@
 //! The people in the program, each with a sign of their own: one's own changes one's name, another's follows them.
 
-use super::hold::{DeskHold, hold};
 use crate::desk::{Dialog, Sign};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

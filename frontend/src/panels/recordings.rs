@@ -1,11 +1,11 @@
 //! Recording a run: whether the next Start is recorded, how a recording goes, and the way to the recordings that are kept.
 
-use super::hold::hold;
-use super::may::may_operate;
+use crate::commands::recordings_address;
 use crate::later::Later;
+use crate::parts::{hold, may_operate};
 use crate::words;
 use leptos::prelude::*;
-use protocol::{MARK_MAX_CHARS, REPORTS_PATH, Recorded};
+use protocol::{MARK_MAX_CHARS, Recorded};
 use web_sys::SubmitEvent;
 
 /// The row under Start: a box to tick before it, and how it goes while it runs.
@@ -102,10 +102,4 @@ fn Mark(note: RwSignal<String>, #[prop(optional)] idle: bool) -> impl IntoView {
 #[component]
 pub(crate) fn Recordings() -> impl IntoView {
     view! { <p class="recordings"><a href=recordings_address() target="_blank">{words::recordings()}</a></p> }
-}
-
-/// The address of the recordings, in the language of this page.
-pub(crate) fn recordings_address() -> String {
-    let language = words::language::spoken().code;
-    format!("{REPORTS_PATH}?language={language}")
 }

@@ -1,11 +1,11 @@
-//! The right column: the robot always at the same place, its room and what is selected, or the history.
+//! The right column: the robot always at the same place, its room and what is selected, or an open panel.
 
-use super::hold::hold;
 use super::inspector::Inspector;
 use super::robot_box::RobotBox;
 use super::room::Room;
+use super::side::{OpenPanel, open_name};
 use super::teaching::ExercisePlace;
-use crate::later::Later;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 
@@ -13,21 +13,18 @@ use leptos::prelude::*;
 #[component]
 pub(crate) fn RightColumn() -> impl IntoView {
     let desk = hold();
-    let history = Memo::new(move |_| {
-        let desk = desk.desk();
-        desk.shows_history.get() && desk.document.open.read().is_some()
-    });
+    let beside = Memo::new(move |_| open_name(desk).is_some());
     view! {
         <aside class="right" aria-label=words::right_name()>
             <RobotBox />
-            <div class="right-rest" class:beside-history=move || history.get()>
+            <div class="right-rest" class:beside-panel=move || beside.get()>
                 <div class="around">
                     <ExercisePlace />
                     <Room />
                 </div>
                 <div class="about"><Inspector /></div>
             </div>
-            {move || history.get().then(|| view! { <Later show=|rest| (rest.history)() /> })}
+            <OpenPanel />
         </aside>
     }
 }

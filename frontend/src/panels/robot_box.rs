@@ -2,13 +2,13 @@
 
 use super::buttons::Buttons;
 use super::condition::Lights;
-use super::hold::{DeskHold, hold};
 use super::recordings::{RecordRow, Recordings};
 use super::robots::{RobotPicker, lamp_words};
 use super::to_stop::tab_to_stop;
 use crate::desk::{Dialog, LinkState};
 use crate::icons::Icon;
 use crate::later::Later;
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::{Id, StreamKind};
 use leptos::prelude::*;

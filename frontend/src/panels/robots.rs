@@ -1,10 +1,8 @@
 //! Which robot this page looks at: its name in the robot box opens the list of all.
 
-use super::hold::{DeskHold, hold};
-use super::may::may_operate;
-use super::menu::{Menu, MenuItem};
 use crate::desk::Dialog;
 use crate::later::Later;
+use crate::parts::{DeskHold, Menu, MenuItem, hold, may_operate};
 use crate::words;
 use leptos::prelude::*;
 use protocol::{ROBOTS_MAX, RobotState, Role, RunPhase};

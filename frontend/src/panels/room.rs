@@ -8,8 +8,8 @@ mod speak;
 mod things;
 mod tools;
 
-use super::hold::hold;
 use crate::later::Later;
+use crate::parts::hold;
 use crate::words;
 pub(crate) use camera::{CameraPicture, camera};
 

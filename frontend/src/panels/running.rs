@@ -1,8 +1,7 @@
 //! What runs on the robot, in the order that decides when two want the same part of it: the upper one wins.
 
-use super::hold::hold;
-use super::may::may_operate;
 use crate::icons::Icon;
+use crate::parts::{hold, may_operate};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

@@ -7,14 +7,14 @@ mod phrase;
 mod warned;
 mod which;
 
-use super::focus;
-use super::hold::{DeskHold, Soon, hold};
 use super::language::language;
 use crate::browser::{self, Drawer};
 use crate::canvas::Stage;
 use crate::desk::{Desk, Lit, Selected};
+use crate::focus;
 use crate::icons::Icon;
 use crate::layout::chip_words;
+use crate::parts::{DeskHold, Soon, hold};
 use crate::words;
 use behaviour::{Helper, Id};
 use leptos::prelude::*;

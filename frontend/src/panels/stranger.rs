@@ -1,8 +1,7 @@
 //! Another body answers at the robot's address: who was expected, who answers, and which one is meant.
 
-use super::hold::hold;
-use super::may::may_operate;
 use crate::desk::Dialog;
+use crate::parts::{hold, may_operate};
 use crate::words;
 use leptos::prelude::*;
 use protocol::Role;

@@ -1,17 +1,15 @@
 //! Learning: the goal of the exercise that is open, and the tour. What is shown of both comes later.
 
 mod exercise;
-mod progress;
 mod spot;
 mod steps;
 mod tour;
 
 pub(crate) use exercise::exercise;
-pub(crate) use progress::take_tour;
 pub(crate) use tour::tour;
 
-use super::hold::hold;
 use crate::later::Later;
+use crate::parts::hold;
 use leptos::prelude::*;
 
 /// The goal of the exercise that is open, unless somebody put it away.
@@ -30,7 +28,7 @@ pub(crate) fn ExercisePlace() -> impl IntoView {
 #[component]
 pub(crate) fn TourPlace() -> impl IntoView {
     let desk = hold();
-    progress::restore(&desk.desk());
+    desk.desk().restore_tour();
     let taken = Memo::new(move |_| desk.desk().tour.read().is_some());
     move || taken.get().then(|| view! { <Later show=|rest| (rest.tour)() /> })
 }

@@ -1,7 +1,7 @@
 //! From Start one press of Tab comes to Stop, which stands beside it and last in the page; Tab goes on from there after Start.
 
-use super::focus;
 use crate::browser;
+use crate::focus;
 use crate::keys::PressedKey;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;

@@ -1,17 +1,16 @@
 //! The bar: the program's name and how saving goes, the thesis's tools in their order, undo, redo and the people.
 
-use super::focus;
-use super::hold::{DeskHold, hold};
 use super::language::OtherLanguage;
-use super::may::{may_edit, title_or_why};
-use super::menu::Menu;
 use super::people::People;
+use super::side::PanelButtons;
 use super::tools::{AddSensorMenu, EditHelperMenu, LoadMenu};
 use crate::browser;
 use crate::commands::On;
 use crate::desk::{Dialog, LinkState, Saving};
+use crate::focus;
 use crate::icons::Icon;
 use crate::later::Later;
+use crate::parts::{DeskHold, Menu, hold, may_edit, title_or_why};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
@@ -220,32 +219,13 @@ fn Back() -> impl IntoView {
             aria-label=words::redo() disabled=cannot_redo on:click=move |_| desk.desk().document.redo()>
             <Icon name="redo" />
         </button>
-        <HistoryButton />
+        <PanelButtons />
     }
 }
 
 /// Whether this person can take something back. Reactive.
 fn can_undo(desk: DeskHold) -> bool {
     desk.desk().may(Role::Editor) && desk.desk().can_undo()
-}
-
-#[component]
-fn HistoryButton() -> impl IntoView {
-    let desk = hold();
-    let label = words::history();
-    view! {
-        <button class="tool icon not-phone" type="button" id="history-button" data-stop="" tabindex="-1" title=label
-            aria-label=label aria-expanded=move || shows_history(desk).to_string()
-            disabled=move || desk.desk().document.open.read().is_none()
-            on:click=move |_| desk.desk().shows_history.update(|shows| *shows = !*shows)>
-            <Icon name="history" />
-        </button>
-    }
-}
-
-fn shows_history(desk: DeskHold) -> bool {
-    let desk = desk.desk();
-    desk.shows_history.get() && desk.document.open.read().is_some()
 }
 
 #[component]

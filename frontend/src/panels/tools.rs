@@ -1,11 +1,9 @@
 //! The menus of the bar: Load program, Add sensor, Edit helper.
 
-use super::files::choose_file;
-use super::hold::hold;
-use super::may::may_edit;
-use super::menu::{Menu, MenuItem};
+use crate::commands::choose_file;
 use crate::desk::{Desk, Dialog};
-use crate::later::Later;
+use crate::later::{Later, ToolMenu};
+use crate::parts::{Menu, MenuItem, hold, may_edit};
 use crate::words;
 use behaviour::{Id, Params};
 use leptos::prelude::*;
@@ -13,14 +11,6 @@ use protocol::Summary;
 
 /// How many programs the menu shows; the dialog shows all.
 const PROGRAMS_MAX: usize = 6;
-
-/// The menus whose items come with the second piece.
-#[derive(Clone, Copy)]
-pub(crate) enum ToolMenu {
-    Programs,
-    Senses,
-    Helpers,
-}
 
 /// The items of a menu of the bar.
 pub(crate) fn tool_items(menu: ToolMenu) -> AnyView {

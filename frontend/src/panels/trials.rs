@@ -1,8 +1,8 @@
 //! What a procedure makes of the newest real values: asked of the server while somebody writes or looks.
 
-use super::hold::{DeskHold, Soon, hold};
 pub(crate) use crate::live::LAST_MAX as SETS_MAX;
 use crate::live::short_value;
+use crate::parts::{DeskHold, Soon, hold};
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;

@@ -1,7 +1,7 @@
 //! While a program runs: whether the robot uses something as it is here, and if not, the way to change that.
 
 use super::apply::Apply;
-use super::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

@@ -68,6 +68,19 @@ fn by_helper(name: &str) -> Operation {
     connectors::to_new_value().with(Procedure::Helper(name.to_owned()))
 }
 
+/// Leads a stream to a new action.
+pub(crate) fn lead_to_action(desk: &Desk, input: Id, device: &'static robot::Device) {
+    let name = desk.document.name_for(words::device(device));
+    let output = Output::New { name, device: Some(device.name.to_owned()), params: Params::new() };
+    let plan = ConnectPlan {
+        operation: connectors::to_action().with(()),
+        inputs: vec![input],
+        output,
+        spot: NewSpot::default(),
+    };
+    desk.document.connect(plan, |_| {});
+}
+
 /// Makes a new value of a stream by a helper.
 pub(crate) fn lead_to_helper(desk: &Desk, input: &Id, name: &str, spot: NewSpot) {
     take(desk, input, &Step::Helper(name.to_owned()), spot);

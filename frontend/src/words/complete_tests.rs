@@ -256,7 +256,7 @@ fn after_hole(at: usize, part: &str) -> String {
 /// The sentences of the page by their keys.
 fn of_the_page() -> Catalogue {
     let words = folder().join("src/words");
-    let parts = sources(&words.join("en")).into_iter().chain(sources(&folder().join("src/desk")));
+    let parts = ["src/words/en", "src/panels", "src/desk"].into_iter().flat_map(|part| sources(&folder().join(part)));
     let all = parts.map(|(_, source)| source).chain([read(&words.join("en.rs"))]);
     all.map(|source| source.split("#[cfg(test)]").next().unwrap_or_default().to_owned())
         .flat_map(|source| {

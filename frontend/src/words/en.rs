@@ -39,9 +39,9 @@ pub(crate) use told::*;
 pub(crate) use warning::*;
 
 use super::language::{fill, label_of, said_by, said_of, shown, shown_within};
-use crate::desk::{Joining, NotBrought};
-use crate::fields::Unfilled;
-use crate::link::NoAnswer;
+use crate::reasons::{NotBrought, Unfilled};
+use ::editor::NoAnswer;
+use ::editor::graph::Joining;
 use behaviour::{Refusal, StreamKind};
 use phrase::Phrase;
 

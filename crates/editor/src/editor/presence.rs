@@ -74,7 +74,7 @@ impl Editor {
         if is_heard && self.presence.told.as_ref() != Some(&now) {
             self.presence.told = Some(now.clone());
             self.presence.told_ms = self.now.clock_ms;
-            self.effect(Effect::Present(now));
+            self.send_news(now);
         }
     }
 

@@ -9,6 +9,7 @@ mod graph;
 mod keeping;
 mod keyboard;
 mod known;
+mod link;
 mod page;
 mod presence;
 mod problems;

@@ -1,13 +1,14 @@
 //! One person's page without a page: an editor, what it wants done, and a ledger of what became of every edit.
 
+use crate::link::PageLink;
 use crate::server::{Server, id, note};
 use behaviour::{Behaviour, Change, Connector, Id, Note, Place, Procedure, Record, RecordId, Refusal};
 use editor::layout::DrawnSizes;
 use editor::{
-    AlarmPurpose, Announcement, Editor, Effect, FocusTarget, KeyboardStay, Me, NoAnswer, Now, Purpose, Selected,
+    AlarmPurpose, Announcement, Editor, Effect, FocusTarget, KeyboardStay, Link, Me, NoAnswer, Now, Purpose, Selected,
     WriteRight, build,
 };
-use protocol::{AnyAnswer, AnyRequest, Event, Message, Refused, answer};
+use protocol::{AnyAnswer, Event, Message, Refused, answer};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) type Check = Result<(), String>;
@@ -42,11 +43,7 @@ pub(crate) struct Page {
     pub(crate) who: usize,
     pub(crate) editor: Editor,
     lives: u32,
-    pub(crate) session: Option<u64>,
-    asked: BTreeMap<u32, Purpose>,
-    asks: u32,
-    /// Requests that go to the server now, each with the number of its ask.
-    pub(crate) outbox: Vec<(u32, AnyRequest)>,
+    pub(crate) link: PageLink,
     pub(crate) timers: Vec<(u64, AlarmPurpose)>,
     /// The texts that are kept over a reload: of the queue, and of refused changes.
     kept: [String; 2],
@@ -111,10 +108,7 @@ impl Page {
             who,
             editor: editor_of(who, 0),
             lives: 0,
-            session: None,
-            asked: BTreeMap::new(),
-            asks: 0,
-            outbox: Vec::new(),
+            link: PageLink::default(),
             timers: Vec::new(),
             kept: [const { String::new() }; 2],
             stay: None,
@@ -182,17 +176,13 @@ impl Page {
 
     fn perform(&mut self, effect: Effect) -> Check {
         match effect {
-            Effect::Ask(request, purpose) => {
-                if self.session.is_none() {
-                    return self.input(|editor| editor.hear_answer(purpose, Err(NoAnswer::Unreachable)));
+            Effect::Send(request, purpose) => {
+                self.link.send(request, purpose);
+                for purpose in self.link.unsent() {
+                    self.input(|editor| editor.hear_answer(purpose, Err(NoAnswer::Unreachable)))?;
                 }
-                self.asks += 1;
-                self.asked.insert(self.asks, purpose);
-                self.outbox.push((self.asks, request.into()));
             }
-            Effect::Present(request) if self.session.is_some() => self.outbox.push((0, request.into())),
             Effect::Focus(target) => self.focused.push(target),
-            Effect::Tell(request) if self.session.is_some() => self.outbox.push((0, request.into())),
             Effect::After(ms, wake) => self.timers.push((self.now_ms + ms as u64, wake)),
             Effect::KeepQueue => {
                 let kept = self.editor.queue().to_keep();
@@ -216,9 +206,7 @@ impl Page {
                     entry.fate = Fate::Kept;
                 }
             }
-            Effect::Tell(_)
-            | Effect::Present(_)
-            | Effect::ForgetDraft(_)
+            Effect::ForgetDraft(_)
             | Effect::LastChange(..)
             | Effect::Address(_)
             | Effect::Decide(_)
@@ -260,7 +248,7 @@ impl Page {
     /// Only as long as the lock is there is what was typed under it safe.
     fn forget_safety(&mut self) {
         let has_lock = matches!(self.editor.editing.as_ref().map(|now| &now.writing), Some(WriteRight::Own(_)));
-        if !has_lock || self.session.is_none() {
+        if !has_lock || self.link.session.is_none() {
             self.ledger.values_mut().for_each(|entry| entry.is_safe = false);
         }
     }
@@ -276,7 +264,7 @@ impl Page {
     }
 
     fn hear_answer(&mut self, ask: u32, answer: Result<AnyAnswer, NoAnswer>) -> Check {
-        let Some(purpose) = self.asked.remove(&ask) else { return Ok(()) };
+        let Some(purpose) = self.link.answered(ask) else { return Ok(()) };
         if matches!(purpose, Purpose::Lock(_)) {
             self.is_not_there = answer == Err(NoAnswer::Refused(Refused::NothingThere));
         }
@@ -306,7 +294,7 @@ impl Page {
 
     /// The server greeted back.
     pub(crate) fn greeted(&mut self, session: u64) -> Check {
-        self.session = Some(session);
+        self.link.session = Some(session);
         self.input(Editor::link_up)?;
         self.input(|editor| editor.listen(0.0))?;
         self.was_greeted = true;
@@ -315,10 +303,9 @@ impl Page {
 
     /// The link broke: whoever waits for an answer is told that there is none.
     pub(crate) fn lost(&mut self) -> Check {
-        self.session = None;
-        self.outbox.clear();
+        let unanswered = self.link.lose();
         self.input(Editor::link_lost)?;
-        for purpose in std::mem::take(&mut self.asked).into_values() {
+        for purpose in unanswered {
             self.input(|editor| editor.hear_answer(purpose, Err(NoAnswer::Unreachable)))?;
         }
         Ok(())
@@ -327,9 +314,7 @@ impl Page {
     /// The page is loaded again, and hears nothing more before that: only what was kept is there.
     pub(crate) fn reload(&mut self) -> Check {
         self.lives += 1;
-        self.session = None;
-        self.outbox.clear();
-        self.asked.clear();
+        self.link.lose();
         let wanted = self.editor.wanted().cloned();
         self.editor = editor_of(self.who, self.lives);
         self.was_greeted = false;
@@ -342,11 +327,6 @@ impl Page {
             self.input(|editor| editor.restore_conflicts(conflicts))?;
         }
         self.input(|editor| editor.begin_with(wanted))
-    }
-
-    /// True if everything that was asked is answered.
-    pub(crate) fn is_answered(&self) -> bool {
-        self.asked.is_empty() && self.outbox.is_empty()
     }
 
     fn new_text(&mut self) -> String {

@@ -57,7 +57,7 @@ fn others_are_told_at_most_twenty_times_a_second_and_the_last_place_in_any_case(
     table.forget();
     let mut told: Vec<f64> = Vec::new();
     let mut tell = |table: &mut Table| {
-        for (_, request) in std::mem::take(&mut table.pages[BEN].outbox) {
+        for (_, request) in std::mem::take(&mut table.pages[BEN].link.outbox) {
             let protocol::AnyRequest::Present(present) = request else { panic!("{request:?}") };
             told.extend(present.pointer.map(|pointer| pointer.x));
         }
@@ -89,7 +89,7 @@ fn what_did_not_change_is_not_told_again() {
     table.does(BEN, |page| page.input(|editor| editor.present(Some(HERE))));
     table.pass(1_000);
     table.pages[BEN].input(|editor| editor.present(Some(HERE))).unwrap();
-    assert!(table.pages[BEN].outbox.is_empty());
+    assert!(table.pages[BEN].link.outbox.is_empty());
 }
 
 #[test]

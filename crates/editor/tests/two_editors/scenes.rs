@@ -223,9 +223,9 @@ fn what_is_refused_is_there_if_the_page_is_loaded_again_while_it_is_found_out_wh
 fn mine_that_is_refused_on_top_is_shown_beside_the_newest_after_such_a_reload() {
     let mut table = both_wrote();
     table.pages[AIKO].decide(true).unwrap();
-    let on_top = std::mem::take(&mut table.pages[AIKO].outbox);
+    let on_top = std::mem::take(&mut table.pages[AIKO].link.outbox);
     table.does(BEN, |page| page.write(0));
-    table.pages[AIKO].outbox = on_top;
+    table.pages[AIKO].link.outbox = on_top;
     table.send();
     table.hear();
     assert!(table.editor(AIKO).conflicts[0].is_under_way() && table.editor(AIKO).is_saved(), "the log is read");
@@ -267,9 +267,9 @@ fn the_later_of_two_refused_changes_stays_the_later_one_if_the_link_breaks_while
 fn a_change_that_a_lock_keeps_out_stays_behind_an_earlier_one_of_which_the_log_is_read() {
     let mut table = wrote_twice();
     table.connect_and_hear(AIKO, 2);
-    let later = std::mem::take(&mut table.pages[AIKO].outbox);
+    let later = std::mem::take(&mut table.pages[AIKO].link.outbox);
     table.does(BEN, |page| page.begin_typing(0));
-    table.pages[AIKO].outbox = later;
+    table.pages[AIKO].link.outbox = later;
     table.settle();
     let kept: Vec<bool> = table.editor(AIKO).conflicts.iter().map(|kept| kept.locked).collect();
     assert_eq!(kept, [false, true], "one is to be decided, and the other waits");
@@ -515,7 +515,7 @@ fn what_is_typed_just_before_the_lock_is_given_goes_with_it_and_ends_it() {
     page.begin_typing(0).unwrap();
     page.type_on(&there).unwrap();
     page.end_typing().unwrap();
-    let asked: Vec<_> = page.outbox.iter().map(|(_, request)| std::mem::discriminant(request)).collect();
+    let asked: Vec<_> = page.link.outbox.iter().map(|(_, request)| std::mem::discriminant(request)).collect();
     assert_eq!(asked.len(), 1, "the change waits for the lock");
     table.settle();
     assert_eq!((table.saved(), table.editor(AIKO).editing.is_none()), (text("Aiko wrote 2"), true));

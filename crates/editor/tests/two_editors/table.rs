@@ -63,7 +63,7 @@ impl Table {
     }
 
     pub(crate) fn cut(&mut self, who: usize) {
-        if let Some(session) = self.pages[who].session {
+        if let Some(session) = self.pages[who].link.session {
             self.server.leave(session);
         }
         self.pages[who].lost().expect("it is told");
@@ -71,7 +71,7 @@ impl Table {
     }
 
     pub(crate) fn reload(&mut self, who: usize) {
-        if let Some(session) = self.pages[who].session {
+        if let Some(session) = self.pages[who].link.session {
             self.server.leave(session);
         }
         self.pages[who].reload().expect("it is loaded");
@@ -126,9 +126,9 @@ impl Table {
     pub(crate) fn send(&mut self) -> bool {
         let mut any = false;
         for who in [AIKO, BEN] {
-            for (ask, request) in std::mem::take(&mut self.pages[who].outbox) {
+            for (ask, request) in std::mem::take(&mut self.pages[who].link.outbox) {
                 any = true;
-                let Some(session) = self.pages[who].session else { continue };
+                let Some(session) = self.pages[who].link.session else { continue };
                 let is_change = matches!(request, protocol::AnyRequest::Propose(_) | protocol::AnyRequest::TakeBack(_));
                 if is_change && self.too_fast > 0 {
                     self.too_fast -= 1;
@@ -147,7 +147,7 @@ impl Table {
         let said = std::mem::take(&mut self.server.said);
         let any = !said.is_empty();
         for (session, message) in said {
-            if let Some(page) = self.pages.iter_mut().find(|page| page.session == Some(session)) {
+            if let Some(page) = self.pages.iter_mut().find(|page| page.link.session == Some(session)) {
                 page.hear(message).expect("it is heard");
             }
         }
@@ -185,7 +185,7 @@ impl Table {
 
     /// The number of requests that wait to go to the server and want an answer.
     pub(crate) fn asked(&self, who: usize) -> usize {
-        self.pages[who].outbox.iter().filter(|(ask, _)| *ask > 0).count()
+        self.pages[who].link.outbox.iter().filter(|(ask, _)| *ask > 0).count()
     }
 
     /// Types into the note, and says that it is done.

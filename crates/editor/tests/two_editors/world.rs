@@ -143,9 +143,9 @@ impl World {
     /// Puts what was said onto the wires.
     fn send(&mut self) {
         for page in &mut self.pages {
-            let Some(session) = page.session else { continue };
+            let Some(session) = page.link.session else { continue };
             let Some((_, wire)) = self.wires.get_mut(&session) else { continue };
-            for (ask, request) in page.outbox.drain(..) {
+            for (ask, request) in page.link.outbox.drain(..) {
                 let last = wire.up.last().map_or(0, |(at, ..)| *at);
                 wire.up.push(((self.now_ms + self.dice.roll(90)).max(last), ask, request));
             }
@@ -247,7 +247,7 @@ impl World {
 
     /// A link breaks: some of what is on its way up arrives yet, all that is on its way down is lost.
     fn cut(&mut self, who: usize) -> Check {
-        if self.pages[who].session.is_none() {
+        if self.pages[who].link.session.is_none() {
             return Ok(());
         }
         self.count("cut");
@@ -258,7 +258,7 @@ impl World {
     }
 
     fn break_link(&mut self, who: usize) {
-        let Some(session) = self.pages[who].session else { return };
+        let Some(session) = self.pages[who].link.session else { return };
         if let Some((_, wire)) = self.wires.remove(&session) {
             let arrives = self.dice.roll(wire.up.len() as u64 + 1) as usize;
             wire.up.into_iter().take(arrives).for_each(|(_, ask, request)| self.server.hear(session, ask, request));
@@ -286,7 +286,7 @@ impl World {
         self.store_ms = None;
         self.wires.clear();
         for who in 0..self.pages.len() {
-            if self.pages[who].session.is_some() {
+            if self.pages[who].link.session.is_some() {
                 self.pages[who].lost()?;
                 self.connects.insert(who, self.now_ms + self.dice.roll(2_000));
             }
@@ -319,8 +319,9 @@ impl World {
 
     /// True if everybody is there, nothing waits, and all that was said is heard.
     fn is_quiet(&self) -> bool {
-        let is_done =
-            |page: &Page| page.session.is_some() && page.is_answered() && page.editor.queue().to_keep().is_none();
+        let is_done = |page: &Page| {
+            page.link.session.is_some() && page.link.is_answered() && page.editor.queue().to_keep().is_none()
+        };
         let is_ping = |(_, message): &(u64, Message)| matches!(message, Message::Event(Event::Ping { .. }));
         let is_heard = |(_, wire): &(usize, Wire)| wire.up.is_empty() && wire.down.iter().all(is_ping);
         self.server.is_idle() && self.pages.iter().all(is_done) && self.wires.values().all(is_heard)

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::fan_out::{Joined, SUBSCRIBERS_MAX};
 use super::mailbox::{EventChoice, EventMailbox, Letter, SignalEvent};
-use super::{Link, MemberTarget};
+use super::{MemberTarget, QiLink};
 use crate::error::QiError;
 use crate::signature::ValueSignature;
 use crate::value::decode_arguments;
@@ -18,13 +18,13 @@ const UNREGISTER: u32 = 1;
 /// Events of one signal for one listener. Dropping it ends it; the peer is told when it was the last on the link.
 #[derive(Debug)]
 pub struct Subscription {
-    link: Link,
+    link: QiLink,
     signal: MemberTarget,
     signature: ValueSignature,
     mailbox: Arc<EventMailbox>,
 }
 
-impl Link {
+impl QiLink {
     /// Listens to a signal whose events carry what `signature` says. The first listener of a signal on this link tells
     /// the peer, all others share its registration.
     ///

@@ -11,7 +11,7 @@ use crate::address::{PeerAddress, Scheme};
 use crate::auth;
 use crate::error::{ConnectError, ConnectionStage, QiError};
 use crate::fingerprint::Fingerprint;
-use crate::link::Link;
+use crate::link::QiLink;
 use crate::tls;
 
 /// The most addresses of a name that are tried.
@@ -19,7 +19,7 @@ const ADDRESSES_MAX: usize = 8;
 
 /// A link that is logged in.
 pub(super) struct Dialled {
-    pub(super) link: Link,
+    pub(super) link: QiLink,
     /// The address to which it leads.
     pub(super) peer: IpAddr,
     pub(super) fingerprint: Option<Fingerprint>,
@@ -31,11 +31,11 @@ pub(super) async fn dial(address: &PeerAddress, options: &SessionOptions) -> Res
     let addresses = resolve(address, within).await.map_err(at(ConnectionStage::Name))?;
     let (stream, peer) = open(&addresses, within).await.map_err(at(ConnectionStage::Tcp))?;
     let (link, fingerprint) = match address.scheme {
-        Scheme::Tcp => (Link::over(stream), None),
+        Scheme::Tcp => (QiLink::over(stream), None),
         Scheme::Tcps => {
             let agreed = tls::agree(stream, &address.host, options.trust, within).await;
             let (stream, fingerprint) = agreed.map_err(at(ConnectionStage::Tls))?;
-            (Link::over(stream), Some(fingerprint))
+            (QiLink::over(stream), Some(fingerprint))
         }
     };
     auth::greet(&link, options.credentials.as_ref(), within).await.map_err(at(ConnectionStage::Login))?;

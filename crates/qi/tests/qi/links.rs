@@ -157,7 +157,7 @@ async fn listeners_are_told_of_the_end_after_what_came() {
 #[tokio::test]
 async fn what_a_stuck_peer_does_not_read_is_bounded_in_bytes() {
     let (here, _stuck) = tokio::io::duplex(1_024);
-    let link = qi::Link::over(here);
+    let link = qi::QiLink::over(here);
     let target = qi::MemberTarget { service: 1, object: 1, action: 100 };
     let post = || link.post(target, 0, vec![0; 2 << 20]);
     let fit = (0..64).take_while(|_| post().is_ok()).count();

@@ -3,10 +3,10 @@
 use super::{Document, DocumentEvent};
 use crate::browser::{self, Drawer};
 use crate::desk::tab::{Dialog, set_if_new};
-use crate::link::{self, WrittenRequest};
+use crate::link::EditorLink;
 use crate::words;
 use behaviour::{Change, Id, Kind};
-use editor::{Announcement, Conflict, Editor, EditorEvent, Effect, Me, Now, Saver};
+use editor::{Announcement, Conflict, Editor, EditorEvent, Effect, Link, Me, Now, Saver};
 use leptos::prelude::*;
 use protocol::{Refused, Role};
 use std::cell::RefCell;
@@ -84,13 +84,7 @@ impl Document {
 
     fn perform(&self, effect: Effect) {
         match effect {
-            Effect::Ask(request, purpose) => {
-                let document = self.clone();
-                let then = move |answer| document.input(|editor| editor.hear_answer(purpose, answer));
-                link::ask_any(&WrittenRequest::of_editor(&request), Box::new(then));
-            }
-            Effect::Tell(request) => link::tell(request),
-            Effect::Present(request) => link::tell(request),
+            Effect::Send(request, purpose) => self.link().send(request, purpose),
             Effect::Focus(target) => self.tab.keyboard.set(Some(target)),
             Effect::After(ms, wake) => {
                 let document = self.clone();
@@ -122,6 +116,12 @@ impl Document {
             Effect::Opened { problems, fingerprint } => self.opened(problems, fingerprint),
             Effect::Made(accepted) => self.made(*accepted),
         }
+    }
+
+    /// The editor's link to the server.
+    fn link(&self) -> impl Link {
+        let document = self.clone();
+        EditorLink(move |purpose, answer| document.input(|editor| editor.hear_answer(purpose, answer)))
     }
 
     fn hand_on(&self, event: EditorEvent) {

@@ -2,6 +2,7 @@
 
 use super::LibraryPanel;
 use crate::desk::tab::set_if_new;
+use crate::reasons::NotBrought;
 use crate::{browser, words};
 use behaviour::Id;
 use js_sys::Reflect;
@@ -26,19 +27,6 @@ pub(super) struct UploadAnswer {
 #[derive(Deserialize)]
 struct RefusedFile {
     why: phrase::Phrase,
-}
-
-/// The reasons why a file did not become a program.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum NotBrought {
-    /// It is larger than any that the server takes.
-    TooLarge,
-    /// The server does not answer.
-    Unreachable,
-    /// The server's answer cannot be read.
-    Unclear,
-    /// The server refuses it; with what it says.
-    Refused(phrase::Phrase),
 }
 
 /// Returns the address at which a behaviour is to be had as a file.

@@ -4,7 +4,7 @@ use crate::browser;
 use crate::desk::OtherEditor;
 use crate::icons::Icon;
 use crate::panels::dialogs::held::{DialogLock, Holding};
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::{Connector, Procedure, RecordId};
 use editor::numbers::number_tests;

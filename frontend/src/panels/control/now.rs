@@ -1,7 +1,7 @@
 //! What a comparison reads: of which stream, in which unit and within what range, and what it is now.
 
 use crate::live::short_value;
-use crate::panels::hold::DeskHold;
+use crate::parts::DeskHold;
 use behaviour::{Connector, Id, Procedure, Value};
 use editor::numbers::NumberTest;
 use leptos::prelude::*;

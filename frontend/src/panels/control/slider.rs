@@ -5,7 +5,7 @@ use super::turned::Turned;
 use crate::escape;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use behaviour::TypedNumber;
 use editor::numbers::NumberTest;

@@ -2,8 +2,8 @@
 
 use crate::browser;
 use crate::desk::{Desk, EditSession};
-use crate::panels::focus;
-use crate::panels::hold::DeskHold;
+use crate::focus;
+use crate::parts::DeskHold;
 use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId};
 use leptos::html::Div;
 use leptos::prelude::*;

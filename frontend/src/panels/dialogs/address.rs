@@ -3,7 +3,7 @@
 use super::frame::{Feet, Frame, Refused, close};
 use super::real_robot::{Password, Steps};
 use crate::fields::TextField;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, RealRobot, RobotFindings};

@@ -2,10 +2,10 @@
 
 use super::frame::{Frame, close};
 use crate::browser;
-use crate::commands::{ALL, CommandGroup, CommandSpec, PageCommand, group_label};
+use crate::commands::{CommandGroup, PageCommand, all, group_label};
 use crate::desk::{Desk, Selected};
 use crate::keys::PressedKey;
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -21,14 +21,15 @@ const STREAMS_MAX: usize = 12;
 pub(super) fn Commands() -> impl IntoView {
     let desk = hold();
     let search = RwSignal::new(String::new());
-    let found = Memo::new(move |_| search.with(|search| indices(desk, search)));
+    let commands = StoredValue::new_local(all());
+    let found = Memo::new(move |_| search.with(|search| indices(desk, search, commands)));
     let streams = Memo::new(move |_| search.with(|search| streams(desk, search)));
     let first = Callback::new(move |()| {
         if search.with_untracked(|search| search.trim().is_empty()) {
             return;
         }
         match (found.get_untracked().first(), streams.get_untracked().first()) {
-            (Some(at), _) => run(desk, &ALL[*at]),
+            (Some(at), _) => run(desk, nth(commands, *at)),
             (None, Some((id, _))) => go(desk, id),
             (None, None) => {}
         }
@@ -36,12 +37,12 @@ pub(super) fn Commands() -> impl IntoView {
     let groups =
         [CommandGroup::Robot, CommandGroup::Program, CommandGroup::Graph, CommandGroup::View, CommandGroup::People];
     let rows = move |group: CommandGroup| {
-        let mine: Vec<usize> = found.get().into_iter().filter(|at| ALL[*at].group == group).collect();
+        let mine: Vec<usize> = found.get().into_iter().filter(|at| nth(commands, *at).group == group).collect();
         (!mine.is_empty()).then(|| {
             view! {
                 <section class="commands-group">
                     <h3>{group_label(group)}</h3>
-                    {mine.into_iter().map(|at| view! { <Row at /> }).collect_view()}
+                    {mine.into_iter().map(|at| view! { <Row command=nth(commands, at) /> }).collect_view()}
                 </section>
             }
         })
@@ -87,24 +88,33 @@ pub(super) fn Commands() -> impl IntoView {
 }
 
 #[component]
-fn Row(at: usize) -> impl IntoView {
+fn Row(command: PageCommand) -> impl IntoView {
     let desk = hold();
-    let command = &ALL[at];
     let no = untrack(|| desk.desk().may_not(command.role));
     let keys = command.keys.split(' ').filter(|key| !key.is_empty());
     view! {
-        <button type="button" class="menu-item" disabled=no.is_some() title=no on:click=move |_| run(desk, &ALL[at])>
+        <button type="button" class="menu-item" data-panel=command.panel() disabled=no.is_some() title=no
+            on:click=move |_| run(desk, command)>
             <span class="cut">{command.label()}</span>
             <span class="keys">{keys.map(|key| view! { <kbd>{key}</kbd> }).collect_view()}</span>
         </button>
     }
 }
 
+/// All commands, as the dialog holds them.
+type HeldCommands = StoredValue<Vec<PageCommand>, LocalStorage>;
+
+fn nth(commands: HeldCommands, at: usize) -> PageCommand {
+    commands.with_value(|commands| commands[at])
+}
+
 /// The commands that are meant, by their places.
-fn indices(desk: DeskHold, search: &str) -> Vec<usize> {
+fn indices(desk: DeskHold, search: &str, commands: HeldCommands) -> Vec<usize> {
     let host = desk.desk().role.get() == Some(protocol::Role::Host);
-    let shown = |command: &CommandSpec| host || command.role != protocol::Role::Host;
-    (0..ALL.len()).filter(|at| shown(&ALL[*at]) && ALL[*at].is_here() && ALL[*at].is_meant(search)).collect()
+    let is_meant = |command: &PageCommand| {
+        (host || command.role != protocol::Role::Host) && command.is_here() && command.is_meant(search)
+    };
+    commands.with_value(|all| (0..all.len()).filter(|at| is_meant(&all[*at])).collect())
 }
 
 /// The streams of the open program that are meant.
@@ -121,7 +131,7 @@ fn streams(desk: DeskHold, search: &str) -> Vec<(Id, String)> {
     desk.document.stream_ids.get().into_iter().filter_map(name).take(STREAMS_MAX).collect()
 }
 
-fn run(desk: DeskHold, command: &'static CommandSpec) {
+fn run(desk: DeskHold, command: PageCommand) {
     if untrack(|| desk.desk().may_not(command.role)).is_some() {
         return;
     }

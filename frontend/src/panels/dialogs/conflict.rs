@@ -7,7 +7,7 @@ use super::frame::{Frame, Refused, close};
 use crate::browser;
 use crate::desk::{Conflict, initials, wording};
 use crate::icons::Icon;
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::{Behaviour, Change, Id, Kind, Record, RecordId};
 use leptos::prelude::*;

@@ -3,7 +3,7 @@
 
 use crate::browser;
 use crate::desk::DraftedWhat;
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use behaviour::RecordId;
 use leptos::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use super::frame::{Feet, Frame, close};
 use crate::fields::Select;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use robot::Control;

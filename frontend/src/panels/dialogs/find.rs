@@ -3,12 +3,12 @@
 
 use super::frame::{Frame, close};
 use crate::desk::Dialog;
+use crate::fields::SentenceField;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
-use crate::panels::hold::{DeskHold, hold};
-use crate::panels::may::may_edit;
 use crate::panels::palette::{Actions, AlsoFound, Heading, Helpers, Here, is_found};
-use crate::panels::typed::{SentenceField, Typed};
+use crate::panels::typed::Typed;
+use crate::parts::{DeskHold, hold, may_edit};
 use crate::words;
 use behaviour::Params;
 use leptos::prelude::*;

@@ -1,10 +1,10 @@
 //! The frame of every dialog: title, contents, feet; Escape goes back or closes, Tab stays inside and also reaches Stop.
 
 use crate::escape;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
-use crate::panels::focus;
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;

@@ -4,10 +4,9 @@
 use super::frame::focus_again;
 use crate::browser;
 use crate::desk::{Asking, EditReading, OwnLock, WriteRight};
+use crate::focus;
 use crate::icons::Icon;
-use crate::panels::focus;
-use crate::panels::hold::DeskHold;
-use crate::panels::may::{MayNot, may_edit};
+use crate::parts::{DeskHold, MayNot, may_edit};
 use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;

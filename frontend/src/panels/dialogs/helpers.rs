@@ -3,7 +3,7 @@
 use super::frame::{Feet, Frame};
 use crate::desk::Dialog;
 use crate::icons::Icon;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use behaviour::{Helper, Id};
 use leptos::prelude::*;

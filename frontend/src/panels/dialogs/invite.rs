@@ -8,7 +8,7 @@ mod warning;
 use super::frame::{Frame, close};
 use crate::desk::NewInvitation;
 use crate::link::NoAnswer;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use protocol::Refused;

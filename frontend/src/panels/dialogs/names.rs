@@ -4,7 +4,7 @@ use super::frame::{Feet, Frame, close};
 use super::held::{DialogLock, Holding};
 use crate::fields::TextField;
 use crate::panels::empty::just_made;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;

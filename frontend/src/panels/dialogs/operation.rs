@@ -21,7 +21,7 @@ use super::stream::EditStream;
 use crate::desk::NewSpot;
 use crate::fields::{NumberField, TextField};
 use crate::icons::Icon;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use behaviour::connectors::{self, Spec};
 use behaviour::{Id, Kind, RATE_MS, RecordId};

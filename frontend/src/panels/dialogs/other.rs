@@ -1,8 +1,7 @@
 //! A small dialog: all problems.
 
 use super::frame::{Frame, close};
-use crate::panels::hold::hold;
-use crate::panels::problems::{FailingList, ProblemList};
+use crate::parts::{FailingList, ProblemList, hold};
 use crate::words;
 use leptos::prelude::*;
 

@@ -3,8 +3,8 @@
 use super::frame::{Frame, close};
 use crate::browser;
 use crate::desk::{Dialog, Sign};
-use crate::panels::hold::hold;
 use crate::panels::people::{follow_or_end, in_color, is_followed};
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 

@@ -10,7 +10,7 @@ mod window;
 use super::frame::{Feet, Frame};
 use crate::desk::Dialog;
 use crate::panels::empty::{Exercises, TemplateCard};
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use bar::Bar;
 use details::Details;

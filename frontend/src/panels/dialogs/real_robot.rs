@@ -2,7 +2,7 @@
 
 use super::frame::{Feet, Frame, Refused, close};
 use crate::fields::TextField;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::html;
 use leptos::prelude::*;

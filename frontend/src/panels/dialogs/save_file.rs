@@ -2,12 +2,11 @@
 
 mod png;
 
-pub(crate) use png::NoPicture;
-
 use super::frame::{Frame, close};
 use crate::desk::file_address;
 use crate::icons::Icon;
-use crate::panels::hold::hold;
+use crate::parts::hold;
+use crate::reasons::NoPicture;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

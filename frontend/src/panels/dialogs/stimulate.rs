@@ -5,7 +5,7 @@ mod parts;
 use super::frame::{Feet, Frame, Refused};
 use crate::fields::CodeField;
 use crate::live::short_value;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use behaviour::{Id, Params, Unit, Value};
 use leptos::prelude::*;

@@ -7,7 +7,7 @@ mod places;
 use super::frame::{Frame, focus_again};
 use crate::desk::shown_pad as pad;
 use crate::icons::Icon;
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::{Pad, Tile};
 use form::TileForm;

@@ -1,7 +1,7 @@
 //! What waits here until there is a connection, oldest first.
 
 use super::frame::{Frame, close};
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 

@@ -5,7 +5,7 @@ use super::sittings::ReaderClock;
 use crate::browser;
 use crate::desk::{ComparedVersions, LinkState, OpenVersion};
 use crate::layout::{called, whole};
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::{Difference, FillFrom, RecordId};
 use leptos::prelude::*;
@@ -217,7 +217,7 @@ fn Sure(was: u64, asks: RwSignal<bool>) -> impl IntoView {
     let yes = NodeRef::<leptos::html::Button>::new();
     Effect::new(move |_| {
         if let Some(yes) = yes.get() {
-            let _ = request_animation_frame(move || crate::panels::focus::focus(&yes));
+            let _ = request_animation_frame(move || crate::focus::focus(&yes));
         }
     });
     let go_back = move |_| {

@@ -1,9 +1,9 @@
 //! Giving a version a name, where the list begins.
 
 use super::back_to_lines;
+use crate::focus;
 use crate::link::NoAnswer;
-use crate::panels::focus;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use behaviour::CHECKPOINT_NAME_MAX_CHARS;
 use leptos::html;

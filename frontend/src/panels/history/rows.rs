@@ -5,7 +5,7 @@ use super::{choose, may_change};
 use crate::desk::initials;
 use crate::icons::Icon;
 use crate::layout::called;
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::{Behaviour, Id};
 use leptos::prelude::*;

@@ -2,10 +2,10 @@
 
 use crate::desk::{Dialog, EditSession};
 use crate::escape;
-use crate::fields::{ParamFields, ParamForm, TextField, Unfilled};
+use crate::fields::{ParamFields, ParamForm, TextField};
 use crate::icons::Icon;
-use crate::panels::hold::{DeskHold, hold};
-use crate::panels::may::may_edit;
+use crate::parts::{DeskHold, hold, may_edit};
+use crate::reasons::Unfilled;
 use crate::words;
 use behaviour::{Id, Kind, NAME_MAX_CHARS, Record, RecordId, Stream};
 use leptos::prelude::*;

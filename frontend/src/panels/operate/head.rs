@@ -4,11 +4,11 @@
 use super::OperateShared;
 use super::clock::length;
 use super::starting::Kept;
+use crate::commands::recordings_address;
 use crate::desk::{LinkState, Sign};
 use crate::escape;
 use crate::link::NoAnswer;
 use crate::panels::people::in_color;
-use crate::panels::recordings_address;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{RecordedSession, Records, request};

@@ -3,9 +3,9 @@
 
 use super::OperateShared;
 use crate::browser;
+use crate::focus;
 use crate::keys::PressedKey;
 use crate::panels::buttons::is_plain;
-use crate::panels::focus;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::Element;

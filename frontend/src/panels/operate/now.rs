@@ -4,8 +4,8 @@
 use super::OperateShared;
 use super::trouble::Trouble;
 use crate::browser;
-use crate::panels::hold::Soon;
 use crate::panels::language::language;
+use crate::parts::Soon;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{ProgramSentence, answer, request};

@@ -1,6 +1,6 @@
 //! The nine tiles: those of the program's pad, else the usual ones of what is in it.
 
-use crate::panels::hold::DeskHold;
+use crate::parts::DeskHold;
 use behaviour::{Behaviour, Id, Params, TileAction, Value};
 use leptos::prelude::*;
 use protocol::Press;

@@ -7,7 +7,7 @@ use super::seen::SeenPress;
 use crate::desk::LinkState;
 use crate::desk::shown_pad::speaks;
 use crate::link::NoAnswer;
-use crate::panels::may::may_operate;
+use crate::parts::may_operate;
 use crate::{browser, words};
 use behaviour::{Id, Value};
 use leptos::prelude::*;

@@ -3,9 +3,9 @@
 use crate::canvas::edit;
 use crate::desk::{Desk, Dialog, Selected};
 use crate::escape;
+use crate::focus;
 use crate::keys::PressedKey;
 use crate::later::SecondPiece;
-use crate::panels::focus;
 use editor::keys::EscapeUse;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;

@@ -2,9 +2,8 @@
 //! there is no room for as buttons.
 
 use crate::browser;
-use crate::commands::{ALL, CommandSpec, On, PageCommand};
-use crate::panels::hold::hold;
-use crate::panels::menu::MenuItem;
+use crate::commands::{self, On, PageCommand};
+use crate::parts::{MenuItem, hold};
 use leptos::prelude::*;
 use protocol::Role;
 
@@ -15,13 +14,13 @@ const GONE_MS: i32 = 40;
 /// there for others.
 pub(crate) fn row_menu(on: On) -> AnyView {
     let desk = hold();
-    let is_shown = |command: &&'static CommandSpec| {
+    let is_shown = |command: &PageCommand| {
         command.on.contains(&on)
             && command.is_here()
             && (command.role != Role::Host || untrack(|| desk.desk().may(command.role)))
     };
     let mut before = None;
-    let item = move |command: &'static CommandSpec| {
+    let item = move |command: PageCommand| {
         let no = untrack(|| !command.can_be_done(&desk.desk()));
         let run = Callback::new(move |()| {
             let desk = desk.desk();
@@ -33,5 +32,5 @@ pub(crate) fn row_menu(on: On) -> AnyView {
             <MenuItem label=command.label() icon=command.icon() disabled=no choose=run />
         }
     };
-    ALL.iter().filter(is_shown).map(item).collect_view().into_any()
+    commands::all().into_iter().filter(is_shown).map(item).collect_view().into_any()
 }

@@ -3,12 +3,12 @@
 use super::strip::Strip;
 use crate::browser;
 use crate::desk::{Selected, UnsavedMark};
+use crate::focus;
 use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
 use crate::live::rate_words;
-use crate::panels::focus;
-use crate::panels::hold::{DeskHold, hold};
 use crate::panels::inspector::{device_icon, kind_class};
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

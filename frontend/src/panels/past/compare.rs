@@ -5,7 +5,7 @@ use super::PastShared;
 use super::compare_counts::ChangeCounts;
 use crate::desk::{DraftPreview, LinkState};
 use crate::link::NoAnswer;
-use crate::panels::hold::Soon;
+use crate::parts::Soon;
 use crate::words;
 use behaviour::StreamKind;
 use leptos::prelude::*;

@@ -3,8 +3,7 @@
 
 use crate::browser;
 use crate::icons::Icon;
-use crate::panels::hold::{DeskHold, hold};
-use crate::panels::may::may_operate;
+use crate::parts::{DeskHold, hold, may_operate};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

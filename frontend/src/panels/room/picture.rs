@@ -1,7 +1,7 @@
 //! The floor with its grid, and the robot: body, arms, head, eyes and what its camera sees.
 
 use super::map::{HEIGHT, RoomMap, WIDTH};
-use crate::panels::hold::{DeskHold, hold};
+use crate::parts::{DeskHold, hold};
 use leptos::prelude::*;
 
 /// Half the width across the shoulders and half the depth, the head's radius, and how far the view is drawn; in metres.

@@ -1,7 +1,6 @@
 //! Saying something to the simulated robot.
 
-use crate::panels::hold::hold;
-use crate::panels::may::may_operate;
+use crate::parts::{hold, may_operate};
 use crate::words;
 use leptos::prelude::*;
 use robot::{SPOKEN_MAX_CHARS, SceneEdit};

@@ -3,7 +3,7 @@
 use super::HeldThing;
 use super::map::RoomMap;
 use super::movable::Movable;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use leptos::svg::Svg;

@@ -3,9 +3,9 @@
 use crate::browser;
 use crate::desk::Desk;
 use crate::escape;
-use crate::panels::ProblemLine;
-use crate::panels::focus;
-use crate::panels::hold::hold;
+use crate::focus;
+use crate::parts::ProblemLine;
+use crate::parts::hold;
 use crate::words;
 use behaviour::{Kind, Problem};
 use leptos::prelude::*;

@@ -2,7 +2,7 @@
 
 use crate::browser;
 use crate::icons::Icon;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{Exercise, ExerciseQuestion, RehearsalResult};

@@ -1,12 +1,11 @@
 //! The tour: a card that points at the real thing and waits until the real step is done.
 
-use super::progress::{finish, go, leave};
 use super::spot::{WindowArea, spot};
 use super::steps::{STEPS, StepBefore, TourStep};
 use crate::browser;
 use crate::escape;
-use crate::panels::focus;
-use crate::panels::hold::{DeskHold, hold};
+use crate::focus;
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use leptos::html::Aside;
 use leptos::prelude::*;
@@ -46,15 +45,15 @@ fn Tour() -> impl IntoView {
     let end = move |_| {
         let desk = desk.desk();
         if is_last.get_untracked() {
-            finish(&desk)
+            desk.finish_tour()
         } else {
-            leave(&desk)
+            desk.leave_tour()
         }
         if let Some(stage) = focus::by_id("stage") {
             focus::focus(&stage);
         }
     };
-    let skip = move |_| go(&desk.desk(), at.get_untracked() + 1);
+    let skip = move |_| desk.desk().go_in_tour(at.get_untracked() + 1);
     let step = move || words::tour_step(at.get() + 1, STEPS.len() - 1);
     view! {
         <aside class="tour" aria-label=words::tour() node_ref=card
@@ -93,7 +92,7 @@ fn advance(desk: DeskHold, at: Memo<usize>) {
             if let (Some(desk), Some(Some(_))) = (desk.if_there(), done.try_get_untracked())
                 && desk.tour.get_untracked() == Some(step)
             {
-                go(&desk, step + 1);
+                desk.go_in_tour(step + 1);
             }
         });
     });
@@ -108,7 +107,7 @@ fn leave_with_escape(desk: DeskHold, card: NodeRef<Aside>) {
             let in_card = card.get_untracked().is_some_and(|card| card.contains(active.as_deref().map(AsRef::as_ref)));
             let leaves = in_card || (focus::is_nowhere() && desk.dialog.with_untracked(Option::is_none));
             if leaves {
-                leave(&desk);
+                desk.leave_tour();
             }
             leaves
         });

@@ -1,6 +1,6 @@
 //! Carrying things from the list to the graph, the drawing as a picture, and names and tags in the library.
 
-use crate::panels::NoPicture;
+use crate::reasons::NoPicture;
 
 sentences! {
     // From the list to the graph

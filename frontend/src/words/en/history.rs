@@ -7,13 +7,10 @@ use phrase::Phrase;
 
 sentences! {
     history: "History";
-    name_version: "Name this version";
     version_name: "Name of this version";
     version_hint: "Such as “Before group B”. Everyone sees it.";
     unname: "Take the name away";
-    earlier_changes: "Earlier changes";
     reading_history: "Reading the history …";
-    no_history: "Nothing was changed yet.";
     compared: "Compared:";
     compare_with: "Compare with";
     now_version: "now";

@@ -1,7 +1,6 @@
 //! What streams are called until somebody names them: in the language of the page of who makes them, and of all after that.
 
 use super::fill;
-use crate::naming::in_words;
 use crate::words::language::said_by;
 use phrase::Label;
 
@@ -67,4 +66,15 @@ pub(crate) fn filled_whole(template: &str, value: impl Fn(&str) -> Option<String
     let shown: Vec<(&str, &dyn std::fmt::Display)> =
         values.iter().map(|(hole, value)| (*hole, value as &dyn std::fmt::Display)).collect();
     Some(fill(template, &shown))
+}
+
+/// The name of a helper as that of a stream: `near_enough` becomes "Near enough".
+fn in_words(helper: &str) -> String {
+    first_upper(helper.replace('_', " ").trim())
+}
+
+/// A text with a capital letter at its beginning.
+pub(crate) fn first_upper(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }

@@ -1,9 +1,9 @@
 //! What both procedures would do with the last real values, each tried once by the server.
 
 use crate::desk::Conflict;
-use crate::panels::hold::DeskHold;
 use crate::panels::inspector::question_of;
 use crate::panels::trials::{self, Trial, TrialMark, TrialQuestion};
+use crate::parts::DeskHold;
 use crate::words;
 use behaviour::{Behaviour, Record};
 use leptos::prelude::*;
@@ -25,7 +25,7 @@ pub(super) fn questions(desk: DeskHold, conflict: &Conflict, now: &Behaviour) ->
 /// The rows of the table, one a value; nothing where no real values came yet.
 #[component]
 pub(super) fn Values(questions: Memo<Option<[TrialQuestion; 2]>>) -> impl IntoView {
-    let desk = crate::panels::hold::hold();
+    let desk = crate::parts::hold();
     let tried: RwSignal<Vec<TriedValue>> = RwSignal::new(Vec::new());
     let number = StoredValue::new(0_u32);
     Effect::new(move |_| {

@@ -2,8 +2,8 @@
 
 use crate::desk::Dialog;
 use crate::panels::dialogs::frame::close;
-use crate::panels::hold::{DeskHold, hold};
 use crate::panels::palette::users_of;
+use crate::parts::{DeskHold, hold};
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;

@@ -1,7 +1,7 @@
 //! The invitations: for whom, what they may do, who came by which, and ending one.
 
 use crate::browser;
-use crate::panels::hold::hold;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{Invitation, InvitedGuest};

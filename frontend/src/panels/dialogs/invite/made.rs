@@ -3,7 +3,7 @@
 use super::warning::Warning;
 use crate::browser;
 use crate::desk::NewInvitation;
-use crate::panels::focus;
+use crate::focus;
 use crate::words;
 use leptos::prelude::*;
 

@@ -2,8 +2,8 @@
 
 use crate::desk::NewInvitation;
 use crate::fields::TextField;
-use crate::panels::focus;
-use crate::panels::hold::hold;
+use crate::focus;
+use crate::parts::hold;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{LABEL_MAX_CHARS, Lasts, Role};

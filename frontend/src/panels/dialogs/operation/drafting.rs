@@ -3,9 +3,9 @@
 use super::form::OperationForm;
 use super::{about, draft, saving};
 use crate::desk::{DraftedWhat, new_id};
-use crate::fields::Unfilled;
 use crate::panels::dialogs::drafting;
 use crate::panels::dialogs::held::DialogLock;
+use crate::reasons::Unfilled;
 use crate::words;
 use leptos::prelude::*;
 

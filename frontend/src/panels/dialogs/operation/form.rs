@@ -4,7 +4,7 @@ use super::draft::OperationDraft;
 use super::prefill;
 use crate::desk::NewSpot;
 use crate::fields::ParamForm;
-use crate::panels::hold::DeskHold;
+use crate::parts::DeskHold;
 use behaviour::connectors::{PERIOD_MS, Spec};
 use behaviour::{Connector, Id, Operation, Procedure, Value};
 use leptos::prelude::*;

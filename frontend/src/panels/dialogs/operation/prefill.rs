@@ -1,7 +1,7 @@
 //! The beginning of a test that a person most likely wants: `distance < ` for a stream of numbers.
 
 use crate::carries::carries;
-use crate::panels::hold::DeskHold;
+use crate::parts::DeskHold;
 use behaviour::connectors::{Carries, Spec};
 use behaviour::{Helper, Id};
 use leptos::prelude::*;

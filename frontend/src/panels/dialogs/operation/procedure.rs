@@ -2,7 +2,7 @@
 
 use super::form::OperationForm;
 use crate::fields::{ChoiceOptions, CodeField, Select};
-use crate::panels::focus;
+use crate::focus;
 use crate::panels::trials::{self, TrialLine, TrialQuestion};
 use crate::words;
 use behaviour::{Helper, StreamKind, Value};

@@ -5,8 +5,9 @@ use super::actuator::{ActuatorChoice, chosen};
 use super::draft;
 use super::form::{OperationForm, milliseconds};
 use crate::desk::{ConnectPlan, Dialog, DraftedRecords, NewSpot, Output};
-use crate::fields::Unfilled;
-use crate::panels::focus;
+use crate::fields::read_one_way;
+use crate::focus;
+use crate::reasons::Unfilled;
 use crate::words;
 use behaviour::{Id, Operation, Parameters, Params, Procedure, RATE_MS, Value};
 use leptos::prelude::*;
@@ -135,7 +136,7 @@ fn start(typed: &str) -> Result<Value, Unfilled> {
 }
 
 fn period(form: OperationForm) -> Result<u64, Unfilled> {
-    Unfilled::in_two_ways(&form.period.get())?;
+    read_one_way(&form.period.get())?;
     let typed = milliseconds(&form.period.get()).unwrap_or_default();
     if RATE_MS.contains(&typed) { Ok(typed) } else { Err(Unfilled::Rate(typed)) }
 }

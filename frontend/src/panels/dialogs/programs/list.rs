@@ -3,9 +3,9 @@
 use super::line::{Line, line_id};
 use super::shelf::{Loading, ShelfPlace, ShownShelf};
 use super::window::{LINE_PX, drawn, is_near_end, scroll_to};
+use crate::focus;
 use crate::keys::PressedKey;
 use crate::link::NoAnswer;
-use crate::panels::focus;
 use crate::words;
 use leptos::prelude::*;
 use web_sys::{HtmlElement, KeyboardEvent};

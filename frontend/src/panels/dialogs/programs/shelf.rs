@@ -2,7 +2,7 @@
 
 use crate::desk::ProgramPage;
 use crate::link::NoAnswer;
-use crate::panels::hold::{DeskHold, Soon};
+use crate::parts::{DeskHold, Soon};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;

@@ -1,6 +1,7 @@
 //! The drawing as a picture: the browser draws the SVG of the server on a canvas and keeps what is there as PNG.
 
 use crate::desk::file_address;
+use crate::reasons::NoPicture;
 use behaviour::Id;
 use js_sys::Promise;
 use leptos::prelude::{document, window};
@@ -14,15 +15,6 @@ const SHARP: f64 = 2.0;
 const SIDE_MAX_PX: f64 = 8_192.0;
 /// How long the browser may take to save the picture before it is forgotten, in milliseconds.
 const KEPT_MS: i32 = 60_000;
-
-/// Why there is no picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum NoPicture {
-    /// The server does not answer, or not with a drawing.
-    NoDrawing,
-    /// The browser cannot show the drawing, or gives no picture of it away.
-    Refused,
-}
 
 /// A drawing as the server gives it.
 struct ServedDrawing {

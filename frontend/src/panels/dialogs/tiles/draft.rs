@@ -1,9 +1,10 @@
 //! A tile as it is being written: what it does, its words, and whether it asks first.
 
 use crate::desk::shown_pad as pad;
-use crate::fields::{ParamForm, Unfilled};
+use crate::fields::ParamForm;
 use crate::panels::dialogs::stimulate::SentValue;
-use crate::panels::hold::DeskHold;
+use crate::parts::DeskHold;
+use crate::reasons::Unfilled;
 use behaviour::{Behaviour, Id, Params, Stream, StreamKind, Tile, TileAction, Value};
 use leptos::prelude::*;
 use robot::Device;

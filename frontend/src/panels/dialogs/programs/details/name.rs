@@ -2,11 +2,10 @@
 
 use crate::desk::{EditSession, Settle};
 use crate::escape;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
-use crate::panels::focus;
-use crate::panels::hold::hold;
-use crate::panels::may::may_edit;
+use crate::parts::{hold, may_edit};
 use crate::words;
 use behaviour::{Id, NAME_MAX_CHARS, RecordId};
 use leptos::html::{Button, Input};

@@ -3,12 +3,11 @@
 use super::super::shelf::ShownShelf;
 use crate::desk::Settle;
 use crate::escape;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::link::NoAnswer;
-use crate::panels::focus;
-use crate::panels::hold::hold;
-use crate::panels::may::may_edit;
+use crate::parts::{hold, may_edit};
 use crate::words;
 use behaviour::{Id, Settings, TAG_MAX_CHARS, TAGS_MAX};
 use leptos::html::Input;

@@ -1,6 +1,6 @@
 //! Next steps that are found by their names: each with its picture and what comes of it.
 
-use super::focus;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::steps::{Offer, Step};

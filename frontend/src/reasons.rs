@@ -1,4 +1,4 @@
-//! Why what a person filled in cannot be taken. What is said about it stands in `words`.
+//! Reasons why something that was tried in this page did not come about. `words` says them.
 
 /// Why what a person filled in cannot be taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,12 +31,24 @@ pub(crate) enum Unfilled {
     Param(phrase::Phrase),
 }
 
-impl Unfilled {
-    /// Whether a number that was typed can be read in one way only.
-    ///
-    /// # Errors
-    /// If it may be either of two.
-    pub(crate) fn in_two_ways(typed: &str) -> Result<(), Self> {
-        crate::words::two_ways(typed).map_or(Ok(()), |said| Err(Self::TwoWays(said)))
-    }
+/// The reasons why a file did not become a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum NotBrought {
+    /// It is larger than any that the server takes.
+    TooLarge,
+    /// The server does not answer.
+    Unreachable,
+    /// The server's answer cannot be read.
+    Unclear,
+    /// The server refuses it; with what it says.
+    Refused(phrase::Phrase),
+}
+
+/// Why there is no picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoPicture {
+    /// The server does not answer, or not with a drawing.
+    NoDrawing,
+    /// The browser cannot show the drawing, or gives no picture of it away.
+    Refused,
 }

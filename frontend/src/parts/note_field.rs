@@ -3,8 +3,8 @@
 use crate::browser;
 use crate::desk::{Desk, EditSession, use_desk};
 use crate::escape;
+use crate::focus;
 use crate::keys::PressedKey;
-use crate::panels::focus;
 use crate::words;
 use behaviour::{Id, Kind, Note, RecordId};
 use leptos::prelude::*;

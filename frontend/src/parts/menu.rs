@@ -1,7 +1,7 @@
 //! A button that drops down a menu; arrow keys walk in it, Escape closes it and the button has the keyboard again.
 
-use super::focus;
 use crate::escape;
+use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use leptos::prelude::*;
