@@ -22,7 +22,7 @@ impl Words {
         };
         let own: BTreeMap<String, String> = text.split("\n\n").filter_map(block).collect();
         let said = |(key, english): (String, String)| Some((english, own.get(&key)?.clone()));
-        let named = |key: &str| key.strip_prefix("word.").or_else(|| key.strip_prefix("template.")).map(str::to_owned);
+        let named = |key: &str| key.strip_prefix("template.").map(str::to_owned);
         let named = own.iter().filter_map(|(key, said)| Some((named(key)?, said.clone())));
         let table = named.chain(labels().into_iter().chain(english()?).filter_map(said)).collect();
         Ok(Words { code: "ja", table })

@@ -11,7 +11,7 @@ use behaviour::{
     Behaviour, Change, Connector, FillFrom, Helper, Id, Kind, Operation, Params, Place, Record, RecordId, Settings,
     Stream,
 };
-use phrase::Phrase;
+use phrase::{Phrase, Phrased, phrase};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most places that fit in one change and its message.
@@ -58,7 +58,7 @@ impl Editor {
             Output::New { .. } => stream.clone(),
             Output::Existing(id) => id.clone(),
         };
-        let start = self.start(op, labels::add(Phrase::word(plan.operation.word())));
+        let start = self.start(op, labels::add(plan.operation.spec().phrase()));
         let change = self.built(|ground| graph::connected(ground, start, (&stream, &connector), plan));
         self.propose_then(change, AfterSaving::Choose(alone(Selected::Stream(select))));
     }
@@ -66,7 +66,7 @@ impl Editor {
     /// A new connector and another one out of what it makes, as one change; the last stream is selected once it is there.
     pub fn connect_twice(&mut self, op: Id, first: ConnectPlan, then: ConnectPlan) {
         let [between, connector, stream, last] = [(); 4].map(|()| self.next_id());
-        let start = self.start(op, labels::add(Phrase::word(then.operation.word())));
+        let start = self.start(op, labels::add(then.operation.spec().phrase()));
         let ids = [(&between, &connector), (&stream, &last)];
         let change = self.built(|ground| graph::connected_twice(ground, start, ids, (first, then)));
         self.propose_then(change, AfterSaving::Choose(alone(Selected::Stream(stream))));
@@ -90,7 +90,8 @@ impl Editor {
 
     /// Adds what was shown of a typed sentence, as one change; it is chosen then.
     pub fn put_ghost(&mut self, op: Id, ghost: Ghost) {
-        let (behaviour, start) = (self.shown_behaviour(), self.start(op, labels::add(Phrase::word("a sentence"))));
+        let (behaviour, start) =
+            (self.shown_behaviour(), self.start(op, labels::add(phrase!("thing.sentence", "a sentence"))));
         let (change, streams) = ghost.into(&behaviour, start, || self.next_id());
         self.propose_then(change, AfterSaving::Choose(streams.into_iter().map(Selected::Stream).collect()));
     }
@@ -111,7 +112,7 @@ impl Editor {
         (operation, inputs): (Operation, Vec<Id>),
         output_name: Option<&str>,
     ) {
-        let (behaviour, start) = (self.shown_behaviour(), self.start(op, labels::edit(Phrase::word(operation.word()))));
+        let (behaviour, start) = (self.shown_behaviour(), self.start(op, labels::edit(operation.spec().phrase())));
         let followed = self.followed_name(&behaviour, &seen, &operation, &inputs).filter(|_| output_name.is_none());
         let name = output_name.or(followed.as_deref());
         let change = build::connector_edited(&behaviour, start, (id, &seen), (operation, inputs), name);
@@ -153,9 +154,10 @@ impl Editor {
         let label = match what {
             Selected::Stream(id) => short(behaviour.stream(id).map_or("", |stream| &stream.name)).into(),
             Selected::Connector(id) => {
-                Phrase::word(behaviour.connector(id).map_or("connector", |connector| connector.operation.word()))
+                let gone = || phrase!("thing.connector", "connector");
+                behaviour.connector(id).map_or_else(gone, |connector| connector.operation.spec().phrase())
             }
-            Selected::Note(_) => Phrase::word("note"),
+            Selected::Note(_) => a_note(),
             Selected::Group(id) => self.shown_group(id).map(|group| short(&group.title)).unwrap_or_default().into(),
         };
         let start = self.start(op, labels::remove(label));
@@ -318,8 +320,7 @@ impl Editor {
 
     /// A new note with its place; gives its id.
     pub fn add_note(&mut self, op: Id, text: &str, at: Place) -> Id {
-        let (id, behaviour, start) =
-            (self.next_id(), self.shown_behaviour(), self.start(op, labels::add(Phrase::word("note"))));
+        let (id, behaviour, start) = (self.next_id(), self.shown_behaviour(), self.start(op, labels::add(a_note())));
         let change = start.put(&behaviour, RecordId::new(Kind::Note, &id), self.written(text));
         let place = Record::Place(crate::layout::snapped(at));
         self.propose(change.put(&behaviour, RecordId::new(Kind::Place, &id), place));
@@ -328,7 +329,7 @@ impl Editor {
 
     /// Another text of a note; `seen` is what its author saw when they began.
     pub fn edit_note(&mut self, op: Id, id: &Id, seen: behaviour::Note, text: &str) {
-        let start = self.start(op, labels::edit(Phrase::word("note")));
+        let start = self.start(op, labels::edit(a_note()));
         let change = start.put(&self.shown_behaviour(), RecordId::new(Kind::Note, id), self.written(text));
         self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
     }
@@ -336,8 +337,7 @@ impl Editor {
     /// Removes a note that nothing is left of, if it is still as its author saw it.
     pub fn remove_note(&mut self, op: Id, id: &Id, seen: behaviour::Note) {
         let what = alone(Selected::Note(id.clone()));
-        let change =
-            graph::without(&self.shown_behaviour(), self.start(op, labels::remove(Phrase::word("note"))), &what);
+        let change = graph::without(&self.shown_behaviour(), self.start(op, labels::remove(a_note())), &what);
         self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
     }
 
@@ -350,6 +350,11 @@ impl Editor {
 
 fn alone(one: Selected) -> BTreeSet<Selected> {
     std::iter::once(one).filled()
+}
+
+/// A note, as a change to one says it.
+fn a_note() -> Phrase {
+    phrase!("thing.note", "note")
 }
 
 fn free_title(behaviour: &Behaviour, base: &str) -> String {

@@ -64,14 +64,6 @@ impl Phrase {
         Self::Keyed(Box::new(KeyedPhrase { key: key.into(), english: english.into(), with }))
     }
 
-    /// Makes a word under which labels of changes stand in logs: that of a connector in files, `note`. Its key is made of it.
-    #[must_use]
-    pub fn word(english: impl Into<Cow<'static, str>>) -> Self {
-        let english = english.into();
-        let key = Cow::Owned(format!("word.{english}"));
-        Self::Keyed(Box::new(KeyedPhrase { key, english, with: Vec::new() }))
-    }
-
     /// Makes a sentence of the catalogue of a key that is made while the program runs.
     #[must_use]
     pub fn named(key: String, english: String) -> Self {

@@ -118,7 +118,7 @@ fn every_sentence_has_its_japanese_and_nothing_else_is_there() {
     assert!(page.len() > 1_000, "only {} sentences of the page were found", page.len());
     assert!(others.len() > 300, "only {} sentences of others were found", others.len());
     assert!(words.len() > 300, "only {} words were found", words.len());
-    let wanted: Catalogue = page.into_iter().chain(others).chain(words).chain(stop()).chain(of_logs()).collect();
+    let wanted: Catalogue = page.into_iter().chain(others).chain(words).chain(stop()).collect();
     let wrong = faults(&wanted, &blocks(&read(&folder().join("../static/ja.txt"))));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
@@ -126,12 +126,7 @@ fn every_sentence_has_its_japanese_and_nothing_else_is_there() {
 #[test]
 fn no_two_keys_have_the_same_number() {
     let mut numbers = BTreeMap::new();
-    for key in of_the_page()
-        .into_keys()
-        .chain(of_others().into_keys())
-        .chain(of_the_catalogue().into_keys())
-        .chain(of_logs().into_keys())
-    {
+    for key in of_the_page().into_keys().chain(of_others().into_keys()).chain(of_the_catalogue().into_keys()) {
         let other = numbers.insert(phrase::key_of(&key), key.clone());
         assert!(other.is_none_or(|other| other == key), "{key} needs another name");
     }
@@ -452,8 +447,6 @@ const SIGNS: [&str; 5] = ["", "%", "m/s", "rad", "rad/s"];
 const BOXES: [&str; 4] = ["blue", "green", "grey", "red"];
 /// A kind of body that is called by more than its name.
 const BODY: &str = "NAO without hands (H21)";
-/// What logs name in labels of changes, beside connectors.
-const IN_LOGS: [&str; 5] = ["a sentence", "connector", "helper", "note", "tiles"];
 
 /// Sentences and words about senses, actions and connectors, of helpers, templates and tasks.
 fn of_the_catalogue() -> Catalogue {
@@ -503,12 +496,6 @@ fn of_helper(helper: &behaviour::Helper) -> Catalogue {
 fn joint_key(joint: &str) -> (String, String) {
     let bare = joint.strip_prefix(['L', 'R']).unwrap_or(joint);
     (format!("joint.{bare}"), bare.to_owned())
-}
-
-/// What labels of changes in logs name: by their words in files, as older versions wrote them, and as the editor does.
-fn of_logs() -> Catalogue {
-    let all = connectors::ALL.iter().map(|spec| spec.word).chain(IN_LOGS);
-    all.map(|word| (format!("word.{word}"), word.to_owned())).collect()
 }
 
 fn templates() -> Catalogue {
