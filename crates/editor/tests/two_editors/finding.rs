@@ -30,7 +30,8 @@ fn things_are_found_by_a_part_of_their_name_and_chosen() {
     assert_eq!(table.editor(AIKO).several.len(), 11);
 }
 
-/// The commands of a menu with those that cannot be done now, and a line between those about different things.
+/// The commands of a menu with those that cannot be done now, and a line between those about different things. Panels have theirs
+/// in the page's own list.
 fn menu(on: On, state: &CommandState) -> Vec<String> {
     let mut told = Vec::new();
     let mut before = None;
@@ -48,7 +49,7 @@ fn menu(on: On, state: &CommandState) -> Vec<String> {
 fn the_menus_of_the_bar_are_drawn_from_the_list_of_commands() {
     let role = Some(Role::Host);
     let fresh = CommandState { role, is_past: false, is_open: true, can_undo: false, can_redo: false };
-    let phone = "LoadProgram, AddProgram, RemoveProgram, OpenFile, SaveFile, EditTiles, Undo (off), Redo (off), History, -, \
+    let phone = "LoadProgram, AddProgram, RemoveProgram, OpenFile, SaveFile, EditTiles, Undo (off), Redo (off), -, \
                  AddSensor, AddHelper, EditHelper, Problems, -, OverTime, Recordings, Operate, OtherLanguage, \
                  KeysAndGestures, -, Invite";
     assert_eq!(menu(On::Phone, &fresh).join(", "), phone);
