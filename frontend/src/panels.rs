@@ -58,7 +58,7 @@ pub(crate) use problems::problems;
 pub(crate) use recordings::recorded;
 pub(crate) use right::RightColumn;
 pub(crate) use robots::robot_list;
-pub(crate) use room::{camera, room_tools};
+pub(crate) use room::{camera, printed, room_tools};
 pub(crate) use running::running;
 pub(crate) use sentences_panel::sentences_panel;
 pub(crate) use stranger::stranger;

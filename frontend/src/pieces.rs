@@ -113,6 +113,7 @@ fn rest() -> Result<LazyViews, NotLoaded> {
         running: panels::running,
         room_tools: panels::room_tools,
         camera: panels::camera,
+        printed: panels::printed,
         name_field: canvas::name_field,
         asks_name: panels::asks_name,
         stranger: panels::stranger,

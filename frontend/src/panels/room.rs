@@ -12,6 +12,7 @@ use crate::later::Later;
 use crate::parts::hold;
 use crate::words;
 pub(crate) use camera::{CameraPicture, camera};
+pub(crate) use tools::printed;
 
 use leptos::prelude::*;
 use map::RoomMap;
@@ -28,12 +29,13 @@ const SEEN_GAP: f32 = 4.0;
 pub(crate) fn Room() -> impl IntoView {
     let desk = hold();
     let sees = Memo::new(move |_| desk.desk().robots.with_camera().is_some());
+    let has_printed = Memo::new(move |_| desk.desk().robots.scene.with(|scene| !scene.body.printed.is_empty()));
     view! {
         <RoomPicture />
         <Show when=move || desk.desk().robots.is_simulated()>
             <Later show=|rest| (rest.room_tools)() />
         </Show>
-        <tools::Printed />
+        {move || has_printed.get().then(|| view! { <Later show=|rest| (rest.printed)() /> })}
         {move || sees.get().then(|| view! { <Later show=|rest| (rest.camera)() /> })}
     }
 }

@@ -155,7 +155,7 @@ pub(super) fn Bubble() -> impl IntoView {
 /// What the robot was told to show, newest first: each with its unit, its program and its time. What was shown for programs
 /// that ended goes as soon as another one starts.
 #[component]
-pub(super) fn Printed() -> impl IntoView {
+fn Printed() -> impl IntoView {
     let desk = hold();
     let lines = Memo::new(move |_| {
         let desk = desk.desk();
@@ -177,6 +177,11 @@ pub(super) fn Printed() -> impl IntoView {
             <ol class="printed" tabindex="0" aria-label=words::printed()>{shown}</ol>
         </Show>
     }
+}
+
+/// What the robot was told to show, as a view.
+pub(crate) fn printed() -> AnyView {
+    view! { <Printed /> }.into_any()
 }
 
 /// What was printed by what runs; while nothing runs, by what ran last. `runs` are those that are known, each with whether it
