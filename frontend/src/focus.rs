@@ -13,7 +13,7 @@ const FOCUSABLE: &str = "a[href], button:not(:disabled):not([tabindex='-1']), in
 /// A moment for the buttons of what is chosen to be there, in milliseconds.
 const SHOWN_MS: i32 = 60;
 
-/// Where something is typed.
+/// Selects the fields in which one types.
 const FIELD: &str = "input, textarea, select";
 
 /// The element that has the keyboard.
@@ -26,16 +26,16 @@ pub(crate) fn is_at(element: &Element) -> bool {
     active().is_some_and(|active| active.is_same_node(Some(element)))
 }
 
-/// Whether nothing has the keyboard.
+/// Returns true if nothing has the keyboard.
 pub(crate) fn is_nowhere() -> bool {
     active().is_none_or(|active| active.tag_name() == "BODY")
 }
 
-/// Where the keyboard was when something was begun whose end comes a moment later.
+/// The place of the keyboard when something was begun whose end comes a moment later.
 pub(crate) struct FocusBefore(Option<HtmlElement>);
 
 impl FocusBefore {
-    /// Where it is now.
+    /// Remembers where it is now.
     pub(crate) fn now() -> Self {
         Self(active())
     }
@@ -45,8 +45,8 @@ impl FocusBefore {
         self.0.as_ref().is_some_and(|before| before.is_connected() && !is_at(before))
     }
 
-    /// Whether somebody went elsewhere since, out of the graph or into a field: people do not wait, and what they type
-    /// by then is not for what was begun.
+    /// Returns true if somebody went elsewhere since, out of the graph or into a field: people do not wait, and their typing
+    /// is not meant for what was begun.
     fn is_over(&self) -> bool {
         let now = active();
         let matches =
@@ -165,7 +165,7 @@ pub(crate) fn dialog_around(event: &web_sys::MouseEvent) -> Option<HtmlElement> 
     pressed.closest(".dialog").ok().flatten()?.dyn_into().ok()
 }
 
-/// What was pressed below a field goes away: the field has the keyboard again.
+/// Gives the keyboard back to the field below which something was pressed that goes away.
 pub(crate) fn back_to_field(event: &web_sys::MouseEvent) {
     let pressed = event.current_target().and_then(|target| target.dyn_into::<Element>().ok());
     let around = pressed.and_then(|pressed| pressed.closest(".field").ok().flatten());
@@ -174,7 +174,7 @@ pub(crate) fn back_to_field(event: &web_sys::MouseEvent) {
     }
 }
 
-/// What mended a problem is gone: the keyboard is on what had the problem, or stays in the dialog that lists it.
+/// Takes the keyboard from what mended a problem and is gone: to what had the problem, or within the dialog that lists it.
 pub(crate) fn after_mending(id: &behaviour::Id, dialog: Option<&HtmlElement>) {
     let part = || {
         document()?
@@ -195,7 +195,7 @@ fn document() -> Option<Document> {
     crate::browser::window()?.document()
 }
 
-/// Whether fingers are the main pointer; then nothing opens the keyboard on the screen by itself.
+/// Returns true if fingers are the main pointer; then nothing opens the keyboard on the screen by itself.
 pub(crate) fn is_coarse() -> bool {
     let query = crate::browser::window().and_then(|window| window.match_media("(pointer: coarse)").ok().flatten());
     query.is_some_and(|query| query.matches())

@@ -114,7 +114,7 @@ pub(crate) struct LazyViews {
     pub(crate) room_tools: fn() -> AnyView,
     /// What the robot's camera sees.
     pub(crate) camera: fn() -> AnyView,
-    /// What the robot was told to show.
+    /// The texts and numbers that the robot was told to show.
     pub(crate) printed: fn() -> AnyView,
     /// On the graph, the field for another name of what stands there.
     pub(crate) name_field: fn(Id) -> AnyView,

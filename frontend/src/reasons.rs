@@ -1,9 +1,9 @@
 //! Reasons why something that was tried in this page did not come about. `words` says them.
 
-/// Why what a person filled in cannot be taken.
+/// A reason for which a field cannot be taken as a person filled it in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Unfilled {
-    /// What it is about is gone.
+    /// The thing that it is about is gone.
     Gone,
     /// There is no name.
     Name,
@@ -13,11 +13,11 @@ pub(crate) enum Unfilled {
     Body,
     /// The procedure is still what was begun for the person.
     BodyBegun,
-    /// What it starts from is no value.
+    /// The start is no value.
     Start,
     /// The rate is none that is allowed.
     Rate(u64),
-    /// What was typed may be either of two numbers; with the sentence that asks which.
+    /// The text may be either of two numbers; with the sentence that asks which.
     TwoWays(String),
     /// A tile has no words.
     Label,
@@ -44,7 +44,7 @@ pub(crate) enum NotBrought {
     Refused(phrase::Phrase),
 }
 
-/// Why there is no picture.
+/// A reason for which there is no picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoPicture {
     /// The server does not answer, or not with a drawing.

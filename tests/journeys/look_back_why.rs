@@ -197,6 +197,30 @@ async fn the_number_that_kept_an_action_back_is_found_and_changed_by_the_keyboar
     aiko.no_errors()
 }
 
+/// Goes to the mark before and asks in the same moment why not, so that the graph cannot show the mark yet.
+const ASKED_AT_ONCE: &str = "(() => {
+    const panel = document.querySelector('.past');
+    panel.dispatchEvent(new KeyboardEvent('keydown', { key: '[', code: 'BracketLeft', bubbles: true, cancelable: true }));
+    [...document.querySelectorAll('.then-offers button')].find(one => one.textContent.includes('Head tracker')).click();
+    return true;
+})()";
+
+#[tokio::test]
+async fn a_question_asked_on_the_way_to_a_moment_is_about_that_moment() -> Outcome<()> {
+    skip::unless!(ready("journey: why not, on the way to a moment"));
+    let stage = Stage::set().await?;
+    let aiko = at_the_task(&stage).await?;
+    aiko.until(IS_THEN, "the first moment is on the graph").await?;
+    aiko.press("button", "Why not …").await?;
+    aiko.find("button", "Why not “Head tracker”?").await?;
+    aiko.eval(ASKED_AT_ONCE).await?;
+    aiko.until("document.activeElement.id === 'why-answer'", "there is an answer").await?;
+    assert_eq!(aiko.eval(CURSOR).await?, 580_000, "the cursor is at the mark");
+    let (miss, _) = miss_and_fix(&aiko).await?;
+    assert!(miss > 0.45 && miss < 0.5, "what came nearest before the mark is told: {miss}");
+    aiko.no_errors()
+}
+
 #[tokio::test]
 async fn the_number_that_kept_an_action_back_is_found_and_changed_by_a_finger_alone() -> Outcome<()> {
     skip::unless!(ready("journey: debug from the past, by finger"));

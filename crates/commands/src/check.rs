@@ -41,14 +41,14 @@ impl LineCommand for CheckArgs {
     }
 }
 
-/// What was found.
+/// The findings about a file.
 #[derive(Debug, Default, PartialEq)]
 struct CheckFindings {
-    /// Why it cannot be imported.
+    /// The faults for which it cannot be imported.
     refused: Vec<FileFault>,
-    /// Why it cannot be started.
+    /// The faults for which it cannot be started.
     blocks: Vec<FileFault>,
-    /// What else could be better.
+    /// The hints at what could be better.
     hints: Vec<FileFault>,
 }
 
@@ -102,7 +102,7 @@ fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<Failu
     Err(if placed.is_empty() { vec![Failure::of(refusal)] } else { placed })
 }
 
-/// Why the engine would not run it, with ids.
+/// Returns the faults for which the engine would not run it, with ids.
 fn engine_says(file: &BehaviourFile) -> Vec<Failure> {
     engine::validate(file).iter().map(|fault| of_file(fault).into()).collect()
 }

@@ -12,7 +12,7 @@ use store::files::FileFault;
 /// Names that are shown to somebody who looks for another one.
 const NAMES_MAX: usize = 10;
 
-/// Why a command did not do what it should.
+/// A reason for which a command did not do what it should.
 #[derive(Clone, Debug)]
 pub(crate) struct Failure(Phrase);
 
@@ -32,7 +32,7 @@ impl Failure {
         Self::of(format!("{} could not be written: {error}.", path.display()))
     }
 
-    /// What should go to standard output did not.
+    /// The output could not be written.
     pub(crate) fn unwritten_out(error: impl fmt::Display) -> Self {
         Self::of(format!("The file could not be written: {error}."))
     }

@@ -16,12 +16,12 @@ use std::net::SocketAddr;
 use std::time::Duration;
 use tokio::net::TcpStream;
 
-/// How long to wait for the server to take the call.
+/// The longest wait for the server to take the call, in milliseconds.
 const CONNECT_MS: u64 = 3_000;
-/// How long the server may be silent.
+/// The longest silence of the server within an answer, in milliseconds.
 const SILENT_MS: u64 = 60_000;
 
-/// What a library complains about.
+/// An error of a library, of any type.
 type BoxError = Box<dyn Error + Send + Sync>;
 
 /// A running server on this computer.
@@ -36,7 +36,7 @@ pub(crate) struct NamedBehaviour {
     pub(crate) name: String,
 }
 
-/// What the server said.
+/// An answer of the server.
 pub(crate) struct ServerAnswer {
     /// True if it did what was asked.
     pub(crate) fine: bool,
@@ -113,7 +113,7 @@ fn cut_off(error: impl fmt::Display) -> Failure {
     Failure::of(format!("The rrp server stopped in the middle of its answer ({error}). Try again."))
 }
 
-/// What an answer says.
+/// Reads an answer of the server.
 ///
 /// # Errors
 /// It says something else.

@@ -64,7 +64,7 @@ impl Listening {
     }
 }
 
-/// Why the addresses do not go together.
+/// A reason for which the addresses do not go together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum ListenConflict {
     /// There are two for this computer, or two for others.

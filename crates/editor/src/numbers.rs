@@ -122,7 +122,7 @@ impl NumberTest {
 
 fn written(places: Option<usize>, number: f64) -> String {
     let text = written_with(places, number);
-    // What is rounded to nothing has no sign.
+    // A number that is rounded to nothing has no sign.
     let is_nothing = !text.contains(|c: char| ('1'..='9').contains(&c));
     if is_nothing { text.trim_start_matches('-').to_owned() } else { text }
 }

@@ -3,56 +3,15 @@
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 #![expect(clippy::print_stdout, reason = "what is said of the templates is read by people")]
 
+#[path = "hints/known.rs"]
+mod known;
+
 use behaviour::{
-    Behaviour, BehaviourFile, Decision, Declared, DeviceType, Fix, Helper, HelperCall, Id, Kind, Knowledge, Note,
-    Params, Place, Problem, ProblemKind, Record, RecordId, Room, Signature, StreamKind, Unit, ValueType, fixes, infer,
-    problems,
+    Behaviour, BehaviourFile, Decision, Declared, Fix, Helper, Id, Kind, Note, Place, Problem, ProblemKind, Record,
+    RecordId, Room, Unit, ValueType, fixes, infer, problems,
 };
+use known::Known;
 use std::path::Path;
-
-/// The catalogue, and procedures.
-struct Known;
-
-impl Knowledge for Known {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), phrase::Phrase> {
-        robot::device(kind, device)
-            .and_then(|device| device.check(params))
-            .map_err(|fault| phrase::Phrased::phrase(&fault))
-    }
-
-    fn body(&self, arguments: &[String], body: &str) -> Result<(), phrase::Phrase> {
-        engine::check_body(arguments, body).map_err(|fault| phrase::Phrased::phrase(&fault))
-    }
-
-    fn device_type(&self, kind: StreamKind, device: &str, params: &Params) -> DeviceType {
-        robot::device_type(kind, device, params)
-    }
-
-    fn result(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> ValueType {
-        engine::result_type(arguments, body, helper)
-    }
-
-    fn signature(&self, helper: &Helper) -> Option<Signature> {
-        robot::shipped_signature(helper)
-    }
-
-    fn misused(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> Option<(String, usize)> {
-        engine::misused(arguments, body, helper)
-    }
-
-    fn stream_of(&self, helper: &str) -> Option<&'static str> {
-        robot::helper_stream(helper)
-    }
-
-    fn unknown_name(
-        &self,
-        arguments: &[(String, ValueType)],
-        body: &str,
-        helpers: &[&str],
-    ) -> Option<(String, Vec<String>)> {
-        engine::unknown_name(arguments, body, helpers)
-    }
-}
 
 fn id(text: &str) -> Id {
     Id::new(text).unwrap()

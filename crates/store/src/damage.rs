@@ -81,7 +81,7 @@ impl Damage {
     }
 }
 
-/// Why a text is no address of a store.
+/// A reason for which a text is no address of a store.
 #[derive(Clone, Debug, PartialEq, Eq, Phrased)]
 pub enum BadAddress {
     /// It begins like no store.

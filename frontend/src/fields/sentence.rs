@@ -8,11 +8,11 @@ use wasm_bindgen::JsCast;
 #[derive(Clone, Copy)]
 pub(crate) struct SentenceField {
     pub(crate) text: RwSignal<String>,
-    /// Whether what is typed is read as a sentence.
+    /// True if the text is read as a sentence.
     pub(crate) open: RwSignal<bool>,
-    /// How often Enter was pressed.
+    /// The number of times that Enter was pressed.
     pub(crate) entered: RwSignal<u32>,
-    /// How far the text is scrolled in its field, in pixels.
+    /// The pixels by which the text is scrolled in its field.
     pub(crate) scrolled: RwSignal<i32>,
 }
 

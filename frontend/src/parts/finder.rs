@@ -51,7 +51,7 @@ pub(crate) fn Finder(offers: Vec<Offer>, choose: Callback<Step>) -> impl IntoVie
     }
 }
 
-/// Whether its name holds what is looked for.
+/// Returns true if its name holds what is looked for.
 fn has(offer: &Offer, wanted: &str) -> bool {
     offer.label.to_lowercase().contains(wanted) || offer.says().to_lowercase().contains(wanted)
 }

@@ -45,7 +45,7 @@ pub(crate) struct Soon {
 }
 
 impl Soon {
-    /// What shall be done.
+    /// The work that waits.
     pub(crate) fn new(act: impl Fn() + 'static) -> Self {
         Self { waits: Rc::default(), act: Rc::new(act) }
     }

@@ -4,7 +4,7 @@ use super::hold::{DeskHold, hold};
 use leptos::prelude::*;
 use protocol::Role;
 
-/// Why this person may not do what needs that role; nothing for who may.
+/// Says why this person may not do what needs that role; nothing for who may.
 #[component]
 pub(crate) fn MayNot(#[prop(default = Role::Editor)] least: Role) -> impl IntoView {
     let desk = hold();
@@ -12,12 +12,12 @@ pub(crate) fn MayNot(#[prop(default = Role::Editor)] least: Role) -> impl IntoVi
     move || why.get().map(|why| view! { <p class="may-not">{why}</p> })
 }
 
-/// Whether this person may edit. Reactive.
+/// Returns true if this person may edit. Reactive.
 pub(crate) fn may_edit(desk: DeskHold) -> bool {
     desk.desk().may(Role::Editor)
 }
 
-/// Whether this person may run things on robots and use their rooms. Reactive.
+/// Returns true if this person may run things on robots and use their rooms. Reactive.
 pub(crate) fn may_operate(desk: DeskHold) -> bool {
     desk.desk().may(Role::Operator)
 }

@@ -12,7 +12,7 @@ use web_sys::{HtmlElement, KeyboardEvent, Node};
 #[component]
 pub(crate) fn Menu(
     #[prop(into)] label: Signal<String>,
-    /// What the button shows, if that is less than its label.
+    /// The text of the button, if that is less than its label.
     #[prop(optional)]
     word: Option<Signal<String>>,
     icon: &'static str,
@@ -84,7 +84,7 @@ pub(crate) fn MenuItem(
     /// A robot's lamp in place of the icon.
     #[prop(optional)]
     lamp: Option<&'static str>,
-    /// Whether it is the one of several that is chosen now.
+    /// True if it is the one of several that is chosen now.
     #[prop(optional)]
     chosen: Option<bool>,
     /// Small, below it.

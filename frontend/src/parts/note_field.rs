@@ -91,7 +91,7 @@ fn typed(event: &web_sys::Event) -> Option<String> {
     Some(event.target()?.dyn_into::<HtmlTextAreaElement>().ok()?.value())
 }
 
-/// Who wrote a note and on which day, as far as that is known.
+/// Says who wrote a note and on which day, as far as that is known.
 pub(crate) fn written_by(note: &Note) -> String {
     let day = (note.at_ms > 0).then(|| browser::date_words(note.at_ms as f64));
     let parts = [Some(note.by.clone()).filter(|by| !by.is_empty()), day];

@@ -9,17 +9,17 @@ use crate::words;
 use behaviour::{Fix, FixKind, Id, Kind, Problem, ProblemKind};
 use leptos::prelude::*;
 
-/// How many problems the column shows.
+/// The most problems that the column shows.
 const SHOWN_MAX: usize = 30;
-/// How many ways to mend one it shows.
+/// The most ways to mend one that it shows.
 const FIXES_MAX: usize = 2;
 
-/// How much is wrong with the open program, or fails on the robot. Reactive.
+/// Returns the number of things that are wrong with the open program, or fail on the robot. Reactive.
 pub(crate) fn problem_count(desk: DeskHold) -> usize {
     desk.desk().document.problems.read().len() + desk.desk().robots.failing.read().len()
 }
 
-/// What fails on the robot, or failed in the last run, with the way to each.
+/// Lists what fails on the robot, or failed in the last run, with the way to each.
 #[component]
 pub(crate) fn FailingList() -> impl IntoView {
     let desk = hold();
@@ -149,7 +149,7 @@ pub(crate) fn ProblemLine(
     }
 }
 
-/// What a fix does; a helper as people call it.
+/// Says what a fix does; a helper as people call it.
 fn fix_words(desk: DeskHold, kind: &FixKind) -> String {
     let called = |name: &String| {
         let helpers = desk.desk().library.helpers.get_untracked();
@@ -163,7 +163,7 @@ fn fix_words(desk: DeskHold, kind: &FixKind) -> String {
     }
 }
 
-/// What people do next about something that is not finished, and how it is called.
+/// Returns what people do next about something that is not finished, and how it is called.
 fn step_of(problem: &Problem) -> Option<(&'static str, GraphChoice)> {
     let id = problem.at.id.clone();
     match problem.kind {

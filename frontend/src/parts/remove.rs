@@ -52,7 +52,7 @@ pub(crate) fn RemoveButton(
 fn Ways(what: Selected, id: Id, above: Id, name: String, in_words: bool) -> impl IntoView {
     let desk = StoredValue::new(use_desk());
     let above = StoredValue::new(above);
-    // What is above is selected then, and the keyboard goes there.
+    // The thing above is selected then, and the keyboard goes there.
     let then = move |remove: &dyn Fn(&Desk)| {
         desk.with_value(|desk| {
             remove(desk);

@@ -492,7 +492,7 @@ fn of_helper(helper: &behaviour::Helper) -> Catalogue {
     all.into_iter().map(|(place, text)| (format!("helper.{name}{place}"), text.to_owned())).collect()
 }
 
-/// What a joint is called without its side.
+/// Returns the key and the name of a joint without its side.
 fn joint_key(joint: &str) -> (String, String) {
     let bare = joint.strip_prefix(['L', 'R']).unwrap_or(joint);
     (format!("joint.{bare}"), bare.to_owned())

@@ -9,7 +9,7 @@ pub(super) const READING: &str = "{\"t\":500,\"stream\":\"ball\",\"value\":1}";
 /// A time from which on the first reading is one since 1970, not since Start: in milliseconds eleven days, in seconds 2001.
 const EPOCH_MIN: f64 = 1e9;
 
-/// How much of the name that another program gives its time is told, in characters.
+/// The most characters that are told of the name that another program gives the time.
 const TIME_SHOWN_CHARS: usize = 40;
 
 /// A reading of a line. The first one, before which there is none, says whether its times are those since 1970.
@@ -38,44 +38,44 @@ fn time(line: &Value, is_first: bool) -> Result<u64, TraceLineError> {
     }
 }
 
-/// What another program calls the time of its readings.
+/// Returns the name that another program gives the time of a reading, if the line has one.
 fn other_time(line: &Value) -> Option<String> {
     let Value::Map(fields) = line else { return None };
     let is_time = |name: &&str| name.starts_with("time") || ["ts", "ms", "seconds", "at"].contains(name);
     fields.iter().map(|(name, _)| &**name).find(is_time).map(|name| name.chars().take(TIME_SHOWN_CHARS).collect())
 }
 
-/// Why a line of a trace makes no sense.
+/// A reason for which a line of a trace makes no sense.
 #[derive(Debug)]
 pub(crate) enum TraceLineError {
     /// It is no JSON object.
     NoReading,
     /// It has no time.
     NoTime,
-    /// Its time stands under this name.
+    /// The time stands under this name.
     OtherTime(String),
-    /// Its time is no number.
+    /// The time is no number.
     Time,
-    /// Its time has a fraction, as seconds have one.
+    /// The time has a fraction, as seconds have one.
     Seconds {
-        /// What stands there.
+        /// The text that stands there.
         t: f64,
         /// The same in milliseconds, if it is in seconds.
         ms: f64,
     },
-    /// Its time is one since 1970.
+    /// The time counts from 1970.
     Epoch(String),
-    /// Its time is before the start.
+    /// The time is before the start.
     Negative,
     /// It names no stream.
     Stream,
     /// It has no value.
     Value,
-    /// Its time is before that of the line before it.
+    /// The time is before that of the line before.
     Backwards {
         /// The time before, in milliseconds.
         from: u64,
-        /// Its own time, in milliseconds.
+        /// The time of this line, in milliseconds.
         to: u64,
     },
     /// The behaviour has no such stream.

@@ -5,7 +5,7 @@ use recording::{Different, SinceStart};
 use shell::NotThen;
 use std::fmt;
 
-/// Why there is nothing to tell.
+/// A reason for which there is nothing to tell.
 #[derive(Debug)]
 pub(super) enum WhyFailure {
     /// No stream has this id, or no action this name; with those that there are.

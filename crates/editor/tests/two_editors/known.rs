@@ -1,60 +1,17 @@
-//! The knowledge that the rules ask for, as a server has it, of the catalogue of devices and of the engine; and programs as
-//! files have them.
+//! Programs as files have them, on a server that knows the rules.
+
+#[path = "../../../engine/tests/hints/known.rs"]
+mod rules;
 
 use crate::server::id;
 use crate::table::{AIKO, Table};
-use behaviour::{
-    Behaviour, BehaviourFile, Connector, DeviceType, Helper, HelperCall, Knowledge, Operation, Params, Procedure,
-    Signature, Stream, StreamKind, ValueType,
-};
-use phrase::{Phrase, Phrased};
+use behaviour::{Behaviour, BehaviourFile, Connector, Operation, Procedure, Stream};
+pub(crate) use rules::Known;
 
 /// A far ball is followed by the head, a close one by the whole body.
 pub(crate) const BALLS: &str = include_str!("../../../../tests/behaviours/track_far_and_close.json");
 /// The nearest arm follows a close ball.
 pub(crate) const ARM: &str = include_str!("../../../../tests/behaviours/track_nearest_arm.json");
-
-/// The catalogue, and procedures.
-pub(crate) struct Known;
-
-impl Knowledge for Known {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), Phrase> {
-        robot::device(kind, device).and_then(|device| device.check(params)).map_err(|fault| fault.phrase())
-    }
-
-    fn body(&self, arguments: &[String], body: &str) -> Result<(), Phrase> {
-        engine::check_body(arguments, body).map_err(|fault| fault.phrase())
-    }
-
-    fn device_type(&self, kind: StreamKind, device: &str, params: &Params) -> DeviceType {
-        robot::device_type(kind, device, params)
-    }
-
-    fn result(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> ValueType {
-        engine::result_type(arguments, body, helper)
-    }
-
-    fn signature(&self, helper: &Helper) -> Option<Signature> {
-        robot::shipped_signature(helper)
-    }
-
-    fn misused(&self, arguments: &[(String, ValueType)], body: &str, helper: HelperCall) -> Option<(String, usize)> {
-        engine::misused(arguments, body, helper)
-    }
-
-    fn stream_of(&self, helper: &str) -> Option<&'static str> {
-        robot::helper_stream(helper)
-    }
-
-    fn unknown_name(
-        &self,
-        arguments: &[(String, ValueType)],
-        body: &str,
-        helpers: &[&str],
-    ) -> Option<(String, Vec<String>)> {
-        engine::unknown_name(arguments, body, helpers)
-    }
-}
 
 /// The program of a file.
 pub(crate) fn program(file: &str) -> Behaviour {

@@ -11,6 +11,7 @@ use crate::browser;
 use crate::desk::Lit;
 use crate::live::{LAST_MAX, LiveConnector, LiveStream};
 use behaviour::{Behaviour, Id, Value};
+use lanes::LaneAct;
 use leptos::prelude::*;
 use protocol::{
     LANES_MAX, LaneName, LaneValues, OpenedPast, PastAnswer, PastLane, PastMoment, PastQuestion, StreamSample,
@@ -26,14 +27,23 @@ const SPARK_MS: u64 = 8_000;
 /// The numbers of a sparkline.
 const SPARK_NUMBERS: usize = 32;
 
+/// A question for reasons about a moment that is not on the graph yet.
+#[derive(Clone)]
+pub(super) enum ReasonWanted {
+    /// *Why?* of what is chosen.
+    Why,
+    /// *Why not …* of this action.
+    WhyNot(Id),
+}
+
 /// Questions about moments, and the program that is shown.
 #[derive(Clone, Default)]
 struct AskedMoments {
     is_busy: bool,
     /// The newest moment that is wanted and not asked yet.
     wanted: Option<u64>,
-    /// True if it is to be asked why as soon as the moment is there.
-    asks_why: bool,
+    /// The question for reasons that waits for its moment to be there.
+    reason: Option<(u64, ReasonWanted)>,
     /// The moment that waits for its sparklines.
     sparks: Option<u64>,
     /// The place of the program that the graph shows.
@@ -282,14 +292,19 @@ impl PastShared {
         }
         self.then.at.set(Some(at));
         desk.then.set(Some(at));
-        let mut asks_why = false;
+        let wanted = untrack(|| self.wanted_moment());
+        let mut reason = None;
         self.then.asked.update_value(|asked| {
             asked.sparks = Some(at);
-            asks_why = std::mem::take(&mut asked.asks_why);
+            // Who went on to another moment asks no more about the one before.
+            asked.reason.take_if(|(of, _)| Some(*of) != wanted);
+            reason = asked.reason.take_if(|(of, _)| *of == at);
         });
         self.answered();
-        if asks_why {
-            self.ask_why();
+        match reason {
+            Some((_, ReasonWanted::Why)) => self.ask_why(),
+            Some((_, ReasonWanted::WhyNot(action))) => self.ask_why_not(action),
+            None => {}
         }
     }
 
@@ -299,12 +314,21 @@ impl PastShared {
         browser::next_frame(move || browser::after(0, move || document.laid_out.notify()));
     }
 
-    /// Following ends at the moment under the cursor, and as soon as that is shown it is asked why.
-    pub(super) fn rest_then_ask(self) {
+    /// True while the graph shows another moment than the one under the cursor: that one is on its way, or plays on.
+    pub(super) fn is_on_its_way(self) -> bool {
+        let shown = self.then.at.get_untracked();
+        shown.is_none() || shown != untrack(|| self.wanted_moment())
+    }
+
+    /// Following and playing end at the moment under the cursor, and as soon as the graph shows that the question is asked.
+    pub(super) fn ask_when_there(self, reason: ReasonWanted) {
+        if self.viewer.with_untracked(lanes::Viewer::plays) {
+            self.act(LaneAct::Play);
+        }
         self.seek(self.viewer.with_untracked(lanes::Viewer::cursor));
         // It is asked also where the cursor stands there already.
         let at = untrack(|| self.wanted_moment());
-        self.then.asked.update_value(|asked| (asked.asks_why, asked.wanted) = (at.is_some(), at));
+        self.then.asked.update_value(|asked| (asked.reason, asked.wanted) = (at.map(|at| (at, reason)), at));
         self.ask_moment();
     }
 
@@ -350,7 +374,7 @@ impl PastShared {
         self.then.another_question();
         let desk = self.desk.desk();
         self.then.asked.try_update_value(|asked| {
-            (asked.wanted, asked.sparks, asked.shown, asked.asks_why) = (None, None, None, false);
+            (asked.wanted, asked.sparks, asked.shown, asked.reason) = (None, None, None, None);
         });
         if !is_shown && desk.then.with_untracked(Option::is_none) {
             return;

@@ -8,6 +8,7 @@ pub(super) use view::{Asking, Numbers};
 use fix::AnswerFix;
 
 use super::media::page_element;
+use super::then::ReasonWanted;
 use super::{PastShared, clock, filling};
 use crate::desk::{Lit, Selected};
 use crate::panels::language::language;
@@ -135,16 +136,16 @@ impl PastShared {
         opened.map_or_else(|| stream.to_owned(), |opened| filling::label(&opened, &plain))
     }
 
-    /// Asks why the newest value until the moment came on the subject's stream. While now is followed, that rests first.
+    /// Asks why the newest value until the moment under the cursor came on the subject's stream. While now is followed, that
+    /// rests first; while the graph does not show that moment yet, the question waits for it.
     pub(super) fn ask_why(self) {
         let Some(stream) = untrack(|| self.subject()) else { return };
         // A comparison shows the program that is edited, not the one that ran.
         if self.compare.is_on.get_untracked() {
             self.toggle_compare();
         }
-        if self.then.at.get_untracked().is_none() {
-            self.rest_then_ask();
-            return;
+        if self.is_on_its_way() {
+            return self.ask_when_there(ReasonWanted::Why);
         }
         let signals = self.desk.desk().document.stream(&stream);
         let live = signals.map(|signals| signals.live.get_untracked());
@@ -177,8 +178,12 @@ impl PastShared {
         });
     }
 
-    /// Asks why nothing came on a stream since it came last.
-    fn ask_why_not(self, stream: Id) {
+    /// Asks why nothing came on a stream between its last value and the moment under the cursor, for which the question waits
+    /// as that of [`Self::ask_why`] does.
+    pub(super) fn ask_why_not(self, stream: Id) {
+        if self.is_on_its_way() {
+            return self.ask_when_there(ReasonWanted::WhyNot(stream));
+        }
         let Some(at) = self.then.at.get_untracked() else { return };
         let from = self.opened.get_untracked().map_or(0, |opened| opened.from_ms);
         let signals = self.desk.desk().document.stream(&stream);

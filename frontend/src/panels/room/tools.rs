@@ -179,7 +179,7 @@ fn Printed() -> impl IntoView {
     }
 }
 
-/// What the robot was told to show, as a view.
+/// Shows what the robot was told to show, as a view.
 pub(crate) fn printed() -> AnyView {
     view! { <Printed /> }.into_any()
 }

@@ -10,7 +10,7 @@ use protocol::Role;
 pub(in crate::http) struct BrowserLanguage(&'static Catalogue);
 
 impl BrowserLanguage {
-    /// What the browser asks for first; English if that is none of ours.
+    /// The language that the browser asks for first; English if that is none of ours.
     pub(in crate::http) fn of(headers: &HeaderMap) -> Self {
         Self(asked(headers, catalogues::all()).unwrap_or_else(catalogues::english))
     }
@@ -43,7 +43,7 @@ impl BrowserLanguage {
         )
     }
 
-    /// Who invites, and what for.
+    /// Says who invites, and what for.
     pub(super) fn invites(self, by: &str, role: Role) -> String {
         let may = may(role);
         // A terminal makes invitations in the name of its program.
@@ -105,7 +105,7 @@ impl BrowserLanguage {
         )
     }
 
-    /// What is on the button that stops all robots.
+    /// The words on the button that stops all robots.
     pub(super) fn stop_all(self) -> String {
         self.say(&phrase!("join.stop_all", "Stop all robots"))
     }
@@ -144,7 +144,7 @@ fn asked(headers: &HeaderMap, all: &'static [Catalogue]) -> Option<&'static Cata
     all.iter().find(|catalogue| catalogue.language().code == code)
 }
 
-/// What an invitation is for, after who invites.
+/// Says what an invitation is for, after who invites.
 fn may(role: Role) -> Phrase {
     match role {
         Role::Viewer => phrase!(

@@ -15,7 +15,7 @@ impl BrowserLanguage {
         )
     }
 
-    /// Why a Stop was not taken, and what to do.
+    /// Says that a Stop was not taken, and what to do.
     pub(super) fn not_stopped(self, why: NotAllowed) -> [String; 2] {
         self.both(&phrase!("not_stopped.title", "Stop did not reach the robot"), &instead(why))
     }
@@ -29,7 +29,7 @@ impl BrowserLanguage {
     }
 }
 
-/// What to do where a Stop was not taken.
+/// Says what to do where a Stop was not taken.
 fn instead(why: NotAllowed) -> Phrase {
     match why {
         NotAllowed::NotInvited => phrase!(
