@@ -1,5 +1,7 @@
 //! Finding things as people and screen readers do: by role and accessible name.
 
+use std::time::Duration;
+
 use serde_json::{Value, json};
 
 use crate::page::{Page, truthy};
@@ -7,10 +9,16 @@ use crate::{Outcome, Trouble};
 
 /// Names listed in a failure.
 const NAMES_MAX: usize = 20;
+/// What moves has moved when this is answered.
+const NEXT_FRAME: &str = "new Promise(done => requestAnimationFrame(() => done(true)))";
+/// The longest time for a frame; a page that runs no scripts tells of none.
+const FRAME: Duration = Duration::from_millis(100);
 
-/// Says what is on top at a point: an empty text when it is (part of) `this`, else what covers it.
-const COVER: &str = "function (x, y) {
+/// Says why a point of `this` cannot be pressed: an empty text when it can and nothing else is on top there.
+const HINDRANCE: &str = "function (x, y) {
     const element = this.nodeType === Node.TEXT_NODE ? this.parentElement : this;
+    if (!element.isConnected) return 'it was replaced';
+    if (element.matches(':disabled, [aria-disabled=true]')) return 'it is disabled';
     let top = document.elementFromPoint(x, y);
     while (top?.shadowRoot?.elementFromPoint(x, y) && top.shadowRoot.elementFromPoint(x, y) !== top)
         top = top.shadowRoot.elementFromPoint(x, y);
@@ -108,7 +116,12 @@ impl Page {
 
     pub(crate) async fn find_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<Node> {
         let what = format!("one {role} \"{name}\" in view{}", place(inside));
-        self.patiently(&what, async || self.one(inside, role, name).await).await
+        self.patiently_or(
+            &what,
+            async || self.one(inside, role, name).await,
+            async || self.alternatives(inside, role).await,
+        )
+        .await
     }
 
     /// Waits until no visible element has this role and name.
@@ -151,7 +164,7 @@ impl Page {
             let value = self.ask(node.id, js, json!([])).await.map_err(|trouble| trouble.0)?;
             if truthy(&value) { Ok(value) } else { Err(format!("the {role} \"{name}\" says {value}")) }
         };
-        self.patiently(what, look).await
+        self.patiently_or(what, look, async || self.alternatives(None, role).await).await
     }
 
     /// Waits until the one element rests in view with nothing over it, and answers with a point on it.
@@ -161,7 +174,12 @@ impl Page {
 
     pub(crate) async fn reach_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<(f64, f64)> {
         let what = format!("the {role} \"{name}\"{} can be pressed", place(inside));
-        self.patiently(&what, async || self.reachable(inside, role, name).await).await
+        self.patiently_or(
+            &what,
+            async || self.reachable(inside, role, name).await,
+            async || self.alternatives(inside, role).await,
+        )
+        .await
     }
 
     async fn reachable(&self, inside: Inside<'_>, role: &str, name: &str) -> Result<(f64, f64), String> {
@@ -171,16 +189,18 @@ impl Page {
         }
         let scroll = json!({ "backendNodeId": found.id });
         self.call("DOM.scrollIntoViewIfNeeded", scroll).await.map_err(|trouble| trouble.0)?;
-        let (before, now) = (self.one(inside, role, name).await?, self.one(inside, role, name).await?);
-        if now != before {
+        let before = self.boxes(found.id).await;
+        let _ = tokio::time::timeout(FRAME, self.eval(NEXT_FRAME)).await;
+        let boxes = self.boxes(found.id).await;
+        if boxes != before {
             return Err("it keeps moving".to_owned());
         }
-        let (x, y) = now.point;
+        let (x, y) = boxes.first().ok_or("it takes no place")?.centre();
         let asked = json!([{ "value": x }, { "value": y }]);
-        let cover = self.ask(now.id, COVER, asked).await.map_err(|trouble| trouble.0)?;
-        match cover.as_str() {
+        let hindrance = self.ask(found.id, HINDRANCE, asked).await.map_err(|trouble| trouble.0)?;
+        match hindrance.as_str() {
             Some("") => Ok((x, y)),
-            Some(cover) => Err(cover.to_owned()),
+            Some(hindrance) => Err(hindrance.to_owned()),
             None => Err("the page does not say what is on top of it".to_owned()),
         }
     }
@@ -190,7 +210,7 @@ impl Page {
         let mut nodes = self.find_all_in(inside, role, name).await.map_err(|trouble| trouble.0)?;
         match nodes.len() {
             1 => Ok(nodes.remove(0)),
-            0 => Err(format!("there is none; {}", self.alternatives(inside, role).await)),
+            0 => Err("there is none".to_owned()),
             count => Err(format!("there are {count}: {:?}", nodes.iter().map(|node| node.rect).collect::<Vec<_>>())),
         }
     }
@@ -235,13 +255,18 @@ impl Page {
     /// The element with its place, if it takes any.
     async fn visible(&self, found: &Value) -> Option<Node> {
         let id = found["backendDOMNodeId"].as_i64()?;
-        let quads = self.call("DOM.getContentQuads", json!({ "backendNodeId": id })).await.ok()?;
-        let boxes = quads["quads"].as_array()?.iter().map(|quad| Rect::around(&numbers(quad)));
-        let boxes: Vec<Rect> = boxes.filter(|area| area.width > 0.0 && area.height > 0.0).collect();
+        let boxes = self.boxes(id).await;
         let first = *boxes.first()?;
         let rect = boxes.iter().copied().fold(first, Rect::with);
         let disabled = property(found, "disabled") == Some(&Value::Bool(true));
         Some(Node { id, name: named(found).to_owned(), disabled, rect, point: first.centre() })
+    }
+
+    /// The boxes of an element that take any place; none if it is gone.
+    async fn boxes(&self, id: i64) -> Vec<Rect> {
+        let quads = self.call("DOM.getContentQuads", json!({ "backendNodeId": id })).await.unwrap_or_default();
+        let boxes = quads["quads"].as_array().into_iter().flatten().map(|quad| Rect::around(&numbers(quad)));
+        boxes.filter(|area| area.width > 0.0 && area.height > 0.0).collect()
     }
 
     /// Calls the function `js` with the element as `this`.

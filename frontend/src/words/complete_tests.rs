@@ -433,7 +433,12 @@ fn stop() -> Catalogue {
     let within = |text: &str, mark: &str| {
         text.split(mark).nth(1).and_then(|rest| rest.split('>').nth(1)?.split('<').next()).unwrap().to_owned()
     };
-    let own = [("button", within(form, "<span")), ("loading", within(&page, "id=\"loading\""))];
+    let own = [
+        ("button", within(form, "<span")),
+        ("loading", within(&page, "id=\"loading\"")),
+        ("unopened", within(&page, "id=\"unopened\"")),
+        ("scriptless", within(&page, "<noscript>")),
+    ];
     let said: Vec<(String, String)> =
         attributes.filter_map(|(name, text)| Some((key(name)?, text.to_owned()))).collect();
     assert!(said.len() > 8, "{said:?}");
