@@ -109,7 +109,7 @@ const NAMED_ELSEWHERE: [(&str, &str, &str); 5] = [
     ("crates/behaviour/src/connectors/", "Tracker", "a stream of an example, as people call it"),
     ("crates/nao/src/senses.rs", "subscribe", "a method of NAOqi's extractors"),
     ("crates/store/src/contract/", "", "what every store is tried with"),
-    ("frontend/src/panels/room.rs", "sample", "a class of the stylesheet: a spot of colour"),
+    ("frontend/src/robots/room.rs", "sample", "a class of the stylesheet: a spot of colour"),
 ];
 /// Labels of connectors that are also words of Rust or its libraries: `Value::Map`, `MissedTickBehavior::Delay`.
 const COMMON_LABELS: [&str; 2] = ["Map", "Delay"];
@@ -148,8 +148,8 @@ const PLAIN: [&str; 25] = [
     "crates/simulation/",
     "crates/store/",
     "crates/xtask/",
-    "frontend/src/canvas",
     "frontend/src/desk",
+    "frontend/src/graph",
     "frontend/src/layout",
     "frontend/src/steps",
     "tests/folders.rs",

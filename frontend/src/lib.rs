@@ -2,30 +2,43 @@
 #![expect(unreachable_pub, reason = "leptos components expand to public items")]
 
 mod browser;
-mod canvas;
 mod carries;
 mod commands;
+mod conflicts;
 mod desk;
+mod dialogs;
 mod escape;
 mod fields;
 mod focus;
+mod forms;
+mod graph;
+mod history;
 mod icons;
 mod json;
 mod keys;
 mod later;
 mod layout;
+mod library;
 mod link;
 mod live;
 mod naming;
-mod panels;
+mod operate;
+mod outline;
+mod page;
+mod palette;
 mod parts;
+mod past;
+mod people;
 mod pieces;
 mod reasons;
+mod robots;
+mod sentences;
 mod steps;
+mod teaching;
 mod words;
 
-use canvas::{Canvas, ToGraph};
 use desk::{Desk, LinkState, Saving};
+use graph::{Canvas, ToGraph};
 use keys::PressedKey;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -70,7 +83,7 @@ fn App() -> impl IntoView {
     let later = later::SecondPiece::new(pieces::FETCH_REST);
     if !operates {
         undo_keys(&desk);
-        commands::know_panels(panels::PANELS);
+        commands::know_panels(page::PANELS);
         commands::keys(&desk);
         paper(&desk);
         later.serve(&desk);
@@ -80,7 +93,7 @@ fn App() -> impl IntoView {
     provide_context(desk);
     let phone = is_phone();
     move || match ended.get() {
-        Some(end) => view! { <panels::Ended end /> }.into_any(),
+        Some(end) => view! { <page::Ended end /> }.into_any(),
         None if operates => view! { <pieces::Operate /> }.into_any(),
         None => view! { <Page phone=phone.clone() /> }.into_any(),
     }
@@ -97,20 +110,20 @@ fn Page(phone: ArcRwSignal<bool>) -> impl IntoView {
     let wide = phone.clone();
     view! {
         {move || (!wide.get()).then(|| view! { <ToGraph /> })}
-        <panels::Toolbar />
-        <panels::Palette />
+        <page::Toolbar />
+        <palette::Palette />
         {move || if phone.get() {
             view! { <later::Later show=|rest| (rest.outline)() /> }.into_any()
         } else {
-            view! { <Canvas><panels::EmptyStage /></Canvas> }.into_any()
+            view! { <Canvas><library::EmptyStage /></Canvas> }.into_any()
         }}
-        <panels::RightColumn />
+        <page::RightColumn />
         <pieces::LookBack />
-        <panels::Files />
-        <panels::Dialogs />
-        <panels::Notices />
-        <panels::Editors />
-        <panels::TourPlace />
+        <library::Files />
+        <page::Dialogs />
+        <page::Notices />
+        <page::Editors />
+        <teaching::TourPlace />
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::desk::use_desk;
 use crate::later::{Failed, FetchRest, LazyViews};
-use crate::{canvas, layout, panels};
+use crate::{forms, graph, layout, operate, outline, page, past, people, robots, sentences, teaching};
 use leptos::prelude::*;
 use leptos::wasm_split::{SplitLoaderError, wasm_split};
 
@@ -15,13 +15,13 @@ pub(crate) const FETCH_REST: FetchRest = || Box::pin(async { rest().await.ok() }
 /// Fetches the operator's page, a piece of its own, which needs nothing of the second one.
 #[wasm_split(operate, wasm_split_path = leptos::wasm_split, fallible)]
 fn operating() -> Result<fn() -> AnyView, NotLoaded> {
-    Ok(panels::operate)
+    Ok(operate::operate)
 }
 
 /// Fetches the panel that looks back, a piece of its own.
 #[wasm_split(past, wasm_split_path = leptos::wasm_split, fallible)]
 fn looking_back() -> Result<fn() -> AnyView, NotLoaded> {
-    Ok(panels::past)
+    Ok(past::past)
 }
 
 /// The operator's page: nothing until it is here, and a sentence if it does not come.
@@ -79,44 +79,44 @@ impl From<SplitLoaderError> for NotLoaded {
 #[wasm_split(later, wasm_split_path = leptos::wasm_split, fallible)]
 fn rest() -> Result<LazyViews, NotLoaded> {
     Ok(LazyViews {
-        dialog: panels::dialog,
-        panel: panels::panel,
-        shadows: canvas::shadows,
+        dialog: page::dialog,
+        panel: page::panel,
+        shadows: graph::shadows,
         tidy: layout::tidy,
-        control: panels::control,
-        offer: canvas::offer,
-        frames: canvas::frames,
-        boxes: canvas::boxes,
-        notes: canvas::notes,
-        chosen: panels::chosen,
-        several: canvas::several,
-        sentences_panel: panels::sentences_panel,
-        lit: canvas::lit,
-        typed: panels::typed,
-        ghost: canvas::ghost,
-        exercise: panels::exercise,
-        tour: panels::tour,
-        outline: panels::outline,
-        strip: canvas::strip,
-        problems: panels::problems,
-        context: canvas::context,
-        row_menu: panels::row_menu,
-        chord: canvas::chord,
-        paste: canvas::paste,
-        bubble: canvas::bubble,
-        carry: canvas::carry,
-        minimap: canvas::minimap,
-        apply: panels::apply,
-        robot_list: panels::robot_list,
-        recorded: panels::recorded,
-        tool_items: panels::tool_items,
-        running: panels::running,
-        room_tools: panels::room_tools,
-        camera: panels::camera,
-        printed: panels::printed,
-        name_field: canvas::name_field,
-        asks_name: panels::asks_name,
-        stranger: panels::stranger,
-        selected: panels::selected,
+        control: forms::control,
+        offer: graph::offer,
+        frames: graph::frames,
+        boxes: graph::boxes,
+        notes: graph::notes,
+        chosen: forms::chosen,
+        several: graph::several,
+        sentences_panel: sentences::sentences_panel,
+        lit: graph::lit,
+        typed: sentences::typed,
+        ghost: graph::ghost,
+        exercise: teaching::exercise,
+        tour: teaching::tour,
+        outline: outline::outline,
+        strip: graph::strip,
+        problems: forms::problems,
+        context: graph::context,
+        row_menu: outline::row_menu,
+        chord: graph::chord,
+        paste: graph::paste,
+        bubble: graph::bubble,
+        carry: graph::carry,
+        minimap: graph::minimap,
+        apply: forms::apply,
+        robot_list: robots::robot_list,
+        recorded: robots::recorded,
+        tool_items: page::tool_items,
+        running: robots::running,
+        room_tools: robots::room_tools,
+        camera: robots::camera,
+        printed: robots::printed,
+        name_field: graph::name_field,
+        asks_name: people::asks_name,
+        stranger: robots::stranger,
+        selected: forms::selected,
     })
 }

@@ -1,0 +1,7 @@
+//! Changes of one's own that are not saved: refused ones beside what is saved, and those that wait.
+
+mod compare;
+mod waiting;
+
+pub(crate) use compare::Compare;
+pub(crate) use waiting::WaitingList;
