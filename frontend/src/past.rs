@@ -32,6 +32,7 @@ use crate::desk::{LinkState, OpenPast};
 use crate::focus;
 use crate::parts::{DeskHold, hold};
 use crate::words;
+use behaviour::Id;
 use lanes::{Density, LaneAct, Viewer};
 use leptos::html;
 use leptos::leptos_dom::helpers::IntervalHandle;
@@ -73,6 +74,15 @@ struct PastShared {
     then: then::ThenState,
     telling: telling::TellState,
     following: following::FollowState,
+}
+
+/// A question for reasons about a moment that is not on the graph yet.
+#[derive(Clone)]
+enum ReasonWanted {
+    /// *Why?* of what is chosen.
+    Why,
+    /// *Why not …* of this action.
+    WhyNot(Id),
 }
 
 /// The panel, as a view.

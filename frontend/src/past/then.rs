@@ -5,8 +5,8 @@ mod view;
 
 pub(super) use view::{Folding, Then};
 
-use super::PastShared;
 use super::why::ShownAnswer;
+use super::{PastShared, ReasonWanted};
 use crate::browser;
 use crate::desk::Lit;
 use crate::live::{LAST_MAX, LiveConnector, LiveStream};
@@ -26,15 +26,6 @@ const SAID_MS: u64 = 1_000;
 const SPARK_MS: u64 = 8_000;
 /// The numbers of a sparkline.
 const SPARK_NUMBERS: usize = 32;
-
-/// A question for reasons about a moment that is not on the graph yet.
-#[derive(Clone)]
-pub(super) enum ReasonWanted {
-    /// *Why?* of what is chosen.
-    Why,
-    /// *Why not …* of this action.
-    WhyNot(Id),
-}
 
 /// Questions about moments, and the program that is shown.
 #[derive(Clone, Default)]

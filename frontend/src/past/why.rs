@@ -8,8 +8,7 @@ pub(super) use view::{Asking, Numbers};
 use fix::AnswerFix;
 
 use super::media::page_element;
-use super::then::ReasonWanted;
-use super::{PastShared, clock, filling};
+use super::{PastShared, ReasonWanted, clock, filling};
 use crate::desk::{Lit, Selected};
 use crate::parts::language;
 use crate::words;
