@@ -1,7 +1,7 @@
 //! The operator's page, made for a tablet at arm's length: what the robot does now in large words, nine tiles to press, marks,
 //! Start, and the one Stop. Nothing is edited here.
 //!
-//! It is a piece of the code of its own, which fetches its sheet (`static/operate.css`) itself.
+//! It is a piece of the code of its own, which fetches its sheet (`frontend/src/operate/operate.css`) itself.
 
 mod clock;
 mod edit_tiles;

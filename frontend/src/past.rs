@@ -1,7 +1,7 @@
 //! *Over time*: what a run sensed and did, as lanes over one axis of time, with a cursor that everything else follows. It looks at
 //! a recording that is kept, or at the last minutes of what runs now.
 //!
-//! It is a piece of the code of its own, which fetches its sheet (`static/past.css`) itself. What is looked at is a
+//! It is a piece of the code of its own, which fetches its sheet (`frontend/src/past/past.css`) itself. What is looked at is a
 //! `lanes::Viewer`; here it is drawn, filled from the server, and told what hands and keys do.
 
 mod asking;

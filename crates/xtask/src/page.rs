@@ -59,7 +59,7 @@ pub(crate) fn build(workspace: &Workspace, mode: PageMode) -> ToolResult<()> {
     tools::ensure_wasm(workspace)?;
     println!("Building the page with the profile `{}`.", mode.profile());
     let wasm = compile(workspace, PACKAGE, mode)?;
-    assemble(&workspace.target, &workspace.root.join("static"), &wasm, mode)
+    assemble(workspace, &wasm, mode)
 }
 
 /// A command that builds the page as people get it.
@@ -85,11 +85,13 @@ fn compile(workspace: &Workspace, package: &str, mode: PageMode) -> ToolResult<P
     Ok(wasm)
 }
 
-/// Makes `target/page` out of the wasm file and the folder of static files, unless it is up to date.
-fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: PageMode) -> ToolResult<()> {
+/// Makes `target/page` out of the wasm file, the folder of static files and the stylesheets, unless it is up to date.
+fn assemble(workspace: &Workspace, wasm: &Path, mode: PageMode) -> ToolResult<()> {
+    let target = &workspace.target;
     let code = fs::read(wasm).map_err(|error| format!("{} cannot be read: {error}.", wasm.display()))?;
-    let mut statics = dist::read(statics)?;
+    let mut statics = dist::read(&workspace.root.join("static"))?;
     statics.retain(|name, _| !name.split('/').any(|part| part.starts_with('.')));
+    let statics = styles::with_views(statics, dist::read(&workspace.root.join("frontend/src"))?)?;
     let statics = languages::name(styles::join(statics)?)?;
     let stamp = Stamp { file: target.join("page-build/page.stamp"), input: fingerprint(&code, &statics, mode) };
     let page = target.join("page");
