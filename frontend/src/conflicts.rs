@@ -2,6 +2,7 @@
 
 mod compare;
 mod waiting;
+pub(crate) mod words;
 
 pub(crate) use compare::Compare;
 pub(crate) use waiting::WaitingList;

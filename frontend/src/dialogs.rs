@@ -3,6 +3,7 @@
 mod frame;
 mod held;
 mod one_name;
+mod words;
 
 pub(crate) use frame::{Feet, Frame, Refused, close, focus_again};
 pub(crate) use held::{DialogLock, Holding};

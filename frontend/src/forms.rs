@@ -18,6 +18,7 @@ mod problems;
 mod stream;
 pub(crate) mod trials;
 mod uses;
+mod words;
 
 pub(crate) use all_problems::AllProblems;
 pub(crate) use apply::apply;

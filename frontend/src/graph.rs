@@ -39,6 +39,7 @@ mod strip;
 mod strip_spot;
 mod view;
 mod wire;
+mod words;
 mod zoom;
 
 pub(crate) use above::SENTENCES_MAX;
@@ -62,7 +63,6 @@ pub(crate) use strip::strip;
 
 use crate::desk::{Desk, FocusTarget, Lit, Selected, use_desk};
 use crate::later::{Later, LazyViews, second_piece};
-use crate::words;
 use crate::{browser, focus};
 use chip::Chip;
 use far::Edges;

@@ -4,6 +4,7 @@ mod foot;
 mod naming;
 mod rows;
 mod sittings;
+pub(crate) mod words;
 
 use crate::browser;
 use crate::commands::{CommandGroup, Needs, On, Panel};
@@ -15,7 +16,6 @@ use crate::keys::PressedKey;
 use crate::layout::done;
 use crate::parts::SidePanel;
 use crate::parts::{DeskHold, MayNot, hold, may_edit};
-use crate::words;
 use behaviour::Id;
 use foot::Foot;
 use leptos::prelude::*;
@@ -26,12 +26,6 @@ use sittings::{HistoryScope, ReaderClock, SittingEntry, entries};
 use std::collections::{BTreeMap, BTreeSet};
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
-
-words::sentences! {
-    name_version: "Name this version";
-    earlier_changes: "Earlier changes";
-    no_history: "Nothing was changed yet.";
-}
 
 /// The history in the list of panels.
 pub(crate) const PANEL: Panel = Panel {
@@ -63,10 +57,10 @@ fn HistoryPanel() -> impl IntoView {
     let row = move |entry: SittingEntry| view! { <Row entry unfolded /> };
     let name_it = move |_| names.set(Some(meant(desk)));
     let tools = view! {
-        <button class="button small" type="button" aria-keyshortcuts="N" title=format!("{} (N)", name_version())
+        <button class="button small" type="button" aria-keyshortcuts="N" title=format!("{} (N)", words::name_version())
             disabled=move || !may_change(desk) || desk.desk().document.revision.get() == 0 on:click=name_it>
             <Icon name="flag" />
-            {name_version()}
+            {words::name_version()}
         </button>
     };
     let on_key = Callback::new(move |event: KeyboardEvent| key(&event, desk, names));
@@ -129,11 +123,11 @@ fn End() -> impl IntoView {
         (false, ..) => view! { <p class="faint">{words::reading_history()}</p> }.into_any(),
         (_, true, _) => view! {
             <button class="link" type="button" on:click=move |_| desk.desk().document.read_older()>
-                {earlier_changes()}
+                {words::earlier_changes()}
             </button>
         }
         .into_any(),
-        (_, false, true) => view! { <p class="faint">{no_history()}</p> }.into_any(),
+        (_, false, true) => view! { <p class="faint">{words::no_history()}</p> }.into_any(),
         (_, false, false) => ().into_any(),
     }
 }

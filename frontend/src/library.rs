@@ -6,6 +6,7 @@ mod names;
 mod pasted;
 mod programs;
 mod save_file;
+mod words;
 
 use crate::desk::Desk;
 use behaviour::Id;

@@ -20,10 +20,10 @@ mod starting;
 mod tiles;
 mod trouble;
 mod verdict;
+mod words;
 
 use crate::browser;
 use crate::parts::{DeskHold, hold, mark_usable};
-use crate::words;
 use behaviour::Id;
 pub(crate) use edit_tiles::EditTiles;
 use leptos::prelude::*;

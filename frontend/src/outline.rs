@@ -5,6 +5,7 @@ mod keys;
 mod row_menu;
 mod rows;
 mod strip;
+mod words;
 
 use crate::browser::pasted;
 use crate::desk::Dialog;
@@ -14,7 +15,6 @@ use crate::icons::Icon;
 use crate::later::{Later, second_piece};
 use crate::library::EmptyStage;
 use crate::parts::{DeskHold, hold, may_edit, problem_count};
-use crate::words;
 use aside::{AddNote, GroupRow, NoteRow};
 use behaviour::Id;
 use editor::outline::{OutlineNode, OutlineRowKind, outline as outline_rows};

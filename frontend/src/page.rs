@@ -8,6 +8,7 @@ mod notices;
 mod right;
 mod toolbar;
 mod tools;
+pub(crate) mod words;
 
 use crate::commands::ListedPanel;
 use crate::history;

@@ -1,6 +1,7 @@
 //! The left list: find or add senses, helpers and actions.
 
 mod finding;
+mod words;
 
 use crate::desk::{CarriedItem, Dialog, ListItem, Selected};
 use crate::escape;
@@ -12,7 +13,6 @@ use crate::later::Later;
 use crate::parts::{DeskHold, MayNot, hold, may_edit};
 use crate::parts::{device_icon, kind_class};
 use crate::steps::lead_to_action;
-use crate::words;
 use behaviour::{Id, Params, Procedure, Stream, StreamKind, sort_few};
 use editor::find;
 pub(crate) use finding::Find;

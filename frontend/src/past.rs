@@ -26,12 +26,12 @@ mod table;
 mod telling;
 mod then;
 mod why;
+mod words;
 
 use crate::browser;
 use crate::desk::{LinkState, OpenPast};
 use crate::focus;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::Id;
 use lanes::{Density, LaneAct, Viewer};
 use leptos::html;

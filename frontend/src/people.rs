@@ -4,10 +4,10 @@ mod invite;
 mod list;
 mod my_name;
 mod name_card;
+mod words;
 
 use crate::desk::{Dialog, Sign};
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::Id;
 pub(crate) use invite::Invite;
 use leptos::prelude::*;

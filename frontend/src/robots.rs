@@ -14,6 +14,7 @@ mod running;
 mod stimulate;
 mod stranger;
 mod to_stop;
+pub(crate) mod words;
 
 pub(crate) use address::ChangeAddress;
 pub(crate) use buttons::is_plain;

@@ -7,6 +7,7 @@ mod phrase;
 mod typed;
 mod warned;
 mod which;
+mod words;
 
 use crate::browser::{self, Drawer};
 use crate::desk::{Desk, Lit, Selected};
@@ -16,7 +17,6 @@ use crate::icons::Icon;
 use crate::layout::chip_words;
 use crate::parts::language;
 use crate::parts::{DeskHold, Soon, hold};
-use crate::words;
 use behaviour::{Helper, Id};
 use leptos::prelude::*;
 use phrase::SentenceLine;

@@ -4,6 +4,7 @@ mod exercise;
 mod spot;
 mod steps;
 mod tour;
+pub(crate) mod words;
 
 pub(crate) use exercise::exercise;
 pub(crate) use tour::tour;

@@ -1,6 +1,7 @@
-//! Every sentence of the page, in English where it is made; `language` has the others.
+//! The sentences of the page that several views say, in English where they are made; `language` has the others. What one view
+//! alone says stands in a `words.rs` beside it, which hands on these too.
 
-/// Sentences without holes, a function each, of which the name is the key. A panel has those that it alone says in its own file.
+/// Sentences without holes, a function each, of which the name is the key.
 macro_rules! sentences {
     ($($name:ident: $text:literal;)*) => {
         $(pub(crate) fn $name() -> &'static str { $crate::words::said!($name: $text) })*

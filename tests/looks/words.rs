@@ -1,5 +1,6 @@
 //! What the page says, in the language of whoever looks: English, or as the page's own table has it (`static/ja.txt`).
 
+use house::sources::Source;
 use house::{Outcome, Page};
 use std::collections::BTreeMap;
 
@@ -78,15 +79,10 @@ fn labels() -> Vec<(String, String)> {
 
 /// The keys of the page's sentences and of Stop's words, and the English of each, as they stand in the code.
 fn english() -> Outcome<Vec<(String, String)>> {
-    let folder = house::root().join("frontend/src/words");
-    let mut files = vec![folder.join("en.rs")];
-    for entry in std::fs::read_dir(folder.join("en"))? {
-        files.push(entry?.path());
-    }
-    files.sort();
     let mut found = Vec::new();
-    for file in files {
-        let source = std::fs::read_to_string(file)?;
+    let is_words = |path: &str| path.ends_with("/words.rs") || path.contains("/words/en");
+    for file in Source::below("frontend/src")?.into_iter().filter(|file| is_words(&file.path)) {
+        let source = file.text;
         for (at, _) in source.match_indices(": \"") {
             let key = source[..at].rsplit(|letter: char| !letter.is_alphanumeric() && letter != '_').next();
             let english = source[at + 3..].split('"').next().unwrap_or_default();

@@ -4,11 +4,11 @@ mod rows;
 mod values;
 
 use crate::browser;
+use crate::conflicts::words;
 use crate::desk::{Conflict, initials, wording};
 use crate::dialogs::{Frame, Refused, close};
 use crate::icons::Icon;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::{Behaviour, Change, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
 use rows::{ConflictRow, DifferingPieces, procedure_text, rows};

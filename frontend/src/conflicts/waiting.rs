@@ -1,8 +1,8 @@
 //! What waits here until there is a connection, oldest first.
 
+use crate::conflicts::words;
 use crate::dialogs::{Frame, close};
 use crate::parts::hold;
-use crate::words;
 use leptos::prelude::*;
 
 /// The list.

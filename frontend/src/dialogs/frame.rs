@@ -1,11 +1,11 @@
 //! The frame of every dialog: title, contents, feet; Escape goes back or closes, Tab stays inside and also reaches Stop.
 
+use crate::dialogs::words;
 use crate::escape;
 use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;

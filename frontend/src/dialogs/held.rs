@@ -4,10 +4,10 @@
 use super::frame::focus_again;
 use crate::browser;
 use crate::desk::{Asking, EditReading, OwnLock, WriteRight};
+use crate::dialogs::words;
 use crate::focus;
 use crate::icons::Icon;
 use crate::parts::{DeskHold, MayNot, may_edit};
-use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;
 use protocol::Role;

@@ -2,9 +2,9 @@
 
 use super::frame::{Feet, Frame, close};
 use super::held::{DialogLock, Holding};
+use crate::dialogs::words;
 use crate::fields::TextField;
 use crate::parts::hold;
-use crate::words;
 use leptos::prelude::*;
 
 /// A dialog that asks for one name, which cannot be empty.

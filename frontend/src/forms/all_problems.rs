@@ -1,8 +1,8 @@
 //! A small dialog: all problems.
 
 use crate::dialogs::{Frame, close};
+use crate::forms::words;
 use crate::parts::{FailingList, ProblemList, hold};
-use crate::words;
 use leptos::prelude::*;
 
 /// All problems.

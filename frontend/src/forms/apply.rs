@@ -3,9 +3,9 @@
 
 use super::instead::instead_of;
 use crate::desk::{Desk, Unused};
+use crate::forms::words;
 use crate::layout;
 use crate::parts::{hold, may_operate};
-use crate::words;
 use behaviour::{Kind, Record};
 use editor::unused::{UnusedAuthors, whose};
 use leptos::prelude::*;

@@ -2,11 +2,11 @@
 
 use crate::desk::{GraphChoice, Joining, NewSpot, WireEnd, wire_ends};
 use crate::dialogs::{Frame, close};
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::layout::chip_words;
 use crate::parts::{DeskHold, Finder, hold};
 use crate::steps::{Offer, Step, actions, everything, take};
-use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 

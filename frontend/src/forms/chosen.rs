@@ -1,10 +1,10 @@
 //! Several things that are chosen, a note or a group, in the right column.
 
 use crate::desk::{GroupSignals, NoteSignals, Selected};
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::layout::chip_words;
 use crate::parts::{DeskHold, MayNot, author_color, device_icon, hold, kind_class, may_edit, written_by};
-use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use std::collections::BTreeSet;

@@ -8,8 +8,8 @@ mod slider;
 mod turned;
 
 use crate::forms::uses::Uses;
+use crate::forms::words;
 use crate::parts::{MayNot, hold, may_edit};
-use crate::words;
 use behaviour::{Connector, Id, Kind, Procedure, RecordId};
 use editor::numbers::number_tests;
 use foot::{Foot, becomes, still_used};

@@ -1,8 +1,8 @@
 //! What a dialog says when somebody removed what it is about: who it was, and that nothing of what was written is lost.
 
 use crate::browser;
+use crate::forms::words;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::{Id, RecordId, Refusal};
 use leptos::prelude::*;
 use protocol::Refused;

@@ -2,9 +2,9 @@
 
 use crate::desk::Dialog;
 use crate::dialogs::{Feet, Frame};
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::parts::hold;
-use crate::words;
 use behaviour::{Helper, Id};
 use leptos::prelude::*;
 

@@ -1,9 +1,9 @@
 //! What a stream has to do with the rest: what hangs below it, who else uses its action, and whether the robot has all.
 
 use crate::desk::Selected;
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::parts::hold;
-use crate::words;
 use behaviour::{Graph, Id, Stream, StreamKind};
 use leptos::prelude::*;
 use protocol::{ActionDriver, answer, request};

@@ -12,6 +12,7 @@ use super::trials::{self, TrialTable, question_of};
 use super::uses::Uses;
 use crate::desk::{ConnectorSignals, Dialog, Selected, StreamSignals};
 use crate::focus;
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::later::Later;
 use crate::layout::what_it_is;
@@ -19,7 +20,6 @@ use crate::live::rate_words;
 use crate::parts::{
     MayNot, ProblemList, RemoveButton, device_icon, hold, kind_class, may_edit, may_operate, problem_count,
 };
-use crate::words;
 use behaviour::{Connector, Id, Procedure, Stream, StreamKind};
 use leptos::prelude::*;
 use settings::Settings;

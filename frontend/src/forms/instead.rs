@@ -1,6 +1,6 @@
 //! What the robot still uses of a connector in the place of what is here now.
 
-use crate::words;
+use crate::forms::words;
 use behaviour::{Operation, Procedure};
 use editor::numbers::number_tests;
 

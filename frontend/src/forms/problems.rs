@@ -1,8 +1,8 @@
 //! All problems of the open program, while nothing is selected.
 
 use super::insight::OnThisRobot;
+use crate::forms::words;
 use crate::parts::{FailingList, ProblemList, hold};
-use crate::words;
 use leptos::prelude::*;
 
 /// All problems, as a view.

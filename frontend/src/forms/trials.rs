@@ -1,9 +1,9 @@
 //! What a procedure makes of the newest real values: asked of the server while somebody writes or looks.
 
+use crate::forms::words;
 pub(crate) use crate::live::LAST_MAX as SETS_MAX;
 use crate::live::short_value;
 use crate::parts::{DeskHold, Soon, hold};
-use crate::words;
 use behaviour::{Connector, Id, Procedure, StreamKind, Value};
 use leptos::prelude::*;
 use phrase::Phrase;

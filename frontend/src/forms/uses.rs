@@ -1,8 +1,8 @@
 //! While a program runs: whether the robot uses something as it is here, and if not, the way to change that.
 
 use super::apply::Apply;
+use crate::forms::words;
 use crate::parts::hold;
-use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 

@@ -7,9 +7,9 @@ use super::strip_spot::{EDGE, HEIGHT as STRIP, StageArea, ZOOM_BOX};
 use super::view::CanvasBounds;
 use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::parts::ProblemLine;
-use crate::words;
 use behaviour::{Id, Problem, ProblemKind};
 use leptos::prelude::*;
 

@@ -9,9 +9,9 @@ use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo, unused_me
 use super::room::ChipSide;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
 use crate::fields::pieces;
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::layout::{ChipWords, chip_width, chip_words, with_units};
-use crate::words;
 use behaviour::{Connector, Id, Kind, Place, ProblemKind, RecordId};
 use leptos::prelude::*;
 

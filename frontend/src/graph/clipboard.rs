@@ -3,9 +3,9 @@
 use super::Stage;
 use crate::browser;
 use crate::desk::{Desk, Dialog, Pasted, ProgramPart, Put, Selected};
+use crate::graph::words;
 use crate::keys::PressedKey;
 use crate::later::PasteTarget;
-use crate::words;
 use behaviour::{Helper, Place};
 use editor::keys::{GraphChord, graph_chord};
 use leptos::prelude::*;

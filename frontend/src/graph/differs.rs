@@ -3,10 +3,10 @@
 
 use super::curve::{chip_place, curves};
 use crate::desk::{ComparedVersions, Desk, use_desk};
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::layout::{GAP, chip_width, chip_words, stream_width, what_it_was};
 use crate::parts::kind_class;
-use crate::words;
 use behaviour::{Behaviour, Connector, Difference, Id, Kind, Place, Record, RecordId, Stream, StreamKind};
 use leptos::prelude::*;
 use std::collections::BTreeMap;

@@ -3,7 +3,7 @@
 use super::Stage;
 use crate::desk::{Desk, Sign, use_desk};
 use crate::escape;
-use crate::words;
+use crate::graph::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use web_sys::KeyboardEvent;

@@ -4,10 +4,10 @@ use super::Stage;
 use super::curve::{chip_place, curves};
 use super::view::{CanvasBounds, View};
 use crate::desk::{Desk, Ghost, GhostConnector, GhostStream, use_desk};
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::layout::{STREAM_HEIGHT, chip_width, chip_words, stream_width, what_it_is};
 use crate::parts::kind_class;
-use crate::words;
 use behaviour::{Id, Place, StreamKind};
 use leptos::prelude::*;
 

@@ -1,8 +1,8 @@
 //! The mark on a stream or chip of which this tab has something that nobody else has yet.
 
 use crate::desk::{Desk, UnsavedMark};
+use crate::graph::words;
 use crate::icons::Icon;
-use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;
 

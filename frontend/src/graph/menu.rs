@@ -3,9 +3,9 @@
 use crate::browser;
 use crate::desk::{Dialog, NewSpot, use_desk};
 use crate::escape;
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
-use crate::words;
 use behaviour::Id;
 use behaviour::connectors::{self, Spec};
 use leptos::prelude::*;

@@ -5,11 +5,11 @@ use super::differs::{Differs, differs_memo};
 use super::mark::{self, MarkBadge, mark_memo};
 use super::stage::Edited;
 use crate::desk::{Desk, OpenPast, Selected, StreamSignals, use_desk};
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
 use crate::live::{LiveStream, measured, rate_words, sparkline};
 use crate::parts::kind_class;
-use crate::words;
 use behaviour::{Id, Kind, Place, Problem, ProblemKind, RecordId, Stream, StreamKind, ValueType};
 use leptos::prelude::*;
 

@@ -7,9 +7,9 @@ use super::differs::{Differs, differs_memo};
 use super::node::OthersRing;
 use super::noting::NoteWriting;
 use crate::desk::{Desk, NoteSignals, Selected, use_desk};
+use crate::graph::words;
 use crate::layout::note_size;
 use crate::parts::{NoteField, author_color, note_name, written_by};
-use crate::words;
 use behaviour::{Id, Kind, Place, RecordId};
 use leptos::prelude::*;
 

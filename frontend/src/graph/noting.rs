@@ -3,7 +3,7 @@
 use super::Stage;
 use super::bounds::bounds;
 use crate::desk::{Selected, StepDirection};
-use crate::words;
+use crate::graph::words;
 use behaviour::sort_few;
 use behaviour::{Graph, Id, Kind, Place, RecordId};
 use leptos::prelude::*;

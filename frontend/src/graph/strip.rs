@@ -6,11 +6,11 @@ use super::strip_spot::{EDGE, HEIGHT, SelectedThing, StageArea, StripObstacles, 
 use super::view::{CanvasBounds, View};
 use super::{Stage, pointers};
 use crate::desk::{Desk, LinkState, NewSpot, Saving, Selected, use_desk};
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::layout::{STREAM_HEIGHT, VALUE_ROOM, stream_width, text_width};
 use crate::parts::RemoveButton;
 use crate::steps::{Offer, offers_memo, take};
-use crate::words;
 use behaviour::{Id, Place, StreamKind};
 use leptos::prelude::*;
 use protocol::Role;

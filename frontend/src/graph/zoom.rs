@@ -4,9 +4,9 @@ use super::Stage;
 use super::bounds::bounds;
 use super::view::CanvasBounds;
 use crate::desk::{Desk, use_desk};
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::later::{SecondPiece, second_piece};
-use crate::words;
 use leptos::prelude::*;
 use protocol::Role;
 

@@ -2,9 +2,9 @@
 
 use super::back_to_lines;
 use crate::focus;
+use crate::history::words;
 use crate::link::NoAnswer;
 use crate::parts::hold;
-use crate::words;
 use behaviour::CHECKPOINT_NAME_MAX_CHARS;
 use leptos::html;
 use leptos::prelude::*;

@@ -3,10 +3,10 @@
 use super::sittings::{HistoryGesture, SittingEntry};
 use super::{choose, may_change};
 use crate::desk::initials;
+use crate::history::words;
 use crate::icons::Icon;
 use crate::layout::called;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::{Behaviour, Id};
 use leptos::prelude::*;
 use std::collections::BTreeSet;

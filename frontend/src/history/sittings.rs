@@ -1,6 +1,6 @@
 //! A history as people tell it: sittings, each with its time and its people, older ones folded into a line.
 
-use crate::words::{self, HistoryWords};
+use crate::history::words::{self, HistoryWords};
 use behaviour::{Checkpoint, Id};
 use protocol::HistoryLine;
 use std::collections::{BTreeMap, BTreeSet};
@@ -183,7 +183,7 @@ fn gesture(line: &HistoryLine, here: &ReaderClock, known: &HistoryScope) -> Hist
 #[cfg(test)]
 mod tests {
     use super::{HistoryScope, ReaderClock, SittingEntry, entries};
-    use crate::words;
+    use crate::history::words;
     use behaviour::labels;
     use behaviour::{Checkpoint, Id};
     use protocol::HistoryLine;

@@ -2,8 +2,8 @@
 
 use crate::commands::FILE_PICKER_ID;
 use crate::desk::first_file;
+use crate::library::words;
 use crate::parts::hold;
-use crate::words;
 use leptos::prelude::*;
 
 /// The picker, which nobody sees, and the hint.

@@ -2,8 +2,8 @@
 
 use super::empty::just_made;
 use crate::dialogs::{DialogLock, OneName, RemoveQuestion, close};
+use crate::library::words;
 use crate::parts::hold;
-use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;
 

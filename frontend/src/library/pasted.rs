@@ -2,8 +2,8 @@
 
 use crate::desk::Pasted;
 use crate::dialogs::{Feet, Frame, close};
+use crate::library::words;
 use crate::parts::hold;
-use crate::words;
 use leptos::prelude::*;
 
 /// Asks before the program that one looks at gives its place to the pasted one.

@@ -4,7 +4,7 @@ use super::OperateShared;
 use super::clock::time_of_day;
 use super::seen::KEPT_MS;
 use crate::browser;
-use crate::words;
+use crate::operate::words;
 use behaviour::{Id, StreamKind};
 use leptos::prelude::*;
 use std::collections::{BTreeMap, VecDeque};

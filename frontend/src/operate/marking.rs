@@ -9,7 +9,7 @@ use super::verdict::{HeldMark, Verdict};
 use crate::browser;
 use crate::escape;
 use crate::icons::Icon;
-use crate::words;
+use crate::operate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{MARK_MAX_CHARS, MARK_WORD_MAX_CHARS, MarkSort};

@@ -4,7 +4,8 @@
 pub(super) mod waiting;
 
 use super::{OperateShared, clock};
-use crate::{browser, words};
+use crate::browser;
+use crate::operate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{MARK_WORD_MAX_CHARS, MarkEdit, MarkSort, RecordingMark, UNDO_MARK_MS};

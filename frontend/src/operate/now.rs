@@ -4,9 +4,9 @@
 use super::OperateShared;
 use super::trouble::Trouble;
 use crate::browser;
+use crate::operate::words;
 use crate::parts::Soon;
 use crate::parts::language;
-use crate::words;
 use leptos::prelude::*;
 use protocol::{ProgramSentence, answer, request};
 

@@ -4,11 +4,12 @@
 use super::OperateShared;
 use super::pad::{PadTile, TileWork};
 use super::seen::SeenPress;
+use crate::browser;
 use crate::desk::LinkState;
 use crate::desk::shown_pad::speaks;
 use crate::link::NoAnswer;
+use crate::operate::words;
 use crate::parts::may_operate;
-use crate::{browser, words};
 use behaviour::{Id, Value};
 use leptos::prelude::*;
 use protocol::{Press, request};

@@ -2,7 +2,7 @@
 
 use super::OperateShared;
 use crate::browser;
-use crate::words;
+use crate::operate::words;
 use js_sys::{Function, Reflect};
 use leptos::prelude::*;
 use wasm_bindgen::{JsCast, JsValue};

@@ -2,9 +2,9 @@
 
 use super::OperateShared;
 use crate::desk::{Sign, initials};
+use crate::operate::words;
 use crate::people::in_color;
 use crate::robots::{CameraPicture, RoomPicture};
-use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 

@@ -8,7 +8,7 @@ use super::verdict::HeldMark;
 use crate::browser;
 use crate::desk::TILES_QUERY;
 use crate::icons::Icon;
-use crate::words;
+use crate::operate::words;
 use leptos::prelude::*;
 use protocol::Role;
 

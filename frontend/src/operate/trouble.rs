@@ -3,7 +3,7 @@
 use super::OperateShared;
 use crate::desk::LinkState;
 use crate::icons::Icon;
-use crate::words;
+use crate::operate::words;
 use leptos::prelude::*;
 use phrase::Phrase;
 use protocol::RunPhase;

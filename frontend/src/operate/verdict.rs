@@ -8,7 +8,7 @@ use crate::browser;
 use crate::escape;
 use crate::focus;
 use crate::icons::Icon;
-use crate::words;
+use crate::operate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::MarkSort;

@@ -4,8 +4,8 @@ use crate::desk::{EditSession, GroupSignals, NoteSignals, Selected};
 use crate::escape;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
+use crate::outline::words;
 use crate::parts::{NoteField, author_color, hold, may_edit, written_by};
-use crate::words;
 use behaviour::{Id, Kind, NAME_MAX_CHARS, Record, RecordId};
 use leptos::prelude::*;
 

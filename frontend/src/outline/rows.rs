@@ -7,9 +7,9 @@ use crate::focus;
 use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
 use crate::live::rate_words;
+use crate::outline::words;
 use crate::parts::{DeskHold, hold};
 use crate::parts::{device_icon, kind_class};
-use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 

@@ -1,8 +1,8 @@
 //! Says aloud, once, when somebody else begins to edit something.
 
 use crate::layout::chip_words;
+use crate::page::words;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::{Kind, RecordId};
 use leptos::prelude::*;
 

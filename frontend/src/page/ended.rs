@@ -3,7 +3,7 @@
 use crate::browser;
 use crate::focus;
 use crate::link::LinkEnd;
-use crate::words;
+use crate::page::words;
 use leptos::prelude::*;
 
 const TITLE_ID: &str = "ended-title";

@@ -3,9 +3,9 @@
 use crate::browser;
 use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
+use crate::page::words;
 use crate::parts::hold;
 use crate::people::NameCard;
-use crate::words;
 use leptos::prelude::*;
 
 /// How long a sentence stays, in milliseconds; refusals and what offers something stay longer.

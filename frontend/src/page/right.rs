@@ -1,12 +1,12 @@
 //! The right column: the robot always at the same place, its room and what is selected, or an open panel.
 
 use crate::forms::Inspector;
+use crate::page::words;
 use crate::parts::hold;
 use crate::parts::{OpenPanel, open_name};
 use crate::robots::RobotBox;
 use crate::robots::Room;
 use crate::teaching::ExercisePlace;
-use crate::words;
 use leptos::prelude::*;
 
 /// The right column; on a phone its robot box is the bar at the bottom and the rest stands under the outline.

@@ -6,7 +6,7 @@ use super::{PastShared, clock};
 use crate::browser;
 use crate::desk::OpenPast;
 use crate::link::NoAnswer;
-use crate::words;
+use crate::past::words;
 use behaviour::Id;
 use lanes::{LaneAct, LaneFilling, Viewer};
 use leptos::prelude::*;

@@ -6,7 +6,7 @@ use super::compare_counts::ChangeCounts;
 use crate::desk::{DraftPreview, LinkState};
 use crate::link::NoAnswer;
 use crate::parts::Soon;
-use crate::words;
+use crate::past::words;
 use behaviour::StreamKind;
 use leptos::prelude::*;
 use protocol::{

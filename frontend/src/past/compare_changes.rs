@@ -3,7 +3,7 @@
 use super::compare_counts::{ChangeCounts, change_words, dot_change};
 use super::media::page_element;
 use super::{PastShared, clock, filling};
-use crate::words;
+use crate::past::words;
 use behaviour::StreamKind;
 use lanes::{Density, LaneAct};
 use leptos::portal::Portal;

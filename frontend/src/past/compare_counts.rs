@@ -1,6 +1,6 @@
 //! Changes, counted and in words.
 
-use crate::words;
+use crate::past::words;
 use lanes::DotChange;
 use protocol::{ChangedMoment, ChangedStream, MomentChange, SAME_END_MS};
 

@@ -5,7 +5,7 @@ use super::compare::CompareForm;
 use super::compare_counts::ChangeCounts;
 use crate::browser;
 use crate::icons::Icon;
-use crate::words;
+use crate::past::words;
 use leptos::prelude::*;
 
 /// So many changes of the history can be chosen, besides all versions with names.

@@ -2,7 +2,7 @@
 
 use super::PastShared;
 use crate::live::{measured, unit};
-use crate::words;
+use crate::past::words;
 use behaviour::{Id, StreamKind, Value, ValueType};
 use lanes::{Dot, DotSpan, LaneFilling, LaneKind, LaneMark, LaneShape, RANGE_EMPTY, ShownLane};
 use leptos::prelude::*;

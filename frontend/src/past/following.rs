@@ -3,7 +3,7 @@
 
 use super::{CALM_STEP_MS, PastShared, close};
 use crate::browser;
-use crate::words;
+use crate::past::words;
 use behaviour::Id;
 use lanes::LaneAct;
 use leptos::prelude::*;

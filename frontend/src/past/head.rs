@@ -7,7 +7,7 @@ use super::{PastShared, clock, close, filling, then};
 use crate::browser;
 use crate::focus;
 use crate::icons::Icon;
-use crate::words;
+use crate::past::words;
 use lanes::LaneAct;
 use leptos::prelude::*;
 use protocol::{LaneName, OpenedPast, PastOf};

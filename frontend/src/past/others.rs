@@ -3,8 +3,8 @@
 use super::PastShared;
 use crate::browser;
 use crate::desk::Sign;
+use crate::past::words;
 use crate::people::in_color;
-use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::LookedMoment;

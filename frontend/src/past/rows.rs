@@ -7,7 +7,7 @@ use super::signs::{FORM, Sign};
 use super::{PastShared, clock, filling, hands};
 use crate::browser;
 use crate::icons::Icon;
-use crate::words;
+use crate::past::words;
 use lanes::{Align, Dot, DrawnForm, Ink, LaneAct, LaneFilling, LaneKind, Row};
 use leptos::html;
 use leptos::prelude::*;

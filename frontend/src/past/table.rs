@@ -3,7 +3,7 @@
 use super::compare_counts::change_words;
 use super::rows::dot_words;
 use super::{PastShared, clock, filling};
-use crate::words;
+use crate::past::words;
 use leptos::prelude::*;
 
 /// The table.

@@ -11,7 +11,7 @@ use super::media::page_element;
 use super::{PastShared, ReasonWanted, clock, filling};
 use crate::desk::{Lit, Selected};
 use crate::parts::language;
-use crate::words;
+use crate::past::words;
 use behaviour::{Id, StreamKind};
 use lanes::LaneAct;
 use leptos::prelude::*;

@@ -9,7 +9,7 @@ use crate::desk::NewInvitation;
 use crate::dialogs::{Frame, close};
 use crate::link::NoAnswer;
 use crate::parts::hold;
-use crate::words;
+use crate::people::words;
 use leptos::prelude::*;
 use protocol::Refused;
 

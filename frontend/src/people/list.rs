@@ -5,7 +5,7 @@ use crate::browser;
 use crate::desk::{Dialog, Sign};
 use crate::dialogs::{Frame, close};
 use crate::parts::hold;
-use crate::words;
+use crate::people::words;
 use leptos::prelude::*;
 
 /// Everyone who is here.

@@ -2,7 +2,7 @@
 
 use crate::dialogs::OneName;
 use crate::parts::hold;
-use crate::words;
+use crate::people::words;
 use leptos::prelude::*;
 
 /// The longest name of a person, in characters.

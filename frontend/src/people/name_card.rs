@@ -4,7 +4,7 @@ use crate::escape;
 use crate::icons::Icon;
 use crate::later::Later;
 use crate::parts::hold;
-use crate::words;
+use crate::people::words;
 use leptos::prelude::*;
 
 /// The longest name of a person, in characters.

@@ -4,7 +4,7 @@ use super::real_robot::{Password, Steps};
 use crate::dialogs::{Feet, Frame, Refused, close};
 use crate::fields::TextField;
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, RealRobot, RobotFindings};
 

@@ -2,7 +2,7 @@
 
 use crate::keys::PressedKey;
 use crate::parts::{hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;

@@ -1,7 +1,7 @@
 //! How the robot's body is, as plain lights with words.
 
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use robot::Health;
 

@@ -3,7 +3,7 @@
 use crate::dialogs::{Feet, Frame, close};
 use crate::fields::Select;
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use robot::Control;
 

@@ -2,7 +2,7 @@
 
 use crate::dialogs::{OneName, RemoveQuestion, close};
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use protocol::ROBOT_NAME_MAX_CHARS;
 

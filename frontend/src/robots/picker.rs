@@ -3,7 +3,7 @@
 use crate::desk::Dialog;
 use crate::later::Later;
 use crate::parts::{DeskHold, Menu, MenuItem, hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use protocol::{ROBOTS_MAX, RobotState, Role, RunPhase};
 use robot::{Control, Health, Life};

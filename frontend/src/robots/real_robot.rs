@@ -3,7 +3,7 @@
 use crate::dialogs::{Feet, Frame, Refused, close};
 use crate::fields::TextField;
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 use leptos::html;
 use leptos::prelude::*;
 use protocol::{

@@ -3,7 +3,7 @@
 use crate::commands::recordings_address;
 use crate::later::Later;
 use crate::parts::{hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use protocol::{MARK_MAX_CHARS, Recorded};
 use web_sys::SubmitEvent;

@@ -9,7 +9,7 @@ use crate::icons::Icon;
 use crate::later::Later;
 use crate::parts::{DeskHold, hold};
 use crate::robots::picker::{RobotPicker, lamp_words};
-use crate::words;
+use crate::robots::words;
 use behaviour::{Id, StreamKind};
 use leptos::prelude::*;
 use protocol::{Role, RunPhase, RunState, STOP_BUTTON};

@@ -10,7 +10,7 @@ mod tools;
 
 use crate::later::Later;
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 pub(crate) use camera::{CameraPicture, camera};
 pub(crate) use tools::printed;
 

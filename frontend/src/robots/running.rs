@@ -2,7 +2,7 @@
 
 use crate::icons::Icon;
 use crate::parts::{hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::RunState;

@@ -6,7 +6,7 @@ use crate::dialogs::{Feet, Frame, Refused};
 use crate::fields::CodeField;
 use crate::live::short_value;
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 use behaviour::{Id, Params, Unit, Value};
 use leptos::prelude::*;
 use parts::{ValuePart, ValuePartKind, number, of_part, parts, pretended, with_part};

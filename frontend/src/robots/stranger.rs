@@ -2,7 +2,7 @@
 
 use crate::desk::Dialog;
 use crate::parts::{hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use protocol::Role;
 use robot::{Control, Health, Stranger};

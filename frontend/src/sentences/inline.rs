@@ -9,7 +9,7 @@ use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::parts::{DeskHold, hold, may_edit};
-use crate::words;
+use crate::sentences::words;
 use leptos::prelude::*;
 use sentences::{LiteralPlace, Number, Piece, SentenceChoice};
 use wasm_bindgen::JsCast;

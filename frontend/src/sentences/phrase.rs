@@ -9,7 +9,7 @@ use crate::focus;
 use crate::graph::Stage;
 use crate::keys::PressedKey;
 use crate::parts::{DeskHold, hold};
-use crate::words;
+use crate::sentences::words;
 use behaviour::Problem;
 use leptos::prelude::*;
 use sentences::{Piece, Sentence, SentencePart};

@@ -7,7 +7,7 @@ mod lexicon;
 use crate::fields::SentenceField;
 use crate::parts::kind_class;
 use crate::parts::{DeskHold, hold, may_edit};
-use crate::words;
+use crate::sentences::words;
 use behaviour::Helper;
 use leptos::prelude::*;
 use lexicon::LexiconState;

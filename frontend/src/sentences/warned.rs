@@ -6,7 +6,7 @@ use crate::escape;
 use crate::focus;
 use crate::parts::ProblemLine;
 use crate::parts::hold;
-use crate::words;
+use crate::sentences::words;
 use behaviour::{Kind, Problem};
 use leptos::prelude::*;
 use sentences::SentencePart;

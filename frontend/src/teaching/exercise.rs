@@ -3,7 +3,7 @@
 use crate::browser;
 use crate::icons::Icon;
 use crate::parts::hold;
-use crate::words;
+use crate::teaching::words;
 use leptos::prelude::*;
 use protocol::{Exercise, ExerciseQuestion, RehearsalResult};
 use web_sys::HtmlElement;

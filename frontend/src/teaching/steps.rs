@@ -1,7 +1,7 @@
 //! The steps of the tour: what is said, what it points at, and when it is done.
 
 use crate::desk::Desk;
-use crate::words;
+use crate::teaching::words;
 use behaviour::{Connector, Id, StreamKind};
 use leptos::prelude::*;
 

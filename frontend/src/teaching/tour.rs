@@ -6,7 +6,7 @@ use crate::browser;
 use crate::escape;
 use crate::focus;
 use crate::parts::{DeskHold, hold};
-use crate::words;
+use crate::teaching::words;
 use leptos::html::Aside;
 use leptos::prelude::*;
 use std::time::Duration;

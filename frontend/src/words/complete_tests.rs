@@ -1,11 +1,12 @@
 //! The table of the second language says all that the page says.
 
 use super::language::speak;
-use super::{
-    NameLanguage, condition, connector_word, deed, device, found_robot, helper_name_of, listed, no_connection,
-    people_and_you, saved_test, start, step_title, stop as stop_word, tour_action, tour_helper, tour_number,
-    tour_sense, tour_start, tour_stop, tour_test, while_you,
-};
+use super::{NameLanguage, connector_word, deed, device, found_robot, helper_name_of, listed, start};
+use crate::conflicts::words::{saved_test, while_you};
+use crate::history::words::people_and_you;
+use crate::page::words::{no_connection, step_title};
+use crate::robots::words::{condition, stop as stop_word};
+use crate::teaching::words::{tour_action, tour_helper, tour_number, tour_sense, tour_start, tour_stop, tour_test};
 use behaviour::{connectors, labels};
 use phrase::Phrased;
 use robot::{Condition, JOINTS};

@@ -1,6 +1,6 @@
 //! In which language the page speaks, and its catalogue of the second one.
 //!
-//! Every sentence has a key: its English stands where it is used (`en.rs`), and another language is one file (`static/ja.txt`),
+//! Every sentence has a key: its English stands where it is used (`en.rs`, and a `words.rs` beside a view), and another language is one file (`static/ja.txt`),
 //! fetched before the page starts and only where it is chosen: blocks with an empty line between, the key first, then the
 //! sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots say comes as a
 //! [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
@@ -100,6 +100,7 @@ pub(crate) fn shown_within(what: &impl Phrased) -> String {
 #[cfg(test)]
 mod tests {
     use super::{TABLE, fill_keyed, is_second, keyed, label_of, said_of, shown, speak};
+    use crate::history::words as history;
     use crate::words;
     use phrase::{Catalogue, PageLanguage, key_of, phrase};
 
@@ -111,9 +112,9 @@ mod tests {
     #[test]
     fn a_third_language_is_one_file_and_one_line_and_english_stands_in_for_what_it_lacks() {
         TABLE.with(|table| table.set(Catalogue::of(&GERMAN, GERMAN_TEXTS)).unwrap());
-        assert_eq!((words::start(), words::history()), ("Start", "Verlauf"));
+        assert_eq!((words::start(), history::history()), ("Start", "Verlauf"));
         assert_eq!(words::saying("Ball"), "„Ball“");
-        assert_eq!(words::needs_connection(), "This needs the connection.");
+        assert_eq!(history::needs_connection(), "This needs the connection.");
         let locked = behaviour::Refusal::Locked { what: phrase!("this.note", "this note"), by: "Ben".to_owned() };
         assert_eq!(shown(&locked), "Ben bearbeitet gerade diese Notiz.");
         let many = |many: usize| shown(&behaviour::Refusal::Edits(many));

@@ -1,8 +1,8 @@
 //! What both made of one record, part by part, and where they differ. Pure.
 
+use crate::conflicts::words;
 use crate::desk::{Conflict, wording};
 use crate::live::short_value;
-use crate::words;
 use behaviour::{
     Behaviour, Connector, Id, Kind, Procedure, Record, RecordId, Stream, StreamKind, Tile, TileAction, Value,
 };

@@ -1,9 +1,9 @@
 //! What both procedures would do with the last real values, each tried once by the server.
 
+use crate::conflicts::words;
 use crate::desk::Conflict;
 use crate::forms::trials::{self, Trial, TrialMark, TrialQuestion, question_of};
 use crate::parts::DeskHold;
-use crate::words;
 use behaviour::{Behaviour, Record};
 use leptos::prelude::*;
 

@@ -3,9 +3,9 @@
 use crate::browser;
 use crate::desk::OtherEditor;
 use crate::dialogs::{DialogLock, Holding};
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::{Connector, Procedure, RecordId};
 use editor::numbers::number_tests;
 use leptos::prelude::*;

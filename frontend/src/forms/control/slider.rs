@@ -3,10 +3,10 @@
 use super::now::{ComparedNow, shown};
 use super::turned::Turned;
 use crate::escape;
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::parts::hold;
-use crate::words;
 use behaviour::TypedNumber;
 use editor::numbers::NumberTest;
 use leptos::prelude::*;

@@ -2,7 +2,7 @@
 
 use super::HelperFields;
 use crate::fields::{ChoiceOptions, Select};
-use crate::words;
+use crate::forms::words;
 use behaviour::{Declared, Helper};
 use leptos::prelude::*;
 

@@ -2,9 +2,9 @@
 
 use crate::desk::Dialog;
 use crate::dialogs::close;
+use crate::forms::words;
 use crate::palette::users_of;
 use crate::parts::{DeskHold, hold};
-use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{HelperUse, LIBRARY, request};

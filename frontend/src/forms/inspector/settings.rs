@@ -3,10 +3,10 @@
 use crate::desk::{Dialog, EditSession};
 use crate::escape;
 use crate::fields::{ParamFields, ParamForm, TextField};
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::parts::{DeskHold, hold, may_edit};
 use crate::reasons::Unfilled;
-use crate::words;
 use behaviour::{Id, Kind, NAME_MAX_CHARS, Record, RecordId, Stream};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;

@@ -2,7 +2,7 @@
 
 use super::form::OperationForm;
 use crate::fields::{ChoiceOptions, ParamFields, ParamForm, Select};
-use crate::words;
+use crate::forms::words;
 use behaviour::{Id, Params, StreamKind};
 use leptos::prelude::*;
 use robot::Device;

@@ -4,7 +4,7 @@ use super::form::OperationForm;
 use crate::browser::{self, Drawer};
 use crate::desk::draft_key;
 use crate::dialogs::DialogLock;
-use crate::words;
+use crate::forms::words;
 use behaviour::{Connector, Kind, RecordId, connectors};
 use leptos::prelude::*;
 use serde::{Deserialize, Serialize};

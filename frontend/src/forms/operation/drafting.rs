@@ -5,8 +5,8 @@ use super::{about, draft, saving};
 use crate::desk::{DraftedWhat, new_id};
 use crate::dialogs::DialogLock;
 use crate::forms::drafting;
+use crate::forms::words;
 use crate::reasons::Unfilled;
-use crate::words;
 use leptos::prelude::*;
 
 /// Drafts what is chosen and typed, for as long as it is another connector than the saved one, or a new one.

@@ -3,7 +3,7 @@
 mod lanes;
 
 use super::form::OperationForm;
-use crate::words;
+use crate::forms::words;
 use behaviour::connectors::Spec;
 use behaviour::marbles::Example;
 use lanes::{Given, Then};

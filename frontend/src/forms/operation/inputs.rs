@@ -2,9 +2,9 @@
 
 use super::form::OperationForm;
 use crate::fields::{ChoiceOptions, Select};
+use crate::forms::words;
 use crate::icons::Icon;
 use crate::parts::{device_icon, kind_class};
-use crate::words;
 use behaviour::{Graph, Id, Stream, StreamKind};
 use leptos::prelude::*;
 

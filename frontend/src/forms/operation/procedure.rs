@@ -4,7 +4,7 @@ use super::form::OperationForm;
 use crate::fields::{ChoiceOptions, CodeField, Select};
 use crate::focus;
 use crate::forms::trials::{self, TrialLine, TrialQuestion};
-use crate::words;
+use crate::forms::words;
 use behaviour::{Helper, StreamKind, Value};
 use leptos::prelude::*;
 use protocol::UnknownName;

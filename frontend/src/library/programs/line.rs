@@ -7,8 +7,8 @@ use crate::dialogs::close;
 use crate::icons::Icon;
 use crate::library::empty::ProgramPicture;
 use crate::library::open_program;
+use crate::library::words;
 use crate::parts::{hold, may_edit};
-use crate::words;
 use leptos::prelude::*;
 use protocol::Summary;
 

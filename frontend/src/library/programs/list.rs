@@ -5,8 +5,8 @@ use super::shelf::{Loading, ShelfPlace, ShownShelf};
 use super::window::{LINE_PX, drawn, is_near_end, scroll_to};
 use crate::focus;
 use crate::keys::PressedKey;
+use crate::library::words;
 use crate::link::NoAnswer;
-use crate::words;
 use leptos::prelude::*;
 use web_sys::{HtmlElement, KeyboardEvent};
 

@@ -1,9 +1,9 @@
 //! What the dialog shows of the list: what is looked for, the lines that came so far, and how loading goes.
 
 use crate::desk::ProgramPage;
+use crate::library::words;
 use crate::link::NoAnswer;
 use crate::parts::{DeskHold, Soon};
-use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
 use protocol::{Cursor, ListQuery, Sort, Summary, Tagged, answer, request};

@@ -4,8 +4,8 @@ use super::draft::{HAND, MOMENT, PRETEND, SPAN, TileDraft, WORD, senses};
 use super::{TilesShared, focused, picture};
 use crate::dialogs::Refused;
 use crate::fields::{Choice, ChoiceOptions, ParamFields, Select, TextField};
+use crate::operate::words;
 use crate::robots::{ToldParts, ValueFields};
-use crate::words;
 use behaviour::{StreamKind, TILE_KEYS, TILE_MAX_CHARS, Tile};
 use leptos::prelude::*;
 

@@ -3,7 +3,7 @@
 use super::{TilesShared, focused, picture};
 use crate::dialogs::close;
 use crate::icons::Icon;
-use crate::words;
+use crate::operate::words;
 use behaviour::TILE_KEYS;
 use leptos::prelude::*;
 

@@ -8,7 +8,7 @@ use crate::link::{self, NoAnswer};
 use crate::operate::OperateShared;
 use crate::operate::clock::time_of_day;
 use crate::operate::hearing::hear_anew;
-use crate::words;
+use crate::operate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{AGO_MAX_MS, MarkEdit, MarkSort, RecordingMark, Refused, answer, request};

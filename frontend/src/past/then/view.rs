@@ -4,7 +4,7 @@ use super::super::media::page_element as element;
 use super::super::{PastShared, clock, close, why};
 use crate::browser;
 use crate::icons::Icon;
-use crate::words;
+use crate::past::words;
 use lanes::{Density, LaneAct};
 use leptos::portal::Portal;
 use leptos::prelude::*;

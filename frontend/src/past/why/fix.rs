@@ -3,8 +3,8 @@
 use super::super::PastShared;
 use crate::desk::{Document, Saving};
 use crate::live::short_value;
+use crate::past::words;
 use crate::sentences::change::{New, put_and, with};
-use crate::words;
 use behaviour::{Id, Kind, Operation, Procedure, Record, RecordId, Value};
 use leptos::prelude::*;
 use protocol::NumberFix;

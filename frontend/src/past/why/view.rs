@@ -10,7 +10,7 @@ use crate::focus;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::stream_width;
-use crate::words;
+use crate::past::words;
 use behaviour::Id;
 use lanes::Density;
 use leptos::portal::Portal;

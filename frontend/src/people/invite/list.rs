@@ -2,7 +2,7 @@
 
 use crate::browser;
 use crate::parts::hold;
-use crate::words;
+use crate::people::words;
 use leptos::prelude::*;
 use protocol::{Invitation, InvitedGuest};
 

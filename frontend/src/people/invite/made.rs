@@ -4,7 +4,7 @@ use super::warning::Warning;
 use crate::browser;
 use crate::desk::NewInvitation;
 use crate::focus;
-use crate::words;
+use crate::people::words;
 use leptos::prelude::*;
 
 /// What is left free around a QR code, in its dots.

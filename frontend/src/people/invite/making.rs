@@ -4,7 +4,7 @@ use crate::desk::NewInvitation;
 use crate::fields::TextField;
 use crate::focus;
 use crate::parts::hold;
-use crate::words;
+use crate::people::words;
 use leptos::prelude::*;
 use protocol::{LABEL_MAX_CHARS, Lasts, Role};
 

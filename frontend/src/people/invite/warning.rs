@@ -2,7 +2,7 @@
 
 use super::making::OneOf;
 use crate::browser;
-use crate::words::{self, WarnedDevice};
+use crate::people::words::{self, WarnedDevice};
 use leptos::prelude::*;
 
 /// The steps for one device, and the fingerprint; both may be sent along with the link.

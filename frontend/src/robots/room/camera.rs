@@ -4,7 +4,7 @@
 use crate::browser;
 use crate::icons::Icon;
 use crate::parts::{DeskHold, hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use behaviour::Id;
 use leptos::prelude::*;
 

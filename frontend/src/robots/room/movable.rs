@@ -5,7 +5,7 @@ use super::map::{self, RoomMap};
 use crate::browser;
 use crate::keys::PressedKey;
 use crate::parts::{DeskHold, Soon, hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use leptos::svg::Svg;
 use protocol::Role;

@@ -1,7 +1,7 @@
 //! Saying something to the simulated robot.
 
 use crate::parts::{hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use robot::{SPOKEN_MAX_CHARS, SceneEdit};
 

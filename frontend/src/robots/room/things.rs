@@ -4,7 +4,7 @@ use super::HeldThing;
 use super::map::RoomMap;
 use super::movable::Movable;
 use crate::parts::hold;
-use crate::words;
+use crate::robots::words;
 use leptos::prelude::*;
 use leptos::svg::Svg;
 use robot::SceneEdit;

@@ -5,7 +5,7 @@ use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::live::short_value;
 use crate::parts::{MayNot, Menu, MenuItem, hold, may_operate};
-use crate::words;
+use crate::robots::words;
 use behaviour::Value;
 use leptos::prelude::*;
 use protocol::{Role, RunPhase};

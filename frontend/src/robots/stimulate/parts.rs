@@ -1,6 +1,6 @@
 //! The parts of a sense's value that can be set by hand, with their ends, and a value with one of them set. Pure.
 
-use crate::words;
+use crate::robots::words;
 use behaviour::{Params, Unit, Value};
 use robot::{Device, Shape, with_defaults};
 

@@ -1,32 +1,13 @@
 //! The history of a program, its versions, and bringing things back.
 
-use super::{listed, person_called, saying};
+use super::saying;
 use crate::words::language::shown;
 use behaviour::labels::{bare, taken_back};
 use phrase::Phrase;
 
 sentences! {
-    history: "History";
-    version_name: "Name of this version";
-    version_hint: "Such as “Before group B”. Everyone sees it.";
-    unname: "Take the name away";
-    reading_history: "Reading the history …";
-    compared: "Compared:";
-    compare_with: "Compare with";
     now_version: "now";
-    go_back: "Go back to it …";
-    go_back_asks: "The program becomes as it was then. That is one new change, which can be undone.";
-    go_back_yes: "Go back";
-    go_back_no: "Leave it";
-    done: "Done";
-    nothing_differs: "Nothing is different.";
-    only_moved: "Nothing is different but where things stand.";
-    the_differences: "Differences as a list";
     what_differs: "What";
-    needs_connection: "This needs the connection.";
-    today: "Today";
-    yesterday: "Yesterday";
-    is_new: "new";
     other_order: "in another order";
     program_name: "Name of the program";
     a_note: "Note";
@@ -36,38 +17,11 @@ sentences! {
     was_open: "open";
 }
 
-/// The tooltip of undo or redo: `Undo: Add map`.
-pub(crate) fn step_title(word: &str, label: Option<&Phrase>) -> String {
-    label.map_or_else(
-        || word.to_owned(),
-        |label| say!(step_title: "{word}: {label}", word, label = label_said(&bare(label))),
-    )
-}
-
-/// The people of a sitting: `Yuki, Ben and you`.
-pub(crate) fn people_and_you(others: &[String], you: bool) -> String {
-    let mut all: Vec<String> = others.iter().map(|name| person_called(name)).collect();
-    all.extend(you.then(|| said!(people_and_you_you: "you").to_owned()));
-    match all.split_last() {
-        None => String::new(),
-        Some((last, [])) => last.clone(),
-        Some((last, before)) => say!(people_and_you_and: "{before} and {last}", before = listed(before), last),
-    }
-}
-
-/// When a sitting was: `Today, 14:05 to now`.
-pub(crate) fn from_to(day: &str, from: &str, to: Option<&str>) -> String {
-    match to {
-        Some(to) if to != from => say!(from_to_to: "{day}, {from} to {to}", day, from, to),
-        Some(_) | None => say!(from_to_holes: "{day}, {from}", day, from),
-    }
-}
-
 /// So many characters of what something was and is are told.
 const TOLD_MAX_CHARS: usize = 60;
 
 /// Stands in a sentence for what is shown in another way than the words around it.
-pub(super) const HOLE: &str = "\u{1}";
+pub(crate) const HOLE: &str = "\u{1}";
 
 /// What somebody did: the words before what it was done to, that, and the words after.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -78,7 +32,7 @@ pub(crate) struct HistoryWords {
 }
 
 impl HistoryWords {
-    pub(super) fn around(told: String, of: String) -> Self {
+    pub(crate) fn around(told: String, of: String) -> Self {
         match told.split_once(HOLE) {
             Some((before, after)) => Self { before: before.to_owned(), of, after: after.to_owned() },
             None => Self { before: told, of: String::new(), after: String::new() },
@@ -189,34 +143,9 @@ pub(crate) fn label_said(label: &Phrase) -> String {
     shown(label)
 }
 
-/// Who did it, at the beginning of a sentence.
-pub(crate) fn who_did(author: &str, mine: bool) -> String {
-    if mine { say!(who_did: "You") } else { person_called(author) }
-}
-
-/// A folded sitting: `12 changes: added Far ball, renamed Near`.
-pub(crate) fn folded(many: usize, deeds: &str) -> String {
-    say!(folded: "{many} changes: {deeds}", many, deeds)
-}
-
-/// Under the name of a version.
-pub(crate) fn named_by(when: &str, by: &str, mine: bool) -> String {
-    let who = if mine { said!(named_by_you: "you").to_owned() } else { person_called(by) };
-    say!(named_by_named_by: "{when} · named by {who}", when, who)
-}
-
-/// Somebody has the editor of something open.
-pub(crate) fn edits_now(what: &str) -> String {
-    say!(edits_now: "is editing {what}", what)
-}
-
 /// A connector in a list: `map to Distance`.
 pub(crate) fn connector_to(word: &str, output: &str) -> String {
     say!(connector_to: "{word} to {output}", word, output)
-}
-
-pub(crate) fn was_words(words: &str) -> String {
-    say!(was_words: "was {words}", words)
 }
 
 pub(crate) fn came_from(names: &str) -> String {
@@ -232,36 +161,6 @@ pub(crate) fn led_to(name: &str) -> String {
     say!(led_to: "leading to {name}", name)
 }
 
-pub(crate) fn removed_tag(by: Option<&str>) -> String {
-    by.map_or_else(|| say!(removed_tag_removed: "removed"), |by| say!(removed_tag_removed_by: "removed by {by}", by))
-}
-
-/// The name of something on the graph, with what became of it.
-pub(crate) fn with_mark(name: String, mark: Option<&str>) -> String {
-    mark.map_or(name.clone(), |mark| listed([&name, mark]))
-}
-
-pub(crate) fn new_count(many: usize) -> String {
-    say!(new_count: "{many} new", many)
-}
-
-pub(crate) fn changed_count(many: usize) -> String {
-    say!(changed_count: "{many} changed", many)
-}
-
-pub(crate) fn removed_count(many: usize) -> String {
-    say!(removed_count: "{many} removed", many)
-}
-
-pub(crate) fn moved_count(many: usize) -> String {
-    say!(moved_count: "{many} moved", many)
-}
-
-/// A version without a name: by when it was.
-pub(crate) fn as_of(when: &str) -> String {
-    say!(as_of: "as of {when}", when)
-}
-
 pub(crate) fn program_removed(name: &str) -> String {
     say!(program_removed: "“{name}” is in the bin.", name)
 }
@@ -272,7 +171,7 @@ pub(crate) fn program_removed_by(by: &str, name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{deed, from_to, label_said, people_and_you, step_title};
+    use super::{deed, label_said};
     use behaviour::labels;
     use phrase::Phrase;
 
@@ -303,20 +202,5 @@ mod tests {
         assert_eq!(said(&"Add RedBall".into()), "made a change: Add RedBall");
         assert_eq!(said(&"Undo: Rename program".into()), "took back “Rename program”");
         assert_eq!(label_said(&"Rename helper a to b to c".into()), "Rename helper a to b to c");
-    }
-
-    #[test]
-    fn people_are_named_with_you_last() {
-        let others = ["Yuki".to_owned(), "Ben".to_owned()];
-        assert_eq!(people_and_you(&others, true), "Yuki, Ben and you");
-        assert_eq!(people_and_you(&others[..1], true), "Yuki and you");
-        assert_eq!([people_and_you(&[], true), people_and_you(&others[..1], false)], ["you", "Yuki"]);
-    }
-
-    #[test]
-    fn times_are_said_once() {
-        assert_eq!(from_to("Today", "14:05", Some("now")), "Today, 14:05 to now");
-        assert_eq!([from_to("Today", "9:12", Some("9:12")), from_to("Today", "9:12", None)], ["Today, 9:12"; 2]);
-        assert_eq!(step_title("Undo", Some(&"Undo: Move".into())), "Undo: Move");
     }
 }

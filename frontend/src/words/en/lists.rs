@@ -17,7 +17,7 @@ pub(crate) fn listed<Name: Display>(names: impl IntoIterator<Item = Name>) -> St
 }
 
 /// Names that belong together: "Red and Green".
-pub(super) fn joined<Name: Display>(names: impl IntoIterator<Item = Name>) -> String {
+pub(crate) fn joined<Name: Display>(names: impl IntoIterator<Item = Name>) -> String {
     let names = names.into_iter().map(|name| name.to_string());
     names.reduce(|before, last| say!(joined: "{before} and {last}", before, last)).unwrap_or_default()
 }
@@ -52,22 +52,6 @@ pub(crate) fn connector_says(spec: &behaviour::connectors::Spec) -> &'static str
     said_by(&format!("connector.{}.says", spec.word), spec.says)
 }
 
-/// Says what a connector does, at length.
-pub(crate) fn connector_does(spec: &behaviour::connectors::Spec) -> &'static str {
-    said_by(&format!("connector.{}.does", spec.word), spec.help.does)
-}
-
-/// Says when a connector is used.
-pub(crate) fn connector_when(spec: &behaviour::connectors::Spec) -> &'static str {
-    said_by(&format!("connector.{}.when", spec.word), spec.help.when)
-}
-
-/// The title of an example of a connector.
-pub(crate) fn connector_example(spec: &behaviour::connectors::Spec, title: &'static str) -> &'static str {
-    let nth = spec.help.examples.iter().position(|example| example.title == title).unwrap_or_default();
-    said_by(&format!("connector.{}.example{nth}", spec.word), title)
-}
-
 /// How long something lasts, in the unit in which people say it.
 pub(crate) fn duration(ms: u64) -> String {
     match Lasting::of(ms) {
@@ -83,10 +67,4 @@ pub(crate) fn duration(ms: u64) -> String {
 pub(crate) fn period_of(spec: &behaviour::connectors::Spec, ms: u64) -> String {
     let duration = duration(ms);
     if spec.beats() { say!(period_of: "every {duration}", duration) } else { duration }
-}
-
-/// Sentences one after the other.
-pub(crate) fn one_after_another(sentences: &[String]) -> String {
-    let sentences = sentences.iter().cloned();
-    sentences.reduce(|before, last| say!(one_after_another: "{before}. {last}", before, last)).unwrap_or_default()
 }

@@ -1,7 +1,6 @@
 //! What streams are called until somebody names them: in the language of the page of who makes them, and of all after that.
 
-use super::fill;
-use crate::words::language::said_by;
+use crate::words::language::{fill, said_by};
 use phrase::Label;
 
 /// In which language a name is made.

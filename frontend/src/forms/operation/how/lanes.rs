@@ -1,7 +1,7 @@
 //! The lanes of an example: streams over time, their values as marbles at their times.
 
 use crate::forms::marbles::{ASIDE, Bead, LANE, MarbleLook, NAME, UNDER, WIDTH, lane};
-use crate::words;
+use crate::forms::words;
 use behaviour::marbles::{Example, Lane};
 use leptos::prelude::*;
 

@@ -1,13 +1,8 @@
-//! Trying things and learning them: helpers on values, exercises with a goal, the tour.
+//! Sentences that only learning says.
+
+pub(crate) use crate::words::*;
 
 sentences! {
-    // Trying a helper
-    try_it: "Try it";
-    several_values: "Several values with commas between them are tried one after the other.";
-    // Exercises
-    exercises: "Tasks";
-    show_exercise: "Show the task";
-    no_exercise: "This program is no task. Tasks are in the library, below the templates.";
     exercise_put_away: "The task is put away. “Show the task” in the list of commands (Ctrl K) brings it back.";
     fold_goal: "Hide the goal";
     show_goal: "Show the goal";
@@ -19,7 +14,6 @@ sentences! {
     goal_too_long: "This took too long to try. Start it on the simulated robot to see what keeps it busy.";
     // The tour
     tour: "Tour";
-    take_tour: "Take the tour";
     leave_tour: "Leave the tour";
     tour_skip: "Skip";
     tour_done: "Done";
@@ -33,11 +27,6 @@ sentences! {
     tour_ball: "Drag the red ball in the room, nearer and farther. The head follows it while it is close, and the numbers flow on the lines.";
     tour_stop: "Stop always stands here, and always works. Press it: the robot holds still.";
     tour_end: "That was all it takes: a sense, a connector, an action. The tasks in the library are a good way to go on.";
-}
-
-/// The field in which a helper's argument gets a value: "Value of ball".
-pub(crate) fn value_for(argument: &str) -> String {
-    say!(value_for: "Value of {argument}", argument)
 }
 
 /// The heading of the goal: "Task: Brighter when nearer".
