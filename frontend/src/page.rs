@@ -1,4 +1,5 @@
-//! The frame of the page: the bar, the right column, the open dialog and notices. It puts the views of all features in their places.
+//! The frame of the page: the bar, the right column, the open dialog and notices. It puts the views of all features in their
+//! places.
 
 mod dialogs;
 mod editors;
@@ -15,12 +16,11 @@ use crate::history;
 pub(crate) use dialogs::{Dialogs, dialog};
 pub(crate) use editors::Editors;
 pub(crate) use ended::Ended;
+use leptos::prelude::*;
 pub(crate) use notices::Notices;
 pub(crate) use right::RightColumn;
 pub(crate) use toolbar::Toolbar;
 pub(crate) use tools::tool_items;
-
-use leptos::prelude::*;
 
 /// The panels of the right column, each by its module, which has its `PANEL` and its `view`.
 macro_rules! panels {

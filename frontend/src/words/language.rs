@@ -1,9 +1,9 @@
 //! In which language the page speaks, and its catalogue of the second one.
 //!
-//! Every sentence has a key: its English stands where it is used (`en.rs`, and a `words.rs` beside a view), and another language is one file (`static/ja.txt`),
-//! fetched before the page starts and only where it is chosen: blocks with an empty line between, the key first, then the
-//! sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots say comes as a
-//! [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
+//! Every sentence has a key: its English stands where it is used (`en.rs`, and a `words.rs` beside a view), and another language
+//! is one file (`static/ja.txt`), fetched before the page starts and only where it is chosen: blocks with an empty line between,
+//! the key first, then the sentence. Its holes (`{name}`) have the same names in both. What the server, the rules and the robots
+//! say comes as a [`Phrase`] with its key, and words of people stay as they are: nothing is found by its English.
 
 use phrase::{Catalogue, Label, PageLanguage, Phrase, Phrased, filled, key_of};
 use std::cell::{Cell, OnceCell};
