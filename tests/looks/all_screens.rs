@@ -24,7 +24,6 @@ async fn every_screen_keeps_the_rules_at_every_size_and_axe_finds_nothing() -> O
     skip::unless!(ready("every screen at every size"));
     let stage = Stage::set().await?;
     let page = &stage.page;
-    page.media("prefers-reduced-motion", "reduce").await?;
     let found = RefCell::new(Vec::new());
     let walked = walk(page, &Words::english(), async |screen: &str| {
         for size in SIZES {
