@@ -9,7 +9,7 @@ use crate::{Outcome, Trouble};
 
 /// Names listed in a failure.
 const NAMES_MAX: usize = 20;
-/// What moves has moved when this is answered.
+/// Answered in the next frame: whatever moves has moved by then.
 const NEXT_FRAME: &str = "new Promise(done => requestAnimationFrame(() => done(true)))";
 /// The longest time for a frame; a page that runs no scripts tells of none.
 const FRAME: Duration = Duration::from_millis(100);

@@ -17,21 +17,28 @@ use std::path::{Path, PathBuf};
 /// The most Latin letters in a row that need no reason.
 const LATIN_MAX: usize = 3;
 /// Words that are the same in Japanese: keys, names, and words of procedures.
-const LATIN: [&str; 46] = [
+const LATIN: [&str; 49] = [
+    "Android",
+    "Chrome",
     "Ctrl",
     "DOCTYPE",
+    "Edge",
     "English",
     "Enter",
+    "Firefox",
     "JSON",
     "JavaScript",
     "LyingBelly",
     "PageDown",
     "PageUp",
     "Pepper",
+    "Safari",
     "Shift",
     "Sitting",
     "Standing",
+    "Stop",
     "Wi-Fi",
+    "Windows",
     "actuator",
     "behind",
     "break",
@@ -43,6 +50,8 @@ const LATIN: [&str; 46] = [
     "false",
     "frame",
     "frameMs",
+    "iPad",
+    "iPhone",
     "jsonl",
     "listen",
     "local",
@@ -58,12 +67,6 @@ const LATIN: [&str; 46] = [
     "soFar",
     "true",
     "value",
-    "Android",
-    "Chrome",
-    "Safari",
-    "Windows",
-    "iPad",
-    "iPhone",
 ];
 
 /// Keys of what the page never shows: lines for who reads files, starts a server, or mends a robot's protocol.
