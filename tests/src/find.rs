@@ -1,7 +1,5 @@
 //! Finding things as people and screen readers do: by role and accessible name.
 
-use std::time::Duration;
-
 use serde_json::{Value, json};
 
 use crate::page::{Page, truthy};
@@ -9,16 +7,10 @@ use crate::{Outcome, Trouble};
 
 /// Names listed in a failure.
 const NAMES_MAX: usize = 20;
-/// Answered in the next frame: whatever moves has moved by then.
-const NEXT_FRAME: &str = "new Promise(done => requestAnimationFrame(() => done(true)))";
-/// The longest time for a frame; a page that runs no scripts tells of none.
-const FRAME: Duration = Duration::from_millis(100);
 
-/// Says why a point of `this` cannot be pressed: an empty text when it can and nothing else is on top there.
-const HINDRANCE: &str = "function (x, y) {
+/// Says what is on top at a point: an empty text when it is (part of) `this`, else what covers it.
+const COVER: &str = "function (x, y) {
     const element = this.nodeType === Node.TEXT_NODE ? this.parentElement : this;
-    if (!element.isConnected) return 'it was replaced';
-    if (element.matches(':disabled, [aria-disabled=true]')) return 'it is disabled';
     let top = document.elementFromPoint(x, y);
     while (top?.shadowRoot?.elementFromPoint(x, y) && top.shadowRoot.elementFromPoint(x, y) !== top)
         top = top.shadowRoot.elementFromPoint(x, y);
@@ -116,12 +108,7 @@ impl Page {
 
     pub(crate) async fn find_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<Node> {
         let what = format!("one {role} \"{name}\" in view{}", place(inside));
-        self.patiently_or(
-            &what,
-            async || self.one(inside, role, name).await,
-            async || self.alternatives(inside, role).await,
-        )
-        .await
+        self.patiently(&what, async || self.one(inside, role, name).await).await
     }
 
     /// Waits until no visible element has this role and name.
@@ -164,7 +151,7 @@ impl Page {
             let value = self.ask(node.id, js, json!([])).await.map_err(|trouble| trouble.0)?;
             if truthy(&value) { Ok(value) } else { Err(format!("the {role} \"{name}\" says {value}")) }
         };
-        self.patiently_or(what, look, async || self.alternatives(None, role).await).await
+        self.patiently(what, look).await
     }
 
     /// Waits until the one element rests in view with nothing over it, and answers with a point on it.
@@ -174,12 +161,7 @@ impl Page {
 
     pub(crate) async fn reach_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<(f64, f64)> {
         let what = format!("the {role} \"{name}\"{} can be pressed", place(inside));
-        self.patiently_or(
-            &what,
-            async || self.reachable(inside, role, name).await,
-            async || self.alternatives(inside, role).await,
-        )
-        .await
+        self.patiently(&what, async || self.reachable(inside, role, name).await).await
     }
 
     async fn reachable(&self, inside: Inside<'_>, role: &str, name: &str) -> Result<(f64, f64), String> {
@@ -189,18 +171,16 @@ impl Page {
         }
         let scroll = json!({ "backendNodeId": found.id });
         self.call("DOM.scrollIntoViewIfNeeded", scroll).await.map_err(|trouble| trouble.0)?;
-        let before = self.boxes(found.id).await;
-        let _ = tokio::time::timeout(FRAME, self.eval(NEXT_FRAME)).await;
-        let boxes = self.boxes(found.id).await;
-        if boxes != before {
+        let (before, now) = (self.one(inside, role, name).await?, self.one(inside, role, name).await?);
+        if now != before {
             return Err("it keeps moving".to_owned());
         }
-        let (x, y) = boxes.first().ok_or("it takes no place")?.centre();
+        let (x, y) = now.point;
         let asked = json!([{ "value": x }, { "value": y }]);
-        let hindrance = self.ask(found.id, HINDRANCE, asked).await.map_err(|trouble| trouble.0)?;
-        match hindrance.as_str() {
+        let cover = self.ask(now.id, COVER, asked).await.map_err(|trouble| trouble.0)?;
+        match cover.as_str() {
             Some("") => Ok((x, y)),
-            Some(hindrance) => Err(hindrance.to_owned()),
+            Some(cover) => Err(cover.to_owned()),
             None => Err("the page does not say what is on top of it".to_owned()),
         }
     }
@@ -210,7 +190,7 @@ impl Page {
         let mut nodes = self.find_all_in(inside, role, name).await.map_err(|trouble| trouble.0)?;
         match nodes.len() {
             1 => Ok(nodes.remove(0)),
-            0 => Err("there is none".to_owned()),
+            0 => Err(format!("there is none; {}", self.alternatives(inside, role).await)),
             count => Err(format!("there are {count}: {:?}", nodes.iter().map(|node| node.rect).collect::<Vec<_>>())),
         }
     }
@@ -255,18 +235,13 @@ impl Page {
     /// The element with its place, if it takes any.
     async fn visible(&self, found: &Value) -> Option<Node> {
         let id = found["backendDOMNodeId"].as_i64()?;
-        let boxes = self.boxes(id).await;
+        let quads = self.call("DOM.getContentQuads", json!({ "backendNodeId": id })).await.ok()?;
+        let boxes = quads["quads"].as_array()?.iter().map(|quad| Rect::around(&numbers(quad)));
+        let boxes: Vec<Rect> = boxes.filter(|area| area.width > 0.0 && area.height > 0.0).collect();
         let first = *boxes.first()?;
         let rect = boxes.iter().copied().fold(first, Rect::with);
         let disabled = property(found, "disabled") == Some(&Value::Bool(true));
         Some(Node { id, name: named(found).to_owned(), disabled, rect, point: first.centre() })
-    }
-
-    /// The boxes of an element that take any place; none if it is gone.
-    async fn boxes(&self, id: i64) -> Vec<Rect> {
-        let quads = self.call("DOM.getContentQuads", json!({ "backendNodeId": id })).await.unwrap_or_default();
-        let boxes = quads["quads"].as_array().into_iter().flatten().map(|quad| Rect::around(&numbers(quad)));
-        boxes.filter(|area| area.width > 0.0 && area.height > 0.0).collect()
     }
 
     /// Calls the function `js` with the element as `this`.

@@ -224,17 +224,6 @@ impl Page {
 
     /// Looks again and again until `look` succeeds; its last reason is in the failure.
     pub(crate) async fn patiently<T>(&self, what: &str, look: impl AsyncFn() -> Result<T, String>) -> Outcome<T> {
-        self.patiently_or(what, look, async || String::new()).await
-    }
-
-    /// Waits as `patiently` does. What `instead` tells of the page at last is in the failure too; it is asked once, as to
-    /// look through all of a page costs it much.
-    pub(crate) async fn patiently_or<T>(
-        &self,
-        what: &str,
-        look: impl AsyncFn() -> Result<T, String>,
-        instead: impl AsyncFn() -> String,
-    ) -> Outcome<T> {
         let patience = Duration::from_millis(self.patience_ms.load(Ordering::Relaxed));
         let began = Instant::now();
         loop {
@@ -242,9 +231,7 @@ impl Page {
                 Ok(found) => return Ok(found),
                 Err(why) if began.elapsed() >= patience || self.wire.closed() => {
                     let waited = began.elapsed().as_secs_f64();
-                    let instead = instead().await;
-                    let instead = if instead.is_empty() { instead } else { format!("; {instead}") };
-                    return Err(self.fail(&format!("{what}: not within {waited:.1} s; {why}{instead}")).await);
+                    return Err(self.fail(&format!("{what}: not within {waited:.1} s; {why}")).await);
                 }
                 Err(_) => tokio::time::sleep(LOOK).await,
             }
