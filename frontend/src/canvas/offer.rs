@@ -1,11 +1,10 @@
 //! The offer: what can come after a stream, as a menu where a wire was dropped or where an edge has its plus.
 
 use super::Stage;
-use super::wire::focus_soon;
 use crate::browser;
 use crate::desk::{Desk, Dialog, Gap, GraphChoice, NewSpot, Selected, use_desk};
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::STREAM_HEIGHT;
@@ -56,7 +55,7 @@ impl Stage {
     /// Opens an offer; the keyboard goes into it.
     pub(super) fn offer(&self, offering: Offering) {
         self.offering.set(Some(offering));
-        focus_soon(".offer [role=menuitem]");
+        focus::place(FocusPlace::Offer);
     }
 
     /// Offers what is asked for elsewhere in the page: actions beside their stream, the rest in its dialog.
@@ -150,7 +149,7 @@ fn Items(desk: Desk, stage: Stage, offering: Offering, finds: RwSignal<bool>) ->
         untrack(|| if offering.acts { actions(&desk, &offering.input) } else { after(&desk, &offering.input, in_gap) });
     let find = move |_| {
         finds.set(true);
-        focus_soon(".offer input");
+        focus::place(FocusPlace::OfferField);
     };
     view! {
         {offers.into_iter().enumerate().map(|(at, offer)| {

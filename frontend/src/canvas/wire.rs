@@ -7,7 +7,6 @@ use super::hand::StagePoint;
 use super::offer::Offering;
 use crate::desk::{CarriedItem, Desk, Joining, Selected, WireEnd, use_desk, wire_ends};
 use crate::escape;
-use crate::focus;
 use crate::keys::PressedKey;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};
 use crate::words;
@@ -354,9 +353,4 @@ pub(super) fn under(x: f32, y: f32) -> (Option<Id>, bool) {
         && found.closest("#stage").ok().flatten().is_some()
         && found.closest("button, .strip, .zoom, .menu, [data-note], [data-group]").ok().flatten().is_none();
     (marked, is_paper)
-}
-
-/// Gives the keyboard to the offer, once it is there.
-pub(super) fn focus_soon(selector: &str) {
-    focus::soon_of_second_piece(30, selector, focus::focus);
 }

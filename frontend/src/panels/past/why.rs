@@ -11,6 +11,7 @@ use super::media::page_element;
 use super::then::ReasonWanted;
 use super::{PastShared, clock, filling};
 use crate::desk::{Lit, Selected};
+use crate::focus::{self, FocusPlace};
 use crate::panels::language::language;
 use crate::words;
 use behaviour::{Id, StreamKind};
@@ -302,7 +303,7 @@ impl PastShared {
         });
         self.viewer.update(|viewer| viewer.set_question(question));
         self.then.answer.set(Some(answer));
-        view::to_answer();
+        focus::place(FocusPlace::Answer);
     }
 
     /// Closes the answer; the keyboard goes back to the panel.

@@ -6,7 +6,7 @@ use super::warned::{Warned, problem_of};
 use crate::browser;
 use crate::canvas::Stage;
 use crate::desk::{Desk, Lit, Selected};
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::keys::PressedKey;
 use crate::parts::{DeskHold, hold};
 use crate::words;
@@ -66,13 +66,7 @@ fn stay(row: NodeRef<leptos::html::Li>) {
     let Some(row) = row.get_untracked() else { return };
     let Some(active) = focus::active() else { return };
     let Some(at) = focus::all(&row, ".phrase").iter().position(|phrase| phrase.contains(Some(&active))) else { return };
-    browser::after(0, move || {
-        let phrases = focus::all(&row, ".phrase");
-        let phrase = phrases.get(at).or(phrases.last());
-        if let Some(stop) = phrase.and_then(|phrase| focus::all(phrase, "[data-stop]").into_iter().next()) {
-            focus::focus(&stop);
-        }
-    });
+    focus::place(FocusPlace::Phrase(row.into(), at));
 }
 
 /// Whether what leads to its action passed something on within the last second. Reactive.
