@@ -18,8 +18,6 @@ use web_sys::{Element, FocusEvent, HtmlElement, KeyboardEvent, Node};
 
 /// The greatest size of the menu, in pixels.
 const SIZE: (f64, f64) = (290.0, 400.0);
-/// The time that what is selected needs to be in view, in milliseconds.
-const SHOWN_MS: i32 = 80;
 /// Room kept from the edges of the stage, in pixels.
 const EDGE: f64 = 8.0;
 
@@ -79,7 +77,7 @@ impl Stage {
         }
         let below = Place { x: place.x, y: place.y + STREAM_HEIGHT };
         let (stage, offering) = (self.clone(), Offering::actions(id.clone(), below));
-        browser::after(SHOWN_MS, move || stage.offer(offering));
+        browser::rendered(move || stage.offer(offering));
     }
 }
 

@@ -42,8 +42,14 @@ pub(crate) enum FocusPlace {
     /// The first command in the dialog that lists them, and the first thing that a search in a dialog found.
     Command,
     Found,
-    /// The version of the history that Tab comes to.
+    /// The version of the history that Tab comes to, the field for the name of one, and what goes back to one.
     Version,
+    VersionName,
+    GoBack,
+    /// The link of a new invitation.
+    InvitationLink,
+    /// What is said where there will be no link again.
+    EndedTitle,
     /// The first of an element that Tab reaches, that arrow keys reach, or that is an item of its menu.
     First(Element),
     FirstStop(Element),
@@ -104,6 +110,10 @@ impl FocusPlace {
             Self::Command => ".commands-list .menu-item:not(:disabled)",
             Self::Found => ".dialog .found :is(.item:not([aria-disabled='true']), .menu-item:not(:disabled))",
             Self::Version => ".history [data-stop][tabindex='0']",
+            Self::VersionName => "#version-name",
+            Self::GoBack => "#go-back-yes",
+            Self::InvitationLink => "#invitation-link",
+            Self::EndedTitle => "#ended-title",
         };
         first(selector)
     }
