@@ -29,7 +29,7 @@ mod waiting;
 
 use crate::browser;
 use crate::desk::{Dialog, TILES_QUERY};
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::later::{NotHere, second_piece};
 use crate::parts::{DeskHold, hold};
 use crate::words;
@@ -190,7 +190,8 @@ fn give_focus_back(open: Memo<Option<Dialog>>) {
 
 fn give_back(to: Option<HtmlElement>) {
     let there = to.filter(|element| element.is_connected() && element.tag_name() != "BODY");
-    if let Some(element) = there.or_else(|| focus::by_id("stage")) {
-        focus::focus(&element);
+    match there {
+        Some(element) => focus::focus(&element),
+        None => drop(FocusPlace::Graph.take()),
     }
 }
