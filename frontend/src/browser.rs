@@ -122,6 +122,11 @@ pub(crate) fn after(ms: i32, act: impl FnOnce() + 'static) {
     let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(act.unchecked_ref(), ms);
 }
 
+/// Does something once what is being rendered is in the page: in the task after the one in which all effects of it run.
+pub(crate) fn rendered(act: impl FnOnce() + 'static) {
+    after(0, act);
+}
+
 /// Does something before the browser draws next, whatever becomes of the component that asked.
 pub(crate) fn next_frame(act: impl FnOnce() + 'static) {
     if let Some(window) = window() {

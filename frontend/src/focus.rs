@@ -1,17 +1,18 @@
 //! Where the keyboard is: walking through a group with arrow keys, and what can be focused in a dialog.
 
+mod places;
+mod wanted;
+
 use crate::desk::{Desk, Selected};
 use crate::keys::PressedKey;
-use crate::later::once_here;
 use leptos::prelude::*;
+pub(crate) use places::FocusPlace;
+pub(crate) use wanted::{place, when_there};
 use wasm_bindgen::JsCast;
-use web_sys::{Document, Element, HtmlElement, HtmlInputElement, KeyboardEvent};
+use web_sys::{Document, Element, FocusOptions, HtmlElement, HtmlInputElement, KeyboardEvent};
 
 const FOCUSABLE: &str = "a[href], button:not(:disabled):not([tabindex='-1']), input:not(:disabled):not([type='radio']:not(:checked)), select:not(:disabled), \
     textarea:not(:disabled), [tabindex='0']";
-
-/// A moment for the buttons of what is chosen to be there, in milliseconds.
-const SHOWN_MS: i32 = 60;
 
 /// Selects the fields in which one types.
 const FIELD: &str = "input, textarea, select";
@@ -55,36 +56,17 @@ impl FocusBefore {
     }
 }
 
-/// Does something with what a selector finds, `ms` milliseconds later, unless somebody went elsewhere until then.
-pub(crate) fn soon(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'static) {
-    look_after(ms, (FocusBefore::now(), selector.to_owned()), act);
-}
-
-/// As `soon`, for what is of the second piece of the page, however long that takes.
-pub(crate) fn soon_of_second_piece(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'static) {
-    let looked_for = (FocusBefore::now(), selector.to_owned());
-    once_here(move || look_after(ms, looked_for, act));
-}
-
-fn look_after(ms: i32, (before, selector): (FocusBefore, String), act: impl FnOnce(&HtmlElement) + 'static) {
-    crate::browser::after(ms, move || {
-        let found = document().and_then(|document| document.query_selector(&selector).ok().flatten());
-        if let Some(found) = found.filter(|_| !before.is_over()).and_then(|found| found.dyn_into().ok()) {
-            act(&found);
-        }
-    });
-}
-
 /// Chooses a part of the graph and presses one of the buttons it has then, once that is there, unless something else is
 /// chosen by then.
-pub(crate) fn press_of(desk: &Desk, what: &Selected, selector: &str) {
+pub(crate) fn press_of(desk: &Desk, what: &Selected, button: FocusPlace) {
     desk.document.select(Some(what.clone()));
-    let (desk, what) = (desk.clone(), what.clone());
-    soon_of_second_piece(SHOWN_MS, selector, move |button| {
-        if desk.document.selected.with_untracked(|now| now.as_ref() == Some(&what)) {
-            button.click();
-        }
-    });
+    when_there(button, while_chosen(desk, what), HtmlElement::click);
+}
+
+/// Returns what says whether a part of the graph is still the chosen one.
+pub(crate) fn while_chosen(desk: &Desk, what: &Selected) -> impl Fn() -> bool + 'static {
+    let (document, what) = (desk.document.clone(), what.clone());
+    move || document.selected.with_untracked(|now| now.as_ref() == Some(&what))
 }
 
 /// One element by its id.
@@ -97,12 +79,26 @@ pub(crate) fn focus(element: &HtmlElement) {
     let _ = element.focus();
 }
 
+/// Gives something the keyboard without scrolling to it.
+pub(crate) fn focus_in_place(element: &HtmlElement) {
+    let how = FocusOptions::new();
+    how.set_prevent_scroll(true);
+    let _ = element.focus_with_options(&how);
+}
+
+/// Gives something the keyboard; of a field all of its text is chosen.
+pub(crate) fn focus_whole(element: &HtmlElement) {
+    focus(element);
+    if let Some(field) = element.dyn_ref::<HtmlInputElement>() {
+        field.select();
+    }
+}
+
 /// Gives a field the keyboard with all of its text chosen, so that typing replaces it.
 pub(crate) fn type_over(field: &HtmlInputElement, text: &str) {
     // It may not have its text yet, and what comes after it was chosen would be kept.
     field.set_value(text);
-    focus(field);
-    field.select();
+    focus_whole(field);
 }
 
 /// Everything in `root` that Tab reaches and that is shown, in order.
@@ -176,18 +172,9 @@ pub(crate) fn back_to_field(event: &web_sys::MouseEvent) {
 
 /// Takes the keyboard from what mended a problem and is gone: to what had the problem, or within the dialog that lists it.
 pub(crate) fn after_mending(id: &behaviour::Id, dialog: Option<&HtmlElement>) {
-    let part = || {
-        document()?
-            .query_selector(&format!("#stage :is([data-node='{id}'], [data-chip='{id}'], [data-row='{id}'])"))
-            .ok()?
-    };
-    let within = |dialog: &HtmlElement| focusable(dialog).into_iter().next();
-    let next = match dialog {
-        Some(dialog) => within(dialog),
-        None => part().and_then(|part| part.dyn_into().ok()).or_else(|| by_id("stage")),
-    };
-    if let Some(next) = next {
-        focus(&next);
+    match dialog {
+        Some(dialog) => drop(FocusPlace::First(dialog.clone().into()).take()),
+        None => drop(FocusPlace::Part(id.clone()).take().or_else(|| FocusPlace::Graph.take())),
     }
 }
 

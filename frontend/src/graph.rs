@@ -61,9 +61,10 @@ pub(crate) use several::several;
 pub(crate) use stage::Stage;
 pub(crate) use strip::strip;
 
+use crate::browser;
 use crate::desk::{Desk, FocusTarget, Lit, Selected, use_desk};
+use crate::focus::{self, FocusPlace};
 use crate::later::{Later, LazyViews, second_piece};
-use crate::{browser, focus};
 use chip::Chip;
 use far::Edges;
 use follow::Following;
@@ -73,7 +74,6 @@ use paper::Paper;
 use people::Pointers;
 use plus::Pluses;
 use several::Lasso;
-use wasm_bindgen::JsCast;
 use wire::{Handles, WireLine, WireWords};
 use zoom::Zoom;
 
@@ -316,10 +316,7 @@ pub(crate) fn ToGraph() -> impl IntoView {
     let desk = use_desk();
     let ids = desk.document.stream_ids.clone();
     let go = move |_| {
-        let stop = document().query_selector("#stage .stream[tabindex='0']").ok().flatten();
-        if let Some(stop) = stop.and_then(|stop| stop.dyn_into::<web_sys::HtmlElement>().ok()) {
-            let _ = stop.focus();
-        }
+        FocusPlace::GraphStop.take();
     };
     move || {
         (!ids.with(Vec::is_empty))

@@ -10,7 +10,7 @@ use crate::browser;
 use crate::commands::{CommandGroup, Needs, On, Panel};
 use crate::desk::{LinkState, OpenVersion};
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::done;
@@ -196,10 +196,5 @@ fn end_from_outside(desk: DeskHold) {
 
 /// The line that Tab comes to has the keyboard again.
 fn back_to_lines() {
-    let document = browser::window().and_then(|window| window.document());
-    let stop =
-        document.and_then(|document| document.query_selector(".history [data-stop][tabindex='0']").ok().flatten());
-    if let Some(stop) = stop.and_then(|stop| stop.dyn_into::<web_sys::HtmlElement>().ok()) {
-        focus::focus(&stop);
-    }
+    FocusPlace::Version.take();
 }

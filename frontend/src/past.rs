@@ -30,7 +30,7 @@ mod words;
 
 use crate::browser;
 use crate::desk::{LinkState, OpenPast};
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::parts::{DeskHold, hold};
 use behaviour::Id;
 use lanes::{Density, LaneAct, Viewer};
@@ -187,9 +187,7 @@ fn close(past: PastShared) {
     {
         let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some(&format!("/{hash}")));
     }
-    if let Some(stage) = focus::by_id("stage") {
-        focus::focus(&stage);
-    }
+    FocusPlace::Graph.take();
 }
 
 impl PastShared {

@@ -32,8 +32,6 @@ const SOON_MS: i32 = 60;
 const TYPES_MS: i32 = 300;
 /// How long after Start what was seen is asked about, in milliseconds.
 const SEEN_MS: i32 = 2_500;
-/// A moment for sentences to be in the page, in milliseconds.
-const STOP_MS: i32 = 60;
 /// Where it is kept that somebody wants to see no sentences.
 const FOLDED: &str = "rrp.sentences.folded";
 /// How high the bar is tells the rest of the page by this name.
@@ -84,7 +82,7 @@ fn Told() -> impl IntoView {
     Effect::new(move |_| {
         told.track();
         shown.track();
-        browser::after(STOP_MS, move || tab_stop(root));
+        browser::rendered(move || tab_stop(root));
     });
     let fold = move |_| {
         let fold = !folded.get_untracked();
@@ -113,7 +111,7 @@ fn Told() -> impl IntoView {
                 warned.hide();
             }
         };
-        if moment { browser::after(0, end) } else { end() }
+        if moment { browser::rendered(end) } else { end() }
     };
     let rows = move || shown.get().rows;
     view! {

@@ -61,8 +61,8 @@ impl Back {
     fn bring(self, desk: DeskHold) {
         self.refusal.set(None);
         desk.desk().document.bring_back(self.record.get_value(), move |answer| match answer {
-            // A moment later, when the dialog has noticed that it is there again.
-            Ok(()) => browser::after(0, move || {
+            // Once the dialog has noticed that it is there again.
+            Ok(()) => browser::rendered(move || {
                 self.save.try_run(());
             }),
             Err(Refused::Change(Refusal::Gone)) => self.say(words::cannot_bring_back()),

@@ -11,15 +11,14 @@ use crate::escape;
 use crate::graph::words;
 use crate::keys::PressedKey;
 use behaviour::Id;
+use crate::focus::{self, FocusPlace};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
-use web_sys::{HtmlElement, KeyboardEvent};
+use web_sys::KeyboardEvent;
 
 /// The menu's size about, in pixels.
 const WIDTH: f64 = 260.0;
 const ROW: f64 = 44.0;
-/// A moment for the menu to go and the keyboard to be where it is wanted, in milliseconds.
-const GONE_MS: i32 = 40;
 
 /// An open menu.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,7 +95,7 @@ fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
     let root = NodeRef::<leptos::html::Div>::new();
     Effect::new(move |_| {
         root.track();
-        focus_first(root);
+        first_item(root).iter().for_each(|first| drop(first.take()));
     });
     let (keys, left) = (stage.clone(), stage.clone());
     let about = context.about.clone();
@@ -108,7 +107,7 @@ fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
         }
         let to = event.related_target().and_then(|to| to.dyn_into::<web_sys::Element>().ok());
         if to.is_some_and(|to| to.closest("#stage").ok().flatten().is_some()) {
-            browser::after(0, move || focus_first(root));
+            first_item(root).into_iter().for_each(focus::place);
         } else {
             left.forget_menu();
         }
@@ -116,7 +115,7 @@ fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
     let key = move |event: KeyboardEvent| {
         let close = || {
             keys.forget_menu();
-            give_keyboard(about.as_ref().map(Selected::id));
+            give_keyboard(about.as_ref());
         };
         if escape::ends(&event, close) {
             return event.stop_propagation();
@@ -143,9 +142,9 @@ fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
                         return;
                     }
                     stage.forget_menu();
-                    give_keyboard(about.as_ref().map(Selected::id));
+                    give_keyboard(about.as_ref());
                     let desk = desk.clone();
-                    browser::after(GONE_MS, move || command.run(&desk));
+                    browser::rendered(move || command.run(&desk));
                 };
                 let keys = command.keys.split(' ').filter(|key| !key.is_empty());
                 view! {
@@ -159,22 +158,11 @@ fn Items(desk: Desk, stage: Stage, context: ContextMenu) -> impl IntoView {
     }
 }
 
-fn focus_first(root: NodeRef<leptos::html::Div>) {
-    let menu = root.try_get_untracked().flatten();
-    let first = menu.and_then(|menu| menu.query_selector("[role=menuitem]").ok().flatten());
-    if let Some(first) = first.and_then(|first| first.dyn_into::<HtmlElement>().ok()) {
-        let _ = first.focus();
-    }
+fn first_item(root: NodeRef<leptos::html::Div>) -> Option<FocusPlace> {
+    root.try_get_untracked().flatten().map(|menu| FocusPlace::FirstItem(menu.into()))
 }
 
-/// Gives the keyboard to a stream or a chip, else to the graph.
-fn give_keyboard(id: Option<&Id>) {
-    let selector = id.map_or_else(
-        || "#stage".to_owned(),
-        |id| format!("#stage :is([data-node='{id}'], [data-chip='{id}'], [data-note='{id}'], [data-group='{id}'])"),
-    );
-    let found = document().query_selector(&selector).ok().flatten();
-    if let Some(found) = found.and_then(|found| found.dyn_into::<HtmlElement>().ok()) {
-        let _ = found.focus();
-    }
+/// Gives the keyboard to a part of the graph, else to the graph.
+fn give_keyboard(about: Option<&Selected>) {
+    about.map_or(FocusPlace::Graph, |about| FocusPlace::Part(about.id().clone())).take();
 }

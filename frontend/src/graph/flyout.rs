@@ -5,17 +5,15 @@ use super::chip::chip_of;
 use super::pointers::edit;
 use super::strip_spot::EDGE;
 use super::view::CanvasBounds;
-use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
-use crate::focus;
-use crate::later::{Later, once_here};
+use crate::focus::{self, FocusBefore, FocusPlace};
+use crate::later::Later;
 use crate::layout::{CHIP_HEIGHT, chip_width, chip_words};
 use crate::parts::ProblemList;
 use behaviour::Id;
 use leptos::prelude::*;
-use wasm_bindgen::JsCast;
-use web_sys::{HtmlElement, HtmlInputElement, KeyboardEvent};
+use web_sys::KeyboardEvent;
 
 /// The flyout's size about, and its distance from the chip, in pixels.
 const SIZE: (f64, f64) = (290.0, 214.0);
@@ -23,54 +21,22 @@ const NEAR: f64 = 12.0;
 /// The height above its chip at which it begins, which leaves the stream above free, in pixels.
 const HIGHER: f64 = 10.0;
 
-/// After so long the control is looked for again, in milliseconds, and how often it is.
-const SOON_MS: i32 = 50;
-const LOOKS_MAX: u32 = 20;
-/// The fields of a control to which the keyboard comes first.
-const FIELDS: [&str; 3] = [".flyout .stepper input", ".flyout select:enabled", ".flyout .held .button.primary"];
-
 /// Gives the keyboard to the control of the selected connector once it is there; what has nothing to be changed in place
 /// opens its dialog.
 pub(super) fn enter(desk: &Desk, id: &Id) {
     let (desk, what) = (desk.clone(), Selected::Connector(id.clone()));
-    let before = focus::FocusBefore::now();
-    once_here(move || enter_soon(desk, what, before, LOOKS_MAX));
-}
-
-fn enter_soon(desk: Desk, what: Selected, before: focus::FocusBefore, looks: u32) {
-    browser::after(SOON_MS, move || {
-        let is_still = desk.document.selected.with_untracked(|selected| *selected == Some(what.clone()));
-        // A person who came there faster types already, or has left again.
-        if !is_still || before.is_left() {
-            return;
-        }
-        let field = FIELDS.iter().find_map(|field| element(field));
-        match (field, element(".flyout .control")) {
-            (Some(field), _) => {
-                let _ = field.focus();
-                if let Some(number) = field.dyn_ref::<HtmlInputElement>() {
-                    number.select();
-                }
-            }
-            (None, Some(_)) => edit(&desk, &what),
-            (None, None) if looks > 0 => enter_soon(desk, what, before, looks - 1),
-            (None, None) => {}
-        }
+    let (is_chosen, before) = (focus::while_chosen(&desk, &what), FocusBefore::now());
+    // A person who came there faster types already, or has left again.
+    let is_meant = move || is_chosen() && !before.is_left();
+    focus::when_there(FocusPlace::Control, is_meant, move |_| match FocusPlace::ControlField.element() {
+        Some(field) => focus::focus_whole(&field),
+        None => edit(&desk, &what),
     });
-}
-
-fn element(selector: &str) -> Option<HtmlElement> {
-    document().query_selector(selector).ok().flatten().and_then(|found| found.dyn_into().ok())
 }
 
 /// Escape goes back to the chip.
 fn back(event: &KeyboardEvent, id: &Id) {
-    let back = || {
-        if let Some(chip) = element(&format!("[data-chip='{id}']")) {
-            let _ = chip.focus();
-        }
-    };
-    if escape::ends(event, back) {
+    if escape::ends(event, || drop(FocusPlace::Chip(id.clone()).take())) {
         event.stop_propagation();
     }
 }

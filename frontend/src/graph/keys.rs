@@ -7,7 +7,7 @@ use super::{Stage, flyout};
 use crate::commands::over_time;
 use crate::desk::{Desk, Selected, StepDirection};
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::keys::PressedKey;
 use editor::keys::{EscapeUse, GraphKey, KeyPress, graph_key};
 use leptos::prelude::*;
@@ -170,7 +170,7 @@ fn choose_nothing(desk: &Desk, stage: &Stage) -> bool {
 /// Removes something; the keyboard goes on to what it came from. In the middle of a way it asks how.
 fn remove(desk: &Desk, stage: &Stage, what: &Selected) {
     if matches!(what, Selected::Stream(id) if desk.document.healed_by(id).is_some()) {
-        return focus::press_of(desk, what, ".strip .remove > button");
+        return focus::press_of(desk, what, FocusPlace::Remove);
     }
     let next = desk.document.before_it(what);
     desk.document.remove(what);

@@ -1,16 +1,16 @@
 //! The thunderbolt: every connector that can come out of a stream.
 
-use crate::browser;
 use crate::desk::{Dialog, NewSpot, use_desk};
 use crate::escape;
 use crate::graph::words;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use behaviour::Id;
 use behaviour::connectors::{self, Spec};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, FocusEvent, HtmlElement, KeyboardEvent, Node};
+use web_sys::{FocusEvent, KeyboardEvent, Node};
 
 /// The button and its menu.
 #[component]
@@ -37,7 +37,9 @@ pub(super) fn BoltMenu(input: Id) -> impl IntoView {
                 aria-haspopup="menu" aria-expanded=move || expanded.get().to_string()
                 on:click=move |_| {
                     toggle.update(|open| *open = !*open);
-                    browser::after(20, move || step(root, |_, _| 0));
+                    if let Some(root) = root.get_untracked() {
+                        focus::place(FocusPlace::FirstItem(root.into()));
+                    }
                 }>
                 <Icon name="bolt" />
             </button>
@@ -65,8 +67,8 @@ fn key(event: &KeyboardEvent, open: &ArcRwSignal<bool>, root: NodeRef<leptos::ht
     }
     let close = || {
         open.set(false);
-        if let Some(button) = root.get_untracked().and_then(|root| root.query_selector("button").ok().flatten()) {
-            focus(&button);
+        if let Some(root) = root.get_untracked() {
+            FocusPlace::First(root.into()).take();
         }
     };
     if escape::ends(event, close) {
@@ -95,16 +97,9 @@ fn left(event: &FocusEvent, open: &ArcRwSignal<bool>) {
 
 fn step(root: NodeRef<leptos::html::Div>, next: impl Fn(usize, usize) -> usize) {
     let Some(root) = root.get_untracked() else { return };
-    let Ok(items) = root.query_selector_all("[role=menuitem]") else { return };
-    let items: Vec<Element> = (0..items.length()).filter_map(|at| items.item(at)?.dyn_into().ok()).collect();
+    let items = focus::all(&root, "[role=menuitem]");
     let Some(last) = items.len().checked_sub(1) else { return };
-    let now = document().active_element();
+    let now = focus::active();
     let at = items.iter().position(|item| Some(item) == now.as_ref());
-    focus(&items[at.map_or(0, |at| next(at, items.len())).min(last)]);
-}
-
-fn focus(element: &Element) {
-    if let Some(element) = element.dyn_ref::<HtmlElement>() {
-        let _ = element.focus();
-    }
+    focus::focus(&items[at.map_or(0, |at| next(at, items.len())).min(last)]);
 }

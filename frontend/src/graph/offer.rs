@@ -1,12 +1,11 @@
 //! The offer: what can come after a stream, as a menu where a wire was dropped or where an edge has its plus.
 
 use super::Stage;
-use super::wire::focus_soon;
 use crate::browser;
 use crate::desk::{Desk, Dialog, Gap, GraphChoice, NewSpot, Selected, use_desk};
 use crate::escape;
-use crate::focus;
 use crate::graph::words;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::STREAM_HEIGHT;
@@ -19,8 +18,6 @@ use web_sys::{Element, FocusEvent, HtmlElement, KeyboardEvent, Node};
 
 /// The greatest size of the menu, in pixels.
 const SIZE: (f64, f64) = (290.0, 400.0);
-/// The time that what is selected needs to be in view, in milliseconds.
-const SHOWN_MS: i32 = 80;
 /// Room kept from the edges of the stage, in pixels.
 const EDGE: f64 = 8.0;
 
@@ -56,7 +53,7 @@ impl Stage {
     /// Opens an offer; the keyboard goes into it.
     pub(super) fn offer(&self, offering: Offering) {
         self.offering.set(Some(offering));
-        focus_soon(".offer [role=menuitem]");
+        focus::place(FocusPlace::Offer);
     }
 
     /// Offers what is asked for elsewhere in the page: actions beside their stream, the rest in its dialog.
@@ -80,7 +77,7 @@ impl Stage {
         }
         let below = Place { x: place.x, y: place.y + STREAM_HEIGHT };
         let (stage, offering) = (self.clone(), Offering::actions(id.clone(), below));
-        browser::after(SHOWN_MS, move || stage.offer(offering));
+        browser::rendered(move || stage.offer(offering));
     }
 }
 
@@ -150,7 +147,7 @@ fn Items(desk: Desk, stage: Stage, offering: Offering, finds: RwSignal<bool>) ->
         untrack(|| if offering.acts { actions(&desk, &offering.input) } else { after(&desk, &offering.input, in_gap) });
     let find = move |_| {
         finds.set(true);
-        focus_soon(".offer input");
+        focus::place(FocusPlace::OfferField);
     };
     view! {
         {offers.into_iter().enumerate().map(|(at, offer)| {

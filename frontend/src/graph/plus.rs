@@ -8,13 +8,14 @@ use super::hand::StagePoint;
 use super::offer::Offering;
 use crate::desk::{Desk, Gap, Selected, use_desk};
 use crate::graph::words;
+use crate::focus;
 use crate::icons::Icon;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};
 use behaviour::{Id, Place};
 use leptos::prelude::*;
 use protocol::Role;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, FocusOptions, HtmlElement};
+use web_sys::{Element, HtmlElement};
 
 /// The distance from an edge at which its plus appears, in pixels.
 const NEAR: f64 = 12.0;
@@ -71,9 +72,7 @@ pub(super) fn plus_below(id: &Id) -> Option<HtmlElement> {
 impl Stage {
     /// Gives a plus the keyboard; its chip comes into view.
     pub(super) fn focus_plus(&self, plus: &HtmlElement) {
-        let how = FocusOptions::new();
-        how.set_prevent_scroll(true);
-        let _ = plus.focus_with_options(&how);
+        focus::focus_in_place(plus);
         if let Some(chip) = id_of(plus, "data-into") {
             self.reveal_chip(&chip);
         }

@@ -15,7 +15,7 @@ use super::view::{CanvasBounds, View};
 use super::wire::{Wire, WireTargets, targets_memo};
 use crate::browser;
 use crate::desk::{Desk, Gap, OtherEditor, Selected, settled};
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::later::{SecondPiece, second_piece};
 use crate::layout::VALUE_ROOM;
 use behaviour::{Connector, Id, Place, Problem, ProblemKind, StreamKind};
@@ -24,7 +24,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wasm_bindgen::JsCast;
-use web_sys::{Element, FocusEvent, FocusOptions, HtmlElement};
+use web_sys::{Element, FocusEvent};
 
 /// After so long without a move a gesture rests, in milliseconds.
 const REST_MS: i32 = 220;
@@ -377,14 +377,7 @@ impl Stage {
     fn focus_if(&self, id: &Id, free: impl Fn() -> bool + 'static) {
         self.came_to(id);
         self.reveal(id);
-        let marks = format!("#stage :is([data-node='{id}'], [data-note='{id}'], [data-group='{id}'])");
-        focus::soon(30, &marks, move |node| {
-            if free() {
-                let how = FocusOptions::new();
-                how.set_prevent_scroll(true);
-                let _ = node.focus_with_options(&how);
-            }
-        });
+        focus::when_there(FocusPlace::Shape(id.clone()), free, focus::focus_in_place);
     }
 
     /// A stream that got the keyboard by Tab comes into view.
@@ -488,13 +481,7 @@ impl Stage {
         }
         match first {
             Some(first) => self.focus_if(&first, free),
-            None => {
-                let stage =
-                    document().get_element_by_id("stage").and_then(|stage| stage.dyn_into::<HtmlElement>().ok());
-                if let Some(stage) = stage {
-                    let _ = stage.focus();
-                }
-            }
+            None => drop(FocusPlace::Graph.take()),
         }
     }
 

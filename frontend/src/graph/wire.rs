@@ -355,8 +355,3 @@ pub(super) fn under(x: f32, y: f32) -> (Option<Id>, bool) {
         && found.closest("button, .strip, .zoom, .menu, [data-note], [data-group]").ok().flatten().is_none();
     (marked, is_paper)
 }
-
-/// Gives the keyboard to the offer, once it is there.
-pub(super) fn focus_soon(selector: &str) {
-    focus::soon_of_second_piece(30, selector, focus::focus);
-}

@@ -5,6 +5,7 @@ use super::sittings::ReaderClock;
 use crate::browser;
 use crate::desk::{ComparedVersions, LinkState, OpenVersion};
 use crate::history::words;
+use crate::focus::{self, FocusPlace};
 use crate::layout::{called, whole};
 use crate::parts::{DeskHold, hold};
 use behaviour::{Difference, FillFrom, RecordId};
@@ -214,12 +215,7 @@ fn Buttons(asks: RwSignal<bool>) -> impl IntoView {
 #[component]
 fn Sure(was: u64, asks: RwSignal<bool>) -> impl IntoView {
     let desk = hold();
-    let yes = NodeRef::<leptos::html::Button>::new();
-    Effect::new(move |_| {
-        if let Some(yes) = yes.get() {
-            let _ = request_animation_frame(move || crate::focus::focus(&yes));
-        }
-    });
+    focus::place(FocusPlace::GoBack);
     let go_back = move |_| {
         let document = desk.desk().document;
         let at = document.history.with_untracked(|history| history.line(was).map(|line| line.at_ms));
@@ -229,7 +225,7 @@ fn Sure(was: u64, asks: RwSignal<bool>) -> impl IntoView {
     view! {
         <p class="second" id="go-back-asks">{words::go_back_asks()}</p>
         <div class="history-buttons">
-            <button class="button primary" type="button" aria-describedby="go-back-asks" node_ref=yes on:click=go_back>{words::go_back_yes()}</button>
+            <button class="button primary" type="button" id="go-back-yes" aria-describedby="go-back-asks" on:click=go_back>{words::go_back_yes()}</button>
             <button class="button" type="button" on:click=move |_| asks.set(false)>{words::go_back_no()}</button>
         </div>
     }

@@ -1,8 +1,8 @@
 //! Giving a version a name, where the list begins.
 
 use super::back_to_lines;
-use crate::focus;
 use crate::history::words;
+use crate::focus::{self, FocusPlace};
 use crate::link::NoAnswer;
 use crate::parts::hold;
 use behaviour::CHECKPOINT_NAME_MAX_CHARS;
@@ -15,11 +15,7 @@ pub(super) fn Naming(revision: u64, names: RwSignal<Option<u64>>) -> impl IntoVi
     let desk = hold();
     let field = NodeRef::<html::Input>::new();
     let refused: RwSignal<Option<String>> = RwSignal::new(None);
-    Effect::new(move |_| {
-        if let Some(field) = field.get() {
-            let _ = request_animation_frame(move || focus::focus(&field));
-        }
-    });
+    focus::place(FocusPlace::VersionName);
     let save = move |event: leptos::ev::SubmitEvent| {
         event.prevent_default();
         let name = field.get_untracked().map(|field| field.value()).unwrap_or_default();

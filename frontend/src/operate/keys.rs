@@ -3,7 +3,7 @@
 
 use super::OperateShared;
 use crate::browser;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::keys::PressedKey;
 use crate::robots::is_plain;
 use leptos::prelude::*;
@@ -62,7 +62,7 @@ fn press_tile(op: OperateShared, number: usize) -> bool {
 fn write_note(op: OperateShared) -> bool {
     let is_one = op.open_note();
     if is_one {
-        focus::soon(0, "#op-note", focus::focus);
+        focus::place(FocusPlace::MarkNote);
     }
     is_one
 }

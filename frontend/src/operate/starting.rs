@@ -6,7 +6,7 @@ use super::marking::MarkButton;
 use crate::browser::{self, Drawer};
 use crate::desk::LinkState;
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::link::NoAnswer;
 use crate::operate::words;
@@ -76,7 +76,7 @@ pub(super) fn Card(op: OperateShared) -> impl IntoView {
     Effect::new(move |before: Option<bool>| {
         let shown = shown.get();
         if shown {
-            focus::soon(0, "#op-code", focus::focus);
+            focus::place(FocusPlace::ParticipantCode);
         } else if before == Some(true) {
             op.uncovered.set(browser::today_ms());
         }

@@ -6,7 +6,7 @@ use super::marks::Mark;
 use super::pad::TileWork;
 use crate::browser;
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::operate::words;
 use behaviour::Id;
@@ -128,7 +128,7 @@ impl OperateShared {
         let Some(mark) = mark else { return };
         self.verdict.of.set(Some(mark));
         self.whisper(words::how_was_it());
-        focus::soon(0, ".op-verdict button", focus::focus);
+        focus::place(FocusPlace::Verdict);
     }
 
     /// The mark whose verdict is asked, while it is there. Reactive.
@@ -144,13 +144,13 @@ impl OperateShared {
         self.whisper(words::verdict(sort));
         if sort == MarkSort::Now {
             self.open_note_of(&id);
-            focus::soon(0, "#op-note", focus::focus);
+            focus::place(FocusPlace::MarkNote);
         }
     }
 
     fn leave_verdict(self) {
         self.verdict.of.set(None);
-        focus::soon(0, ".op-mark", focus::focus);
+        focus::place(FocusPlace::MarkButton);
     }
 }
 

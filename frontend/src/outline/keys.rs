@@ -2,8 +2,8 @@
 
 use crate::desk::{Desk, Dialog, Selected};
 use crate::escape;
-use crate::focus;
 use crate::graph::edit;
+use crate::focus::{self, FocusPlace};
 use crate::keys::PressedKey;
 use crate::later::SecondPiece;
 use editor::keys::EscapeUse;
@@ -46,7 +46,7 @@ fn deselect(event: &KeyboardEvent, desk: &Desk) {
 fn remove(desk: &Desk, what: &Selected) {
     match what {
         Selected::Stream(id) if desk.document.healed_by(id).is_some() => {
-            focus::press_of(desk, what, ".strip-inline .remove > button")
+            focus::press_of(desk, what, FocusPlace::RemoveRow)
         }
         Selected::Stream(_) | Selected::Connector(_) | Selected::Note(_) | Selected::Group(_) => {
             desk.document.remove(what)

@@ -7,9 +7,6 @@ use crate::parts::{MenuItem, hold};
 use leptos::prelude::*;
 use protocol::Role;
 
-/// A moment for the menu to go, in milliseconds.
-const GONE_MS: i32 = 40;
-
 /// The commands of a menu, as a view, with a line between those about different things. What only the host may do is not
 /// there for others.
 pub(crate) fn row_menu(on: On) -> AnyView {
@@ -24,7 +21,8 @@ pub(crate) fn row_menu(on: On) -> AnyView {
         let no = untrack(|| !command.can_be_done(&desk.desk()));
         let run = Callback::new(move |()| {
             let desk = desk.desk();
-            browser::after(GONE_MS, move || command.run(&desk));
+            // The menu is gone then.
+            browser::rendered(move || command.run(&desk));
         });
         let is_next = before.replace(command.group).is_some_and(|before| before != command.group);
         view! {

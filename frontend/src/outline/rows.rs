@@ -3,7 +3,7 @@
 use super::strip::Strip;
 use crate::browser;
 use crate::desk::{Selected, UnsavedMark};
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
 use crate::live::rate_words;
@@ -94,7 +94,7 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
             on:click=move |_| desk.desk().document.select(Some(what.clone()))
             on:contextmenu=move |event| {
                 event.prevent_default();
-                focus::press_of(&desk.desk(), &asked, ".strip-inline .more > button");
+                focus::press_of(&desk.desk(), &asked, FocusPlace::MoreOfRow);
             }>
             {children()}
             {move || unused.get().then(|| view! {

@@ -3,10 +3,11 @@
 use super::help;
 use crate::desk::{Dialog, TILES_QUERY};
 use crate::dialogs::Frame;
+use crate::focus::{self, FocusPlace};
 use crate::later::{NotHere, second_piece};
 use crate::page::words;
 use crate::parts::{DeskHold, hold};
-use crate::{browser, conflicts, focus, forms, library, operate, palette, people, robots};
+use crate::{browser, conflicts, forms, library, operate, palette, people, robots};
 use leptos::prelude::*;
 use protocol::Role;
 use web_sys::HtmlElement;
@@ -163,7 +164,8 @@ fn give_focus_back(open: Memo<Option<Dialog>>) {
 
 fn give_back(to: Option<HtmlElement>) {
     let there = to.filter(|element| element.is_connected() && element.tag_name() != "BODY");
-    if let Some(element) = there.or_else(|| focus::by_id("stage")) {
-        focus::focus(&element);
+    match there {
+        Some(element) => focus::focus(&element),
+        None => drop(FocusPlace::Graph.take()),
     }
 }

@@ -1,12 +1,10 @@
 //! What is seen where there will be no link again: calm, and nothing that goes on pretending.
 
 use crate::browser;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::link::LinkEnd;
 use crate::page::words;
 use leptos::prelude::*;
-
-const TITLE_ID: &str = "ended-title";
 
 /// Loads the page anew, which keeps what is not saved yet.
 fn again() {
@@ -18,7 +16,7 @@ fn again() {
 /// In place of the whole page; only Stop stays, which is none of the program's.
 #[component]
 pub(crate) fn Ended(end: LinkEnd) -> impl IntoView {
-    let _ = request_animation_frame(|| focus::by_id(TITLE_ID).iter().for_each(focus::focus));
+    focus::place(FocusPlace::EndedTitle);
     let [title, says] = match end {
         LinkEnd::Revoked => [words::revoked_title(), words::revoked_says()],
         LinkEnd::GaveWay => [words::gave_way_title(), words::gave_way_says()],
@@ -31,7 +29,7 @@ pub(crate) fn Ended(end: LinkEnd) -> impl IntoView {
     view! {
         <main class="revoked">
             <div class="revoked-says">
-                <h1 id=TITLE_ID tabindex="-1">{title}</h1>
+                <h1 id="ended-title" tabindex="-1">{title}</h1>
                 <p role="status">{says}</p>
                 {go_on}
             </div>

@@ -4,15 +4,13 @@ use crate::browser;
 use crate::commands::{CommandGroup, PageCommand, all, group_label};
 use crate::desk::{Desk, Selected};
 use crate::dialogs::{Frame, close};
+use crate::focus::FocusPlace;
 use crate::keys::PressedKey;
 use crate::page::words;
 use crate::parts::{DeskHold, hold};
 use behaviour::Id;
 use leptos::prelude::*;
-use wasm_bindgen::JsCast;
 
-/// A moment for the dialog to go and the keyboard to be back where it was, in milliseconds.
-const GONE_MS: i32 = 60;
 /// At most so many streams are listed.
 const STREAMS_MAX: usize = 12;
 
@@ -137,7 +135,8 @@ fn run(desk: DeskHold, command: PageCommand) {
     }
     close(desk);
     let desk: Desk = desk.desk();
-    browser::after(GONE_MS, move || command.run(&desk));
+    // The dialog is gone then, and the keyboard is back where it was.
+    browser::rendered(move || command.run(&desk));
 }
 
 fn go(desk: DeskHold, id: &Id) {
@@ -147,11 +146,7 @@ fn go(desk: DeskHold, id: &Id) {
 
 /// The arrow down goes from the field into the list.
 fn to_list(event: &web_sys::KeyboardEvent) {
-    if event.pressed() == "ArrowDown"
-        && let Some(first) = document().query_selector(".commands-list .menu-item:not(:disabled)").ok().flatten()
-        && let Some(first) = first.dyn_ref::<web_sys::HtmlElement>()
-    {
+    if event.pressed() == "ArrowDown" && FocusPlace::Command.take().is_some() {
         event.prevent_default();
-        let _ = first.focus();
     }
 }

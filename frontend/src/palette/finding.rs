@@ -5,6 +5,7 @@ use super::{Actions, AlsoFound, Heading, Helpers, Here, is_found};
 use crate::desk::Dialog;
 use crate::dialogs::{Frame, close};
 use crate::fields::SentenceField;
+use crate::focus::FocusPlace;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::palette::words;
@@ -14,7 +15,7 @@ use behaviour::Params;
 use leptos::prelude::*;
 use robot::Device;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, KeyboardEvent, MouseEvent};
+use web_sys::{Element, HtmlElement, KeyboardEvent, MouseEvent};
 
 /// Finding anything, or adding it; `title` is what it is opened for.
 #[component]
@@ -99,9 +100,5 @@ fn ends(desk: DeskHold, event: &MouseEvent) {
 
 /// Enter takes the first thing that is found.
 fn press_first() {
-    let first =
-        document().query_selector(".dialog .found :is(.item:not([aria-disabled='true']), .menu-item:not(:disabled))");
-    if let Some(first) = first.ok().flatten().and_then(|first| first.dyn_into::<web_sys::HtmlElement>().ok()) {
-        first.click();
-    }
+    FocusPlace::Found.element().iter().for_each(HtmlElement::click);
 }

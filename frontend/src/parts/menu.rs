@@ -1,7 +1,7 @@
 //! A button that drops down a menu; arrow keys walk in it, Escape closes it and the button has the keyboard again.
 
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use leptos::prelude::*;
@@ -40,7 +40,9 @@ pub(crate) fn Menu(
             if let Some(ask) = on_open {
                 ask.run(());
             }
-            let _ = request_animation_frame(move || step(root, |_, _| 0));
+            if let Some(root) = root.get_untracked() {
+                focus::place(FocusPlace::FirstItem(root.into()));
+            }
         }
     });
     let keys = move |event: KeyboardEvent| menu_keys(&event, open, root, button);

@@ -119,7 +119,7 @@ fn Marks(past: PastShared) -> impl IntoView {
     let here = Memo::new(move |_| current(&marks.read(), past.viewer.read().cursor()));
     Effect::new(move |_| {
         here.track();
-        browser::after(0, reveal);
+        browser::rendered(reveal);
     });
     let enter = move |event: KeyboardEvent| {
         if event.pressed() == "Enter" {

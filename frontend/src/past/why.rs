@@ -12,6 +12,7 @@ use super::{PastShared, ReasonWanted, clock, filling};
 use crate::desk::{Lit, Selected};
 use crate::parts::language;
 use crate::past::words;
+use crate::focus::{self, FocusPlace};
 use behaviour::{Id, StreamKind};
 use lanes::LaneAct;
 use leptos::prelude::*;
@@ -301,7 +302,7 @@ impl PastShared {
         });
         self.viewer.update(|viewer| viewer.set_question(question));
         self.then.answer.set(Some(answer));
-        view::to_answer();
+        focus::place(FocusPlace::Answer);
     }
 
     /// Closes the answer; the keyboard goes back to the panel.

@@ -2,10 +2,9 @@
 
 use super::OpenFields;
 use super::change::{New, drafted, put, record_of};
-use crate::browser;
 use crate::desk::{EditSession, OtherEditor};
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::parts::{DeskHold, hold, may_edit};
@@ -13,10 +12,7 @@ use crate::sentences::words;
 use leptos::prelude::*;
 use sentences::{LiteralPlace, Number, Piece, SentenceChoice};
 use wasm_bindgen::JsCast;
-use web_sys::{Event, FocusEvent, HtmlElement, HtmlInputElement, KeyboardEvent};
-
-/// A moment for the number to be back in the place of its field, in milliseconds.
-const BACK_MS: i32 = 30;
+use web_sys::{Element, Event, FocusEvent, HtmlElement, HtmlInputElement, KeyboardEvent};
 
 /// Who else is editing what a literal stands in. Reactive.
 fn editor_of(desk: DeskHold, at: &LiteralPlace) -> Option<OtherEditor> {
@@ -205,20 +201,10 @@ fn draft_number(
 
 /// Closes the field by `act`, and gives the keyboard to the number that takes its place.
 fn back_to_number(event: &KeyboardEvent, act: impl FnOnce()) {
-    let field = event.current_target().and_then(|own| own.dyn_into::<HtmlElement>().ok());
-    let phrase = field.as_ref().and_then(|field| field.parent_element());
-    // It stands where the field stood.
-    let place = phrase
-        .as_ref()
-        .map(|phrase| phrase.children())
-        .and_then(|all| (0..all.length()).find(|at| all.item(*at).as_ref() == field.as_ref().map(AsRef::as_ref)));
+    let field = event.current_target().and_then(|own| own.dyn_into::<Element>().ok());
+    let number = field.and_then(|field| FocusPlace::instead_of(&field));
     act();
-    browser::after(BACK_MS, move || {
-        let number = phrase.zip(place).and_then(|(phrase, place)| phrase.children().item(place));
-        if let Some(number) = number.and_then(|number| number.dyn_into::<HtmlElement>().ok()) {
-            let _ = number.focus();
-        }
-    });
+    number.into_iter().for_each(focus::place);
 }
 
 /// One of several words.

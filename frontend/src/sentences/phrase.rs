@@ -5,8 +5,8 @@ use super::name_of;
 use super::warned::{Warned, problem_of};
 use crate::browser;
 use crate::desk::{Desk, Lit, Selected};
-use crate::focus;
 use crate::graph::Stage;
+use crate::focus::{self, FocusPlace};
 use crate::keys::PressedKey;
 use crate::parts::{DeskHold, hold};
 use crate::sentences::words;
@@ -66,13 +66,7 @@ fn stay(row: NodeRef<leptos::html::Li>) {
     let Some(row) = row.get_untracked() else { return };
     let Some(active) = focus::active() else { return };
     let Some(at) = focus::all(&row, ".phrase").iter().position(|phrase| phrase.contains(Some(&active))) else { return };
-    browser::after(0, move || {
-        let phrases = focus::all(&row, ".phrase");
-        let phrase = phrases.get(at).or(phrases.last());
-        if let Some(stop) = phrase.and_then(|phrase| focus::all(phrase, "[data-stop]").into_iter().next()) {
-            focus::focus(&stop);
-        }
-    });
+    focus::place(FocusPlace::Phrase(row.into(), at));
 }
 
 /// Whether what leads to its action passed something on within the last second. Reactive.

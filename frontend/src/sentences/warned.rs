@@ -1,9 +1,8 @@
 //! What is wrong with what a phrase means: a wave below its words, and while it has the keyboard, what mends it beside it.
 
-use crate::browser;
 use crate::desk::Desk;
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::parts::ProblemLine;
 use crate::parts::hold;
 use crate::sentences::words;
@@ -16,8 +15,6 @@ use web_sys::{Element, HtmlElement};
 /// How wide what is said is at most, and its distance to the phrase, in pixels.
 const WIDTH: f64 = 320.0;
 const NEAR: f64 = 8.0;
-/// A moment for the sentences to be made again after something was mended, in milliseconds.
-const BACK_MS: i32 = 120;
 
 /// The phrase that has the keyboard, with where its problem is said. What is wrong with it may change meanwhile.
 #[derive(Clone, Copy)]
@@ -44,13 +41,9 @@ impl Warned {
         }
     }
 
-    /// The keyboard goes back to the phrase.
-    fn back(self) {
-        if let Some(phrase) = self.phrase.get_value().filter(|phrase| phrase.is_connected())
-            && let Some(stop) = focus::all(&phrase, "[data-stop]").first()
-        {
-            focus::focus(stop);
-        }
+    /// The keyboard goes back there: the phrase.
+    fn back(self) -> Option<FocusPlace> {
+        self.phrase.get_value().map(|phrase| FocusPlace::FirstStop(phrase.into()))
     }
 }
 
@@ -85,11 +78,7 @@ pub(super) fn stays(event: &web_sys::FocusEvent) -> bool {
 fn stay<T>(root: NodeRef<leptos::html::Div>, shown: Option<T>) -> Option<T> {
     let here = |root: &HtmlElement| focus::active().is_some_and(|active| root.contains(Some(&active)));
     if let Some(root) = root.get_untracked().filter(|root| shown.is_some() && here(root)) {
-        browser::after(0, move || {
-            if let Some(first) = focus::focusable(&root).first() {
-                focus::focus(first);
-            }
-        });
+        focus::place(FocusPlace::First(root.into()));
     }
     shown
 }
@@ -106,7 +95,7 @@ pub(super) fn Trouble(warned: Warned) -> impl IntoView {
     let root = NodeRef::<leptos::html::Div>::new();
     let keys = move |event: web_sys::KeyboardEvent| {
         let hide = || {
-            warned.back();
+            warned.back().iter().for_each(|phrase| drop(phrase.take()));
             warned.hide();
         };
         if escape::ends(&event, hide) {
@@ -116,7 +105,7 @@ pub(super) fn Trouble(warned: Warned) -> impl IntoView {
     let press = move |event: web_sys::MouseEvent| {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         if target.is_some_and(|target| target.closest("button").ok().flatten().is_some()) {
-            browser::after(BACK_MS, move || warned.back());
+            warned.back().into_iter().for_each(focus::place);
         }
     };
     view! {

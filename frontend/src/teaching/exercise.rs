@@ -8,8 +8,6 @@ use leptos::prelude::*;
 use protocol::{Exercise, ExerciseQuestion, RehearsalResult};
 use web_sys::HtmlElement;
 
-/// A moment for what is said to be in the page, in milliseconds.
-const SHOWN_MS: i32 = 30;
 /// The id of what folds.
 const GOAL_ID: &str = "exercise-goal";
 
@@ -98,7 +96,7 @@ fn TryIt(exercise: Exercise) -> impl IntoView {
     let place = NodeRef::<leptos::html::Div>::new();
     Effect::new(move |_| {
         if verdict.read().is_some() {
-            browser::after(SHOWN_MS, move || place.try_get_untracked().flatten().iter().for_each(|place| show(place)));
+            browser::rendered(move || place.try_get_untracked().flatten().iter().for_each(|place| show(place)));
         }
     });
     let said = move || {

@@ -4,7 +4,7 @@ use super::spot::{WindowArea, spot};
 use super::steps::{STEPS, StepBefore, TourStep};
 use crate::browser;
 use crate::escape;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::parts::{DeskHold, hold};
 use crate::teaching::words;
 use leptos::html::Aside;
@@ -49,9 +49,7 @@ fn Tour() -> impl IntoView {
         } else {
             desk.leave_tour()
         }
-        if let Some(stage) = focus::by_id("stage") {
-            focus::focus(&stage);
-        }
+        FocusPlace::Graph.take();
     };
     let skip = move |_| desk.desk().go_in_tour(at.get_untracked() + 1);
     let step = move || words::tour_step(at.get() + 1, STEPS.len() - 1);

@@ -6,7 +6,7 @@ use super::fix::AnswerFix;
 use super::{AnswerLine, ShownAnswer};
 use crate::browser;
 use crate::desk::Lit;
-use crate::focus;
+use crate::focus::{self, FocusPlace};
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use crate::layout::stream_width;
@@ -17,18 +17,6 @@ use leptos::portal::Portal;
 use leptos::prelude::*;
 use protocol::Role;
 use wasm_bindgen::JsCast;
-
-/// The id of the answer.
-const ANSWER_ID: &str = "why-answer";
-
-/// The keyboard goes to the answer once that is there.
-pub(super) fn to_answer() {
-    browser::after(0, || {
-        if let Some(answer) = focus::by_id(ANSWER_ID) {
-            focus::focus(&answer);
-        }
-    });
-}
 
 /// The moment, what can be asked about it, and the answer.
 #[component]
@@ -119,7 +107,7 @@ fn Answer(past: PastShared, answer: ShownAnswer) -> impl IntoView {
     let made = RwSignal::new(None);
     let lines = lines.into_iter().map(|(at, line)| view! { <Line past at line is_not made /> }).collect_view();
     view! {
-        <div class="why" class:why-not=is_not id=ANSWER_ID tabindex="-1" role="group" aria-label=answer.title.clone()>
+        <div class="why" class:why-not=is_not id="why-answer" tabindex="-1" role="group" aria-label=answer.title.clone()>
             <div class="why-head">
                 <h2>{answer.title.clone()}</h2>
                 <button class="past-tool" type="button" aria-label=words::close_answer() title=words::close_answer() on:click=close><Icon name="close" /></button>
@@ -177,14 +165,14 @@ fn Fixing(past: PastShared, at: usize, fix: AnswerFix, made: RwSignal<Option<usi
             past.take_fix(fix, move || {
                 made.try_set(Some(at));
                 // The button is gone: the keyboard stays at the answer.
-                to_answer();
+                focus::place(FocusPlace::Answer);
             });
         });
     };
     let undo = move |_| {
         fix.with_value(|fix| past.take_back(fix));
         made.set(None);
-        to_answer();
+        focus::place(FocusPlace::Answer);
     };
     let said = words::fix_made(&number);
     let label = words::make_it(&number);

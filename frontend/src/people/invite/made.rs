@@ -3,13 +3,12 @@
 use super::warning::Warning;
 use crate::browser;
 use crate::desk::NewInvitation;
-use crate::focus;
 use crate::people::words;
+use crate::focus::{self, FocusPlace};
 use leptos::prelude::*;
 
 /// What is left free around a QR code, in its dots.
 const QUIET: usize = 4;
-const LINK_ID: &str = "invitation-link";
 
 /// The link, shown this once.
 #[component]
@@ -21,11 +20,11 @@ pub(super) fn Made(invited: NewInvitation, made: RwSignal<Option<NewInvitation>>
         let link = link.clone();
         move |_| copied.set(browser::copy(&link))
     };
-    let _ = request_animation_frame(|| focus::by_id(LINK_ID).iter().for_each(focus::focus));
+    focus::place(FocusPlace::InvitationLink);
     view! {
         <p role="status">{said}</p>
         <div class="copy-line">
-            <input class="input mono" id=LINK_ID type="text" readonly=true aria-label=words::link() value=link.clone()
+            <input class="input mono" id="invitation-link" type="text" readonly=true aria-label=words::link() value=link.clone()
                 on:focus=select_all />
             <button class="button primary" type="button" on:click=copy>
                 {move || if copied.get() { words::link_copied() } else { words::copy_link() }}
