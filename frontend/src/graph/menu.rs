@@ -2,8 +2,8 @@
 
 use crate::desk::{Dialog, NewSpot, use_desk};
 use crate::escape;
-use crate::graph::words;
 use crate::focus::{self, FocusPlace};
+use crate::graph::words;
 use crate::icons::Icon;
 use crate::keys::PressedKey;
 use behaviour::Id;

@@ -7,7 +7,6 @@ use super::hand::StagePoint;
 use super::offer::Offering;
 use crate::desk::{CarriedItem, Desk, Joining, Selected, WireEnd, use_desk, wire_ends};
 use crate::escape;
-use crate::focus;
 use crate::graph::words;
 use crate::keys::PressedKey;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};

@@ -1,8 +1,8 @@
 //! Giving a version a name, where the list begins.
 
 use super::back_to_lines;
-use crate::history::words;
 use crate::focus::{self, FocusPlace};
+use crate::history::words;
 use crate::link::NoAnswer;
 use crate::parts::hold;
 use behaviour::CHECKPOINT_NAME_MAX_CHARS;

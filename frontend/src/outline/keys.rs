@@ -2,8 +2,8 @@
 
 use crate::desk::{Desk, Dialog, Selected};
 use crate::escape;
-use crate::graph::edit;
 use crate::focus::{self, FocusPlace};
+use crate::graph::edit;
 use crate::keys::PressedKey;
 use crate::later::SecondPiece;
 use editor::keys::EscapeUse;

@@ -3,8 +3,8 @@
 use super::warning::Warning;
 use crate::browser;
 use crate::desk::NewInvitation;
-use crate::people::words;
 use crate::focus::{self, FocusPlace};
+use crate::people::words;
 use leptos::prelude::*;
 
 /// What is left free around a QR code, in its dots.
