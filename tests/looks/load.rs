@@ -9,7 +9,7 @@ use std::io::Write;
 const BYTES_MAX: u64 = 700_000;
 const REQUESTS_MAX: u64 = 8;
 /// The second piece of the page's code, which nobody waits for, with what it has in common with the operator's page. A ratchet.
-const LATER_BYTES_MAX: u64 = 722_500;
+const LATER_BYTES_MAX: u64 = 721_500;
 /// The files of that: its own, what it has in common with one of the two other pieces, and with both.
 const LATER_FILES_MAX: u64 = 4;
 /// The words of the second language, which only those fetch who chose it.
