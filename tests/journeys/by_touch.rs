@@ -202,7 +202,8 @@ async fn stop_is_heard_as_a_finger_comes_down_also_after_a_flick() -> Outcome<()
 /// Waits until the tour is at this step.
 async fn step_is(page: &Page, step: u32) -> Outcome<()> {
     page.find("complementary", "Tour").await?;
-    says(page, &format!("Step {step} of 9")).await
+    says(page, &format!("Step {step} of 9")).await?;
+    card_stands(page).await
 }
 
 #[tokio::test]

@@ -209,3 +209,11 @@ pub(crate) fn calm(page: &Page) -> Outcome<()> {
 pub(crate) fn calm_but_lost(page: &Page) -> Outcome<()> {
     page.no_errors_but(&["WebSocket", "ERR_CONNECTION_REFUSED"])
 }
+
+/// The places of the tour's card and of its ring, which looks five times a second where what it is about stands.
+const CARD: &str = "[...document.querySelectorAll('.tour, .tour-ring')].map(one => Object.values(one.getBoundingClientRect().toJSON())).join()";
+
+/// Waits until the tour's card stands. While it glides it may lie over what is pressed next.
+pub(crate) async fn card_stands(page: &Page) -> Outcome<()> {
+    page.steady(CARD, 20, "the tour's card stands").await
+}

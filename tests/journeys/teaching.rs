@@ -8,7 +8,8 @@ use crate::steps::*;
 async fn at_step(page: &Page, step: u32, words: &str) -> Outcome<()> {
     page.find("complementary", "Tour").await?;
     says(page, &format!("Step {step} of 9")).await?;
-    says(page, words).await
+    says(page, words).await?;
+    card_stands(page).await
 }
 
 /// Finds a command by its words and does it.
