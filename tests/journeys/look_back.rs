@@ -6,8 +6,9 @@ use house::{Outcome, Page, SESSION, keep_session, skip};
 
 /// The moment that is looked at, in milliseconds since Start.
 pub(crate) const CURSOR: &str = "Number(document.querySelector('.past-canvas').dataset.cursor)";
-/// True once all lanes are there with their values.
+/// True once all lanes are there with their values and styles.
 pub(crate) const THERE: &str = "document.querySelectorAll('.past-label').length > 4 && \
+    getComputedStyle(document.querySelector('.past')).display === 'flex' && \
     document.querySelectorAll('.past-table tbody tr').length > 2";
 
 async fn cursor(page: &Page) -> Outcome<f64> {
@@ -160,6 +161,7 @@ async fn the_marks_lead_to_their_moments_by_the_keyboard_alone() -> Outcome<()> 
     aiko.until(&format!("{MARKS} === 4 && !!document.querySelector('.then-left')"), "the marks stand at the left")
         .await?;
     aiko.until(&format!("{MARK_HERE} === ''"), "the cursor is at none of them").await?;
+    aiko.until("document.activeElement.matches('.past')", "the keyboard is in the panel").await?;
     let hands = Hands::of(&aiko);
     hands.goes_to("Tab", "Find a moment …").await?;
     hands.press("ArrowDown").await?;
