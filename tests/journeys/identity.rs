@@ -121,7 +121,9 @@ async fn a_robot_gets_its_new_address_and_is_not_added_twice() -> Outcome<()> {
     // By hand: the same dialog, from the menu.
     let Some(again) = StandIn::start("journey: a new address", &me)? else { return Ok(()) };
     aiko.press("button", "Robot: Blue").await?;
-    aiko.press("menuitem", "Change the address").await?;
+    // By its key: what the list says of a robot that comes back grows and shrinks, and moves what stands below it.
+    aiko.on("menuitem", "Change the address", "function () { this.focus(); return true; }").await?;
+    aiko.key("Enter").await?;
     let dialog = aiko.within("dialog", "Change the address of “Blue”");
     dialog.fill("textbox", "Address", again.address()).await?;
     keep(&aiko, "change-address").await?;
