@@ -17,28 +17,33 @@ const FOCUSABLE: &str = "a[href], button:not(:disabled):not([tabindex='-1']), in
 /// Selects the fields in which one types.
 const FIELD: &str = "input, textarea, select";
 
-/// The element that has the keyboard.
+/// The element that has the keyboard, if it is one of HTML: in drawings others can have it too.
 pub(crate) fn active() -> Option<HtmlElement> {
-    document()?.active_element()?.dyn_into().ok()
+    holder()?.dyn_into().ok()
+}
+
+/// The element that has the keyboard, be it of HTML or of a drawing.
+fn holder() -> Option<Element> {
+    document()?.active_element()
 }
 
 /// True if an element has the keyboard.
 pub(crate) fn is_at(element: &Element) -> bool {
-    active().is_some_and(|active| active.is_same_node(Some(element)))
+    holder().is_some_and(|holder| holder.is_same_node(Some(element)))
 }
 
-/// Returns true if nothing has the keyboard.
+/// Returns true if nothing of HTML has the keyboard.
 pub(crate) fn is_nowhere() -> bool {
     active().is_none_or(|active| active.tag_name() == "BODY")
 }
 
 /// The place of the keyboard when something was begun whose end comes a moment later.
-pub(crate) struct FocusBefore(Option<HtmlElement>);
+pub(crate) struct FocusBefore(Option<Element>);
 
 impl FocusBefore {
     /// Remembers where it is now.
     pub(crate) fn now() -> Self {
-        Self(active())
+        Self(holder())
     }
 
     /// True if somebody left it since, though it is there still.
@@ -49,10 +54,11 @@ impl FocusBefore {
     /// Returns true if somebody went elsewhere since, out of the graph or into a field: people do not wait, and their typing
     /// is not meant for what was begun.
     fn is_over(&self) -> bool {
-        let now = active();
+        let now = holder();
+        let is_nowhere = now.as_ref().is_none_or(|now| now.tag_name() == "BODY");
         let matches =
             |selector| now.as_ref().is_some_and(|now| now.closest(selector).is_ok_and(|found| found.is_some()));
-        now != self.0 && !is_nowhere() && (!matches("#stage") || matches(FIELD))
+        now != self.0 && !is_nowhere && (!matches("#stage") || matches(FIELD))
     }
 }
 

@@ -1,4 +1,4 @@
-//! What is selected, and the forms of connectors, streams and helpers.
+//! The panel of the selection, and the forms of connectors, streams and helpers.
 
 mod all_problems;
 mod apply;

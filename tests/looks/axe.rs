@@ -4,9 +4,6 @@ use crate::screens::{Stage, nothing, rests, run_template, selected};
 use crate::words::Words;
 use house::{Outcome, Page, Rules, skip};
 
-/// What stands before the veil of a dialog. What is behind it nobody reaches, and it was looked at without the dialog.
-const BEFORE_VEIL: &str = ".dialog-place, #stop-form, .notices";
-
 /// What breaks any rule of axe.
 pub(crate) async fn check(page: &Page, place: &str) -> Outcome<Vec<String>> {
     check_by(page, Rules::All, place).await
@@ -14,8 +11,7 @@ pub(crate) async fn check(page: &Page, place: &str) -> Outcome<Vec<String>> {
 
 /// What breaks these rules of axe.
 pub(crate) async fn check_by(page: &Page, rules: Rules, place: &str) -> Outcome<Vec<String>> {
-    let is_veiled = page.eval("!!document.querySelector('.veil')").await? == true;
-    let violations = page.axe(if is_veiled { BEFORE_VEIL } else { "" }, rules).await?;
+    let violations = page.axe("", rules).await?;
     let line = |violation: house::Violation| {
         let nodes = violation.nodes.join("\n      ");
         format!("{place}: {} ({}): {}\n      {nodes}", violation.rule, violation.impact, violation.help)

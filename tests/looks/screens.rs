@@ -45,7 +45,7 @@ impl Stage {
         let browser = Browser::launch().await?;
         let page = browser.person("aiko").await?;
         page.size(1440, 900, false).await?;
-        // What is looked at is what stands at last: nobody has to wait for it.
+        // Looks are about what stands at last: nobody has to wait for it.
         page.media("prefers-reduced-motion", "reduce").await?;
         words.open(&page, &server.url()).await?;
         usable(&page).await?;

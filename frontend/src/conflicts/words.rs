@@ -22,7 +22,7 @@ sentences! {
     type_of: "Type";
     start_label: "Starts from";
     every_label: "Every";
-    // What is not lost, whatever is chosen.
+    // Nothing of these is lost, whatever is chosen.
     stays_in_history: "What you do not take stays in History.";
     other_settings: "Other settings";
     passes_short: "passes";
@@ -49,7 +49,7 @@ pub(crate) fn removed_it(name: &str, what: &str) -> String {
     say!(removed_it: "{name} removed this {what}", name, what)
 }
 
-/// Where it is about a stream that a new connector was to come out of.
+/// Says that it is about a stream that a new connector was to come out of.
 pub(crate) fn removed_its_stream(name: &str) -> String {
     say!(removed_its_stream: "{name} removed a stream of it", name)
 }
@@ -90,7 +90,7 @@ pub(crate) fn did_remove(name: &str, of: &str) -> String {
     say!(did_remove: "{name} removed what belongs to {of}", name, of)
 }
 
-/// How many more of one's own come after the one that is shown.
+/// Counts those of one's own that come after the one that is shown.
 pub(crate) fn more_after(many: usize) -> String {
     match many {
         1 => say!(more_after_n1_more_change_of: "1 more change of yours comes after this one."),
@@ -108,7 +108,7 @@ pub(crate) fn was(label: &str, before: &str) -> String {
     say!(was: "{label} (was {before})", label, before)
 }
 
-/// How many of the tried values pass.
+/// Counts the tried values that pass.
 pub(crate) fn how_many_pass(pass: usize, all: usize) -> String {
     if pass == 1 {
         say!(how_many_pass_of_passes: "{pass} of {all} passes", pass, all)
@@ -129,7 +129,7 @@ pub(crate) fn the_last(many: usize) -> String {
     }
 }
 
-/// What the button says that copies one's own.
+/// Labels the button that copies one's own.
 pub(crate) fn copy_button(done: bool) -> &'static str {
     if done { copied() } else { copy_mine_short() }
 }

@@ -26,12 +26,12 @@ pub(crate) fn remove_question(name: &str) -> String {
     say!(remove_question: "Remove “{name}”?", name)
 }
 
-/// Who is editing, and what that means meanwhile.
+/// Says who is editing, and what that means meanwhile.
 pub(crate) fn is_editing_and(name: &str, meanwhile: &str) -> String {
     say!(is_editing_and: "{name} is editing. {meanwhile}", name, meanwhile)
 }
 
-/// What one sees of what somebody else is editing.
+/// Says what one sees of what somebody else is editing.
 pub(crate) fn until_saved(name: &str) -> String {
     say!(until_saved: "It is as {name} left it until {name} saves.", name)
 }

@@ -48,7 +48,7 @@ pub(crate) enum FocusPlace {
     GoBack,
     /// The link of a new invitation.
     InvitationLink,
-    /// What is said where there will be no link again.
+    /// The title of the page that has no link and will have none.
     EndedTitle,
     /// The first of an element that Tab reaches, that arrow keys reach, or that is an item of its menu.
     First(Element),

@@ -1,10 +1,10 @@
-//! What the robot still uses of a connector in the place of what is here now.
+//! The part of a connector that the robot still uses in the place of what is here now.
 
 use crate::forms::words;
 use behaviour::{Operation, Procedure};
 use editor::numbers::number_tests;
 
-/// What the robot still uses in the place of what is here now, in few words: the number where only that differs.
+/// Says what the robot still uses in the place of what is here now, in few words: the number where only that differs.
 pub(crate) fn instead_of(ran: &Operation, now: &Operation, unit: &str) -> Option<String> {
     if ran.spec() != now.spec() {
         return Some(words::connector_word(ran.spec()).to_owned());

@@ -24,7 +24,7 @@ pub(crate) struct TrialQuestion {
     pub(crate) is_test: bool,
 }
 
-/// What a connector's procedure is asked. Reactive.
+/// Returns the question that tries a connector's procedure; none where it has no procedure, or its helper does not fit. Reactive.
 pub(crate) fn question_of(desk: DeskHold, connector: &Connector) -> Option<TrialQuestion> {
     let desk = desk.desk();
     let spec = connector.operation.spec();

@@ -72,7 +72,7 @@ sentences! {
     several_values: "Several values with commas between them are tried one after the other.";
 }
 
-/// Where a number was before it was turned.
+/// Says where a number was before it was turned.
 pub(crate) fn it_was(value: &str) -> String {
     say!(it_was: "was {value}", value)
 }
@@ -92,7 +92,7 @@ pub(crate) fn removed_by(name: &str) -> String {
     say!(removed_by: "{name} removed this.", name)
 }
 
-/// What a connector has done: `147 worked, no errors`.
+/// Counts what a connector has done: `147 worked, no errors`.
 pub(crate) fn worked(fired: u64, faults: u64) -> String {
     let fired = count(fired);
     match faults {
@@ -151,7 +151,7 @@ pub(crate) fn helper_takes(argument: &str) -> String {
     say!(helper_takes: "What “{argument}” is", argument)
 }
 
-/// What a helper takes or gives, as one can choose it.
+/// Names a type that a helper takes or gives, as one chooses it.
 pub(crate) fn declared(declared: behaviour::Declared) -> String {
     use behaviour::Declared;
     match (declared, declared.value_type()) {
@@ -176,7 +176,7 @@ pub(crate) fn lane_tells(name: &str, values: &str) -> String {
     if values.is_empty() { say!(lane_tells: "{name}: nothing", name) } else { titled(name, values) }
 }
 
-/// What a marble example gives.
+/// Says what a marble example gives.
 pub(crate) fn comes_out(lane: &str) -> String {
     say!(comes_out: "Out comes {lane}", lane)
 }
@@ -203,7 +203,7 @@ pub(crate) fn sign(sign: &str) -> &'static str {
     }
 }
 
-/// Where a value is now.
+/// Says where a value is now.
 pub(crate) fn now_is(value: &str) -> String {
     say!(now_is: "now {value}", value)
 }
@@ -258,7 +258,7 @@ pub(crate) fn still_edits(name: &str, of: &str) -> String {
     say!(still_edits: "{name} is still editing {of}", name, of)
 }
 
-/// What a slider says: the test, where the value is now, and what becomes of it if that can be told.
+/// Tells the state of a slider: the test, where the value is now, and what becomes of it if that can be told.
 pub(crate) fn slider_said(sign: &str, number: &str, now: Option<(String, Option<bool>)>) -> String {
     let test = match sign {
         "<" => say!(slider_said_less_than: "less than {number}", number),
@@ -276,12 +276,12 @@ pub(crate) fn slider_said(sign: &str, number: &str, now: Option<(String, Option<
     }
 }
 
-/// What the robot has in the place of what was changed.
+/// Says what the robot has in the place of what was changed.
 pub(crate) fn robot_still_uses(what: &str) -> String {
     say!(robot_still_uses: "The robot still uses {what}.", what)
 }
 
-/// What holds while somebody else is editing a connector: its number, if it has one.
+/// Says what holds while somebody else is editing a connector: its number, if it has one.
 pub(crate) fn it_is_until(number: Option<&str>, name: &str) -> String {
     match number {
         Some(number) => say!(it_is_until_it_is_until_saves: "It is {number} until {name} saves.", number, name),

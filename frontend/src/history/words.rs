@@ -45,7 +45,7 @@ pub(crate) fn from_to(day: &str, from: &str, to: Option<&str>) -> String {
     }
 }
 
-/// Who did it, at the beginning of a sentence.
+/// Names who did it, at the beginning of a sentence.
 pub(crate) fn who_did(author: &str, mine: bool) -> String {
     if mine { say!(who_did: "You") } else { person_called(author) }
 }

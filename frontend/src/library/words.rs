@@ -76,7 +76,7 @@ pub(crate) fn changed_by(name: &str) -> String {
     say!(changed_by: "last changed by {name}", name)
 }
 
-/// What a line of the list says below the name: `Aiko · 6 streams · 2 hours ago`.
+/// Describes a program below its name in the list: `Aiko · 6 streams · 2 hours ago`.
 pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> String {
     let changed = if by == owner || by.is_empty() {
         when.to_owned()
@@ -87,7 +87,7 @@ pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> Str
     format!("{owner}{} · {changed}", streams(count))
 }
 
-/// What a line of the bin says below the name: `removed 2 hours ago by Aiko · stays 27 more days`.
+/// Describes a program below its name in the bin: `removed 2 hours ago by Aiko · stays 27 more days`.
 pub(crate) fn removed_line(when: &str, by: &str, days_left: u64) -> String {
     let left = match days_left {
         0 => say!(removed_line_goes_today: "goes today"),
@@ -134,7 +134,7 @@ pub(crate) fn programs_in_all(count: u64) -> String {
     }
 }
 
-/// Why there is no picture.
+/// Says why there is no picture.
 pub(crate) fn no_png(why: NoPicture) -> &'static str {
     match why {
         NoPicture::NoDrawing => no_drawing(),
@@ -168,7 +168,7 @@ pub(crate) fn library_title(role: Option<Role>) -> &'static str {
     }
 }
 
-/// What to do there.
+/// Says what to do there.
 pub(crate) fn library_says(role: Option<Role>) -> &'static str {
     match role {
         Some(Role::Viewer) => {

@@ -1,4 +1,4 @@
-//! How live values are written in the little room beside a stream.
+//! Live values, as they are written in the little room beside a stream.
 
 use crate::words;
 use behaviour::sort_few;
@@ -38,7 +38,7 @@ pub(crate) fn measured(value: &Value, kind: Option<&ValueType>) -> String {
     }
 }
 
-/// Whether two values are the same to who reads them: in all parts but their time, as far as their numbers are written.
+/// Returns true if two values are the same to who reads them: in all parts but their time, as far as their numbers are written.
 pub(crate) fn reads_alike(one: &Value, other: &Value) -> bool {
     match (one, other) {
         (Value::Map(one), Value::Map(other)) => {
@@ -82,7 +82,7 @@ fn short_field(value: &Value) -> String {
     }
 }
 
-/// What people look for first: where, then how large.
+/// Returns the place of a field among the others: first those that say where, then how large.
 fn rank(field: &str) -> usize {
     ["label", "x", "y", "z", "d", "size", "value"].iter().position(|known| *known == field).unwrap_or(9)
 }

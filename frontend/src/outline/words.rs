@@ -11,7 +11,7 @@ sentences! {
     remove_note: "Remove the note";
 }
 
-/// How deep a row of the outline stands, for screen readers.
+/// Says how deep a row of the outline stands, for screen readers.
 pub(crate) fn level(depth: usize) -> String {
     format!("{} ", say!(level: "Level {depth}:", depth))
 }

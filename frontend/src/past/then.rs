@@ -287,7 +287,7 @@ impl PastShared {
         let mut reason = None;
         self.then.asked.update_value(|asked| {
             asked.sparks = Some(at);
-            // Who went on to another moment asks no more about the one before.
+            // A person who went on to another moment asks no more about the one before.
             asked.reason.take_if(|(of, _)| Some(*of) != wanted);
             reason = asked.reason.take_if(|(of, _)| *of == at);
         });

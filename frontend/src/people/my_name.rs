@@ -8,7 +8,7 @@ use leptos::prelude::*;
 /// The longest name of a person, in characters.
 const MY_NAME_MAX_CHARS: usize = 40;
 
-/// What the others see as one's name.
+/// A dialog for the name that the others see.
 #[component]
 pub(crate) fn MyName() -> impl IntoView {
     let desk = hold();

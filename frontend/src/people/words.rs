@@ -43,7 +43,7 @@ sentences! {
     copy_message: "Copy the link with these steps";
 }
 
-/// What somebody may do, for who chooses it.
+/// Names what somebody may do, for who chooses it.
 pub(crate) fn may(role: Role) -> &'static str {
     match role {
         Role::Viewer => said!(may_look: "look"),
@@ -53,7 +53,7 @@ pub(crate) fn may(role: Role) -> &'static str {
     }
 }
 
-/// What follows from that.
+/// Says what follows from that.
 pub(crate) fn may_says(role: Role) -> &'static str {
     match role {
         Role::Viewer => {
@@ -78,7 +78,7 @@ pub(crate) fn may_short(role: Role) -> &'static str {
     }
 }
 
-/// How long, for who chooses it.
+/// Says how long, for who chooses it.
 pub(crate) fn lasts(lasts: Lasts) -> &'static str {
     match lasts {
         Lasts::Once => said!(lasts_once: "once"),
@@ -87,7 +87,7 @@ pub(crate) fn lasts(lasts: Lasts) -> &'static str {
     }
 }
 
-/// What follows from that.
+/// Says what follows from that.
 pub(crate) fn lasts_says(lasts: Lasts) -> &'static str {
     match lasts {
         Lasts::Once => {
@@ -142,7 +142,7 @@ pub(crate) fn follow_who_looks_back(name: &str) -> String {
     say!(follow_who_looks_back: "Follow {name}, who looks back", name)
 }
 
-/// How many more are here than there is room for.
+/// Counts those who are here beyond the room for them.
 pub(crate) fn more_people(more: usize) -> String {
     if more == 1 {
         say!(more_people_n1_more_person: "1 more person")
@@ -151,7 +151,7 @@ pub(crate) fn more_people(more: usize) -> String {
     }
 }
 
-/// What somebody comes with. Each warns in its own words.
+/// The devices that somebody comes with. Each warns in its own words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WarnedDevice {
     AppleTouch,
@@ -165,7 +165,7 @@ impl WarnedDevice {
     pub(crate) const ALL: [Self; 4] = [Self::AppleTouch, Self::Android, Self::Windows, Self::Mac];
 }
 
-/// What a device is called.
+/// Names a device.
 pub(crate) fn device_named(device: WarnedDevice) -> &'static str {
     match device {
         WarnedDevice::AppleTouch => said!(device_named_ipad_iphone: "iPad, iPhone"),
@@ -175,7 +175,7 @@ pub(crate) fn device_named(device: WarnedDevice) -> &'static str {
     }
 }
 
-/// What to press there, in order.
+/// Lists what to press there, in order.
 pub(crate) fn warning_steps(device: WarnedDevice, host: &str) -> Vec<String> {
     let open =
         said!(warning_steps_open_the_link_a: "Open the link. A warning comes that the connection is not private.")

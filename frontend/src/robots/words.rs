@@ -177,12 +177,12 @@ pub(crate) fn follows(what: &str) -> String {
     say!(follows: "follows {what}", what = listed(what.split(", ")))
 }
 
-/// How far something is, as the open program has it too: in centimetres, else in metres.
+/// Says how far something is, as the open program has it too: in centimetres, else in metres.
 pub(crate) fn how_far(metres: f64, in_centimetres: bool) -> String {
     if in_centimetres { format!("{:.0} cm", metres * 100.0) } else { format!("{metres:.2} m") }
 }
 
-/// What was sent to which sense.
+/// Says what was sent to which sense.
 pub(crate) fn sent_to(name: &str, value: &str) -> String {
     say!(sent_to: "Sent to {name}: {value}", name, value)
 }
@@ -202,7 +202,7 @@ pub(crate) fn ball_named(color: &str) -> &'static str {
     }
 }
 
-/// How long ago something was printed, in whole seconds.
+/// Says how long ago something was printed, in whole seconds.
 pub(crate) fn printed_ago(seconds: u64) -> String {
     if seconds < 1 {
         say!(printed_ago_just_now: "just now")
@@ -257,7 +257,7 @@ pub(crate) fn who(identity: &Identity) -> String {
     listed([name, kind.collect::<Vec<_>>().join(" ")].into_iter().filter(|part| !part.is_empty()))
 }
 
-/// What a robot calls itself, and its number.
+/// Says what a robot calls itself, and its number.
 pub(crate) fn calls_itself(identity: &Identity) -> String {
     say!(calls_itself: "calls itself {who}", who = who(identity))
 }
@@ -272,7 +272,7 @@ pub(crate) fn change_address_of(name: &str) -> String {
     say!(change_address_of: "Change the address of “{name}”", name)
 }
 
-/// That a robot is not added a second time.
+/// Says that a robot is not added a second time.
 pub(crate) fn here_already(name: &str) -> String {
     say!(here_already: "This robot is here already, as “{name}”.", name)
 }
@@ -290,12 +290,12 @@ pub(crate) fn paused(why: &Phrase) -> String {
     say!(paused: "Interrupted: {why}. “Continue” goes on where it was; Stop ends it.", why = shown_within(why))
 }
 
-/// How the last run of this program ended.
+/// Says how the last run of this program ended.
 pub(crate) fn stopped_by(name: &str) -> String {
     say!(stopped_by: "{name} pressed Stop. Start runs it again.", name)
 }
 
-/// Why somebody should look at what runs.
+/// Says why somebody should look at what runs.
 pub(crate) fn started_by_revoked(name: &str) -> String {
     say!(started_by_revoked: "{name} started this and may not be here any more.", name)
 }
@@ -303,7 +303,7 @@ pub(crate) fn started_by_revoked(name: &str) -> String {
 /// Below this a robot that walks away may be lost, in percent.
 const WEAK_WIFI: u8 = 40;
 
-/// What is asked before faces are forgotten.
+/// Asks before faces are forgotten.
 pub(crate) fn forget_faces_of(robot: &str, count: u16) -> String {
     match count {
         1 => {
@@ -325,7 +325,7 @@ pub(crate) fn robot_removed(robot: &str) -> String {
     say!(robot_removed: "Somebody has removed “{robot}” meanwhile. Nothing was forgotten.", robot)
 }
 
-/// How a body is, light by light: whether that is good, bad or neither, and in words.
+/// Tells the state of a body, light by light: whether that is good, bad or neither, and in words.
 pub(crate) fn condition(of: &Condition) -> Vec<(&'static str, String)> {
     let mut lights = Vec::new();
     let mut light = |look: &'static str, words: &str| lights.push((look, words.to_owned()));
@@ -397,7 +397,7 @@ fn joint_words(joint: &str) -> String {
     }
 }
 
-/// What a joint moves, without its side.
+/// Names what a joint moves, without its side.
 fn moves(joint: &str) -> String {
     let mut words = String::new();
     for letter in joint.chars() {

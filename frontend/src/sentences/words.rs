@@ -32,7 +32,7 @@ pub(crate) fn change_it(text: &str) -> String {
     say!(change_it: "Change: {text}", text)
 }
 
-/// What a sentence says that is not understood; nothing where something is missing.
+/// Quotes what is not understood in a sentence; nothing where something is missing.
 pub(crate) fn in_doubt(said: String, helpless: bool) -> String {
     match (said.as_str(), helpless) {
         ("", true) => {

@@ -38,7 +38,7 @@ pub(crate) fn goal_reached(says: &str) -> String {
     say!(goal_reached: "Reached. {says}", says)
 }
 
-/// What is not reached, and what went wrong in a procedure.
+/// Says what is not reached, and what went wrong in a procedure.
 pub(crate) fn goal_missed_by(says: &str, why: &str) -> String {
     say!(goal_missed_by: "{says} Something fails on the way: {why}", says, why)
 }
@@ -47,7 +47,7 @@ pub(crate) fn goal_cannot_run(why: &str) -> String {
     say!(goal_cannot_run: "It cannot run yet: {why}.", why)
 }
 
-/// How far somebody is: "Step 2 of 9".
+/// Says how far somebody is: "Step 2 of 9".
 pub(crate) fn tour_step(at: usize, of: usize) -> String {
     say!(tour_step: "Step {at} of {of}", at, of)
 }

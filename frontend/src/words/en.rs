@@ -181,7 +181,7 @@ sentences! {
     choose_sense: "Choose the sense that the tile pretends.";
 }
 
-/// Why the robot is not told to use what somebody is still at.
+/// Says why the robot is not told to use what somebody is still at.
 pub(crate) fn not_while_edited(name: &str, of: &str) -> String {
     say!(not_while_edited: "{name} is still editing {of}. The robot goes on as before; use the changes when {name} is done.", name, of)
 }
@@ -221,7 +221,7 @@ pub(crate) fn device(device: &robot::Device) -> &'static str {
     label_of(&device.called())
 }
 
-/// Why a form cannot be taken.
+/// Says why a form cannot be taken.
 pub(crate) fn unfilled(why: &Unfilled) -> String {
     match why {
         Unfilled::Gone => stream_gone().to_owned(),
